@@ -1,0 +1,1 @@
+"""Cross-check engine for equations of motion."""

@@ -1,0 +1,102 @@
+"""The common form of equations of motion, which every route returns.
+
+    q' = N u + n
+    M u' = f + B lambda        rows: any full-rank combination of the equations of motion
+    A u' = b                   constraints, differentiated down to u'
+
+B lambda are the reactions that maintain the constraints. A route that solves for dependent speeds
+has no lambda, and fewer rows.
+"""
+
+from dataclasses import dataclass
+
+from sympy import Expr, Matrix, Symbol
+
+from mechanics.scene import Scene
+
+
+@dataclass(frozen=True)
+class Line:
+    """One line of a derivation: ``left = right``, `left` in LaTeX, `right` an expression."""
+
+    left: str
+    right: Expr
+    label: str = ""
+
+
+@dataclass(frozen=True)
+class Step:
+    """One step of a derivation, for people: a heading, a sentence, and lines."""
+
+    title: str
+    text: str
+    lines: tuple[Line, ...]
+
+
+@dataclass(frozen=True, eq=False)
+class Equations:
+    """Equations of motion of a scene as one route derived them, in plain symbols.
+
+    Attributes
+    ----------
+    scene : Scene
+    route : str
+    mass : Matrix
+        M, r x n. SI units follow from the rows.
+    forcing : Matrix
+        f, r x 1.
+    multipliers : tuple of Symbol
+        lambda, m of them; empty where the route eliminates them.
+    reaction_matrix : Matrix
+        B, r x m.
+    constraint_matrix, constraint_bias : Matrix
+        A, c x n, and b, c x 1, with A u' = b.
+    conjugate : bool
+        Whether the rows are power-conjugate to u, so that M is symmetric and B = A^T up to the
+        naming of the multipliers.
+    reactions : tuple of (Symbol, Expr)
+        Eliminated reactions, linear in u' and lambda.
+    chosen : tuple of str
+        What the route picked, in words: free bodies and moment centres.
+    steps : tuple of Step
+    """
+
+    scene: Scene
+    route: str
+    mass: Matrix
+    forcing: Matrix
+    multipliers: tuple[Symbol, ...]
+    reaction_matrix: Matrix
+    constraint_matrix: Matrix
+    constraint_bias: Matrix
+    conjugate: bool
+    reactions: tuple[tuple[Symbol, Expr], ...] = ()
+    chosen: tuple[str, ...] = ()
+    steps: tuple[Step, ...] = ()
+
+    @property
+    def residual(self) -> Matrix:
+        """M u' - f - B lambda, r x 1, in u' and lambda."""
+        scene = self.scene
+        residual = self.mass * Matrix(scene.ud) - self.forcing
+        if self.multipliers:
+            residual -= self.reaction_matrix * Matrix(self.multipliers)
+        return residual
+
+    @property
+    def system(self) -> tuple[Matrix, Matrix]:
+        """The square linear system for (u', lambda): ([[M, -B], [A, 0]], [f, b])."""
+        left = self.mass.row_join(-self.reaction_matrix) if self.multipliers else self.mass
+        rows = self.constraint_matrix.rows
+        if rows:
+            lower = self.constraint_matrix
+            if self.multipliers:
+                lower = lower.row_join(Matrix.zeros(rows, len(self.multipliers)))
+            left = left.col_join(lower)
+        right = self.forcing.col_join(self.constraint_bias) if rows else self.forcing
+        return left, right
+
+    @property
+    def unknowns(self) -> tuple[Symbol, ...]:
+        """(u', lambda) in the order of `system`."""
+        return (*self.scene.ud, *self.multipliers)

@@ -1,0 +1,37 @@
+"""Exceptions. Each names the object, what was found, what was expected and what to do next.
+
+Every class also subclasses the builtin exception that describes it, so that callers who know only
+Python's own exceptions can still catch it.
+"""
+
+
+class MechanicsError(Exception):
+    """Base class of everything that this package raises on purpose."""
+
+
+class SceneError(MechanicsError, ValueError):
+    """A scene that cannot be right: the message names the body, load, reaction or coordinate."""
+
+
+class ExpressionError(MechanicsError, ValueError):
+    """An expression that cannot be evaluated or translated: the message names the operation."""
+
+
+class ValueMissingError(MechanicsError, KeyError):
+    """A number is needed for a parameter that has none."""
+
+    def __str__(self) -> str:
+        # KeyError would print the repr of the message.
+        return str(self.args[0]) if self.args else ""
+
+
+class InputError(MechanicsError, ValueError):
+    """Bad input from a person: an unknown name, a file that is no scene, a value out of range."""
+
+
+class SingularError(MechanicsError, ArithmeticError):
+    """A matrix that has to be regular is singular, at a state or everywhere."""
+
+
+class CompilerError(MechanicsError, RuntimeError):
+    """A C compiler was found but refused the generated code; the message carries its words."""

@@ -1,0 +1,56 @@
+"""What a user declares: one mechanical system, in SymPy's own words."""
+
+from mechanics.scene.bodies import Body, Particle, RigidBody
+from mechanics.scene.loads import (
+    Damper,
+    Force,
+    Gravity,
+    Load,
+    Spring,
+    Torque,
+    TorsionSpring,
+    damper,
+    force,
+    gravity,
+    spring,
+    torque,
+    torsion_spring,
+)
+from mechanics.scene.parameters import Parameter, parameters
+from mechanics.scene.reactions import (
+    Constraint,
+    Reaction,
+    holonomic,
+    nonholonomic,
+    reaction,
+    reaction_couple,
+)
+from mechanics.scene.scene import Scene
+
+__all__ = [
+    "Body",
+    "Constraint",
+    "Damper",
+    "Force",
+    "Gravity",
+    "Load",
+    "Parameter",
+    "Particle",
+    "Reaction",
+    "RigidBody",
+    "Scene",
+    "Spring",
+    "Torque",
+    "TorsionSpring",
+    "damper",
+    "force",
+    "gravity",
+    "holonomic",
+    "nonholonomic",
+    "parameters",
+    "reaction",
+    "reaction_couple",
+    "spring",
+    "torque",
+    "torsion_spring",
+]

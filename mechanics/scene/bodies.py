@@ -1,0 +1,76 @@
+"""Bodies: a point mass, or a rigid body with its inertia about the mass centre."""
+
+from dataclasses import dataclass
+
+from sympy import Expr, sympify
+from sympy.physics.vector import Dyadic, Point, ReferenceFrame
+
+from mechanics.errors import SceneError
+
+
+@dataclass(frozen=True)
+class Particle:
+    """A point mass: no rotational inertia, and no orientation that matters.
+
+    Parameters
+    ----------
+    name : str
+    centre : sympy Point
+    mass : Expr
+        In kg; may be zero where the mass matrix stays regular.
+    """
+
+    name: str
+    centre: Point
+    mass: Expr
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "mass", _mass(self.name, self.mass))
+
+
+@dataclass(frozen=True)
+class RigidBody:
+    """A rigid body.
+
+    Parameters
+    ----------
+    name : str
+    centre : sympy Point
+        The mass centre.
+    frame : sympy ReferenceFrame
+        Fixed in the body.
+    mass : Expr
+    inertia : Expr or sympy Dyadic
+        About the mass centre. A scalar is the moment of inertia about the normal of the plane
+        that the scene keeps; in a scene that leaves its plane it is refused.
+    """
+
+    name: str
+    centre: Point
+    frame: ReferenceFrame
+    mass: Expr
+    inertia: Expr | Dyadic
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "mass", _mass(self.name, self.mass))
+        if self.inertia is None:
+            raise SceneError(
+                f"body {self.name}: the inertia about the mass centre is missing:"
+                " give a scalar (planar), a Dyadic, or declare a Particle"
+            )
+        if not isinstance(self.inertia, Dyadic):
+            object.__setattr__(self, "inertia", sympify(self.inertia))
+            if self.inertia.is_negative:
+                raise SceneError(f"body {self.name}: the inertia {self.inertia} is negative")
+
+
+Body = Particle | RigidBody
+
+
+def _mass(name: str, mass: Expr) -> Expr:
+    if mass is None:
+        raise SceneError(f"body {name}: the mass is missing")
+    value = sympify(mass)
+    if value.is_negative:
+        raise SceneError(f"body {name}: the mass {value} is negative: a mass is zero or more")
+    return value

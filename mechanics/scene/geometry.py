@@ -1,0 +1,81 @@
+"""Where frames and points are: paths through SymPy's trees, and positions in plain symbols.
+
+    r = sum over the path of R_F c_F        (c_F: components of one step in the frame F)
+
+Only positions and orientations are read from the user's objects, never velocities: a velocity that
+can be set can contradict the position.
+"""
+
+from sympy import Matrix, zeros
+from sympy.physics.vector import Point, ReferenceFrame, Vector
+
+from mechanics.errors import SceneError
+
+
+def frame_path(root: ReferenceFrame, frame: ReferenceFrame) -> tuple[ReferenceFrame, ...]:
+    """Frames from `root` to `frame`, both included, as the user oriented them.
+
+    Raises
+    ------
+    SceneError
+        When nothing orients the frame relative to the root.
+    """
+    try:
+        path = frame._dict_list(root, 0)
+    except ValueError:
+        raise SceneError(
+            f"frame {frame.name}: it is not oriented relative to {root.name}:"
+            f" make it with {root.name}.orientnew or orient it"
+        ) from None
+    return tuple(reversed(path)) if path[0] is frame else tuple(path)
+
+
+def point_path(root: Point, point: Point) -> tuple[Point, ...]:
+    """Points from `root` to `point`, both included, as the user located them.
+
+    Raises
+    ------
+    SceneError
+        When nothing places the point relative to the root.
+    """
+    try:
+        path = point._pdict_list(root, 0)
+    except ValueError:
+        raise SceneError(
+            f"point {point.name}: it is not placed relative to {root.name}:"
+            f" make it with {root.name}.locatenew or set_pos"
+        ) from None
+    return tuple(reversed(path)) if path[0] is point else tuple(path)
+
+
+def relative_rotation(parent: ReferenceFrame, child: ReferenceFrame) -> Matrix:
+    """3 x 3 matrix R of one step: v_parent = R v_child."""
+    return Matrix(parent.dcm(child))
+
+
+def step_vector(parent: Point, child: Point) -> Vector:
+    """Vector of one step from parent to child, in the frames in which the user gave it."""
+    return child.pos_from(parent)
+
+
+def components(vector: Vector) -> tuple[tuple[ReferenceFrame, Matrix], ...]:
+    """(frame, 3 x 1 components) of a SymPy vector; empty for the zero vector."""
+    return tuple((frame, Matrix(column)) for column, frame in vector.args)
+
+
+def in_root(root: ReferenceFrame, vector: Vector) -> Matrix:
+    """3 x 1 components of a vector in the root frame."""
+    total = zeros(3, 1)
+    for frame, column in components(vector):
+        total += rotation(root, frame) * column
+    return total
+
+
+def rotation(root: ReferenceFrame, frame: ReferenceFrame) -> Matrix:
+    """3 x 3 matrix R along the whole path: v_root = R v_frame."""
+    path = frame_path(root, frame)
+    result = None
+    for parent, child in zip(path, path[1:], strict=False):
+        step = relative_rotation(parent, child)
+        result = step if result is None else result * step
+    return Matrix.eye(3) if result is None else result

@@ -1,0 +1,172 @@
+"""Loads: gravity, springs, dampers, applied forces and torques.
+
+A load acts on bodies at points. A conservative load is declared once; each route lowers it in its
+own way, as a force (`mechanics.kinematics.forces`) or as a potential (`mechanics.kinematics.energy`).
+"""
+
+from dataclasses import dataclass
+
+from sympy import Expr, S, sympify
+from sympy.physics.vector import Point, Vector
+
+from mechanics.errors import SceneError
+
+
+@dataclass(frozen=True)
+class Gravity:
+    """A uniform field that pulls every body with m times the acceleration `field` (m/s^2)."""
+
+    field: Vector
+    name: str = "gravity"
+
+
+@dataclass(frozen=True)
+class Spring:
+    """A linear spring between two points.
+
+    Its tension is stiffness times elongation. With `along`, only the distance along that direction
+    counts (a spring on a rail); without, the distance between the points.
+
+    Parameters
+    ----------
+    name : str
+    first, second : Point
+    stiffness : Expr
+        In N/m.
+    along : Vector or None
+        Unit direction from first to second, fixed in the inertial frame.
+    length : Expr
+        Length without tension, in m.
+    on, by : str or None
+        Names of the bodies that carry second and first. None where the points tell: a point that
+        is the centre of one body, or is fixed in the inertial frame.
+    """
+
+    name: str
+    first: Point
+    second: Point
+    stiffness: Expr
+    along: Vector | None = None
+    length: Expr = S.Zero
+    on: str | None = None
+    by: str | None = None
+
+
+@dataclass(frozen=True)
+class Damper:
+    """A linear damper between two points: tension = coefficient times rate of elongation.
+
+    Fields are those of `Spring`, with a coefficient in N s/m in place of stiffness and length.
+    """
+
+    name: str
+    first: Point
+    second: Point
+    coefficient: Expr
+    along: Vector | None = None
+    on: str | None = None
+    by: str | None = None
+
+
+@dataclass(frozen=True)
+class Force:
+    """An applied force `vector` (N) at `at` on body `on`; `by` feels the opposite, if named."""
+
+    name: str
+    at: Point
+    vector: Vector
+    on: str | None = None
+    by: str | None = None
+
+
+@dataclass(frozen=True)
+class Torque:
+    """An applied torque `vector` (N m) on body `on`; `by` feels the opposite, if named."""
+
+    name: str
+    vector: Vector
+    on: str
+    by: str | None = None
+
+
+@dataclass(frozen=True)
+class TorsionSpring:
+    """A torsion spring: torque -stiffness * angle along `axis` on body `on`, opposite on `by`.
+
+    Parameters
+    ----------
+    name : str
+    angle : Expr
+        Rotation of `on` relative to `by` about `axis`, from the torque-free position, in rad.
+    axis : Vector
+        Unit vector, fixed in both bodies.
+    stiffness : Expr
+        In N m/rad.
+    on : str
+    by : str or None
+        None for the ground.
+    """
+
+    name: str
+    angle: Expr
+    axis: Vector
+    stiffness: Expr
+    on: str
+    by: str | None = None
+
+
+Load = Gravity | Spring | Damper | Force | Torque | TorsionSpring
+CONSERVATIVE = (Gravity, Spring, TorsionSpring)
+
+
+def gravity(field: Vector) -> Gravity:
+    """Uniform gravity, e.g. ``gravity(-g * ground.y)``."""
+    if not isinstance(field, Vector):
+        raise SceneError(f"gravity: {field!r} is no vector: write e.g. gravity(-g * ground.y)")
+    return Gravity(field)
+
+
+def spring(
+    name: str,
+    first: Point,
+    second: Point,
+    stiffness: Expr,
+    along: Vector | None = None,
+    length: Expr = S.Zero,
+    on: str | None = None,
+    by: str | None = None,
+) -> Spring:
+    """See `Spring`."""
+    return Spring(name, first, second, sympify(stiffness), along, sympify(length), on, by)
+
+
+def damper(
+    name: str,
+    first: Point,
+    second: Point,
+    coefficient: Expr,
+    along: Vector | None = None,
+    on: str | None = None,
+    by: str | None = None,
+) -> Damper:
+    """See `Damper`."""
+    return Damper(name, first, second, sympify(coefficient), along, on, by)
+
+
+def force(
+    name: str, at: Point, vector: Vector, on: str | None = None, by: str | None = None
+) -> Force:
+    """See `Force`."""
+    return Force(name, at, vector, on, by)
+
+
+def torque(name: str, vector: Vector, on: str, by: str | None = None) -> Torque:
+    """See `Torque`."""
+    return Torque(name, vector, on, by)
+
+
+def torsion_spring(
+    name: str, angle: Expr, axis: Vector, stiffness: Expr, on: str, by: str | None = None
+) -> TorsionSpring:
+    """See `TorsionSpring`."""
+    return TorsionSpring(name, sympify(angle), axis, sympify(stiffness), on, by)

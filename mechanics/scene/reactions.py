@@ -1,0 +1,75 @@
+"""Reactions and constraints: what holds the bodies together."""
+
+from dataclasses import dataclass
+
+from sympy import Expr, Symbol, sympify
+from sympy.physics.vector import Point, Vector
+
+
+@dataclass(frozen=True)
+class Reaction:
+    """One unknown component of what one body exerts on another.
+
+    Parameters
+    ----------
+    name : str
+    on : str
+        Body that feels `along` times the unknown.
+    by : str or None
+        Body that feels the opposite; None for the ground.
+    along : Vector
+        Unit direction.
+    at : Point or None
+        Where the force acts; None for a couple.
+    """
+
+    name: str
+    on: str
+    by: str | None
+    along: Vector
+    at: Point | None
+
+    @property
+    def symbol(self) -> Symbol:
+        """The unknown, in N or N m."""
+        return Symbol(self.name, real=True)
+
+
+def reaction(name: str, at: Point, on: str, by: str | None, along: Vector) -> Reaction:
+    """An unknown force component at a point: see `Reaction`."""
+    return Reaction(name, on, by, along, at)
+
+
+def reaction_couple(name: str, on: str, by: str | None, along: Vector) -> Reaction:
+    """An unknown couple component: see `Reaction`."""
+    return Reaction(name, on, by, along, None)
+
+
+@dataclass(frozen=True)
+class Constraint:
+    """``expression = 0``, maintained by the named reactions.
+
+    Parameters
+    ----------
+    name : str
+    expression : Expr
+        Of the coordinates (holonomic), or linear in their rates (nonholonomic).
+    reactions : tuple of str
+        Names of the declared reactions that maintain it; they stay as multipliers.
+    holonomic : bool
+    """
+
+    name: str
+    expression: Expr
+    reactions: tuple[str, ...]
+    holonomic: bool
+
+
+def holonomic(name: str, expression: Expr, *reactions: str) -> Constraint:
+    """A configuration constraint ``expression(q) = 0``: a closed loop, for example."""
+    return Constraint(name, sympify(expression), reactions, True)
+
+
+def nonholonomic(name: str, expression: Expr, *reactions: str) -> Constraint:
+    """A motion constraint ``expression(q, q') = 0``, linear in the rates: rolling, for example."""
+    return Constraint(name, sympify(expression), reactions, False)

@@ -1,0 +1,194 @@
+"""The scene: one mechanical system, declared once.
+
+    q' = N(q) u + n(q, t)          (u = q' unless speeds are declared)
+"""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from functools import cached_property
+
+from sympy import Expr, Matrix, Symbol, linsolve, sympify
+from sympy.physics.vector import Dyadic, Point, ReferenceFrame, Vector
+
+from mechanics.errors import SceneError
+from mechanics.scene.bodies import Body, RigidBody
+from mechanics.scene.geometry import in_root, rotation
+from mechanics.scene.loads import Load
+from mechanics.scene.reactions import Constraint, Reaction
+from mechanics.scene.symbols import plain_symbol, plain_table, to_plain
+from mechanics.scene.validate import validate
+
+
+@dataclass(frozen=True, eq=False)
+class Scene:
+    """One mechanical system.
+
+    Parameters
+    ----------
+    name : str
+    frame : ReferenceFrame
+        Inertial.
+    origin : Point
+        Fixed in the inertial frame.
+    coordinates : tuple of dynamic symbols
+        Generalized coordinates q.
+    bodies, loads, reactions, constraints : tuples
+        See the modules of these names.
+    inputs : tuple of dynamic symbols
+        Given functions of time: control forces, prescribed motions.
+    speeds : tuple of (dynamic symbol, Expr)
+        Generalized speeds u with their definition in q and q', linear in q'. Empty: u = q'.
+    definitions : mapping of Symbol to Expr
+        Parameters that stand for expressions in others (I_C for what the shapes give); they are
+        expanded for proofs that need them.
+    example : mapping of str to float
+        Initial values of a motion worth looking at, by plain name (``"theta"``, ``"theta_dot"``).
+
+    Raises
+    ------
+    SceneError
+        When the scene cannot be right; the message names what is wrong.
+    """
+
+    name: str
+    frame: ReferenceFrame
+    origin: Point
+    coordinates: tuple[Expr, ...]
+    bodies: tuple[Body, ...]
+    loads: tuple[Load, ...] = ()
+    reactions: tuple[Reaction, ...] = ()
+    constraints: tuple[Constraint, ...] = ()
+    inputs: tuple[Expr, ...] = ()
+    speeds: tuple[tuple[Expr, Expr], ...] = ()
+    definitions: Mapping[Symbol, Expr] = field(default_factory=dict)
+    example: Mapping[str, float] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        validate(self)
+
+    @cached_property
+    def q(self) -> tuple[Symbol, ...]:
+        """Generalized coordinates as plain symbols."""
+        return tuple(plain_symbol(q) for q in self.coordinates)
+
+    @cached_property
+    def qd(self) -> tuple[Symbol, ...]:
+        """Rates of the coordinates as plain symbols; the same symbols as `u` when u = q'."""
+        return tuple(plain_symbol(q, 1) for q in self.coordinates)
+
+    @cached_property
+    def u(self) -> tuple[Symbol, ...]:
+        """Generalized speeds as plain symbols."""
+        if not self.speeds:
+            return self.qd
+        return tuple(plain_symbol(u) for u, _ in self.speeds)
+
+    @cached_property
+    def ud(self) -> tuple[Symbol, ...]:
+        """Rates of the speeds as plain symbols."""
+        if not self.speeds:
+            return tuple(plain_symbol(q, 2) for q in self.coordinates)
+        return tuple(plain_symbol(u, 1) for u, _ in self.speeds)
+
+    @cached_property
+    def coordinate_rates(self) -> dict[Symbol, Expr]:
+        """q' = N u + n, by coordinate rate."""
+        if not self.speeds:
+            return {rate: rate for rate in self.qd}
+        table = self._table
+        rows = [u - to_plain(e, table, f"speed {u}") for u, (_, e) in zip(self.u, self.speeds)]
+        (solution,) = linsolve(rows, *self.qd)
+        return dict(zip(self.qd, solution, strict=True))
+
+    @cached_property
+    def parameters(self) -> tuple[Symbol, ...]:
+        """Free symbols that are no coordinate, speed or input, in order of their names."""
+        known = {*self.q, *self.qd, *self.u, *self.ud, *self._table.values(), Symbol("t")}
+        found: set[Symbol] = set()
+        for expression in self._expressions():
+            found |= expression.free_symbols
+        return tuple(sorted(found - known, key=lambda symbol: symbol.name))
+
+    @cached_property
+    def input_symbols(self) -> tuple[Symbol, ...]:
+        """Inputs as plain symbols."""
+        return tuple(plain_symbol(f) for f in self.inputs)
+
+    def plain(self, expression: Expr, where: str = "") -> Expr:
+        """The expression in plain symbols, with q' and q'' written in q, u and u'."""
+        result = to_plain(expression, self._table, where or self.name)
+        if not self.speeds:
+            return result
+        second = {plain_symbol(q, 2): self._second_rate(qd) for q, qd in
+                  zip(self.coordinates, self.qd, strict=True)}
+        return result.xreplace(second).xreplace(self.coordinate_rates)
+
+    def rates(self, expression: Expr) -> Expr:
+        """The expression in plain symbols, with q' left as symbols of its own."""
+        return to_plain(expression, self._table, self.name)
+
+    def position(self, point: Point) -> Matrix:
+        """3 x 1 position of a point from the origin, in the inertial frame, in plain symbols."""
+        return self.vector(point.pos_from(self.origin), f"point {point.name}")
+
+    def rotation(self, frame: ReferenceFrame) -> Matrix:
+        """3 x 3 matrix R with v_inertial = R v_frame, in plain symbols."""
+        matrix = rotation(self.frame, frame)
+        return matrix.applyfunc(lambda entry: self.plain(entry, f"frame {frame.name}"))
+
+    def vector(self, vector: Vector, where: str = "") -> Matrix:
+        """3 x 1 components of a vector in the inertial frame, in plain symbols."""
+        return in_root(self.frame, vector).applyfunc(lambda entry: self.plain(entry, where))
+
+    def body(self, name: str) -> Body:
+        """The body of that name."""
+        for body in self.bodies:
+            if body.name == name:
+                return body
+        raise SceneError(
+            f"{self.name}: there is no body {name!r}: the bodies are"
+            f" {', '.join(body.name for body in self.bodies)}"
+        )
+
+    @property
+    def degrees_of_freedom(self) -> int:
+        """Number of independent speeds."""
+        return len(self.u) - len(self.constraints)
+
+    @cached_property
+    def _table(self) -> dict[Expr, Symbol]:
+        speeds = tuple(u for u, _ in self.speeds)
+        return plain_table((*self.coordinates, *speeds, *self.inputs))
+
+    def _second_rate(self, qd: Symbol) -> Expr:
+        rate = self.coordinate_rates[qd]
+        total = sympify(0)
+        for symbol, derivative in (
+            *zip(self.q, self.qd, strict=True),
+            *zip(self.u, self.ud, strict=True),
+        ):
+            total += rate.diff(symbol) * derivative
+        return total
+
+    def _expressions(self) -> list[Expr]:
+        """Every expression of the scene, in plain symbols."""
+        found: list[Expr] = list(self.coordinate_rates.values())
+        for body in self.bodies:
+            found += [body.mass, *self.position(body.centre)]
+            if isinstance(body, RigidBody):
+                found += list(self.rotation(body.frame))
+                inertia = body.inertia
+                if isinstance(inertia, Dyadic):
+                    found += list(inertia.to_matrix(body.frame))
+                else:
+                    found.append(inertia)
+        for part in (*self.loads, *self.reactions):
+            for value in vars(part).values():
+                if isinstance(value, Point):
+                    found += list(self.position(value))
+                elif isinstance(value, Vector):
+                    found += list(self.vector(value, part.name))
+                elif isinstance(value, Expr):
+                    found.append(self.plain(value, part.name))
+        found += [self.plain(c.expression, c.name) for c in self.constraints]
+        return [sympify(expression) for expression in found]

@@ -1,0 +1,63 @@
+"""Plain symbols: x(t), x'(t), x''(t) become x, x_dot, x_ddot.
+
+Printers, walkers and differentiation are quick on plain symbols. SymPy's dynamic symbols appear in
+what users write, and again only inside the two adapters over SymPy's own methods.
+"""
+
+from collections.abc import Iterable, Mapping
+
+from sympy import Derivative, Expr, Symbol, sympify
+from sympy.core.function import AppliedUndef
+from sympy.physics.vector import dynamicsymbols
+
+from mechanics.errors import SceneError
+
+DOTS = ("", "_dot", "_ddot", "_dddot")
+
+
+def name_of(function: Expr) -> str:
+    """``"x"`` for x(t)."""
+    if not isinstance(function, AppliedUndef):
+        raise SceneError(
+            f"{function}: a coordinate, speed or input has to be a dynamic symbol such as"
+            " dynamicsymbols('x')"
+        )
+    return str(function.func.__name__)
+
+
+def plain_symbol(function: Expr, order: int = 0) -> Symbol:
+    """Symbol that stands for the derivative of that order of a dynamic symbol."""
+    return Symbol(name_of(function) + DOTS[order], real=True)
+
+
+def plain_table(functions: Iterable[Expr]) -> dict[Expr, Symbol]:
+    """Table from each dynamic symbol and its first three derivatives to plain symbols."""
+    t = dynamicsymbols._t
+    table: dict[Expr, Symbol] = {}
+    for function in functions:
+        for order in range(len(DOTS)):
+            table[function.diff(t, order) if order else function] = plain_symbol(function, order)
+    return table
+
+
+def to_plain(expression: Expr, table: Mapping[Expr, Expr], where: str) -> Expr:
+    """Replace the functions of time in an expression by plain symbols.
+
+    Raises
+    ------
+    SceneError
+        When a function of time is left that the table does not know; `where` names the place.
+    """
+    expression = sympify(expression)
+    if expression.has(Derivative):
+        # d/dt of a whole expression, as people type it, is carried out first.
+        expression = expression.doit()
+    plain = expression.xreplace(dict(table))
+    left = plain.atoms(AppliedUndef)
+    if left:
+        names = ", ".join(sorted(str(function) for function in left))
+        raise SceneError(
+            f"{where}: {names} is neither a coordinate, a speed nor an input of the scene:"
+            " add it to coordinates=, speeds= or inputs="
+        )
+    return plain

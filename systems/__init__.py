@@ -1,0 +1,1 @@
+"""Mechanical systems with the equations that their sources publish."""

@@ -1,0 +1,45 @@
+"""Pendulum on an elastic support: seed document, problem 1."""
+
+from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
+
+from mechanics.scene import Particle, RigidBody, Scene, gravity, parameters, reaction, spring
+
+x, theta = dynamicsymbols("x theta")
+M, m, L, k, g = parameters(
+    "M m L k g",
+    units="kg kg m N/m m/s^2",
+    typical="1 1 1 10 9.81",
+    meanings=(
+        "mass of the pendulum",
+        "mass of the carriage",
+        "length of the pendulum",
+        "stiffness of each of the two springs",
+        "acceleration of gravity",
+    ),
+)
+
+
+def scene() -> Scene:
+    """A carriage between two springs on a rod; a uniform rod hangs from it by a pivot B."""
+    ground = ReferenceFrame("N")
+    rod = ground.orientnew("A", "Axis", (theta, ground.z))
+    origin = Point("O")
+    pivot = origin.locatenew("B", x * ground.x)
+    centre = pivot.locatenew("C", -L / 2 * rod.y)
+    return Scene(
+        "pendulum on elastic support",
+        ground,
+        origin,
+        coordinates=(x, theta),
+        bodies=(
+            Particle("carriage", pivot, m),
+            RigidBody("pendulum", centre, rod, M, M * L**2 / 12),
+        ),
+        loads=(gravity(-g * ground.y), spring("k", origin, pivot, 2 * k, along=ground.x)),
+        reactions=(
+            reaction("T", at=pivot, on="carriage", by="pendulum", along=ground.x),
+            reaction("N", at=pivot, on="pendulum", by="carriage", along=ground.y),
+            reaction("N1", at=pivot, on="carriage", by=None, along=ground.y),
+        ),
+        example={"x": 0.1, "theta": 2.5},
+    )
