@@ -1,0 +1,232 @@
+"""Laws on the tree itself: what DESIGN says about files, checked file by file.
+
+A law is a function from the syntax tree of one file to its breaches, as ``(line, message)``, so
+that each law can also be shown a breach and seen to find it.
+"""
+
+import ast
+import functools
+import importlib.metadata
+import os
+import re
+import shutil
+import subprocess
+import sys
+import tomllib
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[1]
+PACKAGES = ("mechanics", "systems")
+TOP_LEVEL = {
+    "CHANGELOG.md",
+    "LICENSE",
+    "README.md",
+    "benchmarks",
+    "mechanics",
+    "pyproject.toml",
+    "systems",
+    "tests",
+}
+MAX_LINES = 300
+
+Breaches = Iterator[tuple[int, str]]
+
+
+def files(*folders: str, suffix: str = "") -> list[Path]:
+    """Files below the folders, without what Python leaves behind."""
+    return sorted(
+        path
+        for folder in folders
+        for path in (ROOT / folder).rglob(f"*{suffix}")
+        if path.is_file() and "__pycache__" not in path.parts
+    )
+
+
+def breaches(law: Callable[[ast.Module], Breaches], paths: Iterable[Path]) -> list[str]:
+    """What the law finds in the files, as ``path:line: message``."""
+    return [
+        f"{path.relative_to(ROOT)}:{line}: {message}"
+        for path in paths
+        for line, message in law(ast.parse(path.read_text(encoding="utf-8"), str(path)))
+    ]
+
+
+def called_name(call: ast.Call) -> str:
+    """Last name of what is called: ``raises`` for ``pytest.raises(...)``."""
+    match call.func:
+        case ast.Name(id=name) | ast.Attribute(attr=name):
+            return name
+    return ""
+
+
+def without_docstring(tree: ast.Module) -> Breaches:
+    if not ast.get_docstring(tree):
+        yield 1, "the module has no docstring"
+
+
+def simplifies(tree: ast.Module) -> Breaches:
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Call) and called_name(node) in {"simplify", "trigsimp"}:
+            yield node.lineno, f"{called_name(node)} is no proof; use mechanics.exact"
+        if isinstance(node, ast.ImportFrom):
+            for alias in node.names:
+                if alias.name in {"simplify", "trigsimp"}:
+                    yield node.lineno, f"{alias.name} is no proof; use mechanics.exact"
+
+
+def swallows_errors(tree: ast.Module) -> Breaches:
+    for node in ast.walk(tree):
+        if not isinstance(node, ast.ExceptHandler):
+            continue
+        if node.type is None:
+            yield node.lineno, "bare except; name the exceptions that are expected"
+            continue
+        caught = node.type.elts if isinstance(node.type, ast.Tuple) else [node.type]
+        for exception in caught:
+            if ast.unparse(exception) in {"Exception", "BaseException"}:
+                yield (
+                    node.lineno,
+                    f"except {ast.unparse(exception)}; name the exceptions that are expected",
+                )
+
+
+def asserts_nothing(tree: ast.Module) -> Breaches:
+    for node in ast.walk(tree):
+        if not isinstance(node, ast.FunctionDef) or not node.name.startswith("test"):
+            continue
+        if not any(is_expectation(part) for part in ast.walk(node)):
+            yield node.lineno, f"{node.name} asserts nothing"
+
+
+def is_expectation(node: ast.AST) -> bool:
+    """An assert statement, pytest.raises and the like, or a helper named assert_..."""
+    if isinstance(node, ast.Call):
+        name = called_name(node)
+        return name in {"raises", "warns", "fail"} or name.startswith("assert_")
+    return isinstance(node, ast.Assert)
+
+
+def undeclared_imports(tree: ast.Module) -> Breaches:
+    """Imports of packages that pyproject.toml does not install: they work by accident."""
+    for node in ast.walk(tree):
+        match node:
+            case ast.Import(names=aliases):
+                imported = [alias.name for alias in aliases]
+            case ast.ImportFrom(module=str(module), level=0):
+                imported = [module]
+            case _:
+                continue
+        for package in (name.partition(".")[0] for name in imported):
+            if not is_installed_by_us(package):
+                yield node.lineno, f"{package} is not among the dependencies in pyproject.toml"
+
+
+def is_installed_by_us(package: str) -> bool:
+    if package in sys.stdlib_module_names or package in PACKAGES:
+        return True
+    providers = distributions().get(package, [package])
+    return not declared_dependencies().isdisjoint(map(canonical, providers))
+
+
+@functools.cache
+def distributions() -> Mapping[str, list[str]]:
+    """Distributions by the name that they are imported under: flint comes from python-flint."""
+    return importlib.metadata.packages_distributions()
+
+
+def canonical(distribution: str) -> str:
+    return re.sub(r"[-_.]+", "-", distribution).lower()
+
+
+@functools.cache
+def declared_dependencies() -> set[str]:
+    """Core dependencies, and the extras that users can ask for."""
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
+    requirements = project["dependencies"] + project["optional-dependencies"]["parquet"]
+    return {canonical(re.split(r"[^\w.-]", requirement)[0]) for requirement in requirements}
+
+
+def test_every_module_has_a_docstring() -> None:
+    assert breaches(without_docstring, files(*PACKAGES, suffix=".py")) == []
+
+
+def test_nothing_is_simplified_instead_of_proved() -> None:
+    assert breaches(simplifies, files("mechanics", suffix=".py")) == []
+
+
+def test_no_error_is_swallowed() -> None:
+    assert breaches(swallows_errors, files(*PACKAGES, suffix=".py")) == []
+
+
+def test_every_test_asserts_something() -> None:
+    assert breaches(asserts_nothing, files("tests", suffix=".py")) == []
+
+
+def test_every_import_is_installed_by_the_package() -> None:
+    assert breaches(undeclared_imports, files(*PACKAGES, suffix=".py")) == []
+
+
+@pytest.mark.parametrize(
+    ("law", "source"),
+    [
+        (without_docstring, "x = 1"),
+        (simplifies, "import sympy\nsympy.simplify(1)"),
+        (simplifies, "x.trigsimp()"),
+        (simplifies, "from sympy import simplify as s"),
+        (swallows_errors, "try: pass\nexcept: pass"),
+        (swallows_errors, "try: pass\nexcept (ValueError, Exception): pass"),
+        (asserts_nothing, "class TestA:\n    def test_a(self): print(1)"),
+        (undeclared_imports, "import no_such_package.part"),
+        (undeclared_imports, "from pytest import raises"),
+    ],
+)
+def test_laws_find_a_breach(law: Callable[[ast.Module], Breaches], source: str) -> None:
+    assert len(list(law(ast.parse(source)))) == 1
+
+
+@pytest.mark.parametrize(
+    ("law", "source"),
+    [
+        (simplifies, "from sympy import nsimplify\nnsimplify(1)"),
+        (swallows_errors, "try: pass\nexcept (KeyError, ValueError): pass"),
+        (asserts_nothing, "def test_a():\n    with pytest.raises(ValueError): f()"),
+        (asserts_nothing, "def test_a():\n    np.testing.assert_allclose(1, 1)"),
+        (undeclared_imports, "import flint, sympy.physics\nfrom mechanics.scene import Scene"),
+    ],
+)
+def test_laws_accept_what_is_right(law: Callable[[ast.Module], Breaches], source: str) -> None:
+    assert list(law(ast.parse(source))) == []
+
+
+def test_no_file_is_too_long() -> None:
+    lengths = {
+        str(path.relative_to(ROOT)): len(path.read_text(encoding="utf-8").splitlines())
+        for path in files(*PACKAGES)
+    }
+    assert {name: length for name, length in lengths.items() if length > MAX_LINES} == {}
+
+
+def test_every_folder_of_a_package_can_be_imported() -> None:
+    # Without __init__.py a folder still imports, but import-linter does not see it.
+    folders = {path.parent for path in files(*PACKAGES, suffix=".py")}
+    missing = {str(f.relative_to(ROOT)) for f in folders if not (f / "__init__.py").exists()}
+    assert missing == set()
+
+
+def test_top_level_holds_only_what_the_design_names() -> None:
+    entries = {name.partition("/")[0] for name in tracked_files()}
+    assert {name for name in entries if not name.startswith(".")} - TOP_LEVEL == set()
+
+
+def tracked_files() -> list[str]:
+    """Files under version control: what lies beside them in a working folder is nobody's fault."""
+    git = shutil.which("git")
+    if git is not None and (ROOT / ".git").exists():
+        command = [git, "-C", str(ROOT), "ls-files"]
+        return subprocess.run(command, capture_output=True, text=True, check=True).stdout.split()
+    if os.environ.get("MECHANICS_CI") == "1":
+        pytest.fail("git or the repository is missing: the top level cannot be checked")
+    pytest.skip("no git checkout here")
