@@ -1,0 +1,12 @@
+"""Exact arithmetic: statements are proved, certified, refuted or undecided, without tolerance."""
+
+from mechanics.exact.arithmetic import Arithmetic, Number, as_fraction
+from mechanics.exact.decide import decide, prove_equal, prove_zero
+from mechanics.exact.decimals import decimal_matches, enclose
+from mechanics.exact.finding import Finding, Verdict, Witness
+from mechanics.exact.signals import Inadmissible, SingularHere
+
+__all__ = [
+    "Arithmetic", "Finding", "Inadmissible", "Number", "SingularHere", "Verdict", "Witness",
+    "as_fraction", "decide", "decimal_matches", "enclose", "prove_equal", "prove_zero",
+]  # fmt: skip

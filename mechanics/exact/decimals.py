@@ -1,0 +1,76 @@
+"""Enclosures at given values, and rounded decimals.
+
+A printed decimal is right if |value - printed| <= half a unit of its last digit.
+"""
+
+from collections.abc import Mapping
+from decimal import Decimal, InvalidOperation
+from fractions import Fraction
+
+import sympy
+from flint import arb
+
+from mechanics.exact.balls import BallArithmetic, State, precision
+
+
+def enclose(
+    expr: sympy.Expr, values: Mapping[sympy.Symbol, Fraction | int | arb], bits: int = 128
+) -> arb:
+    """Return a ball that contains the value of an expression.
+
+    Parameters
+    ----------
+    expr : sympy.Expr
+        In plain symbols.
+    values : mapping of Symbol to Fraction, int, SymPy rational or arb
+        A value for every symbol.
+    bits : int
+        Working precision.
+
+    Returns
+    -------
+    flint.arb
+        Not finite where the expression is undefined.
+
+    Raises
+    ------
+    ExpressionError
+        If a symbol has no value, or an operation no enclosure.
+    """
+    with precision(bits):
+        return BallArithmetic(State(values)).value(expr).arb
+
+
+def decimal_matches(value: arb, printed: str) -> bool:
+    """Tell whether an enclosure lies within half a unit of the last digit of a printed decimal.
+
+    Parameters
+    ----------
+    value : flint.arb
+        As `enclose` gives it.
+    printed : str
+        Such as ``"0.7071"``, ``"-3"`` or ``"1.20e-3"``; trailing zeros count.
+
+    Raises
+    ------
+    ValueError
+        If `printed` is no decimal number.
+    """
+    try:
+        number = Decimal(printed.replace("\N{MINUS SIGN}", "-"))
+    except InvalidOperation as error:
+        raise ValueError(f"{printed!r} is no decimal number: write it like 0.7071") from error
+    exponent = number.as_tuple().exponent
+    if not isinstance(exponent, int):
+        raise ValueError(f"{printed!r} is no finite decimal number: write it like 0.7071")
+    if not value.is_finite():
+        return False
+    half = Fraction(10) ** exponent / 2
+    distance = abs(_fraction(value.mid()) - Fraction(number))
+    return distance + _fraction(value.rad()) <= half
+
+
+def _fraction(dyadic: arb) -> Fraction:
+    """Return the exact value of a ball of radius zero, so that a tie counts as a match."""
+    mantissa, exponent = dyadic.man_exp()
+    return Fraction(int(mantissa)) * Fraction(2) ** int(exponent)

@@ -1,0 +1,49 @@
+"""The first rows of a matrix that are linearly independent as functions.
+
+The pivot columns of the transposed matrix at a random point of a finite field. Rows independent at
+one point are independent as functions, so what is returned is certain; that no more are is certain
+but for the chance of an unlucky point, which is below 2^-100 for degrees up to 2^20.
+"""
+
+from collections.abc import Sequence
+from random import SystemRandom
+
+import sympy
+
+from mechanics.exact.field import FieldArithmetic, Memory
+from mechanics.exact.field_linear import echelon
+from mechanics.exact.primes import draw_prime
+from mechanics.exact.signals import Inadmissible, Restart
+
+BITS = 127
+MOST_POINTS = 64
+
+
+def independent_rows(rows: Sequence[Sequence[sympy.Expr]]) -> list[int]:
+    """Indices of the first maximal set of independent rows, in order.
+
+    Raises
+    ------
+    Inadmissible
+        When no admissible point is found.
+    """
+    if not rows or not len(rows[0]):
+        return []
+    source, memory = SystemRandom(), Memory()
+    prime = draw_prime(BITS, source)
+    for attempt in range(MOST_POINTS):
+        a = FieldArithmetic(prime, source, memory)
+        try:
+            residues = [
+                [(a.rational(0) + a.value(row[j])).residue for row in rows]
+                for j in range(len(rows[0]))
+            ]
+        except (Restart, Inadmissible):
+            continue
+        return echelon(residues, prime)[1]
+    raise Inadmissible(f"no admissible point among {MOST_POINTS} for a matrix of {len(rows)} rows")
+
+
+def generic_rank(rows: Sequence[Sequence[sympy.Expr]]) -> int:
+    """Rank of a matrix of expressions at almost every state."""
+    return len(independent_rows(rows))

@@ -1,0 +1,77 @@
+"""A witness: a real state where the enclosures of the two sides are disjoint.
+
+    [left] and [right] disjoint  =>  left != right there, whatever the rounding.
+"""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Callable, Sequence
+from typing import Any
+
+from flint import arb
+
+from mechanics.exact.arithmetic import Arithmetic
+from mechanics.exact.balls import BallArithmetic, State, precision
+from mechanics.exact.finding import Witness
+from mechanics.exact.signals import Inadmissible
+
+STATES = 40
+PRECISIONS = (64, 128, 256, 512, 1024, 2048)
+
+
+def find_witness(
+    experiment: Callable[[Arithmetic], Sequence[tuple[Any, Any]]], seed: int | None
+) -> Witness | None:
+    """Return a state that refutes the experiment, or None if none was found."""
+    source = random.Random(seed) if seed is not None else random.SystemRandom()
+    fruitless = 0
+    for _ in range(STATES):
+        state = State({}, source)
+        witness, defined = _at_state(experiment, state)
+        if witness is not None:
+            return witness
+        fruitless += defined
+        if fruitless == 6:
+            break  # a false statement differs almost everywhere
+    return None
+
+
+def _at_state(
+    experiment: Callable[[Arithmetic], Sequence[tuple[Any, Any]]], state: State
+) -> tuple[Witness | None, bool]:
+    """Return a witness if there is one, and whether the experiment was defined at the state."""
+    defined = False
+    for bits in PRECISIONS:
+        with precision(bits):
+            a = BallArithmetic(state)
+            try:
+                pairs = [(_ball(a, x), _ball(a, y)) for x, y in experiment(a)]
+            except Inadmissible:
+                if bits >= 256:
+                    return None, defined
+                continue  # more digits may tell a pivot or a sign
+        finite = [(x, y) for x, y in pairs if x.is_finite() and y.is_finite()]
+        defined = defined or bool(finite)
+        if not finite and bits >= 256:
+            return None, defined
+        apart = [(x, y) for x, y in finite if not x.overlaps(y)]
+        if apart:
+            x, y = max(apart, key=lambda pair: float(abs(pair[0] - pair[1]).mid()))
+            return Witness(state.items(), *_words(x, y)), True
+    return None, defined
+
+
+def _ball(a: Arithmetic, number: Any) -> arb:
+    result: arb = (a.rational(0) + number).arb
+    return result
+
+
+def _words(x: arb, y: arb) -> tuple[str, str]:
+    """Return decimal enclosures with so many digits that they too are disjoint."""
+    digits = 20
+    while True:
+        left, right = (value.str(digits, more=True) for value in (x, y))
+        if digits > 2 * max(PRECISIONS) or not arb(left).overlaps(arb(right)):
+            return left, right
+        digits *= 2
