@@ -17,9 +17,9 @@ from mechanics.scene import Scene
 
 @dataclass(frozen=True)
 class Line:
-    """One line of a derivation: ``left = right``, `left` in LaTeX, `right` an expression."""
+    """One line of a derivation: ``left = right``; a `left` that is text is LaTeX."""
 
-    left: str
+    left: str | Expr
     right: Expr
     label: str = ""
 
@@ -31,6 +31,37 @@ class Step:
     title: str
     text: str
     lines: tuple[Line, ...]
+
+
+@dataclass(frozen=True)
+class FreeBodyRow:
+    """One momentum equation of one isolated body, before any elimination.
+
+        rate = applied + sum_j coefficients[R_j] R_j
+
+    Attributes
+    ----------
+    body : str
+    kind : str
+        ``"linear"``, or ``"angular"`` about the mass centre.
+    direction : Matrix
+        3 x 1 unit vector, inertial components.
+    axis : str
+        Name of the direction, for people.
+    momentum, rate, applied : Expr
+        Momentum component, its time derivative, and the loads, in SI units.
+    coefficients : tuple of (Symbol, Expr)
+        What a unit of each reaction contributes.
+    """
+
+    body: str
+    kind: str
+    direction: Matrix
+    axis: str
+    momentum: Expr
+    rate: Expr
+    applied: Expr
+    coefficients: tuple[tuple[Symbol, Expr], ...]
 
 
 @dataclass(frozen=True, eq=False)
@@ -56,6 +87,8 @@ class Equations:
         naming of the multipliers.
     reactions : tuple of (Symbol, Expr)
         Eliminated reactions, linear in u' and lambda.
+    free_bodies : tuple of FreeBodyRow
+        The system before elimination, in tree order, where the route has it.
     chosen : tuple of str
         What the route picked, in words: free bodies and moment centres.
     steps : tuple of Step
@@ -71,6 +104,7 @@ class Equations:
     constraint_bias: Matrix
     conjugate: bool
     reactions: tuple[tuple[Symbol, Expr], ...] = ()
+    free_bodies: tuple[FreeBodyRow, ...] = ()
     chosen: tuple[str, ...] = ()
     steps: tuple[Step, ...] = ()
 

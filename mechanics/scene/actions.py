@@ -1,7 +1,7 @@
 """Loads and reactions as forces and couples on bodies, in inertial components.
 
-    spring    tension = k (d - l),  d = along . (r_2 - r_1)  or  |r_2 - r_1|
-    damper    tension = c d'
+spring    tension = k (d - l),  d = along . (r_2 - r_1)  or  |r_2 - r_1|
+damper    tension = c d'
 """
 
 from collections.abc import Mapping

@@ -12,8 +12,8 @@ from mechanics.errors import SceneError
 class Parameter(Symbol):
     """A SymPy symbol that knows its unit, its meaning and a typical value.
 
-    Equality and hash are those of a symbol of the same name and assumptions, so that expressions
-    behave as with any other symbol.
+    Two parameters are equal when all that is equal. SymPy caches expressions by equality, so that
+    with less the `l1` of one scene would come back in another that has an `l1` of its own.
     """
 
     __slots__ = ("meaning", "typical", "unit")
@@ -34,6 +34,10 @@ class Parameter(Symbol):
         parameter: Self = Symbol.__xnew__(cls, name, **assumptions)
         parameter.unit, parameter.meaning, parameter.typical = unit, meaning, typical
         return parameter
+
+    def _hashable_content(self) -> tuple[Any, ...]:
+        own = (self.unit, self.meaning, str(self.typical))
+        return (*super()._hashable_content(), *own)
 
     def __getnewargs_ex__(self) -> tuple[tuple[Any, ...], dict[str, Any]]:
         own = (self.name, self.unit, self.meaning, self.typical)

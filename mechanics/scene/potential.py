@@ -1,8 +1,8 @@
 """Potential energy of the conservative loads.
 
-    gravity           V = - sum_bodies m field . r
-    spring            V = k (d - l)^2 / 2
-    torsion spring    V = k angle^2 / 2
+gravity           V = - sum_bodies m field . r
+spring            V = k (d - l)^2 / 2
+torsion spring    V = k angle^2 / 2
 """
 
 from sympy import Add, Expr, Rational

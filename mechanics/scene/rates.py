@@ -1,6 +1,6 @@
 """Total time derivative on plain symbols.
 
-    de/dt = sum_s (de/ds) s'        over coordinates, speeds, inputs, and t itself
+de/dt = sum_s (de/ds) s'        over coordinates, speeds, inputs, and t itself
 """
 
 from collections.abc import Iterable, Mapping

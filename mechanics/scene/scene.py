@@ -1,6 +1,6 @@
 """The scene: one mechanical system, declared once.
 
-    q' = N(q) u + n(q, t)          (u = q' unless speeds are declared)
+q' = N(q) u + n(q, t)          (u = q' unless speeds are declared)
 """
 
 from collections.abc import Mapping
@@ -119,8 +119,10 @@ class Scene:
         result = to_plain(expression, self._table, where or self.name)
         if not self.speeds:
             return result
-        second = {plain_symbol(q, 2): self._second_rate(qd) for q, qd in
-                  zip(self.coordinates, self.qd, strict=True)}
+        second = {
+            plain_symbol(q, 2): self._second_rate(qd)
+            for q, qd in zip(self.coordinates, self.qd, strict=True)
+        }
         return result.xreplace(second).xreplace(self.coordinate_rates)
 
     def rates(self, expression: Expr) -> Expr:

@@ -1,0 +1,118 @@
+"""Elimination of the reactions, from the leaves of the tree of bodies to its root.
+
+A row reads  ``value = sum_j c_j R_j``  with value = rate - applied. For each reaction at the inboard
+joint of a body one of the body's rows is solved for it, and the solution is put into every other
+row that holds it:
+
+    row_i <- row_i - (c_i / c_p) row_p                       c_p a number
+    row_i <- c_p row_i - c_i row_p                           otherwise: nothing is divided by c_p
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+
+from sympy import Add, Expr, Mul, S, Symbol
+
+from mechanics.equations import FreeBodyRow
+from mechanics.errors import SingularError
+from mechanics.exact import canonical
+from mechanics.scene.topology import Tree
+
+
+@dataclass
+class Row:
+    """A row while it is worked on: value = sum of coefficients times reactions."""
+
+    body: str
+    value: Expr
+    coefficients: dict[Symbol, Expr]
+
+
+@dataclass(frozen=True)
+class Solved:
+    """A reaction solved from a row of a body: R = (value - sum of the others) / pivot."""
+
+    reaction: Symbol
+    body: str
+    pivot: Expr
+    row: Row
+
+
+@dataclass(frozen=True)
+class Elimination:
+    """What is left: rows free of eliminated reactions, and the reactions themselves."""
+
+    rows: tuple[Row, ...]
+    reactions: tuple[tuple[Symbol, Expr], ...]
+    order: tuple[Solved, ...] = field(default=())
+
+
+def eliminate(rows: Sequence[FreeBodyRow], bodies: Tree, kept: Sequence[Symbol]) -> Elimination:
+    """Eliminate every reaction but the kept ones.
+
+    Raises
+    ------
+    SingularError
+        When no row determines a reaction.
+    """
+    work = [Row(row.body, row.rate - row.applied, dict(row.coefficients)) for row in rows]
+    solved: list[Solved] = []
+    for name in reversed(bodies.order):
+        waiting = [r.symbol for r in bodies.joints[name] if r.symbol not in kept]
+        while waiting:
+            reaction, pivot = _pivot(work, name, waiting)
+            waiting.remove(reaction)
+            work.remove(pivot)
+            solved.append(Solved(reaction, pivot.body, pivot.coefficients[reaction], pivot))
+            for row in work:
+                if reaction in row.coefficients:
+                    _subtract(row, pivot, reaction)
+    return Elimination(tuple(work), _back_substituted(solved, kept), tuple(solved))
+
+
+def _pivot(work: Sequence[Row], body: str, waiting: Sequence[Symbol]) -> tuple[Symbol, Row]:
+    """The reaction and row with the simplest coefficient, rows of the body itself first."""
+    candidates = [
+        (not row.coefficients[reaction].is_number, row.body != body, index, reaction, row)
+        for reaction in waiting
+        for index, row in enumerate(work)
+        if row.coefficients.get(reaction, S.Zero) != 0
+    ]
+    if not candidates:
+        raise SingularError(
+            f"reaction {waiting[0]}: no momentum equation determines it: is it redundant?"
+        )
+    *_, reaction, row = min(candidates, key=lambda entry: entry[:3])
+    return reaction, row
+
+
+def _subtract(row: Row, pivot: Row, reaction: Symbol) -> None:
+    own, divisor = row.coefficients.pop(reaction), pivot.coefficients[reaction]
+    if divisor.is_number:
+        scale, factor = S.One, own / divisor
+    else:
+        scale, factor = divisor, own
+    row.value = Add(Mul(scale, row.value), Mul(-factor, pivot.value))
+    merged = {symbol: scale * value for symbol, value in row.coefficients.items()}
+    for symbol, value in pivot.coefficients.items():
+        if symbol != reaction:
+            merged[symbol] = merged.get(symbol, S.Zero) - factor * value
+    tidy = {symbol: canonical(value) for symbol, value in merged.items()}
+    row.coefficients = {symbol: value for symbol, value in tidy.items() if value != 0}
+
+
+def _back_substituted(
+    solved: Sequence[Solved], kept: Sequence[Symbol]
+) -> tuple[tuple[Symbol, Expr], ...]:
+    """Each reaction in u' and the kept ones: the last solved holds no other, so go backwards."""
+    values: dict[Symbol, Expr] = {}
+    for step in reversed(solved):
+        others = Add(
+            *(
+                coefficient * values.get(symbol, symbol)
+                for symbol, coefficient in step.row.coefficients.items()
+                if symbol != step.reaction
+            )
+        )
+        values[step.reaction] = (step.row.value - others) / step.pivot
+    return tuple((step.reaction, values[step.reaction]) for step in solved)

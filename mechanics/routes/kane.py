@@ -1,0 +1,184 @@
+"""Kane's equations, by SymPy's `KanesMethod`.
+
+    F_r + F_r* = 0,    F_r = sum v_r . F + omega_r . T,    F_r* = - sum m a . v_r + ...
+
+A scene with constraints is derived twice: with dependent speeds (`derive`), and without constraints
+but with the reactions that maintain them as unknown loads (`derive_with_multipliers`).
+"""
+
+from collections.abc import Sequence
+
+from sympy import Expr, Matrix, Symbol, zeros
+from sympy.physics.mechanics import KanesMethod
+
+from mechanics.equations import Equations, Line, Step
+from mechanics.exact import collect_linear, independent_rows
+from mechanics.kinematics import chain
+from mechanics.routes.common import constraint_rows, velocity_forms
+from mechanics.routes.dynamic import Dynamic, dynamic_speeds
+from mechanics.routes.sympy_model import SympyModel, build, force_at
+from mechanics.scene import Scene
+from mechanics.scene.actions import Action, applied_actions, unit_reactions
+from mechanics.scene.rates import rate_table
+from mechanics.scene.topology import multipliers
+
+
+def derive(scene: Scene) -> Equations:
+    """Equations of motion by Kane's method; dependent speeds where there are constraints."""
+    dynamic = dynamic_speeds(scene)
+    model = build(scene, dynamic)
+    loads = _loads(scene, model, dynamic, applied_actions(scene))
+    if scene.constraints:
+        return _with_dependent_speeds(scene, dynamic, model, loads)
+    method = _method(scene, dynamic, model, list(range(len(scene.u))))
+    method.kanes_equations(list(model.bodies.values()), loads)
+    return Equations(
+        scene,
+        "kane",
+        dynamic.back(method.mass_matrix),
+        dynamic.back(method.forcing),
+        (),
+        zeros(len(scene.u), 0),
+        zeros(0, len(scene.u)),
+        zeros(0, 1),
+        conjugate=True,
+        steps=_steps(scene),
+    )
+
+
+def derive_with_multipliers(scene: Scene) -> Equations:
+    """Kane's equations of the unconstrained scene, with the constraints' reactions as unknowns."""
+    dynamic = dynamic_speeds(scene)
+    model = build(scene, dynamic)
+    kept = multipliers(scene)
+    reactions = unit_reactions(scene)
+    unknown = [
+        Action(a.name, a.body, a.at, symbol * a.force, symbol * a.couple)
+        for symbol in kept
+        for a in reactions[symbol]
+    ]
+    loads = _loads(scene, model, dynamic, (*applied_actions(scene), *unknown))
+    method = _method(scene, dynamic, model, list(range(len(scene.u))))
+    method.kanes_equations(list(model.bodies.values()), loads)
+    forcing, columns = [], []
+    for entry in dynamic.back(method.forcing):
+        coefficients, rest = collect_linear(entry, kept)
+        forcing.append(rest)
+        columns.append(coefficients)
+    matrix, bias = constraint_rows(scene, rate_table(scene))
+    return Equations(
+        scene,
+        "kane with multipliers",
+        dynamic.back(method.mass_matrix),
+        Matrix(forcing),
+        kept,
+        Matrix(columns) if kept else zeros(len(scene.u), 0),
+        matrix,
+        bias,
+        conjugate=True,
+        steps=_steps(scene),
+    )
+
+
+def _with_dependent_speeds(
+    scene: Scene, dynamic: Dynamic, model: SympyModel, loads: list[tuple[object, object]]
+) -> Equations:
+    dependent = dependent_speeds(scene)
+    order = [i for i in range(len(scene.u)) if i not in dependent] + dependent
+    method = _method(scene, dynamic, model, order, dependent)
+    method.kanes_equations(list(model.bodies.values()), loads)
+    free = len(order) - len(dependent)
+    mass, forcing = dynamic.back(method.mass_matrix), dynamic.back(method.forcing)
+    # SymPy orders the columns independent speeds first.
+    back = [order.index(i) for i in range(len(order))]
+    mass = mass.extract(list(range(mass.rows)), back)
+    return Equations(
+        scene,
+        "kane",
+        mass[:free, :],
+        forcing[:free, :],
+        (),
+        zeros(free, 0),
+        mass[free:, :],
+        forcing[free:, :],
+        conjugate=False,
+        chosen=tuple(f"dependent speed {scene.u[i]}" for i in dependent),
+        steps=_steps(scene),
+    )
+
+
+def dependent_speeds(scene: Scene) -> list[int]:
+    """Indices of the last speeds that the constraints can be solved for."""
+    matrix, _ = constraint_rows(scene, rate_table(scene))
+    backwards = list(range(matrix.cols))[::-1]
+    columns = [list(matrix[:, i]) for i in backwards]
+    return sorted(backwards[k] for k in independent_rows(columns))
+
+
+def _method(
+    scene: Scene,
+    dynamic: Dynamic,
+    model: SympyModel,
+    order: Sequence[int],
+    dependent: Sequence[int] = (),
+) -> KanesMethod:
+    """KanesMethod with Cramer's rule throughout: LU divides by pivots that vanish at plain states."""
+    t_rates = {q: f.diff() for q, f in zip(scene.qd, scene.coordinates, strict=True)}
+    kinematic = [t_rates[qd] - dynamic.to(scene.coordinate_rates[qd]) for qd in scene.qd]
+    speeds = [dynamic.to(u) for u in scene.u]
+    options: dict[str, object] = {}
+    coordinates = [dynamic.to(q) for q in scene.q]
+    q_dependent: list[Expr] = []
+    if dependent:
+        holonomic = [c for c in scene.constraints if c.holonomic]
+        options["u_dependent"] = [speeds[i] for i in dependent]
+        options["velocity_constraints"] = [
+            dynamic.to(form) for form in velocity_forms(scene, rate_table(scene))
+        ]
+        if holonomic:
+            q_dependent = [coordinates[i] for i in dependent][-len(holonomic) :]
+            options["q_dependent"] = q_dependent
+            options["configuration_constraints"] = [
+                dynamic.to(scene.plain(c.expression)) for c in holonomic
+            ]
+    return KanesMethod(
+        model.frame,
+        [q for q in coordinates if q not in q_dependent],
+        [speeds[i] for i in order if i not in dependent],
+        kd_eqs=kinematic,
+        kd_eqs_solver="CRAMER",
+        constraint_solver="CRAMER",
+        **options,
+    )
+
+
+def _loads(
+    scene: Scene, model: SympyModel, dynamic: Dynamic, actions: Sequence[Action]
+) -> list[tuple[object, object]]:
+    motion_of = {
+        motion.body.name: (
+            motion.centre.position,
+            motion.centre.velocity,
+            motion.angular_velocity,
+        )
+        for motion in chain.body_motions(scene)
+    }
+    return [load for a in actions for load in force_at(model, motion_of, a, dynamic)]
+
+
+def _steps(scene: Scene) -> tuple[Step, ...]:
+    """Partial velocities of the mass centres: what Kane's method projects on."""
+    lines = []
+    for motion in chain.body_motions(scene):
+        for u in scene.u:
+            partial = motion.centre.velocity.diff(u)
+            for i, axis in enumerate("xyz"):
+                if partial[i] != 0:
+                    left = rf"\partial v_{{{motion.body.name},{axis}}} / \partial {_tex(u)}"
+                    lines.append(Line(left, partial[i]))
+    text = "Partial velocities of the mass centres, inertial components."
+    return (Step("Partial velocities", text, tuple(lines)),)
+
+
+def _tex(u: Symbol) -> str:
+    return rf"\mathrm{{{u.name.replace('_', ' ')}}}"

@@ -1,0 +1,51 @@
+"""The steps of procedure (ii), for people: choice, momenta, rates, equation (1), result."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+from sympy import Add, Matrix, zeros
+
+from mechanics.equations import Line, Step
+from mechanics.exact import canonical
+from mechanics.routes.common import System
+from mechanics.scene import Scene
+
+if TYPE_CHECKING:
+    from mechanics.routes.moving_point import Balance
+
+LARGEST_SCENE = 6
+"""Number of equations up to which every term is written out; beyond, only the choice and result."""
+
+
+def derivation_steps(scene: Scene, balances: Sequence[Balance], system: System) -> tuple[Step, ...]:
+    """The derivation in the order in which it was carried out."""
+    chosen = "; ".join(balance.principle.words for balance in balances)
+    choice = Step(
+        "Free bodies and moment centres", f"Chosen so that the reactions drop out: {chosen}.", ()
+    )
+    result = Step(
+        "Equations of motion",
+        "Terms with accelerations on the left; products that cancel are cancelled.",
+        tuple(
+            Line(left, right)
+            for left, right in zip(system.mass * Matrix(scene.ud), system.forcing, strict=True)
+        ),
+    )
+    if len(balances) > LARGEST_SCENE:
+        return (choice, result)
+    terms: list[Line] = []
+    for balance in balances:
+        words = balance.principle.words
+        turning = balance.principle.axis != zeros(3, 1)
+        name, rate = ("H_B", r"\dot H_B") if turning else ("P", r"\dot P")
+        terms.append(Line(name, canonical(balance.momentum), words))
+        terms.append(Line(rate, canonical(balance.momentum_rate)))
+        if turning:
+            terms.append(Line(r"v_B \times P", canonical(balance.moving_term)))
+        load = r"\sum \tau_B" if turning else r"\sum F"
+        held = Add(*(factor * symbol for symbol, factor in balance.coefficients.items()))
+        terms.append(Line(load, canonical(balance.applied) + held))
+    text = "Momentum, its rate, the term of the moving point, and the loads, for each choice."
+    return (choice, Step("Momenta, rates and loads", text, tuple(terms)), result)

@@ -1,0 +1,178 @@
+"""A scene as SymPy's frames, points, bodies and loads, with explicit velocities.
+
+Velocities are composed in `mechanics.kinematics.chain` and set: this halves the operations that
+SymPy's Kane method leaves after common subexpressions are shared. All objects are made anew, because
+SymPy's are mutable.
+"""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import sympy.physics.mechanics as me
+from sympy import Expr, Matrix, cos, eye, sin, zeros
+from sympy.physics.vector import Dyadic, Point, ReferenceFrame, Vector, outer
+
+from mechanics.exact import is_zero
+from mechanics.kinematics.chain import Chain, Mixed
+from mechanics.routes.dynamic import Dynamic
+from mechanics.scene import Body, RigidBody, Scene
+from mechanics.scene.actions import Action
+from mechanics.scene.geometry import frame_path, relative_rotation
+
+
+@dataclass(frozen=True)
+class SympyModel:
+    """SymPy's objects for one scene.
+
+    Attributes
+    ----------
+    frame : ReferenceFrame
+        Inertial.
+    bodies : dict of str to SymPy body
+    """
+
+    frame: ReferenceFrame
+    bodies: dict[str, object]
+    _frames: dict[ReferenceFrame, ReferenceFrame]
+
+    def vector(self, column: Matrix, dynamic: Dynamic) -> Vector:
+        """Inertial components as a SymPy vector."""
+        return _vector(self.frame, column, dynamic)
+
+
+def build(scene: Scene, dynamic: Dynamic) -> SympyModel:
+    """Frames, points and bodies of a scene."""
+    chain = Chain(scene)
+    frames: dict[ReferenceFrame, ReferenceFrame] = {scene.frame: ReferenceFrame("N")}
+    bodies = {body.name: _body(scene, body, chain, frames, dynamic) for body in scene.bodies}
+    return SympyModel(frames[scene.frame], bodies, frames)
+
+
+def force_at(
+    model: SympyModel,
+    motion_of: Mapping[str, tuple[Matrix, Matrix, Matrix]],
+    action: Action,
+    dynamic: Dynamic,
+) -> list[tuple[object, Vector]]:
+    """One action as SymPy's loads: a force on a material point, a torque on a turning frame.
+
+    `motion_of` gives position, velocity and angular velocity of each body, inertial components.
+    """
+    position, velocity, omega = motion_of[action.body]
+    loads: list[tuple[object, Vector]] = []
+    if action.force != zeros(3, 1):
+        arm = action.at - position
+        point = Point(f"{action.name} on {action.body}")
+        point.set_vel(model.frame, model.vector(velocity + omega.cross(arm), dynamic))
+        loads.append((point, model.vector(action.force, dynamic)))
+    if action.couple != zeros(3, 1):
+        turning = ReferenceFrame(f"{action.name} on {action.body}")
+        turning.set_ang_vel(model.frame, model.vector(omega, dynamic))
+        loads.append((turning, model.vector(action.couple, dynamic)))
+    return loads
+
+
+def _body(
+    scene: Scene,
+    body: Body,
+    chain: Chain,
+    frames: dict[ReferenceFrame, ReferenceFrame],
+    dynamic: Dynamic,
+) -> object:
+    centre = Point(f"centre of {body.name}")
+    motion = chain.point(body.centre)
+    inertial = frames[scene.frame]
+    centre.set_vel(inertial, _mixed(scene, chain, motion.velocity, frames, dynamic))
+    centre.set_acc(inertial, _mixed(scene, chain, motion.acceleration, frames, dynamic))
+    if not isinstance(body, RigidBody):
+        return me.Particle(body.name, centre, body.mass)
+    frame = _frame(scene, body.frame, chain, frames, dynamic)
+    inertia = _inertia(scene, body, frame, dynamic)
+    return me.RigidBody(body.name, centre, frame, body.mass, (inertia, centre))
+
+
+def _frame(
+    scene: Scene,
+    frame: ReferenceFrame,
+    chain: Chain,
+    frames: dict[ReferenceFrame, ReferenceFrame],
+    dynamic: Dynamic,
+) -> ReferenceFrame:
+    """A new frame like the scene's, with its angular velocity composed along the chain."""
+    path = frame_path(scene.frame, frame)
+    for parent, child in zip(path, path[1:], strict=False):
+        if child in frames:
+            continue
+        new = ReferenceFrame(child.name)
+        step = relative_rotation(parent, child).applyfunc(
+            lambda entry: dynamic.to(scene.plain(entry))
+        )
+        simple = _axis_angle(step)
+        if simple is None:
+            new.orient_explicit(frames[parent], step)
+        else:
+            axis, angle = simple
+            old = frames[parent]
+            new.orient_axis(old, axis[0] * old.x + axis[1] * old.y + axis[2] * old.z, angle)
+        frames[child] = new
+        turn = chain.frame(child)
+        inertial = frames[scene.frame]
+        new.set_ang_vel(inertial, _vector(new, turn.omega, dynamic))
+        new.set_ang_acc(inertial, _vector(new, turn.alpha, dynamic))
+    return frames[frame]
+
+
+def _axis_angle(step: Matrix) -> tuple[Matrix, Expr] | None:
+    """(axis, angle) of a rotation about a constant coordinate axis; None for any other.
+
+    SymPy differentiates and simplifies a general rotation matrix, which is slow, and knows the
+    angular velocity of a simple rotation at once.
+    """
+    for k in range(3):
+        axis = Matrix([int(i == k) for i in range(3)])
+        i, j = (k + 1) % 3, (k + 2) % 3
+        if step[k, k] != 1 or step[j, i].func not in (sin, cos) and not step[j, i].is_Mul:
+            continue
+        for angle in {f.args[0] for f in step.atoms(sin, cos)}:
+            for signed in (angle, -angle):
+                c, s = cos(signed), sin(signed)
+                turn = eye(3)
+                turn[i, i], turn[j, j], turn[i, j], turn[j, i] = c, c, -s, s
+                if turn == step:
+                    return axis, signed
+    return None
+
+
+def _mixed(
+    scene: Scene,
+    chain: Chain,
+    mixed: Mixed,
+    frames: dict[ReferenceFrame, ReferenceFrame],
+    dynamic: Dynamic,
+) -> Vector:
+    total = Vector(0)
+    for frame, column in mixed.items():
+        total += _vector(_frame(scene, frame, chain, frames, dynamic), column, dynamic)
+    return total
+
+
+def _vector(frame: ReferenceFrame, column: Matrix, dynamic: Dynamic) -> Vector:
+    x, y, z = (dynamic.to(entry) for entry in column)
+    return x * frame.x + y * frame.y + z * frame.z
+
+
+def _inertia(scene: Scene, body: RigidBody, frame: ReferenceFrame, dynamic: Dynamic) -> Dyadic:
+    axes = (frame.x, frame.y, frame.z)
+    if not isinstance(body.inertia, Dyadic):
+        scalar = dynamic.to(scene.plain(body.inertia))
+        return sum((scalar * outer(axis, axis) for axis in axes), Dyadic(0))
+    inside = body.inertia.to_matrix(body.frame)
+    return sum(
+        (
+            dynamic.to(scene.plain(inside[i, j])) * outer(axes[i], axes[j])
+            for i in range(3)
+            for j in range(3)
+            if not is_zero(scene.plain(inside[i, j]))
+        ),
+        Dyadic(0),
+    )

@@ -1,0 +1,160 @@
+"""The mechanical part of the closed vocabulary: what a published row can be about.
+
+    sum F = dP/dt        sum tau_C = dH_C/dt        sum tau_B = dH_B/dt + v_B x P
+
+Bodies and points are named as in the scene; several bodies are a tuple of names, taken as one free
+body. `along` is an axis of the inertial frame, ``"x"`` or ``"-z"``; without it the row is about the
+whole vector, and its sides are 3 x 1 matrices. `about=None` means the mass centre of the one body.
+
+Unless a docstring says otherwise every side of a row is the quantity itself. A principle has two
+sides that differ: the first is what the loads and the reactions that cross the boundary of the free
+body give, with the reactions as symbols; every further one is the rate on the right.
+"""
+
+from dataclasses import dataclass
+
+from sympy import Expr
+
+from mechanics.scene.composite import Composite, Part
+from mechanics.scene.published import Quantity
+
+Names = str | tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class Position(Quantity):
+    """Position of a point from the origin, or from the point `of` (the vector BC), in m."""
+
+    point: str
+    along: str | None = None
+    of: str | None = None
+
+
+@dataclass(frozen=True)
+class Velocity(Quantity):
+    """Velocity of a geometric point, in m/s."""
+
+    point: str
+    along: str | None = None
+
+
+@dataclass(frozen=True)
+class Momentum(Quantity):
+    """Linear momentum P, in kg m/s."""
+
+    bodies: Names
+    along: str | None = None
+
+
+@dataclass(frozen=True)
+class RateOfMomentum(Quantity):
+    """dP/dt, in N."""
+
+    bodies: Names
+    along: str | None = None
+
+
+@dataclass(frozen=True)
+class AngularMomentum(Quantity):
+    """Angular momentum H_B = sum (H_C + BC x P) of absolute velocities, in kg m^2/s."""
+
+    bodies: Names
+    about: str | None = None
+    along: str | None = None
+
+
+@dataclass(frozen=True)
+class RateOfAngularMomentum(Quantity):
+    """dH_B/dt, in N m."""
+
+    bodies: Names
+    about: str | None = None
+    along: str | None = None
+
+
+@dataclass(frozen=True)
+class MomentOfMomentum(Quantity):
+    """BC x P, summed over the bodies, in kg m^2/s."""
+
+    bodies: Names
+    about: str
+    along: str | None = None
+
+
+@dataclass(frozen=True)
+class MovingPointTerm(Quantity):
+    """v_B x P with the velocity of the geometric point B, in N m."""
+
+    bodies: Names
+    about: str
+    along: str | None = None
+
+
+@dataclass(frozen=True)
+class Moment(Quantity):
+    """Moment about a point of the loads and of the reactions that cross the boundary, in N m."""
+
+    bodies: Names
+    about: str | None = None
+    along: str | None = None
+
+
+@dataclass(frozen=True)
+class MomentumPrinciple(Quantity):
+    """sum F = dP/dt: first side the forces, then forms of the rate."""
+
+    bodies: Names
+    along: str | None = None
+
+
+@dataclass(frozen=True)
+class AngularMomentumPrinciple(Quantity):
+    """sum tau_C = dH_C/dt about the mass centre of one body: first side the moment."""
+
+    body: str
+    along: str | None = None
+
+
+@dataclass(frozen=True)
+class MovingPointPrinciple(Quantity):
+    """sum tau_B = dH_B/dt + v_B x P about a moving point: first side the moment."""
+
+    bodies: Names
+    about: str
+    along: str | None = None
+
+
+@dataclass(frozen=True)
+class ReactionValue(Quantity):
+    """A reaction along the motion. Sides may contain other reactions and accelerations."""
+
+    name: str
+
+
+@dataclass(frozen=True)
+class EquationOfMotion(Quantity):
+    """An equation of motion, left side and right side: it holds along every motion."""
+
+
+@dataclass(frozen=True)
+class Mass(Quantity):
+    """Mass of a part or composite, in kg."""
+
+    body: Part | Composite
+
+
+@dataclass(frozen=True)
+class Centroid(Quantity):
+    """Distance of a part's or composite's centroid from `origin` along ``"x"`` or ``"y"``, in m."""
+
+    body: Part | Composite
+    along: str
+    origin: tuple[Expr, Expr] = (0, 0)
+
+
+@dataclass(frozen=True)
+class Inertia(Quantity):
+    """Planar moment of inertia about a point of the body's plane, or the centroid, in kg m^2."""
+
+    body: Part | Composite
+    about: tuple[Expr, Expr] | None = None
