@@ -1,12 +1,13 @@
 """Exact arithmetic: statements are proved, certified, refuted or undecided, without tolerance."""
 
 from mechanics.exact.arithmetic import Arithmetic, Number, as_fraction
+from mechanics.exact.canonical import canonical, collect_linear
 from mechanics.exact.decide import decide, prove_equal, prove_zero
 from mechanics.exact.decimals import decimal_matches, enclose
 from mechanics.exact.finding import Finding, Verdict, Witness
-from mechanics.exact.signals import Inadmissible, SingularHere
+from mechanics.exact.signals import Inadmissible, SingularHere, TooLarge
 
 __all__ = [
-    "Arithmetic", "Finding", "Inadmissible", "Number", "SingularHere", "Verdict", "Witness",
-    "as_fraction", "decide", "decimal_matches", "enclose", "prove_equal", "prove_zero",
+    "Arithmetic", "Finding", "Inadmissible", "Number", "SingularHere", "TooLarge", "Verdict", "Witness",
+    "as_fraction", "canonical", "collect_linear", "decide", "decimal_matches", "enclose", "prove_equal", "prove_zero",
 ]  # fmt: skip

@@ -1,0 +1,191 @@
+"""A SymPy expression as a polynomial in generators that are SymPy expressions themselves.
+
+Symbols, sines and cosines are generators; 1/base is a generator r with r * base = 1; a root is a
+generator w with w**k = base; every other function of canonical arguments is opaque. Sums of angles
+stay together: cos(a + b) is one generator, because expanding it would undo what made it short.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from fractions import Fraction
+
+import sympy
+from flint import fmpq, fmpq_mpoly
+
+from mechanics.errors import ExpressionError
+from mechanics.exact.angles import float_as_rational
+from mechanics.exact.canonical_back import expression
+from mechanics.exact.ring import MOST_GENERATORS, Ring, content
+from mechanics.exact.signals import Restart
+
+BAD = (sympy.S.NaN, sympy.S.ComplexInfinity, sympy.S.Infinity, sympy.S.NegativeInfinity)
+
+
+class Reader:
+    """Reads expressions into one ring; shared parts are read once."""
+
+    def __init__(self, capacity: int) -> None:
+        self.ring = Ring(capacity)
+        self._memo: dict[sympy.Basic, fmpq_mpoly] = {}
+
+    def read(self, expr: sympy.Expr) -> fmpq_mpoly:
+        """Return the polynomial of an expression.
+
+        Raises
+        ------
+        ExpressionError
+            If it holds nan or infinity.
+        """
+        memo, stack = self._memo, [expr]
+        while stack:
+            node = stack[-1]
+            if node in memo:
+                stack.pop()
+                continue
+            parts = _parts(node)
+            missing = [part for part in parts if part not in memo]
+            if missing:
+                stack.extend(missing)
+                continue
+            memo[node] = self._node(node, [memo[part] for part in parts])
+            stack.pop()
+        return memo[expr]
+
+    def _node(self, node: sympy.Expr, parts: list[fmpq_mpoly]) -> fmpq_mpoly:
+        ring = self.ring
+        if isinstance(node, sympy.Add):
+            return sum(parts[1:], parts[0])
+        if isinstance(node, sympy.Mul):
+            product = parts[0]
+            for part in parts[1:]:
+                product = ring.product(product, part)
+            return product
+        if isinstance(node, sympy.Pow) and isinstance(node.exp, sympy.Rational):
+            return self._power(node, parts[0])
+        if isinstance(node, sympy.Rational | sympy.Float):
+            number = float_as_rational(node) if isinstance(node, sympy.Float) else node
+            return ring.constant(1) * int(number.p) / int(number.q)
+        if node in BAD:
+            raise ExpressionError(f"{node} has no normal form: find the division by zero")
+        if isinstance(node, sympy.Symbol | sympy.NumberSymbol):
+            return ring.generator(node)
+        return self._function(node)
+
+    def _power(self, node: sympy.Pow, base: fmpq_mpoly) -> fmpq_mpoly:
+        top, bottom = int(node.exp.p), int(node.exp.q)
+        if bottom > 1:
+            base = self._root(base, bottom)
+        return self.ring.power(base if top > 0 else self._inverse(base), abs(top))
+
+    def _root(self, base: fmpq_mpoly, k: int) -> fmpq_mpoly:
+        """Return the generator w with w**k = base."""
+        root = sympy.Pow(self.write(base), sympy.Rational(1, k))
+        if not (isinstance(root, sympy.Pow) and root.exp == sympy.Rational(1, k)):
+            return self.read(root)  # SymPy took something out: sqrt(4*x) = 2*sqrt(x)
+        place, new = self.ring.place(root)
+        if new:
+            self.ring.relate(((place, k),), self.ring.gen(place) ** k - base)
+        return self.ring.gen(place)
+
+    def _inverse(self, base: fmpq_mpoly) -> fmpq_mpoly:
+        """Return 1/base: of a monomial factor by factor, of a sum as one generator."""
+        if base == 0:
+            raise ExpressionError("division by an expression that is identically zero")
+        ring = self.ring
+        if len(base) > 1:
+            unit = content(base) * (1 if base.leading_coefficient() > 0 else -1)
+            return self._reciprocal(base / _flint(unit)) / _flint(unit)
+        result = ring.constant(1) / base.leading_coefficient()
+        for place, power in enumerate(base.degrees()):
+            if power:
+                result = ring.product(result, self._reciprocal(ring.gen(place)) ** int(power))
+        return result
+
+    def _reciprocal(self, base: fmpq_mpoly) -> fmpq_mpoly:
+        ring = self.ring
+        inverse = sympy.Pow(self.write(base), -1)
+        place, new = ring.place(inverse)
+        r = ring.gen(place)
+        if new and len(base) == 1:
+            of = base.degrees().index(1)
+            key = ring.keys[of]
+            ring.relate(((place, 1), (of, 1)), r * base - 1)
+            if isinstance(key, tuple) and key[0] == "sin":
+                # Completes the rewriting: c**2/s = 1/s - s, because s**2 is what is replaced.
+                c, _ = ring.place(("cos", key[1]))
+                ring.relate(((place, 1), (c, 2)), r * ring.gen(c) ** 2 - r + base)
+        return r
+
+    def _function(self, node: sympy.Expr) -> fmpq_mpoly:
+        """Return a function: of its arguments' canonical forms, so that equal ones are one."""
+        args = [arg if isinstance(arg, sympy.Symbol | sympy.Rational) else self._argument(arg)
+                for arg in node.args]
+        again = node.func(*args)
+        if type(again) is not type(node):
+            return self.read(again)
+        if isinstance(again, sympy.tan):
+            return self.read(sympy.sin(again.args[0]) / sympy.cos(again.args[0]))
+        if isinstance(again, sympy.sin | sympy.cos):
+            c, s = self.ring.circle(again.args[0])
+            return c if isinstance(again, sympy.cos) else s
+        return self.ring.generator(again)
+
+    def _argument(self, arg: sympy.Basic) -> sympy.Basic:
+        return self.write(self.read(arg)) if isinstance(arg, sympy.Expr) else arg
+
+    def write(self, polynomial: fmpq_mpoly) -> sympy.Expr:
+        """Return a polynomial as a SymPy expression."""
+        return expression(self.ring, self.ring.reduced(polynomial))
+
+
+def _parts(node: sympy.Expr) -> tuple[sympy.Expr, ...]:
+    if isinstance(node, sympy.Add | sympy.Mul):
+        parts: tuple[sympy.Expr, ...] = node.args
+        return parts
+    if isinstance(node, sympy.Pow) and isinstance(node.exp, sympy.Rational):
+        return (node.base,)
+    return ()
+
+
+def _flint(ratio: Fraction) -> fmpq:
+    return fmpq(ratio.numerator, ratio.denominator)
+
+
+def reader(exprs: Iterable[sympy.Expr]) -> tuple[Reader, list[fmpq_mpoly]]:
+    """Read expressions into one ring that is large enough.
+
+    Raises
+    ------
+    ExpressionError
+        If an expression holds nan or infinity, or needs too many generators.
+    TooLarge
+        If a product outgrows the limits of the ring.
+    """
+    exprs = [sympy.sympify(expr) for expr in exprs]
+    names = sorted(set().union(*(expr.free_symbols for expr in exprs)), key=str)
+    capacity = len(names) + 2 * len(_functions(exprs)) + 8
+    while capacity <= MOST_GENERATORS:
+        result = Reader(capacity)
+        try:
+            for name in names:
+                result.ring.place(name)
+            return result, [result.read(expr) for expr in exprs]
+        except Restart:
+            capacity *= 2
+    raise ExpressionError(f"more than {MOST_GENERATORS} different symbols and functions: split it")
+
+
+def _functions(exprs: Iterable[sympy.Expr]) -> set[sympy.Expr]:
+    """Return the functions and powers that may become generators; shared parts are visited once."""
+    seen: set[sympy.Basic] = set()
+    stack: list[sympy.Basic] = list(exprs)
+    while stack:
+        node = stack.pop()
+        if node not in seen:
+            seen.add(node)
+            stack.extend(node.args)
+    keep = sympy.Function, sympy.NumberSymbol
+    return {node.args[0] if isinstance(node, sympy.sin | sympy.cos) else node for node in seen
+            if isinstance(node, keep) or (isinstance(node, sympy.Pow)
+                                          and not (node.exp.is_Integer and node.exp > 0))}
