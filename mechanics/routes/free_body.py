@@ -12,9 +12,10 @@ from sympy import Add, Expr, Matrix, S, Symbol
 
 from mechanics.equations import Equations, FreeBodyRow
 from mechanics.kinematics import differentiate
+from mechanics.kinematics.constraints import constraint_rows
 from mechanics.kinematics.directions import AXES, Directions, used_directions
 from mechanics.kinematics.motion import BodyMotion, inertia_matrix
-from mechanics.routes.common import assemble, constraint_rows
+from mechanics.routes.common import assemble
 from mechanics.routes.elimination import eliminate
 from mechanics.routes.free_body_steps import derivation_steps
 from mechanics.scene import RigidBody, Scene
@@ -38,8 +39,7 @@ def derive(scene: Scene) -> Equations:
     kept = multipliers(scene)
     result = eliminate(rows, bodies, kept)
     system = assemble(scene, result.rows, kept)
-    # The geometry is differentiated once more here, so that the constraints are this route's own.
-    matrix, bias = constraint_rows(scene, rate_table(scene))
+    matrix, bias = constraint_rows(scene)
     return Equations(
         scene,
         "free_body",

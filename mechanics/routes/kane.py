@@ -14,12 +14,11 @@ from sympy.physics.mechanics import KanesMethod
 from mechanics.equations import Equations, Line, Step
 from mechanics.exact import collect_linear, independent_rows
 from mechanics.kinematics import chain
-from mechanics.routes.common import constraint_rows, velocity_forms
+from mechanics.kinematics.constraints import constraint_rows, velocity_forms
 from mechanics.routes.dynamic import Dynamic, dynamic_speeds
-from mechanics.routes.sympy_model import SympyModel, build, force_at
+from mechanics.routes.sympy_model import SympyModel, Velocities, build, force_at
 from mechanics.scene import Scene
 from mechanics.scene.actions import Action, applied_actions, unit_reactions
-from mechanics.scene.rates import rate_table
 from mechanics.scene.topology import multipliers
 
 
@@ -65,7 +64,7 @@ def derive_with_multipliers(scene: Scene) -> Equations:
         coefficients, rest = collect_linear(entry, kept)
         forcing.append(rest)
         columns.append(coefficients)
-    matrix, bias = constraint_rows(scene, rate_table(scene))
+    matrix, bias = constraint_rows(scene)
     return Equations(
         scene,
         "kane with multipliers",
@@ -109,7 +108,7 @@ def _with_dependent_speeds(
 
 def dependent_speeds(scene: Scene) -> list[int]:
     """Indices of the last speeds that the constraints can be solved for."""
-    matrix, _ = constraint_rows(scene, rate_table(scene))
+    matrix, _ = constraint_rows(scene)
     backwards = list(range(matrix.cols))[::-1]
     columns = [list(matrix[:, i]) for i in backwards]
     return sorted(backwards[k] for k in independent_rows(columns))
@@ -133,7 +132,7 @@ def _method(
         holonomic = [c for c in scene.constraints if c.holonomic]
         options["u_dependent"] = [speeds[i] for i in dependent]
         options["velocity_constraints"] = [
-            dynamic.to(form) for form in velocity_forms(scene, rate_table(scene))
+            dynamic.to(form) for form in velocity_forms(scene)
         ]
         if holonomic:
             q_dependent = [coordinates[i] for i in dependent][-len(holonomic) :]
@@ -155,15 +154,14 @@ def _method(
 def _loads(
     scene: Scene, model: SympyModel, dynamic: Dynamic, actions: Sequence[Action]
 ) -> list[tuple[object, object]]:
-    motion_of = {
-        motion.body.name: (
-            motion.centre.position,
-            motion.centre.velocity,
-            motion.angular_velocity,
-        )
-        for motion in chain.body_motions(scene)
-    }
-    return [load for a in actions for load in force_at(model, motion_of, a, dynamic)]
+    motions = {motion.body.name: motion for motion in chain.body_motions(scene)}
+    found: list[tuple[object, object]] = []
+    for action in actions:
+        motion = motions[action.body]
+        arm = action.at - motion.centre.position
+        velocity = motion.centre.velocity + motion.angular_velocity.cross(arm)
+        found += force_at(model, Velocities(velocity, motion.angular_velocity), action, dynamic)
+    return found
 
 
 def _steps(scene: Scene) -> tuple[Step, ...]:

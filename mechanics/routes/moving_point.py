@@ -17,9 +17,10 @@ from mechanics.equations import Equations
 from mechanics.errors import SingularError
 from mechanics.exact import canonical, independent_rows
 from mechanics.kinematics import chain
+from mechanics.kinematics.constraints import constraint_rows
 from mechanics.kinematics.directions import used_directions
 from mechanics.kinematics.motion import BodyMotion, PointMotion, inertia_matrix
-from mechanics.routes.common import System, assemble, constraint_rows
+from mechanics.routes.common import System, assemble
 from mechanics.routes.moving_point_steps import derivation_steps
 from mechanics.routes.twists import Principle, principles
 from mechanics.scene import Scene
@@ -64,7 +65,7 @@ def derive(scene: Scene) -> Equations:
     """Equations of motion from principles in which the reactions do not enter."""
     balances = tuple(chosen_balances(scene))
     kept = multipliers(scene)
-    matrix, bias = constraint_rows(scene, rate_table(scene))
+    matrix, bias = constraint_rows(scene)
     system, balances = _full_rank(scene, balances, assemble(scene, balances, kept))
     return Equations(
         scene,

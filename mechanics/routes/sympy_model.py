@@ -5,8 +5,8 @@ SymPy's Kane method leaves after common subexpressions are shared. All objects a
 SymPy's are mutable.
 """
 
-from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import Any
 
 import sympy.physics.mechanics as me
 from sympy import Expr, Matrix, cos, eye, sin, zeros
@@ -21,6 +21,14 @@ from mechanics.scene.geometry import frame_path, relative_rotation
 
 
 @dataclass(frozen=True)
+class Velocities:
+    """Velocity of a material point and angular velocity of its body, inertial components."""
+
+    velocity: Matrix
+    omega: Matrix
+
+
+@dataclass(frozen=True)
 class SympyModel:
     """SymPy's objects for one scene.
 
@@ -32,8 +40,7 @@ class SympyModel:
     """
 
     frame: ReferenceFrame
-    bodies: dict[str, object]
-    _frames: dict[ReferenceFrame, ReferenceFrame]
+    bodies: dict[str, Any]
 
     def vector(self, column: Matrix, dynamic: Dynamic) -> Vector:
         """Inertial components as a SymPy vector."""
@@ -45,29 +52,21 @@ def build(scene: Scene, dynamic: Dynamic) -> SympyModel:
     chain = Chain(scene)
     frames: dict[ReferenceFrame, ReferenceFrame] = {scene.frame: ReferenceFrame("N")}
     bodies = {body.name: _body(scene, body, chain, frames, dynamic) for body in scene.bodies}
-    return SympyModel(frames[scene.frame], bodies, frames)
+    return SympyModel(frames[scene.frame], bodies)
 
 
 def force_at(
-    model: SympyModel,
-    motion_of: Mapping[str, tuple[Matrix, Matrix, Matrix]],
-    action: Action,
-    dynamic: Dynamic,
+    model: SympyModel, moving: Velocities, action: Action, dynamic: Dynamic
 ) -> list[tuple[object, Vector]]:
-    """One action as SymPy's loads: a force on a material point, a torque on a turning frame.
-
-    `motion_of` gives position, velocity and angular velocity of each body, inertial components.
-    """
-    position, velocity, omega = motion_of[action.body]
+    """One action as SymPy's loads: a force on a material point, a torque on a turning frame."""
     loads: list[tuple[object, Vector]] = []
     if action.force != zeros(3, 1):
-        arm = action.at - position
         point = Point(f"{action.name} on {action.body}")
-        point.set_vel(model.frame, model.vector(velocity + omega.cross(arm), dynamic))
+        point.set_vel(model.frame, model.vector(moving.velocity, dynamic))
         loads.append((point, model.vector(action.force, dynamic)))
     if action.couple != zeros(3, 1):
         turning = ReferenceFrame(f"{action.name} on {action.body}")
-        turning.set_ang_vel(model.frame, model.vector(omega, dynamic))
+        turning.set_ang_vel(model.frame, model.vector(moving.omega, dynamic))
         loads.append((turning, model.vector(action.couple, dynamic)))
     return loads
 
@@ -87,7 +86,7 @@ def _body(
     if not isinstance(body, RigidBody):
         return me.Particle(body.name, centre, body.mass)
     frame = _frame(scene, body.frame, chain, frames, dynamic)
-    inertia = _inertia(scene, body, frame, dynamic)
+    inertia = inertia_dyadic(scene, body, frame, dynamic)
     return me.RigidBody(body.name, centre, frame, body.mass, (inertia, centre))
 
 
@@ -161,7 +160,7 @@ def _vector(frame: ReferenceFrame, column: Matrix, dynamic: Dynamic) -> Vector:
     return x * frame.x + y * frame.y + z * frame.z
 
 
-def _inertia(scene: Scene, body: RigidBody, frame: ReferenceFrame, dynamic: Dynamic) -> Dyadic:
+def inertia_dyadic(scene: Scene, body: RigidBody, frame: ReferenceFrame, dynamic: Dynamic) -> Dyadic:
     axes = (frame.x, frame.y, frame.z)
     if not isinstance(body.inertia, Dyadic):
         scalar = dynamic.to(scene.plain(body.inertia))

@@ -1,0 +1,127 @@
+"""Laws that hold whatever the route: kinematics, energy, mass matrix, loads against potentials.
+
+    v, omega, a, alpha by differentiation = by composition along the chain
+    d(T + V)/dt = power of the loads that have no potential
+    M = sum over bodies of m J_v^T J_v + J_w^T I J_w          (rows power-conjugate to u)
+    sum F . dv/du = - (dV/dq) N                               (each conservative load)
+"""
+
+from collections.abc import Sequence
+
+from sympy import Add, Expr, Matrix
+
+from mechanics.checks.agreement import Pairs, solve
+from mechanics.checks.manifold import settle
+from mechanics.checks.soundness import metric
+from mechanics.equations import Equations
+from mechanics.exact import Arithmetic, Finding, collect_linear, decide
+from mechanics.kinematics import chain, differentiate
+from mechanics.kinematics.motion import BodyMotion, inertia_matrix
+from mechanics.scene import Scene
+from mechanics.scene.actions import Action, load_actions
+from mechanics.scene.loads import CONSERVATIVE
+from mechanics.scene.potential import load_potential, potential
+from mechanics.scene.rates import rate, rate_table, rates
+
+
+def check_kinematics(scene: Scene) -> Finding:
+    """Both kinematics modules give the same motions."""
+
+    def experiment(a: Arithmetic) -> Pairs:
+        pairs: Pairs = []
+        both = zip(differentiate.body_motions(scene), chain.body_motions(scene), strict=True)
+        for one, two in both:
+            for left, right in zip(_parts(one), _parts(two), strict=True):
+                pairs += [(a.value(x), a.value(y)) for x, y in zip(left, right, strict=True)]
+        return pairs
+
+    return decide("kinematics: differentiated = composed", experiment)
+
+
+def _parts(motion: BodyMotion) -> tuple[Matrix, ...]:
+    centre = motion.centre
+    return (
+        centre.velocity,
+        centre.acceleration,
+        motion.angular_velocity,
+        motion.angular_acceleration,
+    )
+
+
+def check_potentials(scene: Scene) -> tuple[Finding, ...]:
+    """Each conservative load: its force is minus the gradient of its potential."""
+    motions = {motion.body.name: motion for motion in chain.body_motions(scene)}
+    found = []
+    for load in scene.loads:
+        if not isinstance(load, CONSERVATIVE):
+            continue
+        power = Add(*(_power(motions[a.body], a) for a in load_actions(scene, load)))
+        stored = load_potential(scene, load)
+        released = -rate(stored, {q: scene.coordinate_rates[qd] for q, qd in
+                                  zip(scene.q, scene.qd, strict=True)})
+        subject = f"load {load.name}: force = -gradient of potential"
+        lefts = [*collect_linear(power, scene.u)[0]]
+        rights = [*collect_linear(released, scene.u)[0]]
+        found.append(_equal(subject, lefts, rights))
+    return tuple(found)
+
+
+def check_energy(equations: Equations) -> Finding:
+    """The rate of T + V, at the accelerations of a route, is the power of the other loads."""
+    scene = equations.scene
+    motions = differentiate.body_motions(scene)
+    by_name = {motion.body.name: motion for motion in motions}
+    growth = Add(
+        *(_kinetic_rate(scene, motion) for motion in motions),
+        rate(potential(scene), rate_table(scene)),
+    )
+    power = Add(
+        *(
+            _power(by_name[action.body], action)
+            for load in scene.loads
+            if not isinstance(load, CONSERVATIVE)
+            for action in load_actions(scene, load)
+        )
+    )
+
+    def experiment(a: Arithmetic) -> Pairs:
+        settle(scene, a)
+        for symbol, number in zip(equations.unknowns, solve(a, equations), strict=True):
+            a.assign(symbol, number)
+        return [(a.value(growth), a.value(power))]
+
+    return decide(f"{equations.route}: rate of energy = power of the loads", experiment)
+
+
+def check_mass_matrix(equations: Equations) -> Finding:
+    """M of a route whose rows are power-conjugate to u is the metric of the kinetic energy.
+
+    This shows M symmetric, and positive semidefinite for masses and inertias that are.
+    """
+    scene = equations.scene
+    wanted = metric(scene, chain.body_motions(scene))
+    subject = f"{equations.route}: M = sum of J^T m J"
+    return _equal(subject, list(equations.mass), list(wanted))
+
+
+def _kinetic_rate(scene: Scene, motion: BodyMotion) -> Expr:
+    """dT/dt of one body: m v . a + omega . (d(I omega)/dt), as omega . (I' omega) cancels."""
+    speed, gain = motion.centre.velocity, motion.centre.acceleration
+    linear = motion.body.mass * Add(*(v * a for v, a in zip(speed, gain, strict=True)))
+    if not motion.turns:
+        return linear
+    spin = inertia_matrix(scene, motion.body, motion.rotation) * motion.angular_velocity
+    return linear + motion.angular_velocity.dot(rates(spin, rate_table(scene)))
+
+
+def _power(motion: BodyMotion, action: Action) -> Expr:
+    arm = action.at - motion.centre.position
+    velocity = motion.centre.velocity + motion.angular_velocity.cross(arm)
+    return action.force.dot(velocity) + action.couple.dot(motion.angular_velocity)
+
+
+def _equal(subject: str, lefts: Sequence[Expr], rights: Sequence[Expr]) -> Finding:
+    def experiment(a: Arithmetic) -> Pairs:
+        return [(a.value(x), a.value(y)) for x, y in zip(lefts, rights, strict=True)]
+
+    return decide(subject, experiment)

@@ -1,0 +1,201 @@
+"""Whether a scene can be right, before any route runs.
+
+    ideal       the power of a unit of each reaction vanishes on the velocities the scene admits
+    complete    rank of the reactions = freedoms of the isolated bodies - independent speeds
+    regular     the mass matrix resists every motion that the constraints admit
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from sympy import Add, Expr, Matrix, S, Symbol
+
+from mechanics.errors import SceneError
+from mechanics.exact import collect_linear, generic_rank, independent_rows
+from mechanics.kinematics.chain import body_motions
+from mechanics.kinematics.constraints import constraint_rows, velocity_forms
+from mechanics.kinematics.directions import AXES, Directions, used_directions
+from mechanics.kinematics.motion import BodyMotion, inertia_matrix
+from mechanics.scene import RigidBody, Scene
+from mechanics.scene.actions import Action, applied_actions, moment, unit_reactions
+
+
+@dataclass(frozen=True)
+class Freedom:
+    """One freedom of one isolated body: its partial velocities, and what each reaction does to it.
+
+    Attributes
+    ----------
+    body : str
+    words : str
+        ``"translation along x"``.
+    partial : list of Expr
+        Coefficients of u in the velocity component.
+    reactions : list of Expr
+        Component of a unit of each reaction.
+    """
+
+    body: str
+    words: str
+    partial: list[Expr]
+    reactions: list[Expr]
+
+
+def check_sound(scene: Scene) -> None:
+    """Refuse a scene that cannot be right.
+
+    Raises
+    ------
+    SceneError
+        For redundant constraints, a reaction that does work, reactions that are incomplete or
+        redundant, a scalar inertia in a scene that leaves its plane, a singular mass matrix.
+    """
+    motions = {motion.body.name: motion for motion in body_motions(scene)}
+    reactions = unit_reactions(scene)
+    units = [action for pair in reactions.values() for action in pair]
+    directions = used_directions(tuple(motions.values()), (*applied_actions(scene), *units))
+    matrix, _ = constraint_rows(scene)
+    _constraints(scene, matrix)
+    _scalar_inertias(scene, motions, directions)
+    freedoms = _freedoms(scene, motions, reactions, directions)
+    _ideal(scene, freedoms, tuple(reactions), matrix)
+    _complete(scene, freedoms, tuple(reactions))
+    _regular(scene, motions, matrix)
+
+
+def _constraints(scene: Scene, matrix: Matrix) -> None:
+    for form, constraint in zip(velocity_forms(scene), scene.constraints, strict=True):
+        coefficients, _ = collect_linear(form, scene.u)
+        if all(entry == 0 for entry in coefficients):
+            raise SceneError(
+                f"constraint {constraint.name}: it restricts no speed: is it an identity?"
+            )
+    kept = independent_rows(matrix.tolist()) if matrix.rows else []
+    redundant = [c.name for i, c in enumerate(scene.constraints) if i not in kept]
+    if redundant:
+        others = [c.name for i, c in enumerate(scene.constraints) if i in kept]
+        raise SceneError(
+            f"{scene.name}: redundant constraints: {', '.join(redundant)} follow from"
+            f" {', '.join(others)}: remove them with their reactions"
+        )
+
+
+def _scalar_inertias(
+    scene: Scene, motions: dict[str, BodyMotion], directions: Directions
+) -> None:
+    if directions.normal is not None:
+        return
+    for name, motion in motions.items():
+        body = motion.body
+        if isinstance(body, RigidBody) and motion.turns and isinstance(body.inertia, Expr):
+            raise SceneError(
+                f"body {name}: its inertia {body.inertia} is a scalar, but the scene leaves its"
+                " plane: give a Dyadic about the mass centre"
+            )
+
+
+def _freedoms(
+    scene: Scene,
+    motions: dict[str, BodyMotion],
+    reactions: dict[Symbol, list[Action]],
+    directions: Directions,
+) -> list[Freedom]:
+    found = []
+    for name, motion in motions.items():
+        held = [
+            next((action for action in pair if action.body == name), None)
+            for pair in reactions.values()
+        ]
+        centre = motion.centre.position
+        kinds = [("translation along", motion.centre.velocity, directions.translation, "force")]
+        if motion.turns:
+            omega = motion.angular_velocity
+            kinds.append(("rotation about", omega, directions.rotation, "moment"))
+        for words, velocity, axes, kind in kinds:
+            for i in axes:
+                coefficients, _ = collect_linear(velocity[i], scene.u)
+                row = [
+                    S.Zero if unit is None
+                    else unit.force[i] if kind == "force"
+                    else moment(unit, centre)[i]
+                    for unit in held
+                ]  # fmt: skip
+                found.append(Freedom(name, f"{words} {AXES[i]}", list(coefficients), row))
+    return found
+
+
+def _ideal(
+    scene: Scene, freedoms: Sequence[Freedom], symbols: Sequence[Symbol], matrix: Matrix
+) -> None:
+    """The power of a unit is a combination of the constraints' rows: zero where they hold."""
+    rank = matrix.rows
+    for j, symbol in enumerate(symbols):
+        power = [
+            Add(*(f.partial[i] * f.reactions[j] for f in freedoms))
+            for i in range(len(scene.u))
+        ]
+        if generic_rank([*matrix.tolist(), power]) > rank:
+            raise SceneError(
+                f"reaction {symbol}: it does work on velocities that the scene admits: correct its"
+                " point, its direction or its bodies, or declare it as a load"
+            )
+
+
+def _complete(scene: Scene, freedoms: Sequence[Freedom], symbols: Sequence[Symbol]) -> None:
+    wanted = len(freedoms) - scene.degrees_of_freedom
+    columns = [[f.reactions[j] for f in freedoms] for j in range(len(symbols))]
+    independent = independent_rows(columns)
+    if len(independent) < len(columns):
+        extra = ", ".join(str(symbols[j]) for j in range(len(columns)) if j not in independent)
+        raise SceneError(
+            f"{scene.name}: the reactions {extra} follow from the others, so no equation of motion"
+            " determines them: remove them, or let a body or joint give way"
+        )
+    if len(independent) == wanted:
+        return
+    # A freedom that neither a reaction holds nor a speed moves is the one that was forgotten.
+    moved = [[f.partial[i] for f in freedoms] for i in range(len(scene.u))]
+    spanned = [*columns, *moved]
+    have = generic_rank(spanned)
+    for k, freedom in enumerate(freedoms):
+        alone = [[S(int(i == k)) for i in range(len(freedoms))]]
+        if generic_rank([*spanned, *alone]) > have:
+            raise SceneError(
+                f"{scene.name}: the reactions are incomplete ({len(independent)} of {wanted}):"
+                f" nothing holds body {freedom.body} in {freedom.words}: declare the reaction"
+            )
+    raise SceneError(
+        f"{scene.name}: {len(independent)} independent reactions for {len(freedoms)} freedoms of"
+        f" the isolated bodies and {scene.degrees_of_freedom} independent speeds: {wanted} wanted"
+    )
+
+
+def _regular(scene: Scene, motions: dict[str, BodyMotion], matrix: Matrix) -> None:
+    """[[M, A^T], [A, 0]] has full rank, with M = sum J^T m J."""
+    mass = metric(scene, tuple(motions.values()))
+    n, c = len(scene.u), matrix.rows
+    if c:
+        lower = matrix.row_join(Matrix.zeros(c, c))
+        mass = mass.row_join(matrix.T).col_join(lower)
+    rows = independent_rows(mass.tolist())
+    if len(rows) < n + c:
+        free = next(i for i in range(n + c) if i not in rows)
+        speed = scene.u[free] if free < n else "the constraints"
+        raise SceneError(
+            f"{scene.name}: the mass matrix is singular: nothing resists a change of {speed}:"
+            " is a mass or an inertia zero that must not be?"
+        )
+
+
+def metric(scene: Scene, motions: Sequence[BodyMotion]) -> Matrix:
+    """M = sum over bodies of m J_v^T J_v + J_w^T I J_w, n x n, entries not expanded."""
+    total = Matrix.zeros(len(scene.u), len(scene.u))
+    for motion in motions:
+        linear = Matrix([collect_linear(v, scene.u)[0] for v in motion.centre.velocity])
+        total += motion.body.mass * linear.T * linear
+        if motion.turns:
+            angular = Matrix([collect_linear(w, scene.u)[0] for w in motion.angular_velocity])
+            inertia = inertia_matrix(scene, motion.body, motion.rotation)
+            total += angular.T * inertia * angular
+    return total
+

@@ -1,0 +1,144 @@
+"""Reactions by Kane's auxiliary speeds: the second, independent way.
+
+For each reaction the joint it belongs to is opened: everything outboard moves with an auxiliary speed
+along (or turns about) the direction of the reaction,
+
+    v_body <- v_body + w_j e_j         (force)
+    v_body <- v_body + w_j e_j x (r_C - r_0),  omega_body <- omega_body + w_j e_j      (couple)
+
+and the reactions enter as loads. The equations that belong to the auxiliary speeds, with these set
+to zero, hold the reactions.
+"""
+
+from collections.abc import Sequence
+
+import sympy.physics.mechanics as me
+from sympy import Expr, Matrix, Symbol, eye, zeros
+from sympy.physics.mechanics import KanesMethod, Point, ReferenceFrame, dynamicsymbols
+
+from mechanics.kinematics import chain
+from mechanics.kinematics.motion import BodyMotion
+from mechanics.routes.dynamic import Dynamic, dynamic_speeds
+from mechanics.routes.sympy_model import (
+    SympyModel,
+    Velocities,
+    build,
+    force_at,
+    inertia_dyadic,
+)
+from mechanics.scene import RigidBody, Scene
+from mechanics.scene.actions import Action, applied_actions, unit_reactions
+from mechanics.scene.reactions import Reaction
+from mechanics.scene.topology import Tree, multipliers, tree
+
+
+def auxiliary_equations(scene: Scene) -> tuple[tuple[Symbol, Expr], ...]:
+    """For each reaction that is no multiplier, an equation ``expression = 0`` that holds it.
+
+    Returns
+    -------
+    tuple of (Symbol, Expr)
+        In q, u, u' and the reactions, plain symbols.
+    """
+    kept = multipliers(scene)
+    sought = [reaction for reaction in scene.reactions if reaction.symbol not in kept]
+    if not sought:
+        return ()
+    dynamic = dynamic_speeds(scene)
+    model = build(scene, dynamic)
+    speeds = [dynamicsymbols(f"aux_{i}") for i in range(len(sought))]
+    fields = _opened(scene, tree(scene), sought, speeds)
+    motions = {motion.body.name: motion for motion in chain.body_motions(scene)}
+    bodies = [_body(scene, m, fields[name], model, dynamic) for name, m in motions.items()]
+    loads = [
+        load
+        for action in _actions(scene)
+        for load in force_at(
+            model, _at(motions[action.body], fields[action.body], action), action, dynamic
+        )
+    ]
+    method = KanesMethod(
+        model.frame,
+        list(scene.coordinates),
+        [dynamic.to(u) for u in scene.u],
+        kd_eqs=[
+            q.diff() - dynamic.to(scene.coordinate_rates[qd])
+            for q, qd in zip(scene.coordinates, scene.qd, strict=True)
+        ],
+        u_auxiliary=speeds,
+        kd_eqs_solver="CRAMER",
+    )
+    method.kanes_equations(bodies, loads)
+    rows = dynamic.back(method.auxiliary_eqs)
+    return tuple(zip((reaction.symbol for reaction in sought), rows, strict=True))
+
+
+Field = list[tuple[Expr, Matrix, Matrix, Matrix]]
+"""Auxiliary speeds that move a body: (speed, direction of translation, of rotation, centre)."""
+
+
+def _opened(
+    scene: Scene, bodies: Tree, sought: Sequence[Reaction], speeds: Sequence[Expr]
+) -> dict[str, Field]:
+    """For every body the auxiliary speeds of the joints that it is outboard of."""
+    fields: dict[str, Field] = {name: [] for name in bodies.order}
+    none = zeros(3, 1)
+    for reaction, speed in zip(sought, speeds, strict=True):
+        outer_end = next(name for name in bodies.order if reaction in bodies.joints[name])
+        along = scene.vector(reaction.along, reaction.name)
+        for name in bodies.subtree(outer_end):
+            if reaction.at is None:
+                hinge = scene.position(scene.body(outer_end).centre)
+                fields[name].append((speed, none, along, hinge))
+            else:
+                fields[name].append((speed, along, none, none))
+    return fields
+
+
+def _actions(scene: Scene) -> list[Action]:
+    """Applied loads, and every reaction as a load of unknown size."""
+    unknown = [
+        Action(a.name, a.body, a.at, symbol * a.force, symbol * a.couple)
+        for symbol, pair in unit_reactions(scene).items()
+        for a in pair
+    ]
+    return [*applied_actions(scene), *unknown]
+
+
+def _extra(field: Field, at: Matrix) -> tuple[Matrix, Matrix]:
+    """Velocity at a place, and angular velocity, that the auxiliary speeds add."""
+    velocity, omega = zeros(3, 1), zeros(3, 1)
+    for speed, along, about, hinge in field:
+        velocity += speed * (along + about.cross(at - hinge))
+        omega += speed * about
+    return velocity, omega
+
+
+def _at(motion: BodyMotion, field: Field, action: Action) -> Velocities:
+    """Velocity of the material point where an action acts, and angular velocity."""
+    speed, spin = _extra(field, action.at)
+    arm = action.at - motion.centre.position
+    velocity = motion.centre.velocity + motion.angular_velocity.cross(arm) + speed
+    return Velocities(velocity, motion.angular_velocity + spin)
+
+
+def _body(
+    scene: Scene, motion: BodyMotion, field: Field, model: SympyModel, dynamic: Dynamic
+) -> object:
+    """The body with auxiliary speeds added to its velocities; its accelerations need none."""
+    body, inertial = motion.body, model.frame
+    velocity, omega = _extra(field, motion.centre.position)
+    plain = model.bodies[body.name]
+    centre = Point(f"opened centre of {body.name}")
+    centre.set_vel(inertial, plain.masscenter.vel(inertial) + model.vector(velocity, dynamic))
+    centre.set_acc(inertial, plain.masscenter.acc(inertial))
+    if not isinstance(body, RigidBody):
+        return me.Particle(body.name, centre, body.mass)
+    # A frame of the body's own: several bodies may share the scene's.
+    turning = ReferenceFrame(f"opened {body.name}")
+    turning.orient_explicit(plain.frame, eye(3))
+    spin = plain.frame.ang_vel_in(inertial) + model.vector(omega, dynamic)
+    turning.set_ang_vel(inertial, spin)
+    turning.set_ang_acc(inertial, plain.frame.ang_acc_in(inertial))
+    inertia = inertia_dyadic(scene, body, turning, dynamic)
+    return me.RigidBody(body.name, centre, turning, body.mass, (inertia, centre))
