@@ -62,16 +62,36 @@ class Modes:
 
 @dataclass(frozen=True)
 class Motion:
-    """A simulated motion: `columns` maps time, coordinates, speeds and energies to samples."""
+    """A simulated motion.
+
+    Attributes
+    ----------
+    title : str
+    columns : mapping of str to array, shape (N,)
+        By plain name: ``t``, coordinates, speeds, ``kinetic_energy`` and the like.
+    note : str
+        What a reader has to know about the quality of the samples.
+    units : mapping of str to str
+        Of the columns, where they are known.
+    """
 
     title: str
     columns: Mapping[str, Any]
     note: str = ""
+    units: Mapping[str, str] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)
 class SystemResult:
-    """Everything that a cross-check of one system found."""
+    """Everything that a cross-check of one system found.
+
+    Attributes
+    ----------
+    pairs : mapping of (str, str) to Finding
+        Do two routes give the same accelerations? Each of these is one of `findings`, too.
+    remarks : tuple of str
+        Sentences for the reader: what was left out, and why.
+    """
 
     name: str
     scene: Scene
@@ -82,6 +102,7 @@ class SystemResult:
     modes: tuple[Modes, ...] = ()
     motion: Motion | None = None
     remarks: tuple[str, ...] = field(default=())
+    pairs: Mapping[tuple[str, str], Finding] = field(default_factory=dict)
 
     @property
     def ok(self) -> bool:

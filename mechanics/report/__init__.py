@@ -1,0 +1,1 @@
+"""Reports: what a cross-check found, as JSON and as HTML."""

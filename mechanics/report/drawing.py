@@ -1,0 +1,210 @@
+"""A schematic drawing of a scene as inline SVG, made from its geometry alone.
+
+Bodies are drawn between their centres and the points where reactions act; a body that hangs at one
+point is drawn as the uniform rod, or as the ellipse, that has its inertia.
+"""
+
+from collections.abc import Mapping
+from html import escape
+
+import numpy as np
+from sympy import Symbol
+from sympy.physics.vector import Dyadic, Point
+
+from mechanics.report import ink
+from mechanics.report.notation import svg_name
+from mechanics.report.projection import View, normal, unit
+from mechanics.report.supports import BLOCK, Paper, ground, load_symbol
+from mechanics.scene import Body, RigidBody, Scene
+from mechanics.scene.actions import carrier_of
+from mechanics.scene.loads import Damper, Spring
+
+WIDTH, HEIGHT, MARGIN = 460.0, 340.0, 74.0
+# Beyond this many bodies only the first and the last are named.
+FEW = 4
+
+
+def drawing(scene: Scene, state: Mapping[str, float]) -> str:
+    """A scene at a state as an SVG element.
+
+    Parameters
+    ----------
+    scene : Scene
+    state : mapping of str to float
+        Values by plain name; what is missing is zero, parameters are typical ones.
+    """
+    view = View(scene, state)
+    outlines = {body.name: outline(view, body) for body in scene.bodies}
+    paper = _paper(view, [p for points in outlines.values() for p in points])
+    named = scene.bodies if len(scene.bodies) <= FEW else (scene.bodies[0], scene.bodies[-1])
+    parts = [ground(view, paper)]
+    parts += [load_symbol(view, paper, load) for load in scene.loads]
+    parts += [_body(view, paper, body, outlines[body.name]) for body in scene.bodies]
+    parts += [_joints(view, paper), _axes(view, paper)]
+    parts += [_coordinate(view, paper, q) for q in (scene.q if len(scene.q) <= FEW else ())]
+    parts += [_label(view, paper, body) for body in named]
+    title = escape(f"Schematic drawing of the system {scene.name}")
+    return (
+        f'<svg class="drawing" viewBox="0 0 {WIDTH:.0f} {HEIGHT:.0f}" role="img"'
+        f' aria-label="{title}">{"".join(parts)}</svg>'
+    )
+
+
+def attached(scene: Scene, body: Body) -> list[Point]:
+    """The centre of a body and the points where reactions and springs act on it."""
+    points = [body.centre]
+    for reaction in scene.reactions:
+        if body.name in (reaction.on, reaction.by) and reaction.at is not None:
+            points.append(reaction.at)
+    for load in scene.loads:
+        if isinstance(load, Spring | Damper):
+            for point, stated in ((load.first, load.by), (load.second, load.on)):
+                if carrier_of(scene, load, point, stated) == body.name:
+                    points.append(point)
+    return points
+
+
+def outline(view: View, body: Body) -> list[np.ndarray]:
+    """Corners of a body on paper, in m: one for a block, two or more for a rod, many for a disc."""
+    found: list[np.ndarray] = []
+    for point in attached(view.scene, body):
+        place = view.point(point)
+        if all(np.hypot(*(place - other)) > 1e-9 for other in found):
+            found.append(place)
+    if not isinstance(body, RigidBody) or len(found) > 2:
+        return found
+    first, second = _semi_axes(view, body)
+    long, short = (float(np.hypot(*axis)) for axis in (first, second))
+    centre = found[0]
+    if len(found) == 2:
+        arm = found[1] - centre
+        # A uniform rod of half length a has I = m a^2 / 3; the ellipse of that I has a sqrt(2/3).
+        if abs(float(np.hypot(*arm)) - long * np.sqrt(1.5)) < 0.01 * long and view.planar:
+            return [centre - arm, centre, centre + arm]
+    if long < 1e-9:
+        return found
+    if short < 0.02 * long:
+        return [centre - first, centre, centre + first]
+    angles = np.linspace(0, 2 * np.pi, 49)
+    return [centre + np.cos(a) * first + np.sin(a) * second for a in angles]
+
+
+def _semi_axes(view: View, body: RigidBody) -> tuple[np.ndarray, np.ndarray]:
+    """Semi-axes on paper of the thin uniform ellipse that has the body's inertia.
+
+    Of a plate with second moments S_1 > S_2 the semi-axes are 2 sqrt(S_i / m).
+    """
+    mass = view.number(body.mass) or 1.0
+    if not isinstance(body.inertia, Dyadic):
+        radius = 2 * np.sqrt(view.number(body.inertia) / 2 / mass)
+        axes = view.numbers(view.scene.rotation(body.frame))
+        return view.project(radius * axes[:, 0]), view.project(radius * axes[:, 1])
+    tensor = body.inertia.to_matrix(body.frame).applyfunc(view.scene.plain)
+    moments, axes = np.linalg.eigh(view.numbers(tensor))
+    second = np.clip(moments.sum() / 2 - moments, 0, None)
+    order = np.argsort(-second)
+    axes = view.numbers(view.scene.rotation(body.frame)) @ axes
+    first, other = (2 * np.sqrt(second[i] / mass) * axes[:, i] for i in order[:2])
+    return view.project(first), view.project(other)
+
+
+def _paper(view: View, points: list[np.ndarray]) -> Paper:
+    corners = np.array([*points, view.point(view.scene.origin)])
+    low, high = corners.min(axis=0), corners.max(axis=0)
+    span = np.maximum(high - low, 1e-9)
+    scale = min((WIDTH - 2 * MARGIN) / span[0], (HEIGHT - 2 * MARGIN) / span[1], 1e6)
+    middle = np.array([WIDTH, HEIGHT]) / 2
+    return Paper(scale, middle - scale * (low + high) / 2 * np.array([1, -1]), middle)
+
+
+def _body(view: View, paper: Paper, body: Body, corners: list[np.ndarray]) -> str:
+    pixels = [paper.place(corner) for corner in corners]
+    centre = paper.place(view.point(body.centre))
+    if len(corners) == 1:
+        slides = [r for r in view.scene.reactions if r.on == body.name and r.by is None]
+        if not slides:
+            moving = [q for q in view.scene.q if np.hypot(*view.shift(body.centre, q)) > 1e-9]
+            if len(moving) != 1:
+                return ink.dot(centre, 11, "body")
+            return ink.block(centre, paper.turn(view.shift(body.centre, moving[0])), *BLOCK)
+        rail = normal(paper.turn(view.direction(slides[0].along)))
+        return ink.block(centre, rail, *BLOCK)
+    if len(corners) > 20:
+        shape = ink.path(pixels, "body", closed=True)
+        spoke = ink.path([pixels[0], centre, pixels[12]], "faint")
+        return shape + spoke + ink.dot(centre, 3, "ink")
+    rods = "".join(
+        ink.path([centre, pixel], style)
+        for style in ("rim", "rod")
+        for pixel in pixels
+        if np.hypot(*(pixel - centre)) > 1
+    )
+    point_mass = isinstance(body, RigidBody) and body.inertia == 0
+    return rods + ink.dot(centre, 8 if point_mass else 3, "ink")
+
+
+def _joints(view: View, paper: Paper) -> str:
+    places = {
+        r.at: paper.place(view.point(r.at))
+        for r in view.scene.reactions
+        if r.at is not None and r.by is not None
+    }
+    return "".join(ink.dot(place, 4.5, "joint") for place in places.values())
+
+
+def _axes(view: View, paper: Paper) -> str:
+    frame, origin = view.scene.frame, paper.place(view.point(view.scene.origin))
+    parts = []
+    for name, axis in zip("xyz", (frame.x, frame.y, frame.z), strict=True):
+        along = paper.turn(view.direction(axis))
+        if np.hypot(*along) > 1e-9:
+            tip = origin + 38 * along
+            parts.append(ink.arrow(origin, tip, "axis"))
+            parts.append(ink.text(tip + 10 * unit(along), svg_name(name), "axis-name"))
+    return "".join(parts)
+
+
+def _coordinate(view: View, paper: Paper, coordinate: Symbol) -> str:
+    """An arrow for the way in which a coordinate moves the first body that it moves."""
+    for body in view.scene.bodies:
+        centre = paper.place(view.point(body.centre))
+        turn = view.planar and isinstance(body, RigidBody) and view.scene.rotation(body.frame)
+        if turn and coordinate in turn.free_symbols:
+            return _turning(view, paper, body, coordinate)
+        shift = view.shift(body.centre, coordinate)
+        if np.hypot(*shift) > 1e-9:
+            along = unit(paper.turn(shift))
+            start = centre + 30 * normal(along) * (1 if along[0] >= 0 else -1) * -1
+            tip = start + 40 * along
+            return ink.arrow(start, tip, "motion") + ink.text(
+                tip + 12 * along, svg_name(coordinate.name), "motion-name"
+            )
+    return ""
+
+
+def _turning(view: View, paper: Paper, body: RigidBody, coordinate: Symbol) -> str:
+    places = [
+        paper.place(view.point(point))
+        for point in attached(view.scene, body)
+        if np.hypot(*view.shift(point, coordinate)) < 1e-9
+    ]
+    pivot = places[0] if places else paper.place(view.point(body.centre))
+    arm = paper.place(view.point(body.centre)) - pivot
+    angle = float(np.arctan2(-arm[1], arm[0])) if np.hypot(*arm) > 1 else 0.6
+    rotation = view.numbers(view.scene.rotation(body.frame).diff(coordinate))
+    frame = view.numbers(view.scene.rotation(body.frame))
+    sense = 1.0 if (rotation @ frame.T)[1, 0] > 0 else -1.0
+    radius = float(np.clip(0.62 * np.hypot(*arm), 30, 58))
+    middle = angle - sense * 0.45
+    at = pivot + (radius + 13) * np.array([np.cos(middle), -np.sin(middle)])
+    return ink.arc(pivot, radius, angle - sense * 0.95, sense * 0.8, "motion") + ink.text(
+        at, svg_name(coordinate.name), "motion-name"
+    )
+
+
+def _label(view: View, paper: Paper, body: Body) -> str:
+    centre = paper.place(view.point(body.centre))
+    away = unit(centre - paper.middle)
+    side = 1 if away[0] >= 0 else -1
+    at = centre + np.array([side * 24, 24 if away[1] >= -0.2 else -24])
+    return ink.text(at, escape(body.name), "name", "start" if side > 0 else "end")

@@ -1,0 +1,85 @@
+"""Results as one self-contained HTML page: derivations, verdicts, published equations, motion.
+
+Nothing is fetched from a network and no script runs; the page follows light and dark, wraps on a
+phone, and prints.
+"""
+
+from collections.abc import Sequence
+
+from jinja2 import Environment, PackageLoader, StrictUndefined
+from markupsafe import Markup
+
+from mechanics.exact import Verdict
+from mechanics.report import charts, typeset, words
+from mechanics.report.notation import latex_name, svg_name
+from mechanics.report.result import SystemResult
+from mechanics.report.sections import (
+    ROUTES,
+    Section,
+    drawn,
+    matrix,
+    motion_charts,
+    other_findings,
+    published_rows,
+    reactions,
+    speeds,
+    symbol_rows,
+)
+
+
+def to_html(results: Sequence[SystemResult]) -> str:
+    """The report of a cross-check.
+
+    Parameters
+    ----------
+    results : sequence of SystemResult
+
+    Returns
+    -------
+    str
+        A whole page.
+    """
+    environment = Environment(
+        loader=PackageLoader("mechanics.report"),
+        autoescape=True,
+        trim_blocks=True,
+        lstrip_blocks=True,
+        undefined=StrictUndefined,
+    )
+    environment.globals.update(
+        Markup=Markup,
+        ROUTES=ROUTES,
+        Verdict=Verdict,
+        bar=lambda share: Markup(charts.bar(share)),
+        bound=words.bound,
+        chip=words.chip,
+        count=words.count,
+        duration=words.duration,
+        equation=typeset.equation,
+        inline=typeset.inline,
+        prose=typeset.prose,
+        symbol=lambda name: typeset.maths(latex_name(name)),
+        svg_name=lambda name: Markup(svg_name(name)),
+    )
+    page = environment.get_template("report.html")
+    return page.render(
+        sections=[_section(n, result) for n, result in enumerate(results, start=1)],
+        tally=words.tally(f for result in results for f in words.all_findings(result)),
+        ok=bool(results) and all(result.ok for result in results),
+    )
+
+
+def _section(number: int, result: SystemResult) -> Section:
+    return Section(
+        number=number,
+        result=result,
+        tally=words.tally(words.all_findings(result)),
+        drawing=Markup(drawn(result)),
+        symbols=symbol_rows(result.scene),
+        matrix=matrix(result),
+        speeds=speeds(result),
+        reactions=reactions(result),
+        published=published_rows(result),
+        others=other_findings(result),
+        charts=motion_charts(result),
+    )

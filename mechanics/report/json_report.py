@@ -1,0 +1,78 @@
+r"""Results as JSON, stable.
+
+    {"systems": [{"name", "ok", "routes", "findings", "published", "compiled"}]}
+
+| key | what it is |
+| --- | --- |
+| name | name of the system |
+| ok | true when every finding and every published row is PROVED or CERTIFIED |
+| routes | by route: `seconds` of the derivation, `operations` after sharing |
+| findings | list of `subject`, `verdict`, `evidence`, `error_bound`, `witness` |
+| published | list of `tag`, `label`, `verdict`, `evidence`, `error_bound`, `witness` |
+| compiled | list of `subject`, `max_eps`, `states` |
+
+A verdict is one of PROVED, CERTIFIED, SUPPORTED, REFUTED, UNDECIDED. `error_bound` is a number for
+CERTIFIED and null otherwise. `witness` is null, or for REFUTED `{"state": {name: value}, "left",
+"right"}` with exact decimal or rational values as text and the enclosures of the two sides there.
+`max_eps` is null where the residual is not finite, since JSON knows no infinity.
+"""
+
+from collections.abc import Sequence
+from math import isfinite
+from typing import Any
+
+from mechanics.exact import Finding
+from mechanics.report.result import SystemResult
+
+
+def to_json(results: Sequence[SystemResult]) -> dict[str, Any]:
+    """Results as a tree of dicts, lists, text and numbers that `json.dumps` accepts.
+
+    Parameters
+    ----------
+    results : sequence of SystemResult
+
+    Returns
+    -------
+    dict
+        As the docstring of this module says. Keys are only ever added.
+    """
+    return {"systems": [_system(result) for result in results]}
+
+
+def _system(result: SystemResult) -> dict[str, Any]:
+    return {
+        "name": result.name,
+        "ok": result.ok,
+        "routes": {
+            name: {"seconds": route.seconds, "operations": route.operations}
+            for name, route in result.routes.items()
+        },
+        "findings": [
+            {"subject": finding.subject, **_verdict(finding)} for finding in result.findings
+        ],
+        "published": [
+            {"tag": entry.row.tag, "label": entry.row.label, **_verdict(entry.finding)}
+            for entry in result.published
+        ],
+        "compiled": [
+            {
+                "subject": entry.subject,
+                "max_eps": entry.max_eps if isfinite(entry.max_eps) else None,
+                "states": entry.states,
+            }
+            for entry in result.compiled
+        ],
+    }
+
+
+def _verdict(finding: Finding) -> dict[str, Any]:
+    witness = finding.witness
+    return {
+        "verdict": finding.verdict.name,
+        "evidence": finding.evidence,
+        "error_bound": finding.error_bound,
+        "witness": None
+        if witness is None
+        else {"state": dict(witness.state), "left": witness.left, "right": witness.right},
+    }

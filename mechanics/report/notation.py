@@ -1,0 +1,240 @@
+r"""Expressions as a textbook sets them.
+
+    x_ddot -> \ddot{x}      I_C -> I_{C}      L*M*g*sin(theta)/2 -> \tfrac{1}{2} M g L \sin \theta
+
+Factors stand in the order number, masses and stiffnesses, gravity, lengths, brackets, coordinates,
+rates, functions; terms with accelerations stand first.
+"""
+
+import re
+from collections.abc import Iterator, Sequence
+from functools import lru_cache
+from html import escape
+from typing import Any
+
+from latex2mathml.converter import convert
+from sympy import Add, Basic, Derivative, Expr, MatrixBase, Mul, Pow, Rational, S, Symbol
+from sympy.core.function import AppliedUndef
+from sympy.functions.elementary.trigonometric import TrigonometricFunction
+from sympy.printing.conventions import split_super_sub
+from sympy.printing.latex import LatexPrinter, tex_greek_dictionary, translate
+from sympy.printing.pretty.pretty_symbology import greek_unicode
+from sympy.printing.precedence import PRECEDENCE
+
+DOTTED = re.compile(r"(?P<base>.+)_(?P<dots>d{1,3})ot$")
+ACCENTS = ("", r"\dot", r"\ddot", r"\dddot")
+COMBINING = ("", "\u0307", "\u0308", "\u20db")
+# Accelerations of gravity stand after masses, lengths after both; everything else before.
+UNIT_ORDER = {"m/s^2": 1, "m": 2, "1": 3, "rad": 3}
+FUNCTION = re.compile(r"(?<![({\[])(\\(?:sin|cos|tan|exp|log))(\^\{[^{}]*\})? ?(?=(\\left)?)")
+
+
+def split_name(name: str) -> tuple[str, int, str]:
+    """Letter, number of dots and subscript of a plain name: theta1_dot gives theta, 1, "1"."""
+    found = DOTTED.match(name)
+    stem, dots = (found["base"], len(found["dots"])) if found else (name, 0)
+    base, supers, subs = split_super_sub(stem)
+    return base, dots, ",".join(supers + subs)
+
+
+def latex_name(name: str) -> str:
+    """A plain name in LaTeX."""
+    base, dots, sub = split_name(name)
+    letter = translate(base)
+    if letter == base and len(base) > 1:
+        letter = rf"\mathrm{{{base}}}"
+    if dots:
+        letter = f"{ACCENTS[dots]}{{{letter}}}"
+    return f"{letter}_{{{_greek(sub)}}}" if sub else letter
+
+
+def _greek(sub: str) -> str:
+    return tex_greek_dictionary.get(sub, translate(sub) if len(sub) > 1 else sub)
+
+
+def svg_name(name: str) -> str:
+    """A plain name as the content of an SVG text element: a letter with dots and a subscript."""
+    base, dots, sub = split_name(name)
+    letter = escape(greek_unicode.get(base, base)) + COMBINING[dots]
+    style = "font-style:italic" if len(base) == 1 or base in greek_unicode else ""
+    text = f'<tspan style="{style}">{letter}</tspan>'
+    if sub:
+        small = escape(greek_unicode.get(sub, sub))
+        text += f'<tspan dy=".28em" font-size="72%">{small}</tspan>'
+    return text
+
+
+class Notation(LatexPrinter):
+    """LaTeX printer for plain symbols and for dynamic symbols alike."""
+
+    def _print_Symbol(self, expr: Symbol, style: str = "plain") -> str:
+        return latex_name(expr.name)
+
+    def _print_Function(self, expr: Any, exp: str | None = None) -> str:
+        if isinstance(expr, AppliedUndef):
+            name = latex_name(expr.func.__name__)
+            return f"{name}^{{{exp}}}" if exp else name
+        if isinstance(expr, TrigonometricFunction):
+            (argument,) = expr.args
+            inner = self._print(argument)
+            if argument.is_Add or argument.has(Pow) or argument.could_extract_minus_sign():
+                inner = rf"\left({inner}\right)"
+            power = f"^{{{exp}}}" if exp else ""
+            return rf"\{expr.func.__name__}{power} {inner}"
+        return str(super()._print_Function(expr, exp))
+
+    def _print_Derivative(self, expr: Derivative) -> str:
+        inner, ((variable, order),) = expr.expr, expr.variable_count
+        if isinstance(inner, AppliedUndef) and order <= 3:
+            return latex_name(f"{inner.func.__name__}_{'d' * int(order)}ot")
+        t, power = self._print(variable), f"^{{{order}}}" if order > 1 else ""
+        return rf"\frac{{d{power}}}{{d{t}{power}}}\left[{self._print(inner)}\right]"
+
+    def _print_Add(self, expr: Add, order: Any = None) -> str:
+        first, *others = self.pieces(expr)
+        return " ".join([first, *others])
+
+    def pieces(self, expr: Expr) -> list[str]:
+        """Terms of a sum in textbook order, every one after the first with its sign in front."""
+        printed = []
+        for term in Add.make_args(expr):
+            text = self._print(term)
+            negative = text.startswith("-")
+            body = text[1:].lstrip() if negative else text
+            factors = 0 if term.is_number else len(Mul.make_args(term))
+            printed.append(((-_derivatives(term), negative, factors, body), negative, body))
+        printed.sort()
+        return [
+            (f"- {body}" if negative else f"+ {body}") if n else (f"-{body}" if negative else body)
+            for n, (_, negative, body) in enumerate(printed)
+        ]
+
+    def _print_Mul(self, expr: Mul) -> str:
+        number, rest = expr.as_coeff_Mul()
+        sign, number = ("-", -number) if number.is_negative else ("", number)
+        over, under = [], []
+        for factor in _join_roots(Mul.make_args(rest)):
+            if factor.is_Pow and factor.exp.is_Rational and factor.exp.is_negative:
+                under.append(factor.base**-factor.exp)
+            else:
+                over.append(factor)
+        if under:
+            top, bottom = (number.p, number.q) if number.is_Rational else (number, 1)
+            return rf"{sign}\frac{{{self._row(top, over)}}}{{{self._row(bottom, under)}}}"
+        return sign + self._row(number, over)
+
+    def _row(self, number: Any, factors: list[Expr]) -> str:
+        texts = [] if number == 1 and factors else [self._number(number)]
+        alone = number == 1 and len(factors) == 1
+        for factor in sorted(factors, key=_place):
+            bare = alone or isinstance(factor, Derivative)
+            text = self._print(factor) if bare else self.parenthesize(factor, PRECEDENCE["Mul"])
+            clash = texts and text[:1].isdigit()
+            texts.append(rf"\cdot {text}" if clash else text)
+        return " ".join(texts)
+
+    def _print_Rational(self, expr: Rational) -> str:
+        sign = "-" if expr.p < 0 else ""
+        return rf"{sign}\tfrac{{{abs(expr.p)}}}{{{expr.q}}}" if expr.q != 1 else str(expr.p)
+
+    def _number(self, number: Any) -> str:
+        return str(self._print(number)) if isinstance(number, Basic) else str(number)
+
+
+def _derivatives(term: Expr) -> int:
+    """Highest number of dots in a term."""
+    dots = [split_name(symbol.name)[1] for symbol in term.free_symbols]
+    dots += [int(d.variable_count[0][1]) for d in term.atoms(Derivative)]
+    return max(dots, default=0)
+
+
+def _join_roots(factors: Sequence[Expr]) -> list[Expr]:
+    """The factors with sqrt(k) / sqrt(m) written as one root."""
+    roots = [f for f in factors if f.is_Pow and abs(f.exp) == S.Half and not f.base.is_number]
+    if len(roots) < 2:
+        return list(factors)
+    joined = Pow(Mul(*(root**2 for root in roots)), S.Half, evaluate=False)
+    return [factor for factor in factors if factor not in roots] + [joined]
+
+
+def _place(factor: Expr) -> tuple[int, int, str]:
+    """Where a factor stands in a product."""
+    base = factor.base if factor.is_Pow else factor
+    name = str(getattr(base, "name", "")) or str(base)
+    if base.is_number:
+        return 0, 0, name
+    if isinstance(base, Symbol) and not DOTTED.match(base.name):
+        unit = UNIT_ORDER.get(getattr(base, "unit", ""), 0)
+        return (1, unit, name) if base.is_positive else (4, 0, name)
+    if base.is_Add:
+        return 2 + bool(_derivatives(base)), 0, name
+    if isinstance(base, Symbol | AppliedUndef | Derivative):
+        return 5, _derivatives(base), name
+    return 6, 0, name
+
+
+PRINTER = Notation({"mat_delim": "[", "mat_str": "matrix"})
+
+
+def latex(expr: Any) -> str:
+    """An expression or matrix in LaTeX, in plain or in dynamic symbols."""
+    return str(PRINTER.doprint(expr))
+
+
+def pieces(expr: Any) -> list[str]:
+    """LaTeX of the terms of an expression, so that a page can break a line between them.
+
+    A 3 x 1 matrix is a vector along the unit vectors u_x, u_y, u_z.
+    """
+    if isinstance(expr, MatrixBase) and expr.shape == (3, 1):
+        return _vector(expr)
+    return PRINTER.pieces(expr) if isinstance(expr, Add) else [latex(expr)]
+
+
+def _vector(column: MatrixBase) -> list[str]:
+    found: list[str] = []
+    for entry, axis in zip(column, "xyz", strict=True):
+        unit = rf"\vec{{u}}_{{{axis}}}"
+        if entry == 0:
+            continue
+        if isinstance(entry, Add):
+            first, *others = pieces(entry)
+            terms = [rf"\bigl[ {first}", *others]
+            terms[-1] += rf" \bigr] {unit}"
+            terms[0] = f"+ {terms[0]}" if found else terms[0]
+        else:
+            text = f"{latex(entry)} {unit}"
+            terms = [text if not found else f"- {text[1:]}" if text[0] == "-" else f"+ {text}"]
+        found += terms
+    return found or [r"\vec{0}"]
+
+
+@lru_cache(maxsize=65536)
+def mathml(source: str) -> str:
+    """One inline MathML element in display style."""
+    spaced = FUNCTION.sub(lambda m: rf"\,{m[1]}{m[2] or ''}" + ("" if m[3] else r"\,"), source)
+    text: str = convert(spaced, display="inline")
+    text = text.replace(' xmlns="http://www.w3.org/1998/Math/MathML"', "")
+    text = text.replace('display="inline"', 'displaystyle="true"', 1)
+    text = re.sub(r'(?:<mi mathvariant="normal">(\w)</mi>){2,}', _upright, text)
+    if source[:2] in ("+ ", "- ", "= "):
+        # The piece continues a line, so its sign is spaced as one between two terms.
+        text = text.replace("<mo>", '<mo form="infix">', 1)
+    return text
+
+
+def _upright(letters: re.Match[str]) -> str:
+    return "<mi>" + re.sub(r"<[^>]*>", "", letters[0]) + "</mi>"
+
+
+def operations(expr: Any, limit: int) -> int:
+    """Number of nodes of an expression, counted up to a limit."""
+    return sum(1 for _ in zip(range(limit), _nodes(expr), strict=False))
+
+
+def _nodes(expr: Any) -> Iterator[Any]:
+    stack = [expr]
+    while stack:
+        node = stack.pop()
+        yield node
+        stack.extend(getattr(node, "args", ()))

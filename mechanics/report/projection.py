@@ -1,0 +1,112 @@
+"""A scene as numbers on paper: p = P r, with the values of one state and typical parameters.
+
+A scene that keeps the plane z = 0 is seen along z, any other along (-1, -1, -1), z upwards.
+"""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+from sympy import Expr, Matrix, Symbol, sympify
+from sympy.physics.vector import Point, Vector
+
+from mechanics.scene import Gravity, Scene
+
+ISOMETRIC = np.array([[-0.7071, 0.7071, 0.0], [-0.4082, -0.4082, 0.8165]])
+FRONT = np.array([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]])
+# Arrows of inputs and of parameters without a typical value need some length.
+UNKNOWN = 1.0
+
+
+@dataclass(frozen=True)
+class View:
+    """A scene at one state, seen on paper.
+
+    Parameters
+    ----------
+    scene : Scene
+    state : mapping of str to float
+        Values by plain name; what is missing is 0 for coordinates and speeds.
+    """
+
+    scene: Scene
+    state: Mapping[str, float]
+
+    @cached_property
+    def values(self) -> dict[Symbol, float]:
+        """A number for every symbol of the scene."""
+        scene = self.scene
+        table = {symbol: self._constant(symbol) for symbol in scene.parameters}
+        table |= {symbol: UNKNOWN for symbol in scene.input_symbols}
+        for symbol in (*scene.q, *scene.qd, *scene.u, *scene.ud):
+            table[symbol] = float(self.state.get(symbol.name, 0.0))
+        return table
+
+    def _constant(self, symbol: Symbol) -> float:
+        """A parameter by its definition, else its typical value."""
+        definition = self.scene.definitions.get(symbol)
+        if definition is not None:
+            plain = self.scene.plain(definition)
+            return float(plain.evalf(subs={s: self._constant(s) for s in plain.free_symbols}))
+        typical = getattr(symbol, "typical", None)
+        return UNKNOWN if typical is None else float(typical)
+
+    @cached_property
+    def planar(self) -> bool:
+        """Whether every mass centre keeps the plane z = 0 and every body turns about z only."""
+        positions = [self.scene.position(body.centre)[2] for body in self.scene.bodies]
+        frames = [body.frame for body in self.scene.bodies if hasattr(body, "frame")]
+        normals = [self.scene.rotation(frame)[2, 2] - 1 for frame in frames]
+        return all(entry == 0 for entry in (*positions, *normals))
+
+    @cached_property
+    def down(self) -> np.ndarray | None:
+        """Direction of gravity on paper, or None."""
+        for load in self.scene.loads:
+            if isinstance(load, Gravity):
+                return unit(self.direction(load.field))
+        return None
+
+    def number(self, expression: Any) -> float:
+        """Value of an expression in plain or dynamic symbols."""
+        plain = self.scene.plain(sympify(expression))
+        return float(plain.evalf(subs=self.values))
+
+    def numbers(self, matrix: Matrix) -> np.ndarray:
+        """Values of a matrix in plain symbols."""
+        entries = [float(entry.evalf(subs=self.values)) for entry in matrix]
+        return np.array(entries).reshape(matrix.shape)
+
+    def project(self, position: np.ndarray) -> np.ndarray:
+        """Inertial components to paper, both in m; x to the right, y upwards."""
+        return (FRONT if self.planar else ISOMETRIC) @ position.ravel()
+
+    def point(self, point: Point) -> np.ndarray:
+        """A point of the scene on paper."""
+        return self.project(self.numbers(self.scene.position(point)))
+
+    def direction(self, vector: Vector) -> np.ndarray:
+        """A vector of the scene on paper."""
+        return self.project(self.numbers(self.scene.vector(vector)))
+
+    def shift(self, point: Point, coordinate: Symbol) -> np.ndarray:
+        """How a point moves on paper with a coordinate: dr/dq."""
+        return self.project(self.numbers(self.scene.position(point).diff(coordinate)))
+
+    def moves(self, point: Point) -> bool:
+        """Whether the point depends on a coordinate or an input."""
+        free: set[Expr] = self.scene.position(point).free_symbols
+        return bool(free & {*self.scene.q, *self.scene.input_symbols})
+
+
+def unit(vector: np.ndarray) -> np.ndarray:
+    """The vector with length 1; the zero vector stays."""
+    length = float(np.hypot(*vector))
+    return vector / length if length > 1e-12 else vector
+
+
+def normal(vector: np.ndarray) -> np.ndarray:
+    """The vector turned by a quarter turn counterclockwise."""
+    return np.array([-vector[1], vector[0]])

@@ -1,0 +1,186 @@
+"""What a section of the report shows of one system, taken from its result."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+from markupsafe import Markup
+from sympy import Symbol
+
+from mechanics.equations import Line
+from mechanics.exact import Finding, Verdict
+from mechanics.report import charts, typeset
+from mechanics.report.drawing import drawing
+from mechanics.report.result import LedgerResult, Motion, RouteResult, SystemResult
+from mechanics.scene import Scene
+
+ROUTES = {
+    "free_body": "Free bodies",
+    "moving_point": "Moving point",
+    "kane": "Kane",
+    "lagrange": "Lagrange",
+}
+ENERGY = "_energy"
+
+
+@dataclass(frozen=True)
+class SymbolRow:
+    """A symbol of the scene, for the table beside the drawing."""
+
+    name: str
+    meaning: str
+    value: str
+
+
+@dataclass(frozen=True)
+class Speed:
+    """What a route took, and its shares of the longest and the largest."""
+
+    route: str
+    result: RouteResult
+    time_share: float
+    size_share: float
+
+
+@dataclass(frozen=True)
+class PublishedRow:
+    """A row of the ledger with its sides typeset."""
+
+    entry: LedgerResult
+    equation: Markup
+
+
+@dataclass(frozen=True)
+class Chart:
+    """A chart with its legend: samples of strokes and plain names."""
+
+    title: str
+    svg: Markup
+    legend: tuple[tuple[Markup, str], ...]
+
+
+@dataclass(frozen=True)
+class Section:
+    """Everything that the page shows of one system."""
+
+    number: int
+    result: SystemResult
+    tally: list[tuple[Verdict, int]]
+    drawing: Markup
+    symbols: list[SymbolRow]
+    matrix: list[tuple[str, list[Finding | None]]]
+    speeds: list[Speed]
+    reactions: list[tuple[str, list[Markup]]]
+    published: list[PublishedRow]
+    others: list[Finding]
+    charts: list[Chart]
+
+
+def drawn(result: SystemResult) -> str:
+    """The drawing at the first sample of the motion, else at the example of the scene."""
+    state = dict(result.scene.example)
+    if result.motion is not None:
+        columns = result.motion.columns
+        state |= {q.name: float(columns[q.name][0]) for q in result.scene.q if q.name in columns}
+    return drawing(result.scene, state)
+
+
+def symbol_rows(scene: Scene) -> list[SymbolRow]:
+    """Coordinates, declared speeds, inputs and parameters."""
+    rows = [SymbolRow(q.name, "coordinate", _unit(angles(scene), q)) for q in scene.q]
+    if scene.speeds:
+        rows += [SymbolRow(u.name, "speed", "") for u in scene.u]
+    rows += [SymbolRow(f.name, "input", "") for f in scene.input_symbols]
+    for parameter in scene.parameters:
+        unit = readable_unit(getattr(parameter, "unit", ""))
+        typical = getattr(parameter, "typical", None)
+        value = f"{float(typical):.6g}" if typical is not None else ""
+        meaning = getattr(parameter, "meaning", "") or "parameter"
+        rows.append(SymbolRow(parameter.name, meaning, f"{value} {unit}".strip()))
+    return rows
+
+
+def readable_unit(unit: str) -> str:
+    """A unit with middle dots and raised powers: kg*m^2 gives kg·m²."""
+    for plain, raised in (("^2", "²"), ("^3", "³"), ("^4", "⁴"), ("*", "·")):
+        unit = unit.replace(plain, raised)
+    return "" if unit == "1" else unit
+
+
+def angles(scene: Scene) -> set[Symbol]:
+    """Coordinates that turn a body."""
+    turned: set[Symbol] = set()
+    for body in scene.bodies:
+        if hasattr(body, "frame"):
+            turned |= scene.rotation(body.frame).free_symbols
+    return turned & set(scene.q)
+
+
+def _unit(turning: set[Symbol], coordinate: Symbol) -> str:
+    return "rad" if coordinate in turning else "m"
+
+
+def matrix(result: SystemResult) -> list[tuple[str, list[Finding | None]]]:
+    """For each route its findings against every route; None for itself and where there is none."""
+    names = list(result.routes)
+    both = {**result.pairs, **{(b, a): finding for (a, b), finding in result.pairs.items()}}
+    return [(row, [both.get((row, column)) for column in names]) for row in names]
+
+
+def speeds(result: SystemResult) -> list[Speed]:
+    """Time and size of each route beside the others."""
+    longest = max((route.seconds for route in result.routes.values()), default=0) or 1.0
+    largest = max((route.operations for route in result.routes.values()), default=0) or 1
+    return [
+        Speed(name, route, route.seconds / longest, route.operations / largest)
+        for name, route in result.routes.items()
+    ]
+
+
+def reactions(result: SystemResult) -> list[tuple[str, list[Markup]]]:
+    """Reactions as functions of the state, by the routes that have them."""
+    return [
+        (
+            name,
+            [typeset.equation(Line(symbol, value)) for symbol, value in route.equations.reactions],
+        )
+        for name, route in result.routes.items()
+        if route.equations.reactions
+    ]
+
+
+def published_rows(result: SystemResult) -> list[PublishedRow]:
+    """The ledger, typeset."""
+    return [PublishedRow(entry, typeset.chain(entry.row.sides)) for entry in result.published]
+
+
+def other_findings(result: SystemResult) -> list[Finding]:
+    """Findings that do not stand in the matrix."""
+    shown = {id(finding) for finding in result.pairs.values()}
+    return [finding for finding in result.findings if id(finding) not in shown]
+
+
+def motion_charts(result: SystemResult) -> list[Chart]:
+    """Coordinates by unit, then energies."""
+    motion = result.motion
+    if motion is None:
+        return []
+    turning = angles(result.scene)
+    groups: dict[tuple[str, str], list[str]] = {}
+    for q in result.scene.q:
+        if q.name in motion.columns:
+            unit = motion.units.get(q.name) or _unit(turning, q)
+            kind = "Angles" if unit == "rad" else "Coordinates"
+            groups.setdefault((kind, unit), []).append(q.name)
+    found = [_chart(motion, kind, unit, names) for (kind, unit), names in groups.items()]
+    energies = [name for name in motion.columns if name.endswith(ENERGY)]
+    if energies:
+        found.append(_chart(motion, "Energy", "J", energies))
+    return found
+
+
+def _chart(motion: Motion, title: str, unit: str, names: Sequence[str]) -> Chart:
+    curves: Mapping[str, Sequence[float]] = {name: motion.columns[name] for name in names}
+    label = f"{title} over time: {', '.join(name.replace('_', ' ') for name in names)}"
+    svg = charts.line_chart(label, motion.columns["t"], curves, unit)
+    legend = tuple((Markup(charts.key(n)), name) for n, name in enumerate(names))
+    return Chart(f"{title} in {unit}", Markup(svg), legend)

@@ -1,0 +1,135 @@
+"""What holds and drives the bodies of a drawing: ground, springs, dampers, forces, gravity."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from sympy import Expr, Mul, Symbol
+from sympy.physics.vector import Point
+
+from mechanics.report import ink
+from mechanics.report.notation import svg_name
+from mechanics.report.projection import View, normal, unit
+from mechanics.scene import Damper, Force, Gravity, Load, RigidBody, Spring, Torque, TorsionSpring
+from mechanics.scene.reactions import Reaction
+
+BLOCK = (54.0, 34.0)
+
+
+@dataclass(frozen=True)
+class Paper:
+    """From metres on paper (y upwards) to pixels (y downwards).
+
+    Attributes
+    ----------
+    scale : float
+        In pixels per m.
+    shift, middle : ndarray
+        Pixel of the origin, and of the middle of the drawing.
+    """
+
+    scale: float
+    shift: np.ndarray
+    middle: np.ndarray
+
+    def place(self, point: np.ndarray) -> np.ndarray:
+        """Pixel of a point."""
+        return self.shift + self.scale * point * np.array([1, -1])
+
+    def turn(self, direction: np.ndarray) -> np.ndarray:
+        """A direction in pixels, with its length in m."""
+        return direction * np.array([1, -1])
+
+
+def ground(view: View, paper: Paper) -> str:
+    """Pins, rails and planes where the ground reacts."""
+    groups: dict[Point, list[Reaction]] = {}
+    for reaction in view.scene.reactions:
+        if reaction.by is None and reaction.at is not None:
+            groups.setdefault(reaction.at, []).append(reaction)
+    return "".join(_support(view, paper, at, held) for at, held in groups.items())
+
+
+def _support(view: View, paper: Paper, at: Point, held: list[Reaction]) -> str:
+    place = paper.place(view.point(at))
+    down = np.array([0.0, 1.0]) if view.down is None else paper.turn(view.down)
+    pushes = [unit(paper.turn(view.direction(reaction.along))) for reaction in held]
+    push = max(pushes, key=lambda p: abs(p @ down))
+    into = push if push @ down > 0 else -push
+    if not view.moves(at):
+        return ink.pin(place, into)
+    if not view.planar:
+        return _plane(view, place)
+    (body,) = {view.scene.body(reaction.on) for reaction in held[:1]}
+    block = not isinstance(body, RigidBody) or body.centre == at
+    foot = place + (BLOCK[1] / 2) * into if block else place
+    return ink.hatching(foot, normal(into), into, 120 if len(pushes) > 1 else 84)
+
+
+def _plane(view: View, place: np.ndarray) -> str:
+    """The plane of x and y around a contact point."""
+    x, y = (view.project(np.eye(3)[:, i]) * np.array([1, -1]) for i in range(2))
+    corners = [place + 78 * (a * x + b * y) for a, b in ((1, 1), (1, -1), (-1, -1), (-1, 1))]
+    return ink.path(corners, "plane", closed=True)
+
+
+def load_symbol(view: View, paper: Paper, load: Load) -> str:
+    """The symbol of one load."""
+    if isinstance(load, Gravity):
+        return _gravity(view, paper)
+    if isinstance(load, Spring | Damper):
+        return _between(view, paper, load)
+    if isinstance(load, Force):
+        tip = paper.place(view.point(load.at))
+        along = unit(paper.turn(view.direction(load.vector)))
+        start, end = tip + 32 * along, tip + 78 * along
+        return ink.arrow(start, end, "force") + ink.text(
+            end + 12 * along, label(load.vector.magnitude(), load.name), "force-name"
+        )
+    if isinstance(load, Torque | TorsionSpring):
+        centre = paper.place(view.point(view.scene.body(load.on).centre))
+        at = centre + np.array([0.0, -38.0])
+        return ink.arc(centre, 26, 0.4, 2.3, "force") + ink.text(
+            at, label(Symbol(load.name), load.name), "force-name"
+        )
+    raise TypeError(f"no drawing is known for the load {load!r}")
+
+
+def _gravity(view: View, paper: Paper) -> str:
+    if view.down is None:
+        return ""
+    along = paper.turn(view.down)
+    middle = np.array([2 * paper.middle[0] - 30, 44.0])
+    start, end = middle - 22 * along, middle + 22 * along
+    return ink.arrow(start, end, "force") + ink.text(
+        middle + np.array([-14.0, 0.0]), svg_name("g"), "force-name"
+    )
+
+
+def _between(view: View, paper: Paper, load: Spring | Damper) -> str:
+    start, end = paper.place(view.point(load.first)), paper.place(view.point(load.second))
+    wall = ""
+    if load.along is not None:
+        along = unit(paper.turn(view.direction(load.along)))
+        inset = 0.5 * BLOCK[0] * along
+        if not view.moves(load.first):
+            # The anchor stands where the spring is free; it is drawn at a length that shows it.
+            start = end - max((end - start) @ along, 120.0) * along
+            wall = ink.hatching(start, normal(along), -along, 24)
+            end = end - inset
+        else:
+            start, end = start + inset, end - inset
+    stroke = ink.zigzag(start, end) if isinstance(load, Spring) else ink.dashpot(start, end)
+    constant = load.stiffness if isinstance(load, Spring) else load.coefficient
+    side = normal(unit(end - start))
+    at = (start + end) / 2 + 20 * (side if side[1] < 0 else -side)
+    return wall + stroke + ink.text(at, label(constant, load.name), "name")
+
+
+def label(constant: Expr, name: str) -> str:
+    """A short label: the constant where it is a number times letters, else the name."""
+    factors = Mul.make_args(constant)
+    if all(factor.is_Integer or isinstance(factor, Symbol) for factor in factors):
+        return "".join(
+            str(factor) if factor.is_Integer else svg_name(str(factor)) for factor in factors
+        )
+    return svg_name(name)

@@ -1,0 +1,76 @@
+"""Equations as HTML that breaks between terms: left = first term | + second | - third.
+
+MathML breaks no lines by itself, so every term of a sum is an element of its own, and a line of the
+page may end between two of them. What has one very long term scrolls inside its own box.
+"""
+
+import re
+from collections.abc import Sequence
+from typing import Any
+
+from markupsafe import Markup, escape
+from sympy import Add
+
+from mechanics.equations import Line
+from mechanics.report.notation import latex, mathml, operations, pieces
+
+# Nodes of an expression beyond which it is folded away, and beyond which it is not printed.
+FOLDED = 260
+TOO_LONG = 6000
+
+
+def equation(line: Line) -> Markup:
+    """One line of a derivation."""
+    left = [line.left] if isinstance(line.left, str) else pieces(line.left)
+    size = operations(line.left, TOO_LONG) + operations(line.right, TOO_LONG)
+    if size >= TOO_LONG:
+        return Markup('<p class="eq skipped">{} = … <span class="note">{}</span></p>').format(
+            maths(left[0]), "too long to be read; mechanics derive prints it"
+        )
+    typeset = _row([*left, *_joined("=", line.right)], line.label)
+    return typeset if size <= FOLDED else _folded(line, typeset)
+
+
+def chain(sides: Sequence[Any], name: str = "") -> Markup:
+    """The sides of a published row, joined by equality signs."""
+    found = [name] if name else []
+    for side in sides:
+        found += _joined("=", side) if found else pieces(side)
+    return _row(found, "")
+
+
+def prose(text: str) -> Markup:
+    """A sentence, with LaTeX between dollar signs typeset."""
+    parts = re.split(r"\$([^$]+)\$", text)
+    return Markup("").join(maths(part) if i % 2 else escape(part) for i, part in enumerate(parts))
+
+
+def inline(expr: Any) -> Markup:
+    """A short expression inside a sentence or table."""
+    return maths(latex(expr))
+
+
+def _joined(sign: str, expr: Any) -> list[str]:
+    first, *others = pieces(expr)
+    return [f"{sign} {first}", *others]
+
+
+def _row(parts: Sequence[str], label: str) -> Markup:
+    body = Markup(" ").join(maths(part) for part in parts)
+    note = Markup('<span class="label">{}</span>').format(label) if label else Markup("")
+    return Markup('<div class="eq"><div class="terms">{}</div>{}</div>').format(body, note)
+
+
+def _folded(line: Line, typeset: Markup) -> Markup:
+    terms = len(Add.make_args(line.right)) if hasattr(line.right, "args") else 1
+    head = maths(line.left) if isinstance(line.left, str) else Markup("")
+    words = f"{terms} terms" if terms > 1 else "a long expression"
+    title = Markup("{} = … ").format(head) if head else Markup("")
+    return Markup(
+        '<details class="fold"><summary>{}<span class="note">{}{}</span></summary>{}</details>'
+    ).format(title, words, f", {line.label}" if line.label else "", typeset)
+
+
+def maths(source: str) -> Markup:
+    """LaTeX as MathML."""
+    return Markup(mathml(source))  # noqa: S704 - made by latex2mathml, not by a user
