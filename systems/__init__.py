@@ -1,1 +1,28 @@
 """Mechanical systems with the equations that their sources publish."""
+
+from mechanics.scene.system import System
+from systems import (
+    elastic_pendulum,
+    elastic_pendulum_ledger,
+    four_bar,
+    pendulum_chain,
+    rocker,
+    rocker_ledger,
+    rocker_shapes_ledger,
+    rolling_disc,
+    two_mass_chain,
+)
+
+SEED: tuple[System, ...] = (
+    System("elastic_pendulum", elastic_pendulum.scene, elastic_pendulum_ledger.PUBLISHED),
+    System("rocker", rocker.scene, (*rocker_shapes_ledger.PUBLISHED, *rocker_ledger.PUBLISHED)),
+    System("two_mass_chain", two_mass_chain.scene),
+)
+ALL: tuple[System, ...] = (
+    *SEED,
+    System("pendulum_chain", pendulum_chain.scene),
+    System("rolling_disc", rolling_disc.scene),
+    System("four_bar", four_bar.scene),
+)
+
+__all__ = ["ALL", "SEED"]

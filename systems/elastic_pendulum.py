@@ -3,6 +3,8 @@
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
 from mechanics.scene import Particle, RigidBody, Scene, gravity, parameters, reaction, spring
+from mechanics.scene.composite import part
+from mechanics.scene.shapes import Rod
 
 x, theta = dynamicsymbols("x theta")
 M, m, L, k, g = parameters(
@@ -17,6 +19,8 @@ M, m, L, k, g = parameters(
         "acceleration of gravity",
     ),
 )
+(I_C,) = parameters("I_C", units="kg*m^2", meanings=("inertia of the pendulum about C",))
+PENDULUM = part(Rod(L), mass=M)
 
 
 def scene() -> Scene:
@@ -33,7 +37,7 @@ def scene() -> Scene:
         coordinates=(x, theta),
         bodies=(
             Particle("carriage", pivot, m),
-            RigidBody("pendulum", centre, rod, M, M * L**2 / 12),
+            RigidBody("pendulum", centre, rod, M, PENDULUM.inertia),
         ),
         loads=(gravity(-g * ground.y), spring("k", origin, pivot, 2 * k, along=ground.x)),
         reactions=(
@@ -41,5 +45,6 @@ def scene() -> Scene:
             reaction("N", at=pivot, on="pendulum", by="carriage", along=ground.y),
             reaction("N1", at=pivot, on="carriage", by=None, along=ground.y),
         ),
+        definitions={I_C: PENDULUM.inertia},
         example={"x": 0.1, "theta": 2.5},
     )
