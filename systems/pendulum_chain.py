@@ -10,6 +10,7 @@ for n = 1 (inverted pendulum on a cart) and n = 2:
         = mu_i (q0'' cos q_i + g sin q_i)
 """
 
+from sympy import cos, sin
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
 from mechanics.errors import SceneError
@@ -23,6 +24,8 @@ from mechanics.scene import (
     parameters,
     reaction,
 )
+from mechanics.scene.published import Published, published
+from mechanics.scene.quantities import EquationOfMotion
 
 F = dynamicsymbols("F")
 (g,) = parameters("g", units="m/s^2", typical="9.81", meanings=("acceleration of gravity",))
@@ -97,3 +100,37 @@ def scene(links: int = 3) -> Scene:
         inputs=(F,),
         example={f"q{i}": 2.0 + 0.3 * i for i in range(1, links + 1)},
     )
+
+
+def equations_of_motion(links: int = 3) -> tuple[Published, ...]:
+    """The closed form above, one row for the cart and one for each link."""
+    m, q = masses(links), dynamicsymbols(f"q:{links + 1}")
+    L = (0, *lengths(links))
+    mu = [sum(m[i:]) for i in range(links + 1)]
+    numbers = range(1, links + 1)
+    pulls = [
+        mu[j] * L[j] * (q[j].diff().diff() * cos(q[j]) - q[j].diff() ** 2 * sin(q[j]))
+        for j in numbers
+    ]
+    cart = published(
+        "cart",
+        EquationOfMotion(),
+        mu[0] * q[0].diff().diff() - sum(pulls),
+        F,
+        label="momentum along the rail",
+    )
+
+    def swing(i: int) -> Published:
+        parts = [
+            mu[max(i, j)] * L[j] * (q[j].diff().diff() * cos(q[i] - q[j]))
+            + mu[max(i, j)] * L[j] * q[j].diff() ** 2 * sin(q[i] - q[j])
+            for j in numbers
+        ]
+        weight = mu[i] * (q[0].diff().diff() * cos(q[i]) + g * sin(q[i]))
+        label = f"moments about the pivot of link {i}, divided by its length"
+        return published(f"link {i}", EquationOfMotion(), sum(parts), weight, label=label)
+
+    return (cart, *(swing(i) for i in numbers))
+
+
+PUBLISHED = equations_of_motion()

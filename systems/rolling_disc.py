@@ -9,10 +9,12 @@ point and their speeds u4, u5 are added here, so that the two conditions of no s
 friction that maintains them are seen.
 """
 
-from sympy import cos, sin
+from sympy import cos, sin, tan
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols, inertia
 
 from mechanics.scene import RigidBody, Scene, gravity, nonholonomic, parameters, reaction
+from mechanics.scene.published import published
+from mechanics.scene.quantities import EquationOfMotion, Position, ReactionValue
 
 x, y, yaw, lean, spin = dynamicsymbols("x y yaw lean spin")
 u1, u2, u3, u4, u5 = dynamicsymbols("u1:6")
@@ -61,3 +63,40 @@ def scene() -> Scene:
         ),
         example={"lean": 0.2, "u2": 6.0, "u3": 0.5},
     )
+
+
+PUBLISHED = (
+    published(
+        "height",
+        Position("C", "z"),
+        R * cos(lean),
+        label="height of the centre",
+    ),
+    published(
+        "u1'",
+        EquationOfMotion(),
+        u1.diff(),
+        (4 * g * sin(lean) + 6 * R * u2 * u3 - R * u3**2 * tan(lean)) / (5 * R),
+        label="angular acceleration about the heading",
+    ),
+    published(
+        "u2'",
+        EquationOfMotion(),
+        u2.diff(),
+        -2 * u1 * u3 / 3,
+        label="angular acceleration about the axle",
+    ),
+    published(
+        "u3'",
+        EquationOfMotion(),
+        u3.diff(),
+        (-2 * u2 + u3 * tan(lean)) * u1,
+        label="angular acceleration about the diameter through the contact",
+    ),
+    published(
+        "N",
+        ReactionValue("N"),
+        m * g - m * R * (u1.diff() * sin(lean) + u1**2 * cos(lean)),
+        label="normal reaction",
+    ),
+)
