@@ -1,0 +1,40 @@
+"""Energy and momenta of the whole scene, from its bodies.
+
+    T = sum (m v.v + omega.I omega) / 2        P = sum m v        H_O = sum (r x m v + I omega)
+"""
+
+from dataclasses import dataclass
+
+from sympy import Add, Expr, Matrix, Rational, zeros
+
+from mechanics.kinematics.differentiate import body_motions
+from mechanics.kinematics.motion import inertia_matrix
+from mechanics.scene import Scene
+from mechanics.scene.potential import potential
+
+
+@dataclass(frozen=True)
+class Totals:
+    """Energies in J, linear momentum in kg m/s and angular momentum about the origin in kg m^2/s.
+
+    The momenta are 3 x 1 inertial components; everything is in q, u, inputs and parameters.
+    """
+
+    kinetic: Expr
+    potential: Expr
+    linear_momentum: Matrix
+    angular_momentum: Matrix
+
+
+def totals(scene: Scene) -> Totals:
+    """Energy and momenta of a scene."""
+    terms: list[Expr] = []
+    linear, angular = zeros(3, 1), zeros(3, 1)
+    for motion in body_motions(scene):
+        mass, velocity, omega = motion.body.mass, motion.centre.velocity, motion.angular_velocity
+        momentum = mass * velocity
+        spin = inertia_matrix(scene, motion.body, motion.rotation) * omega
+        terms += [mass * velocity.dot(velocity), omega.dot(spin)]
+        linear += momentum
+        angular += motion.centre.position.cross(momentum) + spin
+    return Totals(Rational(1, 2) * Add(*terms), potential(scene), linear, angular)

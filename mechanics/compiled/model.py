@@ -1,0 +1,260 @@
+"""Equations as fast functions: ``compile(equations) -> Model``.
+
+A model is data and calls. It takes and gives NumPy arrays, one state or a batch of them, by machine
+code where a C compiler is found and by CasADi's virtual machine where none is.
+"""
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from typing import Any, Literal
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from mechanics.compiled.graphs import Graphs
+from mechanics.compiled.native import NativeKernel, find_compiler
+from mechanics.compiled.program import Program, program
+from mechanics.compiled.quantities import Quantities
+from mechanics.compiled.virtual import NumpyKernel, VirtualKernel
+from mechanics.equations import Equations
+from mechanics.errors import InputError
+
+Array = NDArray[np.floating]
+Kernel = NativeKernel | VirtualKernel | NumpyKernel
+
+
+@dataclass(frozen=True)
+class Buffer:
+    """One function at one state with the least overhead: write `inputs`, `run()`, read `outputs`.
+
+    Attributes
+    ----------
+    inputs, outputs : dict of str to array
+        The arrays that `run` reads and writes; the same ones every time. Matrices are views.
+    run : callable
+    """
+
+    inputs: dict[str, Array]
+    outputs: dict[str, Array]
+    run: Callable[[], None]
+
+
+@dataclass(frozen=True, eq=False)
+class Model:
+    """Compiled functions of one set of equations.
+
+    Arrays have shape (n,) for one state or (batch, n) for many; an array of one state is shared by
+    the whole batch. `p` may also map names to values, the rest being typical; None takes the
+    typical values of all parameters.
+
+    Attributes
+    ----------
+    equations : Equations
+    casadi : mapping of str to casadi.Function
+        Every function as a CasADi graph with named inputs and outputs, built on first use.
+    compiler : str or None
+        Path of the C compiler; None for the virtual machine.
+    """
+
+    equations: Equations
+    casadi: Graphs
+    compiler: str | None
+    _programs: dict[str, Program] = field(default_factory=dict, repr=False)
+    _kernels: dict[tuple[str, type], Kernel] = field(default_factory=dict, repr=False)
+
+    @property
+    def quantities(self) -> Quantities:
+        """Names, units and order of the entries of every array, and typical parameters."""
+        return self.casadi.quantities
+
+    @property
+    def backend(self) -> str:
+        """What evaluates the functions."""
+        if self.compiler is None:
+            return "CasADi virtual machine (no C compiler)"
+        return f"C ({self.compiler})"
+
+    @property
+    def typical(self) -> Array:
+        """Typical parameters, in order; ValueMissingError names one that has none."""
+        return np.array(self.quantities.typical, dtype=float)
+
+    def program(self, name: str) -> Program:
+        """Instructions of a function."""
+        if name not in self._programs:
+            self._programs[name] = program(self.casadi[name])
+        return self._programs[name]
+
+    def entries(self) -> dict[str, tuple[str, ...]]:
+        """Names of the entries of every input."""
+        groups = ("q", "u", "inputs", "p", "ud", "multipliers")
+        return {g: tuple(e.name for e in getattr(self.quantities, g)) for g in groups}
+
+    def kernel(self, name: str, kind: type[np.floating] = np.float64) -> Kernel:
+        """The evaluator of a function in a precision; C is compiled here, on first use."""
+        if (name, kind) not in self._kernels:
+            if self.compiler is not None:
+                made: Kernel = NativeKernel(
+                    self.program(name), self.entries(), kind, self.compiler
+                )
+            elif kind is np.float64:
+                made = VirtualKernel(self.casadi[name])
+            else:
+                made = NumpyKernel(self.program(name), kind)
+            self._kernels[name, kind] = made
+        return self._kernels[name, kind]
+
+    def evaluate(
+        self, name: str, kind: type[np.floating] = np.float64, **arrays: Any
+    ) -> dict[str, Array]:
+        """Every output of a function.
+
+        Parameters
+        ----------
+        name : str
+            One of `casadi`.
+        kind : numpy.float64 or numpy.float32
+        **arrays
+            By name of the input.
+
+        Raises
+        ------
+        InputError
+            If an array is missing, unknown or has a wrong shape; it is named with both shapes.
+        """
+        code = self.program(name)
+        given = [self._array(group, size, kind, arrays) for group, size in code.inputs]
+        unknown = set(arrays) - {group for group, _ in code.inputs}
+        if unknown:
+            raise InputError(
+                f"{name}: there is no input {', '.join(sorted(unknown))}: the inputs are"
+                f" {', '.join(group for group, _ in code.inputs)}"
+            )
+        counts = {group: len(a) for (group, _), a in zip(code.inputs, given, strict=True)
+                  if a.ndim == 2}
+        if len(set(counts.values())) > 1:
+            sizes = ", ".join(f"{group} {count}" for group, count in counts.items())
+            raise InputError(f"{name}: batches of different size: {sizes}: give one size to all")
+        count = next(iter(counts.values()), 1)
+        results = self.kernel(name, kind)([np.atleast_2d(a) for a in given], count)
+        shaped = {}
+        for (out, (rows, cols)), result in zip(code.shapes, results, strict=True):
+            entries = result.reshape(count, cols, rows).swapaxes(1, 2)
+            entries = entries[:, :, 0] if cols == 1 else entries
+            shaped[out] = entries if counts else entries[0]
+        return shaped
+
+    def _array(
+        self, group: str, size: int, kind: type[np.floating], arrays: Mapping[str, Any]
+    ) -> Array:
+        value = arrays.get(group)
+        if group == "p" and (value is None or isinstance(value, Mapping)):
+            value = self._parameters(value or {})
+        if value is None:
+            if size:
+                names = ", ".join(self.entries()[group])
+                raise InputError(f"{group} is missing: pass {size} values: {names}")
+            value = np.zeros(0)
+        try:
+            array = np.ascontiguousarray(value, dtype=kind)
+        except (TypeError, ValueError) as error:
+            raise InputError(f"{group}: these are no real numbers: {error}") from error
+        if np.ndim(value) not in (1, 2) or array.shape[-1] != size:
+            raise InputError(
+                f"{group}: shape ({size},) or (batch, {size}) expected, {np.shape(value)} found:"
+                f" the entries are {', '.join(self.entries()[group]) or 'none'}"
+            )
+        return array
+
+    def _parameters(self, given: Mapping[str, float]) -> Array:
+        names = self.entries()["p"]
+        if unknown := set(given) - set(names):
+            raise InputError(
+                f"there is no parameter {', '.join(sorted(unknown))}: the parameters are"
+                f" {', '.join(names)}"
+            )
+        if set(given) == set(names):
+            return np.array([given[name] for name in names], dtype=float)
+        values = dict(zip(names, self.typical, strict=True)) | dict(given)
+        return np.array([values[name] for name in names], dtype=float)
+
+    def buffer(self, name: str) -> Buffer:
+        """A function bound to arrays of its own, parameters set to typical values where known."""
+        code = self.program(name)
+        inputs = {group: np.zeros(size) for group, size in code.inputs}
+        flat = [np.zeros(rows * cols) for _, (rows, cols) in code.shapes]
+        views = {
+            out: array if cols == 1 else array.reshape(cols, rows).T
+            for (out, (rows, cols)), array in zip(code.shapes, flat, strict=True)
+        }
+        return Buffer(inputs, views, self.kernel(name).bound(list(inputs.values()), flat))
+
+    def forward_dynamics(
+        self, q: ArrayLike, u: ArrayLike, *, inputs: Any = None, p: Any = None
+    ) -> Array:
+        """u' from the state: (n,) or (batch, n)."""
+        return self.evaluate("forward_dynamics", q=q, u=u, inputs=inputs, p=p)["ud"]
+
+    def multipliers(
+        self, q: ArrayLike, u: ArrayLike, *, inputs: Any = None, p: Any = None
+    ) -> Array:
+        """Multipliers lambda, the reactions that maintain the constraints."""
+        return self.evaluate("forward_dynamics", q=q, u=u, inputs=inputs, p=p)["multipliers"]
+
+    def mass_matrix(
+        self, q: ArrayLike, u: ArrayLike, *, inputs: Any = None, p: Any = None
+    ) -> Array:
+        """M of the route's rows: (rows, n) or (batch, rows, n)."""
+        return self.evaluate("mass_matrix", q=q, u=u, inputs=inputs, p=p)["mass_matrix"]
+
+    def forcing(self, q: ArrayLike, u: ArrayLike, *, inputs: Any = None, p: Any = None) -> Array:
+        """Right side f of the route's rows: (rows,) or (batch, rows)."""
+        return self.evaluate("forcing", q=q, u=u, inputs=inputs, p=p)["forcing"]
+
+    def residual(
+        self, q: ArrayLike, u: ArrayLike, ud: ArrayLike, multipliers: Any = None,
+        *, inputs: Any = None, p: Any = None,
+    ) -> Array:  # fmt: skip
+        """[M u' - f - B lambda; A u' - b], in the units of the rows."""
+        arrays = {"q": q, "u": u, "ud": ud, "multipliers": multipliers, "inputs": inputs, "p": p}
+        return self.evaluate("residual", **arrays)["residual"]
+
+    def inverse_dynamics(
+        self, q: ArrayLike, u: ArrayLike, ud: ArrayLike, *, inputs: Any = None, p: Any = None
+    ) -> Array:
+        """Generalized forces, conjugate to u, which added to the loads give u'."""
+        arrays = {"q": q, "u": u, "ud": ud, "inputs": inputs, "p": p}
+        return self.evaluate("inverse_dynamics", **arrays)["forces"]
+
+    def coordinate_rates(
+        self, q: ArrayLike, u: ArrayLike, *, inputs: Any = None, p: Any = None
+    ) -> Array:
+        """q' = N u + n."""
+        return self.evaluate("coordinate_rates", q=q, u=u, inputs=inputs, p=p)["qd"]
+
+    def energy(
+        self, q: ArrayLike, u: ArrayLike, *, inputs: Any = None, p: Any = None
+    ) -> dict[str, Array]:
+        """``kinetic``, ``potential`` and ``total`` energy, in J."""
+        return {
+            name: value[..., 0]
+            for name, value in self.evaluate("energy", q=q, u=u, inputs=inputs, p=p).items()
+        }
+
+
+def compile(
+    equations: Equations, *, compiler: str | None | Literal["auto"] = "auto"
+) -> Model:
+    """Compile equations of motion.
+
+    Graphs and machine code are made when they are first used.
+
+    Parameters
+    ----------
+    equations : Equations
+    compiler : str or None
+        Path or name of a C compiler; ``"auto"`` looks for one ($CC, cc, gcc, clang); None uses
+        CasADi's virtual machine.
+    """
+    found = find_compiler() if compiler == "auto" else compiler
+    return Model(equations, Graphs(equations), found)

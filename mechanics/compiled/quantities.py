@@ -1,0 +1,189 @@
+"""What the entries of q, u, inputs and p are: name, unit, meaning, typical value, in order.
+
+Units of coordinates are not declared; they follow from use: what turns a frame or stands under a
+sine is an angle, everything else a length. An input takes the unit of the load that holds it.
+"""
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cached_property
+
+import sympy
+from sympy import Expr, Symbol
+
+from mechanics.equations import Equations
+from mechanics.errors import ValueMissingError
+from mechanics.scene import Force, RigidBody, Scene, Torque, TorsionSpring
+from mechanics.scene.rates import TIME
+from mechanics.scene.symbols import DOTS, plain_symbol
+
+# Digits for the value of an expression such as pi/4: more than a double has, so that rounding
+# it once gives the nearest double.
+DIGITS = 40
+
+
+@dataclass(frozen=True)
+class Quantity:
+    """One entry of an array.
+
+    Attributes
+    ----------
+    symbol : Symbol
+    unit : str
+        SI; empty where it is not known.
+    meaning : str
+    positive : bool
+    """
+
+    symbol: Symbol
+    unit: str
+    meaning: str = ""
+    positive: bool = False
+
+    @property
+    def name(self) -> str:
+        """Plain name, as the scene gives it."""
+        return str(self.symbol.name)
+
+
+@dataclass(frozen=True)
+class Quantities:
+    """Entries of every array of a model, in order.
+
+    Attributes
+    ----------
+    q, u, ud, inputs, p, multipliers, reactions : tuple of Quantity
+        Coordinates, speeds, their rates, inputs (with the rates of them that occur, and time if it
+        does), parameters, multipliers that stay, and all reactions that are known.
+    definitions : mapping of Symbol to Expr
+        Of the scene.
+    """
+
+    q: tuple[Quantity, ...]
+    u: tuple[Quantity, ...]
+    ud: tuple[Quantity, ...]
+    inputs: tuple[Quantity, ...]
+    p: tuple[Quantity, ...]
+    multipliers: tuple[Quantity, ...]
+    reactions: tuple[Quantity, ...]
+    definitions: Mapping[Symbol, Expr]
+
+    @cached_property
+    def typical(self) -> tuple[float, ...]:
+        """Typical value of each parameter, the nearest double.
+
+        Raises
+        ------
+        ValueMissingError
+            For a parameter without a typical value or definition; it is named.
+        """
+        return tuple(typical_value(entry.symbol, self.definitions) for entry in self.p)
+
+
+def quantities(equations: Equations) -> Quantities:
+    """Names, units and orders for the functions of a set of equations."""
+    scene = equations.scene
+    angles = angle_symbols(equations)
+
+    def motion(symbols: Iterable[Symbol], turning: set[Symbol], order: int) -> tuple[Quantity, ...]:
+        per = ("", "/s", "/s^2")[order]
+        return tuple(Quantity(s, ("rad" if s in turning else "m") + per) for s in symbols)
+
+    turning = {u for u in scene.u if _turns(scene, u, angles)}
+    rates = {ud for u, ud in zip(scene.u, scene.ud, strict=True) if u in turning}
+    declared = {r.symbol: Quantity(r.symbol, "N" if r.at else "N m") for r in scene.reactions}
+    solved = [symbol for symbol, _ in equations.reactions]
+    return Quantities(
+        q=motion(scene.q, angles, 0),
+        u=motion(scene.u, turning, 1),
+        ud=motion(scene.ud, rates, 2),
+        inputs=tuple(_input(scene, symbol) for symbol in _given(equations)),
+        p=tuple(_parameter(symbol) for symbol in scene.parameters),
+        multipliers=tuple(
+            declared.get(s, Quantity(s, "", "multiplier")) for s in equations.multipliers
+        ),
+        reactions=tuple(declared.get(s, Quantity(s, "N")) for s in solved),
+        definitions=scene.definitions,
+    )
+
+
+def typical_value(symbol: Symbol, definitions: Mapping[Symbol, Expr]) -> float:
+    """The nearest double to the typical value of a parameter; definitions are evaluated.
+
+    Raises
+    ------
+    ValueMissingError
+        Naming the parameter.
+    """
+    return float(_exact_value(symbol, definitions).evalf(DIGITS))
+
+
+def _exact_value(symbol: Symbol, definitions: Mapping[Symbol, Expr]) -> Expr:
+    if symbol in definitions:
+        expression = sympy.sympify(definitions[symbol])
+        free = expression.free_symbols
+        return expression.xreplace({s: _exact_value(s, definitions) for s in free})
+    typical: Fraction | None = getattr(symbol, "typical", None)
+    if typical is None:
+        raise ValueMissingError(
+            f"parameter {symbol}: a number is needed and it has no typical value: pass one, or"
+            " declare it with parameters(..., typical=...)"
+        )
+    return sympy.Rational(typical.numerator, typical.denominator)
+
+
+def angle_symbols(equations: Equations) -> set[Symbol]:
+    """Coordinates that turn a body, or stand under a sine or in the angle of a torsion spring."""
+    scene = equations.scene
+    found: set[Symbol] = set()
+    for body in scene.bodies:
+        if isinstance(body, RigidBody):
+            found |= scene.rotation(body.frame).free_symbols
+        for entry in scene.position(body.centre):
+            for function in entry.atoms(sympy.sin, sympy.cos, sympy.tan):
+                found |= function.free_symbols
+    for load in scene.loads:
+        if isinstance(load, TorsionSpring):
+            found |= scene.plain(load.angle, load.name).free_symbols
+    return found & set(scene.q)
+
+
+def _turns(scene: Scene, speed: Symbol, angles: set[Symbol]) -> bool:
+    """Whether a speed is in rad/s: the rate of an angle, or one that only drives such rates."""
+    rates = zip(scene.q, (scene.coordinate_rates[qd] for qd in scene.qd), strict=True)
+    driven = [q for q, rate in rates if speed in rate.free_symbols]
+    return any(q in angles for q in driven)
+
+
+def _given(equations: Equations) -> list[Symbol]:
+    """Inputs in the scene's order, then those of their rates that occur, then time if it does."""
+    scene = equations.scene
+    left, right = equations.system
+    used = left.free_symbols | right.free_symbols
+    for _, expression in equations.reactions:
+        used |= expression.free_symbols
+    found = list(scene.input_symbols)
+    for order in range(1, len(DOTS)):
+        found += [s for f in scene.inputs if (s := plain_symbol(f, order)) in used]
+    return found + ([TIME] if TIME in used else [])
+
+
+def _input(scene: Scene, symbol: Symbol) -> Quantity:
+    if symbol == TIME:
+        return Quantity(symbol, "s", "time")
+    for load in scene.loads:
+        if isinstance(load, Force | Torque):
+            held = scene.vector(load.vector, load.name).free_symbols
+            if symbol in held:
+                return Quantity(symbol, "N" if isinstance(load, Force) else "N m", load.name)
+    return Quantity(symbol, "", "prescribed")
+
+
+def _parameter(symbol: Symbol) -> Quantity:
+    return Quantity(
+        symbol,
+        getattr(symbol, "unit", ""),
+        getattr(symbol, "meaning", ""),
+        positive=bool(symbol.is_positive),
+    )

@@ -1,0 +1,171 @@
+"""Accelerations from compiled code, put into equations of motion as their source prints them.
+
+    ratio = |lhs - rhs| / (eps * sum of the magnitudes of the terms)
+
+at many random states and parameters. All states are screened in extended precision with a bound of
+the error; those that may hold the largest ratio are evaluated again as Arb balls, so the reported
+maximum is an upper bound over all states. Where extended precision is missing, or no bound of its
+error is known, every state is evaluated in Arb.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+from sympy import Expr, Symbol
+
+from mechanics.compiled.model import Model
+from mechanics.compiled.sampling import States, sample
+from mechanics.compiled.terms import BITS, BallTerms, ball_terms, extended_terms, typed_terms
+from mechanics.errors import InputError
+from mechanics.exact.balls import precision
+
+STATES = 100_000
+SEED = 1
+PRECISIONS: tuple[type[np.floating], ...] = (np.float64, np.float32)
+NAMES = {np.float64: "double", np.float32: "single"}
+
+Columns = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Residual:
+    """The largest residual of one published equation at the accelerations of one route.
+
+    Attributes
+    ----------
+    subject : str
+        ``"kane: equation (6), double"``.
+    max_eps : float
+        Upper bound of the ratio over all states; infinite where an acceleration is not finite.
+    states : int
+    worst : tuple of (str, float)
+        The state, parameters and accelerations at the largest ratio.
+    confirmed : int
+        How many of the states were evaluated in Arb.
+    """
+
+    subject: str
+    max_eps: float
+    states: int
+    worst: tuple[tuple[str, float], ...]
+    confirmed: int
+
+
+def residuals(
+    models: Sequence[Model],
+    published: Sequence[tuple[str, Expr, Expr]],
+    *,
+    states: int = STATES,
+    seed: int = SEED,
+    precisions: Sequence[type[np.floating]] = PRECISIONS,
+) -> tuple[Residual, ...]:
+    """Residuals of published equations at the accelerations of each model.
+
+    Parameters
+    ----------
+    models : sequence of Model
+        Of one scene, one a route.
+    published : sequence of (tag, lhs, rhs)
+        Equations of motion in the plain symbols q, u, u', inputs and parameters of the scene.
+    states : int
+        Number of random states; the same ones for every route.
+    seed : int
+    precisions : sequence of numpy.float64, numpy.float32
+        Of the compiled functions; states are rounded to it first.
+
+    Raises
+    ------
+    InputError
+        If an equation holds a symbol that the scene does not know; it is named.
+    ExpressionError
+        If it holds an operation that cannot be evaluated; it is named.
+    """
+    if states < 1:
+        raise InputError(f"states: {states} found, at least 1 expected")
+    found: list[Residual] = []
+    for model in models:
+        drawn = sample(model.quantities, states, seed)
+        for kind in precisions:
+            columns = _columns(model, drawn.rounded(kind), kind)
+            for tag, left, right in published:
+                subject = f"{model.equations.route}: equation {tag}, {NAMES[kind]}"
+                found.append(_residual(subject, model, columns, typed_terms(left, right), kind))
+    return tuple(found)
+
+
+def _columns(model: Model, states: States, kind: type[np.floating]) -> Columns:
+    """Values of q, u, inputs, p and u' by symbol: symbols x states."""
+    q, u, inputs, p = states.groups
+    with np.errstate(over="ignore"):
+        solved = model.evaluate("forward_dynamics", kind, q=q, u=u, inputs=inputs, p=p)
+    return np.hstack([*states.groups, solved["ud"].astype(np.float64)]).T
+
+
+def _symbols(model: Model) -> list[Symbol]:
+    known = model.quantities
+    return [e.symbol for e in (*known.q, *known.u, *known.inputs, *known.p, *known.ud)]
+
+
+def _residual(
+    subject: str,
+    model: Model,
+    columns: Columns,
+    terms: Sequence[Expr],
+    kind: type[np.floating],
+) -> Residual:
+    symbols = _symbols(model)
+    _check(subject, model, terms, symbols)
+    epsilon = float(np.finfo(kind).eps)
+    used = [i for i, s in enumerate(symbols) if any(s in t.free_symbols for t in terms)]
+    chosen = [symbols[i] for i in used]
+    balls = ball_terms(terms, chosen)
+    rows = columns[used]
+    extended = extended_terms(terms, chosen)
+    error = extended.error * (2.0**-52 / epsilon)
+    count = columns.shape[1]
+    if np.isfinite(error):
+        ratios = extended.ratios(list(rows), epsilon)
+        order, bounds = np.argsort(-ratios), (ratios + error).astype(float)
+    else:
+        order, bounds = np.arange(count), np.full(count, np.inf)
+    worst, largest, confirmed = _largest(balls, rows, order, bounds, epsilon)
+    state = zip((s.name for s in symbols), map(float, columns[:, worst]), strict=True)
+    return Residual(subject, largest, count, tuple(state), confirmed)
+
+
+def _largest(
+    balls: BallTerms, rows: Columns, order: NDArray[np.intp], bounds: Columns, epsilon: float
+) -> tuple[int, float, int]:
+    """(state, ratio, states evaluated): the largest ratio, from above, by Arb."""
+    worst, largest, confirmed = int(order[0]), 0.0, 0
+    with precision(BITS):
+        for index in order:
+            # Ordered by ratio: from here on no state can be larger.
+            if np.isfinite(bounds[index]) and bounds[index] < largest:
+                break
+            ratio = balls.ratio(rows[:, index].tolist(), epsilon)
+            confirmed += 1
+            if not ratio.is_finite():
+                return int(index), float("inf"), confirmed
+            upper = float(ratio.upper())
+            if upper > largest:
+                worst, largest = int(index), upper
+    return worst, largest, confirmed
+
+
+def _check(
+    subject: str, model: Model, terms: Sequence[Expr], symbols: Sequence[Symbol]
+) -> None:
+    used = set().union(*(term.free_symbols for term in terms)) if terms else set()
+    if unknown := sorted(map(str, used - set(symbols))):
+        raise InputError(
+            f"{subject}: {', '.join(unknown)} is neither a coordinate, speed, input nor parameter"
+            f" of {model.equations.scene.name!r}: write the equation in the scene's symbols"
+        )
+    if not used & {entry.symbol for entry in model.quantities.ud}:
+        raise InputError(
+            f"{subject}: the equation holds no acceleration, so it cannot check the compiled"
+            " dynamics"
+        )

@@ -1,0 +1,160 @@
+"""C99 from a program: one function, plain arguments, no allocation, no global state.
+
+    static void name(const double q[2], const double p[5], double ud[2])
+
+A value that is used once is written where it is used, as long as the line stays readable; the rest
+get a name each. Parentheses keep the order of the roundings. Inputs are read and outputs are
+written last, so an output may be the same array as an input.
+"""
+
+from collections import Counter
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import casadi as ca
+import numpy as np
+
+from mechanics.compiled.names import Namer
+from mechanics.compiled.operations import ATOM, OPERATIONS, PRODUCT, SIGN, SUM, unknown
+from mechanics.compiled.program import Program
+
+WIDTH = 72
+
+Entries = Mapping[str, tuple[str, ...]]
+"""For each input the names of its entries."""
+
+
+@dataclass(frozen=True)
+class Text:
+    """A C expression and how tightly it binds."""
+
+    code: str
+    level: int
+
+
+def signature(code: Program, kind: str = "double", name: str | None = None) -> str:
+    """``void name(const double q[2], double ud[2])``; arrays without entries are left out."""
+    arguments = [f"const {kind} {group}[{size}]" for group, size in code.inputs if size]
+    arguments += [f"{kind} {out}[{rows * cols}]" for out, (rows, cols) in code.shapes if rows * cols]
+    return f"void {name or code.name}({', '.join(arguments)})"
+
+
+def function_source(
+    code: Program, entries: Entries, kind: str = "double", head: str | None = None
+) -> str:
+    """Definition of one C function.
+
+    Parameters
+    ----------
+    entries : names of the entries of each input, for readable local variables
+    kind : ``"double"`` or ``"float"``
+    head : text before the opening brace; `signature` by default
+    """
+    return "\n".join([head or signature(code, kind), "{", *_body(code, entries, kind), "}", ""])
+
+
+def _body(code: Program, entries: Entries, kind: str) -> list[str]:
+    taken = {name for name, _ in (*code.inputs, *code.shapes)} | {code.name}
+    namer = Namer(taken)
+    uses = _uses(code)
+    local = _locals(code, entries, namer, uses)
+    lines = [
+        f"    const {kind} {name} = {code.inputs[group][0]}[{entry}];"
+        for (group, entry), name in sorted(local.items())
+    ]
+    texts: list[Text] = []
+    for k, node in enumerate(code.nodes):
+        if node.constant is not None:
+            texts.append(Text(literal(node.constant, kind), ATOM if node.constant >= 0 else SIGN))
+            continue
+        if node.operation == ca.OP_INPUT:
+            texts.append(Text(local.get(node.operands, ""), ATOM))
+            continue
+        text = expression(node.operation, [texts[i] for i in node.operands], kind)
+        if uses[k] > 1 or len(text.code) > WIDTH or node.operation in _CALLS:
+            name = namer.value()
+            lines.append(f"    const {kind} {name} = {text.code};")
+            text = Text(name, ATOM)
+        texts.append(text)
+    stores: list[str] = []
+    for (out, _), nodes in zip(code.shapes, code.outputs, strict=True):
+        stores += [f"    {out}[{i}] = {texts[node].code};" for i, node in enumerate(nodes)]
+    used = {group for group, _ in local}
+    ignored = [
+        f"    (void){name};"
+        for group, (name, size) in enumerate(code.inputs)
+        if size and group not in used
+    ]
+    return [*ignored, *lines, *stores]
+
+
+def _locals(
+    code: Program, entries: Entries, namer: Namer, uses: Counter[int]
+) -> dict[tuple[int, ...], str]:
+    """A name for every input entry that is used, by (input, entry), in the order of the arrays."""
+    used = sorted(
+        node.operands
+        for k, node in enumerate(code.nodes)
+        if node.operation == ca.OP_INPUT and uses[k]
+    )
+    return {at: namer.local(entries[code.inputs[at[0]][0]][at[1]]) for at in used}
+
+
+# Function calls get a line each: they are what costs time.
+_CALLS = {op for op, how in OPERATIONS.items() if how.level == ATOM and "{f}(" in how.text}
+
+
+def _uses(code: Program) -> Counter[int]:
+    uses: Counter[int] = Counter()
+    for node in code.nodes:
+        if node.operation in (ca.OP_INPUT, ca.OP_CONST):
+            continue
+        # The text of these repeats its operand.
+        twice = node.operation in (ca.OP_SQ, ca.OP_SIGN)
+        for operand in node.operands:
+            uses[operand] += 2 if twice else 1
+    for nodes in code.outputs:
+        uses.update(nodes)
+    return uses
+
+
+def expression(operation: int, operands: list[Text], kind: str) -> Text:
+    """One operation on operands that are expressions themselves."""
+    if operation not in OPERATIONS:
+        raise unknown(operation)
+    how = OPERATIONS[operation]
+    inside = "{f}(" in how.text
+    parts = [
+        operand.code if inside or _binds(operand, how.level, place) else f"({operand.code})"
+        for place, operand in enumerate(operands)
+    ]
+    if operation in (ca.OP_TWICE, ca.OP_INV) and not operands[0].level > PRODUCT:
+        parts = [f"({operands[0].code})"]
+    literals = {name: literal(value, kind) for name, value in _LITERALS.items()}
+    text = how.text.format(*parts, f="f" if kind == "float" else "", **literals)
+    return Text(text, how.level)
+
+
+_LITERALS = {"zero": 0.0, "one": 1.0, "two": 2.0}
+
+
+def _binds(operand: Text, level: int, place: int) -> bool:
+    """Whether an operand needs no parentheses; a right one must bind tighter to keep the order."""
+    if level in (SUM, PRODUCT) and place == 0:
+        return operand.level >= level
+    return operand.level > level if level != ATOM else operand.level == ATOM
+
+
+def literal(value: float, kind: str) -> str:
+    """An exact C literal: an integer where it is one, otherwise hexadecimal."""
+    suffix = "f" if kind == "float" else ""
+    if np.isnan(value):
+        return "NAN"
+    if np.isinf(value):
+        return "INFINITY" if value > 0 else "-INFINITY"
+    number = float(np.float32(value)) if kind == "float" else value
+    if number.is_integer() and abs(number) < 1e6:
+        return f"{int(number)}.0{suffix}" if number or np.copysign(1, number) > 0 else "-0.0" + suffix
+    sign = "-" if number < 0 else ""
+    mantissa, exponent = abs(number).hex().split("p")
+    return f"{sign}{mantissa.rstrip('0') if '.' in mantissa else mantissa}p{exponent}{suffix}"
