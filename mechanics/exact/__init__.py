@@ -2,12 +2,30 @@
 
 from mechanics.exact.arithmetic import Arithmetic, Number, as_fraction
 from mechanics.exact.canonical import canonical, collect_linear
-from mechanics.exact.decide import decide, prove_equal, prove_zero
+from mechanics.exact.decide import decide, is_zero, prove_equal, prove_zero
 from mechanics.exact.decimals import decimal_matches, enclose
 from mechanics.exact.finding import Finding, Verdict, Witness
+from mechanics.exact.independence import generic_rank, independent_rows
 from mechanics.exact.signals import Inadmissible, SingularHere, TooLarge
 
 __all__ = [
-    "Arithmetic", "Finding", "Inadmissible", "Number", "SingularHere", "TooLarge", "Verdict", "Witness",
-    "as_fraction", "canonical", "collect_linear", "decide", "decimal_matches", "enclose", "prove_equal", "prove_zero",
-]  # fmt: skip
+    "Arithmetic",
+    "Finding",
+    "Inadmissible",
+    "Number",
+    "SingularHere",
+    "TooLarge",
+    "Verdict",
+    "Witness",
+    "as_fraction",
+    "canonical",
+    "collect_linear",
+    "decide",
+    "decimal_matches",
+    "enclose",
+    "generic_rank",
+    "independent_rows",
+    "is_zero",
+    "prove_equal",
+    "prove_zero",
+]

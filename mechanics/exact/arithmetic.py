@@ -1,7 +1,7 @@
 """One experiment, several arithmetics: the operations that every arithmetic offers.
 
-An *experiment* is a plain function ``experiment(a: Arithmetic) -> list of (left, right)`` of numbers
-that should be equal. It is written once and run over the normal form, a finite field and balls.
+An *experiment* is a plain function ``experiment(a: Arithmetic)`` that returns a list of pairs
+(left, right) of numbers that should be equal. It is written once and run over the normal form, a finite field and balls.
 
 Numbers understand ``+ - * /``, unary minus and integer ``**`` with each other and with ``int``,
 ``Fraction`` and SymPy rationals.
@@ -14,7 +14,8 @@ from typing import Any
 
 import sympy
 
-from mechanics.exact import graph, walk
+from mechanics.exact import graph as graphs
+from mechanics.exact import walk
 
 Number = Any
 """A member of an arithmetic. Its class differs from arithmetic to arithmetic."""
@@ -31,7 +32,7 @@ class Arithmetic(ABC):
     """
 
     def __init__(self) -> None:
-        self._memo: dict[sympy.Basic, Number] = {}
+        self.memo: dict[object, Number] = {}
 
     def value(self, expr: sympy.Expr) -> Number:
         """Return the value of an expression in plain symbols; shared parts are evaluated once.
@@ -41,7 +42,7 @@ class Arithmetic(ABC):
         ExpressionError
             If the expression holds an operation that has no exact meaning here; it is named.
         """
-        return walk.evaluate(self, sympy.sympify(expr), self._memo)
+        return walk.evaluate(self, sympy.sympify(expr), self.memo)
 
     def assign(self, symbol: sympy.Symbol, number: Number) -> None:
         """Let `symbol` stand for a number that the experiment has computed.
@@ -51,11 +52,11 @@ class Arithmetic(ABC):
         ValueError
             If the symbol has been used already: values that contain it would be wrong.
         """
-        if symbol in self._memo:
+        if symbol in self.memo:
             raise ValueError(
                 f"symbol {symbol} has been used or assigned already: assign it before its first use"
             )
-        self._memo[symbol] = self.rational(0) + number
+        self.memo[symbol] = self.rational(0) + number
 
     def graph(
         self,
@@ -86,7 +87,7 @@ class Arithmetic(ABC):
         """
         if arguments is None:
             arguments = [[self.value(entry) for entry in group] for group in symbols or ()]
-        return graph.evaluate(self, function, arguments)
+        return graphs.evaluate(self, function, arguments)
 
     @abstractmethod
     def rational(self, number: int | Fraction) -> Number:

@@ -27,7 +27,7 @@ CONSTANTS = {
 FUNCTIONS = {
     "log": arb.log, "asin": arb.asin, "acos": arb.acos, "atan": arb.atan, "atan2": arb.atan2,
     "asinh": arb.asinh, "acosh": arb.acosh, "atanh": arb.atanh, "erf": arb.erf,
-    "floor": arb.floor, "ceil": arb.ceil, "power": lambda x, y: x**y,
+    "floor": arb.floor, "ceil": arb.ceil, "power": arb.__pow__,
 }  # fmt: skip
 
 

@@ -130,6 +130,23 @@ def prove_zero(
     return prove_equal(subject, entries, [sympy.S.Zero] * len(entries), **options)
 
 
+def is_zero(expr: sympy.Expr) -> bool | None:
+    """Tell whether an expression is zero everywhere, or None where that stays undecided.
+
+    Raises
+    ------
+    ExpressionError
+        If it holds an operation without an exact meaning.
+    """
+    expr = sympy.sympify(expr)
+    if expr.is_Number:
+        return bool(expr.is_zero)
+    finding = prove_zero("expression", expr)
+    if finding.shown:
+        return True
+    return False if finding.verdict is Verdict.REFUTED else None
+
+
 def _entries(side: Any) -> list[sympy.Expr]:
     if isinstance(side, sympy.Basic) and not isinstance(side, sympy.MatrixBase | sympy.Tuple):
         return [side]

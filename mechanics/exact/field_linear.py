@@ -67,7 +67,7 @@ def _row_size(row: Row) -> tuple[float, float]:
 
 
 def echelon(rows: list[list[int]], p: int) -> tuple[list[list[int]], list[int]]:
-    """Return the reduced echelon form modulo p and its pivot columns."""
+    """Return the reduced echelon form of residues modulo p, and its pivot columns."""
     pivots: list[int] = []
     for column in range(len(rows[0]) if rows else 0):
         top = len(pivots)

@@ -11,16 +11,21 @@ combination of the real signs. So a false statement survives k points with a cha
 
     (1 - 2**-s + 2**-30)**k.                                                                  (1)
 
-Which radicands are squares need not be known: one that is seen to be a non-residue, all earlier ones
-being residues, is none, because then y would have to exist at that point. Probes, where positive
-symbols and signs of roots are free, expose nearly all of them; s counts what is left, mostly none.
+Which radicands are squares need not be known: one that is seen to be a non-residue, all earlier
+ones being residues, is none, because then y would have to exist at that point. Probes, where
+positive symbols and signs of roots are free, expose nearly all of them; s counts what is left,
+mostly none.
+
+|x| and comparisons are first taken for unknown functions of x, which needs one point only but knows
+no more than |-x| = |x|. If that says no, |x| is read as sqrt(x**2), and ``x < 0`` as |x| = -x; each
+such x counts in s. Boundaries of cases (x = 0) are not looked at then.
 """
 
 from __future__ import annotations
 
 import random
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from enum import Enum
 from functools import cache
 from math import ceil, inf, isfinite, log, log2
@@ -28,7 +33,8 @@ from time import monotonic
 from typing import Any
 
 from mechanics.exact.arithmetic import Arithmetic
-from mechanics.exact.field import FieldArithmetic, Memory
+from mechanics.exact.field import FieldArithmetic
+from mechanics.exact.field_size import Memory
 from mechanics.exact.primes import SIZES, draw_prime, log2_count, pooled_prime
 from mechanics.exact.signals import DivisionHere, Inadmissible, Restart, SingularHere
 
@@ -44,6 +50,10 @@ HOPELESS = 16
 MOST_POINTS = 1000
 MOST_SECONDS = 60.0
 POOL = 16
+
+
+KINKS = {"absolute value", "comparison"}
+"""Operations that have a case on either side of a boundary."""
 
 
 class Answer(Enum):
@@ -71,9 +81,10 @@ class _Point:
     zero: bool
     log2_bound: float
     square_roots: int
+    kinks: int
 
 
-class _Failed(Exception):
+class _FailedError(Exception):
     """No admissible point was found; carries the reason."""
 
 
@@ -90,8 +101,12 @@ def trial(experiment: Experiment, log2_target: float, seed: int | None) -> Trial
     source = random.Random(seed) if seed is not None else random.SystemRandom()
     session = _Session(experiment, source, seed, Memory())
     try:
-        return session.run(log2_target)
-    except _Failed as failure:
+        first = session.run(log2_target)
+        if first.answer is Answer.NONZERO and KINKS & set(first.opaque):
+            second = replace(session, signs=True).run(log2_target)
+            return second if second.answer is Answer.ZERO else first
+        return first
+    except _FailedError as failure:
         return Trial(Answer.FAILED, inf, str(failure), tuple(session.memory.opaque))
 
 
@@ -108,6 +123,7 @@ class _Session:
     source: random.Random
     seed: int | None
     memory: Memory
+    signs: bool = False
 
     def run(self, log2_target: float) -> Trial:
         """Choose the prime, look at the roots, evaluate as many points as needed."""
@@ -118,7 +134,7 @@ class _Session:
         opaque = tuple(self.memory.opaque)
         if not point.zero:
             return Trial(Answer.NONZERO, -inf, f"not zero in a field of {bits} bits", opaque)
-        unsure = self.unsure(bits, point.square_roots)
+        unsure = self.unsure(bits, point.square_roots) + point.kinks
         if not unsure:
             words = f"zero at a random point modulo a random {bits}-bit prime"
             return Trial(Answer.ZERO, point.log2_bound, words, opaque)
@@ -135,7 +151,7 @@ class _Session:
         failures: dict[str, int] = {}
         for index in range(DRAWS):
             prime = draw_prime(bits, self.source) if fresh else self.prime(bits, index)
-            a = FieldArithmetic(prime, self.source, self.memory)
+            a = FieldArithmetic(prime, self.source, self.memory, signs=self.signs)
             try:
                 return _measured(a, self.experiment(a), bits)
             except Restart:
@@ -144,9 +160,9 @@ class _Session:
                 failures[str(reason)] = failures.get(str(reason), 0) + 1
                 everywhere = isinstance(reason, SingularHere | DivisionHere)
                 if everywhere and failures[str(reason)] >= HOPELESS:
-                    raise _Failed(f"{reason} at every one of {HOPELESS} points") from reason
+                    raise _FailedError(f"{reason} at every one of {HOPELESS} points") from reason
         worst = max(failures, key=lambda reason: failures[reason], default="no run completed")
-        raise _Failed(f"no admissible point among {DRAWS}: {worst}")
+        raise _FailedError(f"no admissible point among {DRAWS}: {worst}")
 
     def unsure(self, bits: int, roots: int) -> int:
         """Return how many radicands of square roots may be squares, after probing."""
@@ -166,23 +182,22 @@ class _Session:
         """Evaluate k points, each with a prime of its own, by (1)."""
         survival = 1 - 2.0**-unsure + 2.0**-30
         count = ceil((1 - log2_target) * log(2) / -log(survival))
-        blame = f"{unsure} roots whose radicands may be squares: signs cannot be told"
+        blame = f"the signs of {unsure} roots or absolute values cannot be told"
         deadline = monotonic() + MOST_SECONDS
         if count > MOST_POINTS:
-            raise _Failed(blame)
+            raise _FailedError(blame)
         bound = -inf
         for _ in range(count):
             point = self.point(bits, fresh=True)
             if not point.zero:
                 return Trial(Answer.NONZERO, -inf, f"not zero in a field of {bits} bits", opaque)
             if monotonic() > deadline:
-                raise _Failed(blame)
+                raise _FailedError(blame)
             bound = max(bound, point.log2_bound)
         total = _log2_sum(bound, count * log2(survival))
-        return Trial(
-            Answer.ZERO, total,
-            f"zero at {count} random points modulo random {bits}-bit primes", opaque,
-        )  # fmt: skip
+        words = f"zero at {count} random points modulo random {bits}-bit primes"
+        where = ", off the boundaries of cases" if self.signs else ""
+        return Trial(Answer.ZERO, total, words + where, opaque)
 
 
 def _measured(a: FieldArithmetic, pairs: Sequence[Pair], bits: int) -> _Point:
@@ -197,7 +212,7 @@ def _measured(a: FieldArithmetic, pairs: Sequence[Pair], bits: int) -> _Point:
     unlucky_prime = log2(height / (bits - 1)) - log2_count(bits)
     bound = log2(DRAWS) + a.log2_conjugates + _log2_sum(schwartz_zippel, unlucky_prime)
     zero = all(number.residue == 0 for number in differences)
-    return _Point(zero, bound, a.square_roots)
+    return _Point(zero, bound, a.square_roots, len(a.kinks))
 
 
 def _log2_sum(one: float, two: float) -> float:
@@ -212,4 +227,4 @@ def _longer(bits: int, log2_bound: float, log2_target: float) -> int:
         for size in SIZES:
             if size > bits and log2_bound - 0.97 * (size - bits) <= log2_target:
                 return size
-    raise _Failed("the degree bound is beyond the longest primes in use")
+    raise _FailedError("the degree bound is beyond the longest primes in use")

@@ -58,7 +58,7 @@ def _checked(function: Any, arguments: Sequence[Sequence[Any]]) -> list[tuple[in
         if len(group) != function.numel_in(index):
             raise ExpressionError(
                 f"input {function.name_in(index)} of {function.name()} has "
-                f"{function.numel_in(index)} entries, {len(group)} found: pass them column by column"
+                f"{function.numel_in(index)} entries, {len(group)} found: pass all of them"
             )
     return list(enumerate(arguments))
 
@@ -99,7 +99,7 @@ def _single_assignment(function: Any) -> tuple[list[Node], list[tuple[int, int, 
 def _exact(function: Any, constant: float) -> Fraction:
     if constant != constant or constant in (float("inf"), float("-inf")):
         raise ExpressionError(
-            f"casadi function {function.name()} holds the constant {constant}: it has no exact value"
+            f"casadi function {function.name()} holds the constant {constant}: no exact value"
         )
     return Fraction(constant)
 

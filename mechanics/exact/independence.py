@@ -10,8 +10,9 @@ from random import SystemRandom
 
 import sympy
 
-from mechanics.exact.field import FieldArithmetic, Memory
+from mechanics.exact.field import FieldArithmetic
 from mechanics.exact.field_linear import echelon
+from mechanics.exact.field_size import Memory
 from mechanics.exact.primes import draw_prime
 from mechanics.exact.signals import Inadmissible, Restart
 
@@ -31,7 +32,7 @@ def independent_rows(rows: Sequence[Sequence[sympy.Expr]]) -> list[int]:
         return []
     source, memory = SystemRandom(), Memory()
     prime = draw_prime(BITS, source)
-    for attempt in range(MOST_POINTS):
+    for _ in range(MOST_POINTS):
         a = FieldArithmetic(prime, source, memory)
         try:
             residues = [

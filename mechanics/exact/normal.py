@@ -130,7 +130,8 @@ class NormalArithmetic(Arithmetic):
         if numerator == 0:
             return []
         unit = numerator.leading_coefficient()
-        return [self._multiple(kind, f"({numerator / unit})/{sorted(powers.items())}", _ratio(unit))]
+        atom = f"({numerator / unit}) / {sorted(powers.items())}"
+        return [self._multiple(kind, atom, _ratio(unit))]
 
     def _multiple(self, kind: str, atom: str, factor: Fraction) -> tuple[str, int]:
         number = self._atoms.setdefault((kind, atom), len(self._atoms))

@@ -38,7 +38,7 @@ def solve(
         raise ValueError(f"square system expected: {size} rows, {len(rhs)} right sides found")
     if size > MOST_UNKNOWNS:
         raise TooLarge(f"{size} unknowns")
-    full = [[a.rational(0) + entry for entry in (*row, b)] for row, b in zip(rows, rhs, strict=True)]
+    full = [[a.rational(0) + entry for entry in (*row, rhs[i])] for i, row in enumerate(rows)]
 
     @cache
     def minor(top: int, columns: tuple[int, ...]) -> Quotient:

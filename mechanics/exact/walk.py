@@ -19,7 +19,8 @@ from mechanics.exact.angles import Combination, combination, float_as_rational, 
 if TYPE_CHECKING:
     from mechanics.exact.arithmetic import Arithmetic
 
-Memo = dict[sympy.Basic, Any]
+Memo = dict[object, Any]
+"""Values of expressions, and of pairs ('circle', angle)."""
 
 
 def evaluate(a: Arithmetic, expr: sympy.Basic, memo: Memo) -> Any:
@@ -50,7 +51,7 @@ def _parts(node: sympy.Basic) -> tuple[sympy.Basic, ...]:
     """Return the arguments that are needed as numbers before `node` can be evaluated."""
     if isinstance(node, sympy.Pow):
         return () if node.base is sympy.S.Exp1 else (_without_sign(node),)
-    if isinstance(node, _ON_ANGLES) or isinstance(node, sympy.Piecewise | Relational):
+    if isinstance(node, (*_ON_ANGLES, sympy.Piecewise, Relational)):
         return ()
     return node.args
 
@@ -97,7 +98,7 @@ def _power(a: Arithmetic, node: sympy.Pow, parts: list[Any]) -> Any:
         return parts[0] ** int(exponent)
     if isinstance(exponent, sympy.Rational):
         return a.root_power(parts[0], Fraction(int(exponent.p), int(exponent.q)))
-    return a.function("power", [parts[0], evaluate(a, exponent, a._memo)])
+    return a.function("power", [parts[0], evaluate(a, exponent, a.memo)])
 
 
 def _exponential(a: Arithmetic, argument: sympy.Expr) -> Any:
@@ -110,10 +111,10 @@ def _exponential(a: Arithmetic, argument: sympy.Expr) -> Any:
 
 def _circle(a: Arithmetic, argument: sympy.Expr) -> tuple[Any, Any]:
     """Return (cos, sin); kept in the memo beside the numbers under a key of its own."""
-    key = sympy.Tuple(sympy.Symbol("circle"), argument)
-    if key not in a._memo:
-        a._memo[key] = _turned(a, combination(argument))
-    pair: tuple[Any, Any] = a._memo[key]
+    key = ("circle", argument)
+    if key not in a.memo:
+        a.memo[key] = _turned(a, combination(argument))
+    pair: tuple[Any, Any] = a.memo[key]
     return pair
 
 
