@@ -1,0 +1,56 @@
+"""States at the times that are wanted, picked from the steps of the integrator."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from mechanics.simulate.march import Flow, Tolerance, march
+from mechanics.simulate.trajectory import Ending
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Samples:
+    """What was reached.
+
+    Attributes
+    ----------
+    states : array, shape (K, n + m)
+        On the constraints, at the first K of the times.
+    drift : array
+        Largest residual of each constraint before states were projected.
+    ending : Ending
+    time : float
+        When it ended, in s.
+    """
+
+    states: Array
+    drift: Array
+    ending: Ending
+    time: float
+
+
+def sample(flow: Flow, start: Array, times: Array, by: Tolerance) -> Samples:
+    """Integrate from ``times[0]`` to ``times[-1]`` and sample the motion.
+
+    Parameters
+    ----------
+    flow : Flow
+    start : array, shape (n + m,)
+        On the constraints.
+    times : array, shape (N,)
+        Increasing.
+    """
+    states = [start]
+    drift = flow.manifold.residual(times[0], start)
+    ending, end = Ending.COMPLETE, float(times[0])
+    for stretch in march(flow, start, (float(times[0]), float(times[-1])), by):
+        due = times[len(states) :]
+        for time in due[due <= stretch.end]:
+            states.append(flow.manifold.project(time, stretch.state(time)))
+        end = stretch.end
+        drift = np.maximum(drift, flow.manifold.residual(end, stretch.state(end)))
+        ending = stretch.ending or ending
+    return Samples(np.array(states), drift, ending, end)

@@ -1,0 +1,109 @@
+"""What a simulation gives back: samples of the motion, how good they are, and why they end."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from enum import Enum
+
+import numpy as np
+from numpy.typing import NDArray
+
+
+class Ending(Enum):
+    """Why a simulation ended; the value says it."""
+
+    COMPLETE = "the whole duration was integrated"
+    SINGULAR = "the configuration is singular, so the accelerations are not determined"
+    NOT_FINITE = "the accelerations are not finite"
+    STALLED = "the integrator found no step that meets the tolerance"
+    APART = "the state could not be brought back onto the constraints"
+    TOO_LONG = "the integrator needed more steps than allowed"
+
+
+@dataclass(frozen=True, eq=False)
+class Trajectory:
+    """A simulated motion: N samples of n coordinates, m speeds and k inputs.
+
+    Attributes
+    ----------
+    title : str
+        Name of the scene.
+    times : array, shape (N,)
+        In s.
+    coordinates, speeds, inputs : mapping of str to array, shape (N,)
+        By plain name, in the order of the scene.
+    units : mapping of str to str
+        Of every column; empty where the scene does not tell.
+    kinetic, potential : array, shape (N,)
+        In J. The potential is that of the conservative loads.
+    conservative : bool
+        Whether the total energy has to stay as it is: no load but conservative ones acts, no
+        input moves anything.
+    parameters : mapping of str to float
+        The numbers that were used.
+    drift : mapping of str to float
+        For each constraint, and for the rate of each holonomic one, the largest residual that a
+        step of the integrator left before the state was projected back. Empty without constraints.
+    branch : str
+        Which of the configurations that satisfy the constraints was taken, or empty.
+    ending : Ending
+    reason : str
+        One sentence: the ending with its particulars.
+    """
+
+    title: str
+    times: NDArray[np.float64]
+    coordinates: Mapping[str, NDArray[np.float64]]
+    speeds: Mapping[str, NDArray[np.float64]]
+    inputs: Mapping[str, NDArray[np.float64]]
+    units: Mapping[str, str]
+    kinetic: NDArray[np.float64]
+    potential: NDArray[np.float64]
+    conservative: bool
+    parameters: Mapping[str, float]
+    drift: Mapping[str, float]
+    branch: str
+    ending: Ending
+    reason: str
+
+    @property
+    def total(self) -> NDArray[np.float64]:
+        """Kinetic and potential energy, shape (N,), in J."""
+        return self.kinetic + self.potential
+
+    @property
+    def energy_drift(self) -> float:
+        """Largest |E - E(0)|, relative to the range that kinetic energy and potential run through.
+
+        What a conservative motion gained by integration error. Meaningless, though defined, when
+        `conservative` is false.
+        """
+        scale = max(float(np.max(self.kinetic)), float(np.ptp(self.potential)))
+        change = float(np.max(np.abs(self.total - self.total[0])))
+        return change / scale if scale > 0 else change
+
+    @property
+    def columns(self) -> dict[str, NDArray[np.float64]]:
+        """Every sampled quantity by name: t, coordinates, speeds, inputs, energies."""
+        return {
+            "t": self.times,
+            **self.coordinates,
+            **self.speeds,
+            **self.inputs,
+            "kinetic_energy": self.kinetic,
+            "potential_energy": self.potential,
+            "total_energy": self.total,
+        }
+
+    @property
+    def note(self) -> str:
+        """What a reader has to know about the quality of the samples, in a line."""
+        parts = [self.reason]
+        if self.conservative:
+            parts.append(f"energy drift {self.energy_drift:.1e}")
+        else:
+            parts.append("energy is not conserved: loads or inputs do work")
+        if self.drift:
+            parts.append(f"largest constraint drift {max(self.drift.values()):.1e}")
+        if self.branch:
+            parts.append(self.branch)
+        return "; ".join(parts)

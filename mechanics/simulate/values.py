@@ -1,0 +1,126 @@
+"""What a person sets, by name: initial values, parameters and inputs, read into arrays.
+
+Every mistake is an `InputError` that says what was found and which names there are.
+"""
+
+import math
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+from sympy import Expr, Rational, Symbol, sympify
+
+from mechanics.compiled.quantities import Quantity, typical_value
+from mechanics.errors import InputError
+from mechanics.scene import Scene
+from mechanics.scene.rates import TIME
+from mechanics.scene.symbols import DOTS
+from mechanics.simulate.consistent import Suggestion
+
+Array = NDArray[np.float64]
+Signal = Callable[[float], float]
+Given = Mapping[str, float]
+
+
+def read_initial(scene: Scene, given: Given) -> tuple[Suggestion, Suggestion]:
+    """Coordinates and speeds: as given, else as the scene's example has them, else zero."""
+    q, u = (tuple(s.name for s in group) for group in (scene.q, scene.u))
+    _known("initial value", given, (*q, *u), "coordinates and speeds")
+    numbers = {name: _number(f"initial value {name}", value) for name, value in given.items()}
+
+    def suggested(names: tuple[str, ...]) -> Suggestion:
+        values = [numbers.get(name, float(scene.example.get(name, 0.0))) for name in names]
+        return Suggestion(names, np.array(values), tuple(name in numbers for name in names))
+
+    return suggested(q), suggested(u)
+
+
+def read_parameters(
+    entries: Sequence[Quantity], definitions: Mapping[Symbol, Expr], given: Given
+) -> Array:
+    """Parameters in the model's order: as given, else defined by others, else typical.
+
+    Raises
+    ------
+    ValueMissingError
+        For a parameter that has none of these.
+    """
+    free = {s for e in definitions.values() for s in sympify(e).free_symbols}
+    names = {entry.name for entry in entries} | {s.name for s in (*definitions, *free)}
+    _known("parameter", given, sorted(names), "parameters")
+    numbers = {name: _number(f"parameter {name}", value) for name, value in given.items()}
+    symbols = {s.name: s for s in (*(e.symbol for e in entries), *definitions, *free)}
+    for name, value in numbers.items():
+        if symbols[name].is_positive and value < 0:
+            raise InputError(f"parameter {name}: {value:g} is negative: it is declared positive")
+    # A given value overrules a definition, and counts in the definitions that use it.
+    table = {**definitions, **{symbols[n]: Rational(v) for n, v in numbers.items()}}
+    return np.array([typical_value(entry.symbol, table) for entry in entries])
+
+
+@dataclass(frozen=True)
+class Signals:
+    """Inputs as functions of time, for the symbols that stand for them and their rates."""
+
+    functions: tuple[Signal, ...]
+
+    def __call__(self, t: float) -> Array:
+        """Their values at a time."""
+        return np.array([function(t) for function in self.functions], dtype=float)
+
+
+def read_inputs(scene: Scene, symbols: Sequence[Symbol], given: Mapping[str, Any]) -> Signals:
+    """Signals for `symbols`, which are inputs, their rates, and time.
+
+    An input that is not given is zero. The rates of an input that is given as a function of time
+    have to be given too, where they are needed: ``{"f": sin, "f_dot": cos}``.
+    """
+    bases = [symbol.name for symbol in scene.input_symbols]
+    orders = {base + dots: (base, i) for base in bases for i, dots in enumerate(DOTS)}
+    _known("input", given, list(orders), "inputs and their rates")
+    signals = {name: _signal(name, value) for name, value in given.items()}
+
+    def signal(symbol: Symbol) -> Signal:
+        if symbol == TIME:
+            return float
+        if symbol.name in signals:
+            return signals[symbol.name]
+        base, order = orders[symbol.name]
+        if order and callable(given.get(base)):
+            raise InputError(
+                f"input {base} is given as a function of time and its rate {symbol.name} is"
+                " needed: give that function too"
+            )
+        return _zero
+
+    return Signals(tuple(signal(symbol) for symbol in symbols))
+
+
+def _zero(t: float) -> float:
+    return 0.0
+
+
+def _signal(name: str, value: Any) -> Signal:
+    if callable(value):
+        return lambda t: float(value(t))
+    constant = _number(f"input {name}", value)
+    return lambda t: constant
+
+
+def _known(kind: str, given: Mapping[str, Any], names: Sequence[str], group: str) -> None:
+    for name in given:
+        if name not in names:
+            there = f"the {group} are {', '.join(names)}" if names else f"there are no {group}"
+            raise InputError(f"{kind} {name!r}: the scene has no such name: {there}")
+
+
+def _number(what: str, value: Any) -> float:
+    try:
+        number = float(value)
+    except (TypeError, ValueError):
+        raise InputError(f"{what}: {value!r} is no number") from None
+    if not math.isfinite(number):
+        raise InputError(f"{what}: {value!r} is not finite")
+    return number
