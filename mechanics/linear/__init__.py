@@ -1,0 +1,33 @@
+"""Linear equations about an equilibrium: modes, transfer functions, closed loops, stability."""
+
+from mechanics.linear.dimensionless import Dimensionless, dimensionless
+from mechanics.linear.form import Linear
+from mechanics.linear.linearise import linearise
+from mechanics.linear.modes import (
+    Convention,
+    Modes,
+    characteristic,
+    characteristic_factors,
+    modes,
+)
+from mechanics.linear.numeric import NumericModes, numeric_modes, numeric_poles, state_space
+from mechanics.linear.stability import (
+    Region,
+    Stability,
+    conditions,
+    stability,
+    stability_region,
+)
+from mechanics.linear.transfer import (
+    characteristic_polynomial,
+    close_loop,
+    poles,
+    transfer_function,
+)
+
+__all__ = [
+    "Convention", "Dimensionless", "Linear", "Modes", "NumericModes", "Region", "Stability",
+    "characteristic", "characteristic_factors", "characteristic_polynomial", "close_loop",
+    "conditions", "dimensionless", "linearise", "modes", "numeric_modes", "numeric_poles", "poles",
+    "stability", "stability_region", "state_space", "transfer_function",
+]  # fmt: skip

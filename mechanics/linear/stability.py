@@ -1,0 +1,185 @@
+"""Stability from the signs of coefficients, exactly.
+
+    damped:    p(s) = det(M s^2 + C s + K) = a_n s^n + ... + a_0;   with a_n > 0 every pole has a
+               negative real part if and only if all Hurwitz determinants are positive
+    undamped:  p = det(M S + K), S = s^2; motions stay bounded if all S are real, negative and
+               distinct or semisimple: for symmetric M > 0 and K the roots are real and semisimple,
+               so they are all negative if and only if all coefficients of p have one sign
+
+A negative coefficient a_i / a_n means a pole with a positive real part: unstable. The borderline in
+a gain is where a condition, linear in the gain, vanishes.
+"""
+
+from dataclasses import dataclass
+from enum import Enum
+
+from sympy import And, Expr, Gt, Lt, Matrix, S, Symbol, factor_list, fraction
+from sympy.logic.boolalg import Boolean
+
+from mechanics.errors import ExpressionError, InputError
+from mechanics.linear.algebra import coefficients, is_zero, reduced, sign
+from mechanics.linear.form import Linear
+from mechanics.linear.transfer import characteristic_polynomial
+
+SQUARE = Symbol("S")
+
+
+class Stability(Enum):
+    """What becomes of a small deviation."""
+
+    ASYMPTOTIC = "every pole has a negative real part: deviations die out"
+    BOUNDED = "all poles are on the imaginary axis and semisimple: deviations oscillate, bounded"
+    UNSTABLE = "a pole has a positive real part: a deviation grows exponentially"
+    OPEN = "the signs depend on the parameters, or a pole lies on the borderline"
+
+    @property
+    def stable(self) -> bool | None:
+        """True, False, or None where it is open."""
+        return {Stability.UNSTABLE: False, Stability.OPEN: None}.get(self, True)
+
+
+@dataclass(frozen=True)
+class Region:
+    """Where in a gain the system is stable: ``lower < gain < upper``, every bound counting.
+
+    Attributes
+    ----------
+    gain : Symbol
+    lower, upper : tuple of Expr
+        Bounds; none on a side where it is stable all the way.
+    """
+
+    gain: Symbol
+    lower: tuple[Expr, ...]
+    upper: tuple[Expr, ...]
+
+    @property
+    def stable(self) -> Boolean:
+        """The condition for stability."""
+        above = [Gt(self.gain, bound) for bound in self.lower]
+        return And(*above, *(Lt(self.gain, bound) for bound in self.upper))
+
+
+def conditions(linear: Linear) -> tuple[Expr, ...]:
+    """Expressions all of which are positive if and only if the equilibrium is stable.
+
+    Raises
+    ------
+    ExpressionError
+        If the system is undamped with unsymmetric matrices and more than two coordinates.
+    """
+    return _undamped(linear) if linear.undamped else _hurwitz(linear)
+
+
+def stability(linear: Linear) -> Stability:
+    """Stability of the equilibrium for all admissible parameters, if they settle it."""
+    signs = [sign(condition) for condition in conditions(linear)]
+    if all(value == 1 for value in signs):
+        return Stability.BOUNDED if linear.undamped else Stability.ASYMPTOTIC
+    if any(sign(ratio) == -1 for ratio in _ratios(linear)) or (linear.undamped and -1 in signs):
+        return Stability.UNSTABLE
+    return Stability.OPEN
+
+
+def stability_region(linear: Linear, gain: Symbol) -> Region:
+    """Where in a gain the equilibrium is stable.
+
+    Raises
+    ------
+    InputError
+        If it is stable, or unstable, whatever the gain.
+    ExpressionError
+        If a condition has no linear factor in the gain, or its sign is open.
+    """
+    lower: list[Expr] = []
+    upper: list[Expr] = []
+    for condition in conditions(linear):
+        bound, side = _bound(linear, condition, gain)
+        if side:
+            bounds = lower if side > 0 else upper
+            if bound not in bounds:
+                bounds.append(bound)
+    if not lower and not upper:
+        raise InputError(f"{linear.scene.name}: {gain} changes nothing about stability")
+    return Region(gain, tuple(lower), tuple(upper))
+
+
+def _ratios(linear: Linear) -> list[Expr]:
+    """a_i / a_n, without the leading one: in S = s^2 where there is no damping."""
+    if linear.undamped:
+        polynomial = (linear.mass * SQUARE + linear.stiffness).det(method="berkowitz")
+        found = coefficients(polynomial, SQUARE)
+    else:
+        s = Symbol("s")
+        found = coefficients(characteristic_polynomial(linear, s), s)
+    return [reduced(entry / found[-1]) for entry in found[:-1]]
+
+
+def _undamped(linear: Linear) -> tuple[Expr, ...]:
+    ratios = _ratios(linear)
+    if linear.conjugate or len(ratios) == 1 or _symmetric(linear):
+        return tuple(ratios)
+    if len(ratios) > 2:
+        raise ExpressionError(
+            f"{linear.scene.name}: the undamped equations by {linear.route} are not symmetric:"
+            " use a route with power-conjugate rows (lagrange), or numeric_poles"
+        )
+    constant, middle = ratios
+    return constant, middle, reduced(middle**2 - 4 * constant)
+
+
+def _symmetric(linear: Linear) -> bool:
+    matrices = (linear.mass, linear.stiffness)
+    return all(is_zero(entry) for matrix in matrices for entry in matrix - matrix.T) and all(
+        sign(linear.mass[:k, :k].det(method="berkowitz")) == 1
+        for k in range(1, linear.mass.rows + 1)
+    )
+
+
+def _hurwitz(linear: Linear) -> tuple[Expr, ...]:
+    """Hurwitz determinants of the monic polynomial: entry (i, j) is a_(n - 2j + i - 1), from 1."""
+    from_top = [S.One, *reversed(_ratios(linear))]
+    degree = len(from_top) - 1
+
+    def entry(i: int, j: int) -> Expr:
+        k = 2 * (j + 1) - (i + 1)
+        return from_top[k] if 0 <= k <= degree else S.Zero
+
+    table = Matrix(degree, degree, entry)
+    return tuple(reduced(table[:k, :k].det(method="berkowitz")) for k in range(1, degree + 1))
+
+
+def _bound(linear: Linear, condition: Expr, gain: Symbol) -> tuple[Expr | None, int]:
+    """Return (value, 1) if the condition holds above the value, -1 if below, 0 if always."""
+    if not condition.has(gain):
+        if sign(condition) != 1:
+            raise InputError(
+                f"{linear.scene.name}: stability needs {condition} > 0, which {gain} does not"
+                " change: there is no borderline in it"
+            )
+        return None, 0
+    above, below = fraction(condition)
+    # The sign of a quotient is that of the product.
+    rest, factors = factor_list(above * below)
+    deciding = []
+    for factor, power in factors:
+        if factor.has(gain) and sign(factor) is None:
+            deciding.append((factor, power))
+        else:
+            rest *= factor**power
+    rest_sign = sign(rest)
+    degrees = [(factor.as_poly(gain).degree(), power) for factor, power in deciding]
+    if degrees != [(1, 1)] or rest_sign not in (1, -1):
+        raise ExpressionError(
+            f"{linear.scene.name}: the stability condition {condition} > 0 has no single linear"
+            f" factor in {gain}: give values to other parameters"
+        )
+    linear_in_gain = deciding[0][0]
+    constant, slope = coefficients(linear_in_gain, gain)
+    slope_sign = sign(slope)
+    if slope_sign is None:
+        raise ExpressionError(
+            f"{linear.scene.name}: the sign of {slope} decides on which side of the borderline"
+            f" {gain} makes it stable: declare the parameters positive"
+        )
+    return reduced(-constant / slope), rest_sign * slope_sign
