@@ -1,0 +1,99 @@
+"""The ledger: every published row against the quantity that it is about, as the engine derives it.
+
+    typed side  =  derived side        (never typed = typed)
+
+A row that holds only when the scene's definitions (I_C for what the shapes give) are expanded is
+proved too; its evidence says so. A rounded number stands for all that round to it.
+"""
+
+from collections.abc import Sequence
+
+from sympy import Expr, Float, Matrix, sympify
+from sympy.matrices import MatrixBase
+
+from mechanics.checks.ledger_compare import equal, rounded
+from mechanics.checks.ledger_momenta import DERIVED, derived
+from mechanics.checks.ledger_motion import check_equation, check_reaction
+from mechanics.equations import Equations
+from mechanics.errors import InputError
+from mechanics.exact import Finding
+from mechanics.scene import Scene
+from mechanics.scene.published import Published, Quantity
+from mechanics.scene.quantities import EquationOfMotion, ReactionValue
+
+QUANTITIES: tuple[type[Quantity], ...] = (*DERIVED, EquationOfMotion, ReactionValue)
+"""What this ledger can check; rows about other quantities belong to other checks."""
+
+
+def check_row(scene: Scene, row: Published, equations: Equations | None = None) -> Finding:
+    """Compare every typed side of a row with the quantity that the row is about.
+
+    Parameters
+    ----------
+    scene : Scene
+    row : Published
+    equations : Equations, optional
+        Of one route; needed by rows about equations of motion and reactions along the motion.
+
+    Returns
+    -------
+    Finding
+        REFUTED with a witness where one side differs from what is derived.
+
+    Raises
+    ------
+    InputError
+        When the row is about a quantity of another check, has too few sides, or needs equations.
+    SceneError
+        When a side holds a function of time that the scene does not have.
+    """
+    subject = f"{row.tag} {row.label}"
+    sides = [plain_side(scene, side, subject) for side in row.sides]
+    quantity = row.quantity
+    if isinstance(quantity, EquationOfMotion | ReactionValue):
+        if equations is None:
+            raise InputError(f"{subject}: it holds along the motion: pass equations=")
+        if isinstance(quantity, ReactionValue):
+            return check_reaction(subject, quantity.name, _enough(sides, 1, subject), equations)
+        return check_equation(subject, _enough(sides, 2, subject), equations)
+    targets = derived(scene, quantity)
+    _enough(sides, len(targets), subject)
+    # The last target is what every further side has to be.
+    pairs = [(side, targets[min(i, len(targets) - 1)]) for i, side in enumerate(sides)]
+    lefts = [entry for typed, _ in pairs for entry in _entries(typed)]
+    rights = [entry for _, target in pairs for entry in _entries(target)]
+    if len(lefts) != len(rights):
+        raise InputError(
+            f"{subject}: {len(lefts)} entries typed for {len(rights)} derived: name the axis with"
+            " along=, or type a 3 x 1 matrix"
+        )
+    if any(left.has(Float) for left in lefts):
+        (left,), (right,) = lefts, rights
+        return rounded(scene, subject, left, right)
+    return equal(scene, subject, lefts, rights)
+
+
+def check_rows(
+    scene: Scene, rows: Sequence[Published], equations: Equations | None = None
+) -> tuple[Finding, ...]:
+    """`check_row` of each row, in order."""
+    return tuple(check_row(scene, row, equations) for row in rows)
+
+
+def plain_side(scene: Scene, side: Expr | MatrixBase, where: str) -> Expr | Matrix:
+    """A typed side in plain symbols, vectors entry by entry."""
+    if isinstance(side, MatrixBase):
+        return Matrix(side).applyfunc(lambda entry: scene.plain(entry, where))
+    return scene.plain(sympify(side), where)
+
+
+def _entries(side: Expr | MatrixBase) -> list[Expr]:
+    return list(side) if isinstance(side, MatrixBase) else [side]
+
+
+def _enough(sides: list[Expr], needed: int, subject: str) -> list[Expr]:
+    if len(sides) < needed:
+        raise InputError(
+            f"{subject}: {len(sides)} of {needed} sides typed: type every side of the equation"
+        )
+    return sides

@@ -1,0 +1,150 @@
+"""Typed sides against derived ones: with definitions expanded where needed, and rounded numbers.
+
+    typed = derived        with I_C, M, ... put in where needed        |printed - derived| <= half
+
+A definition is put in by assigning its value to its symbol before the symbol is first used, so that
+nothing has to be substituted or expanded. Constrained scenes are compared on their manifold.
+"""
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
+
+from flint import arb
+from sympy import Expr, Float, S, Symbol, sympify
+
+from mechanics.checks.manifold import settle
+from mechanics.errors import InputError, SceneError
+from mechanics.exact import (
+    Arithmetic,
+    Finding,
+    Number,
+    Verdict,
+    Witness,
+    decide,
+    decimal_matches,
+    enclose,
+)
+from mechanics.scene import Scene
+
+Pairs = list[tuple[Number, Number]]
+
+
+def decide_in(
+    scene: Scene,
+    subject: str,
+    experiment: Callable[[Arithmetic], Pairs],
+    symbols: set[Symbol],
+    expand: bool = False,
+) -> Finding:
+    """`decide`, and where that does not show the statement, once more with definitions put in.
+
+    Parameters
+    ----------
+    scene : Scene
+    subject : str
+    experiment : callable
+    symbols : set of Symbol
+        What the statement holds; definitions of other symbols do not matter to it.
+    expand : bool
+        True when it is plain beforehand that the statement needs its definitions.
+    """
+    used = symbols & scene.definitions.keys()
+    order = ordered(scene.definitions)
+
+    def admissible(a: Arithmetic) -> Pairs:
+        settle(scene, a)
+        return experiment(a)
+
+    def expanded(a: Arithmetic) -> Pairs:
+        settle(scene, a)
+        for symbol, expression in order:
+            a.assign(symbol, a.value(expression))
+        return experiment(a)
+
+    if not (used and expand):
+        finding = decide(subject, admissible)
+        if finding.shown or not used:
+            return finding
+    finding = decide(subject, expanded)
+    names = ", ".join(sorted(symbol.name for symbol in used))
+    return replace(finding, evidence=f"{finding.evidence}, with {names} by definition")
+
+
+def ordered(definitions: Mapping[Symbol, Expr]) -> list[tuple[Symbol, Expr]]:
+    """Definitions such that each one comes after those that it uses.
+
+    Raises
+    ------
+    SceneError
+        When they go round in a circle.
+    """
+    pending, found = dict(definitions), []
+    while pending:
+        ready = [s for s, e in pending.items() if not e.free_symbols & pending.keys()]
+        if not ready:
+            names = ", ".join(sorted(symbol.name for symbol in pending))
+            raise SceneError(f"the definitions of {names} go round in a circle: break it")
+        found += [(symbol, pending.pop(symbol)) for symbol in ready]
+    return found
+
+
+def equal(scene: Scene, subject: str, lefts: Sequence[Expr], rights: Sequence[Expr]) -> Finding:
+    """Whether expressions are equal, entry by entry."""
+
+    def experiment(a: Arithmetic) -> Pairs:
+        return [(a.value(x), a.value(y)) for x, y in zip(lefts, rights, strict=True)]
+
+    left, right = symbols_of(lefts), symbols_of(rights)
+    # A symbol that only one side knows can hardly cancel: the first attempt would be in vain.
+    expand = bool((left ^ right) & scene.definitions.keys())
+    return decide_in(scene, subject, experiment, left | right, expand)
+
+
+def symbols_of(expressions: Sequence[Expr]) -> set[Symbol]:
+    """Symbols that the expressions hold."""
+    return set().union(*(expression.free_symbols for expression in expressions))
+
+
+def rounded(scene: Scene, subject: str, left: Expr, right: Expr) -> Finding:
+    """Whether a typed side, printed number times expression, rounds the derived side.
+
+    The derived side is first shown to be a constant c times the typed expression; then an enclosure
+    of c has to lie within half a unit of the last printed digit.
+
+    Raises
+    ------
+    InputError
+        When the typed side is no product of one rounded number and exact factors.
+    """
+    number, unit = left.as_coeff_Mul()
+    if not isinstance(number, Float) or unit.has(Float):
+        raise InputError(
+            f"{subject}: {left} is no rounded number times an exact expression: type one product"
+        )
+    table: dict[Symbol, Expr] = {}
+    for symbol, expression in ordered(scene.definitions):
+        table[symbol] = expression.xreplace(table)
+    unit, right = unit.xreplace(table), sympify(right).xreplace(table)
+    ones = dict.fromkeys(unit.free_symbols | right.free_symbols, S.One)
+    constant = right.xreplace(ones) / unit.xreplace(ones)
+    finding = equal(scene, subject, [constant * unit], [right])
+    if not finding.shown:
+        return finding
+    value, printed = enclose(constant, {}), str(number)
+    words = f"the exact factor is {value.str(10, radius=False)}"
+    if decimal_matches(value, printed):
+        return Finding(subject, Verdict.PROVED, f"{words}, which rounds to {printed}")
+    state = tuple(sorted((symbol.name, "1") for symbol in ones))
+    sides = _rounding(printed).str(20, more=True), value.str(20, more=True)
+    return Finding(
+        subject,
+        Verdict.REFUTED,
+        f"{words}, which does not round to {printed}",
+        witness=Witness(state, *sides),
+    )
+
+
+def _rounding(printed: str) -> arb:
+    """Every number that rounds to a printed one."""
+    digits = len(printed.partition(".")[2])
+    return arb(printed, f"0.5e-{digits}")
