@@ -17,7 +17,7 @@ from mechanics.report.projection import View, normal, unit
 from mechanics.report.supports import BLOCK, Paper, ground, load_symbol
 from mechanics.scene import Body, RigidBody, Scene
 from mechanics.scene.actions import carrier_of
-from mechanics.scene.loads import Damper, Spring
+from mechanics.scene.loads import Damper, Spring, Torque
 
 WIDTH, HEIGHT, MARGIN = 460.0, 340.0, 74.0
 # Beyond this many bodies only the first and the last are named.
@@ -38,8 +38,8 @@ def drawing(scene: Scene, state: Mapping[str, float]) -> str:
     paper = _paper(view, [p for points in outlines.values() for p in points])
     named = scene.bodies if len(scene.bodies) <= FEW else (scene.bodies[0], scene.bodies[-1])
     parts = [ground(view, paper)]
-    parts += [load_symbol(view, paper, load) for load in scene.loads]
     parts += [_body(view, paper, body, outlines[body.name]) for body in scene.bodies]
+    parts += [load_symbol(view, paper, load) for load in scene.loads]
     parts += [_joints(view, paper), _axes(view, paper)]
     parts += [_coordinate(view, paper, q) for q in (scene.q if len(scene.q) <= FEW else ())]
     parts += [_label(view, paper, body) for body in named]
@@ -79,8 +79,13 @@ def outline(view: View, body: Body) -> list[np.ndarray]:
     if len(found) == 2:
         arm = found[1] - centre
         # A uniform rod of half length a has I = m a^2 / 3; the ellipse of that I has a sqrt(2/3).
-        if abs(float(np.hypot(*arm)) - long * np.sqrt(1.5)) < 0.01 * long and view.planar:
+        reach = float(np.hypot(*arm))
+        if abs(reach - long * np.sqrt(1.5)) < 0.01 * long and view.planar:
             return [centre - arm, centre, centre + arm]
+        if view.planar and 0.5 * long < reach < 1.3 * long:
+            # Of the ellipses with this inertia the one that ends at the joint or contact.
+            across = np.sqrt(2 * long**2 - reach**2)
+            first, second, short = arm, across * unit(normal(arm)), across
     if long < 1e-9:
         return found
     if short < 0.02 * long:
@@ -153,14 +158,15 @@ def _joints(view: View, paper: Paper) -> str:
 
 
 def _axes(view: View, paper: Paper) -> str:
-    frame, origin = view.scene.frame, paper.place(view.point(view.scene.origin))
+    """The directions of the inertial frame, in a corner."""
+    frame, corner = view.scene.frame, np.array([34.0 if view.planar else 54.0, 68.0])
     parts = []
     for name, axis in zip("xyz", (frame.x, frame.y, frame.z), strict=True):
         along = paper.turn(view.direction(axis))
         if np.hypot(*along) > 1e-9:
-            tip = origin + 38 * along
-            parts.append(ink.arrow(origin, tip, "axis"))
-            parts.append(ink.text(tip + 10 * unit(along), svg_name(name), "axis-name"))
+            tip = corner + 34 * along
+            parts.append(ink.arrow(corner, tip, "axis"))
+            parts.append(ink.text(tip + 11 * unit(along), svg_name(name), "axis-name"))
     return "".join(parts)
 
 
@@ -168,13 +174,16 @@ def _coordinate(view: View, paper: Paper, coordinate: Symbol) -> str:
     """An arrow for the way in which a coordinate moves the first body that it moves."""
     for body in view.scene.bodies:
         centre = paper.place(view.point(body.centre))
-        turn = view.planar and isinstance(body, RigidBody) and view.scene.rotation(body.frame)
-        if turn and coordinate in turn.free_symbols:
+        if (
+            view.planar
+            and isinstance(body, RigidBody)
+            and coordinate in view.scene.rotation(body.frame).free_symbols
+        ):
             return _turning(view, paper, body, coordinate)
         shift = view.shift(body.centre, coordinate)
         if np.hypot(*shift) > 1e-9:
             along = unit(paper.turn(shift))
-            start = centre + 30 * normal(along) * (1 if along[0] >= 0 else -1) * -1
+            start = centre + 44 * _aside(paper, centre, along)
             tip = start + 40 * along
             return ink.arrow(start, tip, "motion") + ink.text(
                 tip + 12 * along, svg_name(coordinate.name), "motion-name"
@@ -182,18 +191,35 @@ def _coordinate(view: View, paper: Paper, coordinate: Symbol) -> str:
     return ""
 
 
-def _turning(view: View, paper: Paper, body: RigidBody, coordinate: Symbol) -> str:
-    places = [
+def _aside(paper: Paper, centre: np.ndarray, along: np.ndarray) -> np.ndarray:
+    """Normal of a direction, on the side that leads out of the drawing; downwards if neither."""
+    side = normal(along)
+    outward = side @ (centre - paper.middle)
+    return side if outward > 1 or (abs(outward) <= 1 and side[1] > 0) else -side
+
+
+def _lever(view: View, paper: Paper, body: RigidBody) -> tuple[np.ndarray, np.ndarray, float]:
+    """Pivot of a body, the pixels from there to its centre, and the sense in which it turns."""
+    moving = [q for q in view.scene.q if q in view.scene.rotation(body.frame).free_symbols]
+    centre = paper.place(view.point(body.centre))
+    if not moving or not view.planar:
+        return centre, np.zeros(2), 1.0
+    (coordinate, *_) = moving
+    pivots = [
         paper.place(view.point(point))
         for point in attached(view.scene, body)
         if np.hypot(*view.shift(point, coordinate)) < 1e-9
     ]
-    pivot = places[0] if places else paper.place(view.point(body.centre))
-    arm = paper.place(view.point(body.centre)) - pivot
-    angle = float(np.arctan2(-arm[1], arm[0])) if np.hypot(*arm) > 1 else 0.6
-    rotation = view.numbers(view.scene.rotation(body.frame).diff(coordinate))
+    pivot = pivots[0] if pivots else centre
+    rate = view.numbers(view.scene.rotation(body.frame).diff(coordinate))
     frame = view.numbers(view.scene.rotation(body.frame))
-    sense = 1.0 if (rotation @ frame.T)[1, 0] > 0 else -1.0
+    return pivot, centre - pivot, 1.0 if (rate @ frame.T)[1, 0] > 0 else -1.0
+
+
+def _turning(view: View, paper: Paper, body: RigidBody, coordinate: Symbol) -> str:
+    """An arc that ends at the body; counterclockwise where the angle is."""
+    pivot, arm, sense = _lever(view, paper, body)
+    angle = float(np.arctan2(-arm[1], arm[0])) if np.hypot(*arm) > 1 else 0.6
     radius = float(np.clip(0.62 * np.hypot(*arm), 30, 58))
     middle = angle - sense * 0.45
     at = pivot + (radius + 13) * np.array([np.cos(middle), -np.sin(middle)])
@@ -204,7 +230,12 @@ def _turning(view: View, paper: Paper, body: RigidBody, coordinate: Symbol) -> s
 
 def _label(view: View, paper: Paper, body: Body) -> str:
     centre = paper.place(view.point(body.centre))
-    away = unit(centre - paper.middle)
-    side = 1 if away[0] >= 0 else -1
-    at = centre + np.array([side * 24, 24 if away[1] >= -0.2 else -24])
-    return ink.text(at, escape(body.name), "name", "start" if side > 0 else "end")
+    if isinstance(body, RigidBody):
+        _, arm, sense = _lever(view, paper, body)
+        side = -sense * normal(unit(arm)) if np.hypot(*arm) > 1 else np.array([0.7, 0.7])
+        anchor = "start" if side[0] > 0.3 else "end" if side[0] < -0.3 else "middle"
+        driven = any(isinstance(load, Torque) and load.on == body.name for load in view.scene.loads)
+        return ink.text(centre + (44 if driven else 20) * side, escape(body.name), "name", anchor)
+    # A block has its coordinate on one half of its outer side, and its name on the other.
+    below = 1 if centre[1] >= paper.middle[1] - 1 else -1
+    return ink.text(centre + np.array([-12, 44 * below]), escape(body.name), "name", "end")

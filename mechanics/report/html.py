@@ -11,17 +11,18 @@ from markupsafe import Markup
 
 from mechanics.exact import Verdict
 from mechanics.report import charts, typeset, words
+from mechanics.report.drawing import drawing
 from mechanics.report.notation import latex_name, svg_name
 from mechanics.report.result import SystemResult
 from mechanics.report.sections import (
     ROUTES,
     Section,
-    drawn,
     matrix,
     motion_charts,
     other_findings,
     published_rows,
     reactions,
+    shown_state,
     speeds,
     symbol_rows,
 )
@@ -70,12 +71,13 @@ def to_html(results: Sequence[SystemResult]) -> str:
 
 
 def _section(number: int, result: SystemResult) -> Section:
+    state = shown_state(result)
     return Section(
         number=number,
         result=result,
         tally=words.tally(words.all_findings(result)),
-        drawing=Markup(drawn(result)),
-        symbols=symbol_rows(result.scene),
+        drawing=Markup(drawing(result.scene, state)),
+        symbols=symbol_rows(result.scene, state),
         matrix=matrix(result),
         speeds=speeds(result),
         reactions=reactions(result),

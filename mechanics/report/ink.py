@@ -3,16 +3,17 @@
 Colours are the classes and CSS variables of the page, so that a drawing follows light and dark.
 """
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
+from typing import Any
 
 import numpy as np
 
 from mechanics.report.projection import normal, unit
 
-Pixel = np.ndarray
+Pixel = np.ndarray[Any, Any]
 
 
-def path(points: Iterable[Sequence[float]], style: str, closed: bool = False) -> str:
+def path(points: Iterable[Pixel], style: str, closed: bool = False) -> str:
     """A polyline or polygon."""
     text = " ".join(f"{x:.1f},{y:.1f}" for x, y in points)
     return f'<{"polygon" if closed else "polyline"} class="{style}" points="{text}"/>'

@@ -18,11 +18,14 @@ from sympy.core.function import AppliedUndef
 from sympy.functions.elementary.trigonometric import TrigonometricFunction
 from sympy.printing.conventions import split_super_sub
 from sympy.printing.latex import LatexPrinter, tex_greek_dictionary, translate
-from sympy.printing.pretty.pretty_symbology import greek_unicode
 from sympy.printing.precedence import PRECEDENCE
+from sympy.printing.pretty.pretty_symbology import greek_unicode
 
 DOTTED = re.compile(r"(?P<base>.+)_(?P<dots>d{1,3})ot$")
+# A component of a reaction: Ax, Ty1.
+COMPONENT = re.compile(r"([A-Z])([xyz]\d*)")
 ACCENTS = ("", r"\dot", r"\ddot", r"\dddot")
+GREEK = frozenset(name for name in greek_unicode if name.islower())
 COMBINING = ("", "\u0307", "\u0308", "\u20db")
 # Accelerations of gravity stand after masses, lengths after both; everything else before.
 UNIT_ORDER = {"m/s^2": 1, "m": 2, "1": 3, "rad": 3}
@@ -33,6 +36,9 @@ def split_name(name: str) -> tuple[str, int, str]:
     """Letter, number of dots and subscript of a plain name: theta1_dot gives theta, 1, "1"."""
     found = DOTTED.match(name)
     stem, dots = (found["base"], len(found["dots"])) if found else (name, 0)
+    component = COMPONENT.fullmatch(stem)
+    if component:
+        return component[1], dots, component[2]
     base, supers, subs = split_super_sub(stem)
     return base, dots, ",".join(supers + subs)
 
@@ -92,7 +98,8 @@ class Notation(LatexPrinter):
 
     def _print_Add(self, expr: Add, order: Any = None) -> str:
         first, *others = self.pieces(expr)
-        return " ".join([first, *others])
+        # In braces a minus is a sign; after an opening bracket it would be spaced as a difference.
+        return " ".join([f"{{{first}}}" if first[0] == "-" else first, *others])
 
     def pieces(self, expr: Expr) -> list[str]:
         """Terms of a sum in textbook order, every one after the first with its sign in front."""

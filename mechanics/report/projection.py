@@ -12,7 +12,7 @@ import numpy as np
 from sympy import Expr, Matrix, Symbol, sympify
 from sympy.physics.vector import Point, Vector
 
-from mechanics.scene import Gravity, Scene
+from mechanics.scene import Gravity, Scene, Spring
 
 ISOMETRIC = np.array([[-0.7071, 0.7071, 0.0], [-0.4082, -0.4082, 0.8165]])
 FRONT = np.array([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]])
@@ -69,6 +69,23 @@ class View:
                 return unit(self.direction(load.field))
         return None
 
+    @cached_property
+    def slack(self) -> dict[Point, np.ndarray]:
+        """Shifts that give springs between free masses a length where the scene has left it out.
+
+        Sources count such displacements from where the springs are slack, and so let all masses
+        start at one point.
+        """
+        found: dict[Point, np.ndarray] = {}
+        if self.scene.reactions:
+            return found
+        largest = max(abs(self.values[q]) for q in self.scene.q)
+        for load in self.scene.loads:
+            if isinstance(load, Spring) and load.along is not None and load.length == 0:
+                along = unit(self.direction(load.along))
+                found[load.second] = found.get(load.first, 0.0) + 2.5 * (largest or 1.0) * along
+        return found
+
     def number(self, expression: Any) -> float:
         """Value of an expression in plain or dynamic symbols."""
         plain = self.scene.plain(sympify(expression))
@@ -85,7 +102,8 @@ class View:
 
     def point(self, point: Point) -> np.ndarray:
         """A point of the scene on paper."""
-        return self.project(self.numbers(self.scene.position(point)))
+        place = self.project(self.numbers(self.scene.position(point)))
+        return place + self.slack.get(point, 0.0)
 
     def direction(self, vector: Vector) -> np.ndarray:
         """A vector of the scene on paper."""

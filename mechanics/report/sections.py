@@ -9,7 +9,6 @@ from sympy import Symbol
 from mechanics.equations import Line
 from mechanics.exact import Finding, Verdict
 from mechanics.report import charts, typeset
-from mechanics.report.drawing import drawing
 from mechanics.report.result import LedgerResult, Motion, RouteResult, SystemResult
 from mechanics.scene import Scene
 
@@ -75,21 +74,29 @@ class Section:
     charts: list[Chart]
 
 
-def drawn(result: SystemResult) -> str:
-    """The drawing at the first sample of the motion, else at the example of the scene."""
+def shown_state(result: SystemResult) -> dict[str, float]:
+    """The first sample of the motion, else the example of the scene."""
     state = dict(result.scene.example)
     if result.motion is not None:
         columns = result.motion.columns
         state |= {q.name: float(columns[q.name][0]) for q in result.scene.q if q.name in columns}
-    return drawing(result.scene, state)
+    return state
 
 
-def symbol_rows(scene: Scene) -> list[SymbolRow]:
-    """Coordinates, declared speeds, inputs and parameters."""
-    rows = [SymbolRow(q.name, "coordinate", _unit(angles(scene), q)) for q in scene.q]
+def symbol_rows(scene: Scene, state: Mapping[str, float]) -> list[SymbolRow]:
+    """Coordinates at a state, declared speeds, inputs and parameters."""
+    turning = angles(scene)
+    rows = [
+        SymbolRow(
+            q.name,
+            "coordinate",
+            f"{state.get(q.name, 0.0):.4g} {_unit(turning, q)}".replace("-", "\u2212"),
+        )
+        for q in scene.q
+    ]
     if scene.speeds:
         rows += [SymbolRow(u.name, "speed", "") for u in scene.u]
-    rows += [SymbolRow(f.name, "input", "") for f in scene.input_symbols]
+    rows += [SymbolRow(f.name, "input, a given function of time", "") for f in scene.input_symbols]
     for parameter in scene.parameters:
         unit = readable_unit(getattr(parameter, "unit", ""))
         typical = getattr(parameter, "typical", None)

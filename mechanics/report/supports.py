@@ -55,14 +55,15 @@ def _support(view: View, paper: Paper, at: Point, held: list[Reaction]) -> str:
     pushes = [unit(paper.turn(view.direction(reaction.along))) for reaction in held]
     push = max(pushes, key=lambda p: abs(p @ down))
     into = push if push @ down > 0 else -push
-    if not view.moves(at):
+    closing = {name for c in view.scene.constraints if c.holonomic for name in c.reactions}
+    if not view.moves(at) or closing >= {reaction.name for reaction in held}:
         return ink.pin(place, into)
     if not view.planar:
         return _plane(view, place)
     (body,) = {view.scene.body(reaction.on) for reaction in held[:1]}
     block = not isinstance(body, RigidBody) or body.centre == at
     foot = place + (BLOCK[1] / 2) * into if block else place
-    return ink.hatching(foot, normal(into), into, 120 if len(pushes) > 1 else 84)
+    return ink.hatching(foot, normal(into), into, 110 if len(pushes) > 1 else 72)
 
 
 def _plane(view: View, place: np.ndarray) -> str:
@@ -98,7 +99,7 @@ def _gravity(view: View, paper: Paper) -> str:
     if view.down is None:
         return ""
     along = paper.turn(view.down)
-    middle = np.array([2 * paper.middle[0] - 30, 44.0])
+    middle = np.array([134.0, 50.0])
     start, end = middle - 22 * along, middle + 22 * along
     return ink.arrow(start, end, "force") + ink.text(
         middle + np.array([-14.0, 0.0]), svg_name("g"), "force-name"
@@ -111,9 +112,12 @@ def _between(view: View, paper: Paper, load: Spring | Damper) -> str:
     if load.along is not None:
         along = unit(paper.turn(view.direction(load.along)))
         inset = 0.5 * BLOCK[0] * along
-        if not view.moves(load.first):
+        if not view.moves(load.first) and not view.slack:
             # The anchor stands where the spring is free; it is drawn at a length that shows it.
             start = end - max((end - start) @ along, 120.0) * along
+            wall = ink.hatching(start, normal(along), -along, 24)
+            end = end - inset
+        elif not view.moves(load.first):
             wall = ink.hatching(start, normal(along), -along, 24)
             end = end - inset
         else:

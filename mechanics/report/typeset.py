@@ -12,11 +12,13 @@ from markupsafe import Markup, escape
 from sympy import Add
 
 from mechanics.equations import Line
-from mechanics.report.notation import latex, mathml, operations, pieces
+from mechanics.report.notation import GREEK, latex, latex_name, mathml, operations, pieces
 
 # Nodes of an expression beyond which it is folded away, and beyond which it is not printed.
 FOLDED = 260
 TOO_LONG = 6000
+# A letter, Latin or Greek, with a short subscript or dots.
+NAME = re.compile(rf"\b((?:[A-Za-z]|{'|'.join(sorted(GREEK))})_(?:\w{{1,2}}|d{{1,3}}ot))\b")
 
 
 def equation(line: Line) -> Markup:
@@ -40,9 +42,16 @@ def chain(sides: Sequence[Any], name: str = "") -> Markup:
 
 
 def prose(text: str) -> Markup:
-    """A sentence, with LaTeX between dollar signs typeset."""
+    """A sentence; LaTeX between dollar signs and names such as x_C or theta_dot are typeset."""
     parts = re.split(r"\$([^$]+)\$", text)
-    return Markup("").join(maths(part) if i % 2 else escape(part) for i, part in enumerate(parts))
+    return Markup("").join(maths(part) if i % 2 else _names(part) for i, part in enumerate(parts))
+
+
+def _names(text: str) -> Markup:
+    parts = NAME.split(text)
+    return Markup("").join(
+        maths(latex_name(part)) if i % 2 else escape(part) for i, part in enumerate(parts)
+    )
 
 
 def inline(expr: Any) -> Markup:
@@ -52,11 +61,11 @@ def inline(expr: Any) -> Markup:
 
 def _joined(sign: str, expr: Any) -> list[str]:
     first, *others = pieces(expr)
-    return [f"{sign} {first}", *others]
+    return [f"{sign} {{{first}}}", *others]  # in braces a minus is a sign, no difference
 
 
 def _row(parts: Sequence[str], label: str) -> Markup:
-    body = Markup(" ").join(maths(part) for part in parts)
+    body = Markup("<wbr>").join(maths(part) for part in parts)
     note = Markup('<span class="label">{}</span>').format(label) if label else Markup("")
     return Markup('<div class="eq"><div class="terms">{}</div>{}</div>').format(body, note)
 
@@ -73,4 +82,4 @@ def _folded(line: Line, typeset: Markup) -> Markup:
 
 def maths(source: str) -> Markup:
     """LaTeX as MathML."""
-    return Markup(mathml(source))  # noqa: S704 - made by latex2mathml, not by a user
+    return Markup(mathml(source))
