@@ -8,6 +8,7 @@ nothing has to be substituted or expanded. Constrained scenes are compared on th
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
+from decimal import Decimal
 
 from flint import arb
 from sympy import Expr, Float, S, Symbol, sympify
@@ -146,5 +147,4 @@ def rounded(scene: Scene, subject: str, left: Expr, right: Expr) -> Finding:
 
 def _rounding(printed: str) -> arb:
     """Every number that rounds to a printed one."""
-    digits = len(printed.partition(".")[2])
-    return arb(printed, f"0.5e-{digits}")
+    return arb(printed, f"0.5e{Decimal(printed).as_tuple().exponent}")

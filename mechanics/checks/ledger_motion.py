@@ -9,13 +9,13 @@ independent rows as there are degrees of freedom.
 
 from collections.abc import Sequence
 
-from sympy import Expr, Matrix, Symbol
+from sympy import Expr, Matrix, S, Symbol
 
 from mechanics.checks.agreement import solve
-from mechanics.checks.ledger_compare import decide_in, symbols_of
+from mechanics.checks.ledger_compare import decide_in, equal, symbols_of
 from mechanics.equations import Equations
 from mechanics.errors import InputError
-from mechanics.exact import Arithmetic, Finding, Number, Verdict, decide, prove_zero
+from mechanics.exact import Arithmetic, Finding, Number, Verdict, decide
 from mechanics.scene import Scene
 from mechanics.scene.published import Published
 from mechanics.scene.quantities import EquationOfMotion
@@ -26,7 +26,8 @@ Pairs = list[tuple[Number, Number]]
 def check_equation(subject: str, sides: Sequence[Expr], equations: Equations) -> Finding:
     """Whether a typed equation of motion holds, and says something, along the motion."""
     scene = equations.scene
-    static = prove_zero(subject, gradient(scene, sides))
+    rates = gradient(scene, sides)
+    static = equal(scene, subject, rates, [S.Zero] * len(rates))
     if static.verdict is not Verdict.REFUTED:
         return Finding(
             subject, Verdict.UNDECIDED, "it holds no acceleration, so it is no equation of motion"

@@ -18,9 +18,9 @@ from mechanics.routes import free_body
 from mechanics.scene import quantities as q
 from mechanics.scene.published import Published, Quantity, published
 from mechanics.scene.system import System
-from mechanics.scene.typed import along_z, rounded
+from mechanics.scene.typed import along_z, d_dt, rounded
 from systems import elastic_pendulum as pendulum
-from systems import rocker
+from systems import four_bar, rocker
 
 PENDULUM, ROCKER = systems.SEED[:2]
 T, N, N1 = (Symbol(name, real=True) for name in ("T", "N", "N1"))
@@ -79,9 +79,7 @@ def test_definitions_are_expanded_only_where_needed() -> None:
     expanded = check(ROCKER, momentum, (2 * rocker.I_1 + rocker.I_2) * rate)
     assert "by definition" not in plain.evidence
     assert expanded.verdict is Verdict.PROVED
-    assert (
-        "I_1, I_2, I_C by definition" in expanded.evidence
-    )
+    assert "I_1, I_2, I_C by definition" in expanded.evidence
 
 
 def test_a_definition_may_use_another() -> None:
@@ -96,6 +94,13 @@ def test_definitions_in_a_circle_are_refused() -> None:
 
 def test_a_row_without_accelerations_is_no_equation_of_motion() -> None:
     finding = check(PENDULUM, q.EquationOfMotion(), x.diff(t, 2), x.diff(t, 2))
+    assert finding.verdict is Verdict.UNDECIDED
+    assert "holds no acceleration" in finding.evidence
+
+
+def test_an_identity_by_definition_is_no_equation_of_motion() -> None:
+    rate = rocker.theta.diff(t, 2)
+    finding = check(ROCKER, q.EquationOfMotion(), rocker.I_C * rate, rocker.ROCKER.inertia * rate)
     assert finding.verdict is Verdict.UNDECIDED
     assert "holds no acceleration" in finding.evidence
 
@@ -166,3 +171,19 @@ def test_rows_along_the_motion_need_equations() -> None:
     (row,) = (row for row in PENDULUM.published if row.tag == "(6)")
     with pytest.raises(InputError, match="pass equations="):
         check_row(PENDULUM.scene(), row)
+
+
+def test_rows_of_a_constrained_scene_hold_on_its_manifold() -> None:
+    (system,) = (system for system in systems.ALL if system.name == "four_bar")
+    end = q.Position("end of the rocker", "x")
+    assert check(system, end, four_bar.d).shown
+    assert check(system, end, -four_bar.d).verdict is Verdict.REFUTED
+    closure = sum(
+        length * cos(angle)
+        for length, angle in (
+            (four_bar.l1, four_bar.q1),
+            (four_bar.l2, four_bar.q2),
+            (four_bar.l3, four_bar.q3),
+        )
+    )
+    assert check(system, q.EquationOfMotion(), d_dt(d_dt(closure)), 0).shown
