@@ -5,24 +5,35 @@ from systems import (
     elastic_pendulum,
     elastic_pendulum_ledger,
     four_bar,
+    four_bar_ledger,
     pendulum_chain,
     rocker,
+    rocker_control_ledger,
     rocker_ledger,
     rocker_shapes_ledger,
     rolling_disc,
     two_mass_chain,
+    two_mass_chain_ledger,
 )
 
 SEED: tuple[System, ...] = (
     System("elastic_pendulum", elastic_pendulum.scene, elastic_pendulum_ledger.PUBLISHED),
-    System("rocker", rocker.scene, (*rocker_shapes_ledger.PUBLISHED, *rocker_ledger.PUBLISHED)),
-    System("two_mass_chain", two_mass_chain.scene),
+    System(
+        "rocker",
+        rocker.scene,
+        (
+            *rocker_shapes_ledger.PUBLISHED,
+            *rocker_ledger.PUBLISHED,
+            *rocker_control_ledger.PUBLISHED,
+        ),
+    ),
+    System("two_mass_chain", two_mass_chain.scene, two_mass_chain_ledger.PUBLISHED),
 )
 ALL: tuple[System, ...] = (
     *SEED,
-    System("pendulum_chain", pendulum_chain.scene),
-    System("rolling_disc", rolling_disc.scene),
-    System("four_bar", four_bar.scene),
+    System("pendulum_chain", pendulum_chain.scene, pendulum_chain.PUBLISHED),
+    System("rolling_disc", rolling_disc.scene, rolling_disc.PUBLISHED),
+    System("four_bar", four_bar.scene, four_bar_ledger.PUBLISHED),
 )
 
 __all__ = ["ALL", "SEED"]

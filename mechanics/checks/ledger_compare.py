@@ -13,7 +13,7 @@ from decimal import Decimal
 from flint import arb
 from sympy import Expr, Float, S, Symbol, sympify
 
-from mechanics.checks.manifold import settle
+from mechanics.checks.manifold import settle, settle_accelerations
 from mechanics.errors import InputError, SceneError
 from mechanics.exact import (
     Arithmetic,
@@ -35,6 +35,7 @@ def decide_in(
     subject: str,
     experiment: Callable[[Arithmetic], Pairs],
     symbols: set[Symbol],
+    *,
     expand: bool = False,
 ) -> Finding:
     """`decide`, and where that does not show the statement, once more with definitions put in.
@@ -90,15 +91,16 @@ def ordered(definitions: Mapping[Symbol, Expr]) -> list[tuple[Symbol, Expr]]:
 
 
 def equal(scene: Scene, subject: str, lefts: Sequence[Expr], rights: Sequence[Expr]) -> Finding:
-    """Whether expressions are equal, entry by entry."""
+    """Whether expressions are equal, entry by entry, for all accelerations that are admissible."""
 
     def experiment(a: Arithmetic) -> Pairs:
+        settle_accelerations(scene, a)
         return [(a.value(x), a.value(y)) for x, y in zip(lefts, rights, strict=True)]
 
     left, right = symbols_of(lefts), symbols_of(rights)
     # A symbol that only one side knows can hardly cancel: the first attempt would be in vain.
     expand = bool((left ^ right) & scene.definitions.keys())
-    return decide_in(scene, subject, experiment, left | right, expand)
+    return decide_in(scene, subject, experiment, left | right, expand=expand)
 
 
 def symbols_of(expressions: Sequence[Expr]) -> set[Symbol]:

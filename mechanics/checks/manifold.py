@@ -2,6 +2,7 @@
 
     phi(q; p) = 0      solved for parameters that it holds linearly (link lengths), or not needed
     A(q) u + a = 0     solved for dependent speeds
+    A(q) u' = b        solved for dependent accelerations, where a statement holds free ones
 """
 
 from collections.abc import Sequence
@@ -13,6 +14,7 @@ from mechanics.errors import ExpressionError
 from mechanics.exact import Arithmetic, Number, collect_linear, independent_rows
 from mechanics.kinematics.constraints import velocity_forms
 from mechanics.scene import Scene
+from mechanics.scene.rates import rate, rate_table
 
 Linear = tuple[list[list[Expr]], list[Expr]]
 """Coefficients and rest: coefficients times unknowns plus rest is zero."""
@@ -31,9 +33,15 @@ def settle(scene: Scene, a: Arithmetic) -> None:
     if not scene.constraints:
         return
     settle_configuration(scene, a)
-    forms = velocity_forms(scene)
-    free, rows, rest = _speeds(scene, forms)
-    _solve(a, free, rows, rest)
+    _solve(a, *_dependent(velocity_forms(scene), scene.u))
+
+
+def settle_accelerations(scene: Scene, a: Arithmetic) -> None:
+    """Give dependent accelerations the values that the constraints ask for; after `settle`."""
+    if scene.constraints:
+        table = rate_table(scene)
+        forms = [rate(form, table) for form in velocity_forms(scene)]
+        _solve(a, *_dependent(forms, scene.ud))
 
 
 def settle_configuration(scene: Scene, a: Arithmetic) -> None:
@@ -74,16 +82,17 @@ def _parameters(
     )
 
 
-def _speeds(
-    scene: Scene, forms: Sequence[Expr]
+def _dependent(
+    forms: Sequence[Expr], symbols: Sequence[Symbol]
 ) -> tuple[tuple[Symbol, ...], list[list[Expr]], list[Expr]]:
-    split = [collect_linear(form, scene.u) for form in forms]
-    columns = [[row[i] for row, _ in split] for i in range(len(scene.u))]
+    """As many symbols as there are forms, the last ones that the forms determine."""
+    split = [collect_linear(form, symbols) for form in forms]
+    columns = [[row[i] for row, _ in split] for i in range(len(symbols))]
     backwards = list(range(len(columns)))[::-1]
     picked = sorted(backwards[k] for k in independent_rows([columns[i] for i in backwards]))
     rows = [[row[i] for i in picked] for row, _ in split]
     others = [
-        rest + sum(row[i] * u for i, u in enumerate(scene.u) if i not in picked)
+        rest + sum(row[i] * symbol for i, symbol in enumerate(symbols) if i not in picked)
         for row, rest in split
     ]
-    return tuple(scene.u[i] for i in picked), rows, others
+    return tuple(symbols[i] for i in picked), rows, others

@@ -55,10 +55,14 @@ def test_rows_can_be_told_apart(system: System) -> None:
     assert [name for name, count in names.items() if count > 1] == []
 
 
-@pytest.mark.parametrize("system", [PENDULUM, ROCKER], ids=lambda system: system.name)
+@pytest.mark.parametrize(
+    "system",
+    [s for s in systems.ALL if any(r.quantity == q.EquationOfMotion() for r in s.published)],
+    ids=lambda system: system.name,
+)
 def test_the_equations_of_motion_are_complete(system: System) -> None:
     finding = check_complete(equations(system).scene, rows(system), equations(system))
-    assert finding.verdict is Verdict.PROVED
+    assert finding.shown, finding
 
 
 def test_one_equation_of_motion_of_two_is_not_complete() -> None:
