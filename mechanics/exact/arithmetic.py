@@ -1,7 +1,8 @@
 """One experiment, several arithmetics: the operations that every arithmetic offers.
 
 An *experiment* is a plain function ``experiment(a: Arithmetic)`` that returns a list of pairs
-(left, right) of numbers that should be equal. It is written once and run over the normal form, a finite field and balls.
+(left, right) of numbers that should be equal. It is written once and run over the normal form,
+a finite field and balls.
 
 Numbers understand ``+ - * /``, unary minus and integer ``**`` with each other and with ``int``,
 ``Fraction`` and SymPy rationals.

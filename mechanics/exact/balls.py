@@ -197,7 +197,7 @@ class BallArithmetic(Arithmetic):
             sure = [i for i in range(count, len(left)) if not left[i][column].contains(0)]
             if not sure:
                 continue
-            best = max(sure, key=lambda i, j=column: float(left[i][j].abs_lower()))
+            best = max(sure, key=[float(row[column].abs_lower()) for row in left].__getitem__)
             left[count], left[best] = left[best], left[count]
             for i in range(count + 1, len(left)):
                 factor = left[i][column] / left[count][column]

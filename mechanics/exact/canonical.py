@@ -9,10 +9,14 @@ Used where products that cancel must be cancelled before code is generated.
 from collections.abc import Sequence
 
 import sympy
+from flint import fmpq
 
 from mechanics.errors import ExpressionError
-from mechanics.exact.canonical_back import Factor, Writer, generator_expression, shortest, terms
+from mechanics.exact.canonical_back import generator_expression
 from mechanics.exact.canonical_poly import Reader, reader
+
+Terms = dict[tuple[int, ...], fmpq]
+"""Coefficients by the powers of all generators."""
 
 
 def canonical(expr: sympy.Expr) -> sympy.Expr:
@@ -62,24 +66,20 @@ def collect_linear(
         If the expression is not linear in the symbols; the offending term is named.
     """
     result, (polynomial,) = reader([expr])
-    polynomial = shortest(result.ring, result.ring.reduced(polynomial))
-    places = {result.ring.place(symbol)[0]: j for j, symbol in enumerate(symbols)
-              if symbol in result.ring.keys.values()}
+    ring = result.ring
+    known = set(ring.keys.values())
+    places = {ring.place(symbol)[0]: j for j, symbol in enumerate(symbols) if symbol in known}
     hidden = _hiding(result, set(symbols), set(places))
-    groups: list[list[tuple[tuple[Factor, ...], sympy.Rational]]] = [[] for _ in symbols]
-    rest = []
-    writer = Writer(result.ring)
-    for factors, value in terms(polynomial):
-        inside = [factor for factor in factors if factor[0] in places]
-        if len(inside) > 1 or any(f[1] > 1 for f in inside) or any(f[0] in hidden for f in factors):
-            term = writer.total([(factors, value)])
+    groups: list[Terms] = [{} for _ in range(len(symbols) + 1)]
+    for powers, value in ring.reduced(polynomial).terms():
+        inside = [place for place in places if powers[place]]
+        if sum(powers[place] for place in inside) > 1 or any(powers[place] for place in hidden):
+            term = result.write(ring.from_terms({powers: value}))
             raise ExpressionError(f"{term} is not linear in {', '.join(map(str, symbols))}")
-        if inside:
-            others = tuple(factor for factor in factors if factor[0] not in places)
-            groups[places[inside[0][0]]].append((others, value))
-        else:
-            rest.append((factors, value))
-    return [writer.total(group) for group in groups], writer.total(rest)
+        group = groups[places[inside[0]] if inside else -1]
+        group[tuple(0 if k in places else power for k, power in enumerate(powers))] = value
+    *coefficients, rest = (result.write(ring.from_terms(group)) for group in groups)
+    return coefficients, rest
 
 
 def _hiding(result: Reader, symbols: set[sympy.Symbol], places: set[int]) -> set[int]:

@@ -104,7 +104,7 @@ class FieldArithmetic(Arithmetic):
             residue = numerator * pow(denominator, -1, self.prime) % self.prime
             height = log2(max(abs(numerator), denominator))
             self.ratios[residue] = ratio
-            self._constants[ratio] = FieldNumber(self, residue, 0, 0, height, 0)
+            self._constants[ratio] = FieldNumber(self, residue, 0.0, 0.0, height, 0)
         return self._constants[ratio]
 
     def draw(self, positive: bool) -> FieldNumber:
@@ -112,7 +112,7 @@ class FieldArithmetic(Arithmetic):
         residue = self.source.randrange(1, self.prime)
         if positive and self.real:
             residue = residue * residue % self.prime
-        return FieldNumber(self, residue, 1, 0, 0, 0)
+        return FieldNumber(self, residue, 1.0, 0.0, 0.0, 0)
 
     def symbol(self, symbol: sympy.Symbol) -> FieldNumber:
         """Draw a symbol: from the squares if it is positive, minus a square if negative."""
@@ -164,7 +164,7 @@ class FieldArithmetic(Arithmetic):
 
     def circle(self, terms: Sequence[Term]) -> tuple[FieldNumber, FieldNumber]:
         """Add multiples of points of the unit circle; cos and sin have degree sum |m|."""
-        c, s, degree, p = 1, 0, 0, self.prime
+        c, s, degree, p = 1, 0, 0.0, self.prime
         for atom, multiple in self._multiples("circle", terms).items():
             x, y = self._power_of_base(atom, abs(multiple))
             if multiple < 0:

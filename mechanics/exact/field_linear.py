@@ -63,7 +63,7 @@ def _row_size(row: Row) -> tuple[float, float]:
     denominators = {entry.token: entry.denominator for entry in row}
     common = sum(denominators.values())
     degree = max(entry.numerator - entry.denominator for entry in row) + common
-    return max(degree, 0.0), sum(entry.height for entry in row)
+    return max(degree, common, 0.0), sum(entry.height for entry in row)
 
 
 def echelon(rows: list[list[int]], p: int) -> tuple[list[list[int]], list[int]]:

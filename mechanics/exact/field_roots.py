@@ -112,5 +112,5 @@ def _surd_of_prime(a: FieldArithmetic, q: int) -> FieldNumber:
     if ("surd", q) not in a.atoms:
         a.log2_conjugates += 1
         residue = pow(q, (a.prime + 1) // 4, a.prime)
-        a.atoms["surd", q] = FieldNumber(a, residue, 0, 0, log2(q), 0)
+        a.atoms["surd", q] = FieldNumber(a, residue, 0.0, 0.0, log2(q), 0)
     return a.atoms["surd", q]

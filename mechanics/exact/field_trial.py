@@ -13,12 +13,12 @@ combination of the real signs. So a false statement survives k points with a cha
 
 Which radicands are squares need not be known: one that is seen to be a non-residue, all earlier
 ones being residues, is none, because then y would have to exist at that point. Probes, where
-positive symbols and signs of roots are free, expose nearly all of them; s counts what is left,
-mostly none.
+positive symbols and signs of roots are free, expose nearly all of them. s counts the roots from the
+first one that is left, mostly none: those behind it may have been exposed by its wrong sign.
 
 |x| and comparisons are first taken for unknown functions of x, which needs one point only but knows
 no more than |-x| = |x|. If that says no, |x| is read as sqrt(x**2), and ``x < 0`` as |x| = -x; each
-such x counts in s. Boundaries of cases (x = 0) are not looked at then.
+such x, and then every root, counts in s. Boundaries of cases (x = 0) are not looked at then.
 """
 
 from __future__ import annotations
@@ -134,7 +134,7 @@ class _Session:
         opaque = tuple(self.memory.opaque)
         if not point.zero:
             return Trial(Answer.NONZERO, -inf, f"not zero in a field of {bits} bits", opaque)
-        unsure = self.unsure(bits, point.square_roots) + point.kinks
+        unsure = self.unsure(bits, point)
         if not unsure:
             words = f"zero at a random point modulo a random {bits}-bit prime"
             return Trial(Answer.ZERO, point.log2_bound, words, opaque)
@@ -164,8 +164,11 @@ class _Session:
         worst = max(failures, key=lambda reason: failures[reason], default="no run completed")
         raise _FailedError(f"no admissible point among {DRAWS}: {worst}")
 
-    def unsure(self, bits: int, roots: int) -> int:
-        """Return how many radicands of square roots may be squares, after probing."""
+    def unsure(self, bits: int, point: _Point) -> int:
+        """Return s of (1), after probing; what comes after an unsure sign is unsure itself."""
+        roots = point.square_roots
+        if point.kinks:
+            return point.kinks + roots
         for index in range(min(16 * 2**roots, 512)):
             if len(self.memory.not_squares) >= roots:
                 break
@@ -174,7 +177,8 @@ class _Session:
                 self.experiment(a)
             except (Restart, Inadmissible):
                 continue  # a probe that ends early has told what it could
-        return max(0, roots - len(self.memory.not_squares))
+        first = next((i for i in range(roots) if i not in self.memory.not_squares), roots)
+        return roots - first
 
     def repeated(
         self, bits: int, unsure: int, log2_target: float, opaque: tuple[str, ...]

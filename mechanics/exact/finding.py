@@ -11,7 +11,9 @@ class Verdict(Enum):
     """Outcome of a check; the value is the sentence that explains it."""
 
     PROVED = "zero in the normal form, or enclosed within half a unit of the last printed digit"
-    CERTIFIED = "zero at random points of a finite field, with a computed bound of the chance of error"
+    CERTIFIED = (
+        "zero at random points of a finite field, with a computed bound of the chance of error"
+    )
     SUPPORTED = "supported by numbers only"
     REFUTED = "false: at the witness state the two sides have disjoint enclosures"
     UNDECIDED = "neither shown nor refuted"

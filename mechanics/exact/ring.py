@@ -9,7 +9,7 @@ multivariate division) replaces its leading power wherever it stands.
 
 from __future__ import annotations
 
-from collections.abc import Hashable
+from collections.abc import Hashable, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 from math import gcd, lcm
@@ -55,6 +55,10 @@ class Ring:
         """Return a rational constant."""
         ratio = Fraction(number)
         return self._context.constant(fmpq(ratio.numerator, ratio.denominator))
+
+    def from_terms(self, terms: Mapping[tuple[int, ...], fmpq]) -> fmpq_mpoly:
+        """Return the polynomial with these coefficients by powers of all generators."""
+        return self._context.from_dict(dict(terms))
 
     def place(self, key: Hashable, positive: bool = False) -> tuple[int, bool]:
         """Return the place of a generator, and whether it is new.

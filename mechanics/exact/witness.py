@@ -69,9 +69,9 @@ def _ball(a: Arithmetic, number: Any) -> arb:
 
 def _words(x: arb, y: arb) -> tuple[str, str]:
     """Return decimal enclosures with so many digits that they too are disjoint."""
-    digits = 20
-    while True:
-        left, right = (value.str(digits, more=True) for value in (x, y))
-        if digits > 2 * max(PRECISIONS) or not arb(left).overlaps(arb(right)):
-            return left, right
-        digits *= 2
+    for digits in (20, 40, 80, 160, 320, 640):
+        left, right = x.str(digits), y.str(digits)
+        with precision(5 * digits):
+            if not arb(left).overlaps(arb(right)):
+                break
+    return left, right
