@@ -53,6 +53,11 @@ def check_row(scene: Scene, row: Published, equations: Equations | None = None) 
     if isinstance(quantity, EquationOfMotion | ReactionValue):
         if equations is None:
             raise InputError(f"{subject}: it holds along the motion: pass equations=")
+        if equations.scene is not scene:
+            raise InputError(
+                f"{subject}: the equations belong to another scene, {equations.scene.name}: pass"
+                " those of this one"
+            )
         if isinstance(quantity, ReactionValue):
             return check_reaction(subject, quantity.name, _enough(sides, 1, subject), equations)
         return check_equation(subject, _enough(sides, 2, subject), equations)

@@ -14,6 +14,7 @@ from mechanics.checks.ledger_motion import check_complete
 from mechanics.equations import Equations
 from mechanics.errors import InputError, SceneError
 from mechanics.exact import Finding, Verdict
+from mechanics.linear import ledger as linear
 from mechanics.routes import free_body
 from mechanics.scene import quantities as q
 from mechanics.scene.published import Published, Quantity, published
@@ -47,6 +48,17 @@ def test_every_row_is_shown(system: System) -> None:
     findings = check_rows(equations(system).scene, rows(system), equations(system))
     assert len(findings) == len(rows(system))
     assert [finding for finding in findings if not finding.shown] == []
+
+
+@pytest.mark.parametrize("system", systems.ALL, ids=lambda system: system.name)
+def test_every_row_belongs_to_one_ledger(system: System) -> None:
+    strays = [
+        row
+        for row in system.published
+        if isinstance(row.quantity, QUANTITIES) == isinstance(row.quantity, linear.QUANTITIES)
+    ]
+    assert system.published
+    assert strays == []
 
 
 @pytest.mark.parametrize("system", systems.ALL, ids=lambda system: system.name)
@@ -175,6 +187,12 @@ def test_rows_along_the_motion_need_equations() -> None:
     (row,) = (row for row in PENDULUM.published if row.tag == "(6)")
     with pytest.raises(InputError, match="pass equations="):
         check_row(PENDULUM.scene(), row)
+
+
+def test_equations_of_another_scene_are_refused() -> None:
+    (row,) = (row for row in PENDULUM.published if row.tag == "(6)")
+    with pytest.raises(InputError, match="belong to another scene, rocker"):
+        check_row(PENDULUM.scene(), row, equations(ROCKER))
 
 
 def test_rows_of_a_constrained_scene_hold_on_its_manifold() -> None:
