@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.optimize import root
 
-from mechanics.errors import InputError
+from mechanics.errors import InputError, SingularError
 from mechanics.simulate.manifold import Manifold
 
 Array = NDArray[np.float64]
@@ -25,6 +25,8 @@ SEED = 20240229
 # Residuals below this, relative to the size of the terms, count as zero.
 CLOSED = 1e-9
 INDEPENDENT = 1e-8
+# Where constraints become dependent the configuration is a double root, known to half the digits.
+DEGENERATE = 1e-6
 
 
 @dataclass(frozen=True)
@@ -88,21 +90,27 @@ def consistent_speeds(manifold: Manifold, t: float, q: Array, suggestion: Sugges
     ------
     InputError
         When the given speeds contradict the constraints.
+    SingularError
+        When the constraints depend on each other at q.
     """
     u = suggestion.values.copy()
     off, matrix = manifold.speed(t, q, u)
     if not off.size:
         return u
+    if np.linalg.matrix_rank(matrix, rtol=DEGENERATE) < len(off):
+        raise SingularError(
+            f"the initial configuration is singular: there {_listed(manifold.names[-len(off) :])}"
+            " depend on each other, and do not determine the motion: start beside it"
+        )
     dependent = _dependent(matrix, suggestion, len(off))
     if dependent:
         u[dependent] -= np.linalg.lstsq(matrix[:, dependent], off, rcond=None)[0]
     off, matrix = manifold.speed(t, q, u)
     if not _vanishes(off, matrix, u):
         given = [n for n, kept in zip(suggestion.names, suggestion.given, strict=True) if kept]
-        free = len(u) - int(np.linalg.matrix_rank(matrix))
         raise InputError(
             f"the initial speeds {_listed(given) or '(none given)'} contradict the constraints,"
-            f" which leave {free} free here: give fewer speeds, or another configuration"
+            f" which leave {len(u) - len(off)} free: give fewer speeds, or another configuration"
         )
     return u
 

@@ -6,7 +6,7 @@ where c are the nonholonomic constraints and the rates of the holonomic ones. Th
 from CasADi's automatic differentiation.
 """
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from typing import Any
 
 import casadi as ca
@@ -15,9 +15,9 @@ from numpy.typing import NDArray
 from sympy import Expr, Symbol, cos, sin
 
 from mechanics.compiled.translate import Translator
-from mechanics.equations import Equations
 from mechanics.scene import Scene
 from mechanics.scene.rates import rate, rate_table
+from mechanics.simulate.graph_call import Call
 from mechanics.simulate.manifold import Manifold
 from mechanics.simulate.values import read_inputs
 
@@ -60,16 +60,6 @@ def periodic(scene: Scene) -> tuple[bool, ...]:
     return tuple(q not in bare for q in scene.q)
 
 
-def system_matrix(
-    equations: Equations, parameters: Mapping[Symbol, float], inputs: Mapping[str, Any]
-) -> Callable[[float, Array], Array]:
-    """K = [[M, -B], [A, 0]] of (t, y), which is solved for accelerations and multipliers."""
-    left, _ = equations.system
-    bound = _Bound(equations.scene, list(left), parameters, inputs)
-    at = len(equations.scene.q)
-    return lambda t, y: bound(t, y[:at], y[at:]).reshape(left.shape)
-
-
 class _Bound:
     """Expressions in q, u, inputs and parameters, of which only t, q and u are left open."""
 
@@ -97,15 +87,12 @@ class _Bound:
             ca.vertcat(*(graphs[s] for s in group)) if group else ca.SX(0, 1)
             for group in (scene.q, scene.u, signals)
         )
-        self._value = ca.Function("value", [q, u, w], [column])
         self._jacobians = {
-            name: ca.Function("jacobian", [q, u, w], [column, ca.densify(ca.jacobian(column, to))])
+            name: Call([q, u, w], column, ca.densify(ca.jacobian(column, to)))
             for name, to in (("q", q), ("u", u))
         }
 
-    def __call__(self, t: float, q: Array, u: Array) -> Array:
-        return np.asarray(self._value(q, u, self._signals(t)), dtype=float)[:, 0]
-
     def with_jacobian(self, t: float, q: Array, u: Array, by: str) -> tuple[Array, Array]:
+        """Values, shape (k,), and their derivatives by ``"q"`` or ``"u"``, shape (k, n)."""
         value, jacobian = self._jacobians[by](q, u, self._signals(t))
-        return np.asarray(value, dtype=float)[:, 0], np.asarray(jacobian, dtype=float)
+        return value[:, 0], jacobian

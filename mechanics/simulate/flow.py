@@ -3,16 +3,20 @@
 q' = N u + n,    u' = forward dynamics (q, u, inputs(t), p)
 """
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from typing import Any
 
+import casadi as ca
 import numpy as np
 from numpy.typing import NDArray
 
+from mechanics.compiled.graphs import STATE
 from mechanics.compiled.model import Model
-from mechanics.simulate.constraints import manifold, system_matrix
+from mechanics.simulate.constraints import manifold
+from mechanics.simulate.graph_call import Call
+from mechanics.simulate.manifold import Manifold
 from mechanics.simulate.march import Flow
-from mechanics.simulate.singular import regularity
+from mechanics.simulate.singular import Linear
 from mechanics.simulate.values import Signals
 
 Array = NDArray[np.float64]
@@ -47,7 +51,24 @@ def flow(model: Model, p: Array, signals: Signals, inputs: Mapping[str, Any]) ->
             call.run()
         return np.concatenate([rates, accelerations])
 
-    matrix = system_matrix(model.equations, numbers, inputs)
-    return Flow(
-        rate, lambda t, state: regularity(matrix(t, state)), manifold(scene, numbers, inputs)
-    )
+    constraints = manifold(scene, numbers, inputs)
+    return Flow(rate, _linear(model, p, signals, constraints), constraints)
+
+
+def _linear(
+    model: Model, p: Array, signals: Signals, constraints: Manifold
+) -> Callable[[float, Array], Linear]:
+    """M = d2T/du2, A, and N = dq'/du as functions of (t, y), by CasADi's differentiation."""
+    n = len(model.quantities.q)
+    groups = [ca.SX.sym(name, len(getattr(model.quantities, name))) for name in STATE[:3]]
+    bound, u = ca.SX(ca.DM(p)), groups[1]
+    kinetic, *_ = model.casadi["energy"](*groups, bound)
+    rates = model.casadi["coordinate_rates"](*groups, bound)
+    call = Call(groups, ca.densify(ca.hessian(kinetic, u)[0]), ca.densify(ca.jacobian(rates, u)))
+
+    def linear(t: float, state: Array) -> Linear:
+        q, u = state[:n], state[n:]
+        inertia, turning = call(q, u, signals(t))
+        return Linear(inertia, constraints.speed(t, q, u)[1], turning)
+
+    return linear

@@ -15,6 +15,8 @@ from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
 NEWTON_STEPS = 8
+# Residuals at which Newton's method stops, and that it has to reach.
+ROUNDING, NEARLY = 1e-14, 1e-12
 
 
 @dataclass(frozen=True)
@@ -54,26 +56,22 @@ class Manifold:
 
     def _positioned(self, t: float, q: Array) -> Array:
         off, matrix = self.position(t, q)
-        if not off.size:
-            return q
         for _ in range(NEWTON_STEPS):
-            better = q - _shortest(matrix, off)
-            remaining, jacobian = self.position(t, better)
-            # At rounding level the residual no longer falls, and the last state is as good as any.
-            if not np.max(np.abs(remaining)) < np.max(np.abs(off)):
-                return q if _small(off, matrix, q) else np.full_like(q, np.nan)
-            q, off, matrix = better, remaining, jacobian
-        return q if _small(off, matrix, q) else np.full_like(q, np.nan)
+            if not off.size or _size(off, matrix, q) <= ROUNDING:
+                return q
+            q = q - _shortest(matrix, off)
+            off, matrix = self.position(t, q)
+        return q if _size(off, matrix, q) <= NEARLY else np.full_like(q, np.nan)
 
 
 def _shortest(matrix: Array, off: Array) -> Array:
     """Shortest d with matrix d = off, shape (columns,)."""
     if not np.all(np.isfinite(matrix)) or not np.all(np.isfinite(off)):
         return np.full(matrix.shape[1], np.nan)
-    return np.linalg.lstsq(matrix, off, rcond=None)[0]
+    return np.asarray(np.linalg.lstsq(matrix, off, rcond=None)[0], dtype=np.float64)
 
 
-def _small(off: Array, matrix: Array, q: Array) -> bool:
-    """Whether a residual is what rounding leaves, judged by the size of the terms."""
+def _size(off: Array, matrix: Array, q: Array) -> float:
+    """Largest residual, judged by the size of the terms; NaN where one is not finite."""
     scale = np.max(np.abs(matrix)) * max(1.0, float(np.max(np.abs(q))))
-    return bool(np.max(np.abs(off)) <= 1e-12 * scale)
+    return float(np.max(np.abs(off)) / scale)

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from scipy.integrate import BDF, DOP853, LSODA, RK45, OdeSolver, Radau
 
 from mechanics.simulate.manifold import Manifold
-from mechanics.simulate.singular import Watch, regularity_lost
+from mechanics.simulate.singular import Linear, Measure, Watch, measure_from, regularity_lost
 from mechanics.simulate.trajectory import Ending
 
 Array = NDArray[np.float64]
@@ -38,14 +38,14 @@ class Flow:
     ----------
     rate : callable
         f(t, y), shape (n + m,).
-    regularity : callable
-        Of (t, y): see `mechanics.simulate.singular`.
+    linear : callable
+        Of (t, y): the matrices that have to stay regular.
     manifold : Manifold
         The constraints.
     """
 
     rate: Callable[[float, Array], Array]
-    regularity: Callable[[float, Array], float]
+    linear: Callable[[float, Array], Linear]
     manifold: Manifold
 
 
@@ -69,22 +69,23 @@ class Stretch:
 
 def march(flow: Flow, start: Array, span: tuple[float, float], by: Tolerance) -> Iterator[Stretch]:
     """Steps from ``span[0]`` to ``span[1]``, or to where the motion ends for another reason."""
-    refused = _refused(flow, span[0], start)
+    measure = measure_from(flow.linear, span[0], start)
+    refused = _refused(flow, measure, span[0], start)
     if refused is not None:
         yield Stretch(_still(start), span[0], refused)
         return
     solver = _solver(flow, start, span, by)
-    watch = [Watch(span[0], flow.regularity(span[0], start), None)]
+    watch = [Watch(span[0], measure(span[0], start), None)]
     for _ in range(MAX_STEPS):
         before = solver.t
         solver.step()
         if solver.status == "failed":
-            why = _refused(flow, before, solver.y) or Ending.STALLED
+            why = _refused(flow, measure, before, solver.y) or Ending.STALLED
             yield Stretch(_still(solver.y), before, why)
             return
         state = solver.dense_output()
-        watch = [*watch[-2:], Watch(solver.t, flow.regularity(solver.t, solver.y), state)]
-        lost = regularity_lost(flow.regularity, watch)
+        watch = [*watch[-2:], Watch(solver.t, measure(solver.t, solver.y), state)]
+        lost = regularity_lost(measure, watch)
         if lost is not None:
             yield Stretch(state, lost, Ending.SINGULAR)
             return
@@ -114,10 +115,10 @@ def _still(state: Array) -> Callable[[float], Array]:
     return lambda t: state
 
 
-def _refused(flow: Flow, t: float, state: Array) -> Ending | None:
+def _refused(flow: Flow, measure: Measure, t: float, state: Array) -> Ending | None:
     """Why there is no going on from a state, as far as the state itself shows it."""
     if not np.all(np.isfinite(flow.rate(t, state))):
         return Ending.NOT_FINITE
-    if regularity_lost(flow.regularity, [Watch(t, flow.regularity(t, state), None)]) is not None:
+    if regularity_lost(measure, [Watch(t, measure(t, state), None)]) is not None:
         return Ending.SINGULAR
     return None

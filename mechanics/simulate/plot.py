@@ -2,7 +2,6 @@
 
 import textwrap
 from collections.abc import Mapping
-from itertools import groupby
 from pathlib import Path
 from typing import Any
 
@@ -21,7 +20,7 @@ INK, FAINT = "#222222", "#d9d9d9"
 WIDTH, PANEL = 8.0, 2.3  # in
 QUANTITIES = {"rad": "angle", "m": "position"}
 
-STYLE: dict[str, Any] = {
+STYLE: Any = {
     "font.family": "sans-serif",
     "font.size": 10,
     "text.color": INK,
@@ -57,14 +56,12 @@ def write_plot(trajectory: Trajectory, path: str | Path) -> Path:
 
 
 def figure(trajectory: Trajectory) -> Figure:
-    """The figure itself: one panel for each unit of the coordinates, one for the energies."""
-    by_unit = sorted(trajectory.coordinates, key=lambda name: trajectory.units[name])
-    groups = [(u, list(names)) for u, names in groupby(by_unit, key=trajectory.units.__getitem__)]
+    """The figure itself: panels for the coordinates, and one for the energies beneath."""
+    groups = _groups(trajectory)
     # A figure without pyplot needs no display.
     drawing = Figure(figsize=(WIDTH, PANEL * (len(groups) + 1) + 0.9), layout="constrained")
     axes = drawing.subplots(len(groups) + 1, 1, sharex=True, squeeze=False)[:, 0]
-    for panel, (unit, names) in zip(axes, groups, strict=False):
-        lines = {name: trajectory.coordinates[name] for name in names}
+    for panel, (unit, lines) in zip(axes, groups, strict=False):
         _draw(panel, trajectory.times, lines)
         panel.set_ylabel(f"{QUANTITIES.get(unit, 'coordinate')} / {unit or '1'}")
     energies = {
@@ -80,9 +77,20 @@ def figure(trajectory: Trajectory) -> Figure:
     axes[-1].set_xlim(trajectory.times[0], max(trajectory.times[-1], trajectory.times[0] + 1e-9))
     drawing.align_ylabels(axes)
     drawing.suptitle(trajectory.title, x=0.01, ha="left", fontsize=13, fontweight="bold")
-    note = "\n".join(textwrap.wrap(trajectory.note, 110))
+    # textwrap does not break at a no-break space.
+    note = "\n".join(textwrap.wrap(trajectory.note.replace(" = ", "\u00a0=\u00a0"), 110))
     axes[0].set_title(note, loc="left", fontsize=8.5, color="#555555")
     return drawing
+
+
+def _groups(trajectory: Trajectory) -> list[tuple[str, dict[str, NDArray[np.float64]]]]:
+    """Coordinates that share a panel: of one unit, and angles that go round by themselves."""
+    groups: dict[tuple[str, bool], dict[str, NDArray[np.float64]]] = {}
+    for name, values in trajectory.coordinates.items():
+        unit = trajectory.units[name]
+        turns = unit == "rad" and bool(np.ptp(values) > 2 * np.pi)
+        groups.setdefault((unit, turns), {})[name] = values
+    return [(unit, lines) for (unit, _), lines in groups.items()]
 
 
 def _draw(

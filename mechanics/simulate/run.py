@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from mechanics.compiled.model import Model
 from mechanics.compiled.quantities import Quantities, Quantity
-from mechanics.errors import InputError
+from mechanics.errors import InputError, SingularError
 from mechanics.simulate.conservative import conservative
 from mechanics.simulate.consistent import consistent_coordinates, consistent_speeds
 from mechanics.simulate.constraints import periodic
@@ -17,7 +17,7 @@ from mechanics.simulate.flow import flow
 from mechanics.simulate.march import METHODS, Tolerance
 from mechanics.simulate.samples import Samples, sample
 from mechanics.simulate.trajectory import Ending, Trajectory
-from mechanics.simulate.values import Signals, read_initial, read_inputs, read_parameters
+from mechanics.simulate.values import read_initial, read_inputs, read_parameters
 
 Array = NDArray[np.float64]
 # The solvers of SciPy raise a smaller tolerance to this without being asked.
@@ -32,7 +32,7 @@ def simulate(
     parameters: Mapping[str, float] | None = None,
     inputs: Mapping[str, Any] | None = None,
     samples: int = 501,
-    rtol: float = 1e-9,
+    rtol: float = 1e-10,
     atol: float = 1e-12,
     method: str = "DOP853",
 ) -> Trajectory:
@@ -73,6 +73,8 @@ def simulate(
         values that no configuration satisfies.
     ValueMissingError
         For a parameter that has no value.
+    SingularError
+        When the initial configuration is singular, so that no motion starts from it.
     """
     initial, parameters, inputs = initial or {}, parameters or {}, inputs or {}
     times, by = _times(duration, samples), _tolerance(method, rtol, atol)
@@ -84,6 +86,11 @@ def simulate(
     q, branch = consistent_coordinates(moving.manifold, 0.0, suggested_q, periodic(scene))
     u = consistent_speeds(moving.manifold, 0.0, q, suggested_u)
     found = sample(moving, np.concatenate([q, u]), times, by)
+    if found.time == 0.0:
+        raise SingularError(
+            f"{scene.name}: no motion starts from the initial values: {found.ending.value}:"
+            " start from others"
+        )
     reached = times[: len(found.states)]
     given = np.array([signals(time) for time in reached])
     states = found.states[:, : len(q)], found.states[:, len(q) :]
@@ -96,8 +103,8 @@ def simulate(
         speeds=_by_name(quantities.u, states[1]),
         inputs=_by_name(quantities.inputs, given),
         units=_units(quantities),
-        kinetic=energy["kinetic"],
-        potential=energy["potential"],
+        kinetic=np.asarray(energy["kinetic"], dtype=np.float64),
+        potential=np.asarray(energy["potential"], dtype=np.float64),
         conservative=conservative(scene, inputs),
         parameters={e.name: float(v) for e, v in zip(quantities.p, p, strict=True)},
         drift=drift,

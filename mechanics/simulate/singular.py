@@ -1,11 +1,14 @@
-"""Singular configurations: where the accelerations are not determined.
+"""Singular configurations: where the accelerations or the rates are not determined.
 
-    regularity = 1 / cond(S K S'),   K = [[M, -B], [A, 0]],   0 to 1
+    regularity = least of  sigma(A S)^2,  1 / cond(Z^T S M S Z),  1 / cond(R N S),      0 to 1
 
-K is what is solved for the accelerations and the multipliers; the diagonal matrices S and S' bring
-its rows and columns to unit size, so that units and the sizes of the bodies do not matter. A step
-can jump over a singular configuration without noticing; where the regularity passes through a
-valley between steps, its bottom is therefore looked for.
+A u = b are the constraints, with rows of unit length; sigma is the ratio of the smallest to the
+largest singular value (squared, as in A A^T, which is what is inverted), and the columns of Z span
+the null space: the motions that are left. M is the inertia d2T/du2, and N takes speeds to rates of the coordinates. So neither the rows that a
+route has for its equations matter, nor the scale of a constraint. The diagonal matrices S and R
+free M and N of units at the start; they stay, because an inertia that fades on the way is what is
+looked for. A step can jump over a singular configuration without noticing; where the regularity
+passes through a valley between steps, its bottom is therefore looked for.
 """
 
 from collections.abc import Callable, Sequence
@@ -16,9 +19,29 @@ from numpy.typing import NDArray
 from scipy.optimize import minimize_scalar
 
 Array = NDArray[np.float64]
+Measure = Callable[[float, Array], float]
 
 # Half of the digits of a double are lost there.
 SINGULAR = 1e-7
+
+
+@dataclass(frozen=True)
+class Linear:
+    """What is linear in the speeds at a state.
+
+    Attributes
+    ----------
+    inertia : array, shape (m, m)
+        M, symmetric.
+    constraints : array, shape (c, m)
+        A.
+    rates : array, shape (n, m)
+        N.
+    """
+
+    inertia: Array
+    constraints: Array
+    rates: Array
 
 
 @dataclass(frozen=True)
@@ -30,40 +53,51 @@ class Watch:
     state: Callable[[float], Array] | None
 
 
-def regularity(matrix: Array) -> float:
-    """One over the condition number of a matrix after its rows and columns are scaled.
+def measure_from(linear: Callable[[float, Array], Linear], t: float, start: Array) -> Measure:
+    """The regularity as a function of (t, y), in the scales of the start."""
+    first = linear(t, start)
+    speeds = _reciprocal(np.sqrt(np.abs(np.diag(first.inertia))))
+    coordinates = _reciprocal(np.linalg.norm(first.rates * speeds, axis=1))
 
-    Parameters
-    ----------
-    matrix : array, shape (k, k)
-
-    Returns
-    -------
-    float
-        Between 0, singular, and 1; 0 where an entry is not finite.
-    """
-    if not np.all(np.isfinite(matrix)):
-        return 0.0
-    scaled = matrix
-    # Ruiz's equilibration: a few rounds of dividing by the roots of the largest magnitudes.
-    for _ in range(5):
-        rows, columns = (np.max(np.abs(scaled), axis=axis, initial=0.0) for axis in (1, 0))
-        if not (rows.all() and columns.all()):
+    def measure(t: float, state: Array) -> float:
+        now = linear(t, state)
+        if not all(np.all(np.isfinite(part)) for part in vars(now).values()):
             return 0.0
-        scaled = scaled / np.sqrt(rows)[:, None] / np.sqrt(columns)[None, :]
-    values = np.linalg.svd(scaled, compute_uv=False)
-    return float(values[-1] / values[0])
+        ideal, motions = _null_space(now.constraints * speeds)
+        inertia = motions.T @ (now.inertia * np.outer(speeds, speeds)) @ motions
+        return min(ideal**2, _ratio(inertia), _ratio(now.rates * np.outer(coordinates, speeds)))
+
+    return measure
 
 
-def regularity_lost(
-    measure: Callable[[float, Array], float], watch: Sequence[Watch]
-) -> float | None:
+def _null_space(constraints: Array) -> tuple[float, Array]:
+    """How independent the rows are, 0 to 1, and a basis, m x (m - c), of what they leave free."""
+    count, size = constraints.shape
+    if not count:
+        return 1.0, np.eye(size)
+    rows = constraints * _reciprocal(np.linalg.norm(constraints, axis=1))[:, None]
+    _, values, basis = np.linalg.svd(rows)
+    return float(values[-1] / values[0]) if values[0] > 0 else 0.0, basis[count:].T
+
+
+def _ratio(matrix: Array) -> float:
+    """Smallest to largest singular value."""
+    values = np.linalg.svd(matrix, compute_uv=False)
+    return float(values[-1] / values[0]) if values[0] > 0 else 0.0
+
+
+def _reciprocal(sizes: Array) -> Array:
+    """1 / size, and 1 for what has no size."""
+    return 1.0 / np.where(sizes > 0, sizes, 1.0)
+
+
+def regularity_lost(measure: Measure, watch: Sequence[Watch]) -> float | None:
     """The time at which the regularity falls below `SINGULAR`, or None.
 
     Parameters
     ----------
     measure : callable
-        Regularity of (t, y).
+        From `measure_from`.
     watch : sequence of Watch
         The last three ends of steps, or fewer at the start.
     """
