@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from sympy import Expr, Matrix, S, Symbol, cancel, factor, sympify, zeros
 
 from mechanics.errors import ExpressionError
-from mechanics.exact import Verdict, prove_zero
+from mechanics.exact import is_zero as decide_zero
 
 
 def reduced(expr: Expr) -> Expr:
@@ -24,17 +24,10 @@ def is_zero(expr: Expr) -> bool:
     ExpressionError
         If that can be neither shown nor refuted.
     """
-    expr = sympify(expr)
-    if expr.is_number or expr.is_zero is not None:
-        known = expr.is_zero
-        if known is not None:
-            return bool(known)
-    finding = prove_zero(f"{str(expr)[:60]} = 0", expr)
-    if finding.verdict is Verdict.UNDECIDED:
-        raise ExpressionError(
-            f"it cannot be told whether {str(expr)[:80]} is zero: {finding.evidence}"
-        )
-    return finding.shown
+    known = decide_zero(expr)
+    if known is None:
+        raise ExpressionError(f"it cannot be told whether {str(expr)[:80]} is zero")
+    return known
 
 
 def null_space(matrix: Matrix) -> tuple[Matrix, tuple[int, ...]]:

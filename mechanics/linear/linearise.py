@@ -141,7 +141,6 @@ def _expand(equations: Equations, rest: Rest) -> Linear:
             f"{scene.name}: the forces depend on time itself, so that nothing is an equilibrium:"
             " declare what changes as an input"
         )
-    forcing, left = _static(equations, rest)
     kinematic = inverse(rest.gradient([scene.coordinate_rates[qd] for qd in scene.qd], scene.u))
     constraint = equations.constraint_matrix.applyfunc(rest.of)
     if constraint.rows:
@@ -149,6 +148,11 @@ def _expand(equations: Equations, rest: Rest) -> Linear:
     else:
         reach, free = eye(len(scene.q)), tuple(range(len(scene.q)))
     speeds = kinematic * reach
+    conjugate = equations.conjugate and equations.mass.rows == len(scene.u)
+    still = equations.reaction_matrix.applyfunc(rest.of)
+    # Rows conjugate to u, projected on the admitted speeds, are conjugate to x'.
+    left = speeds.T if conjugate else null_space(still.T)[0].T
+    forcing = _static(equations, rest, left, still)
 
     def projected(matrix: Matrix) -> Matrix:
         return (left * matrix).applyfunc(reduced)
@@ -169,18 +173,13 @@ def _expand(equations: Equations, rest: Rest) -> Linear:
         stiffness=projected(-rest.gradient(forcing, scene.q) * reach),
         input_matrices=tuple(drives),
         reach=reach,
-        conjugate=equations.conjugate and not scene.speeds and not scene.constraints,
+        conjugate=conjugate,
     )
 
 
-def _static(equations: Equations, rest: Rest) -> tuple[Matrix, Matrix]:
-    """Return f + B lambda_0 with the static reactions, and Y^T; refuse a point out of balance."""
-    size = equations.mass.rows
-    forcing, columns = equations.forcing, equations.reaction_matrix
-    left = eye(size)
-    if equations.multipliers:
-        still = columns.applyfunc(rest.of)
-        left = null_space(still.T)[0].T
+def _static(equations: Equations, rest: Rest, left: Matrix, still: Matrix) -> Matrix:
+    """Return f + B lambda_0 with the static reactions; refuse a point out of balance."""
+    forcing = equations.forcing
     out_of_balance = (left * forcing.applyfunc(rest.of)).applyfunc(reduced)
     for row, entry in enumerate(out_of_balance, 1):
         if not is_zero(entry):
@@ -190,9 +189,9 @@ def _static(equations: Equations, rest: Rest) -> tuple[Matrix, Matrix]:
                 f" ({equations.route}) at rest leaves {entry}, not zero"
             )
     if not equations.multipliers:
-        return forcing, left
+        return forcing
     rows = list(independent_rows(still))
     static = -inverse(still.extract(rows, list(range(still.cols)))) * Matrix(
         [rest.of(forcing[i]) for i in rows]
     )
-    return forcing + columns * static, left
+    return forcing + equations.reaction_matrix * static

@@ -1,7 +1,8 @@
 """Stability from the signs of coefficients, exactly.
 
-    damped:    p(s) = det(M s^2 + C s + K) = a_n s^n + ... + a_0;   with a_n > 0 every pole has a
-               negative real part if and only if all Hurwitz determinants are positive
+    damped:    p(s) = det(M s^2 + C s + K) = a_n s^n + ... + a_0; with a_n = 1 every pole has a
+               negative real part if and only if all coefficients and every other Hurwitz
+               determinant are positive (Lienard and Chipart)
     undamped:  p = det(M S + K), S = s^2; motions stay bounded if all S are real, negative and
                distinct or semisimple: for symmetric M > 0 and K the roots are real and semisimple,
                so they are all negative if and only if all coefficients of p have one sign
@@ -68,17 +69,18 @@ def conditions(linear: Linear) -> tuple[Expr, ...]:
     ExpressionError
         If the system is undamped with unsymmetric matrices and more than two coordinates.
     """
-    return _undamped(linear) if linear.undamped else _hurwitz(linear)
+    return _undamped(linear) if linear.undamped else _lienard_chipart(linear)
 
 
 def stability(linear: Linear) -> Stability:
     """Stability of the equilibrium for all admissible parameters, if they settle it."""
+    if any(sign(ratio) == -1 for ratio in _ratios(linear)):
+        return Stability.UNSTABLE
     signs = [sign(condition) for condition in conditions(linear)]
     if all(value == 1 for value in signs):
         return Stability.BOUNDED if linear.undamped else Stability.ASYMPTOTIC
-    if any(sign(ratio) == -1 for ratio in _ratios(linear)) or (linear.undamped and -1 in signs):
-        return Stability.UNSTABLE
-    return Stability.OPEN
+    # A negative discriminant makes S complex; Hurwitz determinants that are negative, poles too.
+    return Stability.UNSTABLE if -1 in signs else Stability.OPEN
 
 
 def stability_region(linear: Linear, gain: Symbol) -> Region:
@@ -136,17 +138,27 @@ def _symmetric(linear: Linear) -> bool:
     )
 
 
-def _hurwitz(linear: Linear) -> tuple[Expr, ...]:
-    """Hurwitz determinants of the monic polynomial: entry (i, j) is a_(n - 2j + i - 1), from 1."""
-    from_top = [S.One, *reversed(_ratios(linear))]
-    degree = len(from_top) - 1
+def _lienard_chipart(linear: Linear) -> tuple[Expr, ...]:
+    """Coefficients of the monic polynomial, and Hurwitz determinants of every other order.
+
+    Entry (i, j) of the Hurwitz matrix is a_(n - 2j + i), counted from 1. The determinant of order
+    n is a_0 times the one of order n - 1, so that n - 1, n - 3, ... are the ones to take; that of
+    order 1 is a coefficient again.
+    """
+    ratios = _ratios(linear)
+    from_top = [S.One, *reversed(ratios)]
+    degree = len(ratios)
 
     def entry(i: int, j: int) -> Expr:
         k = 2 * (j + 1) - (i + 1)
         return from_top[k] if 0 <= k <= degree else S.Zero
 
     table = Matrix(degree, degree, entry)
-    return tuple(reduced(table[:k, :k].det(method="berkowitz")) for k in range(1, degree + 1))
+    orders = range(degree - 1, 1, -2)
+    return (
+        *ratios,
+        *(reduced(table[:k, :k].det(method="berkowitz")) for k in orders),
+    )
 
 
 def _bound(linear: Linear, condition: Expr, gain: Symbol) -> tuple[Expr | None, int]:

@@ -1,0 +1,154 @@
+"""Sensitivity law: one flipped sign in a typed side turns its row, and only it, REFUTED.
+
+Every term of every sum, however deep, the leading sign of every side and entry, every rounded
+number, and every word is flipped in turn. A flip that changes nothing is left out: the normal form
+shows the sides to be equal, or a row ... = 0 was multiplied by -1.
+"""
+
+from collections.abc import Iterator
+from dataclasses import replace
+from functools import cache
+from typing import Any
+
+import pytest
+from sympy import Basic, Expr, ImmutableMatrix, sympify
+from sympy.core.relational import Relational
+from sympy.matrices import MatrixBase
+
+from mechanics.equations import Equations
+from mechanics.errors import InputError
+from mechanics.exact import Verdict, canonical
+from mechanics.linear.ledger import QUANTITIES, check_linear_row
+from mechanics.routes import kane, lagrange
+from mechanics.scene.linear_quantities import LinearQuantity
+from mechanics.scene.published import Published
+from mechanics.scene.quantities import EquationOfMotion
+from systems import rocker, rocker_control_ledger, two_mass_chain, two_mass_chain_ledger
+
+LEDGERS = {
+    "rocker": (rocker.scene, rocker_control_ledger.PUBLISHED),
+    "two_mass_chain": (two_mass_chain.scene, two_mass_chain_ledger.MODES),
+}
+ROWS = [
+    pytest.param(name, row, id=f"{name}: {row.tag} {row.label}")
+    for name, (_, rows) in LEDGERS.items()
+    for row in rows
+]
+ROUTES = {"lagrange": lagrange, "kane": kane}
+
+
+@cache
+def derived(name: str, route: str = "lagrange") -> Equations:
+    scene, _ = LEDGERS[name]
+    return ROUTES[route].derive(scene())
+
+
+def flips(side: Any) -> Iterator[Any]:
+    """Copies of a side with one sign flipped."""
+    if isinstance(side, str):
+        yield {"stable": "unstable", "unstable": "stable"}[side]
+    elif isinstance(side, MatrixBase):
+        for i, entry in enumerate(side):
+            for flipped in flips(entry):
+                yield ImmutableMatrix(*side.shape, [*side[:i], flipped, *side[i + 1 :]])
+    elif isinstance(side, Relational):
+        for left in flips(side.lhs):
+            yield side.func(left, side.rhs, evaluate=False)
+        for right in flips(side.rhs):
+            yield side.func(side.lhs, right, evaluate=False)
+        yield side.reversedsign.func(side.lhs, side.rhs, evaluate=False)
+    else:
+        side = sympify(side)
+        if side != 0:
+            yield -side
+        yield from inner_flips(side)
+
+
+def inner_flips(expression: Basic) -> Iterator[Expr]:
+    """Copies of an expression with one term of one sum in it flipped."""
+    for i, part in enumerate(expression.args):
+        before, after = expression.args[:i], expression.args[i + 1 :]
+        if expression.is_Add:
+            yield expression.func(*before, -part, *after)
+        for flipped in inner_flips(part):
+            yield expression.func(*before, flipped, *after)
+
+
+def flipped_rows(row: Published) -> Iterator[Published]:
+    for i, side in enumerate(row.sides):
+        for flipped in flips(side):
+            yield replace(row, sides=(*row.sides[:i], flipped, *row.sides[i + 1 :]))
+
+
+def says_the_same(name: str, row: Published, other: Published) -> bool:
+    """Whether the flip changed nothing: equal entries, or a row ... = 0 times -1."""
+    plain = derived(name).scene.plain
+
+    def entries(side: Any) -> list[Expr]:
+        return [plain(e) for e in (side if isinstance(side, MatrixBase) else [sympify(side)])]
+
+    old, new = ([entries(side) for side in r.sides] for r in (row, other))
+    if all(canonical(a - b) == 0 for o, n in zip(old, new) for a, b in zip(o, n)):  # noqa: B905
+        return True
+    if len(old) != 2 or any(entry != 0 for entry in old[1]):
+        return False
+    return all(canonical(a**2 - b**2) == 0 for a, b in zip(old[0], new[0], strict=True))
+
+
+@pytest.mark.parametrize(("name", "row"), ROWS)
+def test_row_is_proved(name: str, row: Published) -> None:
+    equations = derived(name)
+    finding = check_linear_row(equations.scene, row, equations)
+    assert finding.verdict is Verdict.PROVED, finding
+
+
+@pytest.mark.parametrize("name", LEDGERS)
+def test_rows_are_proved_by_another_route(name: str) -> None:
+    equations = derived(name, "kane")
+    findings = [check_linear_row(equations.scene, row, equations) for row in LEDGERS[name][1]]
+    assert {finding.verdict for finding in findings} == {Verdict.PROVED}
+
+
+@pytest.mark.parametrize(("name", "row"), ROWS)
+def test_one_flipped_sign_is_refuted(name: str, row: Published) -> None:
+    equations = derived(name)
+    refuted = 0
+    for other in flipped_rows(row):
+        finding = check_linear_row(equations.scene, other, equations)
+        if finding.verdict is Verdict.REFUTED:
+            assert finding.witness is not None
+            assert finding.witness.left != finding.witness.right
+            refuted += 1
+        else:
+            assert says_the_same(name, row, other), (other.sides, finding)
+    assert refuted > 0
+
+
+@pytest.mark.parametrize("name", LEDGERS)
+def test_only_the_flipped_row_is_refuted(name: str) -> None:
+    equations, rows = derived(name), LEDGERS[name][1]
+    place = len(rows) // 2
+    other = next(flipped_rows(rows[place]))
+    copy = [*rows[:place], other, *rows[place + 1 :]]
+    findings = [check_linear_row(equations.scene, row, equations) for row in copy]
+    assert [i for i, finding in enumerate(findings) if not finding.shown] == [place]
+
+
+def test_every_quantity_of_the_vocabulary_is_checked_by_a_row() -> None:
+    used = {type(row.quantity) for _, rows in LEDGERS.values() for row in rows}
+    assert used == set(QUANTITIES) == set(LinearQuantity.__subclasses__())
+
+
+def test_row_about_another_quantity_is_refused() -> None:
+    equations = derived("rocker")
+    row = replace(rocker_control_ledger.PUBLISHED[1], quantity=EquationOfMotion())
+    with pytest.raises(InputError, match="EquationOfMotion is no quantity of linear equations"):
+        check_linear_row(equations.scene, row, equations)
+
+
+def test_identity_is_no_equation() -> None:
+    equations = derived("rocker")
+    row = rocker_control_ledger.PUBLISHED[1]
+    finding = check_linear_row(equations.scene, replace(row, sides=(row.sides[0],) * 2), equations)
+    assert finding.verdict is Verdict.UNDECIDED
+    assert "identity" in finding.evidence

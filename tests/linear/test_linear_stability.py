@@ -1,0 +1,136 @@
+"""Stability from signs of coefficients, against the poles in numbers; borderlines in a gain."""
+
+import numpy as np
+import pytest
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+from sympy import And, Gt, Lt, Symbol, symbols
+
+from mechanics.errors import ExpressionError, InputError
+from mechanics.linear import (
+    Stability,
+    close_loop,
+    conditions,
+    linearise,
+    numeric_poles,
+    stability,
+    stability_region,
+)
+from mechanics.linear.algebra import sign
+from mechanics.routes import lagrange
+from systems import rocker, two_mass_chain
+
+
+@pytest.fixture(scope="module")
+def upright():
+    return linearise(lagrange.derive(rocker.scene()), {"theta": 0}, {"f": 0})
+
+
+def test_rocker_without_control_falls(upright) -> None:
+    assert stability(upright) is Stability.UNSTABLE
+    assert stability(upright).stable is False
+    assert numeric_poles(upright)[0].real > 0
+
+
+def test_rocker_needs_a_gain_above_the_borderline(upright, gain) -> None:
+    K, r = gain
+    loop = close_loop(upright, {"f": K * (r - rocker.theta)}, (r,))
+    region = stability_region(loop, K)
+    border = rocker.M * rocker.g / 3
+    assert region.lower == (border,)
+    assert region.upper == ()
+    assert region.stable == Gt(K, border)
+    assert stability(loop) is Stability.OPEN
+    above, below = (numeric_poles(loop, {"M": 1.0, "K": 9.81 / 3 * f}) for f in (1.01, 0.99))
+    assert np.abs(above.real).max() < 1e-9 < below.real.max()
+
+
+def test_two_mass_chain_oscillates() -> None:
+    linear = linearise(lagrange.derive(two_mass_chain.scene()), {"x1": 0, "x2": 0})
+    assert stability(linear) is Stability.BOUNDED
+
+
+@pytest.mark.parametrize("dampings", [(1,), (1, 1), (0, 1), (1, 0)])
+def test_damped_rows_come_to_rest(row, constants, dampings) -> None:
+    m, k, c = constants
+    n = len(dampings)
+    linear = row((m,) * n, (k,) * n, tuple(c * f for f in dampings))
+    assert stability(linear) is Stability.ASYMPTOTIC
+    assert numeric_poles(linear).real.max() < 0
+
+
+def test_gain_between_two_bounds(row, constants) -> None:
+    # Negative stiffness K and negative damping K: m s^2 + (c - K) s + k + K.
+    m, k, c = constants
+    K = Symbol("K", real=True)
+    plant = row((m,), (k,), (c,))
+    (x,) = plant.scene.coordinates
+    region = stability_region(close_loop(plant, {"F": K * x.diff("t") - K * x}), K)
+    assert region.stable == And(Gt(K, -k), Lt(K, c))
+
+
+def test_hurwitz_finds_what_positive_coefficients_hide(row, constants) -> None:
+    # s^4 + s^3 + ... with all coefficients positive and two poles in the right half plane.
+    m, k, c = constants
+    plant = row((m, m), (k, k), (0, c))
+    x1, _ = plant.scene.coordinates
+    loop = close_loop(plant, {"F": -2 * k * x1})
+    *coefficients, determinant = conditions(loop)
+    assert [sign(entry) for entry in coefficients] == [1, 1, 1, 1]
+    assert sign(determinant) == -1
+    assert stability(loop) is Stability.UNSTABLE
+    assert numeric_poles(loop).real.max() > 0
+
+
+@settings(
+    max_examples=40, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture]
+)
+@given(gains=st.lists(st.integers(-12, 12), min_size=4, max_size=4))
+def test_conditions_agree_with_the_poles(row, gains) -> None:
+    plant = row((1, 2), (3, 4), (1, 1))
+    x1, x2 = plant.scene.coordinates
+    p, q, u, v = gains
+    loop = close_loop(plant, {"F": p * x1 + q * x2 + u * x1.diff("t") + v * x2.diff("t")})
+    slowest = numeric_poles(loop).real.max()
+    if abs(slowest) < 1e-9:
+        return
+    expected = Stability.ASYMPTOTIC if slowest < 0 else Stability.UNSTABLE
+    found = stability(loop)
+    assert found is expected or (found is Stability.OPEN and slowest > 0)
+
+
+def test_circulatory_pair_flutters(row) -> None:
+    # Equal oscillators, coupled by a force that follows the other one: x'' + x = (0, K y).
+    plant = row((1, 1), (2, 1, 2))
+    x1, _ = plant.scene.coordinates
+    loop = close_loop(plant, {"F": -5 * x1})
+    assert stability(loop) is Stability.UNSTABLE
+    assert numeric_poles(loop).real.max() > 0.1
+
+
+def test_gain_that_changes_nothing_is_refused(upright, gain) -> None:
+    K, _ = gain
+    with pytest.raises(InputError, match="which K does not change"):
+        stability_region(upright, K)
+    linear = linearise(lagrange.derive(two_mass_chain.scene()), {"x1": 0, "x2": 0})
+    with pytest.raises(InputError, match="K changes nothing about stability"):
+        stability_region(linear, K)
+
+
+def test_condition_that_is_not_linear_in_the_gain_is_refused(row, constants) -> None:
+    m, k, c = constants
+    K = Symbol("K", real=True)
+    plant = row((m,), (k,), (c,))
+    (x,) = plant.scene.coordinates
+    with pytest.raises(ExpressionError, match="no single linear factor in K"):
+        stability_region(close_loop(plant, {"F": (K**2 - 2 * k) * x}), K)
+
+
+def test_sign_is_known_only_where_the_parameters_settle_it() -> None:
+    a, b = symbols("a b", positive=True)
+    K = Symbol("K", real=True)
+    assert sign(a**2 - 2 * a * b + b**2 + 2 * a * b) == 1
+    assert sign(-a / (a + b)) == -1
+    assert sign((a + b) ** 2 - a**2 - 2 * a * b - b**2) == 0
+    assert sign(a - b) is None
+    assert sign(K) is None
