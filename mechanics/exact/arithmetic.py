@@ -135,9 +135,7 @@ class Arithmetic(ABC):
         """Return the value of any other function; equal arguments give equal values."""
 
     @abstractmethod
-    def solve(
-        self, rows: Sequence[Sequence[Number]], rhs: Sequence[Number]
-    ) -> list[Number]:
+    def solve(self, rows: Sequence[Sequence[Number]], rhs: Sequence[Number]) -> list[Number]:
         """Solve the square linear system ``rows @ x = rhs``.
 
         Raises
@@ -181,4 +179,7 @@ def as_fraction(number: Any) -> Fraction:
         return Fraction(number)
     if isinstance(number, sympy.Rational):
         return Fraction(int(number.p), int(number.q))
-    raise TypeError(f"exact number expected, {type(number).__name__} found: pass int or Fraction")
+    raise TypeError(
+        f"exact number expected, {type(number).__name__} found: pass int, Fraction "
+        "or a.value(expression)"
+    )

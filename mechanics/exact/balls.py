@@ -87,7 +87,7 @@ class Ball:
         return Ball(-self.arb)
 
     def __pow__(self, exponent: int) -> Ball:
-        return Ball(self.arb ** exponent)
+        return Ball(self.arb**exponent)
 
 
 def _arb(number: Any) -> arb:
@@ -266,9 +266,15 @@ class State:
         """Return names and values in words, sorted, for a witness."""
         named = [(str(symbol), str(value)) for symbol, value in self._values.items()]
         for name in sorted({name for name, _ in self._unknown}):
-            parts = [str(c) for (n, place), c in sorted(self._unknown.items())
-                     if n == name and place == 0]
-            parts += [f"{c}*x{place}**2" for (n, place), c in sorted(self._unknown.items())
-                      if n == name and place > 0]
+            parts = [
+                str(c)
+                for (n, place), c in sorted(self._unknown.items())
+                if n == name and place == 0
+            ]
+            parts += [
+                f"{c}*x{place}**2"
+                for (n, place), c in sorted(self._unknown.items())
+                if n == name and place > 0
+            ]
             named.append((name, " + ".join(parts)))
         return tuple(sorted(named))

@@ -89,5 +89,3 @@ def _hiding(result: Reader, symbols: set[sympy.Symbol], places: set[int]) -> set
         place for place in ring.keys
         if place not in places and generator_expression(ring, place).free_symbols & symbols
     }  # fmt: skip
-
-

@@ -119,8 +119,10 @@ class Reader:
 
     def _function(self, node: sympy.Expr) -> fmpq_mpoly:
         """Return a function: of its arguments' canonical forms, so that equal ones are one."""
-        args = [arg if isinstance(arg, sympy.Symbol | sympy.Rational) else self._argument(arg)
-                for arg in node.args]
+        args = [
+            arg if isinstance(arg, sympy.Symbol | sympy.Rational) else self._argument(arg)
+            for arg in node.args
+        ]
         again = node.func(*args)
         if type(again) is not type(node):
             return self.read(again)
@@ -186,6 +188,9 @@ def _functions(exprs: Iterable[sympy.Expr]) -> set[sympy.Expr]:
             seen.add(node)
             stack.extend(node.args)
     keep = sympy.Function, sympy.NumberSymbol
-    return {node.args[0] if isinstance(node, sympy.sin | sympy.cos) else node for node in seen
-            if isinstance(node, keep) or (isinstance(node, sympy.Pow)
-                                          and not (node.exp.is_Integer and node.exp > 0))}
+    return {
+        node.args[0] if isinstance(node, sympy.sin | sympy.cos) else node
+        for node in seen
+        if isinstance(node, keep)
+        or (isinstance(node, sympy.Pow) and not (node.exp.is_Integer and node.exp > 0))
+    }

@@ -79,9 +79,7 @@ def decide(
 def _certified(subject: str, outcome: Trial) -> Finding:
     exponent = min(outcome.log2_bound, 0.0)
     words = f"{outcome.words}; chance of error below 2^{exponent:.0f}"
-    return Finding(
-        subject, Verdict.CERTIFIED, words, error_bound=2.0 ** max(exponent, -1000.0)
-    )
+    return Finding(subject, Verdict.CERTIFIED, words, error_bound=2.0 ** max(exponent, -1000.0))
 
 
 def _doubt(outcome: Trial) -> str:
@@ -122,9 +120,7 @@ def prove_equal(
     return decide(subject, _comparison(lefts, rights), **options)
 
 
-def prove_zero(
-    subject: str, expr: sympy.Expr | Sequence[sympy.Expr], **options: Any
-) -> Finding:
+def prove_zero(subject: str, expr: sympy.Expr | Sequence[sympy.Expr], **options: Any) -> Finding:
     """Decide whether expressions are zero; options as for `decide`."""
     entries = _entries(expr)
     return prove_equal(subject, entries, [sympy.S.Zero] * len(entries), **options)

@@ -41,7 +41,7 @@ from mechanics.exact.signals import DivisionHere, Inadmissible, Restart, Singula
 Pair = tuple[Any, Any]
 Experiment = Callable[[Arithmetic], Sequence[Pair]]
 
-DRAWS = 1024
+DRAWS = 4096
 """Most points that may be drawn until one is admissible: R of the bound."""
 
 HOPELESS = 16
@@ -149,7 +149,10 @@ class _Session:
     def point(self, bits: int, fresh: bool = False) -> _Point:
         """Return the first admissible point of at most DRAWS."""
         failures: dict[str, int] = {}
+        deadline = monotonic() + MOST_SECONDS
         for index in range(DRAWS):
+            if monotonic() > deadline:
+                break
             prime = draw_prime(bits, self.source) if fresh else self.prime(bits, index)
             a = FieldArithmetic(prime, self.source, self.memory, signs=self.signs)
             try:
@@ -162,7 +165,7 @@ class _Session:
                 if everywhere and failures[str(reason)] >= HOPELESS:
                     raise _FailedError(f"{reason} at every one of {HOPELESS} points") from reason
         worst = max(failures, key=lambda reason: failures[reason], default="no run completed")
-        raise _FailedError(f"no admissible point among {DRAWS}: {worst}")
+        raise _FailedError(f"no admissible point among {sum(failures.values())}: {worst}")
 
     def unsure(self, bits: int, point: _Point) -> int:
         """Return s of (1), after probing; what comes after an unsure sign is unsure itself."""

@@ -1,6 +1,6 @@
 """A witness: a real state where the enclosures of the two sides are disjoint.
 
-    [left] and [right] disjoint  =>  left != right there, whatever the rounding.
+[left] and [right] disjoint  =>  left != right there, whatever the rounding.
 """
 
 from __future__ import annotations

@@ -34,9 +34,11 @@ LEAVES = [x, y, a, sp.sin(x), sp.cos(x), sp.sin(x + y), sp.cos(x + y), sp.tan(y)
 EXPRESSIONS = st.recursive(
     st.sampled_from(LEAVES)
     | st.fractions(-3, 3, max_denominator=9).map(lambda q: sp.Rational(q.numerator, q.denominator)),
-    lambda parts: st.tuples(parts, parts).map(lambda p: p[0] + p[1])
-    | st.tuples(parts, parts).map(lambda p: p[0] * p[1])
-    | parts.map(lambda p: p**2),
+    lambda parts: (
+        st.tuples(parts, parts).map(lambda p: p[0] + p[1])
+        | st.tuples(parts, parts).map(lambda p: p[0] * p[1])
+        | parts.map(lambda p: p**2)
+    ),
     max_leaves=10,
 )
 STATE = {x: sp.Rational(7, 10), y: sp.Rational(-13, 10), a: sp.Rational(9, 5), L: sp.Rational(5, 4)}

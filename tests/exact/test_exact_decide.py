@@ -94,8 +94,12 @@ def test_false_statements_are_refuted_by_a_witness_that_holds(left, right):
     state = {sp.Symbol(name, real=True): sp.Rational(v) for name, v in finding.witness.state}
     state |= {sp.Symbol(name, positive=True): v for s, v in state.items() for name in [s.name]}
     with mpmath.workdps(120):
-        exact = [side.xreplace({v: sp.Rational(*float(v).as_integer_ratio())
-                                for v in side.atoms(sp.Float)}) for side in (left, right)]
+        exact = [
+            side.xreplace(
+                {v: sp.Rational(*float(v).as_integer_ratio()) for v in side.atoms(sp.Float)}
+            )
+            for side in (left, right)
+        ]
         sides = [mpmath.mpf(sp.N(side.subs(state), 120)) for side in exact]
         assert abs(sides[0] - sides[1]) > mpmath.mpf(10) ** -60
         for side, words in zip(sides, (finding.witness.left, finding.witness.right), strict=True):
@@ -106,8 +110,10 @@ def test_false_statements_are_refuted_by_a_witness_that_holds(left, right):
 POLYNOMIALS = st.recursive(
     st.sampled_from([x, y, a, sp.sin(x), sp.cos(x), sp.sin(x + y), sp.cos(y / 2), sp.sqrt(a)])
     | st.fractions(-3, 3, max_denominator=9).map(lambda q: sp.Rational(q.numerator, q.denominator)),
-    lambda parts: st.tuples(parts, parts).map(lambda p: p[0] + p[1])
-    | st.tuples(parts, parts).map(lambda p: p[0] * p[1]),
+    lambda parts: (
+        st.tuples(parts, parts).map(lambda p: p[0] + p[1])
+        | st.tuples(parts, parts).map(lambda p: p[0] * p[1])
+    ),
     max_leaves=8,
 )
 

@@ -146,8 +146,9 @@ def test_division_by_zero_asks_for_another_point():
 
 
 def test_the_prime_grows_with_the_degree():
-    high = decide("high", lambda f: [(f.value(x) ** (2**70), f.value(x) ** (2**70))],
-                  try_normal=False)
+    high = decide(
+        "high", lambda f: [(f.value(x) ** (2**70), f.value(x) ** (2**70))], try_normal=False
+    )
     assert high.verdict is Verdict.CERTIFIED
     assert high.error_bound < 2.0**-80
     assert "255-bit" in high.evidence
@@ -164,8 +165,9 @@ def _tower(f, times):
 
 
 def test_an_ambiguous_root_is_looked_at_many_times():
-    found = trial(lambda f: [(f.value(sp.Pow(a * a, sp.S.Half, evaluate=False)), f.value(a))],
-                  -80, 1)
+    found = trial(
+        lambda f: [(f.value(sp.Pow(a * a, sp.S.Half, evaluate=False)), f.value(a))], -80, 1
+    )
     assert found.answer is Answer.ZERO
     assert "82 random points" in found.words
     assert found.log2_bound < -80
