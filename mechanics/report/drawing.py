@@ -236,6 +236,8 @@ def _label(view: View, paper: Paper, body: Body) -> str:
         anchor = "start" if side[0] > 0.3 else "end" if side[0] < -0.3 else "middle"
         driven = any(isinstance(load, Torque) and load.on == body.name for load in view.scene.loads)
         return ink.text(centre + (44 if driven else 20) * side, escape(body.name), "name", anchor)
+    if not view.scene.reactions:
+        return ink.text(centre, escape(body.name))
     # A block has its coordinate on one half of its outer side, and its name on the other.
     below = 1 if centre[1] >= paper.middle[1] - 1 else -1
     return ink.text(centre + np.array([-12, 44 * below]), escape(body.name), "name", "end")

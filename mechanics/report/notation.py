@@ -32,6 +32,7 @@ UNIT_ORDER = {"m/s^2": 1, "m": 2, "1": 3, "rad": 3}
 FUNCTION = re.compile(r"(?<![({\[])(\\(?:sin|cos|tan|exp|log))(\^\{[^{}]*\})? ?(?=(\\left)?)")
 
 
+@lru_cache(maxsize=4096)
 def split_name(name: str) -> tuple[str, int, str]:
     """Letter, number of dots and subscript of a plain name: theta1_dot gives theta, 1, "1"."""
     found = DOTTED.match(name)
@@ -43,6 +44,7 @@ def split_name(name: str) -> tuple[str, int, str]:
     return base, dots, ",".join(supers + subs)
 
 
+@lru_cache(maxsize=4096)
 def latex_name(name: str) -> str:
     """A plain name in LaTeX."""
     base, dots, sub = split_name(name)
@@ -94,7 +96,9 @@ class Notation(LatexPrinter):
         if isinstance(inner, AppliedUndef) and order <= 3:
             return latex_name(f"{inner.func.__name__}_{'d' * int(order)}ot")
         t, power = self._print(variable), f"^{{{order}}}" if order > 1 else ""
-        return rf"\frac{{d{power}}}{{d{t}{power}}}\left[{self._print(inner)}\right]"
+        body = self._print(inner)
+        body = f"{{{body}}}" if body[0] == "-" else body
+        return rf"\frac{{d{power}}}{{d{t}{power}}}\left[{body}\right]"
 
     def _print_Add(self, expr: Add, order: Any = None) -> str:
         first, *others = self.pieces(expr)

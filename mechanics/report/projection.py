@@ -83,7 +83,7 @@ class View:
         for load in self.scene.loads:
             if isinstance(load, Spring) and load.along is not None and load.length == 0:
                 along = unit(self.direction(load.along))
-                found[load.second] = found.get(load.first, 0.0) + 2.5 * (largest or 1.0) * along
+                found[load.second] = found.get(load.first, 0.0) + 4 * (largest or 1.0) * along
         return found
 
     def number(self, expression: Any) -> float:

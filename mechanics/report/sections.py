@@ -9,6 +9,7 @@ from sympy import Symbol
 from mechanics.equations import Line
 from mechanics.exact import Finding, Verdict
 from mechanics.report import charts, typeset
+from mechanics.report.projection import View
 from mechanics.report.result import LedgerResult, Motion, RouteResult, SystemResult
 from mechanics.scene import Scene
 
@@ -68,7 +69,7 @@ class Section:
     symbols: list[SymbolRow]
     matrix: list[tuple[str, list[Finding | None]]]
     speeds: list[Speed]
-    reactions: list[tuple[str, list[Markup]]]
+    reactions: list[tuple[str, list[Line]]]
     published: list[PublishedRow]
     others: list[Finding]
     charts: list[Chart]
@@ -97,10 +98,11 @@ def symbol_rows(scene: Scene, state: Mapping[str, float]) -> list[SymbolRow]:
     if scene.speeds:
         rows += [SymbolRow(u.name, "speed", "") for u in scene.u]
     rows += [SymbolRow(f.name, "input, a given function of time", "") for f in scene.input_symbols]
+    values = View(scene, state).values
     for parameter in scene.parameters:
         unit = readable_unit(getattr(parameter, "unit", ""))
-        typical = getattr(parameter, "typical", None)
-        value = f"{float(typical):.6g}" if typical is not None else ""
+        known = parameter in scene.definitions or getattr(parameter, "typical", None) is not None
+        value = f"{values[parameter]:.4g}" if known else ""
         meaning = getattr(parameter, "meaning", "") or "parameter"
         rows.append(SymbolRow(parameter.name, meaning, f"{value} {unit}".strip()))
     return rows
@@ -143,13 +145,10 @@ def speeds(result: SystemResult) -> list[Speed]:
     ]
 
 
-def reactions(result: SystemResult) -> list[tuple[str, list[Markup]]]:
+def reactions(result: SystemResult) -> list[tuple[str, list[Line]]]:
     """Reactions as functions of the state, by the routes that have them."""
     return [
-        (
-            name,
-            [typeset.equation(Line(symbol, value)) for symbol, value in route.equations.reactions],
-        )
+        (name, [Line(symbol, value) for symbol, value in route.equations.reactions])
         for name, route in result.routes.items()
         if route.equations.reactions
     ]
@@ -190,4 +189,4 @@ def _chart(motion: Motion, title: str, unit: str, names: Sequence[str]) -> Chart
     label = f"{title} over time: {', '.join(name.replace('_', ' ') for name in names)}"
     svg = charts.line_chart(label, motion.columns["t"], curves, unit)
     legend = tuple((Markup(charts.key(n)), name) for n, name in enumerate(names))
-    return Chart(f"{title} in {unit}", Markup(svg), legend)
+    return Chart(title, Markup(svg), legend)

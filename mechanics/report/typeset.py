@@ -16,7 +16,7 @@ from mechanics.report.notation import GREEK, latex, latex_name, mathml, operatio
 
 # Nodes of an expression beyond which it is folded away, and beyond which it is not printed.
 FOLDED = 260
-TOO_LONG = 6000
+TOO_LONG = 2500
 # A letter, Latin or Greek, with a short subscript or dots.
 NAME = re.compile(rf"\b((?:[A-Za-z]|{'|'.join(sorted(GREEK))})_(?:\w{{1,2}}|d{{1,3}}ot))\b")
 

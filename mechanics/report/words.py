@@ -31,10 +31,10 @@ def bound(finding: Finding) -> Markup:
     if finding.error_bound is None:
         return Markup("")
     if finding.error_bound <= 0:
-        return Markup('<span class="bound">error &lt; 2<sup>\u22121022</sup></span>')
+        return Markup('<span class="bound"><span>error</span> &lt; 2<sup>\u22121022</sup></span>')
     # Rounded upwards, so that what is printed is a bound, too.
     power = -floor(-log2(finding.error_bound))
-    return Markup('<span class="bound">error &lt; 2<sup>{}</sup></span>').format(
+    return Markup('<span class="bound"><span>error</span> &lt; 2<sup>{}</sup></span>').format(
         str(power).replace("-", "\u2212")
     )
 

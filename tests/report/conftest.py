@@ -1,0 +1,118 @@
+"""Results for the tests of the report: a small one by hand, and one of real derivations."""
+
+import itertools
+
+import numpy as np
+import pytest
+from sympy import Matrix, Symbol, cos, sqrt
+from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
+
+from mechanics.equations import Equations, Line, Step
+from mechanics.exact import Finding, Verdict, Witness
+from mechanics.report.result import (
+    LedgerResult,
+    Modes,
+    Motion,
+    ResidualResult,
+    RouteResult,
+    SystemResult,
+)
+from mechanics.scene import Particle, Scene, parameters, reaction, spring
+from mechanics.scene.published import Quantity, published
+
+x, f = dynamicsymbols("x f")
+m, k = parameters("m k", units="kg N/m", typical="2 8", meanings=("mass of the block", "stiffness"))
+WITNESS = Witness((("x", "1/3"), ("m", "2.5")), "1.25 +/- 1e-30", "-1.25 +/- 1e-30")
+
+
+def block() -> Scene:
+    """A block on a rail, held by a spring."""
+    ground = ReferenceFrame("N")
+    origin = Point("O")
+    centre = origin.locatenew("C", x * ground.x)
+    return Scene(
+        "block <on a spring>",
+        ground,
+        origin,
+        coordinates=(x,),
+        bodies=(Particle("block", centre, m),),
+        loads=(spring("k", origin, centre, k, along=ground.x),),
+        reactions=(reaction("N", at=centre, on="block", by=None, along=ground.y),),
+        example={"x": 0.5},
+    )
+
+
+def equations(scene: Scene, route: str) -> Equations:
+    acceleration = scene.ud[0]
+    steps = (
+        Step("Kinematics", "The position $x$ and its rate.", (Line("r_x", scene.q[0]),)),
+        Step("Result", "", (Line(m * acceleration, -k * scene.q[0], "block, along N.x"),)),
+    )
+    return Equations(
+        scene,
+        route,
+        Matrix([[m]]),
+        Matrix([-k * scene.q[0]]),
+        (),
+        Matrix.zeros(1, 0),
+        Matrix.zeros(0, 1),
+        Matrix.zeros(0, 1),
+        conjugate=True,
+        reactions=((Symbol("N", real=True), m * cos(scene.q[0])),) if route == "free_body" else (),
+        steps=steps,
+    )
+
+
+@pytest.fixture
+def small() -> SystemResult:
+    """Every part of a report once, with every verdict."""
+    scene = block()
+    routes = {
+        name: RouteResult(equations(scene, name), seconds, operations)
+        for name, seconds, operations in (
+            ("free_body", 0.004, 12),
+            ("moving_point", 0.25, 9),
+            ("kane", 3.5, 1234),
+        )
+    }
+    verdicts = (Verdict.CERTIFIED, Verdict.REFUTED, Verdict.UNDECIDED)
+    pairs = {
+        (one, two): Finding(
+            f"{one} = {two}: accelerations",
+            verdict,
+            "said by the test",
+            2.0**-100 if verdict is Verdict.CERTIFIED else None,
+            WITNESS if verdict is Verdict.REFUTED else None,
+        )
+        for (one, two), verdict in zip(itertools.combinations(routes, 2), verdicts, strict=True)
+    }
+    other = Finding("kinematics: both ways", Verdict.SUPPORTED, "numbers agree")
+    row = published(
+        "(1)",
+        Quantity(),
+        m * x.diff(dynamicsymbols._t, 2) + k * x,
+        0,
+        label="motion",
+        note="a sign was read as meant",
+    )
+    t = np.linspace(0, 3, 31)
+    columns = {
+        "t": t,
+        "x": 0.5 * np.cos(2 * t),
+        "x_dot": -np.sin(2 * t),
+        "kinetic_energy": np.sin(2 * t) ** 2,
+        "potential_energy": np.cos(2 * t) ** 2,
+        "total_energy": np.ones(31),
+    }
+    return SystemResult(
+        scene.name,
+        scene,
+        routes,
+        findings=(*pairs.values(), other),
+        published=(LedgerResult(row, Finding("(1)", Verdict.PROVED, "zero in the normal form")),),
+        compiled=(ResidualResult("kane, (1), double", 3.25, 100_000),),
+        modes=(Modes("Modes", ((r"$\omega_1$", sqrt(k / m), "2.000 rad/s"),)),),
+        motion=Motion(scene.name, columns, "the whole duration was integrated"),
+        remarks=("No C compiler was found.",),
+        pairs=pairs,
+    )

@@ -1,0 +1,95 @@
+"""A drawing of every system, from its geometry alone."""
+
+import importlib
+import pkgutil
+import re
+import xml.etree.ElementTree as ElementTree
+from functools import cache
+
+import numpy as np
+import pytest
+
+import systems
+from mechanics.report.charts import Axis, bar, line_chart, round_step
+from mechanics.report.drawing import HEIGHT, WIDTH, drawing, outline
+from mechanics.report.projection import View
+from mechanics.scene import Scene
+
+
+@cache
+def scenes() -> dict[str, Scene]:
+    found = {}
+    for module in pkgutil.iter_modules(systems.__path__):
+        scene = getattr(importlib.import_module(f"systems.{module.name}"), "scene", None)
+        if scene is not None and scene.__module__ == f"systems.{module.name}":
+            found[module.name] = scene()
+    return found
+
+
+@pytest.mark.parametrize("name", sorted(scenes()))
+def test_every_system_is_drawn_inside_its_frame(name: str) -> None:
+    scene = scenes()[name]
+    text = drawing(scene, scene.example)
+    root = ElementTree.fromstring(text)
+    assert root.get("role") == "img"
+    assert scene.name in str(root.get("aria-label"))
+    assert "nan" not in text
+    points = [
+        tuple(map(float, pair.split(",")))
+        for node in root.iter()
+        for pair in node.get("points", "").split()
+    ]
+    x, y = np.array(points).T
+    assert min(x) >= 0
+    assert max(x) <= WIDTH
+    assert min(y) >= 0
+    assert max(y) <= HEIGHT
+    # Every body is seen.
+    assert len(re.findall(r'class="(?:body|rod|rim)"', text)) >= len(scene.bodies)
+
+
+def test_a_rod_and_a_rolling_body_have_their_size() -> None:
+    pendulum = scenes()["elastic_pendulum"]
+    view = View(pendulum, {"theta": 0.0})
+    ends = outline(view, pendulum.body("pendulum"))
+    assert np.allclose(ends[0], (0, 0)) or np.allclose(ends[-1], (0, 0))
+    assert np.isclose(np.hypot(*(ends[0] - ends[-1])), 1.0)
+    rocker = scenes()["rocker"]
+    lowest = min(p[1] for p in outline(View(rocker, {}), rocker.body("rocker")))
+    assert abs(lowest) < 1e-9
+
+
+def test_a_disc_in_space_is_seen_with_its_radius() -> None:
+    scene = scenes()["rolling_disc"]
+    edge = outline(View(scene, {}), scene.body("disc"))
+    centre = View(scene, {}).point(scene.body("disc").centre)
+    # Isometric lengths along the axes are sqrt(2/3) of the true ones; z is among them here.
+    assert np.isclose(
+        max(p[1] - centre[1] for p in edge), 0.5 * np.hypot(0.8165, 0.4082), atol=2e-3
+    )
+
+
+@pytest.mark.parametrize("span", [1e-9, 0.3, 7.0, 2.5e6])
+def test_ticks_are_round_and_inside(span: float) -> None:
+    axis = Axis(-0.4 * span, 0.6 * span, 0.0, 100.0)
+    assert 3 <= len(axis.ticks) <= 8
+    assert all(axis.low - 1e-9 * span <= tick <= axis.high + 1e-9 * span for tick in axis.ticks)
+    mantissa = round_step(span / 5)
+    assert f"{mantissa:.3e}"[0] in "125"
+
+
+def test_a_constant_curve_has_an_axis() -> None:
+    chart = line_chart("constant", [0.0, 1.0], {"x": [2.0, 2.0]}, "m")
+    assert "nan" not in chart
+    assert chart.count("<polyline") == 1
+
+
+def test_samples_that_are_not_finite_are_left_out() -> None:
+    chart = line_chart("gap", [0.0, 1.0, 2.0], {"x": [0.0, float("nan"), 1.0]}, "m")
+    (points,) = re.findall(r'<polyline[^>]*points="([^"]*)"', chart)
+    assert len(points.split()) == 2
+
+
+def test_a_bar_is_never_invisible() -> None:
+    assert 'width="0.8"' in bar(0.0)
+    assert 'width="50.0"' in bar(0.5)

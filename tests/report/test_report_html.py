@@ -1,0 +1,117 @@
+"""What the page holds; how it looks in a browser is tested beside."""
+
+import dataclasses
+import os
+import re
+from html.parser import HTMLParser
+from pathlib import Path
+
+import pytest
+from markupsafe import escape
+from sympy import Add, Symbol
+
+from mechanics.equations import Line
+from mechanics.exact import Finding, Verdict
+from mechanics.report import typeset
+from mechanics.report.html import to_html
+from mechanics.report.result import SystemResult
+
+GOLDEN = Path(__file__).parent / "golden" / "report.html"
+VOID = {"meta", "link", "br", "wbr", "img", "hr"}
+
+
+class Nesting(HTMLParser):
+    """Reads a page and notes elements that are closed in the wrong order."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.stack: list[str] = []
+        self.wrong: list[str] = []
+        self.headings: list[int] = []
+
+    def handle_starttag(self, tag: str, attrs: object) -> None:
+        if re.fullmatch("h[1-6]", tag):
+            self.headings.append(int(tag[1]))
+        if tag not in VOID:
+            self.stack.append(tag)
+
+    def handle_startendtag(self, tag: str, attrs: object) -> None:
+        """Closed at once."""
+
+    def handle_endtag(self, tag: str) -> None:
+        if not self.stack or self.stack.pop() != tag:
+            self.wrong.append(f"</{tag}> at {self.getpos()}")
+
+
+def test_golden(small: SystemResult, monkeypatch: pytest.MonkeyPatch) -> None:
+    """The page with LaTeX in place of MathML; MECHANICS_UPDATE_GOLDEN=1 writes it anew."""
+    monkeypatch.setattr(typeset, "mathml", lambda source: f"<math>{escape(source)}</math>")
+    page = to_html([small])
+    if os.environ.get("MECHANICS_UPDATE_GOLDEN") == "1":
+        GOLDEN.parent.mkdir(exist_ok=True)
+        GOLDEN.write_text(page, encoding="utf-8")
+    assert page == GOLDEN.read_text(encoding="utf-8")
+
+
+def test_elements_are_nested_and_headings_skip_no_level(small: SystemResult) -> None:
+    page = Nesting()
+    page.feed(to_html([small, small]))
+    assert page.wrong == []
+    assert page.stack == []
+    steps = zip(page.headings, page.headings[1:], strict=False)
+    assert page.headings[0] == 1
+    assert all(below <= above + 1 for above, below in steps)
+
+
+def test_nothing_is_fetched_and_nothing_runs(small: SystemResult) -> None:
+    page = to_html([small])
+    assert not re.search(r'(?:src|href|srcset|action)\s*=\s*(?!"#|"data:)', page)
+    assert not re.search(r"url\(|@import|<script|https?:", page)
+
+
+def test_every_verdict_is_a_word(small: SystemResult) -> None:
+    page = to_html([small])
+    for finding in [*small.findings, *(row.finding for row in small.published)]:
+        assert re.search(rf"</span> {finding.verdict.name.lower()}</span>", page)
+        assert finding.evidence in page
+
+
+def test_names_are_escaped(small: SystemResult) -> None:
+    page = to_html([small])
+    assert "block &lt;on a spring&gt;" in page
+    assert "<on a spring>" not in page
+
+
+def test_the_overall_verdict(small: SystemResult) -> None:
+    proved = Finding("a = b", Verdict.PROVED, "")
+    good = dataclasses.replace(small, findings=(proved,), pairs={})
+    assert "Everything is shown" in to_html([good])
+    assert "Not everything is shown" in to_html([good, small])
+    assert "Nothing was checked" in to_html([])
+
+
+def test_parts_that_a_result_lacks_are_left_out(small: SystemResult) -> None:
+    bare = dataclasses.replace(
+        small, routes={}, published=(), compiled=(), modes=(), motion=None, remarks=(), pairs={}
+    )
+    page = to_html([bare])
+    for title in ("Derivations", "Published", "Reactions", "Compiled", "Modes", "A motion"):
+        assert f"<h3>{title}" not in page
+    assert "Other checks" in page
+
+
+def test_long_lines_are_folded_and_longer_ones_left_out() -> None:
+    def line(terms: int) -> Line:
+        return Line("a", Add(*(Symbol(f"b{i}") for i in range(terms))))
+
+    assert "<details" not in typeset.equation(line(20))
+    folded = typeset.equation(line(typeset.FOLDED))
+    assert "<details" in folded
+    assert f"{typeset.FOLDED} terms" in folded
+    assert "too long to be read" in typeset.equation(line(typeset.TOO_LONG))
+
+
+def test_names_in_prose_are_typeset() -> None:
+    text = typeset.prose("rate of x_C with $\\omega$ <b>, free_body")
+    assert text.count("<math") == 2
+    assert "&lt;b&gt;, free_body" in text
