@@ -1,14 +1,14 @@
 """Singular configurations: where the accelerations or the rates are not determined.
 
-    regularity = least of  sigma(A S)^2,  1 / cond(Z^T S M S Z),  1 / cond(R N S),      0 to 1
+    regularity = least of  sigma(C A S)^2,  1 / cond(Z^T S M S Z),  1 / cond(R N S),      0 to 1
 
-A u = b are the constraints, with rows of unit length; sigma is the ratio of the smallest to the
-largest singular value (squared, as in A A^T, which is what is inverted), and the columns of Z span
-the null space: the motions that are left. M is the inertia d2T/du2, and N takes speeds to rates of the coordinates. So neither the rows that a
-route has for its equations matter, nor the scale of a constraint. The diagonal matrices S and R
-free M and N of units at the start; they stay, because an inertia that fades on the way is what is
-looked for. A step can jump over a singular configuration without noticing; where the regularity
-passes through a valley between steps, its bottom is therefore looked for.
+A u = b are the constraints: sigma is the smallest singular value (squared, as in A A^T, which is
+what is inverted), and the columns of Z span the null space, the motions that are left. M is the
+inertia d2T/du2, and N takes speeds to rates of the coordinates: the rows that a route has for its
+equations do not matter. The diagonal matrices C, S and R give rows and columns unit size at the
+start; they stay, because a constraint or an inertia that fades on the way is what is looked for. A
+step can jump over a singular configuration without noticing; where the regularity passes through
+a valley between steps, its bottom is therefore looked for.
 """
 
 from collections.abc import Callable, Sequence
@@ -58,26 +58,27 @@ def measure_from(linear: Callable[[float, Array], Linear], t: float, start: Arra
     first = linear(t, start)
     speeds = _reciprocal(np.sqrt(np.abs(np.diag(first.inertia))))
     coordinates = _reciprocal(np.linalg.norm(first.rates * speeds, axis=1))
+    constraints = _reciprocal(np.linalg.norm(first.constraints * speeds, axis=1))
 
     def measure(t: float, state: Array) -> float:
         now = linear(t, state)
         if not all(np.all(np.isfinite(part)) for part in vars(now).values()):
             return 0.0
-        ideal, motions = _null_space(now.constraints * speeds)
+        kept, motions = _null_space(now.constraints * np.outer(constraints, speeds))
         inertia = motions.T @ (now.inertia * np.outer(speeds, speeds)) @ motions
-        return min(ideal**2, _ratio(inertia), _ratio(now.rates * np.outer(coordinates, speeds)))
+        turning = now.rates * np.outer(coordinates, speeds)
+        return min(kept**2, _ratio(inertia), _ratio(turning))
 
     return measure
 
 
-def _null_space(constraints: Array) -> tuple[float, Array]:
-    """How independent the rows are, 0 to 1, and a basis, m x (m - c), of what they leave free."""
-    count, size = constraints.shape
+def _null_space(rows: Array) -> tuple[float, Array]:
+    """The smallest singular value, at most 1, and a basis, m x (m - c), of what rows leave free."""
+    count, size = rows.shape
     if not count:
         return 1.0, np.eye(size)
-    rows = constraints * _reciprocal(np.linalg.norm(constraints, axis=1))[:, None]
     _, values, basis = np.linalg.svd(rows)
-    return float(values[-1] / values[0]) if values[0] > 0 else 0.0, basis[count:].T
+    return min(1.0, float(values[-1])), basis[count:].T
 
 
 def _ratio(matrix: Array) -> float:

@@ -12,7 +12,7 @@ class Ending(Enum):
     """Why a simulation ended; the value says it."""
 
     COMPLETE = "the whole duration was integrated"
-    SINGULAR = "the configuration is singular, so the accelerations are not determined"
+    SINGULAR = "the configuration is singular, so the motion is not determined there"
     NOT_FINITE = "the accelerations are not finite"
     STALLED = "the integrator found no step that meets the tolerance"
     APART = "the state could not be brought back onto the constraints"
