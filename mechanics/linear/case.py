@@ -13,7 +13,7 @@ from sympy import Expr, ImmutableMatrix, Matrix, Symbol, sympify
 from sympy.matrices import MatrixBase
 
 from mechanics.equations import Equations
-from mechanics.errors import InputError
+from mechanics.errors import ExpressionError, InputError
 from mechanics.exact import Arithmetic, Finding, Number, Verdict, decide
 from mechanics.linear.algebra import coefficients
 from mechanics.linear.form import Linear
@@ -178,11 +178,11 @@ def require_conjugate(linear: Linear) -> None:
 
     Raises
     ------
-    InputError
+    ExpressionError
         If the rows are not power-conjugate.
     """
     if not linear.conjugate:
-        raise InputError(
+        raise ExpressionError(
             f"{linear.scene.name}: the rows by {linear.route} are not power-conjugate, so their"
             " coefficients are no inertias or stiffnesses: use equations by lagrange or kane"
         )

@@ -10,6 +10,7 @@ from sympy.core.relational import Relational
 
 from mechanics.errors import InputError
 from mechanics.exact import Arithmetic, Finding, Verdict, decide
+from mechanics.kinematics.motion import inertia_matrix
 from mechanics.linear.algebra import coefficients, sign
 from mechanics.linear.case import Case, Pairs, compare, numbers, require_conjugate
 from mechanics.linear.form import Linear
@@ -67,19 +68,23 @@ def _drive(linear: Linear) -> Matrix:
 def inertia_about(case: Case) -> Finding:
     """The typed inertia against the parallel-axis theorem and against the linear equation."""
     quantity: InertiaAbout = case.quantity
-    return case.equal(*inertia_values(case.linear, quantity))
+    require_conjugate(case.linear)
+    j = case.linear.coordinate_index(quantity.coordinate)
+    return case.equal(parallel_axis(case.linear, quantity), case.linear.mass[j, j])
 
 
-def inertia_values(linear: Linear, quantity: InertiaAbout) -> list[Expr]:
-    """I_C + M r^2, and the coefficient of the second rate."""
+def parallel_axis(linear: Linear, quantity: InertiaAbout) -> Expr:
+    """I_C + M r^2 about the normal z of the plane, at the operating point."""
     scene = linear.scene
-    require_conjugate(linear)
     body = scene.body(quantity.body)
+    point = dict(linear.point)
     arm = scene.position(body.centre) - scene.position(point_named(scene, quantity.about))
-    arm = arm.xreplace(dict(linear.point))
-    j = linear.coordinate_index(quantity.coordinate)
-    own = body.inertia if isinstance(body, RigidBody) else 0
-    return [scene.plain(own) + body.mass * arm.dot(arm), linear.mass[j, j]]
+    arm = arm.xreplace(point)
+    total = body.mass * (arm[0] ** 2 + arm[1] ** 2)
+    if isinstance(body, RigidBody):
+        own = inertia_matrix(scene, body, scene.rotation(body.frame))
+        total += own[2, 2].xreplace(point)
+    return total
 
 
 def transformed(case: Case) -> Finding:

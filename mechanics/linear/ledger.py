@@ -8,8 +8,8 @@ from collections.abc import Callable
 from sympy import Expr, Symbol
 
 from mechanics.equations import Equations
-from mechanics.errors import InputError
-from mechanics.exact import Finding
+from mechanics.errors import ExpressionError, InputError
+from mechanics.exact import Finding, Verdict
 from mechanics.linear import control_rows, modal_rows
 from mechanics.linear.case import Case, linear_at
 from mechanics.linear.form import Linear
@@ -42,7 +42,7 @@ def check_linear_row(scene: Scene, row: Published, equations: Equations) -> Find
     -------
     Finding
         REFUTED with a witness where a side differs from what is derived, or an equation does not
-        hold; UNDECIDED where it holds as an identity only.
+        hold; UNDECIDED where it holds as an identity only, or the equations do not tell.
 
     Raises
     ------
@@ -60,7 +60,10 @@ def check_linear_row(scene: Scene, row: Published, equations: Equations) -> Find
         raise InputError(f"{subject}: the equations belong to the scene {equations.scene.name}")
     linear = linear_at(equations, row.quantity.point)
     check = CHECKS[type(row.quantity)]
-    return check(Case(subject, row, linear, _names(linear, row.quantity)))
+    try:
+        return check(Case(subject, row, linear, _names(linear, row.quantity)))
+    except ExpressionError as error:
+        return Finding(subject, Verdict.UNDECIDED, str(error))
 
 
 def _names(linear: Linear, quantity: LinearQuantity) -> dict[Symbol, Expr]:
@@ -69,5 +72,5 @@ def _names(linear: Linear, quantity: LinearQuantity) -> dict[Symbol, Expr]:
     for symbol, named in quantity.where:
         if not isinstance(named, InertiaAbout):
             raise InputError(f"{symbol}: only an inertia can be named by a symbol")
-        table[symbol] = control_rows.inertia_values(linear, named)[-1]
+        table[symbol] = control_rows.parallel_axis(linear, named)
     return table

@@ -97,8 +97,17 @@ def numeric_modes(
         order = order[::-1]
         shapes = shapes / np.linalg.norm(shapes, axis=0)
     else:
-        shapes = shapes / shapes[np.abs(shapes).argmax(axis=0), np.arange(shapes.shape[1])]
+        shapes = shapes / _largest(shapes)
     return NumericModes(found[order], shapes[:, order], convention)
+
+
+def _largest(shapes: Array) -> Array:
+    """Largest element of each column; of equals, up to rounding, the last as in `modes`."""
+    sizes = np.abs(shapes)
+    equals = sizes >= sizes.max(axis=0) * (1 - 1e-9)
+    last = len(shapes) - 1 - equals[::-1].argmax(axis=0)
+    found: Array = shapes[last, np.arange(shapes.shape[1])]
+    return found
 
 
 def numeric_poles(linear: Linear, values: Numbers | None = None) -> Array:

@@ -72,7 +72,9 @@ def test_symbolic_modes_have_the_numeric_values(linear) -> None:
     typical = {k: k.typical, m: m.typical}
     values = [float(value.subs(typical)) for value in exact.eigenvalues]
     np.testing.assert_allclose(numeric.eigenvalues, values, rtol=1e-12, atol=1e-12)
-    assert np.abs(numeric.shapes).max(axis=0) == pytest.approx(1)
+    if len(set(exact.eigenvalues)) == len(values):
+        shapes = np.array(exact.shapes.tolist(), dtype=float)
+        np.testing.assert_allclose(numeric.shapes, shapes, atol=1e-9)
 
 
 def test_conventions_differ_in_order_and_scaling(linear) -> None:

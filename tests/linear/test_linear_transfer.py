@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 from sympy import I, Symbol, lambdify, sqrt
+from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
 from mechanics.errors import ExpressionError, InputError, SingularError, ValueMissingError
 from mechanics.exact import Verdict, prove_equal
@@ -16,7 +17,7 @@ from mechanics.linear import (
     transfer_function,
 )
 from mechanics.routes import lagrange
-from mechanics.scene import parameters
+from mechanics.scene import Particle, Scene, parameters, spring
 from systems import rocker
 
 s = Symbol("s")
@@ -131,3 +132,27 @@ def test_missing_and_singular_values_are_refused(row) -> None:
         state_space(row((m,), (k,)))
     with pytest.raises(SingularError, match="mass matrix is singular"):
         state_space(row((m,), (k,)), {"m": 0.0, "k": 1.0})
+
+
+def test_prescribed_motion_enters_by_its_second_derivative(constants) -> None:
+    # A mass on a spring on a shaken base, z relative to the base: m z'' + k z = -m y''.
+    m, k, _ = constants
+    ground, origin = ReferenceFrame("N"), Point("O")
+    z, y = dynamicsymbols("z y")
+    base = origin.locatenew("B", y * ground.x)
+    mass = base.locatenew("P", z * ground.x)
+    scene = Scene(
+        "shaken base",
+        ground,
+        origin,
+        coordinates=(z,),
+        bodies=(Particle("mass", mass, m),),
+        loads=(spring("k", base, mass, k, along=ground.x),),
+        inputs=(y,),
+    )
+    linear = linearise(lagrange.derive(scene), {"z": 0}, {"y": 0})
+    assert transfer_function(linear, "z", "y", s) == -m * s**2 / (m * s**2 + k)
+    with pytest.raises(InputError, match="derivatives of the inputs drive the system"):
+        state_space(linear)
+    with pytest.raises(InputError, match="input y enters by its derivatives"):
+        close_loop(linear, {"y": -z})
