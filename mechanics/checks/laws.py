@@ -18,7 +18,7 @@ from mechanics.exact import Arithmetic, Finding, collect_linear, decide
 from mechanics.kinematics import chain, differentiate
 from mechanics.kinematics.motion import BodyMotion, inertia_matrix
 from mechanics.scene import Scene
-from mechanics.scene.actions import Action, load_actions
+from mechanics.scene.actions import Action, load_actions, unit_reactions
 from mechanics.scene.loads import CONSERVATIVE
 from mechanics.scene.potential import load_potential, potential
 from mechanics.scene.rates import rate, rate_table, rates
@@ -64,6 +64,29 @@ def check_potentials(scene: Scene) -> tuple[Finding, ...]:
         rights = [*collect_linear(released, scene.u)[0]]
         found.append(_equal(subject, lefts, rights))
     return tuple(found)
+
+
+def check_ideal(scene: Scene) -> tuple[Finding, ...]:
+    """Each reaction: a unit of it has no power on the velocities that the scene admits."""
+    motions = {motion.body.name: motion for motion in chain.body_motions(scene)}
+    found = []
+    for symbol, pair in unit_reactions(scene).items():
+        power = Add(*(_power(motions[action.body], action) for action in pair))
+        # Prescribed motions may do work on a moving support; the ideal part is linear in u.
+        coefficients, _ = collect_linear(power, scene.u)
+        found.append(_powerless(scene, f"reaction {symbol}: no power", coefficients))
+    return tuple(found)
+
+
+def _powerless(scene: Scene, subject: str, coefficients: Sequence[Expr]) -> Finding:
+    def experiment(a: Arithmetic) -> Pairs:
+        settle(scene, a)
+        total = a.rational(0)
+        for factor, u in zip(coefficients, scene.u, strict=True):
+            total = total + a.value(factor) * a.value(u)
+        return [(total, a.rational(0))]
+
+    return decide(subject, experiment)
 
 
 def check_energy(equations: Equations) -> Finding:

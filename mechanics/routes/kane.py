@@ -121,7 +121,7 @@ def _method(
     order: Sequence[int],
     dependent: Sequence[int] = (),
 ) -> KanesMethod:
-    """KanesMethod with Cramer's rule throughout: LU divides by pivots that vanish at plain states."""
+    """KanesMethod; constraints by Cramer's rule, as LU divides by pivots that vanish at plain states."""
     t_rates = {q: f.diff() for q, f in zip(scene.qd, scene.coordinates, strict=True)}
     kinematic = [t_rates[qd] - dynamic.to(scene.coordinate_rates[qd]) for qd in scene.qd]
     speeds = [dynamic.to(u) for u in scene.u]
@@ -145,7 +145,8 @@ def _method(
         [q for q in coordinates if q not in q_dependent],
         [speeds[i] for i in order if i not in dependent],
         kd_eqs=kinematic,
-        kd_eqs_solver="CRAMER",
+        # Solved for q' already: LU meets pivots of one only, and Cramer would take n! terms.
+        kd_eqs_solver="LU",
         constraint_solver="CRAMER",
         **options,
     )

@@ -66,7 +66,8 @@ def auxiliary_equations(scene: Scene) -> tuple[tuple[Symbol, Expr], ...]:
             for q, qd in zip(scene.coordinates, scene.qd, strict=True)
         ],
         u_auxiliary=speeds,
-        kd_eqs_solver="CRAMER",
+        # Solved for q' already: LU meets pivots of one only, and Cramer would take n! terms.
+        kd_eqs_solver="LU",
     )
     method.kanes_equations(bodies, loads)
     rows = dynamic.back(method.auxiliary_eqs)
@@ -132,7 +133,7 @@ def _body(
     centre = Point(f"opened centre of {body.name}")
     centre.set_vel(inertial, plain.masscenter.vel(inertial) + model.vector(velocity, dynamic))
     centre.set_acc(inertial, plain.masscenter.acc(inertial))
-    if not isinstance(body, RigidBody):
+    if not isinstance(body, RigidBody) or body.inertia == 0:
         return me.Particle(body.name, centre, body.mass)
     # A frame of the body's own: several bodies may share the scene's.
     turning = ReferenceFrame(f"opened {body.name}")

@@ -83,7 +83,8 @@ def _body(
     inertial = frames[scene.frame]
     centre.set_vel(inertial, _mixed(scene, chain, motion.velocity, frames, dynamic))
     centre.set_acc(inertial, _mixed(scene, chain, motion.acceleration, frames, dynamic))
-    if not isinstance(body, RigidBody):
+    if not isinstance(body, RigidBody) or body.inertia == 0:
+        # A body without inertia about its centre is a point mass: no angular terms to form.
         return me.Particle(body.name, centre, body.mass)
     frame = _frame(scene, body.frame, chain, frames, dynamic)
     inertia = inertia_dyadic(scene, body, frame, dynamic)

@@ -1,0 +1,68 @@
+"""The four routes, by name, and how a scene is derived by one of them."""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+from mechanics.checks.soundness import check_sound
+from mechanics.equations import Equations
+from mechanics.errors import InputError
+from mechanics.routes import free_body, kane, lagrange, moving_point
+from mechanics.scene import Scene
+
+
+@dataclass(frozen=True)
+class Route:
+    """A way to the equations of motion."""
+
+    name: str
+    derive: Callable[[Scene], Equations]
+
+
+ROUTES: tuple[Route, ...] = (
+    Route("free_body", free_body.derive),
+    Route("moving_point", moving_point.derive),
+    Route("kane", kane.derive),
+    Route("lagrange", lagrange.derive),
+)
+
+
+def named_routes(names: Sequence[str]) -> tuple[Route, ...]:
+    """Routes by name, in the order of `ROUTES`; all of them for no name.
+
+    Raises
+    ------
+    InputError
+        For a name that is no route.
+    """
+    known = [route.name for route in ROUTES]
+    for name in names:
+        if name not in known:
+            raise InputError(f"route {name!r}: the routes are {', '.join(known)}")
+    return tuple(route for route in ROUTES if not names or route.name in names)
+
+
+def derive(scene: Scene, route: str = "free_body") -> Equations:
+    """Equations of motion of a scene by one route, after the scene was found sound.
+
+    Parameters
+    ----------
+    scene : Scene
+    route : str
+        ``"free_body"``, ``"moving_point"``, ``"kane"`` or ``"lagrange"``.
+
+    Raises
+    ------
+    SceneError
+        When the scene cannot be right.
+    InputError
+        For a name that is no route.
+    """
+    (chosen,) = named_routes((route,))
+    check_sound(scene)
+    return chosen.derive(scene)
+
+
+def derive_with(scene: Scene, names: Sequence[str] = ()) -> dict[str, Equations]:
+    """Equations of motion by several routes, all of them for no name."""
+    check_sound(scene)
+    return {route.name: route.derive(scene) for route in named_routes(names)}

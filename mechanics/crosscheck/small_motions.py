@@ -1,0 +1,59 @@
+"""Modes or poles about the rest position, where it is an equilibrium."""
+
+from collections.abc import Mapping
+from typing import Any
+
+from mechanics.equations import Equations
+from mechanics.errors import MechanicsError
+from mechanics.linear import Linear, linearise, modes, numeric_modes, numeric_poles
+from mechanics.report.result import Modes
+
+
+def small_motions(
+    derived: Mapping[str, Equations],
+) -> tuple[tuple[Modes, ...], tuple[str, ...]]:
+    """Modes about q = 0 without inputs, or remarks that say why there are none."""
+    equations = next((e for e in derived.values() if e.conjugate), next(iter(derived.values())))
+    scene = equations.scene
+    if scene.constraints:
+        return (), ("Small motions are not shown for scenes with constraints.",)
+    try:
+        rest = {q.name: 0 for q in scene.q}
+        linear = linearise(equations, rest, {f.name: 0 for f in scene.input_symbols})
+    except MechanicsError as error:
+        return (), (f"No small motions about q = 0: {error}",)
+    try:
+        return (_exact(linear),), ()
+    except MechanicsError as reason:
+        return _numeric(linear, str(reason))
+
+
+def _exact(linear: Linear) -> Modes:
+    found = modes(linear)
+    rows: list[tuple[str, Any, str]] = []
+    for i, value in enumerate(found.eigenvalues):
+        shape = ", ".join(str(entry) for entry in found.shapes[:, i])
+        rows.append((rf"\omega_{{{i + 1}}}^2", value, f"shape ({shape})"))
+    return Modes("Natural modes about q = 0", tuple(rows))
+
+
+def _numeric(linear: Linear, reason: str) -> tuple[tuple[Modes, ...], tuple[str, ...]]:
+    remark = f"Modes are numeric: {reason}"
+    try:
+        found = numeric_modes(linear)
+    except MechanicsError as error:
+        try:
+            poles = numeric_poles(linear)
+        except MechanicsError as other:
+            return (), (f"No modes: {error}", f"No poles: {other}")
+        rows = tuple((rf"s_{{{i + 1}}}", None, f"{pole:.6g}") for i, pole in enumerate(poles))
+        return (Modes("Poles about q = 0, typical values", rows),), (f"No modes: {error}",)
+    rows = tuple(
+        (
+            rf"\omega_{{{i + 1}}}^2",
+            None,
+            f"{value:.6g}, shape ({', '.join(f'{entry:.4g}' for entry in found.shapes[:, i])})",
+        )
+        for i, value in enumerate(found.eigenvalues)
+    )
+    return (Modes("Natural modes about q = 0, typical values", rows),), (remark,)

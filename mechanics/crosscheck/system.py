@@ -1,0 +1,204 @@
+"""One system from scene to result: derive, compare, prove, compile, measure.
+
+    scene --> routes --> pairs, laws, ledger --> compiled graphs --> residuals --> small motions
+"""
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from time import perf_counter
+
+from mechanics.checks import laws
+from mechanics.checks.agreement import compare, compare_pairs, require_regular
+from mechanics.checks.ledger import QUANTITIES, check_row
+from mechanics.checks.ledger_motion import check_complete
+from mechanics.checks.reactions import check_multipliers, check_reactions
+from mechanics.checks.soundness import check_sound
+from mechanics.compiled import Model, compile, prove_compiled, residuals
+from mechanics.crosscheck.motion import example_motion
+from mechanics.crosscheck.routes import named_routes
+from mechanics.crosscheck.small_motions import small_motions
+from mechanics.equations import Equations
+from mechanics.exact import Finding
+from mechanics.linear.ledger import check_linear_row
+from mechanics.report.result import LedgerResult, ResidualResult, RouteResult, SystemResult
+from mechanics.routes import kane
+from mechanics.routes.kane_reactions import auxiliary_equations
+from mechanics.scene import Scene
+from mechanics.scene.published import Published
+from mechanics.scene.quantities import EquationOfMotion
+from mechanics.scene.system import System
+
+DEFAULT_STATES = 10_000
+
+
+def silent(stage: str) -> None:
+    """Report no progress."""
+
+
+@dataclass(frozen=True)
+class CrossCheck:
+    """What a cross-check does.
+
+    Attributes
+    ----------
+    routes : tuple of str
+        Names; all for none.
+    states : int
+        Random states at which compiled functions are put into published equations of motion.
+    motion : bool
+        Whether to simulate an example motion (for the report).
+    progress : callable
+        Called with the name of each stage.
+    """
+
+    routes: tuple[str, ...] = ()
+    states: int = DEFAULT_STATES
+    motion: bool = False
+    progress: Callable[[str], None] = silent
+
+
+def crosscheck(system: System | Scene, options: CrossCheck | None = None) -> SystemResult:
+    """Derive a system by every route and check everything that can be checked.
+
+    Parameters
+    ----------
+    system : System or Scene
+    options : CrossCheck, optional
+
+    Returns
+    -------
+    SystemResult
+
+    Raises
+    ------
+    SceneError
+        When the scene cannot be right.
+    SingularError
+        When a route does not determine the accelerations.
+    """
+    options = options or CrossCheck()
+    if isinstance(system, Scene):
+        scene = system
+        system = System(scene.name, lambda: scene)
+    else:
+        scene = system.scene()
+
+    def stage(words: str) -> None:
+        options.progress(f"{system.name}: {words}")
+
+    stage("checking the scene")
+    check_sound(scene)
+    derived, seconds = _derived(scene, options.routes, stage)
+    stage("comparing routes")
+    pairs = compare_pairs(derived)
+    findings = [*pairs.values(), *_laws(scene, derived)]
+    stage("published equations")
+    published = tuple(_ledger(scene, system.published, derived))
+    motions = [row for row in system.published if isinstance(row.quantity, EquationOfMotion)]
+    if motions:
+        findings.append(check_complete(scene, motions, next(iter(derived.values()))))
+    stage("compiling")
+    models = {name: compile(equations) for name, equations in derived.items()}
+    findings += _graphs(models)
+    stage("residuals of compiled functions")
+    measured = _residuals(scene, models, motions, options.states)
+    stage("small motions")
+    modes, remarks = small_motions(derived)
+    motion = None
+    if options.motion:
+        stage("simulating")
+        motion, remark = example_motion(_preferred(models))
+        remarks += remark
+    return SystemResult(
+        name=system.name,
+        scene=scene,
+        routes={
+            name: RouteResult(equations, seconds[name], _operations(models[name]))
+            for name, equations in derived.items()
+        },
+        findings=tuple(findings),
+        published=published,
+        compiled=measured,
+        modes=modes,
+        motion=motion,
+        remarks=remarks,
+        pairs=pairs,
+    )
+
+
+def _derived(
+    scene: Scene, names: Sequence[str], stage: Callable[[str], None]
+) -> tuple[dict[str, Equations], dict[str, float]]:
+    derived, seconds = {}, {}
+    for route in named_routes(names):
+        stage(f"deriving by {route.name}")
+        start = perf_counter()
+        derived[route.name] = route.derive(scene)
+        seconds[route.name] = perf_counter() - start
+        require_regular(derived[route.name])
+    return derived, seconds
+
+
+def _laws(scene: Scene, derived: Mapping[str, Equations]) -> Iterator[Finding]:
+    yield laws.check_kinematics(scene)
+    yield from laws.check_potentials(scene)
+    yield from laws.check_ideal(scene)
+    for equations in derived.values():
+        yield laws.check_energy(equations)
+        if equations.conjugate:
+            yield laws.check_mass_matrix(equations)
+    if "free_body" in derived:
+        yield from check_reactions(derived["free_body"], auxiliary_equations(scene))
+    if scene.constraints:
+        reference = kane.derive_with_multipliers(scene)
+        yield laws.check_mass_matrix(reference)
+        for equations in derived.values():
+            yield compare(reference, equations)
+            if equations.multipliers:
+                yield check_multipliers(reference, equations)
+
+
+def _ledger(
+    scene: Scene, rows: Sequence[Published], derived: Mapping[str, Equations]
+) -> Iterator[LedgerResult]:
+    """Each row with the route that has what the row needs: reactions, or conjugate rows."""
+    first = next(iter(derived.values()))
+    mechanical = derived.get("free_body", first)
+    linear = next((e for e in derived.values() if e.conjugate), first)
+    for row in rows:
+        if isinstance(row.quantity, QUANTITIES):
+            yield LedgerResult(row, check_row(scene, row, mechanical))
+        else:
+            yield LedgerResult(row, check_linear_row(scene, row, linear))
+
+
+def _graphs(models: Mapping[str, Model]) -> Iterator[Finding]:
+    """Forward dynamics of every route; everything else that a model has, once."""
+    for name, model in models.items():
+        chosen = None if model is _preferred(models) else ("forward_dynamics",)
+        if name == "free_body" and chosen:
+            chosen = ("forward_dynamics", "reactions") if model.equations.reactions else chosen
+        yield from prove_compiled(model, chosen)
+
+
+def _preferred(models: Mapping[str, Model]) -> Model:
+    """The model that is simulated: Kane's has the fewest operations."""
+    return models.get("kane", next(iter(models.values())))
+
+
+def _operations(model: Model) -> int:
+    """Operations of M and f, common subexpressions shared."""
+    return sum(model.casadi[name].n_instructions() for name in ("mass_matrix", "forcing"))
+
+
+def _residuals(
+    scene: Scene, models: Mapping[str, Model], rows: Sequence[Published], states: int
+) -> tuple[ResidualResult, ...]:
+    if not rows or states == 0:
+        return ()
+    typed = [
+        (row.tag, scene.plain(row.sides[0], row.tag), scene.plain(row.sides[1], row.tag))
+        for row in rows
+    ]
+    found = residuals(tuple(models.values()), typed, states=states)
+    return tuple(ResidualResult(entry.subject, entry.max_eps, entry.states) for entry in found)
