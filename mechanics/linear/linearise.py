@@ -6,7 +6,7 @@
 
     (Y^T M N^-1 G) x'' - (Y^T df/du N^-1 G) x' - (Y^T d(f + B lambda_0)/dq G) x = Y^T df/dw w
 
-Y is N^-1 G where the rows are power-conjugate to u, so that those of the result are conjugate to x'.
+Y is N^-1 G where the rows are power-conjugate to u: the result is then conjugate to x'.
 Terms of second order (u times x, changes of M, N, A and G) are left out. With constraints, G spans
 the deviations that they admit to first order.
 """
