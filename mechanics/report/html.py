@@ -59,6 +59,7 @@ def to_html(results: Sequence[SystemResult]) -> str:
         equation=typeset.equation,
         inline=typeset.inline,
         prose=typeset.prose,
+        tag=typeset.tag,
         symbol=lambda name: typeset.maths(latex_name(name)),
         svg_name=lambda name: Markup(svg_name(name)),
     )

@@ -13,7 +13,20 @@ from html import escape
 from typing import Any
 
 from latex2mathml.converter import convert
-from sympy import Add, Basic, Derivative, Expr, MatrixBase, Mul, Pow, Rational, S, Symbol
+from sympy import (
+    Add,
+    Basic,
+    Derivative,
+    Expr,
+    Float,
+    MatrixBase,
+    Mul,
+    Pow,
+    Rational,
+    S,
+    Symbol,
+    sstr,
+)
 from sympy.core.function import AppliedUndef
 from sympy.functions.elementary.trigonometric import TrigonometricFunction
 from sympy.printing.conventions import split_super_sub
@@ -25,7 +38,9 @@ DOTTED = re.compile(r"(?P<base>.+)_(?P<dots>d{1,3})ot$")
 # A component of a reaction: Ax, Ty1.
 COMPONENT = re.compile(r"([A-Z])([xyz]\d*)")
 ACCENTS = ("", r"\dot", r"\ddot", r"\dddot")
-GREEK = frozenset(name for name in greek_unicode if name.islower())
+GREEK = frozenset(greek_unicode)
+# Bits of the precision of a number that was typed without regard to its digits.
+DOUBLE = 53
 COMBINING = ("", "\u0307", "\u0308", "\u20db")
 # Accelerations of gravity stand after masses, lengths after both; everything else before.
 UNIT_ORDER = {"m/s^2": 1, "m": 2, "1": 3, "rad": 3}
@@ -144,6 +159,11 @@ class Notation(LatexPrinter):
             texts.append(rf"\cdot {text}" if clash else text)
         return " ".join(texts)
 
+    def _print_Float(self, expr: Float) -> str:
+        # A number that a source rounds keeps the digits that it prints: 1.0000.
+        rounded = expr._prec < DOUBLE
+        return str(sstr(expr, full_prec=True)) if rounded else str(super()._print_Float(expr))
+
     def _print_Rational(self, expr: Rational) -> str:
         sign = "-" if expr.p < 0 else ""
         return rf"{sign}\tfrac{{{abs(expr.p)}}}{{{expr.q}}}" if expr.q != 1 else str(expr.p)
@@ -210,6 +230,7 @@ def _vector(column: MatrixBase) -> list[str]:
             continue
         if isinstance(entry, Add):
             first, *others = pieces(entry)
+            first = f"{{{first}}}" if first[0] == "-" else first
             terms = [rf"\bigl[ {first}", *others]
             terms[-1] += rf" \bigr] {unit}"
             terms[0] = f"+ {terms[0]}" if found else terms[0]

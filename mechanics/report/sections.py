@@ -156,7 +156,10 @@ def reactions(result: SystemResult) -> list[tuple[str, list[Line]]]:
 
 def published_rows(result: SystemResult) -> list[PublishedRow]:
     """The ledger, typeset."""
-    return [PublishedRow(entry, typeset.chain(entry.row.sides)) for entry in result.published]
+    return [
+        PublishedRow(entry, typeset.ledger_row(entry.row.tag, entry.row.sides))
+        for entry in result.published
+    ]
 
 
 def other_findings(result: SystemResult) -> list[Finding]:

@@ -41,6 +41,23 @@ def chain(sides: Sequence[Any], name: str = "") -> Markup:
     return _row(found, "")
 
 
+def ledger_row(tag: str, sides: Sequence[Any]) -> Markup:
+    """The sides of a published row; a tag ``"K, M"`` names as many sides that are no equality."""
+    names = tag.split(", ")
+    if len(names) == len(sides) > 1:
+        return Markup("").join(
+            chain((side,), latex_name(n)) for n, side in zip(names, sides, strict=True)
+        )
+    return chain(sides)
+
+
+def tag(text: str) -> Markup:
+    """The number or short label of a published row; a label that is a letter is typeset."""
+    if text in GREEK or (len(text) == 1 and text.isalpha()):
+        return maths(latex_name(text))
+    return prose(text.replace("^2", "²"))
+
+
 def prose(text: str) -> Markup:
     """A sentence; LaTeX between dollar signs and names such as x_C or theta_dot are typeset."""
     parts = re.split(r"\$([^$]+)\$", text)

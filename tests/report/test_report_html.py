@@ -111,6 +111,18 @@ def test_long_lines_are_folded_and_longer_ones_left_out() -> None:
     assert "too long to be read" in typeset.equation(line(typeset.TOO_LONG))
 
 
+def test_sides_that_a_tag_names_are_no_equality() -> None:
+    two = typeset.ledger_row("K, M", (Symbol("a"), Symbol("b")))
+    assert [part.count("<mo") for part in two.split('<div class="eq">')[1:]] == [1, 1]
+    assert typeset.ledger_row("(1)", (Symbol("a"), Symbol("b"))).count('<div class="eq">') == 1
+
+
+def test_tags_that_are_letters_are_typeset() -> None:
+    for text in ("lambda", "P", "x_C"):
+        assert "<math" in typeset.tag(text)
+    assert typeset.tag("(ii) final") == "(ii) final"
+
+
 def test_names_in_prose_are_typeset() -> None:
     text = typeset.prose("rate of x_C with $\\omega$ <b>, free_body")
     assert text.count("<math") == 2

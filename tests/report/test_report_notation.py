@@ -3,7 +3,7 @@
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from sympy import Derivative, Expr, Matrix, Rational, Symbol, cos, pi, sin, sqrt, symbols
+from sympy import Derivative, Expr, Float, Matrix, Rational, Symbol, cos, pi, sin, sqrt, symbols
 from sympy.physics.mechanics import dynamicsymbols
 
 from mechanics.report.notation import latex, latex_name, mathml, operations, pieces, svg_name
@@ -47,6 +47,8 @@ def test_names(name: str, expected: str) -> None:
         (M / (pi + 2), r"\frac{M}{2 + \pi}"),
         (Symbol("T") - k * x, "T - k x"),
         (-Rational(3, 2) * L, r"-\tfrac{3}{2} L"),
+        (Float("1.0000", 5), "1.0000"),
+        (2.5 * k, "2.5 k"),
         (X.diff(t, 2), r"\ddot{x}"),
         (M * THETA.diff(t) ** 2, r"M \dot{\theta}^{2}"),
         (Derivative(M * X * cos(THETA), t), r"\frac{d}{dt}\left[M x \cos \theta\right]"),
