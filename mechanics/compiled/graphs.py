@@ -21,7 +21,7 @@ from mechanics.compiled.mechanical import Totals, totals
 from mechanics.compiled.order import Order, pivot_order
 from mechanics.compiled.program import program, run
 from mechanics.compiled.quantities import DIGITS, Quantities, quantities
-from mechanics.compiled.sampling import sample
+from mechanics.compiled.sampling import DECADES, sample
 from mechanics.compiled.translate import Translator
 from mechanics.equations import Equations
 from mechanics.errors import InputError
@@ -145,10 +145,13 @@ class Graphs(Mapping[str, ca.Function]):
             graphs = ca.substitute(graphs, [ca.vertcat(*constants)], [bound])
         inputs = {group: self._columns[group] for group in STATE}
         code = program(self._function("system", inputs, dict(zip("Ab", graphs, strict=True))))
-        states = sample(self.quantities, TRIALS, SEED)
-        columns = [list(group.T) for group in states.groups]
+        # Half of the states are ordinary ones, half as wild as those of the residual checks.
+        drawn = [sample(self.quantities, TRIALS, SEED, decades) for decades in (1.0, DECADES)]
+        groups = (np.vstack(pair) for pair in zip(*(d.groups for d in drawn), strict=True))
+        columns = [list(group.T) for group in groups]
         left, right = run(code, columns, np.float64)
-        stacked = [np.stack(np.broadcast_arrays(*e, states.u[:, 0])[:-1], 1) for e in (left, right)]
+        filler = np.zeros(2 * TRIALS)
+        stacked = [np.stack(np.broadcast_arrays(*e, filler)[:-1], 1) for e in (left, right)]
         # Entries come column by column.
         return pivot_order(stacked[0].reshape(-1, n, n).swapaxes(1, 2).copy(), stacked[1])
 

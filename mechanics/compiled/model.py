@@ -6,6 +6,7 @@ code where a C compiler is found and by CasADi's virtual machine where none is.
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
+from functools import cached_property
 from typing import Any, Literal
 
 import numpy as np
@@ -85,6 +86,7 @@ class Model:
             self._programs[name] = program(self.casadi[name])
         return self._programs[name]
 
+    @cached_property
     def entries(self) -> dict[str, tuple[str, ...]]:
         """Names of the entries of every input."""
         groups = ("q", "u", "inputs", "p", "ud", "multipliers")
@@ -95,7 +97,7 @@ class Model:
         if (name, kind) not in self._kernels:
             if self.compiler is not None:
                 made: Kernel = NativeKernel(
-                    self.program(name), self.entries(), kind, self.compiler
+                    self.program(name), self.entries, kind, self.compiler
                 )
             elif kind is np.float64:
                 made = VirtualKernel(self.casadi[name])
@@ -152,7 +154,7 @@ class Model:
             value = self._parameters(value or {})
         if value is None:
             if size:
-                names = ", ".join(self.entries()[group])
+                names = ", ".join(self.entries[group])
                 raise InputError(f"{group} is missing: pass {size} values: {names}")
             value = np.zeros(0)
         try:
@@ -162,12 +164,12 @@ class Model:
         if np.ndim(value) not in (1, 2) or array.shape[-1] != size:
             raise InputError(
                 f"{group}: shape ({size},) or (batch, {size}) expected, {np.shape(value)} found:"
-                f" the entries are {', '.join(self.entries()[group]) or 'none'}"
+                f" the entries are {', '.join(self.entries[group]) or 'none'}"
             )
         return array
 
     def _parameters(self, given: Mapping[str, float]) -> Array:
-        names = self.entries()["p"]
+        names = self.entries["p"]
         if unknown := set(given) - set(names):
             raise InputError(
                 f"there is no parameter {', '.join(sorted(unknown))}: the parameters are"

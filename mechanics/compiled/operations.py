@@ -1,11 +1,11 @@
 """The operations of a CasADi graph: how each is written in C and computed with NumPy."""
 
+import math
 from collections.abc import Callable
 from typing import Any, NamedTuple
 
 import casadi as ca
 import numpy as np
-from scipy.special import erf
 
 from mechanics.errors import ExpressionError
 
@@ -75,7 +75,7 @@ OPERATIONS: dict[int, Operation] = {
     ca.OP_EXPM1: _call("expm1", np.expm1),
     ca.OP_LOG: _call("log", np.log),
     ca.OP_LOG1P: _call("log1p", np.log1p),
-    ca.OP_ERF: _call("erf", erf),
+    ca.OP_ERF: _call("erf", np.vectorize(math.erf)),
     ca.OP_POW: _call("pow", np.power, 2),
     ca.OP_CONSTPOW: _call("pow", np.power, 2),
     ca.OP_HYPOT: _call("hypot", np.hypot, 2),

@@ -92,7 +92,7 @@ def quantities(equations: Equations) -> Quantities:
 
     turning = {u for u in scene.u if _turns(scene, u, angles)}
     rates = {ud for u, ud in zip(scene.u, scene.ud, strict=True) if u in turning}
-    declared = {r.symbol: Quantity(r.symbol, "N" if r.at else "N m") for r in scene.reactions}
+    declared = {r.symbol: Quantity(r.symbol, "N m" if r.at is None else "N") for r in scene.reactions}
     solved = [symbol for symbol, _ in equations.reactions]
     return Quantities(
         q=motion(scene.q, angles, 0),

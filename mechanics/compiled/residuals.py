@@ -124,35 +124,28 @@ def _residual(
     rows = columns[used]
     extended = extended_terms(terms, chosen)
     error = extended.error * (2.0**-52 / epsilon)
-    count = columns.shape[1]
+    candidates = np.arange(columns.shape[1])
     if np.isfinite(error):
         ratios = extended.ratios(list(rows), epsilon)
-        order, bounds = np.argsort(-ratios), (ratios + error).astype(float)
-    else:
-        order, bounds = np.arange(count), np.full(count, np.inf)
-    worst, largest, confirmed = _largest(balls, rows, order, bounds, epsilon)
+        # Elsewhere the true ratio is below that of the state with the largest one found.
+        candidates = np.flatnonzero(ratios >= ratios.max() - 2 * error)
+    worst, largest = _largest(balls, rows, candidates, epsilon)
     state = zip((s.name for s in symbols), map(float, columns[:, worst]), strict=True)
-    return Residual(subject, largest, count, tuple(state), confirmed)
+    return Residual(subject, largest, columns.shape[1], tuple(state), len(candidates))
 
 
 def _largest(
-    balls: BallTerms, rows: Columns, order: NDArray[np.intp], bounds: Columns, epsilon: float
-) -> tuple[int, float, int]:
-    """(state, ratio, states evaluated): the largest ratio, from above, by Arb."""
-    worst, largest, confirmed = int(order[0]), 0.0, 0
+    balls: BallTerms, rows: Columns, candidates: NDArray[np.intp], epsilon: float
+) -> tuple[int, float]:
+    """The candidate with the largest ratio, and that ratio from above, by Arb."""
+    worst, largest = int(candidates[0]), 0.0
     with precision(BITS):
-        for index in order:
-            # Ordered by ratio: from here on no state can be larger.
-            if np.isfinite(bounds[index]) and bounds[index] < largest:
-                break
+        for index in candidates:
             ratio = balls.ratio(rows[:, index].tolist(), epsilon)
-            confirmed += 1
-            if not ratio.is_finite():
-                return int(index), float("inf"), confirmed
-            upper = float(ratio.upper())
+            upper = float(ratio.upper()) if ratio.is_finite() else float("inf")
             if upper > largest:
                 worst, largest = int(index), upper
-    return worst, largest, confirmed
+    return worst, largest
 
 
 def _check(

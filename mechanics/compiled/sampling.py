@@ -43,30 +43,38 @@ class States:
         return self.q, self.u, self.inputs, self.p
 
 
-def sample(quantities: Quantities, count: int, seed: int) -> States:
-    """Draw `count` states for the quantities of a model; the same seed gives the same states."""
+def sample(quantities: Quantities, count: int, seed: int, decades: float = DECADES) -> States:
+    """Draw `count` states for the quantities of a model; the same seed gives the same states.
+
+    Sizes are 10**e with e uniform in [-decades, decades].
+    """
     random = np.random.default_rng(seed)
     return States(
         *(
-            _columns(random, group, count)
+            _columns(random, group, count, decades)
             for group in (quantities.q, quantities.u, quantities.inputs, quantities.p)
         )
     )
 
 
 def _columns(
-    random: np.random.Generator, group: Sequence[Quantity], count: int
+    random: np.random.Generator, group: Sequence[Quantity], count: int, decades: float
 ) -> NDArray[np.float64]:
     if not group:
         return np.zeros((count, 0))
     return np.stack(
-        [_angles(random, count) if g.unit == "rad" else _sizes(random, g, count) for g in group],
+        [
+            _angles(random, count) if g.unit == "rad" else _sizes(random, g, count, decades)
+            for g in group
+        ],
         axis=1,
     )
 
 
-def _sizes(random: np.random.Generator, quantity: Quantity, count: int) -> NDArray[np.float64]:
-    sizes = 10.0 ** random.uniform(-DECADES, DECADES, count)
+def _sizes(
+    random: np.random.Generator, quantity: Quantity, count: int, decades: float
+) -> NDArray[np.float64]:
+    sizes = 10.0 ** random.uniform(-decades, decades, count)
     return sizes if quantity.positive else sizes * random.choice((-1.0, 1.0), count)
 
 

@@ -7,6 +7,8 @@ get a name each. Parentheses keep the order of the roundings. Inputs are read an
 written last, so an output may be the same array as an input.
 """
 
+import re
+import textwrap
 from collections import Counter
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -18,7 +20,9 @@ from mechanics.compiled.names import Namer
 from mechanics.compiled.operations import ATOM, OPERATIONS, PRODUCT, SIGN, SUM, unknown
 from mechanics.compiled.program import Program
 
-WIDTH = 72
+LINE = 100
+WIDTH = 64
+SHORT = 16
 
 Entries = Mapping[str, tuple[str, ...]]
 """For each input the names of its entries."""
@@ -36,7 +40,11 @@ def signature(code: Program, kind: str = "double", name: str | None = None) -> s
     """``void name(const double q[2], double ud[2])``; arrays without entries are left out."""
     arguments = [f"const {kind} {group}[{size}]" for group, size in code.inputs if size]
     arguments += [f"{kind} {out}[{rows * cols}]" for out, (rows, cols) in code.shapes if rows * cols]
-    return f"void {name or code.name}({', '.join(arguments)})"
+    # A line may end after an argument, not inside one.
+    glued = ", ".join(argument.replace(" ", "~") for argument in arguments)
+    text = f"void~{name or code.name}({glued})"
+    lines = textwrap.wrap(text, LINE, subsequent_indent="    ", break_long_words=False)
+    return "\n".join(lines).replace("~", " ")
 
 
 def function_source(
@@ -63,6 +71,11 @@ def _body(code: Program, entries: Entries, kind: str) -> list[str]:
         for (group, entry), name in sorted(local.items())
     ]
     texts: list[Text] = []
+
+    def keep(text: Text, name: str) -> Text:
+        lines.append(f"    const {kind} {name} = {text.code};")
+        return Text(name, ATOM)
+
     for k, node in enumerate(code.nodes):
         if node.constant is not None:
             texts.append(Text(literal(node.constant, kind), ATOM if node.constant >= 0 else SIGN))
@@ -71,10 +84,15 @@ def _body(code: Program, entries: Entries, kind: str) -> list[str]:
             texts.append(Text(local.get(node.operands, ""), ATOM))
             continue
         text = expression(node.operation, [texts[i] for i in node.operands], kind)
-        if uses[k] > 1 or len(text.code) > WIDTH or node.operation in _CALLS:
-            name = namer.value()
-            lines.append(f"    const {kind} {name} = {text.code};")
-            text = Text(name, ATOM)
+        if len(text.code) > WIDTH:
+            for i in node.operands:
+                if texts[i].level != ATOM and len(texts[i].code) > SHORT:
+                    texts[i] = keep(texts[i], namer.value())
+            text = expression(node.operation, [texts[i] for i in node.operands], kind)
+        if node.operation in _CALLS:
+            text = keep(text, _call_name(text.code, namer))
+        elif uses[k] > 1:
+            text = keep(text, namer.value())
         texts.append(text)
     stores: list[str] = []
     for (out, _), nodes in zip(code.shapes, code.outputs, strict=True):
@@ -102,6 +120,12 @@ def _locals(
 
 # Function calls get a line each: they are what costs time.
 _CALLS = {op for op, how in OPERATIONS.items() if how.level == ATOM and "{f}(" in how.text}
+
+
+def _call_name(text: str, namer: Namer) -> str:
+    """``sin_theta`` for ``sin(theta)``; a number where the argument is no plain name."""
+    plain = re.fullmatch(r"(\w+)\((\w+)\)", text)
+    return namer.local("_".join(plain.groups())) if plain else namer.value()
 
 
 def _uses(code: Program) -> Counter[int]:
@@ -157,4 +181,5 @@ def literal(value: float, kind: str) -> str:
         return f"{int(number)}.0{suffix}" if number or np.copysign(1, number) > 0 else "-0.0" + suffix
     sign = "-" if number < 0 else ""
     mantissa, exponent = abs(number).hex().split("p")
-    return f"{sign}{mantissa.rstrip('0') if '.' in mantissa else mantissa}p{exponent}{suffix}"
+    digits = mantissa.rstrip("0").rstrip(".") if "." in mantissa else mantissa
+    return f"{sign}{digits}p{exponent}{suffix}"

@@ -5,7 +5,7 @@
 One node of the expression is translated once, so that what is shared stays shared. Every number in
 a graph is a double; a number that no double holds exactly (pi, sqrt(2), an integer of 20 digits)
 becomes a *named constant*: an input of the graph, so that the graph is exact and can be proved, and
-bound to the nearest double only afterwards.
+bound to the nearest double only afterwards. So do divisors, whose reciprocals no double holds.
 """
 
 from collections.abc import Callable, Mapping, Sequence
@@ -138,6 +138,11 @@ class Translator:
         # CasADi folds p/q into a double: exact only where q is a power of two.
         return ca.SX(p / q) if q & (q - 1) == 0 else self._constant(number)
 
+    def _divisor(self, number: sympy.Integer) -> ca.SX:
+        """An integer to divide by. CasADi differentiates x/3 into the double 1/3: name the 3."""
+        q = int(number)
+        return ca.SX(q) if q & (q - 1) == 0 else self._constant(sympy.Integer(q))
+
     def _float(self, number: sympy.Float) -> ca.SX:
         value = float(number)
         return ca.SX(value) if sympy.Rational(value) == _dyadic(number) else self._constant(number)
@@ -156,7 +161,7 @@ class Translator:
             if isinstance(factor, sympy.Rational) and _holds(factor):
                 negative = factor.p < 0
                 above += [ca.SX(abs(int(factor.p)))] if abs(factor.p) != 1 else []
-                below += [ca.SX(int(factor.q))] if factor.q != 1 else []
+                below += [self._divisor(factor.q)] if factor.q != 1 else []
             elif isinstance(factor, sympy.Pow) and factor.base is not sympy.S.Exp1:
                 power, inverse = self._power(factor)
                 (below if inverse else above).append(power)

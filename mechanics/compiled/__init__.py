@@ -1,0 +1,15 @@
+"""Equations as fast functions, proved to be still the same equations."""
+
+from mechanics.compiled.model import Buffer, Model, compile
+from mechanics.compiled.proof import prove_compiled, prove_graph
+from mechanics.compiled.residuals import Residual, residuals
+
+__all__ = [
+    "Buffer",
+    "Model",
+    "Residual",
+    "compile",
+    "prove_compiled",
+    "prove_graph",
+    "residuals",
+]

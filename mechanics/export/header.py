@@ -1,0 +1,93 @@
+"""The C header: sizes, the order and unit of every array entry, and the prototypes."""
+
+from collections.abc import Iterator, Sequence
+
+from mechanics.compiled import Model
+from mechanics.compiled.quantities import Quantity
+from mechanics.compiled.source import signature
+from mechanics.errors import ValueMissingError
+
+ARRAYS = {
+    "q": "generalized coordinates q",
+    "u": "generalized speeds u",
+    "ud": "rates of the speeds, u'",
+    "inputs": "inputs",
+    "p": "parameters",
+    "multipliers": "multipliers: reactions that maintain the constraints",
+    "reactions": "reactions",
+}
+
+FUNCTIONS = {
+    "forward_dynamics": "Accelerations u' (and multipliers) from the state.",
+    "mass_matrix": "M of the equations M u' = f + B lambda, column by column.",
+    "forcing": "Right side f of the equations M u' = f + B lambda.",
+    "residual": "M u' - f - B lambda, and below it A u' - b of the constraints.",
+    "inverse_dynamics": "Generalized forces, conjugate to u, which added to the loads give u'.",
+    "energy": "Kinetic, potential and total energy, in J.",
+    "momenta": "Linear momentum in kg m/s, angular momentum about the origin in kg m^2/s\n"
+    " * (inertial components), and the generalized momenta dT/du.",
+    "coordinate_rates": "Rates of the coordinates: q' = N u + n.",
+    "jacobians": "Derivatives of u' by q, u, inputs and p, column by column.",
+    "reactions": "The reactions listed above, from the state.",
+}
+
+
+def header(model: Model, prefix: str, names: Sequence[str]) -> str:
+    """Text of the header."""
+    guard = f"{prefix.upper()}_H"
+    scene = model.equations.scene
+    top = f"""\
+/*
+ * Equations of motion: {comment(scene.name)}, derived by {comment(model.equations.route)}.
+ *
+ * C99, no allocation, no global state: every function may be called from any thread. SI units.
+ * Matrices are stored column by column. All inputs are read before the first output is written,
+ * so an output may be the same array as an input of its size.
+ *
+ * Non-finite values: an input that is not finite, or a state at which the equations are singular,
+ * gives outputs that are not finite. Nothing traps and nothing is checked; use isfinite().
+ */
+#ifndef {guard}
+#define {guard}
+"""
+    sections = [top]
+    for array, title in ARRAYS.items():
+        entries = getattr(model.quantities, array)
+        sections.append("\n".join(array_section(model, prefix, array, title, entries)) + "\n")
+    sections.append('#ifdef __cplusplus\nextern "C" {\n#endif\n')
+    for name in names:
+        prototype = signature(model.program(name), name=f"{prefix}_{name}")
+        sections.append(f"/* {FUNCTIONS[name]} */\n{prototype};\n")
+    sections.append(f"#ifdef __cplusplus\n}}\n#endif\n\n#endif /* {guard} */\n")
+    return "\n".join(sections)
+
+
+def array_section(
+    model: Model, prefix: str, array: str, title: str, entries: Sequence[Quantity]
+) -> Iterator[str]:
+    """Size of an array, and a table of its entries."""
+    if entries:
+        yield f"/* {title}"
+        width = max(len(comment(entry.name)) for entry in entries)
+        units = max(len(comment(entry.unit) or "-") for entry in entries)
+        for i, entry in enumerate(entries):
+            words = f"{comment(entry.meaning)}{_typical(model, array, i)}".strip(" ,")
+            row = f" *   {array}[{i}]  {comment(entry.name):{width}}  "
+            yield f"{row}{comment(entry.unit) or '-':{units}}  {words}".rstrip()
+        yield " */"
+    yield f"#define {prefix.upper()}_{array.upper()}_SIZE {len(entries)}"
+
+
+def _typical(model: Model, array: str, index: int) -> str:
+    if array != "p":
+        return ""
+    try:
+        return f", typically {model.quantities.typical[index]:.6g}"
+    except ValueMissingError:
+        return ""
+
+
+def comment(text: str) -> str:
+    """Text that is safe inside a C comment: on one line, and neither opening nor closing one."""
+    line = " ".join(text.split())
+    return line.replace("*/", "* /").replace("/*", "/ *").replace("\\", "/").replace("??", "? ?")

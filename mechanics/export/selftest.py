@@ -1,0 +1,103 @@
+"""The self-test: a C program that calls every function at a few states and compares.
+
+Inputs, expected values and tolerances are hexadecimal floats, so no digit is lost in print. See
+`mechanics.export.vectors` for where the values come from.
+"""
+
+import textwrap
+from collections.abc import Iterator, Sequence
+
+from mechanics.compiled import Model
+from mechanics.compiled.source import LINE, literal
+from mechanics.export.header import comment
+from mechanics.export.vectors import BITS, ROOM, Vector, vectors
+
+TOP = """\
+/*
+ * Self-test: {scene}.
+ *
+ * Expected values are enclosed with {bits} binary digits and rounded to the nearest double. The
+ * tolerance is {room} times what the roundings of the operations can add up to in double precision (the
+ * radius of an enclosure with 53 digits), rounded up to a power of two. Prints what fails; exit code
+ * 0 or 1.
+ */
+#include "{prefix}.h"
+
+#include <math.h>
+#include <stdio.h>
+
+static int check(const char *what, int state, int size, const double *got, const double *expected,
+    const double *tolerance)
+{{
+    int failures = 0;
+    for (int i = 0; i < size; ++i) {{
+        if (!(fabs(got[i] - expected[i]) <= tolerance[i])) {{
+            printf("%s, state %d, entry %d: %.17g found, %.17g expected\\n", what, state, i, got[i],
+                expected[i]);
+            ++failures;
+        }}
+    }}
+    return failures;
+}}
+"""
+
+
+def selftest(model: Model, prefix: str, names: Sequence[str]) -> str:
+    """Text of the self-test program."""
+    scene = comment(model.equations.scene.name)
+    parts = [TOP.format(scene=scene, bits=BITS, room=ROOM, prefix=prefix)]
+    for name in names:
+        parts.append("\n".join(_test(model, prefix, name, vectors(model, name))) + "\n")
+    parts += ["int main(void)", "{", "    int failures = 0;"]
+    parts += [f"    failures += test_{name}();" for name in names]
+    parts.append(f'    printf("{prefix}: %d failures\\n", failures);')
+    return "\n".join([*parts, "    return failures > 0;", "}", ""])
+
+
+def _test(model: Model, prefix: str, name: str, states: Sequence[Vector]) -> Iterator[str]:
+    code = model.program(name)
+    sizes = [rows * cols for _, (rows, cols) in code.shapes]
+    count = len(states)
+    yield f"static int test_{name}(void)"
+    yield "{"
+    for i, (group, size) in enumerate(code.inputs):
+        if size:
+            yield from _table(f"{group}_in", [state.inputs[i] for state in states])
+    for i, (out, _) in enumerate(code.shapes):
+        if sizes[i]:
+            yield from _table(f"{out}_expected", [state.expected[i] for state in states])
+            yield from _table(f"{out}_tolerance", [state.tolerance[i] for state in states])
+    yield "    int failures = 0;"
+    yield f"    for (int i = 0; i < {count}; ++i) {{"
+    outs = [(out, size) for (out, _), size in zip(code.shapes, sizes, strict=True) if size]
+    for out, size in outs:
+        yield f"        double {out}[{size}];"
+    arguments = [f"{group}_in[i]" for group, size in code.inputs if size]
+    yield from _wrapped(
+        f"{prefix}_{name}({', '.join([*arguments, *(out for out, _ in outs)])});", "        "
+    )
+    for out, size in outs:
+        what = name if len(outs) == 1 else f"{name} {out}"
+        yield from _wrapped(
+            f'failures += check("{what}", i, {size}, {out}, {out}_expected[i],'
+            f" {out}_tolerance[i]);",
+            "        ",
+        )
+    yield "    }"
+    yield "    return failures;"
+    yield "}"
+
+
+def _table(name: str, rows: Sequence[Sequence[float]]) -> Iterator[str]:
+    yield f"    static const double {name}[{len(rows)}][{len(rows[0])}] = {{"
+    for row in rows:
+        numbers = ", ".join(literal(value, "double") for value in row)
+        yield from _wrapped(f"{{{numbers}}},", "        ")
+    yield "    };"
+
+
+def _wrapped(text: str, indent: str) -> list[str]:
+    return textwrap.wrap(
+        text, LINE, initial_indent=indent, subsequent_indent=indent + "    ",
+        break_long_words=False, break_on_hyphens=False,
+    )  # fmt: skip

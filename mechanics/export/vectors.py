@@ -1,0 +1,122 @@
+"""Test vectors: states, the values that a function has there, and how far off a good one may be.
+
+    expected = nearest double to the enclosure with 512 bits
+    tolerance = 4 * radius of the enclosure with 53 bits           rounded up to a power of two
+
+The values are not the model's own: the graph is walked in Arb balls. With the 53 bits of a double,
+the radius of a ball is what the roundings of these operations can add up to, so it tells how
+accurate plain double precision must be there, cancellation included; the factor leaves room for a
+library whose sine is off by a unit of the last place.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from math import ceil, isfinite, log2
+
+import casadi as ca
+import numpy as np
+from flint import arb
+
+from mechanics.compiled import Model
+from mechanics.compiled.quantities import Quantities, Quantity
+from mechanics.compiled.sampling import sample
+from mechanics.errors import SingularError
+from mechanics.exact.balls import Ball, BallArithmetic, State, ball, precision
+
+COUNT = 5
+DRAWN = 60
+DECADES = 1.0
+SEED = 3
+BITS = 512
+DOUBLE = 53
+ROOM = 4
+# A state at which roundings may take more than this share of the values tests nothing.
+VAGUE = 2.0**-26
+
+Inputs = tuple[tuple[float, ...], ...]
+
+
+@dataclass(frozen=True)
+class Vector:
+    """One state and what a function gives there.
+
+    Attributes
+    ----------
+    inputs : tuple of tuple of float
+        By input of the function.
+    expected, tolerance : tuple of tuple of float
+        By output, column by column.
+    """
+
+    inputs: Inputs
+    expected: tuple[tuple[float, ...], ...]
+    tolerance: tuple[tuple[float, ...], ...]
+
+
+def vectors(model: Model, name: str) -> tuple[Vector, ...]:
+    """Test vectors of one function of a model; the same ones every time.
+
+    Raises
+    ------
+    SingularError
+        If the function is finite, and not all cancellation, at none of the states.
+    """
+    function = model.casadi[name]
+    found: list[Vector] = []
+    for inputs in _states(model.quantities, [function.name_in(i) for i in range(function.n_in())]):
+        vector = _vector(function, inputs)
+        if vector is not None:
+            found.append(vector)
+        if len(found) == COUNT:
+            break
+    if not found:
+        raise SingularError(
+            f"{name}: it is well defined at none of {DRAWN} ordinary states, so it cannot be"
+            " tested: is the mass matrix singular?"
+        )
+    return tuple(found)
+
+
+def _states(quantities: Quantities, groups: Sequence[str]) -> list[Inputs]:
+    """Ordinary states, rounded to single precision so that they are short to write."""
+    known = sample(quantities, DRAWN, SEED, DECADES)
+    columns = dict(zip(("q", "u", "inputs", "p"), known.groups, strict=True))
+    random = np.random.default_rng(SEED)
+    for group in ("ud", "multipliers"):
+        entries: tuple[Quantity, ...] = getattr(quantities, group)
+        columns[group] = random.uniform(-10, 10, (DRAWN, len(entries)))
+    rounded = {group: array.astype(np.float32).astype(float) for group, array in columns.items()}
+    return [tuple(tuple(rounded[g][i].tolist()) for g in groups) for i in range(DRAWN)]
+
+
+def _vector(function: ca.Function, inputs: Inputs) -> Vector | None:
+    """The test vector at a state; None where the function is singular or all cancellation."""
+    rough = _enclosed(function, inputs, DOUBLE)
+    radii = [[float(b.rad()) for b in output] for output in rough]
+    sizes = [max((abs(float(b.mid())) for b in output), default=0.0) for output in rough]
+    for output, size in zip(radii, sizes, strict=True):
+        if not all(isfinite(r) and r <= VAGUE * size for r in output if r):
+            return None
+    fine = _enclosed(function, inputs, BITS)
+    return Vector(
+        inputs,
+        tuple(tuple(_nearest(b) for b in output) for output in fine),
+        tuple(tuple(_power_of_two(ROOM * r) for r in output) for output in radii),
+    )
+
+
+def _enclosed(function: ca.Function, inputs: Inputs, bits: int) -> list[list[arb]]:
+    """Every output as balls."""
+    with precision(bits):
+        arguments = [[Ball(arb(value)) for value in group] for group in inputs]
+        outputs = BallArithmetic(State({})).graph(function, arguments)
+        return [[n.arb if isinstance(n, Ball) else ball(n) for n in entries] for entries in outputs]
+
+
+def _nearest(enclosure: arb) -> float:
+    """The nearest double; zero for a ball around zero, whose midpoint means nothing."""
+    return 0.0 if enclosure.contains(0) else float(enclosure.mid())
+
+
+def _power_of_two(bound: float) -> float:
+    return 2.0 ** ceil(log2(bound)) if bound > 0 else 0.0
