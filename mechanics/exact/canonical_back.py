@@ -63,10 +63,7 @@ class Writer:
 
     def write(self, polynomial: fmpq_mpoly) -> sympy.Expr:
         """Return a polynomial as a SymPy sum."""
-        return self.total(terms(polynomial))
-
-    def total(self, pairs: list[tuple[tuple[Factor, ...], sympy.Rational]]) -> sympy.Expr:
-        """Return the sum of terms (factors, coefficient)."""
+        pairs = terms(polynomial)
         for factors, _ in pairs:
             for factor in factors:
                 if factor not in self._factors:
@@ -87,19 +84,15 @@ class Writer:
         self, rank: dict[Factor, int], factors: tuple[Factor, ...], value: sympy.Rational
     ) -> sympy.Expr:
         parts = [self._factors[factor] for factor in sorted(factors, key=rank.__getitem__)]
-        if not all(_plain(part) for part in parts):
-            return sympy.Mul(value, *parts)  # roots and inverses may combine
+        if not all(self._plain(place) for place, _ in factors):
+            return sympy.Mul(value, *parts)  # roots, inverses and moduli may combine
         if value != 1 or not parts:
             parts.insert(0, value)
         return parts[0] if len(parts) == 1 else sympy.Mul._from_args(parts)
 
-
-def _plain(part: sympy.Expr) -> bool:
-    """Tell whether a factor cannot combine with another one: a power of a symbol or function."""
-    base = part.base if isinstance(part, sympy.Pow) and part.exp.is_Integer else part
-    return isinstance(base, sympy.Symbol | sympy.sin | sympy.cos) and not (
-        isinstance(part, sympy.Pow) and part.exp < 0
-    )
+    def _plain(self, place: int) -> bool:
+        """Tell whether powers of a generator cannot combine with others: a symbol or a circle's."""
+        return isinstance(self._ring.keys[place], sympy.Symbol | tuple)
 
 
 def terms(polynomial: fmpq_mpoly) -> list[tuple[tuple[Factor, ...], sympy.Rational]]:

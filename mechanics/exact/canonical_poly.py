@@ -131,7 +131,15 @@ class Reader:
         if isinstance(again, sympy.sin | sympy.cos):
             c, s = self.ring.circle(again.args[0])
             return c if isinstance(again, sympy.cos) else s
-        return self.ring.generator(again)
+        return self._modulus(again) if isinstance(again, sympy.Abs) else self.ring.generator(again)
+
+    def _modulus(self, node: sympy.Abs) -> fmpq_mpoly:
+        """Return the generator |x|, bound by |x|**2 = x**2 where x is real."""
+        place, new = self.ring.place(node)
+        if new and node.args[0].is_extended_real:
+            square = self.ring.power(self.read(node.args[0]), 2)
+            self.ring.relate(((place, 2),), self.ring.gen(place) ** 2 - square)
+        return self.ring.gen(place)
 
     def _argument(self, arg: sympy.Basic) -> sympy.Basic:
         return self.write(self.read(arg)) if isinstance(arg, sympy.Expr) else arg
