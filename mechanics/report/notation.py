@@ -44,7 +44,7 @@ DOUBLE = 53
 COMBINING = ("", "\u0307", "\u0308", "\u20db")
 # Accelerations of gravity stand after masses, lengths after both; everything else before.
 UNIT_ORDER = {"m/s^2": 1, "m": 2, "1": 3, "rad": 3}
-FUNCTION = re.compile(r"(?<![({\[])(\\(?:sin|cos|tan|exp|log))(\^\{[^{}]*\})? ?(?=(\\left)?)")
+FUNCTION = re.compile(r"(^|[^({\[])?(\\(?:sin|cos|tan|exp|log))(\^\{[^{}]*\})? ?(?=(\\left)?)")
 
 
 @lru_cache(maxsize=4096)
@@ -244,7 +244,7 @@ def _vector(column: MatrixBase) -> list[str]:
 @lru_cache(maxsize=65536)
 def mathml(source: str) -> str:
     """One inline MathML element in display style."""
-    spaced = FUNCTION.sub(lambda m: rf"\,{m[1]}{m[2] or ''}" + ("" if m[3] else r"\,"), source)
+    spaced = FUNCTION.sub(_space, source)
     text: str = convert(spaced, display="inline")
     text = text.replace(' xmlns="http://www.w3.org/1998/Math/MathML"', "")
     text = text.replace('display="inline"', 'displaystyle="true"', 1)
@@ -253,6 +253,13 @@ def mathml(source: str) -> str:
         # The piece continues a line, so its sign is spaced as one between two terms.
         text = text.replace("<mo>", '<mo form="infix">', 1)
     return text
+
+
+def _space(found: re.Match[str]) -> str:
+    """Thin spaces around a function, except at a bracket."""
+    before, name, power, bracket = found.groups()
+    lead = "" if before is None else rf"{before}\,"
+    return lead + name + (power or "") + ("" if bracket else r"\,")
 
 
 def _upright(letters: re.Match[str]) -> str:
