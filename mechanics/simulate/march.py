@@ -4,7 +4,7 @@
 
 After a step the state is projected back onto the constraints, and the solver starts anew from there
 when the correction is larger than the error that it was allowed: a Runge-Kutta method loses one
-evaluation by that, a multistep method more, which is why it is not done after every step.
+evaluation by that, a multistep method more, and is given more patience.
 """
 
 from collections.abc import Callable, Iterator
@@ -27,7 +27,12 @@ METHODS: dict[str, type[OdeSolver]] = {
     "BDF": BDF,
     "LSODA": LSODA,
 }
-MAX_STEPS = 200_000
+# By how many errors of a step the state may leave the constraints before the solver starts anew:
+# a multistep method begins again at first order then.
+PATIENCE = {"BDF": 100.0, "LSODA": 100.0}
+MAX_STEPS = 100_000
+# How far ahead, in s, to look for the reason when no step succeeds.
+AHEAD = 1e-6
 
 
 @dataclass(frozen=True)
@@ -80,8 +85,7 @@ def march(flow: Flow, start: Array, span: tuple[float, float], by: Tolerance) ->
         before = solver.t
         solver.step()
         if solver.status == "failed":
-            why = _refused(flow, measure, before, solver.y) or Ending.STALLED
-            yield Stretch(_still(solver.y), before, why)
+            yield Stretch(_still(solver.y), before, _stalled(flow, measure, before, solver.y))
             return
         state = solver.dense_output()
         watch = [*watch[-2:], Watch(solver.t, measure(solver.t, solver.y), state)]
@@ -96,7 +100,8 @@ def march(flow: Flow, start: Array, span: tuple[float, float], by: Tolerance) ->
         yield Stretch(state, solver.t, Ending.COMPLETE if solver.status == "finished" else None)
         if solver.status == "finished":
             return
-        if np.any(np.abs(corrected - solver.y) > by.atol + by.rtol * np.abs(solver.y)):
+        allowed = by.atol + by.rtol * np.abs(solver.y)
+        if np.any(np.abs(corrected - solver.y) > PATIENCE.get(by.method, 1.0) * allowed):
             solver = _solver(flow, corrected, (solver.t, span[1]), by, solver.step_size)
     yield Stretch(_still(solver.y), solver.t, Ending.TOO_LONG)
 
@@ -113,6 +118,16 @@ def _solver(
 
 def _still(state: Array) -> Callable[[float], Array]:
     return lambda t: state
+
+
+def _stalled(flow: Flow, measure: Measure, t: float, state: Array) -> Ending:
+    """Why no step succeeds: for a reason in the state, or in one just ahead."""
+    ahead = state + AHEAD * flow.rate(t, state)
+    return (
+        _refused(flow, measure, t, state)
+        or _refused(flow, measure, t + AHEAD, ahead)
+        or Ending.STALLED
+    )
 
 
 def _refused(flow: Flow, measure: Measure, t: float, state: Array) -> Ending | None:
