@@ -63,7 +63,7 @@ def to_html(results: Sequence[SystemResult]) -> str:
         symbol=lambda name: typeset.maths(latex_name(name)),
         svg_name=lambda name: Markup(svg_name(name)),
     )
-    page = environment.get_template("report.html")
+    page = environment.get_template("page.html")
     return page.render(
         sections=[_section(n, result) for n, result in enumerate(results, start=1)],
         tally=words.tally(f for result in results for f in words.all_findings(result)),

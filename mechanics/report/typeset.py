@@ -52,7 +52,9 @@ def ledger_row(tag: str, sides: Sequence[Any]) -> Markup:
 
 
 def tag(text: str) -> Markup:
-    """The number or short label of a published row; a label that is a letter is typeset."""
+    """A number or short label; one that is a letter, or LaTeX, is typeset."""
+    if "\\" in text and "$" not in text:
+        return maths(text)
     if text in GREEK or (len(text) == 1 and text.isalpha()):
         return maths(latex_name(text))
     return prose(text.replace("^2", "²"))

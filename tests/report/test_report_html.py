@@ -16,7 +16,7 @@ from mechanics.report import typeset
 from mechanics.report.html import to_html
 from mechanics.report.result import SystemResult
 
-GOLDEN = Path(__file__).parent / "golden" / "report.html"
+GOLDEN = Path(__file__).parent / "golden" / "page.html"
 VOID = {"meta", "link", "br", "wbr", "img", "hr"}
 
 
