@@ -1,1 +1,71 @@
-"""Cross-check engine for equations of motion."""
+"""Cross-check engine for equations of motion.
+
+    scene --> routes --> Equations --> checks --> report
+                             |
+                             +--> compile --> Model --> simulate, write_c
+"""
+
+from mechanics.compiled import Model, compile
+from mechanics.crosscheck import ROUTES, CrossCheck, crosscheck, derive
+from mechanics.equations import Equations
+from mechanics.errors import MechanicsError
+from mechanics.exact import Finding, Verdict, Witness
+from mechanics.export import write_c
+from mechanics.linear import linearise, modes
+from mechanics.report.html import to_html
+from mechanics.report.json_report import to_json
+from mechanics.scene import (
+    Particle,
+    RigidBody,
+    Scene,
+    damper,
+    force,
+    gravity,
+    holonomic,
+    nonholonomic,
+    parameters,
+    reaction,
+    reaction_couple,
+    spring,
+    torque,
+    torsion_spring,
+)
+from mechanics.scene.published import published
+from mechanics.scene.system import System
+from mechanics.simulate import simulate
+
+__all__ = [
+    "ROUTES",
+    "CrossCheck",
+    "Equations",
+    "Finding",
+    "MechanicsError",
+    "Model",
+    "Particle",
+    "RigidBody",
+    "Scene",
+    "System",
+    "Verdict",
+    "Witness",
+    "compile",
+    "crosscheck",
+    "damper",
+    "derive",
+    "force",
+    "gravity",
+    "holonomic",
+    "linearise",
+    "modes",
+    "nonholonomic",
+    "parameters",
+    "published",
+    "reaction",
+    "reaction_couple",
+    "simulate",
+    "spring",
+    "to_html",
+    "to_json",
+    "torque",
+    "torsion_spring",
+    "write_c",
+]

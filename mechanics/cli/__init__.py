@@ -1,0 +1,5 @@
+"""The command line: `mechanics --help`."""
+
+from mechanics.cli.app import main
+
+__all__ = ["main"]

@@ -1,0 +1,95 @@
+"""`mechanics derive`: the equations of motion of one route, for people or programs."""
+
+from enum import Enum
+from typing import Annotated
+
+import sympy
+import typer
+from sympy import Matrix
+
+from mechanics.cli.load import load
+from mechanics.crosscheck import derive as derive_by
+from mechanics.equations import Equations
+from mechanics.report.notation import latex
+
+
+class Format(str, Enum):
+    """How equations are written."""
+
+    TEXT = "text"
+    LATEX = "latex"
+    PYTHON = "python"
+
+
+def derive(
+    system: Annotated[str, typer.Argument(metavar="SYSTEM", help="A name or a .py file.")],
+    route: Annotated[
+        str, typer.Option(help="free_body, moving_point, kane or lagrange.")
+    ] = "free_body",
+    form: Annotated[Format, typer.Option("--format", help="How to write them.")] = Format.TEXT,
+) -> None:
+    """Print the equations of motion M u' = f + B lambda, A u' = b of one route.
+
+    Examples:
+
+    `mechanics derive rocker --route moving_point`
+
+    `mechanics derive elastic_pendulum --route kane --format latex`
+    """
+    equations = derive_by(load(system).scene(), route)
+    writer = {Format.TEXT: _text, Format.LATEX: _latex, Format.PYTHON: _python}[form]
+    typer.echo(writer(equations))
+
+
+def _sides(equations: Equations) -> list[tuple[sympy.Expr, sympy.Expr]]:
+    scene = equations.scene
+    lefts = equations.mass * Matrix(scene.ud)
+    rights = equations.forcing
+    if equations.multipliers:
+        rights = rights + equations.reaction_matrix * Matrix(equations.multipliers)
+    rows = list(zip(lefts, rights, strict=True))
+    if equations.constraint_matrix.rows:
+        closed = equations.constraint_matrix * Matrix(scene.ud)
+        rows += list(zip(closed, equations.constraint_bias, strict=True))
+    return rows
+
+
+def _text(equations: Equations) -> str:
+    lines = [f"{equations.scene.name}, by {equations.route}"]
+    lines += [f"  {words}" for words in equations.chosen]
+    lines += [f"{left} = {right}" for left, right in _sides(equations)]
+    return "\n".join(lines)
+
+
+def _latex(equations: Equations) -> str:
+    rows = [f"{latex(left)} &= {latex(right)}" for left, right in _sides(equations)]
+    return "\\begin{align}\n" + " \\\\\n".join(rows) + "\n\\end{align}"
+
+
+def _python(equations: Equations) -> str:
+    """A Python module that builds M, f, B, A and b with SymPy."""
+    scene = equations.scene
+    groups = {
+        "coordinates": scene.q,
+        "speeds": scene.u,
+        "speed_rates": scene.ud,
+        "inputs": scene.input_symbols,
+        "parameters": scene.parameters,
+        "multipliers": equations.multipliers,
+    }
+    lines = [f'"""Equations of motion of {scene.name}, by {equations.route}."""', ""]
+    lines += ["from sympy import *", ""]
+    for title, symbols in groups.items():
+        for symbol in symbols:
+            sign = "positive" if symbol.is_positive else "real"
+            lines.append(f"{symbol.name} = Symbol({symbol.name!r}, {sign}=True)")
+        lines.append(f"{title} = ({''.join(symbol.name + ', ' for symbol in symbols)})")
+    for title, matrix in (
+        ("M", equations.mass),
+        ("f", equations.forcing),
+        ("B", equations.reaction_matrix),
+        ("A", equations.constraint_matrix),
+        ("b", equations.constraint_bias),
+    ):
+        lines.append(f"matrix_{title} = Matrix({matrix.rows}, {matrix.cols}, {list(matrix)})")
+    return "\n".join(lines)

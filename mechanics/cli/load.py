@@ -1,0 +1,111 @@
+"""Systems by name or file: ``rocker``, ``pendulum_chain(10)``, ``my_system.py``."""
+
+import ast
+import importlib.util
+import inspect
+import re
+import traceback
+from functools import partial
+from pathlib import Path
+from types import ModuleType
+
+from mechanics.errors import InputError, MechanicsError
+from mechanics.scene import Scene
+from mechanics.scene.published import Published
+from mechanics.scene.system import System
+
+CALL = re.compile(r"(\w+)(?:\((\d+)\)|:(\d+))")
+
+
+def load(text: str) -> System:
+    """The system that a person named.
+
+    Parameters
+    ----------
+    text : str
+        A name, a name with a size (``pendulum_chain(10)`` or ``pendulum_chain:10``), or the path
+        of a Python file with a function ``scene()`` and, perhaps, a tuple ``PUBLISHED``.
+
+    Raises
+    ------
+    InputError
+        When there is no such system, or the file is none.
+    """
+    if text.endswith(".py"):
+        return _from_file(Path(text))
+    from systems import ALL  # ledgers take a second to build, and a file needs none of them
+
+    known = {system.name: system for system in ALL}
+    if text in known:
+        return known[text]
+    sized = CALL.fullmatch(text)
+    if sized and sized[1] in known:
+        system = known[sized[1]]
+        if inspect.signature(system.scene).parameters:
+            # Published rows belong to the size that their source has.
+            return System(text, partial(system.scene, int(sized[2] or sized[3])))
+        raise InputError(f"system {text!r}: {sized[1]} has no size: write {sized[1]}")
+    raise InputError(
+        f"system {text!r} is not known: the systems are {', '.join(known)};"
+        " or give the path of a .py file with a function scene()"
+    )
+
+
+def _from_file(path: Path) -> System:
+    if not path.is_file():
+        raise InputError(f"file {path}: there is no such file")
+    module = _module(path)
+    scene = getattr(module, "scene", None)
+    if not callable(scene):
+        raise InputError(f"file {path}: it has no function scene() that returns a Scene")
+    rows = getattr(module, "PUBLISHED", ())
+    if not all(isinstance(row, Published) for row in rows):
+        raise InputError(f"file {path}: PUBLISHED has to be a tuple of published(...) rows")
+    return System(path.stem, partial(_checked, scene, path), tuple(rows))
+
+
+def _module(path: Path) -> ModuleType:
+    """Run a person's file; whatever it raises becomes one line that names the place."""
+    try:
+        ast.parse(path.read_text(encoding="utf-8"), str(path))
+    except (SyntaxError, UnicodeDecodeError, ValueError) as error:
+        raise InputError(f"file {path}: it is no Python file: {error}") from None
+    spec = importlib.util.spec_from_file_location(path.stem, path)
+    if spec is None or spec.loader is None:
+        raise InputError(f"file {path}: Python cannot load it")
+    module = importlib.util.module_from_spec(spec)
+    try:
+        spec.loader.exec_module(module)
+    except MechanicsError:
+        raise
+    except (ArithmeticError, AttributeError, ImportError, LookupError, NameError,
+            OSError, RuntimeError, TypeError, ValueError) as error:  # fmt: skip
+        raise InputError(_located(path, error)) from None
+    return module
+
+
+def _checked(scene: object, path: Path) -> Scene:
+    try:
+        made = scene()  # type: ignore[operator]
+    except MechanicsError:
+        raise
+    except (ArithmeticError, AttributeError, ImportError, LookupError, NameError,
+            OSError, RuntimeError, TypeError, ValueError) as error:  # fmt: skip
+        raise InputError(_located(path, error)) from None
+    if not isinstance(made, Scene):
+        raise InputError(
+            f"file {path}: scene() returned a {type(made).__name__}; it has to return a Scene"
+        )
+    return made
+
+
+def _located(path: Path, error: Exception) -> str:
+    """``file x.py, line 7: NameError: name 'm' is not defined``."""
+    lines = [
+        entry.lineno
+        for entry in traceback.extract_tb(error.__traceback__)
+        if Path(entry.filename) == path or Path(entry.filename).name == path.name
+    ]
+    place = f", line {lines[-1]}" if lines else ""
+    words = " ".join(str(error).split())
+    return f"file {path}{place}: {type(error).__name__}: {words}"

@@ -1,0 +1,86 @@
+"""`mechanics linearize` and `mechanics modes`: motions near an equilibrium."""
+
+from typing import Annotated
+
+import typer
+from sympy import Matrix, Rational
+
+from mechanics.cli.load import load
+from mechanics.cli.values import assignments
+from mechanics.crosscheck import derive
+from mechanics.errors import ExpressionError, InputError
+from mechanics.linear import Linear, linearise, numeric_modes, numeric_poles, stability
+from mechanics.linear import modes as exact_modes
+
+SystemArgument = Annotated[str, typer.Argument(metavar="SYSTEM", help="A name or a .py file.")]
+AtOption = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--at", metavar="NAME=VALUE", help="Coordinate or input at the equilibrium; zero if not."
+    ),
+]
+
+
+def linearize(system: SystemArgument, at: AtOption = None) -> None:
+    """Print the linear equations about an equilibrium, which is proved to be one first.
+
+    Example: `mechanics linearize rocker --at theta=0`
+    """
+    linear = _linear(system, at or [])
+    typer.echo(f"M x'' + C x' + K x = B f, x = deviations of {', '.join(map(str, linear.coordinates))}")
+    for title, matrix in (("M", linear.mass), ("C", linear.damping), ("K", linear.stiffness)):
+        typer.echo(f"{title} = {_rows(matrix)}")
+    for order, matrix in enumerate(linear.input_matrices):
+        if matrix.cols:
+            names = ", ".join(str(name) + "'" * order for name in linear.inputs)
+            typer.echo(f"B = {_rows(matrix)}, for {names}")
+    try:
+        typer.echo(f"equilibrium: {stability(linear).value}")
+    except ExpressionError as error:
+        typer.echo(f"stability: {error}")
+
+
+def modes(system: SystemArgument, at: AtOption = None) -> None:
+    """Print natural frequencies and shapes about an equilibrium, exact where they factor.
+
+    Example: `mechanics modes two_mass_chain`
+    """
+    linear = _linear(system, at or [])
+    if not linear.undamped:
+        typer.echo("damped: poles at the typical values")
+        for pole in numeric_poles(linear):
+            typer.echo(f"s = {pole:.10g}")
+        return
+    try:
+        exact = exact_modes(linear)
+    except ExpressionError as error:
+        typer.echo(f"typical values ({error})")
+        numeric = numeric_modes(linear)
+        for i, value in enumerate(numeric.eigenvalues):
+            shape = ", ".join(f"{entry:.10g}" for entry in numeric.shapes[:, i])
+            typer.echo(f"omega_{i + 1}^2 = {value:.10g}   shape ({shape})")
+        return
+    for i, value in enumerate(exact.eigenvalues):
+        shape = ", ".join(str(entry) for entry in exact.shapes[:, i])
+        typer.echo(f"omega_{i + 1}^2 = {value}   shape ({shape})")
+
+
+def _linear(name: str, settings: list[str]) -> Linear:
+    scene = load(name).scene()
+    values = {key: Rational(v.numerator, v.denominator) for key, v in assignments(settings).items()}
+    coordinates = {symbol.name: Rational(0) for symbol in scene.q}
+    inputs = {symbol.name: Rational(0) for symbol in scene.input_symbols}
+    for key, value in values.items():
+        if key in coordinates:
+            coordinates[key] = value
+        elif key in inputs:
+            inputs[key] = value
+        else:
+            known = ", ".join((*coordinates, *inputs))
+            raise InputError(f"{scene.name}: there is no coordinate or input {key!r}: {known}")
+    return linearise(derive(scene, "lagrange"), coordinates, inputs)
+
+
+def _rows(matrix: Matrix) -> str:
+    rows = ("[" + ", ".join(str(entry) for entry in row) + "]" for row in matrix.tolist())
+    return "[" + ", ".join(rows) + "]"

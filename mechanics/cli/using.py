@@ -1,0 +1,95 @@
+"""`mechanics simulate` and `mechanics codegen`: what compiled equations are used for."""
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+from rich.console import Console
+from rich.markup import escape
+
+from mechanics.cli.load import load
+from mechanics.cli.values import assignments, sorted_out
+from mechanics.compiled import compile
+from mechanics.crosscheck import derive
+from mechanics.export import write_c
+from mechanics.simulate import Ending, write_plot, write_table
+from mechanics.simulate import simulate as run
+from mechanics.simulate.files import SUFFIXES, writable
+
+
+def simulate(
+    system: Annotated[str, typer.Argument(metavar="SYSTEM", help="A name or a .py file.")],
+    out: Annotated[Path, typer.Option(metavar="FILE.csv|.parquet", help="Where samples go.")],
+    duration: Annotated[float, typer.Option(help="In s.")] = 10.0,
+    settings: Annotated[
+        list[str] | None,
+        typer.Option("--set", metavar="NAME=VALUE", help="Initial value, parameter or input."),
+    ] = None,
+    plot: Annotated[Path | None, typer.Option(metavar="FILE.svg", help="Draw the motion.")] = None,
+    samples: Annotated[int, typer.Option(min=2, help="Number of samples.")] = 501,
+    route: Annotated[str, typer.Option(help="Route that derives the equations.")] = "kane",
+) -> None:
+    """Integrate the equations of motion and write the samples.
+
+    Values that are not set are the example's and the typical ones. In a scene with constraints the
+    initial values are made consistent: what is set is kept, the rest is solved for, and the branch
+    is named. Exit code 3 when the motion had to end early; what was integrated is written.
+
+    Examples:
+
+    `mechanics simulate elastic_pendulum --duration 10 --set theta=2.5 --out motion.csv`
+
+    `mechanics simulate four_bar --set q1=0.5 --out motion.parquet --plot motion.svg`
+    """
+    # Bad file names are refused before the work is done.
+    writable(out, SUFFIXES)
+    if plot is not None:
+        writable(plot, (".svg",))
+    scene = load(system).scene()
+    initial, parameters, inputs = sorted_out(scene, assignments(settings or []))
+    errors = Console(stderr=True)
+    with errors.status("deriving") as status:
+        model = compile(derive(scene, route))
+        status.update("integrating")
+        found = run(
+            model,
+            duration,
+            initial=initial,
+            parameters=parameters,
+            inputs=inputs,
+            samples=samples,
+        )
+        write_table(found, out)
+        if plot is not None:
+            write_plot(found, plot)
+    console = Console()
+    console.print(f"{escape(found.title)}: {escape(found.reason)}")
+    if found.branch:
+        console.print(escape(found.branch))
+    for name, value in found.drift.items():
+        console.print(f"largest drift of {escape(name)} before projection: {value:.1e}")
+    if found.conservative:
+        console.print(f"largest relative change of the energy: {found.energy_drift:.1e}")
+    console.print(f"wrote {len(found.times)} samples to {escape(str(out))}")
+    if found.ending is not Ending.COMPLETE:
+        raise typer.Exit(3)
+
+
+def codegen(
+    system: Annotated[str, typer.Argument(metavar="SYSTEM", help="A name or a .py file.")],
+    out: Annotated[Path, typer.Option("--out", "-o", metavar="DIR", help="Folder to write.")],
+    route: Annotated[str, typer.Option(help="Route that derives the equations.")] = "free_body",
+) -> None:
+    """Write the equations as C99, with a header, a self-test and a manifest.
+
+    Examples:
+
+    `mechanics codegen elastic_pendulum -o elastic_pendulum_c`
+
+    `cmake -S elastic_pendulum_c -B build && cmake --build build && ctest --test-dir build`
+    """
+    scene = load(system).scene()
+    with Console(stderr=True).status("deriving"):
+        files = write_c(compile(derive(scene, route)), out)
+    for path in files:
+        typer.echo(str(path))
