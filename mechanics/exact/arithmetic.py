@@ -48,6 +48,9 @@ class Arithmetic(ABC):
     def assign(self, symbol: sympy.Symbol, number: Number) -> None:
         """Let `symbol` stand for a number that the experiment has computed.
 
+        In the field a computed angle is one whole: with th = x + y, sin(th) is not known to be
+        sin(x) cos(y) + cos(x) sin(y). Substitute in the expression where that matters.
+
         Raises
         ------
         ValueError

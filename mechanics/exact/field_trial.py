@@ -51,7 +51,6 @@ MOST_POINTS = 1000
 MOST_SECONDS = 60.0
 POOL = 16
 
-
 KINKS = {"absolute value", "comparison"}
 """Operations that have a case on either side of a boundary."""
 
@@ -100,14 +99,11 @@ def trial(experiment: Experiment, log2_target: float, seed: int | None) -> Trial
     """
     source = random.Random(seed) if seed is not None else random.SystemRandom()
     session = _Session(experiment, source, seed, Memory())
-    try:
-        first = session.run(log2_target)
-        if first.answer is Answer.NONZERO and KINKS & set(first.opaque):
-            second = replace(session, signs=True).run(log2_target)
-            return second if second.answer is Answer.ZERO else first
-        return first
-    except _FailedError as failure:
-        return Trial(Answer.FAILED, inf, str(failure), tuple(session.memory.opaque))
+    first = session.attempt(log2_target)
+    if first.answer is Answer.NONZERO and KINKS & set(first.opaque):
+        second = replace(session, signs=True).attempt(log2_target)
+        return second if second.answer is Answer.ZERO else first
+    return first
 
 
 @cache
@@ -124,6 +120,13 @@ class _Session:
     seed: int | None
     memory: Memory
     signs: bool = False
+
+    def attempt(self, log2_target: float) -> Trial:
+        """Run, and say so where no point is admissible or no bound is reached."""
+        try:
+            return self.run(log2_target)
+        except _FailedError as failure:
+            return Trial(Answer.FAILED, inf, str(failure), tuple(self.memory.opaque))
 
     def run(self, log2_target: float) -> Trial:
         """Choose the prime, look at the roots, evaluate as many points as needed."""
@@ -156,7 +159,7 @@ class _Session:
             prime = draw_prime(bits, self.source) if fresh else self.prime(bits, index)
             a = FieldArithmetic(prime, self.source, self.memory, signs=self.signs)
             try:
-                return _measured(a, self.experiment(a), bits)
+                return _measured(a, list(self.experiment(a)), bits)
             except Restart:
                 continue
             except Inadmissible as reason:
@@ -172,8 +175,9 @@ class _Session:
         roots = point.square_roots
         if point.kinks:
             return point.kinks + roots
-        for index in range(min(16 * 2**roots, 512)):
-            if len(self.memory.not_squares) >= roots:
+        deadline = monotonic() + MOST_SECONDS / 4
+        for index in range(min(16 * 2**roots, 2 * DRAWS)):
+            if len(self.memory.not_squares) >= roots or monotonic() > deadline:
                 break
             a = FieldArithmetic(self.prime(bits, index), self.source, self.memory, real=False)
             try:

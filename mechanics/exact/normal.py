@@ -47,6 +47,7 @@ class NormalArithmetic(Arithmetic):
         self.factors: list[fmpq_mpoly] = []
         self._denominators, self._expand = denominators, expand_angles
         self._atoms: dict[tuple[str, str], int] = {}
+        self.compound = False
 
     def rational(self, number: int | Fraction) -> Quotient:
         """Return a constant."""
@@ -129,6 +130,7 @@ class NormalArithmetic(Arithmetic):
         """Return the whole argument as one atom: up to a factor, so that 2 a is twice a."""
         if numerator == 0:
             return []
+        self.compound = self.compound or len(numerator) > 1
         unit = numerator.leading_coefficient()
         atom = f"({numerator / unit}) / {sorted(powers.items())}"
         return [self._multiple(kind, atom, _ratio(unit))]
@@ -224,19 +226,21 @@ def proves(experiment: Callable[[Arithmetic], Sequence[tuple[Any, Any]]]) -> boo
 
     False says nothing: too large, an operation without normal form, or really different.
     """
-    return any(_proves(experiment, expand_angles) for expand_angles in (False, True))
+    proved, compound = _attempt(experiment, expand_angles=False)
+    return proved or (compound and _attempt(experiment, expand_angles=True)[0])
 
 
-def _proves(
+def _attempt(
     experiment: Callable[[Arithmetic], Sequence[tuple[Any, Any]]], expand_angles: bool
-) -> bool:
+) -> tuple[bool, bool]:
+    """Return whether it is proved, and whether there are sums of angles that could be expanded."""
     capacity, denominators = 24, Denominators()
     while capacity <= MOST_GENERATORS:
         a = NormalArithmetic(capacity, denominators, expand_angles)
         try:
-            return all(a.is_zero(a.rational(0) + x - y) for x, y in experiment(a))
+            return all(a.is_zero(a.rational(0) + x - y) for x, y in experiment(a)), a.compound
         except Restart as reason:
             capacity *= 2 if "ring" in str(reason) else 1
         except (TooLarge, Inadmissible, ExpressionError):
-            return False  # the certificate of the field stands
-    return False
+            return False, a.compound  # the certificate of the field stands
+    return False, False

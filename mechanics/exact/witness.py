@@ -16,8 +16,11 @@ from mechanics.exact.balls import BallArithmetic, State, precision
 from mechanics.exact.finding import Witness
 from mechanics.exact.signals import Inadmissible
 
-STATES = 40
-PRECISIONS = (64, 128, 256, 512, 1024, 2048)
+STATES = 120
+ROUNDS = (((64, 128, 256, 512, 1024, 2048), 4), ((64, 256), 60))
+"""Precisions, and at how many states where both sides are defined they are tried: many digits for
+differences that are tiny everywhere, many states for those that are zero where some sign is right.
+"""
 
 
 def find_witness(
@@ -25,24 +28,26 @@ def find_witness(
 ) -> Witness | None:
     """Return a state that refutes the experiment, or None if none was found."""
     source = random.Random(seed) if seed is not None else random.SystemRandom()
-    fruitless = 0
-    for _ in range(STATES):
-        state = State({}, source)
-        witness, defined = _at_state(experiment, state)
-        if witness is not None:
-            return witness
-        fruitless += defined
-        if fruitless == 6:
-            break  # a false statement differs almost everywhere
+    for precisions, wanted in ROUNDS:
+        defined = 0
+        for _ in range(STATES):
+            witness, here = _at_state(experiment, State({}, source), precisions)
+            if witness is not None:
+                return witness
+            defined += here
+            if defined == wanted:
+                break
     return None
 
 
 def _at_state(
-    experiment: Callable[[Arithmetic], Sequence[tuple[Any, Any]]], state: State
+    experiment: Callable[[Arithmetic], Sequence[tuple[Any, Any]]],
+    state: State,
+    precisions: Sequence[int],
 ) -> tuple[Witness | None, bool]:
     """Return a witness if there is one, and whether the experiment was defined at the state."""
     defined = False
-    for bits in PRECISIONS:
+    for bits in precisions:
         with precision(bits):
             a = BallArithmetic(state)
             try:

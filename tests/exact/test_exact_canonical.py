@@ -24,6 +24,7 @@ KNOWN = [
     (sp.sqrt(x**2 + y**2) ** 2, x**2 + y**2),
     (sp.Abs(x * (y + 1)) - sp.Abs(x * y + x), 0),
     (sp.Float(0.5) * x, x / 2),
+    (y * (x + sp.Abs(y)) ** 2 - 2 * x * y * sp.Abs(y), y**3 + x**2 * y),
     (sp.S.Zero, 0),
     (x, x),
 ]

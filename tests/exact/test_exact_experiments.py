@@ -122,6 +122,8 @@ def test_mixing_with_rationals():
 def test_floats_are_no_numbers():
     with pytest.raises(TypeError, match="exact number expected, float found"):
         decide("float", lambda a: [(a.value(x) * 0.1, 0)])
+    with pytest.raises(TypeError, match=r"Symbol found: pass int, Fraction or a\.value"):
+        decide("symbol", lambda a: [(a.value(x), x)])
 
 
 def test_a_symbol_is_assigned_before_it_is_used():

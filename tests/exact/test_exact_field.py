@@ -1,6 +1,7 @@
 """The field: primes as asked for, bounds that hold, congruence, roots."""
 
 import random
+from itertools import pairwise
 from math import log2
 
 import pytest
@@ -173,7 +174,18 @@ def test_an_ambiguous_root_is_looked_at_many_times():
     assert found.log2_bound < -80
 
 
-@pytest.mark.parametrize("seed", range(8))
+def test_many_roots_need_one_point_only():
+    points = sp.symbols("p0:7", real=True)
+    total = sum(sp.sqrt((p - q) ** 2 + 1) for p, q in pairwise(points))
+    square = sp.expand(total**2)
+    finding = prove_equal("springs", total**2, square, try_normal=False, seed=2)
+    assert finding.verdict is Verdict.CERTIFIED
+    assert "a random point" in finding.evidence
+    wrong = prove_equal("springs", total**2, square + points[0] / 10**9, try_normal=False, seed=2)
+    assert wrong.verdict is Verdict.REFUTED
+
+
+@pytest.mark.parametrize("seed", range(30))
 def test_a_wrong_sign_of_an_ambiguous_root_never_passes(seed):
     root = sp.sqrt(x**2 - 2 * x * y + y**2)
     finding = prove_equal("sign", root, x - y, seed=seed, try_normal=False)
