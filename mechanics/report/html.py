@@ -22,6 +22,7 @@ from mechanics.report.sections import (
     other_findings,
     published_rows,
     reactions,
+    residual_rows,
     shown_state,
     speeds,
     symbol_rows,
@@ -59,6 +60,7 @@ def to_html(results: Sequence[SystemResult]) -> str:
         equation=typeset.equation,
         inline=typeset.inline,
         prose=typeset.prose,
+        ratio=words.ratio,
         tag=typeset.tag,
         symbol=lambda name: typeset.maths(latex_name(name)),
         svg_name=lambda name: Markup(svg_name(name)),
@@ -72,7 +74,7 @@ def to_html(results: Sequence[SystemResult]) -> str:
 
 
 def _section(number: int, result: SystemResult) -> Section:
-    state = shown_state(result)
+    state, others = shown_state(result), other_findings(result)
     return Section(
         number=number,
         result=result,
@@ -83,6 +85,8 @@ def _section(number: int, result: SystemResult) -> Section:
         speeds=speeds(result),
         reactions=reactions(result),
         published=published_rows(result),
-        others=other_findings(result),
+        doubtful=[finding for finding in others if not finding.shown],
+        others=[finding for finding in others if finding.shown],
+        residuals=residual_rows(result),
         charts=motion_charts(result),
     )

@@ -50,6 +50,15 @@ class PublishedRow:
 
 
 @dataclass(frozen=True)
+class ResidualRow:
+    """One equation and precision: the largest residual of each route, None where not measured."""
+
+    statement: str
+    values: list[float | None]
+    states: int
+
+
+@dataclass(frozen=True)
 class Chart:
     """A chart with its legend: samples of strokes and plain names."""
 
@@ -71,7 +80,9 @@ class Section:
     speeds: list[Speed]
     reactions: list[tuple[str, list[Line]]]
     published: list[PublishedRow]
+    doubtful: list[Finding]
     others: list[Finding]
+    residuals: list[ResidualRow]
     charts: list[Chart]
 
 
@@ -163,9 +174,28 @@ def published_rows(result: SystemResult) -> list[PublishedRow]:
 
 
 def other_findings(result: SystemResult) -> list[Finding]:
-    """Findings that do not stand in the matrix."""
+    """Findings that do not stand in the matrix, in their order."""
     shown = {id(finding) for finding in result.pairs.values()}
     return [finding for finding in result.findings if id(finding) not in shown]
+
+
+def residual_rows(result: SystemResult) -> list[ResidualRow]:
+    """Residuals of compiled functions, the routes side by side.
+
+    The subject of a residual starts with its route; what does not stands in every column alike.
+    """
+    groups: dict[tuple[str, int], dict[str, float]] = {}
+    for entry in result.compiled:
+        route, _, statement = entry.subject.partition(": ")
+        if route in result.routes:
+            groups.setdefault((statement, entry.states), {})[route] = entry.max_eps
+        else:
+            alike = dict.fromkeys(result.routes, entry.max_eps)
+            groups.setdefault((entry.subject, entry.states), {}).update(alike)
+    return [
+        ResidualRow(statement, [found.get(route) for route in result.routes], states)
+        for (statement, states), found in groups.items()
+    ]
 
 
 def motion_charts(result: SystemResult) -> list[Chart]:

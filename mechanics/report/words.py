@@ -46,6 +46,13 @@ def duration(seconds: float) -> str:
     return f"{seconds:.1f} s"
 
 
+def ratio(value: float | None) -> str:
+    """A residual ratio with two decimals, or as a power of ten where it is large."""
+    if value is None:
+        return ""
+    return f"{value:.2f}" if value < 1000 else f"{value:.1e}"
+
+
 def count(number: int, noun: str) -> str:
     """A number with its noun."""
     return f"{number:,} {noun}{'' if number == 1 else 's'}".replace(",", "\u202f")

@@ -110,7 +110,7 @@ def small() -> SystemResult:
         routes,
         findings=(*pairs.values(), other),
         published=(LedgerResult(row, Finding("(1)", Verdict.PROVED, "zero in the normal form")),),
-        compiled=(ResidualResult("kane, (1), double", 3.25, 100_000),),
+        compiled=(ResidualResult("kane: equation (1), double", 3.25, 100_000),),
         modes=(Modes("Modes", ((r"$\omega_1$", sqrt(k / m), "2.000 rad/s"),)),),
         motion=Motion(scene.name, columns, "the whole duration was integrated"),
         remarks=("No C compiler was found.",),

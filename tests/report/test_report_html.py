@@ -12,9 +12,10 @@ from sympy import Add, Symbol
 
 from mechanics.equations import Line
 from mechanics.exact import Finding, Verdict
-from mechanics.report import typeset
+from mechanics.report import typeset, words
 from mechanics.report.html import to_html
-from mechanics.report.result import SystemResult
+from mechanics.report.result import ResidualResult, SystemResult
+from mechanics.report.sections import residual_rows
 
 GOLDEN = Path(__file__).parent / "golden" / "page.html"
 VOID = {"meta", "link", "br", "wbr", "img", "hr"}
@@ -100,6 +101,26 @@ def test_parts_that_a_result_lacks_are_left_out(small: SystemResult) -> None:
     assert "Other checks" in page
 
 
+def test_residuals_stand_beside_each_other(small: SystemResult) -> None:
+    measured = (
+        ResidualResult("kane: equation (6), double", 1.5, 10),
+        ResidualResult("free_body: equation (6), double", 2.5, 10),
+        ResidualResult("all routes", 3.5, 10),
+    )
+    rows = residual_rows(dataclasses.replace(small, compiled=measured))
+    assert [(row.statement, row.values) for row in rows] == [
+        ("equation (6), double", [2.5, None, 1.5]),
+        ("all routes", [3.5, 3.5, 3.5]),
+    ]
+
+
+def test_many_statements_that_are_shown_are_folded(small: SystemResult) -> None:
+    many = tuple(Finding(f"a{i} = b", Verdict.PROVED, "") for i in range(13))
+    doubt = Finding("c = d", Verdict.UNDECIDED, "an unknown function")
+    page = to_html([dataclasses.replace(small, findings=(*many, doubt), pairs={})])
+    assert page.index("an unknown function") < page.index("13 statements, all proved or certified")
+
+
 def test_long_lines_are_folded_and_longer_ones_left_out() -> None:
     def line(terms: int) -> Line:
         return Line("a", Add(*(Symbol(f"b{i}") for i in range(terms))))
@@ -127,3 +148,19 @@ def test_names_in_prose_are_typeset() -> None:
     text = typeset.prose("rate of x_C with $\\omega$ <b>, free_body")
     assert text.count("<math") == 2
     assert "&lt;b&gt;, free_body" in text
+
+
+def test_ratios_and_durations() -> None:
+    assert [words.ratio(value) for value in (None, 1.256, 4e15)] == ["", "1.26", "4.0e+15"]
+    assert [words.duration(value) for value in (0.0042, 0.25, 0.9999, 12.34)] == [
+        "4.2 ms",
+        "250 ms",
+        "1.0 s",
+        "12.3 s",
+    ]
+
+
+@pytest.mark.parametrize(("bound", "power"), [(2.0**-100, "−100"), (1.1 * 2.0**-100, "−99")])
+def test_a_printed_bound_is_a_bound(bound: float, power: str) -> None:
+    finding = Finding("a = b", Verdict.CERTIFIED, "", bound)
+    assert f"<sup>{power}</sup>" in words.bound(finding)

@@ -24,7 +24,7 @@ def test_layout(small: SystemResult) -> None:
         }
     ]
     assert system["compiled"] == [
-        {"subject": "kane, (1), double", "max_eps": 3.25, "states": 100_000}
+        {"subject": "kane: equation (1), double", "max_eps": 3.25, "states": 100_000}
     ]
     keys = {"subject", "verdict", "evidence", "error_bound", "witness"}
     assert {frozenset(finding) for finding in system["findings"]} == {frozenset(keys)}
