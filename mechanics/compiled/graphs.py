@@ -1,6 +1,6 @@
 """The functions of a model as CasADi graphs.
 
-    forward dynamics    (u', lambda)                     from  [[M, -B], [A, 0]] (u', lambda) = (f, b)
+    forward dynamics    (u', lambda)  from  [[M, -B], [A, 0]] (u', lambda) = (f, b)
     residual            [[M, -B], [A, 0]] (u', lambda) - (f, b)
     inverse dynamics    tau = M_T (u' - forward dynamics),   M_T = d2T/du2
 
@@ -9,7 +9,7 @@ to get u'; with M_T from the kinetic energy this holds whatever the rows of a ro
 rows are conjugate and nothing is constrained, it is M u' - f.
 """
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping
 from functools import cached_property
 
 import casadi as ca
@@ -27,6 +27,9 @@ from mechanics.equations import Equations
 from mechanics.errors import InputError
 
 STATE = ("q", "u", "inputs", "p")
+MATRICES = frozenset({"mass_matrix", *(f"ud_{group}" for group in STATE)})
+"""Outputs that are matrices, whatever their size; the others are columns."""
+
 TRIALS = 64
 SEED = 2
 
@@ -64,7 +67,9 @@ class Graphs(Mapping[str, ca.Function]):
             graphs = list(outputs.values())
             if exact:
                 graphs = ca.substitute(graphs, [ca.vertcat(*exact)], [ca.SX(ca.DM(bound))])
-            self._built[name] = self._function(name, inputs, dict(zip(outputs, graphs, strict=True)))
+            self._built[name] = self._function(
+                name, inputs, dict(zip(outputs, graphs, strict=True))
+            )
         return self._built[name]
 
     def __iter__(self) -> Iterator[str]:
@@ -157,7 +162,7 @@ class Graphs(Mapping[str, ca.Function]):
 
     def _forward_dynamics(self) -> dict[str, ca.SX]:
         n = len(self.quantities.ud)
-        return {"ud": self._solution[:n], "multipliers": self._solution[n:]}
+        return {"ud": self._solution[:n, 0], "multipliers": self._solution[n:, 0]}
 
     def _residual(self) -> dict[str, ca.SX]:
         left, right = self._system

@@ -1,6 +1,6 @@
 """Energy and momenta of the whole scene, from its bodies.
 
-    T = sum (m v.v + omega.I omega) / 2        P = sum m v        H_O = sum (r x m v + I omega)
+T = sum (m v.v + omega.I omega) / 2        P = sum m v        H_O = sum (r x m v + I omega)
 """
 
 from dataclasses import dataclass

@@ -7,12 +7,12 @@ code where a C compiler is found and by CasADi's virtual machine where none is.
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
-from typing import Any, Literal
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from mechanics.compiled.graphs import Graphs
+from mechanics.compiled.graphs import MATRICES, Graphs
 from mechanics.compiled.native import NativeKernel, find_compiler
 from mechanics.compiled.program import Program, program
 from mechanics.compiled.quantities import Quantities
@@ -30,13 +30,13 @@ class Buffer:
 
     Attributes
     ----------
-    inputs, outputs : dict of str to array
+    inputs, outputs : mapping of str to array
         The arrays that `run` reads and writes; the same ones every time. Matrices are views.
     run : callable
     """
 
-    inputs: dict[str, Array]
-    outputs: dict[str, Array]
+    inputs: Mapping[str, Array]
+    outputs: Mapping[str, Array]
     run: Callable[[], None]
 
 
@@ -96,9 +96,7 @@ class Model:
         """The evaluator of a function in a precision; C is compiled here, on first use."""
         if (name, kind) not in self._kernels:
             if self.compiler is not None:
-                made: Kernel = NativeKernel(
-                    self.program(name), self.entries, kind, self.compiler
-                )
+                made: Kernel = NativeKernel(self.program(name), self.entries, kind, self.compiler)
             elif kind is np.float64:
                 made = VirtualKernel(self.casadi[name])
             else:
@@ -132,8 +130,9 @@ class Model:
                 f"{name}: there is no input {', '.join(sorted(unknown))}: the inputs are"
                 f" {', '.join(group for group, _ in code.inputs)}"
             )
-        counts = {group: len(a) for (group, _), a in zip(code.inputs, given, strict=True)
-                  if a.ndim == 2}
+        counts = {
+            group: len(a) for (group, _), a in zip(code.inputs, given, strict=True) if a.ndim == 2
+        }
         if len(set(counts.values())) > 1:
             sizes = ", ".join(f"{group} {count}" for group, count in counts.items())
             raise InputError(f"{name}: batches of different size: {sizes}: give one size to all")
@@ -142,7 +141,7 @@ class Model:
         shaped = {}
         for (out, (rows, cols)), result in zip(code.shapes, results, strict=True):
             entries = result.reshape(count, cols, rows).swapaxes(1, 2)
-            entries = entries[:, :, 0] if cols == 1 else entries
+            entries = entries if out in MATRICES else entries[:, :, 0]
             shaped[out] = entries if counts else entries[0]
         return shaped
 
@@ -186,7 +185,7 @@ class Model:
         inputs = {group: np.zeros(size) for group, size in code.inputs}
         flat = [np.zeros(rows * cols) for _, (rows, cols) in code.shapes]
         views = {
-            out: array if cols == 1 else array.reshape(cols, rows).T
+            out: array.reshape(cols, rows).T if out in MATRICES else array
             for (out, (rows, cols)), array in zip(code.shapes, flat, strict=True)
         }
         return Buffer(inputs, views, self.kernel(name).bound(list(inputs.values()), flat))
@@ -244,9 +243,7 @@ class Model:
         }
 
 
-def compile(
-    equations: Equations, *, compiler: str | None | Literal["auto"] = "auto"
-) -> Model:
+def compile(equations: Equations, *, compiler: str | None = "auto") -> Model:
     """Compile equations of motion.
 
     Graphs and machine code are made when they are first used.

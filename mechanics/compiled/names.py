@@ -9,8 +9,7 @@ from collections.abc import Iterable
 
 # Keywords of C and C++ (headers are read by both), macros, and one-letter or likely names of
 # <math.h>, <complex.h>, <stdio.h> and compilers that a physicist might use.
-RESERVED = frozenset(
-    """
+_WORDS = """
     auto break case char const continue default do double else enum extern float for goto if inline
     int long register restrict return short signed sizeof static struct switch typedef union
     unsigned void volatile while bool true false nullptr constexpr alignas alignof static_assert
@@ -23,8 +22,8 @@ RESERVED = frozenset(
     fdim floor fma fmax fmin fmod frexp gamma hypot ilogb j0 j1 jn ldexp lgamma log log10 log1p log2
     logb modf nan nearbyint pow remainder rint round scalb scalbn signgam significand sin sincos
     sinh sqrt tan tanh tgamma trunc y0 y1 yn div abs labs rand index
-    """.split()
-)
+"""
+RESERVED = frozenset(_WORDS.split())
 
 VALUE = re.compile(r"v\d+\Z")
 """Reserved for values without a name of their own."""
@@ -32,7 +31,7 @@ VALUE = re.compile(r"v\d+\Z")
 
 def identifier(name: str) -> str:
     """A valid C identifier that resembles the name."""
-    text = re.sub(r"\W", "_", name, flags=re.ASCII).strip("_") or "value"
+    text = re.sub(r"[\W_]+", "_", name, flags=re.ASCII).strip("_") or "value"
     if text[0].isdigit():
         text = f"n{text}"
     return f"{text}_" if text in RESERVED or VALUE.match(text) else text

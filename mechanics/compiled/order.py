@@ -4,8 +4,9 @@
 
 A compiled function cannot look for pivots while it runs. So each candidate order is tried in double
 precision at random states beforehand, and the first one whose backward error is a few roundings
-everywhere is taken, or else the one that fails least often. The rows of a route may be any full-rank combination; which order suits them depends
-on the structure of the combination, hardly on the state.
+everywhere is taken, or else the one that fails least often. The rows of a route may be any
+full-rank combination; which order suits them depends on the structure of the combination, hardly on
+the state.
 """
 
 from collections.abc import Iterator
@@ -66,9 +67,9 @@ def candidates(matrices: Array) -> Iterator[Order]:
             for columns in permutations(range(n)):
                 yield tuple(zip(rows, columns, strict=True))
         return
-    rows = matching(matrices)
-    yield tuple((rows[j], j) for j in backward)
-    yield tuple((rows[j], j) for j in forward)
+    partners = matching(matrices)
+    yield tuple((partners[j], j) for j in backward)
+    yield tuple((partners[j], j) for j in forward)
     yield greedy(matrices)
 
 

@@ -1,7 +1,7 @@
 """What was compiled is still the same mathematics: CasADi graphs against the derived equations.
 
-    forward dynamics     [[M, -B], [A, 0]] x_graph = [f, b]
-    jacobians            M du'_graph/ds = df/ds - (dM/ds) u'_graph        (for every s in q, u, p, ...)
+    forward dynamics     K x_graph = k,  K = [[M, -B], [A, 0]],  k = [f, b]
+    jacobians            column_graph = K^-1 (dk/ds - (dK/ds) x),  K x = k,  s in q, u, inputs, p
     the rest             graph = expression
 
 in exact arithmetic: the graphs are walked instruction by instruction, the right sides as SymPy

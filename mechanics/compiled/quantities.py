@@ -92,7 +92,9 @@ def quantities(equations: Equations) -> Quantities:
 
     turning = {u for u in scene.u if _turns(scene, u, angles)}
     rates = {ud for u, ud in zip(scene.u, scene.ud, strict=True) if u in turning}
-    declared = {r.symbol: Quantity(r.symbol, "N m" if r.at is None else "N") for r in scene.reactions}
+    declared = {
+        r.symbol: Quantity(r.symbol, "N m" if r.at is None else "N") for r in scene.reactions
+    }
     solved = [symbol for symbol, _ in equations.reactions]
     return Quantities(
         q=motion(scene.q, angles, 0),
@@ -176,7 +178,9 @@ def _input(scene: Scene, symbol: Symbol) -> Quantity:
         if isinstance(load, Force | Torque):
             held = scene.vector(load.vector, load.name).free_symbols
             if symbol in held:
-                return Quantity(symbol, "N" if isinstance(load, Force) else "N m", load.name)
+                return Quantity(
+                    symbol, "N" if isinstance(load, Force) else "N m", f"load {load.name}"
+                )
     return Quantity(symbol, "", "prescribed")
 
 

@@ -10,8 +10,10 @@ error is known, every state is evaluated in Arb.
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from math import inf, nextafter
 
 import numpy as np
+from flint import arb
 from numpy.typing import NDArray
 from sympy import Expr, Symbol
 
@@ -142,15 +144,20 @@ def _largest(
     with precision(BITS):
         for index in candidates:
             ratio = balls.ratio(rows[:, index].tolist(), epsilon)
-            upper = float(ratio.upper()) if ratio.is_finite() else float("inf")
+            upper = _above(ratio)
             if upper > largest:
                 worst, largest = int(index), upper
     return worst, largest
 
 
-def _check(
-    subject: str, model: Model, terms: Sequence[Expr], symbols: Sequence[Symbol]
-) -> None:
+def _above(ratio: arb) -> float:
+    """A double that is not below any value in the ball."""
+    if ratio.is_zero():
+        return 0.0
+    return nextafter(float(ratio.upper()), inf) if ratio.is_finite() else inf
+
+
+def _check(subject: str, model: Model, terms: Sequence[Expr], symbols: Sequence[Symbol]) -> None:
     used = set().union(*(term.free_symbols for term in terms)) if terms else set()
     if unknown := sorted(map(str, used - set(symbols))):
         raise InputError(

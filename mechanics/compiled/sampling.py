@@ -33,9 +33,7 @@ class States:
 
     def rounded(self, kind: type[np.floating]) -> "States":
         """The same states rounded to a precision, still stored as doubles."""
-        return States(
-            *(group.astype(kind).astype(np.float64) for group in self.groups)
-        )
+        return States(*(group.astype(kind).astype(np.float64) for group in self.groups))
 
     @property
     def groups(self) -> tuple[NDArray[np.float64], ...]:

@@ -39,7 +39,9 @@ class Text:
 def signature(code: Program, kind: str = "double", name: str | None = None) -> str:
     """``void name(const double q[2], double ud[2])``; arrays without entries are left out."""
     arguments = [f"const {kind} {group}[{size}]" for group, size in code.inputs if size]
-    arguments += [f"{kind} {out}[{rows * cols}]" for out, (rows, cols) in code.shapes if rows * cols]
+    arguments += [
+        f"{kind} {out}[{rows * cols}]" for out, (rows, cols) in code.shapes if rows * cols
+    ]
     # A line may end after an argument, not inside one.
     glued = ", ".join(argument.replace(" ", "~") for argument in arguments)
     text = f"void~{name or code.name}({glued})"
@@ -172,13 +174,15 @@ def _binds(operand: Text, level: int, place: int) -> bool:
 def literal(value: float, kind: str) -> str:
     """An exact C literal: an integer where it is one, otherwise hexadecimal."""
     suffix = "f" if kind == "float" else ""
-    if np.isnan(value):
+    with np.errstate(over="ignore"):
+        number = float(np.float32(value)) if kind == "float" else value
+    if np.isnan(number):
         return "NAN"
-    if np.isinf(value):
-        return "INFINITY" if value > 0 else "-INFINITY"
-    number = float(np.float32(value)) if kind == "float" else value
+    if np.isinf(number):
+        return "INFINITY" if number > 0 else "-INFINITY"
     if number.is_integer() and abs(number) < 1e6:
-        return f"{int(number)}.0{suffix}" if number or np.copysign(1, number) > 0 else "-0.0" + suffix
+        sign = "-" if np.signbit(number) else ""
+        return f"{sign}{abs(int(number))}.0{suffix}"
     sign = "-" if number < 0 else ""
     mantissa, exponent = abs(number).hex().split("p")
     digits = mantissa.rstrip("0").rstrip(".") if "." in mantissa else mantissa

@@ -44,7 +44,7 @@ class BallTerms:
     terms: tuple[int, ...]
 
     def ratio(self, values: Sequence[float], epsilon: float) -> arb:
-        """Enclosure of the ratio; not finite where a value is not. The caller sets the precision."""
+        """Enclosure of the ratio, not finite where a value is not; precision is the caller's."""
         v = [arb(value) for value in values]
         v += [constant() for constant in self.constants]
         for function, operands in self.steps:
@@ -64,8 +64,8 @@ def ball_terms(terms: Sequence[Expr], symbols: Sequence[Symbol]) -> BallTerms:
     ExpressionError
         If a term holds an operation that is not known here, or a symbol that is not given.
     """
-    leaves = sorted({leaf for t in terms for leaf in sympy.preorder_traversal(t)
-                     if isinstance(leaf, sympy.Rational | sympy.NumberSymbol)}, key=str)  # fmt: skip
+    atoms = set().union(*(term.atoms(sympy.Rational, sympy.NumberSymbol) for term in terms))
+    leaves = sorted(atoms, key=str)
     place: dict[sympy.Basic, int] = {s: i for i, s in enumerate((*symbols, *leaves))}
     steps: list[Step] = []
 

@@ -16,6 +16,7 @@ from sympy.core.relational import Relational
 from sympy.logic.boolalg import BooleanFalse, BooleanTrue
 
 from mechanics.errors import ExpressionError
+from mechanics.exact.angles import float_as_rational
 
 EXACT_INTEGER = 2**53
 
@@ -145,7 +146,11 @@ class Translator:
 
     def _float(self, number: sympy.Float) -> ca.SX:
         value = float(number)
-        return ca.SX(value) if sympy.Rational(value) == _dyadic(number) else self._constant(number)
+        return (
+            ca.SX(value)
+            if sympy.Rational(value) == float_as_rational(number)
+            else self._constant(number)
+        )
 
     def _constant(self, number: sympy.Expr) -> ca.SX:
         if number not in self.constants:
@@ -182,7 +187,9 @@ class Translator:
             whole, half = divmod(abs(int(exponent.p)), int(exponent.q))
             factors = [_integer_power(graph, whole)] if whole else []
             if half:
-                factors.append(ca.sqrt(graph))
+                # Kept like a node of its own, so that a root is taken once for all its powers.
+                root = sympy.Pow(base, sympy.S.Half)
+                factors.append(self._memo.setdefault(root, ca.sqrt(graph)))
             return _folded(ca.times, factors), exponent.is_negative
         return graph ** self._memo[exponent], False
 
@@ -190,7 +197,8 @@ class Translator:
         *cases, (result, last) = node.args
         if not isinstance(last, BooleanTrue):
             raise ExpressionError(
-                f"Piecewise {str(node)[:80]} is undefined outside its cases: add a (value, True) case"
+                f"Piecewise {str(node)[:80]} is undefined outside its cases: add a case"
+                " (value, True)"
             )
         graph = self._memo[result]
         for value, condition in reversed(cases):
@@ -211,28 +219,29 @@ def _parts(node: sympy.Basic) -> tuple[sympy.Basic, ...]:
         return tuple(parts)
     if isinstance(node, sympy.Piecewise):
         return tuple(part for case in node.args for part in case.args)
-    known = (*_FUNCTIONS, sympy.Add, sympy.Max, sympy.Min, sympy.Not, sympy.And, sympy.Or)
-    return node.args if isinstance(node, (*known, Relational)) else ()
+    arguments = tuple(node.args)
+    return arguments if isinstance(node, _WITH_PARTS) else ()
+
+
+_WITH_PARTS: tuple[type, ...] = (
+    *_FUNCTIONS, Relational,
+    sympy.Add, sympy.Max, sympy.Min, sympy.Not, sympy.And, sympy.Or,
+)  # fmt: skip
 
 
 def _holds(number: sympy.Rational) -> bool:
     return max(abs(int(number.p)), int(number.q)) <= EXACT_INTEGER
 
 
-def _dyadic(number: sympy.Float) -> sympy.Rational:
-    sign, mantissa, exponent, _ = number._mpf_
-    return sympy.Rational((-1) ** sign * int(mantissa)) * sympy.Integer(2) ** int(exponent)
-
-
 def _integer_power(graph: ca.SX, exponent: int) -> ca.SX:
     """x**n by squaring: roundings grow with log n, and no pow() is called."""
-    result, square = None, graph
+    factors, square = [], graph
     while exponent:
         if exponent & 1:
-            result = square if result is None else result * square
+            factors.append(square)
         exponent >>= 1
         square = square * square if exponent else square
-    return result
+    return _folded(ca.times, factors)
 
 
 def _folded(operation: Callable[[ca.SX, ca.SX], ca.SX], parts: Sequence[ca.SX]) -> ca.SX:

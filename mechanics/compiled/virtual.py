@@ -1,6 +1,8 @@
 """Programs without a C compiler: CasADi's virtual machine in double, NumPy in single precision."""
 
+import functools
 from collections.abc import Callable, Sequence
+from typing import Any
 
 import casadi as ca
 import numpy as np
@@ -22,7 +24,7 @@ class VirtualKernel:
         """Evaluate at `count` states: arrays count x size, or 1 x size for what all share."""
         cells = [np.array(a[0], dtype=float) for a in arguments]
         outs = [np.empty(size) for size in self._results]
-        results = [np.empty((count, size)) for size in self._results]
+        results: list[Array] = [np.empty((count, size)) for size in self._results]
         call = self.bound(cells, outs)
         moving = [(cell, a) for cell, a in zip(cells, arguments, strict=True) if len(a) > 1]
         for i in range(count):
@@ -35,15 +37,23 @@ class VirtualKernel:
 
     def bound(self, arguments: Sequence[Array], results: Sequence[Array]) -> Callable[[], None]:
         """A call without arguments that reads and writes these arrays."""
-        buffer, trigger = self._function.buffer()
+        buffer, trigger = _buffer(self._function)
         for i, array in enumerate(arguments):
             if array.size:
-                buffer.set_arg(i, memoryview(array))
+                buffer.set_arg(i, array.data)
         for i, array in enumerate(results):
             if array.size:
-                buffer.set_res(i, memoryview(array))
+                buffer.set_res(i, array.data)
         # The buffer owns the memory that the trigger uses: keep it alive with the call.
-        return lambda _keep=buffer: trigger()
+        return functools.partial(_trigger, trigger, buffer)
+
+
+def _buffer(function: Any) -> Any:
+    return function.buffer()
+
+
+def _trigger(trigger: Callable[[], None], buffer: Any) -> None:
+    trigger()
 
 
 class NumpyKernel:

@@ -39,9 +39,7 @@ def manifest(model: Model, prefix: str, names: Sequence[str], files: Mapping[str
             }
             for name in names
         },
-        "files": {
-            file: sha256(text.encode("utf-8")).hexdigest() for file, text in files.items()
-        },
+        "files": {file: sha256(text.encode("utf-8")).hexdigest() for file, text in files.items()},
         "versions": {tool: _version(tool) for tool in TOOLS},
     }
     return json.dumps(content, indent=2, ensure_ascii=False) + "\n"

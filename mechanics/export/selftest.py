@@ -17,9 +17,9 @@ TOP = """\
  * Self-test: {scene}.
  *
  * Expected values are enclosed with {bits} binary digits and rounded to the nearest double. The
- * tolerance is {room} times what the roundings of the operations can add up to in double precision (the
- * radius of an enclosure with 53 digits), rounded up to a power of two. Prints what fails; exit code
- * 0 or 1.
+ * tolerance is {room} times what the roundings of the operations can add up to in double precision
+ * (the radius of an enclosure with 53 digits), rounded up to a power of two. Prints what fails;
+ * exit code 0 or 1.
  */
 #include "{prefix}.h"
 

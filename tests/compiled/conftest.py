@@ -1,0 +1,41 @@
+"""Equations and models that the tests of mechanics.compiled share, derived once."""
+
+import functools
+import importlib
+from collections.abc import Callable
+
+import pytest
+
+from mechanics.compiled import Model
+from mechanics.compiled import compile as compile_model
+from mechanics.compiled.native import find_compiler
+from mechanics.equations import Equations
+
+
+@functools.cache
+def _derived(system: str, route: str) -> Equations:
+    scene = importlib.import_module(f"systems.{system}").scene()
+    return importlib.import_module(f"mechanics.routes.{route}").derive(scene)
+
+
+@functools.cache
+def _modelled(system: str, route: str) -> Model:
+    return compile_model(_derived(system, route))
+
+
+@pytest.fixture(scope="session")
+def derived() -> Callable[[str, str], Equations]:
+    return _derived
+
+
+@pytest.fixture(scope="session")
+def modelled() -> Callable[[str, str], Model]:
+    return _modelled
+
+
+@pytest.fixture(scope="session")
+def compiler() -> str:
+    found = find_compiler()
+    if found is None:
+        pytest.skip("no C compiler here")
+    return found

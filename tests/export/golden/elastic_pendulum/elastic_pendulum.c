@@ -1,0 +1,283 @@
+/* pendulum on elastic support, derived by free_body */
+
+#include "elastic_pendulum.h"
+
+#include <math.h>
+
+void elastic_pendulum_forward_dynamics(const double q[2], const double u[2], const double p[5],
+    double ud[2])
+{
+    const double x = q[0];
+    const double theta = q[1];
+    const double theta_dot = u[1];
+    const double L = p[0];
+    const double M = p[1];
+    const double g = p[2];
+    const double k = p[3];
+    const double m = p[4];
+    const double sin_theta = sin(theta);
+    const double v1 = L * M;
+    const double cos_theta = cos(theta);
+    const double v2 = v1 * cos_theta / 2.0;
+    const double v3 = L * L * M / 3.0;
+    const double v4 = v2 / v3;
+    const double v5 = v1 * g * sin_theta / 2.0;
+    const double v6 = theta_dot * theta_dot * L * M * sin_theta / 2.0 - 2.0 * x * k;
+    const double v7 = (v6 + v4 * v5) / (M + m - v4 * v2);
+    ud[0] = v7;
+    ud[1] = -((v5 + v2 * v7) / v3);
+}
+
+void elastic_pendulum_mass_matrix(const double q[2], const double u[2], const double p[5],
+    double mass_matrix[4])
+{
+    (void)u;
+    const double theta = q[1];
+    const double L = p[0];
+    const double M = p[1];
+    const double m = p[4];
+    const double cos_theta = cos(theta);
+    const double v1 = L * M * cos_theta / 2.0;
+    mass_matrix[0] = M + m;
+    mass_matrix[1] = v1;
+    mass_matrix[2] = v1;
+    mass_matrix[3] = L * L * M / 3.0;
+}
+
+void elastic_pendulum_forcing(const double q[2], const double u[2], const double p[5],
+    double forcing[2])
+{
+    const double x = q[0];
+    const double theta = q[1];
+    const double theta_dot = u[1];
+    const double L = p[0];
+    const double M = p[1];
+    const double g = p[2];
+    const double k = p[3];
+    const double sin_theta = sin(theta);
+    forcing[0] = theta_dot * theta_dot * L * M * sin_theta / 2.0 - 2.0 * x * k;
+    forcing[1] = -(L * M * g * sin_theta / 2.0);
+}
+
+void elastic_pendulum_residual(const double q[2], const double u[2], const double p[5],
+    const double ud[2], double residual[2])
+{
+    const double x = q[0];
+    const double theta = q[1];
+    const double theta_dot = u[1];
+    const double L = p[0];
+    const double M = p[1];
+    const double g = p[2];
+    const double k = p[3];
+    const double m = p[4];
+    const double x_ddot = ud[0];
+    const double theta_ddot = ud[1];
+    const double v1 = L * M;
+    const double cos_theta = cos(theta);
+    const double v2 = v1 * cos_theta / 2.0;
+    const double sin_theta = sin(theta);
+    const double v3 = (M + m) * x_ddot + v2 * theta_ddot;
+    const double v4 = theta_dot * theta_dot * L * M * sin_theta / 2.0 - 2.0 * x * k;
+    const double v5 = v2 * x_ddot + L * L * M / 3.0 * theta_ddot;
+    const double v6 = v1 * g * sin_theta / 2.0;
+    residual[0] = v3 - v4;
+    residual[1] = v5 + v6;
+}
+
+void elastic_pendulum_inverse_dynamics(const double q[2], const double u[2], const double p[5],
+    const double ud[2], double forces[2])
+{
+    const double x = q[0];
+    const double theta = q[1];
+    const double theta_dot = u[1];
+    const double L = p[0];
+    const double M = p[1];
+    const double g = p[2];
+    const double k = p[3];
+    const double m = p[4];
+    const double x_ddot = ud[0];
+    const double theta_ddot = ud[1];
+    const double sin_theta = sin(theta);
+    const double v1 = L * M;
+    const double cos_theta = cos(theta);
+    const double v2 = v1 * cos_theta / 2.0;
+    const double v3 = L * L;
+    const double v4 = v3 * M / 3.0;
+    const double v5 = v2 / v4;
+    const double v6 = v1 * g * sin_theta / 2.0;
+    const double v7 = theta_dot * theta_dot * L * M * sin_theta / 2.0 - 2.0 * x * k;
+    const double v8 = (v7 + v5 * v6) / (M + m - v5 * v2);
+    const double v9 = x_ddot - v8;
+    const double v10 = cos_theta * L;
+    const double v11 = 0x1p-1 * (M * v10);
+    const double v12 = theta_ddot + (v6 + v2 * v8) / v4;
+    const double v13 = 2.0 * v3;
+    const double v14 = 0x1p-1 * v10 * v10 + 0x1p-2 * (sin_theta * sin_theta * v13);
+    forces[0] = (m + M) * v9 + v11 * v12;
+    forces[1] = v11 * v9 + (0x1p-1 * (M * v14) + M * v13 / 24.0) * v12;
+}
+
+void elastic_pendulum_energy(const double q[2], const double u[2], const double p[5],
+    double kinetic[1], double potential[1], double total[1])
+{
+    const double x = q[0];
+    const double theta = q[1];
+    const double x_dot = u[0];
+    const double theta_dot = u[1];
+    const double L = p[0];
+    const double M = p[1];
+    const double g = p[2];
+    const double k = p[3];
+    const double m = p[4];
+    const double cos_theta = cos(theta);
+    const double v1 = x_dot + theta_dot * L * cos_theta / 2.0;
+    const double v2 = theta_dot * theta_dot * (L * L);
+    const double sin_theta = sin(theta);
+    const double v3 = x_dot * x_dot * m / 2.0;
+    const double v4 = (v1 * v1 + v2 * (sin_theta * sin_theta) / 4.0) * M / 2.0;
+    const double v5 = v3 + v4 + v2 * M / 24.0;
+    const double v6 = x * x * k - L * M * g * cos_theta / 2.0;
+    kinetic[0] = v5;
+    potential[0] = v6;
+    total[0] = v5 + v6;
+}
+
+void elastic_pendulum_momenta(const double q[2], const double u[2], const double p[5],
+    double linear[3], double angular[3], double generalized[2])
+{
+    const double x = q[0];
+    const double theta = q[1];
+    const double x_dot = u[0];
+    const double theta_dot = u[1];
+    const double L = p[0];
+    const double M = p[1];
+    const double m = p[4];
+    const double v1 = theta_dot * L;
+    const double cos_theta = cos(theta);
+    const double v2 = x_dot + v1 * cos_theta / 2.0;
+    const double sin_theta = sin(theta);
+    const double v3 = L * L;
+    const double v4 = theta_dot * v3 * M / 12.0 + v2 * L * M * cos_theta / 2.0;
+    const double v5 = theta_dot * (x + L * sin_theta / 2.0) * L * M * sin_theta / 2.0;
+    const double v6 = 2.0 * v2;
+    const double v7 = v3 * (2.0 * theta_dot);
+    const double v8 = v6 * (0x1p-1 * (cos_theta * L));
+    const double v9 = 0x1p-2 * (sin_theta * sin_theta * v7);
+    linear[0] = x_dot * m + v2 * M;
+    linear[1] = v1 * M * sin_theta / 2.0;
+    linear[2] = 0.0;
+    angular[0] = 0.0;
+    angular[1] = 0.0;
+    angular[2] = v4 + v5;
+    generalized[0] = 0x1p-1 * (m * (2.0 * x_dot)) + 0x1p-1 * (M * v6);
+    generalized[1] = 0x1p-1 * (M * (v8 + v9)) + M * v7 / 24.0;
+}
+
+void elastic_pendulum_coordinate_rates(const double q[2], const double u[2], const double p[5],
+    double qd[2])
+{
+    (void)q;
+    (void)p;
+    const double x_dot = u[0];
+    const double theta_dot = u[1];
+    qd[0] = x_dot;
+    qd[1] = theta_dot;
+}
+
+void elastic_pendulum_jacobians(const double q[2], const double u[2], const double p[5],
+    double ud_q[4], double ud_u[4], double ud_p[10])
+{
+    const double x = q[0];
+    const double theta = q[1];
+    const double theta_dot = u[1];
+    const double L = p[0];
+    const double M = p[1];
+    const double g = p[2];
+    const double k = p[3];
+    const double m = p[4];
+    const double v1 = L * M;
+    const double cos_theta = cos(theta);
+    const double v2 = v1 * cos_theta / 2.0;
+    const double v3 = L * L;
+    const double v4 = v3 * M / 3.0;
+    const double v5 = v2 / v4;
+    const double v6 = M + m - v5 * v2;
+    const double v7 = 2.0 * k / v6;
+    const double v8 = theta_dot * theta_dot;
+    const double v9 = v8 * L;
+    const double v10 = v9 * M;
+    const double v11 = v1 * g;
+    const double v12 = 0x1p-1 * (v11 * cos_theta);
+    const double sin_theta = sin(theta);
+    const double v13 = v11 * sin_theta / 2.0;
+    const double v14 = 0x1p-1 * (v1 * sin_theta);
+    const double v15 = v14 / v4;
+    const double v16 = 2.0 * x;
+    const double v17 = (v10 * sin_theta / 2.0 - v16 * k + v5 * v13) / v6;
+    const double v18 = v17 / v6;
+    const double v19 = (0x1p-1 * (v10 * cos_theta) + (v5 * v12 - v13 * v15)) / v6;
+    const double v20 = v18 * (v2 * v15 + v5 * v14);
+    const double v21 = v19 - v20;
+    const double v22 = 0x1p-1 * (sin_theta * (M * (L * (2.0 * theta_dot)))) / v6;
+    const double v23 = v5 / v6;
+    const double v24 = sin_theta * (0x1p-1 * v23);
+    const double v25 = g * v24;
+    const double v26 = 2.0 * L;
+    const double v27 = v5 / v4;
+    const double v28 = v2 * v18 + v13 / v6;
+    const double v29 = v27 * v28 / 3.0;
+    const double v30 = cos_theta * (0x1p-1 * (v5 * v18 + v28 / v4));
+    const double v31 = sin_theta * (0x1p-1 / v6);
+    const double v32 = v18 * v5;
+    const double v33 = v2 * v32 + v13 * v23;
+    const double v34 = ((v13 + v2 * v17) / v4 / v4 + v27 * v33) / 3.0;
+    const double v35 = sin_theta * (0x1p-1 * (1.0 / v4 + v5 * v23));
+    const double v36 = g * v35;
+    const double v37 = cos_theta * (0x1p-1 * (v17 / v4 + v5 * v32 + v33 / v4));
+    ud_q[0] = -v7;
+    ud_q[1] = v2 * v7 / v4;
+    ud_q[2] = v21;
+    ud_q[3] = -((v12 + (v2 * v21 - v17 * v14)) / v4);
+    ud_u[0] = 0.0;
+    ud_u[1] = 0.0;
+    ud_u[2] = v22;
+    ud_u[3] = -(v2 * v22 / v4);
+    ud_p[0] = M * v25 - v26 * (M * v29) + M * v30 + v8 * (M * v31);
+    ud_p[1] = v26 * (M * v34) - M * v36 - M * v37 - v8 * (M * v24);
+    ud_p[2] = L * v25 - v18 - v3 * v29 + L * v30 + v9 * v31;
+    ud_p[3] = v32 - L * v36 + v3 * v34 - L * v37 - v9 * v24;
+    ud_p[4] = v1 * v24;
+    ud_p[5] = -(v1 * v35);
+    ud_p[6] = -(v16 / v6);
+    ud_p[7] = v16 * v23;
+    ud_p[8] = -v18;
+    ud_p[9] = v32;
+}
+
+void elastic_pendulum_reactions(const double q[2], const double u[2], const double p[5],
+    double reactions[3])
+{
+    const double x = q[0];
+    const double theta = q[1];
+    const double theta_dot = u[1];
+    const double L = p[0];
+    const double M = p[1];
+    const double g = p[2];
+    const double k = p[3];
+    const double m = p[4];
+    const double v1 = theta_dot * theta_dot * L;
+    const double sin_theta = sin(theta);
+    const double v2 = L * M;
+    const double cos_theta = cos(theta);
+    const double v3 = v2 * cos_theta / 2.0;
+    const double v4 = L * L * M / 3.0;
+    const double v5 = v3 / v4;
+    const double v6 = v2 * g * sin_theta / 2.0;
+    const double v7 = v1 * M * sin_theta / 2.0 - 2.0 * x * k + v5 * v6;
+    const double v8 = v7 / (M + m - v5 * v3);
+    const double v9 = (v6 + v3 * v8) / v4 * L;
+    const double v10 = (v1 * cos_theta / 2.0 - v9 * sin_theta / 2.0) * M + M * g;
+    reactions[0] = -((v8 - v9 * cos_theta / 2.0 - v1 * sin_theta / 2.0) * M);
+    reactions[1] = v10;
+    reactions[2] = v10 + g * m;
+}

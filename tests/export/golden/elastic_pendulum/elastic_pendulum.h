@@ -1,0 +1,101 @@
+/*
+ * Equations of motion: pendulum on elastic support, derived by free_body.
+ *
+ * C99, no allocation, no global state: every function may be called from any thread. SI units.
+ * Matrices are stored column by column. All inputs are read before the first output is written,
+ * so an output may be the same array as an input of its size.
+ *
+ * Non-finite values: an input that is not finite, or a state at which the equations are singular,
+ * gives outputs that are not finite. Nothing traps and nothing is checked; use isfinite().
+ */
+#ifndef ELASTIC_PENDULUM_H
+#define ELASTIC_PENDULUM_H
+
+/* generalized coordinates q
+ *   q[0]  x      m
+ *   q[1]  theta  rad
+ */
+#define ELASTIC_PENDULUM_Q_SIZE 2
+
+/* generalized speeds u
+ *   u[0]  x_dot      m/s
+ *   u[1]  theta_dot  rad/s
+ */
+#define ELASTIC_PENDULUM_U_SIZE 2
+
+/* rates of the speeds, u'
+ *   ud[0]  x_ddot      m/s^2
+ *   ud[1]  theta_ddot  rad/s^2
+ */
+#define ELASTIC_PENDULUM_UD_SIZE 2
+
+#define ELASTIC_PENDULUM_INPUTS_SIZE 0
+
+/* parameters
+ *   p[0]  L  m      length of the pendulum, typically 1
+ *   p[1]  M  kg     mass of the pendulum, typically 1
+ *   p[2]  g  m/s^2  acceleration of gravity, typically 9.81
+ *   p[3]  k  N/m    stiffness of each of the two springs, typically 10
+ *   p[4]  m  kg     mass of the carriage, typically 1
+ */
+#define ELASTIC_PENDULUM_P_SIZE 5
+
+#define ELASTIC_PENDULUM_MULTIPLIERS_SIZE 0
+
+/* reactions
+ *   reactions[0]  T   N
+ *   reactions[1]  N   N
+ *   reactions[2]  N1  N
+ */
+#define ELASTIC_PENDULUM_REACTIONS_SIZE 3
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* Accelerations u' (and multipliers) from the state. */
+void elastic_pendulum_forward_dynamics(const double q[2], const double u[2], const double p[5],
+    double ud[2]);
+
+/* M of the equations M u' = f + B lambda, column by column. */
+void elastic_pendulum_mass_matrix(const double q[2], const double u[2], const double p[5],
+    double mass_matrix[4]);
+
+/* Right side f of the equations M u' = f + B lambda. */
+void elastic_pendulum_forcing(const double q[2], const double u[2], const double p[5],
+    double forcing[2]);
+
+/* M u' - f - B lambda, and below it A u' - b of the constraints. */
+void elastic_pendulum_residual(const double q[2], const double u[2], const double p[5],
+    const double ud[2], double residual[2]);
+
+/* Generalized forces, conjugate to u, which added to the loads give u'. */
+void elastic_pendulum_inverse_dynamics(const double q[2], const double u[2], const double p[5],
+    const double ud[2], double forces[2]);
+
+/* Kinetic, potential and total energy, in J. */
+void elastic_pendulum_energy(const double q[2], const double u[2], const double p[5],
+    double kinetic[1], double potential[1], double total[1]);
+
+/* Linear momentum in kg m/s, angular momentum about the origin in kg m^2/s
+ * (inertial components), and the generalized momenta dT/du. */
+void elastic_pendulum_momenta(const double q[2], const double u[2], const double p[5],
+    double linear[3], double angular[3], double generalized[2]);
+
+/* Rates of the coordinates: q' = N u + n. */
+void elastic_pendulum_coordinate_rates(const double q[2], const double u[2], const double p[5],
+    double qd[2]);
+
+/* Derivatives of u' by q, u, inputs and p, column by column. */
+void elastic_pendulum_jacobians(const double q[2], const double u[2], const double p[5],
+    double ud_q[4], double ud_u[4], double ud_p[10]);
+
+/* The reactions listed above, from the state. */
+void elastic_pendulum_reactions(const double q[2], const double u[2], const double p[5],
+    double reactions[3]);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif /* ELASTIC_PENDULUM_H */
