@@ -15,8 +15,17 @@ from mechanics.checks.manifold import settle
 from mechanics.equations import Equations
 from mechanics.errors import SingularError
 from mechanics.exact import Arithmetic, Finding, Number, decide, independent_rows
+from mechanics.scene import Scene
 
 Pairs = list[tuple[Number, Number]]
+
+LARGEST_PROOF = 5
+"""Number of speeds up to which the normal form is tried: beyond, it outgrows its limit anyway."""
+
+
+def proof_pays(scene: Scene) -> bool:
+    """Whether to try for a proof, or be content with a certificate."""
+    return len(scene.u) <= LARGEST_PROOF
 
 
 def require_regular(equations: Equations) -> None:
@@ -59,10 +68,12 @@ def compare_pairs(routes: Mapping[str, Equations]) -> dict[tuple[str, str], Find
 def compare(one: Equations, two: Equations) -> Finding:
     """Whether two sets of equations give the same accelerations."""
     subject = f"{one.route} = {two.route}: accelerations"
-    free = decide(subject, _accelerations(one, two, lambda a: None))
-    if free.shown or not one.scene.constraints:
+    scene, pays = one.scene, proof_pays(one.scene)
+    free = decide(subject, _accelerations(one, two, lambda a: None), try_normal=pays)
+    if free.shown or not scene.constraints:
         return free
-    return decide(subject, _accelerations(one, two, lambda a: settle(one.scene, a)))
+    settled = _accelerations(one, two, lambda a: settle(scene, a))
+    return decide(subject, settled, try_normal=pays)
 
 
 def _accelerations(

@@ -10,7 +10,7 @@ from collections.abc import Sequence
 
 from sympy import Add, Expr, Matrix
 
-from mechanics.checks.agreement import Pairs, solve
+from mechanics.checks.agreement import Pairs, proof_pays, solve
 from mechanics.checks.manifold import settle
 from mechanics.checks.soundness import metric
 from mechanics.equations import Equations
@@ -35,7 +35,7 @@ def check_kinematics(scene: Scene) -> Finding:
                 pairs += [(a.value(x), a.value(y)) for x, y in zip(left, right, strict=True)]
         return pairs
 
-    return decide("kinematics: differentiated = composed", experiment)
+    return decide("kinematics: differentiated = composed", experiment, try_normal=proof_pays(scene))
 
 
 def _parts(motion: BodyMotion) -> tuple[Matrix, ...]:
@@ -62,7 +62,7 @@ def check_potentials(scene: Scene) -> tuple[Finding, ...]:
         subject = f"load {load.name}: force = -gradient of potential"
         lefts = [*collect_linear(power, scene.u)[0]]
         rights = [*collect_linear(released, scene.u)[0]]
-        found.append(_equal(subject, lefts, rights))
+        found.append(_equal(scene, subject, lefts, rights))
     return tuple(found)
 
 
@@ -86,7 +86,7 @@ def _powerless(scene: Scene, subject: str, coefficients: Sequence[Expr]) -> Find
             total = total + a.value(factor) * a.value(u)
         return [(total, a.rational(0))]
 
-    return decide(subject, experiment)
+    return decide(subject, experiment, try_normal=proof_pays(scene))
 
 
 def check_energy(equations: Equations) -> Finding:
@@ -113,7 +113,8 @@ def check_energy(equations: Equations) -> Finding:
             a.assign(symbol, number)
         return [(a.value(growth), a.value(power))]
 
-    return decide(f"{equations.route}: rate of energy = power of the loads", experiment)
+    subject = f"{equations.route}: rate of energy = power of the loads"
+    return decide(subject, experiment, try_normal=proof_pays(scene))
 
 
 def check_mass_matrix(equations: Equations) -> Finding:
@@ -124,7 +125,7 @@ def check_mass_matrix(equations: Equations) -> Finding:
     scene = equations.scene
     wanted = metric(scene, chain.body_motions(scene))
     subject = f"{equations.route}: M = sum of J^T m J"
-    return _equal(subject, list(equations.mass), list(wanted))
+    return _equal(scene, subject, list(equations.mass), list(wanted))
 
 
 def _kinetic_rate(scene: Scene, motion: BodyMotion) -> Expr:
@@ -143,8 +144,8 @@ def _power(motion: BodyMotion, action: Action) -> Expr:
     return action.force.dot(velocity) + action.couple.dot(motion.angular_velocity)
 
 
-def _equal(subject: str, lefts: Sequence[Expr], rights: Sequence[Expr]) -> Finding:
+def _equal(scene: Scene, subject: str, lefts: Sequence[Expr], rights: Sequence[Expr]) -> Finding:
     def experiment(a: Arithmetic) -> Pairs:
         return [(a.value(x), a.value(y)) for x, y in zip(lefts, rights, strict=True)]
 
-    return decide(subject, experiment)
+    return decide(subject, experiment, try_normal=proof_pays(scene))

@@ -6,10 +6,11 @@
 """
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 from sympy import Expr, Symbol
 
-from mechanics.checks.agreement import Pairs, product, solve
+from mechanics.checks.agreement import Pairs, product, proof_pays, solve
 from mechanics.checks.manifold import settle
 from mechanics.equations import Equations
 from mechanics.exact import Arithmetic, Finding, decide
@@ -27,20 +28,29 @@ def check_reactions(
     auxiliary : sequence of (Symbol, Expr)
         From Kane's auxiliary speeds.
     """
-    return tuple(_check_one(equations, symbol, row) for symbol, row in auxiliary)
+    if not auxiliary:
+        return ()
+    # One elimination serves all; only a doubt is looked into one by one.
+    whole = _decide("all reactions", equations, [row for _, row in auxiliary])
+    subjects = [f"reaction {symbol}: {equations.route} = auxiliary speeds" for symbol, _ in auxiliary]
+    if whole.shown:
+        return tuple(replace(whole, subject=subject) for subject in subjects)
+    return tuple(
+        _decide(subject, equations, [row])
+        for subject, (_, row) in zip(subjects, auxiliary, strict=True)
+    )
 
 
-def _check_one(equations: Equations, symbol: Symbol, row: Expr) -> Finding:
+def _decide(subject: str, equations: Equations, rows: Sequence[Expr]) -> Finding:
     def experiment(a: Arithmetic) -> Pairs:
         settle(equations.scene, a)
         for unknown, number in zip(equations.unknowns, solve(a, equations), strict=True):
             a.assign(unknown, number)
         for reaction, value in equations.reactions:
             a.assign(reaction, a.value(value))
-        return [(a.value(row), a.rational(0))]
+        return [(a.value(row), a.rational(0)) for row in rows]
 
-    subject = f"reaction {symbol}: {equations.route} = auxiliary speeds"
-    return decide(subject, experiment)
+    return decide(subject, experiment, try_normal=proof_pays(equations.scene))
 
 
 def check_multipliers(reference: Equations, other: Equations) -> Finding:
@@ -65,4 +75,5 @@ def check_multipliers(reference: Equations, other: Equations) -> Finding:
             for i in range(size)
         ]
 
-    return decide(f"{reference.route} = {other.route}: multipliers", experiment)
+    subject = f"{reference.route} = {other.route}: multipliers"
+    return decide(subject, experiment, try_normal=proof_pays(scene))

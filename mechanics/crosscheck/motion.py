@@ -23,7 +23,7 @@ def example_motion(model: Model) -> tuple[Motion | None, tuple[str, ...]]:
         "potential_energy": found.potential,
         "total_energy": found.total,
     }
-    note = found.reason
+    note = f"{found.reason}."
     if found.conservative:
         note += f" Largest relative change of the energy: {found.energy_drift:.1e}."
     if found.drift:

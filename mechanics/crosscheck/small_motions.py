@@ -24,8 +24,9 @@ def small_motions(
         return (), (f"No small motions about q = 0: {error}",)
     try:
         return (_exact(linear),), ()
-    except MechanicsError as reason:
-        return _numeric(linear, str(reason))
+    except MechanicsError:
+        # Damped, or the characteristic polynomial does not factor over the parameters.
+        return _numeric(linear)
 
 
 def _exact(linear: Linear) -> Modes:
@@ -37,8 +38,7 @@ def _exact(linear: Linear) -> Modes:
     return Modes("Natural modes about q = 0", tuple(rows))
 
 
-def _numeric(linear: Linear, reason: str) -> tuple[tuple[Modes, ...], tuple[str, ...]]:
-    remark = f"Modes are numeric: {reason}"
+def _numeric(linear: Linear) -> tuple[tuple[Modes, ...], tuple[str, ...]]:
     try:
         found = numeric_modes(linear)
     except MechanicsError as error:
@@ -56,4 +56,4 @@ def _numeric(linear: Linear, reason: str) -> tuple[tuple[Modes, ...], tuple[str,
         )
         for i, value in enumerate(found.eigenvalues)
     )
-    return (Modes("Natural modes about q = 0, typical values", rows),), (remark,)
+    return (Modes("Natural modes about q = 0, typical values", rows),), ()

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from time import perf_counter
 
 from mechanics.checks import laws
-from mechanics.checks.agreement import compare, compare_pairs, require_regular
+from mechanics.checks.agreement import compare, compare_pairs, proof_pays, require_regular
 from mechanics.checks.ledger import QUANTITIES, check_row
 from mechanics.checks.ledger_motion import check_complete
 from mechanics.checks.reactions import check_multipliers, check_reactions
@@ -178,7 +178,8 @@ def _graphs(models: Mapping[str, Model]) -> Iterator[Finding]:
         chosen = None if model is _preferred(models) else ("forward_dynamics",)
         if name == "free_body" and chosen:
             chosen = ("forward_dynamics", "reactions") if model.equations.reactions else chosen
-        yield from prove_compiled(model, chosen)
+        pays = proof_pays(model.equations.scene)
+        yield from prove_compiled(model, chosen, try_normal=pays)
 
 
 def _preferred(models: Mapping[str, Model]) -> Model:
