@@ -149,6 +149,8 @@ def _summary(console: Console, results: Sequence[SystemResult]) -> None:
                 f"compiled residuals: at most {worst.max_eps:.2f} epsilon of the sum of the terms"
                 f" at {worst.states} states ({escape(worst.subject)})"
             )
+        for remark in result.remarks:
+            console.print(escape(remark), style="dim")
         for finding in _findings(result):
             if not finding.shown:
                 _explain(console, finding)

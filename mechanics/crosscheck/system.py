@@ -104,6 +104,7 @@ def crosscheck(system: System | Scene, options: CrossCheck | None = None) -> Sys
     measured = _residuals(scene, models, motions, options.states)
     stage("small motions")
     modes, remarks = small_motions(derived)
+    remarks += (f"Compiled functions are evaluated by {_preferred(models).backend}.",)
     motion = None
     if options.motion:
         stage("simulating")
