@@ -15,14 +15,14 @@ Pivots = Sequence[tuple[int, int]]
 
 
 def solve_symmetric(matrix: ca.SX, rhs: ca.SX) -> ca.SX:
-    """Solve M x = b for symmetric positive definite M, n x n, by L^T D L.
+    """Solve M X = B for symmetric positive definite M, n x n, by L^T D L; B is n x m.
 
     The last unknown is eliminated first: in tree order those are the leaves, and what does not
     depend on each other stays zero (Featherstone, Rigid Body Dynamics Algorithms, 6.5).
     """
     n = matrix.shape[0]
     a = [[matrix[i, j] for j in range(n)] for i in range(n)]
-    b = [rhs[i] for i in range(n)]
+    b = [rhs[i, :] for i in range(n)]
     factor = [[ca.SX(0)] * n for _ in range(n)]
     for k in reversed(range(n)):
         for i in range(k):
@@ -41,10 +41,10 @@ def solve_symmetric(matrix: ca.SX, rhs: ca.SX) -> ca.SX:
 
 
 def solve_general(matrix: ca.SX, rhs: ca.SX, pivots: Pivots) -> ca.SX:
-    """Solve A x = b, n x n, eliminating along `pivots`, (row, column) in turn."""
+    """Solve A X = B, n x n, eliminating along `pivots`, (row, column) in turn; B is n x m."""
     n = matrix.shape[0]
     a = [[matrix[i, j] for j in range(n)] for i in range(n)]
-    b = [rhs[i] for i in range(n)]
+    b = [rhs[i, :] for i in range(n)]
     rows, columns = set(range(n)), set(range(n))
     for row, column in pivots:
         rows.remove(row)

@@ -3,6 +3,7 @@
     forward dynamics    (u', lambda)  from  [[M, -B], [A, 0]] (u', lambda) = (f, b)
     residual            [[M, -B], [A, 0]] (u', lambda) - (f, b)
     inverse dynamics    tau = M_T (u' - forward dynamics),   M_T = d2T/du2
+    jacobians           K dx/ds = dk/ds - (dK/ds) x,   K x = k the first of these systems
 
 The inverse dynamics are the generalized forces, conjugate to u, which have to be added to the loads
 to get u'; with M_T from the kinetic energy this holds whatever the rows of a route are. Where the
@@ -133,9 +134,13 @@ class Graphs(Mapping[str, ca.Function]):
 
     @cached_property
     def _solution(self) -> ca.SX:
+        """(u', lambda)."""
+        return self._solve(self._system[1])
+
+    def _solve(self, rhs: ca.SX) -> ca.SX:
         if self._symmetric:
-            return solve_symmetric(*self._system)
-        return solve_general(*self._system, self.pivots)
+            return solve_symmetric(self._system[0], rhs)
+        return solve_general(self._system[0], rhs, self.pivots)
 
     @cached_property
     def pivots(self) -> Order:
@@ -205,5 +210,15 @@ class Graphs(Mapping[str, ca.Function]):
         return {"reactions": translate.column([value for _, value in self.equations.reactions])}
 
     def _jacobians(self) -> dict[str, ca.SX]:
-        ud = self._forward_dynamics()["ud"]
-        return {f"ud_{group}": ca.jacobian(ud, self._columns[group]) for group in STATE}
+        """The factors of K serve every column; differentiating through them costs twice as much."""
+        left, right = self._system
+        held = ca.SX.sym("x", left.shape[1])
+        state = ca.vertcat(*(self._columns[group] for group in STATE))
+        slopes = ca.jacobian(right - left @ held, state)
+        columns = self._solve(ca.substitute(slopes, held, self._solution))
+        found, start = {}, 0
+        for group in STATE:
+            end = start + len(getattr(self.quantities, group))
+            found[f"ud_{group}"] = columns[: len(self.quantities.ud), start:end]
+            start = end
+        return found

@@ -159,15 +159,21 @@ def _turns(scene: Scene, speed: Symbol, angles: set[Symbol]) -> bool:
 
 
 def _given(equations: Equations) -> list[Symbol]:
-    """Inputs in the scene's order, then those of their rates that occur, then time if it does."""
+    """Inputs in the scene's order, then their rates up to the highest that occurs, then time.
+
+    Energies and momenta hold the lower rates where the equations hold a higher one.
+    """
     scene = equations.scene
     left, right = equations.system
     used = left.free_symbols | right.free_symbols
     for _, expression in equations.reactions:
         used |= expression.free_symbols
     found = list(scene.input_symbols)
-    for order in range(1, len(DOTS)):
-        found += [s for f in scene.inputs if (s := plain_symbol(f, order)) in used]
+    orders = range(1, len(DOTS))
+    highest = {f: max((k for k in orders if plain_symbol(f, k) in used), default=0)
+               for f in scene.inputs}  # fmt: skip
+    for order in orders:
+        found += [plain_symbol(f, order) for f in scene.inputs if order <= highest[f]]
     return found + ([TIME] if TIME in used else [])
 
 

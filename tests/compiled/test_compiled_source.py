@@ -6,6 +6,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from mechanics.compiled import native
 from mechanics.compiled.names import RESERVED, Namer, identifier
 from mechanics.compiled.native import NativeKernel, library_source
 from mechanics.compiled.operations import OPERATIONS
@@ -141,3 +142,22 @@ def test_an_operation_without_c_is_named() -> None:
         function_source(code, ENTRIES)
     with pytest.raises(ExpressionError, match="OP_ERFINV"):
         NumpyKernel(code, np.float64)([np.zeros((1, 4))], 1)
+
+
+def test_long_programs_are_compiled_without_optimisation(compiler: str, monkeypatch) -> None:
+    s = ca.SX.sym("s", 4)
+    code = program(function(ca.sin(s[0]) * s[1] + s[2] / s[3], of=s))
+    states = [np.random.default_rng(2).normal(size=(16, 4))]
+    levels: list[str] = []
+    compile_and_load = native.load
+
+    def recorded(source: str, path: str, level: str) -> object:
+        levels.append(level)
+        return compile_and_load(source, path, level)
+
+    monkeypatch.setattr(native, "load", recorded)
+    results = [NativeKernel(code, ENTRIES, np.float64, compiler)(states, 16)]
+    monkeypatch.setattr(native, "LONG", 1)
+    results.append(NativeKernel(code, ENTRIES, np.float64, compiler)(states, 16))
+    assert levels == ["-O2", "-O0"]
+    np.testing.assert_array_equal(*results)

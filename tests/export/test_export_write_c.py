@@ -133,7 +133,7 @@ def test_header_is_read_by_cpp(modelled, tmp_path: Path) -> None:
         pytest.skip("no C++ compiler here")
     write_c(modelled("rocker", "kane"), tmp_path)
     (tmp_path / "use.cpp").write_text(
-        '#include "rocker.h"\nint main() { double e[1] = {0}; return int(e[0]) + ROCKER_Q_SIZE; }\n',
+        '#include "rocker.h"\nint main() { double e[1] = {0}; return int(e[0]); }\n',
         encoding="utf-8",
     )
     command = [
