@@ -60,9 +60,7 @@ def compare_pairs(routes: Mapping[str, Equations]) -> dict[tuple[str, str], Find
     -------
     dict of (str, str) to Finding
     """
-    return {
-        (one, two): compare(routes[one], routes[two]) for one, two in combinations(routes, 2)
-    }
+    return {(one, two): compare(routes[one], routes[two]) for one, two in combinations(routes, 2)}
 
 
 def compare(one: Equations, two: Equations) -> Finding:
@@ -89,9 +87,7 @@ def _accelerations(
         # Without multipliers, putting u' into the rows saves a second elimination.
         mass: Matrix = two.mass.col_join(two.constraint_matrix)
         right: Matrix = two.forcing.col_join(two.constraint_bias)
-        return [
-            (product(a, mass[i, :], first), a.value(right[i, 0])) for i in range(mass.rows)
-        ]
+        return [(product(a, mass[i, :], first), a.value(right[i, 0])) for i in range(mass.rows)]
 
     return experiment
 

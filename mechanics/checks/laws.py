@@ -1,27 +1,26 @@
 """Laws that hold whatever the route: kinematics, energy, mass matrix, loads against potentials.
 
-    v, omega, a, alpha by differentiation = by composition along the chain
-    d(T + V)/dt = power of the loads that have no potential
-    M = sum over bodies of m J_v^T J_v + J_w^T I J_w          (rows power-conjugate to u)
-    sum F . dv/du = - (dV/dq) N                               (each conservative load)
+v, omega, a, alpha by differentiation = by composition along the chain
+M = sum over bodies of m J_v^T J_v + J_w^T I J_w          (rows power-conjugate to u)
+sum F . dv/du = - (dV/dq) N                               (each conservative load)
 """
 
 from collections.abc import Sequence
 
 from sympy import Add, Expr, Matrix
 
-from mechanics.checks.agreement import Pairs, proof_pays, solve
+from mechanics.checks.agreement import Pairs, proof_pays
 from mechanics.checks.manifold import settle
 from mechanics.checks.soundness import metric
 from mechanics.equations import Equations
 from mechanics.exact import Arithmetic, Finding, collect_linear, decide
 from mechanics.kinematics import chain, differentiate
-from mechanics.kinematics.motion import BodyMotion, inertia_matrix
+from mechanics.kinematics.motion import BodyMotion
 from mechanics.scene import Scene
 from mechanics.scene.actions import Action, load_actions, unit_reactions
 from mechanics.scene.loads import CONSERVATIVE
-from mechanics.scene.potential import load_potential, potential
-from mechanics.scene.rates import rate, rate_table, rates
+from mechanics.scene.potential import load_potential
+from mechanics.scene.rates import rate
 
 
 def check_kinematics(scene: Scene) -> Finding:
@@ -55,10 +54,11 @@ def check_potentials(scene: Scene) -> tuple[Finding, ...]:
     for load in scene.loads:
         if not isinstance(load, CONSERVATIVE):
             continue
-        power = Add(*(_power(motions[a.body], a) for a in load_actions(scene, load)))
+        power = Add(*(power_of(motions[a.body], a) for a in load_actions(scene, load)))
         stored = load_potential(scene, load)
-        released = -rate(stored, {q: scene.coordinate_rates[qd] for q, qd in
-                                  zip(scene.q, scene.qd, strict=True)})
+        released = -rate(
+            stored, {q: scene.coordinate_rates[qd] for q, qd in zip(scene.q, scene.qd, strict=True)}
+        )
         subject = f"load {load.name}: force = -gradient of potential"
         lefts = [*collect_linear(power, scene.u)[0]]
         rights = [*collect_linear(released, scene.u)[0]]
@@ -71,7 +71,7 @@ def check_ideal(scene: Scene) -> tuple[Finding, ...]:
     motions = {motion.body.name: motion for motion in chain.body_motions(scene)}
     found = []
     for symbol, pair in unit_reactions(scene).items():
-        power = Add(*(_power(motions[action.body], action) for action in pair))
+        power = Add(*(power_of(motions[action.body], action) for action in pair))
         # Prescribed motions may do work on a moving support; the ideal part is linear in u.
         coefficients, _ = collect_linear(power, scene.u)
         found.append(_powerless(scene, f"reaction {symbol}: no power", coefficients))
@@ -89,34 +89,6 @@ def _powerless(scene: Scene, subject: str, coefficients: Sequence[Expr]) -> Find
     return decide(subject, experiment, try_normal=proof_pays(scene))
 
 
-def check_energy(equations: Equations) -> Finding:
-    """The rate of T + V, at the accelerations of a route, is the power of the other loads."""
-    scene = equations.scene
-    motions = differentiate.body_motions(scene)
-    by_name = {motion.body.name: motion for motion in motions}
-    growth = Add(
-        *(_kinetic_rate(scene, motion) for motion in motions),
-        rate(potential(scene), rate_table(scene)),
-    )
-    power = Add(
-        *(
-            _power(by_name[action.body], action)
-            for load in scene.loads
-            if not isinstance(load, CONSERVATIVE)
-            for action in load_actions(scene, load)
-        )
-    )
-
-    def experiment(a: Arithmetic) -> Pairs:
-        settle(scene, a)
-        for symbol, number in zip(equations.unknowns, solve(a, equations), strict=True):
-            a.assign(symbol, number)
-        return [(a.value(growth), a.value(power))]
-
-    subject = f"{equations.route}: rate of energy = power of the loads"
-    return decide(subject, experiment, try_normal=proof_pays(scene))
-
-
 def check_mass_matrix(equations: Equations) -> Finding:
     """M of a route whose rows are power-conjugate to u is the metric of the kinetic energy.
 
@@ -128,17 +100,8 @@ def check_mass_matrix(equations: Equations) -> Finding:
     return _equal(scene, subject, list(equations.mass), list(wanted))
 
 
-def _kinetic_rate(scene: Scene, motion: BodyMotion) -> Expr:
-    """dT/dt of one body: m v . a + omega . (d(I omega)/dt), as omega . (I' omega) cancels."""
-    speed, gain = motion.centre.velocity, motion.centre.acceleration
-    linear = motion.body.mass * Add(*(v * a for v, a in zip(speed, gain, strict=True)))
-    if not motion.turns:
-        return linear
-    spin = inertia_matrix(scene, motion.body, motion.rotation) * motion.angular_velocity
-    return linear + motion.angular_velocity.dot(rates(spin, rate_table(scene)))
-
-
-def _power(motion: BodyMotion, action: Action) -> Expr:
+def power_of(motion: BodyMotion, action: Action) -> Expr:
+    """F . v + tau . omega of one action on one body, in W."""
     arm = action.at - motion.centre.position
     velocity = motion.centre.velocity + motion.angular_velocity.cross(arm)
     return action.force.dot(velocity) + action.couple.dot(motion.angular_velocity)

@@ -1,8 +1,8 @@
 """Points on the constraint manifold, in any arithmetic.
 
-    phi(q; p) = 0      solved for parameters that it holds linearly (link lengths), or not needed
-    A(q) u + a = 0     solved for dependent speeds
-    A(q) u' = b        solved for dependent accelerations, where a statement holds free ones
+phi(q; p) = 0      solved for parameters that it holds linearly (link lengths), or not needed
+A(q) u + a = 0     solved for dependent speeds
+A(q) u' = b        solved for dependent accelerations, where a statement holds free ones
 """
 
 from collections.abc import Sequence

@@ -1,8 +1,8 @@
 """Reactions by two independent ways, and multipliers by every route that keeps them.
 
-    R_j(u', lambda) of procedure (i), put into Kane's equations of the auxiliary speeds, gives zero
-    B lambda of Lagrange = B R of Kane with the reactions as loads
-    lambda of the momentum routes = R of Kane, name by name
+R_j(u', lambda) of procedure (i), put into Kane's equations of the auxiliary speeds, gives zero
+B lambda of Lagrange = B R of Kane with the reactions as loads
+lambda of the momentum routes = R of Kane, name by name
 """
 
 from collections.abc import Sequence
@@ -32,7 +32,9 @@ def check_reactions(
         return ()
     # One elimination serves all; only a doubt is looked into one by one.
     whole = _decide("all reactions", equations, [row for _, row in auxiliary])
-    subjects = [f"reaction {symbol}: {equations.route} = auxiliary speeds" for symbol, _ in auxiliary]
+    subjects = [
+        f"reaction {symbol}: {equations.route} = auxiliary speeds" for symbol, _ in auxiliary
+    ]
     if whole.shown:
         return tuple(replace(whole, subject=subject) for subject in subjects)
     return tuple(

@@ -1,8 +1,8 @@
 """Whether a scene can be right, before any route runs.
 
-    ideal       the power of a unit of each reaction vanishes on the velocities the scene admits
-    complete    rank of the reactions = freedoms of the isolated bodies - independent speeds
-    regular     the mass matrix resists every motion that the constraints admit
+ideal       the power of a unit of each reaction vanishes on the velocities the scene admits
+complete    rank of the reactions = freedoms of the isolated bodies - independent speeds
+regular     the mass matrix resists every motion that the constraints admit
 """
 
 from collections.abc import Sequence
@@ -80,9 +80,7 @@ def _constraints(scene: Scene, matrix: Matrix) -> None:
         )
 
 
-def _scalar_inertias(
-    scene: Scene, motions: dict[str, BodyMotion], directions: Directions
-) -> None:
+def _scalar_inertias(scene: Scene, motions: dict[str, BodyMotion], directions: Directions) -> None:
     if directions.normal is not None:
         return
     for name, motion in motions.items():
@@ -131,8 +129,7 @@ def _ideal(
     rank = matrix.rows
     for j, symbol in enumerate(symbols):
         power = [
-            Add(*(f.partial[i] * f.reactions[j] for f in freedoms))
-            for i in range(len(scene.u))
+            Add(*(f.partial[i] * f.reactions[j] for f in freedoms)) for i in range(len(scene.u))
         ]
         if generic_rank([*matrix.tolist(), power]) > rank:
             raise SceneError(
@@ -198,4 +195,3 @@ def metric(scene: Scene, motions: Sequence[BodyMotion]) -> Matrix:
             inertia = inertia_matrix(scene, motion.body, motion.rotation)
             total += angular.T * inertia * angular
     return total
-

@@ -27,7 +27,9 @@ def linearize(system: SystemArgument, at: AtOption = None) -> None:
     Example: `mechanics linearize rocker --at theta=0`
     """
     linear = _linear(system, at or [])
-    typer.echo(f"M x'' + C x' + K x = B f, x = deviations of {', '.join(map(str, linear.coordinates))}")
+    typer.echo(
+        f"M x'' + C x' + K x = B f, x = deviations of {', '.join(map(str, linear.coordinates))}"
+    )
     for title, matrix in (("M", linear.mass), ("C", linear.damping), ("K", linear.stiffness)):
         typer.echo(f"{title} = {_rows(matrix)}")
     for order, matrix in enumerate(linear.input_matrices):

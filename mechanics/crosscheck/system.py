@@ -1,6 +1,6 @@
 """One system from scene to result: derive, compare, prove, compile, measure.
 
-    scene --> routes --> pairs, laws, ledger --> compiled graphs --> residuals --> small motions
+scene --> routes --> pairs, laws, ledger --> compiled graphs --> residuals --> small motions
 """
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
@@ -9,6 +9,7 @@ from time import perf_counter
 
 from mechanics.checks import laws
 from mechanics.checks.agreement import compare, compare_pairs, proof_pays, require_regular
+from mechanics.checks.energy import check_energy
 from mechanics.checks.ledger import QUANTITIES, check_row
 from mechanics.checks.ledger_motion import check_complete
 from mechanics.checks.reactions import check_multipliers, check_reactions
@@ -21,7 +22,7 @@ from mechanics.equations import Equations
 from mechanics.exact import Finding
 from mechanics.linear.ledger import check_linear_row
 from mechanics.report.result import LedgerResult, ResidualResult, RouteResult, SystemResult
-from mechanics.routes import kane
+from mechanics.routes import free_body, kane
 from mechanics.routes.kane_reactions import auxiliary_equations
 from mechanics.scene import Scene
 from mechanics.scene.published import Published
@@ -144,8 +145,12 @@ def _laws(scene: Scene, derived: Mapping[str, Equations]) -> Iterator[Finding]:
     yield laws.check_kinematics(scene)
     yield from laws.check_potentials(scene)
     yield from laws.check_ideal(scene)
+    support = derived.get("free_body")
+    if support is None and scene.inputs:
+        # A support that moves in a prescribed way does work through its reactions.
+        support = free_body.derive(scene)
     for equations in derived.values():
-        yield laws.check_energy(equations)
+        yield check_energy(equations, support)
         if equations.conjugate:
             yield laws.check_mass_matrix(equations)
     if "free_body" in derived:
