@@ -1,9 +1,9 @@
 """When two sets of equations agree: they give the same accelerations.
 
-    [[M1, -B1], [A1, 0]] (u', lambda1) = (f1, b1)       and       M2 u' = f2 + B2 lambda2,  A2 u' = b2
+    [[M1, -B1], [A1, 0]] (u', lambda1) = (f1, b1)    and    M2 u' = f2 + B2 lambda2,  A2 u' = b2
 
 M and f are never compared entry by entry: rows may be scaled and combined at will. Points are free
-first (the routes agree off the constraint manifold too), and on the manifold only where they do not.
+first (the routes agree off the constraint manifold too), and on the manifold where they do not.
 """
 
 from collections.abc import Callable, Mapping

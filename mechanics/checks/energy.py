@@ -2,8 +2,8 @@
 
     d(T + V)/dt = sum over loads without potential (F . v + tau . omega) + sum_j R_j w_j
 
-w_j is the power of a unit of reaction j that is left when every speed is zero: that of a support whose
-motion is prescribed. Other ideal reactions do no work.
+w_j is the power of a unit of reaction j that is left when every speed is zero: that of a support
+whose motion is prescribed. Other ideal reactions do no work.
 """
 
 from collections.abc import Mapping

@@ -77,8 +77,8 @@ def crosscheck(
     Exit code: 0 when all is PROVED or CERTIFIED, 1 when something is REFUTED, 3 when something is
     UNDECIDED or only SUPPORTED, 2 for bad input.
 
-    Examples:
-
+    Examples
+    --------
     `mechanics crosscheck`
 
     `mechanics crosscheck rocker --report rocker.html`

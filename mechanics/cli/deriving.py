@@ -1,6 +1,6 @@
 """`mechanics derive`: the equations of motion of one route, for people or programs."""
 
-from enum import Enum
+from enum import StrEnum
 from typing import Annotated
 
 import sympy
@@ -13,7 +13,7 @@ from mechanics.equations import Equations
 from mechanics.report.notation import latex
 
 
-class Format(str, Enum):
+class Format(StrEnum):
     """How equations are written."""
 
     TEXT = "text"
@@ -30,8 +30,8 @@ def derive(
 ) -> None:
     """Print the equations of motion M u' = f + B lambda, A u' = b of one route.
 
-    Examples:
-
+    Examples
+    --------
     `mechanics derive rocker --route moving_point`
 
     `mechanics derive elastic_pendulum --route kane --format latex`

@@ -5,6 +5,7 @@ import importlib.util
 import inspect
 import re
 import traceback
+from collections.abc import Callable
 from functools import partial
 from pathlib import Path
 from types import ModuleType
@@ -43,7 +44,8 @@ def load(text: str) -> System:
         system = known[sized[1]]
         if inspect.signature(system.scene).parameters:
             # Published rows belong to the size that their source has.
-            return System(text, partial(system.scene, int(sized[2] or sized[3])))
+            make: Callable[..., Scene] = system.scene
+            return System(text, partial(make, int(sized[2] or sized[3])))
         raise InputError(f"system {text!r}: {sized[1]} has no size: write {sized[1]}")
     raise InputError(
         f"system {text!r} is not known: the systems are {', '.join(known)};"

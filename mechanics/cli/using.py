@@ -35,8 +35,8 @@ def simulate(
     initial values are made consistent: what is set is kept, the rest is solved for, and the branch
     is named. Exit code 3 when the motion had to end early; what was integrated is written.
 
-    Examples:
-
+    Examples
+    --------
     `mechanics simulate elastic_pendulum --duration 10 --set theta=2.5 --out motion.csv`
 
     `mechanics simulate four_bar --set q1=0.5 --out motion.parquet --plot motion.svg`
@@ -82,8 +82,8 @@ def codegen(
 ) -> None:
     """Write the equations as C99, with a header, a self-test and a manifest.
 
-    Examples:
-
+    Examples
+    --------
     `mechanics codegen elastic_pendulum -o elastic_pendulum_c`
 
     `cmake -S elastic_pendulum_c -B build && cmake --build build && ctest --test-dir build`

@@ -10,6 +10,7 @@ one term. The other way is `mechanics.kinematics.differentiate`.
 """
 
 from dataclasses import dataclass, field
+from itertools import pairwise
 
 from sympy import Matrix, eye, zeros
 from sympy.physics.vector import Point, ReferenceFrame
@@ -64,7 +65,7 @@ class Chain:
         path = frame_path(root, frame)
         known = self._frames
         known.setdefault(root, FrameMotion(eye(3), zeros(3, 1), zeros(3, 1)))
-        for parent, child in zip(path, path[1:], strict=False):
+        for parent, child in pairwise(path):
             if child not in known:
                 known[child] = self._turned(parent, child)
         return known[frame]
@@ -88,7 +89,7 @@ class Chain:
         path = point_path(self.scene.origin, point)
         known = self._points
         known.setdefault(self.scene.origin, MixedMotion({}, {}))
-        for parent, child in zip(path, path[1:], strict=False):
+        for parent, child in pairwise(path):
             if child not in known:
                 known[child] = self._stepped(parent, child)
         return known[point]

@@ -1,6 +1,6 @@
 """From rows to the common form.
 
-    row:  value(q, u, u') = sum_j c_j lambda_j     gives     M u' = f + B lambda
+row:  value(q, u, u') = sum_j c_j lambda_j     gives     M u' = f + B lambda
 """
 
 from collections.abc import Sequence
@@ -9,6 +9,7 @@ from typing import Protocol
 
 from sympy import Expr, Matrix, S, Symbol, zeros
 
+from mechanics.equations import Line, Step
 from mechanics.exact import collect_linear
 from mechanics.scene import Scene
 
@@ -16,8 +17,15 @@ from mechanics.scene import Scene
 class ForceBalance(Protocol):
     """A row ``value = sum of coefficients times reactions``."""
 
-    value: Expr
-    coefficients: dict[Symbol, Expr]
+    @property
+    def value(self) -> Expr:
+        """Rates minus loads."""
+        ...
+
+    @property
+    def coefficients(self) -> dict[Symbol, Expr]:
+        """What a unit of each reaction contributes."""
+        ...
 
 
 @dataclass(frozen=True)
@@ -42,3 +50,10 @@ def assemble(scene: Scene, rows: Sequence[ForceBalance], kept: Sequence[Symbol])
         Matrix(forcing),
         Matrix(reactions) if kept else zeros(len(rows), 0),
     )
+
+
+def result_step(scene: Scene, mass: Matrix, forcing: Matrix) -> Step:
+    """The equations of motion, for people: terms with accelerations on the left."""
+    lefts = mass * Matrix(scene.ud)
+    lines = tuple(Line(left, right) for left, right in zip(lefts, forcing, strict=True))
+    return Step("Equations of motion", "Terms with accelerations on the left.", lines)

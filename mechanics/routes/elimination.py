@@ -1,8 +1,8 @@
 """Elimination of the reactions, from the leaves of the tree of bodies to its root.
 
-A row reads  ``value = sum_j c_j R_j``  with value = rate - applied. For each reaction at the inboard
-joint of a body one of the body's rows is solved for it, and the solution is put into every other
-row that holds it:
+A row reads  ``value = sum_j c_j R_j``  with value = rate - applied. For each reaction at the
+inboard joint of a body one of the body's rows is solved for it, and the solution is put into every
+other row that holds it:
 
     row_i <- row_i - (c_i / c_p) row_p                       c_p a number
     row_i <- c_p row_i - c_i row_p                           otherwise: nothing is divided by c_p

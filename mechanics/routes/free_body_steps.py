@@ -2,11 +2,11 @@
 
 from collections.abc import Mapping, Sequence
 
-from sympy import Add, Expr, Matrix
+from sympy import Add, Expr
 
 from mechanics.equations import FreeBodyRow, Line, Step
 from mechanics.kinematics.motion import BodyMotion
-from mechanics.routes.common import System
+from mechanics.routes.common import System, result_step
 from mechanics.routes.elimination import Elimination, Solved
 from mechanics.scene import Scene
 
@@ -53,7 +53,7 @@ def derivation_steps(
                 for solved in result.order
             ),
         ),
-        result_step(scene, system),
+        result_step(scene, system.mass, system.forcing),
     )
 
 
@@ -72,13 +72,6 @@ def kinematic_lines(name: str, motion: BodyMotion) -> list[Line]:
             if vector[i] != 0
         ]
     return found
-
-
-def result_step(scene: Scene, system: System) -> Step:
-    """The equations of motion: M u' on the left, everything else on the right."""
-    lefts: Matrix = system.mass * Matrix(scene.ud)
-    lines = [Line(left, right) for left, right in zip(lefts, system.forcing, strict=True)]
-    return Step("Equations of motion", "Terms with accelerations on the left.", tuple(lines))
 
 
 def _momentum_name(row: FreeBodyRow) -> str:

@@ -15,6 +15,7 @@ from mechanics.equations import Equations, Line, Step
 from mechanics.exact import collect_linear, independent_rows
 from mechanics.kinematics import chain
 from mechanics.kinematics.constraints import constraint_rows, velocity_forms
+from mechanics.routes.common import result_step
 from mechanics.routes.dynamic import Dynamic, dynamic_speeds
 from mechanics.routes.sympy_model import SympyModel, Velocities, build, force_at
 from mechanics.scene import Scene
@@ -31,17 +32,18 @@ def derive(scene: Scene) -> Equations:
         return _with_dependent_speeds(scene, dynamic, model, loads)
     method = _method(scene, dynamic, model, list(range(len(scene.u))))
     method.kanes_equations(list(model.bodies.values()), loads)
+    mass, forcing = dynamic.back(method.mass_matrix), dynamic.back(method.forcing)
     return Equations(
         scene,
         "kane",
-        dynamic.back(method.mass_matrix),
-        dynamic.back(method.forcing),
+        mass,
+        forcing,
         (),
         zeros(len(scene.u), 0),
         zeros(0, len(scene.u)),
         zeros(0, 1),
         conjugate=True,
-        steps=_steps(scene),
+        steps=_steps(scene, mass, forcing),
     )
 
 
@@ -59,23 +61,21 @@ def derive_with_multipliers(scene: Scene) -> Equations:
     loads = _loads(scene, model, dynamic, (*applied_actions(scene), *unknown))
     method = _method(scene, dynamic, model, list(range(len(scene.u))))
     method.kanes_equations(list(model.bodies.values()), loads)
-    forcing, columns = [], []
-    for entry in dynamic.back(method.forcing):
-        coefficients, rest = collect_linear(entry, kept)
-        forcing.append(rest)
-        columns.append(coefficients)
+    split = [collect_linear(entry, kept) for entry in dynamic.back(method.forcing)]
+    mass, forcing = dynamic.back(method.mass_matrix), Matrix([rest for _, rest in split])
+    columns = [coefficients for coefficients, _ in split]
     matrix, bias = constraint_rows(scene)
     return Equations(
         scene,
         "kane with multipliers",
-        dynamic.back(method.mass_matrix),
-        Matrix(forcing),
+        mass,
+        forcing,
         kept,
         Matrix(columns) if kept else zeros(len(scene.u), 0),
         matrix,
         bias,
         conjugate=True,
-        steps=_steps(scene),
+        steps=_steps(scene, mass, forcing),
     )
 
 
@@ -90,19 +90,20 @@ def _with_dependent_speeds(
     mass, forcing = dynamic.back(method.mass_matrix), dynamic.back(method.forcing)
     # SymPy orders the columns independent speeds first.
     back = [order.index(i) for i in range(len(order))]
-    mass = mass.extract(list(range(mass.rows)), back)
+    square, right = mass.extract(list(range(mass.rows)), back), forcing
+    mass, forcing = square[:free, :], right[:free, :]
     return Equations(
         scene,
         "kane",
-        mass[:free, :],
-        forcing[:free, :],
+        mass,
+        forcing,
         (),
         zeros(free, 0),
-        mass[free:, :],
-        forcing[free:, :],
+        square[free:, :],
+        right[free:, :],
         conjugate=False,
         chosen=tuple(f"dependent speed {scene.u[i]}" for i in dependent),
-        steps=_steps(scene),
+        steps=_steps(scene, mass, forcing),
     )
 
 
@@ -121,7 +122,7 @@ def _method(
     order: Sequence[int],
     dependent: Sequence[int] = (),
 ) -> KanesMethod:
-    """KanesMethod; constraints by Cramer's rule, as LU divides by pivots that vanish at plain states."""
+    """KanesMethod, constraints by Cramer's rule: LU divides by zero at plain states."""
     t_rates = {q: f.diff() for q, f in zip(scene.qd, scene.coordinates, strict=True)}
     kinematic = [t_rates[qd] - dynamic.to(scene.coordinate_rates[qd]) for qd in scene.qd]
     speeds = [dynamic.to(u) for u in scene.u]
@@ -131,9 +132,7 @@ def _method(
     if dependent:
         holonomic = [c for c in scene.constraints if c.holonomic]
         options["u_dependent"] = [speeds[i] for i in dependent]
-        options["velocity_constraints"] = [
-            dynamic.to(form) for form in velocity_forms(scene)
-        ]
+        options["velocity_constraints"] = [dynamic.to(form) for form in velocity_forms(scene)]
         if holonomic:
             q_dependent = [coordinates[i] for i in dependent][-len(holonomic) :]
             options["q_dependent"] = q_dependent
@@ -165,7 +164,7 @@ def _loads(
     return found
 
 
-def _steps(scene: Scene) -> tuple[Step, ...]:
+def _steps(scene: Scene, mass: Matrix, forcing: Matrix) -> tuple[Step, ...]:
     """Partial velocities of the mass centres: what Kane's method projects on."""
     lines = []
     for motion in chain.body_motions(scene):
@@ -176,7 +175,10 @@ def _steps(scene: Scene) -> tuple[Step, ...]:
                     left = rf"\partial v_{{{motion.body.name},{axis}}} / \partial {_tex(u)}"
                     lines.append(Line(left, partial[i]))
     text = "Partial velocities of the mass centres, inertial components."
-    return (Step("Partial velocities", text, tuple(lines)),)
+    return (
+        Step("Partial velocities", text, tuple(lines)),
+        result_step(scene, mass, forcing),
+    )
 
 
 def _tex(u: Symbol) -> str:

@@ -1,7 +1,7 @@
 """Reactions by Kane's auxiliary speeds: the second, independent way.
 
-For each reaction the joint it belongs to is opened: everything outboard moves with an auxiliary speed
-along (or turns about) the direction of the reaction,
+For each reaction the joint it belongs to is opened: everything outboard moves with an auxiliary
+speed along (or turns about) the direction of the reaction,
 
     v_body <- v_body + w_j e_j         (force)
     v_body <- v_body + w_j e_j x (r_C - r_0),  omega_body <- omega_body + w_j e_j      (couple)

@@ -2,8 +2,8 @@
 
     d/dt (dL/dq') - dL/dq = Q + A^T lambda,    L = T - V
 
-Conservative loads enter as their potential, everything else as a generalized force. Where speeds are
-not q', the result is carried over by q' = N u + n:
+Conservative loads enter as their potential, everything else as a generalized force. Where speeds
+are not q', the result is carried over by q' = N u + n:
 
     N^T M N u' = N^T (f - M (N' u + n')) + N^T A^T lambda
 
@@ -17,6 +17,7 @@ from mechanics.equations import Equations, Line, Step
 from mechanics.exact import canonical
 from mechanics.kinematics import differentiate
 from mechanics.kinematics.motion import BodyMotion, inertia_matrix
+from mechanics.routes.common import result_step
 from mechanics.routes.dynamic import Dynamic, dynamic_rates
 from mechanics.scene import Scene
 from mechanics.scene.actions import load_actions
@@ -117,13 +118,21 @@ def _common_form(
         reactions = -dynamic.back(method.mass_matrix[:, n:])
         matrix = dynamic.back(method.mass_matrix_full[2 * n :, n : 2 * n])
         bias = dynamic.back(method.forcing_full[2 * n :, :])
-    steps = _steps(scene, kinetic, stored)
     if scene.speeds:
         mass, forcing, reactions, matrix, bias = _in_speeds(
             scene, mass, forcing, reactions, matrix, bias
         )
     return Equations(
-        scene, "lagrange", mass, forcing, names, reactions, matrix, bias, True, steps=steps
+        scene,
+        "lagrange",
+        mass,
+        forcing,
+        names,
+        reactions,
+        matrix,
+        bias,
+        conjugate=True,
+        steps=(_energies(scene, kinetic, stored), result_step(scene, mass, forcing)),
     )
 
 
@@ -149,13 +158,11 @@ def _in_speeds(
     )
 
 
-def _steps(scene: Scene, kinetic: Expr, stored: Expr) -> tuple[Step, ...]:
+def _energies(scene: Scene, kinetic: Expr, stored: Expr) -> Step:
     power = tuple(load.name for load in scene.loads if not isinstance(load, CONSERVATIVE))
     extra = f" Generalized forces: {', '.join(power)}." if power else ""
-    return (
-        Step(
-            "Energies",
-            "Kinetic and potential energy in the coordinates and their rates." + extra,
-            (Line("T", kinetic), Line("V", stored)),
-        ),
+    return Step(
+        "Energies",
+        "Kinetic and potential energy in the coordinates and their rates." + extra,
+        (Line("T", kinetic), Line("V", stored)),
     )

@@ -5,7 +5,8 @@
 
 v_B is the velocity of the geometric point B, not of a material one. Candidates are the outboard
 subtrees of the tree of bodies; `mechanics.routes.twists` finds, for each, the principles in which
-the reactions that cross its boundary do not enter. Velocities come from `mechanics.kinematics.chain`.
+the reactions that cross its boundary do not enter. Velocities come from
+`mechanics.kinematics.chain`.
 """
 
 from collections.abc import Iterator, Mapping, Sequence

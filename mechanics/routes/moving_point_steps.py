@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
-from sympy import Add, Matrix, zeros
+from sympy import Add, zeros
 
 from mechanics.equations import Line, Step
 from mechanics.exact import canonical
-from mechanics.routes.common import System
+from mechanics.routes.common import System, result_step
 from mechanics.scene import Scene
 
 if TYPE_CHECKING:
@@ -25,14 +25,7 @@ def derivation_steps(scene: Scene, balances: Sequence[Balance], system: System) 
     choice = Step(
         "Free bodies and moment centres", f"Chosen so that the reactions drop out: {chosen}.", ()
     )
-    result = Step(
-        "Equations of motion",
-        "Terms with accelerations on the left; products that cancel are cancelled.",
-        tuple(
-            Line(left, right)
-            for left, right in zip(system.mass * Matrix(scene.ud), system.forcing, strict=True)
-        ),
-    )
+    result = result_step(scene, system.mass, system.forcing)
     if len(balances) > LARGEST_SCENE:
         return (choice, result)
     terms: list[Line] = []

@@ -1,11 +1,12 @@
 """A scene as SymPy's frames, points, bodies and loads, with explicit velocities.
 
 Velocities are composed in `mechanics.kinematics.chain` and set: this halves the operations that
-SymPy's Kane method leaves after common subexpressions are shared. All objects are made anew, because
-SymPy's are mutable.
+SymPy's Kane method leaves after common subexpressions are shared. All objects are made anew,
+because SymPy's are mutable.
 """
 
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import Any
 
 import sympy.physics.mechanics as me
@@ -100,7 +101,7 @@ def _frame(
 ) -> ReferenceFrame:
     """A new frame like the scene's, with its angular velocity composed along the chain."""
     path = frame_path(scene.frame, frame)
-    for parent, child in zip(path, path[1:], strict=False):
+    for parent, child in pairwise(path):
         if child in frames:
             continue
         new = ReferenceFrame(child.name)
@@ -131,7 +132,7 @@ def _axis_angle(step: Matrix) -> tuple[Matrix, Expr] | None:
     for k in range(3):
         axis = Matrix([int(i == k) for i in range(3)])
         i, j = (k + 1) % 3, (k + 2) % 3
-        if step[k, k] != 1 or step[j, i].func not in (sin, cos) and not step[j, i].is_Mul:
+        if step[k, k] != 1 or (step[j, i].func not in (sin, cos) and not step[j, i].is_Mul):
             continue
         for angle in {f.args[0] for f in step.atoms(sin, cos)}:
             for signed in (angle, -angle):
@@ -161,7 +162,10 @@ def _vector(frame: ReferenceFrame, column: Matrix, dynamic: Dynamic) -> Vector:
     return x * frame.x + y * frame.y + z * frame.z
 
 
-def inertia_dyadic(scene: Scene, body: RigidBody, frame: ReferenceFrame, dynamic: Dynamic) -> Dyadic:
+def inertia_dyadic(
+    scene: Scene, body: RigidBody, frame: ReferenceFrame, dynamic: Dynamic
+) -> Dyadic:
+    """Inertia about the mass centre in the axes of a frame fixed in the body."""
     axes = (frame.x, frame.y, frame.z)
     if not isinstance(body.inertia, Dyadic):
         scalar = dynamic.to(scene.plain(body.inertia))
