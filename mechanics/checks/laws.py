@@ -17,10 +17,10 @@ from mechanics.exact import Arithmetic, Finding, collect_linear, decide
 from mechanics.kinematics import chain, differentiate
 from mechanics.kinematics.motion import BodyMotion
 from mechanics.scene import Scene
-from mechanics.scene.actions import Action, load_actions, unit_reactions
-from mechanics.scene.loads import CONSERVATIVE
+from mechanics.scene.actions import Action, elongation, load_actions, unit_reactions
+from mechanics.scene.loads import CONSERVATIVE, Damper
 from mechanics.scene.potential import load_potential
-from mechanics.scene.rates import rate
+from mechanics.scene.rates import rate, rate_table
 
 
 def check_kinematics(scene: Scene) -> Finding:
@@ -63,6 +63,20 @@ def check_potentials(scene: Scene) -> tuple[Finding, ...]:
         lefts = [*collect_linear(power, scene.u)[0]]
         rights = [*collect_linear(released, scene.u)[0]]
         found.append(_equal(scene, subject, lefts, rights))
+    return tuple(found)
+
+
+def check_dampers(scene: Scene) -> tuple[Finding, ...]:
+    """Each damper takes c times the square of its rate of elongation out of the system."""
+    motions = {motion.body.name: motion for motion in chain.body_motions(scene)}
+    found = []
+    for load in scene.loads:
+        if isinstance(load, Damper):
+            power = Add(*(power_of(motions[a.body], a) for a in load_actions(scene, load)))
+            distance, _ = elongation(scene, load)
+            speed = rate(distance, rate_table(scene))
+            taken = -scene.plain(load.coefficient, load.name) * speed**2
+            found.append(_equal(scene, f"load {load.name}: power = -c rate^2", [power], [taken]))
     return tuple(found)
 
 

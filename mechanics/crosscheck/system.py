@@ -146,6 +146,7 @@ def _derived(
 def _laws(scene: Scene, derived: Mapping[str, Equations]) -> Iterator[Finding]:
     yield laws.check_kinematics(scene)
     yield from laws.check_potentials(scene)
+    yield from laws.check_dampers(scene)
     yield from laws.check_ideal(scene)
     support = derived.get("free_body")
     if support is None and scene.inputs:

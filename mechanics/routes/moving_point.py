@@ -96,16 +96,7 @@ def chosen_balances(scene: Scene) -> Iterator[Balance]:
     spins = {name: _spin(scene, motion) for name, motion in motions.items()}
     for name in reversed(bodies.order):
         inside = bodies.subtree(name)
-        crossing = {
-            symbol: action
-            for symbol, pair in reactions.items()
-            for action in pair
-            if action.body in inside and not all(other.body in inside for other in pair)
-        } | {
-            symbol: pair[0]
-            for symbol, pair in reactions.items()
-            if len(pair) == 1 and pair[0].body in inside
-        }
+        crossing = _crossing(reactions, inside)
         stopped = {symbol: unit for symbol, unit in crossing.items() if symbol not in kept}
         let_in = {symbol: unit for symbol, unit in crossing.items() if symbol in kept}
         for principle in principles(scene, inside, stopped, directions):
@@ -116,6 +107,19 @@ def chosen_balances(scene: Scene) -> Iterator[Balance]:
                 [load for body in inside for load in loads.get(body, [])],
                 let_in,
             )
+
+
+def _crossing(
+    reactions: Mapping[Symbol, Sequence[Action]], inside: Sequence[str]
+) -> dict[Symbol, Action]:
+    """What each reaction that crosses the boundary of a free body does to it, per unit."""
+    found = {}
+    for symbol, pair in reactions.items():
+        own = [action for action in pair if action.body in inside]
+        # Both ends inside: equal and opposite. A single action is the ground's.
+        if len(own) == 1:
+            found[symbol] = own[0]
+    return found
 
 
 def _spin(scene: Scene, motion: BodyMotion) -> tuple[Matrix, Matrix]:
@@ -135,21 +139,20 @@ def _balance(
 ) -> Balance:
     """Equation (1) along the axis plus pitch times (2), or (2) alone."""
     centre = _centre(scene, principle)
-    terms = [_sums(centre, parts, loads)]
+    sums = _sums(centre, parts, loads)
     axis, along = principle.axis, principle.along
 
     def projected(pick: str) -> Expr:
-        total = terms[0]
         return Add(
-            *(axis[i] * total[f"moment {pick}"][i] for i in range(3) if axis[i] != 0),
-            *(along[i] * total[f"force {pick}"][i] for i in range(3) if along[i] != 0),
+            *(axis[i] * sums[f"moment {pick}"][i] for i in range(3) if axis[i] != 0),
+            *(along[i] * sums[f"force {pick}"][i] for i in range(3) if along[i] != 0),
         )
 
     return Balance(
         principle,
         projected("momentum"),
         projected("rate"),
-        Add(*(axis[i] * terms[0]["moving"][i] for i in range(3) if axis[i] != 0)),
+        Add(*(axis[i] * sums["moving"][i] for i in range(3) if axis[i] != 0)),
         projected("applied"),
         {
             symbol: canonical(axis.dot(moment(unit, centre.position)) + along.dot(unit.force))
