@@ -8,7 +8,9 @@ B lambda are the reactions that maintain the constraints. A route that solves fo
 has no lambda, and fewer rows.
 """
 
+from collections.abc import Callable
 from dataclasses import dataclass
+from functools import cached_property
 
 from sympy import Expr, Matrix, Symbol
 
@@ -91,7 +93,8 @@ class Equations:
         The system before elimination, in tree order, where the route has it.
     chosen : tuple of str
         What the route picked, in words: free bodies and moment centres.
-    steps : tuple of Step
+    explain : callable
+        Makes the steps of the derivation, for people; called when they are first asked for.
     """
 
     scene: Scene
@@ -106,7 +109,12 @@ class Equations:
     reactions: tuple[tuple[Symbol, Expr], ...] = ()
     free_bodies: tuple[FreeBodyRow, ...] = ()
     chosen: tuple[str, ...] = ()
-    steps: tuple[Step, ...] = ()
+    explain: Callable[[], tuple[Step, ...]] = tuple
+
+    @cached_property
+    def steps(self) -> tuple[Step, ...]:
+        """The derivation in steps, in the order in which it is carried out."""
+        return self.explain()
 
     @property
     def residual(self) -> Matrix:

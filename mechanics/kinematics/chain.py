@@ -124,14 +124,14 @@ class Chain:
         return total
 
 
-def point_motion(scene: Scene, point: Point) -> PointMotion:
+def point_motion(chain: Chain, point: Point) -> PointMotion:
     """Motion of a geometric point, in inertial components."""
-    return _point(Chain(scene), point)
+    return _point(chain, point)
 
 
-def body_motions(scene: Scene) -> tuple[BodyMotion, ...]:
+def body_motions(scene: Scene, chain: Chain | None = None) -> tuple[BodyMotion, ...]:
     """Motion of every body in scene order, in inertial components."""
-    chain = Chain(scene)
+    chain = chain or Chain(scene)
     found = []
     for body in scene.bodies:
         centre = _point(chain, body.centre)

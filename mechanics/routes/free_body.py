@@ -7,6 +7,7 @@ of the tree of bodies to its root. Velocities come from `mechanics.kinematics.di
 """
 
 from collections.abc import Sequence
+from functools import partial
 
 from sympy import Add, Expr, Matrix, S, Symbol
 
@@ -54,7 +55,7 @@ def derive(scene: Scene) -> Equations:
         reactions=result.reactions,
         free_bodies=rows,
         chosen=tuple(f"{row.body}: {row.kind} momentum along {row.axis}" for row in rows),
-        steps=derivation_steps(scene, motions, rows, result, system),
+        explain=partial(derivation_steps, scene, motions, rows, result, system),
     )
 
 

@@ -7,6 +7,7 @@ but with the reactions that maintain them as unknown loads (`derive_with_multipl
 """
 
 from collections.abc import Sequence
+from functools import partial
 
 from sympy import Expr, Matrix, Symbol, zeros
 from sympy.physics.mechanics import KanesMethod
@@ -43,7 +44,7 @@ def derive(scene: Scene) -> Equations:
         zeros(0, len(scene.u)),
         zeros(0, 1),
         conjugate=True,
-        steps=_steps(scene, mass, forcing),
+        explain=partial(_steps, scene, mass, forcing),
     )
 
 
@@ -75,7 +76,7 @@ def derive_with_multipliers(scene: Scene) -> Equations:
         matrix,
         bias,
         conjugate=True,
-        steps=_steps(scene, mass, forcing),
+        explain=partial(_steps, scene, mass, forcing),
     )
 
 
@@ -103,7 +104,7 @@ def _with_dependent_speeds(
         right[free:, :],
         conjugate=False,
         chosen=tuple(f"dependent speed {scene.u[i]}" for i in dependent),
-        steps=_steps(scene, mass, forcing),
+        explain=partial(_steps, scene, mass, forcing),
     )
 
 

@@ -132,7 +132,7 @@ def _common_form(
         matrix,
         bias,
         conjugate=True,
-        steps=(_energies(scene, kinetic, stored), result_step(scene, mass, forcing)),
+        explain=lambda: (_energies(scene, kinetic, stored), result_step(scene, mass, forcing)),
     )
 
 

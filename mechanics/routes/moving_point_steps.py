@@ -1,19 +1,14 @@
 """The steps of procedure (ii), for people: choice, momenta, rates, equation (1), result."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
-from typing import TYPE_CHECKING
 
 from sympy import Add, zeros
 
 from mechanics.equations import Line, Step
 from mechanics.exact import canonical
+from mechanics.routes.balance import Balance
 from mechanics.routes.common import System, result_step
 from mechanics.scene import Scene
-
-if TYPE_CHECKING:
-    from mechanics.routes.moving_point import Balance
 
 LARGEST_SCENE = 6
 """Number of equations up to which every term is written out; beyond, only the choice and result."""

@@ -59,7 +59,7 @@ def equations(scene: Scene, route: str) -> Equations:
         Matrix.zeros(0, 1),
         conjugate=True,
         reactions=((Symbol("N", real=True), m * cos(scene.q[0])),) if route == "free_body" else (),
-        steps=steps,
+        explain=lambda: steps,
     )
 
 

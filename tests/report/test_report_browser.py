@@ -100,7 +100,7 @@ def derived() -> list[SystemResult]:
                 *(Line(symbol, value) for symbol, value in equations.reactions),
             ),
         )
-        route = RouteResult(replace(equations, steps=(*equations.steps, long)), 0.1, 999)
+        route = RouteResult(replace(equations, explain=lambda: (*equations.steps, long)), 0.1, 999)
         results.append(SystemResult(scene.name, scene, {"free_body": route}, ()))
     return results
 
