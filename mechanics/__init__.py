@@ -1,8 +1,8 @@
 """Cross-check engine for equations of motion.
 
-    scene --> routes --> Equations --> checks --> report
-                             |
-                             +--> compile --> Model --> simulate, write_c
+scene --> routes --> Equations --> checks --> report
+                         |
+                         +--> compile --> Model --> simulate, write_c
 """
 
 from mechanics.compiled import Model, compile

@@ -2,13 +2,13 @@
 
     d(T + V)/dt = sum over loads without potential (F . v + tau . omega) + sum_j R_j w_j
 
-w_j is the power of a unit of reaction j that is left when every speed is zero: that of a support
-whose motion is prescribed. Other ideal reactions do no work.
+w_j is the power of a unit of reaction j, for supports and constraints whose motion is prescribed.
+Other ideal reactions do no work.
 """
 
 from collections.abc import Mapping
 
-from sympy import Add, Expr, Symbol
+from sympy import Add, Expr, S, Symbol
 
 from mechanics.checks.agreement import Pairs, proof_pays, solve
 from mechanics.checks.laws import power_of
@@ -16,12 +16,14 @@ from mechanics.checks.manifold import settle
 from mechanics.equations import Equations
 from mechanics.exact import Arithmetic, Finding, collect_linear, decide
 from mechanics.kinematics import differentiate
+from mechanics.kinematics.constraints import velocity_forms
 from mechanics.kinematics.motion import BodyMotion, inertia_matrix
 from mechanics.scene import Scene
 from mechanics.scene.actions import load_actions, unit_reactions
-from mechanics.scene.loads import CONSERVATIVE
-from mechanics.scene.potential import potential
+from mechanics.scene.loads import CONSERVATIVE, Load
+from mechanics.scene.potential import load_potential
 from mechanics.scene.rates import rate, rate_table, rates
+from mechanics.scene.topology import multipliers
 
 
 def check_energy(equations: Equations, support: Equations | None = None) -> Finding:
@@ -36,15 +38,17 @@ def check_energy(equations: Equations, support: Equations | None = None) -> Find
     """
     scene = equations.scene
     motions = {m.body.name: m for m in differentiate.body_motions(scene)}
+    table = rate_table(scene)
+    stored = [load for load in scene.loads if _stores(scene, load)]
     growth = Add(
         *(_kinetic_rate(scene, motion) for motion in motions.values()),
-        rate(potential(scene), rate_table(scene)),
+        *(rate(load_potential(scene, load), table) for load in stored),
     )
     power = Add(
         *(
             power_of(motions[action.body], action)
             for load in scene.loads
-            if not isinstance(load, CONSERVATIVE)
+            if load not in stored
             for action in load_actions(scene, load)
         )
     )
@@ -68,14 +72,27 @@ def check_energy(equations: Equations, support: Equations | None = None) -> Find
     return decide(subject, experiment, try_normal=proof_pays(scene))
 
 
+def _stores(scene: Scene, load: Load) -> bool:
+    """Whether a load has a potential that only the coordinates change.
+
+    Work goes into a spring where its support is moved by hand, too: there its force counts.
+    """
+    if not isinstance(load, CONSERVATIVE):
+        return False
+    given = {symbol for symbol in rate_table(scene) if symbol not in {*scene.q, *scene.u}}
+    return not load_potential(scene, load).free_symbols & given
+
+
 def _driving(scene: Scene, motions: Mapping[str, BodyMotion]) -> dict[Symbol, Expr]:
-    """For each reaction of a moving support the power of a unit of it at zero speeds."""
+    """For each reaction of a support or constraint that moves by itself the power of a unit."""
+    still = dict.fromkeys(scene.u, S.Zero)
+    moved = any(form.xreplace(still) != 0 for form in velocity_forms(scene))
     found = {}
     for symbol, pair in unit_reactions(scene).items():
         power = Add(*(power_of(motions[action.body], action) for action in pair))
         _, left = collect_linear(power, scene.u)
-        if left != 0:
-            found[symbol] = left
+        if left != 0 or (moved and symbol in multipliers(scene)):
+            found[symbol] = power
     return found
 
 

@@ -7,7 +7,7 @@ sum F . dv/du = - (dV/dq) N                               (each conservative loa
 
 from collections.abc import Sequence
 
-from sympy import Add, Expr, Matrix
+from sympy import Add, Expr, Matrix, Symbol
 
 from mechanics.checks.agreement import Pairs, proof_pays
 from mechanics.checks.manifold import settle
@@ -67,16 +67,21 @@ def check_potentials(scene: Scene) -> tuple[Finding, ...]:
 
 
 def check_dampers(scene: Scene) -> tuple[Finding, ...]:
-    """Each damper takes c times the square of its rate of elongation out of the system."""
+    """Each damper: its generalized forces are -c d' (dd'/du), so that it takes out c d'^2."""
     motions = {motion.body.name: motion for motion in chain.body_motions(scene)}
     found = []
     for load in scene.loads:
         if isinstance(load, Damper):
-            power = Add(*(power_of(motions[a.body], a) for a in load_actions(scene, load)))
+            actions = load_actions(scene, load)
             distance, _ = elongation(scene, load)
             speed = rate(distance, rate_table(scene))
-            taken = -scene.plain(load.coefficient, load.name) * speed**2
-            found.append(_equal(scene, f"load {load.name}: power = -c rate^2", [power], [taken]))
+            tension = scene.plain(load.coefficient, load.name) * speed
+            given = [
+                Add(*(_generalized(motions[action.body], action, u) for action in actions))
+                for u in scene.u
+            ]
+            taken = [-tension * speed.diff(u) for u in scene.u]
+            found.append(_equal(scene, f"load {load.name}: power = -c rate^2", given, taken))
     return tuple(found)
 
 
@@ -92,9 +97,17 @@ def check_ideal(scene: Scene) -> tuple[Finding, ...]:
     return tuple(found)
 
 
+def _generalized(motion: BodyMotion, action: Action, u: Symbol) -> Expr:
+    """F . dv/du + tau . domega/du."""
+    arm = action.at - motion.centre.position
+    omega = motion.angular_velocity.diff(u)
+    velocity = motion.centre.velocity.diff(u) + omega.cross(arm)
+    return action.force.dot(velocity) + action.couple.dot(omega)
+
+
 def _powerless(scene: Scene, subject: str, coefficients: Sequence[Expr]) -> Finding:
     def experiment(a: Arithmetic) -> Pairs:
-        settle(scene, a)
+        settle(scene, a, virtual=True)
         total = a.rational(0)
         for factor, u in zip(coefficients, scene.u, strict=True):
             total = total + a.value(factor) * a.value(u)

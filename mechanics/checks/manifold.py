@@ -1,6 +1,6 @@
 """Points on the constraint manifold, in any arithmetic.
 
-phi(q; p) = 0      solved for parameters that it holds linearly (link lengths), or not needed
+phi(q; p) = 0      solved for what it holds linearly (link lengths first), or as a square
 A(q) u + a = 0     solved for dependent speeds
 A(q) u' = b        solved for dependent accelerations, where a statement holds free ones
 """
@@ -8,10 +8,10 @@ A(q) u' = b        solved for dependent accelerations, where a statement holds f
 from collections.abc import Sequence
 from itertools import combinations
 
-from sympy import Expr, Symbol
+from sympy import Expr, S, Symbol
 
 from mechanics.errors import ExpressionError
-from mechanics.exact import Arithmetic, Number, collect_linear, independent_rows
+from mechanics.exact import Arithmetic, Number, canonical, collect_linear, independent_rows
 from mechanics.kinematics.constraints import velocity_forms
 from mechanics.scene import Scene
 from mechanics.scene.rates import rate, rate_table
@@ -20,20 +20,25 @@ Linear = tuple[list[list[Expr]], list[Expr]]
 """Coefficients and rest: coefficients times unknowns plus rest is zero."""
 
 
-def settle(scene: Scene, a: Arithmetic) -> None:
+def settle(scene: Scene, a: Arithmetic, virtual: bool = False) -> None:
     """Give dependent quantities the values that the constraints ask for.
 
-    Must run before any other expression is evaluated in this arithmetic.
+    Must run before any other expression is evaluated in this arithmetic. Virtual velocities satisfy
+    A u = 0, with every prescribed motion stopped.
 
     Raises
     ------
     ExpressionError
-        When a configuration constraint is linear in no set of parameters.
+        When no quantity is known for which a configuration constraint can be solved.
     """
     if not scene.constraints:
         return
     settle_configuration(scene, a)
-    _solve(a, *_dependent(velocity_forms(scene), scene.u))
+    forms = velocity_forms(scene)
+    if virtual:
+        still = dict.fromkeys(scene.u, S.Zero)
+        forms = [form - form.xreplace(still) for form in forms]
+    _solve(a, *_dependent(forms, scene.u))
 
 
 def settle_accelerations(scene: Scene, a: Arithmetic) -> None:
@@ -45,12 +50,25 @@ def settle_accelerations(scene: Scene, a: Arithmetic) -> None:
 
 
 def settle_configuration(scene: Scene, a: Arithmetic) -> None:
-    """Solve the configuration constraints for parameters that they hold linearly."""
+    """Solve the configuration constraints: together where they are linear, else one by one."""
     closing = [scene.plain(c.expression, c.name) for c in scene.constraints if c.holonomic]
-    if closing:
-        unknown, rows, rest = _parameters(scene, closing)
-        for number in _solve(a, unknown, rows, rest):
+    if not closing:
+        return
+    linear = _linear(scene, closing)
+    if linear is not None:
+        unknown, rows, rest = linear
+        for symbol, number in zip(unknown, _solve(a, unknown, rows, rest), strict=True):
+            if symbol.is_positive:
+                a.require_positive(number)
+        return
+    for symbol, (square, slope, rest) in _quadratic(scene, closing):
+        two, one, zero = (a.value(entry) for entry in (square, slope, rest))
+        root = a.sqrt(one * one - 4 * two * zero)
+        # The larger of the two solutions: the positive one, where the symbol is positive.
+        number = ((-root if square.is_negative else root) - one) / (2 * two)
+        if symbol.is_positive:
             a.require_positive(number)
+        a.assign(symbol, number)
 
 
 def _solve(
@@ -64,11 +82,15 @@ def _solve(
     return numbers
 
 
-def _parameters(
+def _held(scene: Scene, closing: Sequence[Expr]) -> list[Symbol]:
+    """What the constraints may be solved for: parameters first, for angles stay free that way."""
+    return [s for s in (*scene.parameters, *scene.q) if any(s in e.free_symbols for e in closing)]
+
+
+def _linear(
     scene: Scene, closing: Sequence[Expr]
-) -> tuple[tuple[Symbol, ...], list[list[Expr]], list[Expr]]:
-    held = [p for p in scene.parameters if any(p in e.free_symbols for e in closing)]
-    for unknown in combinations(held, len(closing)):
+) -> tuple[tuple[Symbol, ...], list[list[Expr]], list[Expr]] | None:
+    for unknown in combinations(_held(scene, closing), len(closing)):
         try:
             split = [collect_linear(expression, unknown) for expression in closing]
         except ExpressionError:
@@ -76,10 +98,39 @@ def _parameters(
         rows = [list(coefficients) for coefficients, _ in split]
         if len(independent_rows(rows)) == len(rows):
             return unknown, rows, [rest for _, rest in split]
-    raise ExpressionError(
-        f"{scene.name}: the configuration constraints are linear in no"
-        f" {len(closing)} parameters together, so no exact point on them is known"
-    )
+    return None
+
+
+def _quadratic(
+    scene: Scene, closing: Sequence[Expr]
+) -> list[tuple[Symbol, tuple[Expr, Expr, Expr]]]:
+    """For each constraint a quantity that it alone holds, and the coefficients of its square."""
+    found = []
+    for i, expression in enumerate(closing):
+        others = {s for k, e in enumerate(closing) if k != i for s in e.free_symbols}
+        split = None
+        for symbol in _held(scene, [expression]):
+            split = None if symbol in others else _in_powers(expression, symbol)
+            if split is not None:
+                found.append((symbol, split))
+                break
+        if split is None:
+            raise ExpressionError(
+                f"{scene.name}: the configuration constraints are linear in no {len(closing)}"
+                " quantities together, and one of them is quadratic in nothing that it alone"
+                " holds, so no exact point on them is known"
+            )
+    return found
+
+
+def _in_powers(expression: Expr, symbol: Symbol) -> tuple[Expr, Expr, Expr] | None:
+    """(a, b, c) of a s^2 + b s + c; None for any other function of s."""
+    square = canonical(expression.diff(symbol, 2) / 2)
+    slope = canonical(expression.diff(symbol) - 2 * square * symbol)
+    rest = canonical(expression - square * symbol**2 - slope * symbol)
+    if square == 0 or any(symbol in e.free_symbols for e in (square, slope, rest)):
+        return None
+    return square, slope, rest
 
 
 def _dependent(

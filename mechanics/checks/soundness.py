@@ -5,19 +5,22 @@ complete    rank of the reactions = freedoms of the isolated bodies - independen
 regular     the mass matrix resists every motion that the constraints admit
 """
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from sympy import Add, Expr, Matrix, S, Symbol
 
-from mechanics.errors import SceneError
-from mechanics.exact import collect_linear, generic_rank, independent_rows
+from mechanics.errors import ExpressionError, SceneError
+from mechanics.exact import collect_linear, generic_rank, independent_rows, is_zero
 from mechanics.kinematics.chain import body_motions
 from mechanics.kinematics.constraints import constraint_rows, velocity_forms
 from mechanics.kinematics.directions import AXES, Directions, used_directions
 from mechanics.kinematics.motion import BodyMotion, inertia_matrix
 from mechanics.scene import RigidBody, Scene
 from mechanics.scene.actions import Action, applied_actions, moment, unit_reactions
+from mechanics.scene.loads import TorsionSpring
+from mechanics.scene.rates import rate, rate_table
+from mechanics.scene.topology import multipliers
 
 
 @dataclass(frozen=True)
@@ -54,22 +57,39 @@ def check_sound(scene: Scene) -> None:
     reactions = unit_reactions(scene)
     units = [action for pair in reactions.values() for action in pair]
     directions = used_directions(tuple(motions.values()), (*applied_actions(scene), *units))
+    _linear_constraints(scene)
     matrix, _ = constraint_rows(scene)
-    _constraints(scene, matrix)
+    _redundant(scene, matrix)
+    _torsion(scene, motions)
     _scalar_inertias(scene, motions, directions)
     freedoms = _freedoms(scene, motions, reactions, directions)
-    _ideal(scene, freedoms, tuple(reactions), matrix)
+    powers = _powers(scene, freedoms, tuple(reactions))
+    _ideal(powers, matrix)
     _complete(scene, freedoms, tuple(reactions))
+    _maintained(scene, powers)
     _regular(scene, motions, matrix)
 
 
-def _constraints(scene: Scene, matrix: Matrix) -> None:
+def _linear_constraints(scene: Scene) -> None:
     for form, constraint in zip(velocity_forms(scene), scene.constraints, strict=True):
-        coefficients, _ = collect_linear(form, scene.u)
+        try:
+            coefficients, rest = collect_linear(form, scene.u)
+        except ExpressionError as error:
+            raise SceneError(
+                f"constraint {constraint.name}: it is not linear in the speeds: {error}"
+            ) from None
+        if any(e.free_symbols & set(scene.ud) for e in (*coefficients, rest)):
+            raise SceneError(
+                f"constraint {constraint.name}: it holds accelerations: state it for coordinates or"
+                " for their rates"
+            )
         if all(entry == 0 for entry in coefficients):
             raise SceneError(
                 f"constraint {constraint.name}: it restricts no speed: is it an identity?"
             )
+
+
+def _redundant(scene: Scene, matrix: Matrix) -> None:
     kept = independent_rows(matrix.tolist()) if matrix.rows else []
     redundant = [c.name for i, c in enumerate(scene.constraints) if i not in kept]
     if redundant:
@@ -89,6 +109,24 @@ def _scalar_inertias(scene: Scene, motions: dict[str, BodyMotion], directions: D
             raise SceneError(
                 f"body {name}: its inertia {body.inertia} is a scalar, but the scene leaves its"
                 " plane: give a Dyadic about the mass centre"
+            )
+
+
+def _torsion(scene: Scene, motions: Mapping[str, BodyMotion]) -> None:
+    """The angle of a torsion spring grows with the turning of `on` relative to `by`."""
+    for load in scene.loads:
+        if not isinstance(load, TorsionSpring):
+            continue
+        turning = motions[load.on].angular_velocity
+        if load.by is not None:
+            turning = turning - motions[load.by].angular_velocity
+        grown = turning.dot(scene.vector(load.axis, load.name))
+        counted = rate(scene.plain(load.angle, load.name), rate_table(scene))
+        if is_zero(grown - counted) is False:
+            raise SceneError(
+                f"load {load.name}: the angle {load.angle} is not how far {load.on!r} turns about"
+                f" {load.axis} relative to {load.by or 'the ground'!r}: correct the angle, its"
+                " sign, or the axis"
             )
 
 
@@ -122,19 +160,37 @@ def _freedoms(
     return found
 
 
-def _ideal(
-    scene: Scene, freedoms: Sequence[Freedom], symbols: Sequence[Symbol], matrix: Matrix
-) -> None:
-    """The power of a unit is a combination of the constraints' rows: zero where they hold."""
-    rank = matrix.rows
-    for j, symbol in enumerate(symbols):
-        power = [
+def _powers(
+    scene: Scene, freedoms: Sequence[Freedom], symbols: Sequence[Symbol]
+) -> dict[Symbol, list[Expr]]:
+    """For each reaction the power of a unit of it, as coefficients of u."""
+    return {
+        symbol: [
             Add(*(f.partial[i] * f.reactions[j] for f in freedoms)) for i in range(len(scene.u))
         ]
-        if generic_rank([*matrix.tolist(), power]) > rank:
+        for j, symbol in enumerate(symbols)
+    }
+
+
+def _ideal(powers: Mapping[Symbol, list[Expr]], matrix: Matrix) -> None:
+    """The power of a unit is a combination of the constraints' rows: zero where they hold."""
+    for symbol, power in powers.items():
+        if generic_rank([*matrix.tolist(), power]) > matrix.rows:
             raise SceneError(
                 f"reaction {symbol}: it does work on velocities that the scene admits: correct its"
                 " point, its direction or its bodies, or declare it as a load"
+            )
+
+
+def _maintained(scene: Scene, powers: Mapping[Symbol, list[Expr]]) -> None:
+    """The reactions that constraints name act against their violation, each in its own way."""
+    kept = multipliers(scene)
+    independent = independent_rows([powers[symbol] for symbol in kept])
+    for i, constraint in enumerate(scene.constraints):
+        if i not in independent:
+            raise SceneError(
+                f"constraint {constraint.name}: the reaction {kept[i]} does not maintain it: name"
+                " the one that does work when it is violated"
             )
 
 

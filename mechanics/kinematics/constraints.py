@@ -1,8 +1,8 @@
 """Constraints as conditions on speeds and their rates.
 
-    holonomic       phi(q) = 0        d phi/dt = 0, a form linear in u
-    nonholonomic    phi(q, u) = 0     the form itself
-    both            A u' = b          the form, differentiated
+holonomic       phi(q) = 0        d phi/dt = 0, a form linear in u
+nonholonomic    phi(q, u) = 0     the form itself
+both            A u' = b          the form, differentiated
 """
 
 from sympy import Expr, Matrix, zeros

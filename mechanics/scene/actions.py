@@ -7,7 +7,7 @@ damper    tension = c d'
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from sympy import Expr, Matrix, Symbol, sqrt, zeros
+from sympy import Abs, Expr, Matrix, Symbol, sqrt, zeros
 from sympy.physics.vector import Point
 
 from mechanics.errors import SceneError
@@ -71,11 +71,17 @@ def load_actions(scene: Scene, load: Load) -> list[Action]:
         else:
             tension = scene.plain(load.coefficient, load.name) * rate(distance, rate_table(scene))
         ends = ((load.first, load.by, direction), (load.second, load.on, -direction))
-        return [
+        pulls = [
             Action(load.name, carrier, scene.position(point), tension * pull, none)
             for point, stated, pull in ends
             if (carrier := carrier_of(scene, load, point, stated)) is not None
         ]
+        if not pulls:
+            raise SceneError(
+                f"load {load.name}: both ends are on the ground, where it does nothing: name the"
+                " bodies with on= and by="
+            )
+        return pulls
     if isinstance(load, Force):
         force, at = scene.vector(load.vector, load.name), scene.position(load.at)
         carrier = carrier_of(scene, load, load.at, load.on)
@@ -114,18 +120,23 @@ def elongation(scene: Scene, load: Spring | Damper) -> tuple[Expr, Matrix]:
         direction = scene.vector(load.along, load.name)
         return span.dot(direction), direction
     distance = sqrt(sum(entry**2 for entry in span))
+    if distance.has(Abs):
+        raise SceneError(
+            f"load {load.name}: its ends move on one line, so that its length is {distance}:"
+            " give the direction with along="
+        )
     return distance, span / distance
 
 
 def carrier_of(scene: Scene, load: Load, point: Point, stated: str | None) -> str | None:
-    """Name of the body that carries a point of a load; None for the ground."""
+    """Name of the body that carries a point; None for the ground and for supports moved by hand."""
     if stated is not None:
         return stated
     centred = [body.name for body in scene.bodies if body.centre == point]
     if len(centred) == 1:
         return centred[0]
     position = scene.position(point)
-    if not centred and not (position.free_symbols & {*scene.q, *scene.input_symbols}):
+    if not centred and not (position.free_symbols & set(scene.q)):
         return None
     raise SceneError(
         f"load {load.name}: it cannot be told which body carries point {point.name}:"

@@ -2,10 +2,11 @@
 
 from dataclasses import dataclass
 
-from sympy import Expr, sympify
+from sympy import Expr
 from sympy.physics.vector import Dyadic, Point, ReferenceFrame
 
 from mechanics.errors import SceneError
+from mechanics.scene.declared import scalar
 
 
 @dataclass(frozen=True)
@@ -59,9 +60,13 @@ class RigidBody:
                 " give a scalar (planar), a Dyadic, or declare a Particle"
             )
         if not isinstance(self.inertia, Dyadic):
-            object.__setattr__(self, "inertia", sympify(self.inertia))
+            what = f"body {self.name}: the inertia"
+            object.__setattr__(self, "inertia", scalar(self.inertia, what))
             if self.inertia.is_negative:
-                raise SceneError(f"body {self.name}: the inertia {self.inertia} is negative")
+                raise SceneError(
+                    f"body {self.name}: the inertia {self.inertia} is negative: a moment of"
+                    " inertia is zero or more"
+                )
 
 
 Body = Particle | RigidBody
@@ -69,8 +74,8 @@ Body = Particle | RigidBody
 
 def _mass(name: str, mass: Expr) -> Expr:
     if mass is None:
-        raise SceneError(f"body {name}: the mass is missing")
-    value = sympify(mass)
+        raise SceneError(f"body {name}: the mass is missing: give an expression, or 0 for none")
+    value = scalar(mass, f"body {name}: the mass")
     if value.is_negative:
         raise SceneError(f"body {name}: the mass {value} is negative: a mass is zero or more")
     return value

@@ -6,10 +6,13 @@ Only positions and orientations are read from the user's objects, never velociti
 can be set can contradict the position.
 """
 
+from itertools import pairwise
+
 from sympy import Matrix, zeros
 from sympy.physics.vector import Point, ReferenceFrame, Vector
 
 from mechanics.errors import SceneError
+from mechanics.scene.declared import decimals
 
 
 def frame_path(root: ReferenceFrame, frame: ReferenceFrame) -> tuple[ReferenceFrame, ...]:
@@ -50,7 +53,7 @@ def point_path(root: Point, point: Point) -> tuple[Point, ...]:
 
 def relative_rotation(parent: ReferenceFrame, child: ReferenceFrame) -> Matrix:
     """3 x 3 matrix R of one step: v_parent = R v_child."""
-    return Matrix(parent.dcm(child))
+    return Matrix(parent.dcm(child)).applyfunc(decimals)
 
 
 def step_vector(parent: Point, child: Point) -> Vector:
@@ -60,7 +63,7 @@ def step_vector(parent: Point, child: Point) -> Vector:
 
 def components(vector: Vector) -> tuple[tuple[ReferenceFrame, Matrix], ...]:
     """(frame, 3 x 1 components) of a SymPy vector; empty for the zero vector."""
-    return tuple((frame, Matrix(column)) for column, frame in vector.args)
+    return tuple((frame, Matrix(column).applyfunc(decimals)) for column, frame in vector.args)
 
 
 def in_root(root: ReferenceFrame, vector: Vector) -> Matrix:
@@ -75,7 +78,7 @@ def rotation(root: ReferenceFrame, frame: ReferenceFrame) -> Matrix:
     """3 x 3 matrix R along the whole path: v_root = R v_frame."""
     path = frame_path(root, frame)
     result = None
-    for parent, child in zip(path, path[1:], strict=False):
+    for parent, child in pairwise(path):
         step = relative_rotation(parent, child)
         result = step if result is None else result * step
     return Matrix.eye(3) if result is None else result

@@ -1,15 +1,16 @@
 """Loads: gravity, springs, dampers, applied forces and torques.
 
 A load acts on bodies at points. A conservative load is declared once; each route lowers it in its
-own way, as a force (`mechanics.kinematics.forces`) or as a potential (`mechanics.kinematics.energy`).
+own way, as a force (`mechanics.scene.actions`) or as a potential (`mechanics.scene.potential`).
 """
 
 from dataclasses import dataclass
 
-from sympy import Expr, S, sympify
+from sympy import Expr, S
 from sympy.physics.vector import Point, Vector
 
 from mechanics.errors import SceneError
+from mechanics.scene.declared import scalar
 
 
 @dataclass(frozen=True)
@@ -137,7 +138,9 @@ def spring(
     by: str | None = None,
 ) -> Spring:
     """See `Spring`."""
-    return Spring(name, first, second, sympify(stiffness), along, sympify(length), on, by)
+    k = scalar(stiffness, f"load {name}: the stiffness")
+    slack = scalar(length, f"load {name}: the length")
+    return Spring(name, first, second, k, along, slack, on, by)
 
 
 def damper(
@@ -150,7 +153,8 @@ def damper(
     by: str | None = None,
 ) -> Damper:
     """See `Damper`."""
-    return Damper(name, first, second, sympify(coefficient), along, on, by)
+    c = scalar(coefficient, f"load {name}: the coefficient")
+    return Damper(name, first, second, c, along, on, by)
 
 
 def force(
@@ -169,4 +173,6 @@ def torsion_spring(
     name: str, angle: Expr, axis: Vector, stiffness: Expr, on: str, by: str | None = None
 ) -> TorsionSpring:
     """See `TorsionSpring`."""
-    return TorsionSpring(name, sympify(angle), axis, sympify(stiffness), on, by)
+    turn = scalar(angle, f"load {name}: the angle")
+    k = scalar(stiffness, f"load {name}: the stiffness")
+    return TorsionSpring(name, turn, axis, k, on, by)

@@ -22,7 +22,7 @@ class Parameter(Symbol):
     meaning: str
     typical: Fraction | None
 
-    def __new__(
+    def __new__(  # noqa: D102 (the class says it)
         cls,
         name: str,
         unit: str = "",

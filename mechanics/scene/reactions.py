@@ -2,8 +2,10 @@
 
 from dataclasses import dataclass
 
-from sympy import Expr, Symbol, sympify
+from sympy import Expr, Symbol
 from sympy.physics.vector import Point, Vector
+
+from mechanics.scene.declared import scalar
 
 
 @dataclass(frozen=True)
@@ -67,9 +69,9 @@ class Constraint:
 
 def holonomic(name: str, expression: Expr, *reactions: str) -> Constraint:
     """A configuration constraint ``expression(q) = 0``: a closed loop, for example."""
-    return Constraint(name, sympify(expression), reactions, True)
+    return Constraint(name, scalar(expression, f"constraint {name}"), reactions, True)
 
 
 def nonholonomic(name: str, expression: Expr, *reactions: str) -> Constraint:
     """A motion constraint ``expression(q, q') = 0``, linear in the rates: rolling, for example."""
-    return Constraint(name, sympify(expression), reactions, False)
+    return Constraint(name, scalar(expression, f"constraint {name}"), reactions, False)

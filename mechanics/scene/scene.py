@@ -8,15 +8,16 @@ from dataclasses import dataclass, field
 from functools import cached_property
 
 from sympy import Expr, Matrix, Symbol, linsolve, sympify
-from sympy.physics.vector import Dyadic, Point, ReferenceFrame, Vector
+from sympy.physics.vector import Point, ReferenceFrame, Vector
 
 from mechanics.errors import SceneError
-from mechanics.scene.bodies import Body, RigidBody
+from mechanics.scene.bodies import Body
 from mechanics.scene.geometry import in_root, rotation
 from mechanics.scene.loads import Load
 from mechanics.scene.reactions import Constraint, Reaction
 from mechanics.scene.symbols import plain_symbol, plain_table, to_plain
 from mechanics.scene.validate import validate
+from mechanics.scene.wellformed import typed_expressions
 
 
 @dataclass(frozen=True, eq=False)
@@ -96,7 +97,8 @@ class Scene:
         if not self.speeds:
             return {rate: rate for rate in self.qd}
         table = self._table
-        rows = [u - to_plain(e, table, f"speed {u}") for u, (_, e) in zip(self.u, self.speeds)]
+        pairs = zip(self.u, self.speeds, strict=True)
+        rows = [u - to_plain(definition, table, f"speed {u}") for u, (_, definition) in pairs]
         (solution,) = linsolve(rows, *self.qd)
         return dict(zip(self.qd, solution, strict=True))
 
@@ -174,23 +176,5 @@ class Scene:
 
     def _expressions(self) -> list[Expr]:
         """Every expression of the scene, in plain symbols."""
-        found: list[Expr] = list(self.coordinate_rates.values())
-        for body in self.bodies:
-            found += [body.mass, *self.position(body.centre)]
-            if isinstance(body, RigidBody):
-                found += list(self.rotation(body.frame))
-                inertia = body.inertia
-                if isinstance(inertia, Dyadic):
-                    found += list(inertia.to_matrix(body.frame))
-                else:
-                    found.append(inertia)
-        for part in (*self.loads, *self.reactions):
-            for value in vars(part).values():
-                if isinstance(value, Point):
-                    found += list(self.position(value))
-                elif isinstance(value, Vector):
-                    found += list(self.vector(value, part.name))
-                elif isinstance(value, Expr):
-                    found.append(self.plain(value, part.name))
-        found += [self.plain(c.expression, c.name) for c in self.constraints]
-        return [sympify(expression) for expression in found]
+        found = [self.plain(e, where) for where, e in typed_expressions(self)]
+        return [*found, *self.coordinate_rates.values()]

@@ -17,7 +17,7 @@ DOTS = ("", "_dot", "_ddot", "_dddot")
 
 def name_of(function: Expr) -> str:
     """``"x"`` for x(t)."""
-    if not isinstance(function, AppliedUndef):
+    if not isinstance(function, AppliedUndef) or function.args != (dynamicsymbols._t,):
         raise SceneError(
             f"{function}: a coordinate, speed or input has to be a dynamic symbol such as"
             " dynamicsymbols('x')"
@@ -53,6 +53,12 @@ def to_plain(expression: Expr, table: Mapping[Expr, Expr], where: str) -> Expr:
         # d/dt of a whole expression, as people type it, is carried out first.
         expression = expression.doit()
     plain = expression.xreplace(dict(table))
+    high = plain.atoms(Derivative)
+    if high:
+        raise SceneError(
+            f"{where}: {high.pop()} is a derivative that nothing determines: coordinates have two,"
+            " inputs three"
+        )
     left = plain.atoms(AppliedUndef)
     if left:
         names = ", ".join(sorted(str(function) for function in left))

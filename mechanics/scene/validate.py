@@ -6,15 +6,23 @@ checked in `mechanics.checks.soundness` before any route runs.
 
 from __future__ import annotations
 
-from collections import Counter
+from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
+from sympy import Symbol
+from sympy.core.function import AppliedUndef
 from sympy.physics.vector import Point
 
 from mechanics.errors import SceneError
+from mechanics.exact import independent_rows
 from mechanics.scene.bodies import RigidBody
+from mechanics.scene.declared import scalar
 from mechanics.scene.geometry import frame_path, in_root, point_path, rotation
-from mechanics.scene.symbols import name_of
+from mechanics.scene.loads import Force, Load
+from mechanics.scene.physical import check_bodies, check_loads
+from mechanics.scene.reactions import Reaction
+from mechanics.scene.symbols import name_of, plain_symbol
+from mechanics.scene.wellformed import check_names, check_symbols, check_types, typed_expressions
 
 if TYPE_CHECKING:
     from mechanics.scene.scene import Scene
@@ -28,32 +36,22 @@ def validate(scene: Scene) -> None:
     SceneError
         Names the object, what was found, and what to do.
     """
-    _names(scene)
-    _bodies(scene)
-    _coordinates(scene)
-    _speeds(scene)
-    _attachments(scene)
-    _constraints(scene)
-
-
-def _names(scene: Scene) -> None:
+    check_types(scene)
     if not scene.coordinates:
         raise SceneError(f"{scene.name}: there are no coordinates, so nothing can move")
     if not scene.bodies:
         raise SceneError(f"{scene.name}: there are no bodies, so there is nothing to move")
-    symbols = [name_of(f) for f in (*scene.coordinates, *scene.inputs)]
-    symbols += [name_of(u) for u, _ in scene.speeds] + [r.name for r in scene.reactions]
-    for kind, names in (
-        ("body", [body.name for body in scene.bodies]),
-        ("load", [load.name for load in scene.loads]),
-        ("constraint", [constraint.name for constraint in scene.constraints]),
-        ("coordinate, speed, input or reaction", symbols),
-    ):
-        for name, count in Counter(names).items():
-            if count > 1:
-                raise SceneError(
-                    f"{scene.name}: {count} times a {kind} named {name!r}: names must differ"
-                )
+    check_names(scene)
+    _bodies(scene)
+    _coordinates(scene)
+    _attachments(scene)
+    _constraints(scene)
+    check_symbols(scene)
+    _speeds(scene)
+    _unknown_functions(scene)
+    _given(scene)
+    check_bodies(scene)
+    check_loads(scene)
 
 
 def _bodies(scene: Scene) -> None:
@@ -90,17 +88,66 @@ def _coordinates(scene: Scene) -> None:
 
 
 def _speeds(scene: Scene) -> None:
-    if scene.speeds and len(scene.speeds) != len(scene.coordinates):
+    """Speeds determine the rates of the coordinates, linearly."""
+    if not scene.speeds:
+        return
+    if len(scene.speeds) != len(scene.coordinates):
         raise SceneError(
             f"{scene.name}: {len(scene.speeds)} speeds for {len(scene.coordinates)} coordinates:"
             " declare as many speeds as coordinates (constraints make some of them dependent)"
         )
+    rows = []
+    for speed, definition in scene.speeds:
+        what = f"speed {name_of(speed)}"
+        plain = scene.rates(scalar(definition, f"{what}: its definition"))
+        row = [plain.diff(rate) for rate in scene.qd]
+        second = {plain_symbol(q, 2) for q in scene.coordinates}
+        if plain.free_symbols & second or any(e.free_symbols & set(scene.qd) for e in row):
+            raise SceneError(f"{what}: {definition} is not linear in the rates of the coordinates")
+        rows.append(row)
+    kept = independent_rows(rows)
+    if len(kept) < len(rows):
+        lost = [name_of(u) for i, (u, _) in enumerate(scene.speeds) if i not in kept]
+        raise SceneError(
+            f"{scene.name}: the definitions of the speeds do not determine the rates of the"
+            f" coordinates: {', '.join(lost)} follows from the others"
+        )
+
+
+def _unknown_functions(scene: Scene) -> None:
+    for where, expression in typed_expressions(scene):
+        scene.plain(expression, where)
+
+
+def _given(scene: Scene) -> None:
+    """Initial values are for what there is, and definitions can be expanded."""
+    names = {symbol.name for symbol in (*scene.q, *scene.u)}
+    for name, value in scene.example.items():
+        if name not in names:
+            raise SceneError(
+                f"{scene.name}: the example gives {name!r}: the names are"
+                f" {', '.join(sorted(names))}"
+            )
+        scalar(value, f"{scene.name}: the example's {name}")
+    for symbol, expression in scene.definitions.items():
+        if not isinstance(symbol, Symbol):
+            raise SceneError(f"{scene.name}: definition of {symbol!r}: define a parameter")
+        value = scalar(expression, f"{scene.name}: the definition of {symbol}")
+        for _ in scene.definitions:
+            value = value.xreplace(dict(scene.definitions))
+        if value.free_symbols & set(scene.definitions) or value.atoms(AppliedUndef):
+            raise SceneError(
+                f"{scene.name}: the definition {symbol} = {expression} does not end in parameters:"
+                " is it circular, or does it hold coordinates?"
+            )
 
 
 def _attachments(scene: Scene) -> None:
     """Loads and reactions name bodies that exist and points that are placed."""
     bodies = {body.name for body in scene.bodies}
-    for kind, parts in (("load", scene.loads), ("reaction", scene.reactions)):
+    groups: tuple[tuple[str, Sequence[Load | Reaction]], ...]
+    groups = (("load", scene.loads), ("reaction", scene.reactions))
+    for kind, parts in groups:
         for part in parts:
             for role in ("on", "by"):
                 name = getattr(part, role, None)
@@ -109,7 +156,9 @@ def _attachments(scene: Scene) -> None:
                         f"{kind} {part.name}: there is no body {name!r}: the bodies are"
                         f" {', '.join(sorted(bodies))}"
                     )
-            if kind == "reaction" and part.on == part.by:
+            if isinstance(part, Force) and part.on is None and part.by is not None:
+                raise SceneError(f"load {part.name}: it names by= without on=: name both")
+            if isinstance(part, Reaction) and part.on == part.by:
                 raise SceneError(f"reaction {part.name}: body {part.on!r} acts on itself")
             for value in vars(part).values():
                 if isinstance(value, Point):
@@ -129,6 +178,11 @@ def _constraints(scene: Scene) -> None:
             raise SceneError(
                 f"constraint {constraint.name}: it names no reaction that maintains it:"
                 " declare the reaction and name it"
+            )
+        if len(constraint.reactions) > 1:
+            raise SceneError(
+                f"constraint {constraint.name}: one condition is maintained by one reaction, but"
+                f" {', '.join(constraint.reactions)} are named: declare one along the gradient"
             )
         for name in constraint.reactions:
             if name not in names:

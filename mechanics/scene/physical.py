@@ -1,0 +1,171 @@
+"""Whether what is declared has the properties that the engine builds on.
+
+m, I      constant, I symmetric with no negative moment
+along     a unit vector, for springs and dampers fixed in the inertial frame
+k, l      free of coordinates, or the spring would have another force
+R         R^T R = 1, det R = 1
+"""
+
+from __future__ import annotations
+
+from itertools import pairwise
+from typing import TYPE_CHECKING
+
+from sympy import Expr, Matrix, eye
+from sympy.core.function import AppliedUndef
+from sympy.physics.vector import Dyadic, Vector, dynamicsymbols
+
+from mechanics.errors import SceneError
+from mechanics.exact import canonical
+from mechanics.scene.bodies import Body, Particle, RigidBody
+from mechanics.scene.geometry import frame_path, relative_rotation
+from mechanics.scene.loads import Damper, Force, Gravity, Spring, Torque, TorsionSpring
+from mechanics.scene.wellformed import inertia_entries
+
+if TYPE_CHECKING:
+    from mechanics.scene.scene import Scene
+
+
+def check_bodies(scene: Scene) -> None:
+    """Masses and inertias are constant, inertias symmetric, orientations rotations.
+
+    Raises
+    ------
+    SceneError
+        Names the body.
+    """
+    for body in scene.bodies:
+        if _moves(scene, body.mass):
+            raise SceneError(
+                f"body {body.name}: the mass {body.mass} changes with time or coordinates:"
+                " the mass of a body is constant"
+            )
+        if isinstance(body, RigidBody):
+            _inertia(scene, body)
+        _orientation(scene, body)
+
+
+def _inertia(scene: Scene, body: RigidBody) -> None:
+    entries = [canonical(scene.plain(e, f"body {body.name}")) for e in inertia_entries(body)]
+    changing = {*scene.q, *scene.u, *scene.input_symbols, dynamicsymbols._t}
+    if any(entry.free_symbols & changing for entry in entries):
+        raise SceneError(
+            f"body {body.name}: the inertia {body.inertia} changes in the body's frame:"
+            f" give it in {body.frame.name}, where a rigid body's inertia is constant"
+        )
+    if isinstance(body.inertia, Dyadic):
+        matrix = Matrix(3, 3, entries)
+        if matrix != matrix.T:
+            raise SceneError(f"body {body.name}: the inertia {body.inertia} is not symmetric")
+        entries = [matrix[i, i] for i in range(3)]
+    if any(entry.is_negative for entry in entries):
+        raise SceneError(
+            f"body {body.name}: the inertia {body.inertia} is negative: a moment of inertia is"
+            " zero or more"
+        )
+
+
+def _orientation(scene: Scene, body: Body) -> None:
+    if scene.constraints:
+        return  # four Euler parameters give a rotation only where their constraint holds
+    frames = [frame for _, frame in body.centre.pos_from(scene.origin).args]
+    if isinstance(body, RigidBody):
+        frames.append(body.frame)
+    steps = {step for frame in frames for step in pairwise(frame_path(scene.frame, frame))}
+    for parent, child in sorted(steps, key=str):
+        step = relative_rotation(parent, child).applyfunc(
+            lambda entry, name=child.name: scene.plain(entry, f"frame {name}")
+        )
+        square = (step.T * step - eye(3)).applyfunc(canonical)
+        if square != Matrix.zeros(3, 3) or canonical(step.det(method="berkowitz") - 1) != 0:
+            raise SceneError(
+                f"frame {child.name}: its matrix from {parent.name} is no rotation (R^T R = 1,"
+                " det R = 1): orient it with orientnew"
+            )
+
+
+def check_loads(scene: Scene) -> None:
+    """Loads act on something, and have the properties from which their force is derived.
+
+    Raises
+    ------
+    SceneError
+        Names the load or reaction.
+    """
+    for reaction in scene.reactions:
+        _unit(scene, f"reaction {reaction.name}", reaction.along)
+    for load in scene.loads:
+        where = f"load {load.name}"
+        if not isinstance(load, Gravity) and load.on is not None and load.on == load.by:
+            raise SceneError(f"{where}: body {load.on!r} acts on itself")
+        if isinstance(load, Gravity):
+            _fixed(scene, where, load.field)
+        elif isinstance(load, Spring | Damper):
+            _line(scene, where, load)
+        elif isinstance(load, TorsionSpring):
+            _unit(scene, where, load.axis)
+            _constant(scene, where, load.stiffness)
+        if isinstance(load, Torque | TorsionSpring) and _is_particle(scene, load.on):
+            raise SceneError(
+                f"{where}: it turns {load.on!r}, which is a particle and has no orientation:"
+                " declare a RigidBody"
+            )
+        if isinstance(load, Torque | Force):
+            _no_accelerations(scene, where, list(scene.vector(load.vector, where)))
+
+
+def _line(scene: Scene, where: str, load: Spring | Damper) -> None:
+    if load.first == load.second:
+        raise SceneError(f"{where}: both ends are point {load.first.name}: name two points")
+    if load.along is not None:
+        _unit(scene, where, load.along)
+        _fixed(scene, where, load.along)
+    if isinstance(load, Spring):
+        _constant(scene, where, load.stiffness)
+        _constant(scene, where, load.length)
+    else:
+        _no_accelerations(scene, where, [scene.plain(load.coefficient, where)])
+
+
+def _unit(scene: Scene, where: str, direction: Vector) -> None:
+    entries = scene.vector(direction, where)
+    square = canonical(entries.dot(entries))
+    # A gradient such as (x, y)/L has unit length only where the constraints hold.
+    if square != 1 and not (scene.constraints and square.free_symbols & set(scene.q)):
+        raise SceneError(
+            f"{where}: the direction {direction} has the length {square}**(1/2): give a unit vector"
+        )
+
+
+def _fixed(scene: Scene, where: str, direction: Vector) -> None:
+    if scene.vector(direction, where).free_symbols & {*scene.q, *scene.u}:
+        raise SceneError(
+            f"{where}: the direction {direction} turns with the coordinates: give one that is fixed"
+            f" in {scene.frame.name}"
+        )
+
+
+def _constant(scene: Scene, where: str, value: Expr) -> None:
+    if scene.plain(value, where).free_symbols & {*scene.q, *scene.u, *scene.ud}:
+        raise SceneError(
+            f"{where}: {value} depends on coordinates, which changes its force: declare it as a"
+            " force or torque"
+        )
+
+
+def _no_accelerations(scene: Scene, where: str, entries: list[Expr]) -> None:
+    for entry in entries:
+        found = entry.free_symbols & set(scene.ud)
+        if found:
+            raise SceneError(
+                f"{where}: it depends on the acceleration {found.pop()}: a load depends on"
+                " coordinates, speeds, inputs and time"
+            )
+
+
+def _is_particle(scene: Scene, name: str) -> bool:
+    return isinstance(scene.body(name), Particle)
+
+
+def _moves(scene: Scene, expression: Expr) -> bool:
+    return bool(expression.atoms(AppliedUndef)) or expression.has(dynamicsymbols._t)
