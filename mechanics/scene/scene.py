@@ -6,13 +6,20 @@ q' = N(q) u + n(q, t)          (u = q' unless speeds are declared)
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
+from itertools import pairwise
 
-from sympy import Expr, Matrix, Symbol, linsolve, sympify
+from sympy import Expr, Matrix, Symbol, eye, linsolve, sympify, zeros
 from sympy.physics.vector import Point, ReferenceFrame, Vector
 
 from mechanics.errors import SceneError
 from mechanics.scene.bodies import Body
-from mechanics.scene.geometry import in_root, rotation
+from mechanics.scene.geometry import (
+    components,
+    frame_path,
+    point_path,
+    relative_rotation,
+    step_vector,
+)
 from mechanics.scene.loads import Load
 from mechanics.scene.reactions import Constraint, Reaction
 from mechanics.scene.symbols import plain_symbol, plain_table, to_plain
@@ -133,16 +140,34 @@ class Scene:
 
     def position(self, point: Point) -> Matrix:
         """3 x 1 position of a point from the origin, in the inertial frame, in plain symbols."""
-        return self.vector(point.pos_from(self.origin), f"point {point.name}")
+        known = self._positions
+        if point not in known:
+            for parent, child in pairwise(point_path(self.origin, point)):
+                if child not in known:
+                    step = self.vector(step_vector(parent, child), f"point {child.name}")
+                    known[child] = known[parent] + step
+        return known[point].copy()
 
     def rotation(self, frame: ReferenceFrame) -> Matrix:
         """3 x 3 matrix R with v_inertial = R v_frame, in plain symbols."""
-        matrix = rotation(self.frame, frame)
-        return matrix.applyfunc(lambda entry: self.plain(entry, f"frame {frame.name}"))
+        known = self._rotations
+        if frame not in known:
+            for parent, child in pairwise(frame_path(self.frame, frame)):
+                if child not in known:
+                    where = f"frame {child.name}"
+                    step = relative_rotation(parent, child).applyfunc(
+                        lambda entry, where=where: self.plain(entry, where)
+                    )
+                    known[child] = known[parent] * step
+        return known[frame].copy()
 
     def vector(self, vector: Vector, where: str = "") -> Matrix:
         """3 x 1 components of a vector in the inertial frame, in plain symbols."""
-        return in_root(self.frame, vector).applyfunc(lambda entry: self.plain(entry, where))
+        total = zeros(3, 1)
+        for frame, column in components(vector):
+            plain = column.applyfunc(lambda entry: self.plain(entry, where))
+            total += plain if frame == self.frame else self.rotation(frame) * plain
+        return total
 
     def body(self, name: str) -> Body:
         """The body of that name."""
@@ -163,6 +188,16 @@ class Scene:
     def _table(self) -> dict[Expr, Symbol]:
         speeds = tuple(u for u, _ in self.speeds)
         return plain_table((*self.coordinates, *speeds, *self.inputs))
+
+    @cached_property
+    def _positions(self) -> dict[Point, Matrix]:
+        """Positions of the points that were asked for, each worked out once from its parent's."""
+        return {self.origin: zeros(3, 1)}
+
+    @cached_property
+    def _rotations(self) -> dict[ReferenceFrame, Matrix]:
+        """Rotations of the frames that were asked for, each worked out once from its parent's."""
+        return {self.frame: eye(3)}
 
     def _second_rate(self, qd: Symbol) -> Expr:
         rate = self.coordinate_rates[qd]

@@ -48,10 +48,10 @@ def validate(scene: Scene) -> None:
     _constraints(scene)
     check_symbols(scene)
     _speeds(scene)
-    _unknown_functions(scene)
-    _given(scene)
     check_bodies(scene)
     check_loads(scene)
+    _unknown_functions(scene)
+    _given(scene)
 
 
 def _bodies(scene: Scene) -> None:
@@ -99,7 +99,7 @@ def _speeds(scene: Scene) -> None:
     rows = []
     for speed, definition in scene.speeds:
         what = f"speed {name_of(speed)}"
-        plain = scene.rates(scalar(definition, f"{what}: its definition"))
+        plain = scene.rates(definition)
         row = [plain.diff(rate) for rate in scene.qd]
         second = {plain_symbol(q, 2) for q in scene.coordinates}
         if plain.free_symbols & second or any(e.free_symbols & set(scene.qd) for e in row):

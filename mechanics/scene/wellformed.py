@@ -12,12 +12,12 @@ from dataclasses import fields
 from types import GenericAlias, UnionType
 from typing import TYPE_CHECKING, Any, get_args
 
-from sympy import Expr, Symbol, sympify
+from sympy import Expr, Symbol
 from sympy.physics.vector import Dyadic, Point, ReferenceFrame, Vector, dynamicsymbols
 
 from mechanics.errors import SceneError
 from mechanics.scene.bodies import Particle, RigidBody
-from mechanics.scene.declared import kind_of
+from mechanics.scene.declared import kind_of, scalar
 from mechanics.scene.geometry import in_root, rotation
 from mechanics.scene.loads import Load
 from mechanics.scene.reactions import Constraint, Reaction
@@ -169,7 +169,9 @@ def typed_expressions(scene: Scene) -> Iterator[tuple[str, Expr]]:
                 elif isinstance(value, Expr):
                     yield where, value
     yield from ((f"constraint {c.name}", c.expression) for c in scene.constraints)
-    yield from ((f"speed {name_of(u)}", sympify(definition)) for u, definition in scene.speeds)
+    for u, definition in scene.speeds:
+        where = f"speed {name_of(u)}"
+        yield where, scalar(definition, f"{where}: its definition")
 
 
 def inertia_entries(body: RigidBody) -> list[Expr]:
