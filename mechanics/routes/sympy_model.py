@@ -20,6 +20,13 @@ from mechanics.scene import Body, RigidBody, Scene
 from mechanics.scene.actions import Action
 from mechanics.scene.geometry import frame_path, relative_rotation
 
+MOST_FRAMES = 3
+"""Frames up to which a velocity is kept in the frames in which its terms are short.
+
+There L**2 stays L**2; with more frames the products between them, which SymPy forms pair by pair,
+cost more than that saves, and the velocity is written in inertial components.
+"""
+
 
 @dataclass(frozen=True)
 class Velocities:
@@ -82,8 +89,13 @@ def _body(
     centre = Point(f"centre of {body.name}")
     motion = chain.point(body.centre)
     inertial = frames[scene.frame]
-    centre.set_vel(inertial, _mixed(scene, chain, motion.velocity, frames, dynamic))
-    centre.set_acc(inertial, _mixed(scene, chain, motion.acceleration, frames, dynamic))
+    if len(motion.velocity) > MOST_FRAMES:
+        velocity = _vector(inertial, chain.inertial(motion.velocity), dynamic)
+    else:
+        velocity = _mixed(scene, chain, motion.velocity, frames, dynamic)
+    centre.set_vel(inertial, velocity)
+    # Accelerations are only projected: in inertial components that takes the fewest operations.
+    centre.set_acc(inertial, _vector(inertial, chain.inertial(motion.acceleration), dynamic))
     if not isinstance(body, RigidBody) or body.inertia == 0:
         # A body without inertia about its centre is a point mass: no angular terms to form.
         return me.Particle(body.name, centre, body.mass)
