@@ -13,7 +13,7 @@ from collections.abc import Callable, Iterator, Sequence
 from typing import Any
 
 import casadi as ca
-from sympy import Add, Expr, Matrix, Symbol
+from sympy import Add, Dummy, Expr, Matrix, S, Symbol
 
 from mechanics.compiled.graphs import STATE, Graphs
 from mechanics.compiled.mechanical import Totals, totals
@@ -113,16 +113,21 @@ def _residual(a: Arithmetic, outputs: Outputs, graphs: Graphs) -> Pairs:
 
 
 def _inverse_dynamics(a: Arithmetic, outputs: Outputs, graphs: Graphs) -> Pairs:
-    """tau = M_T (u' - what the loads give), the latter solved for in the arithmetic."""
+    """tau = M_T w with w = u' - what the loads give, the latter solved for in the arithmetic.
+
+    dT/du is affine in u with the slope M_T: tau is its change from u = 0 to u = w.
+    """
     equations, u = graphs.equations, graphs.equations.scene.u
     left, right = equations.system
     rows = [[a.value(left[i, j]) for j in range(left.cols)] for i in range(left.rows)]
     given = a.solve(rows, [a.value(entry) for entry in right])[: len(u)]
-    kinetic = _totals(graphs).kinetic
-    inertia = Matrix(len(u), len(u), lambda i, j: kinetic.diff(u[i], u[j]))
-    gain = [a.value(wanted) - x for wanted, x in zip(equations.scene.ud, given, strict=True)]
-    for i, force in enumerate(outputs["forces"]):
-        yield force, _row(a, inertia, i, gain)
+    gains = {symbol: Dummy(f"gain of {symbol}", real=True) for symbol in u}
+    for gain, wanted, x in zip(gains.values(), equations.scene.ud, given, strict=True):
+        a.assign(gain, a.value(wanted) - x)
+    kinetic, still = _totals(graphs).kinetic, dict.fromkeys(u, S.Zero)
+    for symbol, force in zip(u, outputs["forces"], strict=True):
+        momentum = kinetic.diff(symbol)
+        yield force, a.value(momentum.xreplace(gains)) - a.value(momentum.xreplace(still))
 
 
 def _energy(a: Arithmetic, outputs: Outputs, graphs: Graphs) -> Pairs:
