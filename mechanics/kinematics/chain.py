@@ -42,8 +42,9 @@ class FrameMotion:
 
 @dataclass(frozen=True)
 class MixedMotion:
-    """Velocity and acceleration of a point as mixed vectors."""
+    """Position, velocity and acceleration of a point as mixed vectors."""
 
+    position: Mixed
     velocity: Mixed
     acceleration: Mixed
 
@@ -88,7 +89,7 @@ class Chain:
         """Motion of a geometric point, in mixed components."""
         path = point_path(self.scene.origin, point)
         known = self._points
-        known.setdefault(self.scene.origin, MixedMotion({}, {}))
+        known.setdefault(self.scene.origin, MixedMotion({}, {}, {}))
         for parent, child in pairwise(path):
             if child not in known:
                 known[child] = self._stepped(parent, child)
@@ -96,9 +97,11 @@ class Chain:
 
     def _stepped(self, parent: Point, child: Point) -> MixedMotion:
         table = rate_table(self.scene)
-        velocity, acceleration = (
-            dict(self._points[parent].velocity),
-            dict(self._points[parent].acceleration),
+        before = self._points[parent]
+        position, velocity, acceleration = (
+            dict(before.position),
+            dict(before.velocity),
+            dict(before.acceleration),
         )
         for frame, column in components(step_vector(parent, child)):
             turn = self.frame(frame)
@@ -112,9 +115,10 @@ class Chain:
                 + turn.alpha.cross(c)
                 + turn.omega.cross(across)
             )
+            position[frame] = position.get(frame, zeros(3, 1)) + c
             velocity[frame] = velocity.get(frame, zeros(3, 1)) + v
             acceleration[frame] = acceleration.get(frame, zeros(3, 1)) + a
-        return MixedMotion(velocity, acceleration)
+        return MixedMotion(position, velocity, acceleration)
 
     def inertial(self, mixed: Mixed) -> Matrix:
         """3 x 1 inertial components of a mixed vector."""
@@ -149,7 +153,7 @@ def body_motions(scene: Scene, chain: Chain | None = None) -> tuple[BodyMotion, 
 def _point(chain: Chain, point: Point) -> PointMotion:
     motion = chain.point(point)
     return PointMotion(
-        chain.scene.position(point),
+        chain.inertial(motion.position),
         chain.inertial(motion.velocity),
         chain.inertial(motion.acceleration),
     )

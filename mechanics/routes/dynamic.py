@@ -34,14 +34,23 @@ class Dynamic:
 
 
 def dynamic_rates(scene: Scene) -> Dynamic:
-    """q and its derivatives, inputs and theirs: what Lagrange's method works on."""
-    return _inverted(_given(scene) | _derivatives(scene.coordinates))
+    """q, inputs and their derivatives: what Lagrange's method works on.
+
+    SymPy names its multipliers lam1, lam2, ...: a parameter of that name would merge with one, and
+    is replaced by a dummy.
+    """
+    clashing = {
+        symbol: Dummy(symbol.name, **symbol.assumptions0)
+        for symbol in scene.parameters
+        if re.fullmatch(r"lam\d+", symbol.name)
+    }
+    return _inverted(_derivatives((*scene.coordinates, *scene.inputs)) | clashing)
 
 
 def dynamic_speeds(scene: Scene) -> Dynamic:
     """q, u and u' with u a dynamic symbol of its own: what Kane's method works on."""
     t = dynamicsymbols._t
-    forward = _given(scene) | dict(zip(scene.q, scene.coordinates, strict=True))
+    forward = _derivatives(scene.inputs) | dict(zip(scene.q, scene.coordinates, strict=True))
     for u, ud in zip(scene.u, scene.ud, strict=True):
         function = dynamicsymbols(u.name)
         forward |= {u: function, ud: function.diff(t)}
@@ -50,19 +59,6 @@ def dynamic_speeds(scene: Scene) -> Dynamic:
 
 def _derivatives(functions: Iterable[Expr]) -> dict[Expr, Expr]:
     return {plain: dynamic for dynamic, plain in plain_table(functions).items()}
-
-
-def _given(scene: Scene) -> dict[Expr, Expr]:
-    """Inputs with their derivatives, and parameters whose names SymPy's methods use themselves.
-
-    SymPy names its multipliers lam1, lam2, ...: a parameter of that name would merge with one.
-    """
-    clashing = {
-        symbol: Dummy(symbol.name, **symbol.assumptions0)
-        for symbol in scene.parameters
-        if re.fullmatch(r"lam\d+", symbol.name)
-    }
-    return _derivatives(scene.inputs) | clashing
 
 
 def _inverted(forward: dict[Expr, Expr]) -> Dynamic:

@@ -155,13 +155,24 @@ def _method(
 def _loads(
     scene: Scene, model: SympyModel, dynamic: Dynamic, actions: Sequence[Action]
 ) -> list[tuple[object, object]]:
-    motions = {motion.body.name: motion for motion in chain.body_motions(scene)}
+    """Loads on SymPy's points and frames; a force at a mass centre uses the point that is there."""
+    centres = {body.name: scene.position(body.centre) for body in scene.bodies}
     found: list[tuple[object, object]] = []
+    others: list[Action] = []
     for action in actions:
-        motion = motions[action.body]
-        arm = action.at - motion.centre.position
-        velocity = motion.centre.velocity + motion.angular_velocity.cross(arm)
-        found += force_at(model, Velocities(velocity, motion.angular_velocity), action, dynamic)
+        if any(action.couple) or action.at != centres[action.body]:
+            others.append(action)
+        else:
+            point = model.bodies[action.body].masscenter
+            found.append((point, model.vector(action.force, dynamic)))
+    if others:
+        motions = {motion.body.name: motion for motion in chain.body_motions(scene)}
+        for action in others:
+            motion = motions[action.body]
+            arm = action.at - motion.centre.position
+            velocity = motion.centre.velocity + motion.angular_velocity.cross(arm)
+            moving = Velocities(velocity, motion.angular_velocity)
+            found += force_at(model, moving, action, dynamic)
     return found
 
 

@@ -1,0 +1,100 @@
+"""Time of every route and of the proof that they agree, for a cart with n links, beside SymPy.
+
+Run ``python benchmarks/derivation.py --links 1,2,5,10 --rounds 3`` from the project's root. All that
+is compared runs in turn in one process, with SymPy's cache emptied before each; the table shows
+medians, and ratios to Kane's method with explicit velocities.
+"""
+
+import argparse
+import platform
+import sys
+from collections.abc import Callable
+from pathlib import Path
+from statistics import median
+from time import perf_counter
+
+# The peers stand beside this file; the packages stand above it.
+sys.path[:0] = [str(Path(__file__).parent), str(Path(__file__).parents[1])]
+
+import peers
+import sympy
+from sympy.core.cache import clear_cache
+
+from mechanics.checks.agreement import compare_pairs
+from mechanics.equations import Equations
+from mechanics.exact import Verdict
+from mechanics.routes import free_body, kane, lagrange, moving_point
+from systems import pendulum_chain
+
+LARGEST_LAGRANGE = 10
+"""Links up to which Lagrange's method is run: SymPy takes over two minutes for twenty."""
+
+
+def timed(work: Callable[[], object]) -> tuple[float, object]:
+    """Seconds and result of one run with an empty cache."""
+    clear_cache()
+    start = perf_counter()
+    result = work()
+    return perf_counter() - start, result
+
+
+def row(links: int, rounds: int) -> dict[str, float | str]:
+    """Median seconds of everything for one number of links."""
+    routes = {"free_body": free_body, "moving_point": moving_point, "kane": kane}
+    if links <= LARGEST_LAGRANGE:
+        routes["lagrange"] = lagrange
+    times: dict[str, list[float]] = {}
+    verdicts: set[Verdict] = set()
+    for _ in range(rounds):
+        found: dict[str, Equations] = {}
+        scene = pendulum_chain.scene(links)
+        for name, route in routes.items():
+            # A new scene for each: nobody profits from positions that another has worked out.
+            own = pendulum_chain.scene(links)
+            seconds, _ = timed(lambda route=route, own=own: route.derive(own))
+            times.setdefault(name, []).append(seconds)
+            found[name] = route.derive(scene)
+        for name, peer in (("SymPy", peers.stock_kane), ("explicit", peers.explicit_kane)):
+            seconds, _ = timed(lambda peer=peer: peer(links))
+            times.setdefault(name, []).append(seconds)
+        seconds, pairs = timed(lambda found=found: compare_pairs(found))
+        times.setdefault("proofs", []).append(seconds)
+        verdicts |= {finding.verdict for finding in pairs.values()}
+        if links == 1:
+            seconds, left = timed(
+                lambda found=found: peers.simplified_difference(found["kane"], found["lagrange"])
+            )
+            times.setdefault("simplify", []).append(seconds)
+            if left != sympy.zeros(*left.shape):
+                print("simplify did not find zero", file=sys.stderr)
+    result: dict[str, float | str] = {name: median(values) for name, values in times.items()}
+    result["verdicts"] = ", ".join(sorted(verdict.name for verdict in verdicts))
+    return result
+
+
+def main() -> None:
+    """Print the table."""
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--links", default="1,2,3,5,8,10,20", help="numbers of links")
+    parser.add_argument("--rounds", type=int, default=3, help="runs of each; medians are shown")
+    options = parser.parse_args()
+    print(f"Python {platform.python_version()}, SymPy {sympy.__version__}, {platform.machine()},")
+    print(f"medians of {options.rounds} rounds in s; in brackets: ratio to explicit Kane")
+    columns = ("free_body", "moving_point", "kane", "lagrange", "SymPy", "explicit")
+    heads = (*columns[:4], "SymPy's Kane model", "SymPy's Kane, explicit velocities")
+    print("\n| links | " + " | ".join((*heads, "all pairs", "verdicts", "simplify")) + " |")
+    print("|" + "---|" * (len(columns) + 4))
+    for text in options.links.split(","):
+        found = row(int(text), options.rounds)
+        cells = [text]
+        for name in columns:
+            seconds = found.get(name)
+            ratio = None if seconds is None else seconds / found["explicit"]
+            cells.append("-" if seconds is None else f"{seconds:.3f} ({ratio:.2f})")
+        cells += [f"{found['proofs']:.3f}", str(found["verdicts"])]
+        cells.append(f"{found['simplify']:.2f}" if "simplify" in found else "-")
+        print("| " + " | ".join(cells) + " |", flush=True)
+
+
+if __name__ == "__main__":
+    main()
