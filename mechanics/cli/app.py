@@ -1,12 +1,17 @@
 """The commands, and what every one of them does with an error: one line, exit code 2."""
 
 import sys
+from typing import Any, NoReturn
 
 import typer
 from rich.console import Console
+from rich.markup import escape
 
 from mechanics.cli import checking, deriving, small_motions, using
 from mechanics.errors import MechanicsError
+
+# Typer brings its own copy of click, or uses click, depending on its version.
+USAGE_ERROR: Any = typer.BadParameter.__base__
 
 app = typer.Typer(
     name="mechanics",
@@ -29,16 +34,17 @@ app.command("modes")(small_motions.modes)
 def main() -> None:
     """Entry point of the console command."""
     try:
-        app()
+        code = app(sys.argv[1:] or ["--help"], prog_name="mechanics", standalone_mode=False)
+    except USAGE_ERROR as error:
+        _refuse(error.format_message())
     except (MechanicsError, OSError) as error:
-        words = " ".join(str(error).split())
-        Console(stderr=True, soft_wrap=True, highlight=False).print(
-            f"[bold red]error:[/] {_escaped(words)}"
-        )
-        sys.exit(2)
+        _refuse(str(error))
+    else:
+        sys.exit(code)
 
 
-def _escaped(text: str) -> str:
-    from rich.markup import escape
-
-    return escape(text)
+def _refuse(words: str) -> NoReturn:
+    one_line = escape(" ".join(words.split()))
+    console = Console(stderr=True, soft_wrap=True, highlight=False)
+    console.print(f"[bold red]error:[/] {one_line}")
+    sys.exit(2)

@@ -1,6 +1,7 @@
 """`mechanics systems` and `mechanics crosscheck`."""
 
 import json
+import os
 import sys
 from collections import Counter
 from collections.abc import Sequence
@@ -88,8 +89,8 @@ def crosscheck(
     chosen = tuple(name.strip() for name in routes.split(",") if name.strip())
     named_routes(chosen)
     for path in (report, None if json_file in (None, "-") else Path(str(json_file))):
-        if path is not None and not path.parent.is_dir():
-            raise InputError(f"file {path}: there is no folder {path.parent}: make it first")
+        if path is not None:
+            _writable(path)
     loaded = [load(name) for name in names] if names else _seed()
     errors = Console(stderr=True)
     results = []
@@ -109,6 +110,16 @@ def crosscheck(
     if json_file != "-":
         _summary(Console(), results)
     raise typer.Exit(exit_code(results))
+
+
+def _writable(path: Path) -> None:
+    """Refuse a file that cannot be written, before the work is done."""
+    if not path.parent.is_dir():
+        raise InputError(f"file {path}: there is no folder {path.parent}: make it first")
+    if path.is_dir():
+        raise InputError(f"file {path}: it is a folder: name a file in it")
+    if not os.access(path if path.exists() else path.parent, os.W_OK):
+        raise InputError(f"file {path}: it cannot be written: choose another place")
 
 
 def exit_code(results: Sequence[SystemResult]) -> int:

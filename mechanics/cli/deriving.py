@@ -8,6 +8,7 @@ import typer
 from sympy import Matrix
 
 from mechanics.cli.load import load
+from mechanics.cli.python_module import python_module
 from mechanics.crosscheck import derive as derive_by
 from mechanics.equations import Equations
 from mechanics.report.notation import latex
@@ -37,7 +38,7 @@ def derive(
     `mechanics derive elastic_pendulum --route kane --format latex`
     """
     equations = derive_by(load(system).scene(), route)
-    writer = {Format.TEXT: _text, Format.LATEX: _latex, Format.PYTHON: _python}[form]
+    writer = {Format.TEXT: _text, Format.LATEX: _latex, Format.PYTHON: python_module}[form]
     typer.echo(writer(equations))
 
 
@@ -64,32 +65,3 @@ def _text(equations: Equations) -> str:
 def _latex(equations: Equations) -> str:
     rows = [f"{latex(left)} &= {latex(right)}" for left, right in _sides(equations)]
     return "\\begin{align}\n" + " \\\\\n".join(rows) + "\n\\end{align}"
-
-
-def _python(equations: Equations) -> str:
-    """A Python module that builds M, f, B, A and b with SymPy."""
-    scene = equations.scene
-    groups = {
-        "coordinates": scene.q,
-        "speeds": scene.u,
-        "speed_rates": scene.ud,
-        "inputs": scene.input_symbols,
-        "parameters": scene.parameters,
-        "multipliers": equations.multipliers,
-    }
-    lines = [f'"""Equations of motion of {scene.name}, by {equations.route}."""', ""]
-    lines += ["from sympy import *", ""]
-    for title, symbols in groups.items():
-        for symbol in symbols:
-            sign = "positive" if symbol.is_positive else "real"
-            lines.append(f"{symbol.name} = Symbol({symbol.name!r}, {sign}=True)")
-        lines.append(f"{title} = ({''.join(symbol.name + ', ' for symbol in symbols)})")
-    for title, matrix in (
-        ("M", equations.mass),
-        ("f", equations.forcing),
-        ("B", equations.reaction_matrix),
-        ("A", equations.constraint_matrix),
-        ("b", equations.constraint_bias),
-    ):
-        lines.append(f"matrix_{title} = Matrix({matrix.rows}, {matrix.cols}, {list(matrix)})")
-    return "\n".join(lines)

@@ -61,7 +61,7 @@ def _from_file(path: Path) -> System:
     if not callable(scene):
         raise InputError(f"file {path}: it has no function scene() that returns a Scene")
     rows = getattr(module, "PUBLISHED", ())
-    if not all(isinstance(row, Published) for row in rows):
+    if not isinstance(rows, tuple | list) or not all(isinstance(row, Published) for row in rows):
         raise InputError(f"file {path}: PUBLISHED has to be a tuple of published(...) rows")
     return System(path.stem, partial(_checked, scene, path), tuple(rows))
 
@@ -80,8 +80,7 @@ def _module(path: Path) -> ModuleType:
         spec.loader.exec_module(module)
     except MechanicsError:
         raise
-    except (ArithmeticError, AttributeError, ImportError, LookupError, NameError,
-            OSError, RuntimeError, TypeError, ValueError) as error:  # fmt: skip
+    except (Exception, SystemExit) as error:
         raise InputError(_located(path, error)) from None
     return module
 
@@ -91,8 +90,7 @@ def _checked(scene: object, path: Path) -> Scene:
         made = scene()  # type: ignore[operator]
     except MechanicsError:
         raise
-    except (ArithmeticError, AttributeError, ImportError, LookupError, NameError,
-            OSError, RuntimeError, TypeError, ValueError) as error:  # fmt: skip
+    except (Exception, SystemExit) as error:
         raise InputError(_located(path, error)) from None
     if not isinstance(made, Scene):
         raise InputError(
@@ -101,7 +99,7 @@ def _checked(scene: object, path: Path) -> Scene:
     return made
 
 
-def _located(path: Path, error: Exception) -> str:
+def _located(path: Path, error: BaseException) -> str:
     """``file x.py, line 7: NameError: name 'm' is not defined``."""
     lines = [
         entry.lineno

@@ -50,9 +50,18 @@ def sorted_out(
     for name, value in values.items():
         for group, names in zip(groups, (initial, parameters, inputs), strict=True):
             if name in names:
-                group[name] = float(value)
+                group[name] = _finite(name, value)
                 break
         else:
             known = ", ".join(sorted(initial) + sorted(parameters) + sorted(inputs))
             raise InputError(f"{scene.name}: there is no {name!r} to set: the names are {known}")
     return groups[0], groups[1], groups[2]
+
+
+def _finite(name: str, value: Fraction) -> float:
+    try:
+        return float(value)
+    except OverflowError:
+        raise InputError(
+            f"--set {name}: the value is beyond 1.8e308: write a smaller one"
+        ) from None

@@ -1,0 +1,112 @@
+"""`derive`, `simulate`, `codegen`, `linearize`, `modes`, `--help`: what they write is usable."""
+
+import csv
+import subprocess
+import sys
+from pathlib import Path
+from typing import Any
+
+import pytest
+from sympy import Matrix
+
+import systems
+from mechanics.crosscheck import ROUTES, derive
+from mechanics.exact import is_zero
+
+COMMANDS = ("systems", "crosscheck", "derive", "simulate", "codegen", "linearize", "modes")
+
+
+@pytest.mark.parametrize("system", systems.ALL, ids=lambda system: system.name)
+@pytest.mark.parametrize("route", [route.name for route in ROUTES])
+def test_derived_python_builds_the_same_matrices(run: Any, system: Any, route: str) -> None:
+    ran = run("derive", system.name, "--route", route, "--format", "python")
+    assert ran.code == 0, ran.err
+    names: dict[str, Any] = {}
+    exec(ran.out, names)
+    equations = derive(system.scene(), route)
+    back = {symbol.name: symbol for symbol in (*equations.scene.q, *equations.scene.u,
+            *equations.scene.input_symbols, *equations.scene.parameters)}  # fmt: skip
+    for name, wanted in (
+        ("matrix_M", equations.mass),
+        ("matrix_f", equations.forcing),
+        ("matrix_B", equations.reaction_matrix),
+        ("matrix_A", equations.constraint_matrix),
+        ("matrix_b", equations.constraint_bias),
+    ):
+        built: Matrix = names[name]
+        assert built.shape == wanted.shape
+        same = {s: back[s.name] for s in built.free_symbols if s.name in back}
+        difference = built.xreplace(same) - wanted
+        assert all(entry == 0 or is_zero(entry) for entry in difference), name
+    assert [s.name for s in names["coordinates"]] == [s.name for s in equations.scene.q]
+    assert [s.name for s in names["multipliers"]] == [s.name for s in equations.multipliers]
+
+
+def test_names_that_python_or_sympy_know_are_replaced(run: Any, pendulum: Any) -> None:
+    renamed = pendulum(
+        ('"theta"', '"lambda"'), ('"m l g"', '"S sin def"'), ('reaction("S"', 'reaction("Matrix"')
+    )
+    ran = run("derive", renamed, "--format", "python", "--route", "lagrange")
+    assert ran.code == 0, ran.err
+    names: dict[str, Any] = {}
+    exec(ran.out, names)
+    assert [s.name for s in names["coordinates"]] == ["lambda"]
+    assert sorted(s.name for s in names["parameters"]) == ["S", "def", "sin"]
+    assert names["matrix_M"].free_symbols == {s for s in names["parameters"] if s.name != "def"}
+
+
+@pytest.mark.parametrize("form", ["text", "latex"])
+def test_derived_text_and_latex(run: Any, form: str) -> None:
+    ran = run("derive", "four_bar", "--format", form, "--route", "moving_point")
+    assert ran.code == 0
+    assert ("align" in ran.out) == (form == "latex")
+    assert "q" in ran.out
+
+
+def test_simulate_writes_the_samples(run: Any, tmp_path: Path) -> None:
+    table, plot = tmp_path / "motion.csv", tmp_path / "motion.svg"
+    settings = ("--duration", 1, "--set", "theta=1/2", "--samples", 11)
+    ran = run("simulate", "elastic_pendulum", *settings, "--out", table, "--plot", plot)
+    assert ran.code == 0, ran.err
+    with table.open(newline="") as file:
+        rows = [row for row in csv.reader(file) if not row[0].startswith("#")]
+    head, samples = rows[0], rows[1:]
+    assert len(samples) == 11
+    column = next(i for i, name in enumerate(head) if name.split()[0] == "theta")
+    assert float(samples[0][column]) == 0.5
+    assert float(samples[-1][0]) == 1.0
+    assert "<svg" in plot.read_text(encoding="utf-8")
+
+
+def test_codegen_writes_a_folder(run: Any, tmp_path: Path) -> None:
+    ran = run("codegen", "two_mass_chain", "-o", tmp_path / "c")
+    assert ran.code == 0, ran.err
+    written = [Path(line) for line in ran.out.splitlines()]
+    assert all(path.is_file() for path in written)
+    assert {path.suffix for path in written} >= {".c", ".h", ".json"}
+
+
+def test_linearize_and_modes(run: Any) -> None:
+    ran = run("modes", "two_mass_chain")
+    assert ran.code == 0
+    assert "omega_1^2 = k/(6*m)" in ran.out
+    ran = run("linearize", "rocker")
+    assert ran.code == 0
+    assert "K = " in ran.out
+
+
+@pytest.mark.parametrize("command", ["", *COMMANDS])
+def test_help_has_examples(run: Any, command: str) -> None:
+    ran = run(*command.split(), "--help")
+    assert ran.code == 0
+    assert ("mechanics " + command) in ran.out
+
+
+def test_the_console_command_in_a_process_of_its_own() -> None:
+    code = "from mechanics.cli import main; main()"
+    ran = subprocess.run(
+        [sys.executable, "-c", code, "modes", "nothing"], capture_output=True, text=True
+    )
+    assert ran.returncode == 2
+    assert ran.stdout == ""
+    assert ran.stderr.count("\n") == 1

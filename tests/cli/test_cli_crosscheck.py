@@ -1,0 +1,82 @@
+"""`mechanics crosscheck`: exit codes and JSON, with a person's own file."""
+
+import json
+from typing import Any
+
+SCHEMA: dict[str, Any] = {
+    "name": str,
+    "ok": bool,
+    "routes": {"seconds": float, "operations": int},
+    "findings": {"subject": str, "verdict": str, "evidence": str, "error_bound": float,
+                 "witness": dict},
+    "published": {"tag": str, "label": str, "verdict": str, "evidence": str},
+    "compiled": {"subject": str, "max_eps": float, "states": int},
+}  # fmt: skip
+VERDICTS = {"PROVED", "CERTIFIED", "SUPPORTED", "REFUTED", "UNDECIDED"}
+
+
+def test_all_shown_is_exit_code_zero_and_the_json_has_its_schema(run: Any, pendulum: Any) -> None:
+    ran = run("crosscheck", pendulum(), "--json", "-", "--states", 50)
+    assert ran.code == 0, ran.err
+    (system,) = json.loads(ran.out)["systems"]
+    assert set(system) == set(SCHEMA)
+    assert system["name"] == "my_pendulum"
+    assert system["ok"] is True
+    assert set(system["routes"]) == {"free_body", "moving_point", "kane", "lagrange"}
+    for key in ("findings", "published", "compiled"):
+        assert system[key]
+        for entry in system[key]:
+            for name, kind in SCHEMA[key].items():
+                assert entry[name] is None or isinstance(entry[name], kind), (key, name, entry)
+    for route in system["routes"].values():
+        assert {name: type(value) for name, value in route.items()} == SCHEMA["routes"]
+    verdicts = {entry["verdict"] for key in ("findings", "published") for entry in system[key]}
+    assert verdicts <= VERDICTS
+
+
+def test_a_wrong_row_is_exit_code_one_with_a_witness(run: Any, pendulum: Any) -> None:
+    wrong = pendulum(("+ g * sin(theta)", "- g * sin(theta)"))
+    ran = run("crosscheck", wrong, "--states", 0)
+    assert ran.code == 1
+    assert "REFUTED" in ran.out
+    assert "theta = " in ran.out
+    ran = run("crosscheck", wrong, "--states", 0, "--json", "-")
+    assert ran.code == 1
+    (row,) = json.loads(ran.out)["systems"][0]["published"]
+    assert row["verdict"] == "REFUTED"
+    assert set(row["witness"]) == {"state", "left", "right"}
+    assert "theta" in row["witness"]["state"]
+
+
+def test_what_is_undecided_is_exit_code_three(run: Any, pendulum: Any) -> None:
+    # log(m l) = log m + log l is true, but the field knows a logarithm by congruence only.
+    doubt = pendulum(
+        ("import sin", "import log, sin"),
+        ("+ g * sin(theta), 0", "+ g * sin(theta) + log(m * l) - log(m) - log(l), 0"),
+    )
+    ran = run("crosscheck", doubt, "--states", 0)
+    assert ran.code == 3, ran.out
+    assert "UNDECIDED" in ran.out
+
+
+def test_json_and_report_go_to_files(run: Any, pendulum: Any, tmp_path: Any) -> None:
+    page, data = tmp_path / "report.html", tmp_path / "result.json"
+    ran = run("crosscheck", pendulum(), "--states", 0, "--report", page, "--json", data)
+    assert ran.code == 0
+    assert "simple pendulum" in page.read_text(encoding="utf-8")
+    assert json.loads(data.read_text(encoding="utf-8"))["systems"][0]["ok"] is True
+    assert "published rows" in ran.out
+
+
+def test_chosen_routes_only(run: Any, pendulum: Any) -> None:
+    ran = run("crosscheck", pendulum(), "--routes", "kane,lagrange", "--states", 0, "--json", "-")
+    assert ran.code == 0
+    assert list(json.loads(ran.out)["systems"][0]["routes"]) == ["kane", "lagrange"]
+
+
+def test_systems_lists_every_system(run: Any) -> None:
+    from systems import ALL
+
+    ran = run("systems")
+    assert ran.code == 0
+    assert all(system.name in ran.out for system in ALL)

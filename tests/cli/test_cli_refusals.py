@@ -1,0 +1,100 @@
+"""Bad input: exit code 2, one line on stderr that names what is wrong, nothing else."""
+
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+ONE = "two_mass_chain"
+ROWS = [
+    ("crosscheck nothing", "system 'nothing' is not known elastic_pendulum"),
+    ("crosscheck rocker(2)", "rocker has no size"),
+    ("crosscheck pendulum_chain(0)", "0 links one or more"),
+    ("crosscheck {tmp}/missing.py", "missing.py no such file"),
+    ("crosscheck {tmp}", "is not known"),
+    (f"crosscheck {ONE} --routes bogus", "route 'bogus' free_body, moving_point, kane, lagrange"),
+    (f"crosscheck {ONE} --routes kane,bogus", "route 'bogus'"),
+    (f"crosscheck {ONE} --states -1", "--states"),
+    (f"crosscheck {ONE} --states many", "--states integer"),
+    (f"crosscheck {ONE} --report {{tmp}}", "it is a folder"),
+    (f"crosscheck {ONE} --json {{tmp}}", "it is a folder"),
+    (f"crosscheck {ONE} --report {{tmp}}/no/report.html", "there is no folder make it first"),
+    (f"crosscheck {ONE} --json {{tmp}}/no/result.json", "there is no folder make it first"),
+    (f"crosscheck {ONE} --bogus", "--bogus"),
+    ("derive", "SYSTEM"),
+    (f"derive {ONE} --route bogus", "route 'bogus' kane"),
+    (f"derive {ONE} --format bogus", "--format 'text', 'latex', 'python'"),
+    (f"simulate {ONE}", "--out"),
+    (f"simulate {ONE} --out {{tmp}}/a.csv --duration -1", "duration -1.0 positive"),
+    (f"simulate {ONE} --out {{tmp}}/a.csv --duration nan", "duration nan positive"),
+    (f"simulate {ONE} --out {{tmp}}/a.csv --duration inf", "duration inf"),
+    (f"simulate {ONE} --out {{tmp}}/a.csv --duration 0", "duration 0.0 positive"),
+    (f"simulate {ONE} --out {{tmp}}/a.csv --samples 1", "--samples"),
+    (f"simulate {ONE} --out {{tmp}}/a.txt", ".txt use .csv or .parquet"),
+    (f"simulate {ONE} --out {{tmp}}/no/a.csv", "there is no folder make it first"),
+    (f"simulate {ONE} --out {{tmp}}/a.csv --plot {{tmp}}/a.png", ".png use .svg"),
+    (f"simulate {ONE} --out {{tmp}}/a.csv --set m", "--set 'm' name=value"),
+    (f"simulate {ONE} --out {{tmp}}/a.csv --set m=heavy", "--set 'heavy' no number"),
+    (f"simulate {ONE} --out {{tmp}}/a.csv --set m=1/0", "--set '1/0' no number"),
+    (f"simulate {ONE} --out {{tmp}}/a.csv --set m=-1", "parameter m -1 negative"),
+    (f"simulate {ONE} --out {{tmp}}/a.csv --set m=1 --set m=2", "m is given twice"),
+    (f"simulate {ONE} --out {{tmp}}/a.csv --set z=1", "no 'z' to set x1, x1_dot"),
+    (f"simulate {ONE} --out {{tmp}}/a.csv --set x1=1e400", "--set x1 1.8e308"),
+    ("linearize rocker --at zz=2", "no coordinate or input 'zz' theta, f"),
+    ("modes rocker --at theta=2", "theta = 2 no equilibrium"),
+    ("bogus", "'bogus'"),
+]
+
+
+@pytest.mark.parametrize(("command", "words"), ROWS, ids=[command for command, _ in ROWS])
+def test_bad_input_is_one_line(run: Any, tmp_path: Path, command: str, words: str) -> None:
+    ran = run(*(part.format(tmp=tmp_path) for part in command.split()))
+    assert ran.code == 2
+    assert ran.out == ""
+    assert ran.err.startswith("error: ")
+    assert ran.err.count("\n") == 1, ran.err
+    for word in words.split():
+        assert word in ran.err, ran.err
+
+
+FILES = [
+    ("def scene(:", "no Python file invalid syntax line 1"),
+    ("\x00", "no Python file"),
+    ("import nothing_of_that_name", "line 1 ModuleNotFoundError"),
+    ("1 / 0", "line 1 ZeroDivisionError"),
+    ("import sys\nsys.exit(0)", "line 2 SystemExit"),
+    ("scene = 3", "no function scene()"),
+    ("", "no function scene()"),
+    ("def scene():\n    pass", "returned a NoneType return a Scene"),
+    ("def scene():\n    raise KeyError('mass')", "line 2 KeyError 'mass'"),
+    ("def scene():\n    assert False, 'no\\nway'", "line 2 AssertionError no way"),
+    ("def scene():\n    return m", "line 2 NameError 'm'"),
+    ("def scene(n):\n    return n", "TypeError missing 'n'"),
+    ("def scene():\n    return 1\nPUBLISHED = 3", "PUBLISHED tuple published(...)"),
+    ("def scene():\n    return 1\nPUBLISHED = (3,)", "PUBLISHED tuple published(...)"),
+    (
+        "from mechanics.scene import gravity\ndef scene():\n    return gravity(3)",
+        "gravity 3 vector",
+    ),
+]
+
+
+@pytest.mark.parametrize(("text", "words"), FILES, ids=[text[:40] or "empty" for text, _ in FILES])
+def test_a_file_that_is_no_system_is_one_line(
+    run: Any, tmp_path: Path, text: str, words: str
+) -> None:
+    path = tmp_path / "mine.py"
+    path.write_text(text, encoding="utf-8")
+    ran = run("crosscheck", path)
+    assert ran.code == 2
+    assert ran.out == ""
+    assert ran.err.count("\n") == 1, ran.err
+    for word in words.split():
+        assert word in ran.err, ran.err
+
+
+def test_a_scene_that_cannot_be_right_is_one_line(run: Any, pendulum: Any) -> None:
+    ran = run("crosscheck", pendulum(("reactions=(", "reactions=() and (")))
+    assert ran.code == 2
+    assert ran.err.count("\n") == 1
+    assert "reactions are incomplete" in ran.err
