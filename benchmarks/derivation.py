@@ -1,6 +1,6 @@
 """Time of every route and of the proof that they agree, for a cart with n links, beside SymPy.
 
-Run ``python benchmarks/derivation.py --links 1,2,5,10 --rounds 3`` from the project's root. All that
+Run ``python -m benchmarks.derivation --links 1,2,5,10 --rounds 3`` in the project's root. All that
 is compared runs in turn in one process, with SymPy's cache emptied before each; the table shows
 medians, and ratios to Kane's method with explicit velocities.
 """
@@ -9,17 +9,13 @@ import argparse
 import platform
 import sys
 from collections.abc import Callable
-from pathlib import Path
 from statistics import median
 from time import perf_counter
 
-# The peers stand beside this file; the packages stand above it.
-sys.path[:0] = [str(Path(__file__).parent), str(Path(__file__).parents[1])]
-
-import peers
 import sympy
 from sympy.core.cache import clear_cache
 
+from benchmarks import peers
 from mechanics.checks.agreement import compare_pairs
 from mechanics.equations import Equations
 from mechanics.exact import Verdict

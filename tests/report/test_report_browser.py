@@ -10,6 +10,7 @@ import re
 import shutil
 import subprocess
 from dataclasses import dataclass, replace
+from functools import partial
 from html import escape, unescape
 from pathlib import Path
 from typing import Any
@@ -100,7 +101,9 @@ def derived() -> list[SystemResult]:
                 *(Line(symbol, value) for symbol, value in equations.reactions),
             ),
         )
-        route = RouteResult(replace(equations, explain=lambda: (*equations.steps, long)), 0.1, 999)
+        route = RouteResult(
+            replace(equations, explain=partial(tuple, (*equations.steps, long))), 0.1, 999
+        )
         results.append(SystemResult(scene.name, scene, {"free_body": route}, ()))
     return results
 
