@@ -9,14 +9,12 @@ Used where products that cancel must be cancelled before code is generated.
 from collections.abc import Sequence
 
 import sympy
-from flint import fmpq
+from flint import fmpq_mpoly
 
 from mechanics.errors import ExpressionError
 from mechanics.exact.canonical_back import generator_expression
 from mechanics.exact.canonical_poly import Reader, reader
-
-Terms = dict[tuple[int, ...], fmpq]
-"""Coefficients by the powers of all generators."""
+from mechanics.exact.ring import Ring
 
 
 def canonical(expr: sympy.Expr) -> sympy.Expr:
@@ -67,19 +65,38 @@ def collect_linear(
     """
     result, (polynomial,) = reader([expr])
     ring = result.ring
+    rest = ring.reduced(polynomial)
     known = set(ring.keys.values())
-    places = {ring.place(symbol)[0]: j for j, symbol in enumerate(symbols) if symbol in known}
-    hidden = _hiding(result, set(symbols), set(places))
-    groups: list[Terms] = [{} for _ in range(len(symbols) + 1)]
-    for powers, value in ring.reduced(polynomial).terms():
-        inside = [place for place in places if powers[place]]
-        if sum(powers[place] for place in inside) > 1 or any(powers[place] for place in hidden):
-            term = result.write(ring.from_terms({powers: value}))
-            raise ExpressionError(f"{term} is not linear in {', '.join(map(str, symbols))}")
-        group = groups[places[inside[0]] if inside else -1]
-        group[tuple(0 if k in places else power for k, power in enumerate(powers))] = value
-    *coefficients, rest = (result.write(ring.from_terms(group)) for group in groups)
-    return coefficients, rest
+    places = {symbol: ring.place(symbol)[0] for symbol in symbols if symbol in known}
+    parts = {symbol: rest.derivative(place) for symbol, place in places.items()}
+    free = {*places.values(), *_hiding(result, set(symbols), set(places.values()))}
+    hidden = free - set(places.values())
+    if _holds(rest, hidden) or any(_holds(part, free) for part in parts.values()):
+        term = result.write(_not_linear(ring, rest, set(places.values()), hidden))
+        raise ExpressionError(f"{term} is not linear in {', '.join(map(str, symbols))}")
+    for symbol, part in parts.items():
+        rest -= part * ring.gen(places[symbol])
+    coefficients = [
+        result.write(parts[symbol]) if symbol in parts else sympy.S.Zero for symbol in symbols
+    ]
+    return coefficients, result.write(rest)
+
+
+def _holds(polynomial: fmpq_mpoly, places: set[int]) -> bool:
+    """Tell whether one of the generators at these places occurs."""
+    degrees = polynomial.degrees()
+    return any(degrees[place] > 0 for place in places)
+
+
+def _not_linear(
+    ring: Ring, polynomial: fmpq_mpoly, places: set[int], hidden: set[int]
+) -> fmpq_mpoly:
+    """Return the first term that is not linear, or hides a symbol in a function."""
+    return next(
+        ring.from_terms({powers: value})
+        for powers, value in polynomial.terms()
+        if sum(powers[place] for place in places) > 1 or any(powers[place] for place in hidden)
+    )
 
 
 def _hiding(result: Reader, symbols: set[sympy.Symbol], places: set[int]) -> set[int]:
