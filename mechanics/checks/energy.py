@@ -19,8 +19,8 @@ from mechanics.kinematics import differentiate
 from mechanics.kinematics.constraints import velocity_forms
 from mechanics.kinematics.motion import BodyMotion, inertia_matrix
 from mechanics.scene import Scene
-from mechanics.scene.actions import load_actions, unit_reactions
-from mechanics.scene.loads import CONSERVATIVE, Load
+from mechanics.scene.actions import carrier_of, load_actions, unit_reactions
+from mechanics.scene.loads import CONSERVATIVE, Load, Spring
 from mechanics.scene.potential import load_potential
 from mechanics.scene.rates import rate, rate_table, rates
 from mechanics.scene.topology import multipliers
@@ -80,6 +80,11 @@ def _stores(scene: Scene, load: Load) -> bool:
     if not isinstance(load, CONSERVATIVE):
         return False
     given = {symbol for symbol in rate_table(scene) if symbol not in {*scene.q, *scene.u}}
+    if isinstance(load, Spring):
+        for point, carrier in ((load.first, load.by), (load.second, load.on)):
+            moved = scene.position(point).free_symbols & given
+            if moved and carrier_of(scene, load, point, carrier) is None:
+                return False
     return not load_potential(scene, load).free_symbols & given
 
 

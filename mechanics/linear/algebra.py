@@ -5,7 +5,7 @@ A G = 0,  G with the identity on the free columns
 
 from collections.abc import Sequence
 
-from sympy import Expr, Matrix, S, Symbol, cancel, factor, sympify, zeros
+from sympy import Expr, Matrix, S, Symbol, cancel, factor, fraction, sympify, together, zeros
 
 from mechanics.errors import ExpressionError
 from mechanics.exact import is_zero as decide_zero
@@ -65,6 +65,11 @@ def sign(expr: Expr) -> int | None:
     if factored.is_positive:
         return 1
     return -1 if factored.is_negative else None
+
+
+def numerator(expr: Expr) -> Expr:
+    """Numerator over the common denominator: a polynomial where the denominator holds constants."""
+    return fraction(together(expr))[0]
 
 
 def coefficients(polynomial: Expr, symbol: Symbol) -> list[Expr]:

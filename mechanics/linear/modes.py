@@ -11,7 +11,7 @@ from sympy import Expr, Matrix, Symbol, factor_list, sqrt
 
 from mechanics.errors import ExpressionError, InputError
 from mechanics.exact import enclose
-from mechanics.linear.algebra import coefficients, null_space, reduced, sign
+from mechanics.linear.algebra import coefficients, null_space, numerator, reduced, sign
 from mechanics.linear.form import Linear
 from mechanics.linear.values import with_numbers
 from mechanics.scene import Scene
@@ -55,7 +55,7 @@ def characteristic_factors(
     linear: Linear, eigenvalue: Symbol = EIGENVALUE
 ) -> tuple[tuple[Expr, int], ...]:
     """Factors in Lambda of the characteristic polynomial over the rationals in the parameters."""
-    _, factors = factor_list(characteristic(linear, eigenvalue))
+    _, factors = factor_list(numerator(characteristic(linear, eigenvalue)))
     return tuple((f, power) for f, power in factors if f.has(eigenvalue))
 
 

@@ -1,0 +1,40 @@
+"""Every system derived by every route, once for the whole session."""
+
+from collections.abc import Callable
+from functools import cache
+
+import pytest
+
+import systems
+from mechanics.crosscheck import CrossCheck, crosscheck, derive_with
+from mechanics.equations import Equations
+from mechanics.exact import Finding
+from mechanics.scene import Scene
+
+Derived = Callable[[str], dict[str, Equations]]
+
+
+@cache
+def _derived(name: str) -> dict[str, Equations]:
+    (system,) = (system for system in systems.ALL if system.name == name)
+    return derive_with(system.scene())
+
+
+@pytest.fixture(scope="session")
+def derived() -> Derived:
+    """Equations of a system by route."""
+    return _derived
+
+
+@pytest.fixture(scope="session")
+def holds() -> Callable[[Scene], None]:
+    """Every law of the engine holds for a scene: routes, kinematics, energy, reactions, graphs."""
+
+    def check(scene: Scene) -> None:
+        result = crosscheck(scene, CrossCheck(states=0))
+        doubtful: list[Finding] = [f for f in result.findings if not f.shown]
+        assert not doubtful
+        assert set(result.routes) == {"free_body", "moving_point", "kane", "lagrange"}
+        assert len(result.pairs) == 6
+
+    return check
