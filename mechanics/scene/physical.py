@@ -16,7 +16,7 @@ from sympy.core.function import AppliedUndef
 from sympy.physics.vector import Dyadic, Vector, dynamicsymbols
 
 from mechanics.errors import SceneError
-from mechanics.exact import canonical
+from mechanics.exact import canonical, is_zero
 from mechanics.scene.bodies import Body, Particle, RigidBody
 from mechanics.scene.geometry import frame_path, relative_rotation
 from mechanics.scene.loads import Damper, Force, Gravity, Spring, Torque, TorsionSpring
@@ -55,7 +55,7 @@ def _inertia(scene: Scene, body: RigidBody) -> None:
         )
     if isinstance(body.inertia, Dyadic):
         matrix = Matrix(3, 3, entries)
-        if matrix != matrix.T:
+        if _differs(matrix, matrix.T):
             raise SceneError(f"body {body.name}: the inertia {body.inertia} is not symmetric")
         entries = [matrix[i, i] for i in range(3)]
     if any(entry.is_negative for entry in entries):
@@ -76,8 +76,7 @@ def _orientation(scene: Scene, body: Body) -> None:
         step = relative_rotation(parent, child).applyfunc(
             lambda entry, name=child.name: scene.plain(entry, f"frame {name}")
         )
-        square = (step.T * step - eye(3)).applyfunc(canonical)
-        if square != Matrix.zeros(3, 3) or canonical(step.det(method="berkowitz") - 1) != 0:
+        if _differs(step.T * step, eye(3)) or is_zero(step.det(method="berkowitz") - 1) is False:
             raise SceneError(
                 f"frame {child.name}: its matrix from {parent.name} is no rotation (R^T R = 1,"
                 " det R = 1): orient it with orientnew"
@@ -131,9 +130,11 @@ def _unit(scene: Scene, where: str, direction: Vector) -> None:
     entries = scene.vector(direction, where)
     square = canonical(entries.dot(entries))
     # A gradient such as (x, y)/L has unit length only where the constraints hold.
-    if square != 1 and not (scene.constraints and square.free_symbols & set(scene.q)):
+    if scene.constraints and square.free_symbols & set(scene.q):
+        return
+    if is_zero(square - 1) is False:
         raise SceneError(
-            f"{where}: the direction {direction} has the length {square}**(1/2): give a unit vector"
+            f"{where}: the direction {direction} has the length sqrt({square}): give a unit vector"
         )
 
 
@@ -165,6 +166,10 @@ def _no_accelerations(scene: Scene, where: str, entries: list[Expr]) -> None:
 
 def _is_particle(scene: Scene, name: str) -> bool:
     return isinstance(scene.body(name), Particle)
+
+
+def _differs(one: Matrix, two: Matrix) -> bool:
+    return any(is_zero(entry) is False for entry in one - two)
 
 
 def _moves(scene: Scene, expression: Expr) -> bool:
