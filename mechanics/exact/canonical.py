@@ -63,23 +63,38 @@ def collect_linear(
     ExpressionError
         If the expression is not linear in the symbols; the offending term is named.
     """
+    result, parts, rest = _split(expr, symbols)
+    return [result.write(part) for part in parts], result.write(rest)
+
+
+def linear_equation(
+    expr: sympy.Expr, symbols: Sequence[sympy.Symbol]
+) -> tuple[list[sympy.Expr], sympy.Expr]:
+    """Write ``expr = 0`` as ``sum_j coefficients[j] symbols[j] = right``; as `collect_linear`.
+
+    Negating a long sum takes every term in hand again; a polynomial is negated at once.
+    """
+    result, parts, rest = _split(expr, symbols)
+    return [result.write(part) for part in parts], result.write(-rest)
+
+
+def _split(
+    expr: sympy.Expr, symbols: Sequence[sympy.Symbol]
+) -> tuple[Reader, list[fmpq_mpoly], fmpq_mpoly]:
     result, (polynomial,) = reader([expr])
     ring = result.ring
     rest = ring.reduced(polynomial)
     known = set(ring.keys.values())
     places = {symbol: ring.place(symbol)[0] for symbol in symbols if symbol in known}
     parts = {symbol: rest.derivative(place) for symbol, place in places.items()}
-    free = {*places.values(), *_hiding(result, set(symbols), set(places.values()))}
-    hidden = free - set(places.values())
+    hidden = _hiding(result, set(symbols), set(places.values()))
+    free = hidden.union(places.values())
     if _holds(rest, hidden) or any(_holds(part, free) for part in parts.values()):
         term = result.write(_not_linear(ring, rest, set(places.values()), hidden))
         raise ExpressionError(f"{term} is not linear in {', '.join(map(str, symbols))}")
     for symbol, part in parts.items():
         rest -= part * ring.gen(places[symbol])
-    coefficients = [
-        result.write(parts[symbol]) if symbol in parts else sympy.S.Zero for symbol in symbols
-    ]
-    return coefficients, result.write(rest)
+    return result, [parts.get(symbol, ring.constant(0)) for symbol in symbols], rest
 
 
 def _holds(polynomial: fmpq_mpoly, places: set[int]) -> bool:

@@ -5,7 +5,9 @@ Of s**2 + c**2 = 1 every angle uses the side that leaves fewer terms.
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from functools import cmp_to_key
+from itertools import compress
 from typing import TYPE_CHECKING
 
 import sympy
@@ -63,44 +65,61 @@ class Writer:
 
     def write(self, polynomial: fmpq_mpoly) -> sympy.Expr:
         """Return a polynomial as a SymPy sum."""
-        pairs = terms(polynomial)
-        for factors, _ in pairs:
-            for factor in factors:
-                if factor not in self._factors:
-                    place, power = factor
-                    base = generator_expression(self._ring, place)
-                    self._factors[factor] = sympy.Pow(base, power)
-        rank = self._ranks()
-        return sympy.Add(*(self._term(rank, factors, value) for factors, value in pairs))
+        products = [self._arguments(powers, value) for powers, value in terms(polynomial)]
+        rank = ranks({part for parts, _ in products for part in parts})
+        if not all(plain and len(parts) > 1 for parts, plain in products) or len(products) < 2:
+            return sympy.Add(*(product(parts, plain, rank) for parts, plain in products))
+        # Products of different powers of symbols never combine: SymPy would only sort them, by
+        # the number of their factors and then factor by factor, which costs it most of the time.
+        sums = [ordered(parts, rank) for parts, _ in products]
+        sums.sort(key=lambda parts: (len(parts), [rank[part] for part in parts]))
+        return sympy.Add._from_args([_product(parts) for parts in sums], is_commutative=True)
 
-    def _ranks(self) -> dict[Factor, int]:
-        """Return the order in which SymPy keeps the factors of a product."""
-        order = sorted(
-            self._factors, key=lambda f: cmp_to_key(sympy.Basic.compare)(self._factors[f])
-        )
-        return {factor: rank for rank, factor in enumerate(order)}
-
-    def _term(
-        self, rank: dict[Factor, int], factors: tuple[Factor, ...], value: sympy.Rational
-    ) -> sympy.Expr:
-        parts = [self._factors[factor] for factor in sorted(factors, key=rank.__getitem__)]
-        if not all(self._plain(place) for place, _ in factors):
-            return sympy.Mul(value, *parts)  # roots, inverses and moduli may combine
+    def _arguments(
+        self, factors: tuple[Factor, ...], value: sympy.Rational
+    ) -> tuple[list[sympy.Expr], bool]:
+        """Return the factors of a term, its number included, and whether none can combine."""
+        parts = [self._factor(factor) for factor in factors]
         if value != 1 or not parts:
             parts.insert(0, value)
-        return parts[0] if len(parts) == 1 else sympy.Mul._from_args(parts)
+        return parts, all(self._plain(place) for place, _ in factors)
+
+    def _factor(self, factor: Factor) -> sympy.Expr:
+        if factor not in self._factors:
+            place, power = factor
+            self._factors[factor] = sympy.Pow(generator_expression(self._ring, place), power)
+        return self._factors[factor]
 
     def _plain(self, place: int) -> bool:
         """Tell whether powers of a generator cannot combine with others: a symbol or a circle's."""
         return isinstance(self._ring.keys[place], sympy.Symbol | tuple)
 
 
+def ranks(parts: Iterable[sympy.Expr]) -> dict[sympy.Expr, int]:
+    """Return the order in which SymPy keeps the parts of a product or sum."""
+    order = sorted(parts, key=cmp_to_key(sympy.Basic.compare))
+    return {part: rank for rank, part in enumerate(order)}
+
+
+def ordered(parts: list[sympy.Expr], rank: dict[sympy.Expr, int]) -> list[sympy.Expr]:
+    """Return the factors of a product as SymPy orders them: a number first."""
+    return sorted(parts, key=lambda part: (not part.is_Number, rank[part]))
+
+
+def product(parts: list[sympy.Expr], plain: bool, rank: dict[sympy.Expr, int]) -> sympy.Expr:
+    """Return a product; what may combine (roots, inverses, moduli) is left to SymPy."""
+    return _product(ordered(parts, rank)) if plain else sympy.Mul(*parts)
+
+
+def _product(parts: list[sympy.Expr]) -> sympy.Expr:
+    return parts[0] if len(parts) == 1 else sympy.Mul._from_args(parts, is_commutative=True)
+
+
 def terms(polynomial: fmpq_mpoly) -> list[tuple[tuple[Factor, ...], sympy.Rational]]:
     """Return the terms with only the generators that occur in each."""
-    used = [place for place, power in enumerate(polynomial.degrees()) if power > 0]
     return [
         (
-            tuple((place, int(powers[place])) for place in used if powers[place]),
+            tuple((place, int(powers[place])) for place in compress(range(len(powers)), powers)),
             sympy.Rational(int(value.p), int(value.q)),
         )
         for powers, value in polynomial.terms()

@@ -10,7 +10,7 @@ from typing import Protocol
 from sympy import Expr, Matrix, S, Symbol, zeros
 
 from mechanics.equations import Line, Step
-from mechanics.exact import collect_linear
+from mechanics.exact import linear_equation
 from mechanics.scene import Scene
 
 
@@ -41,9 +41,9 @@ def assemble(scene: Scene, rows: Sequence[ForceBalance], kept: Sequence[Symbol])
     """Split rows into M, f and B; products that cancel are cancelled here, in the normal form."""
     mass, forcing, reactions = [], [], []
     for row in rows:
-        coefficients, rest = collect_linear(row.value, scene.ud)
+        coefficients, right = linear_equation(row.value, scene.ud)
         mass.append(coefficients)
-        forcing.append(-rest)
+        forcing.append(right)
         reactions.append([row.coefficients.get(symbol, S.Zero) for symbol in kept])
     return System(
         Matrix(mass),
