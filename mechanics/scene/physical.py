@@ -17,7 +17,7 @@ from sympy.physics.vector import Dyadic, Vector, dynamicsymbols
 
 from mechanics.errors import SceneError
 from mechanics.exact import canonical, is_zero
-from mechanics.scene.bodies import Body, Particle, RigidBody
+from mechanics.scene.bodies import Particle, RigidBody
 from mechanics.scene.geometry import frame_path, relative_rotation
 from mechanics.scene.loads import Damper, Force, Gravity, Spring, Torque, TorsionSpring
 from mechanics.scene.wellformed import inertia_entries
@@ -42,7 +42,7 @@ def check_bodies(scene: Scene) -> None:
             )
         if isinstance(body, RigidBody):
             _inertia(scene, body)
-        _orientation(scene, body)
+    _orientations(scene)
 
 
 def _inertia(scene: Scene, body: RigidBody) -> None:
@@ -65,12 +65,12 @@ def _inertia(scene: Scene, body: RigidBody) -> None:
         )
 
 
-def _orientation(scene: Scene, body: Body) -> None:
+def _orientations(scene: Scene) -> None:
     if scene.constraints:
         return  # four Euler parameters give a rotation only where their constraint holds
-    frames = [frame for _, frame in body.centre.pos_from(scene.origin).args]
-    if isinstance(body, RigidBody):
-        frames.append(body.frame)
+    frames = {body.frame for body in scene.bodies if isinstance(body, RigidBody)}
+    for body in scene.bodies:
+        frames |= {frame for _, frame in body.centre.pos_from(scene.origin).args}
     steps = {step for frame in frames for step in pairwise(frame_path(scene.frame, frame))}
     for parent, child in sorted(steps, key=str):
         step = relative_rotation(parent, child).applyfunc(

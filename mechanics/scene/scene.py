@@ -209,7 +209,12 @@ class Scene:
             total += rate.diff(symbol) * derivative
         return total
 
+    @cached_property
+    def typed(self) -> tuple[tuple[str, Expr], ...]:
+        """(where it stands, expression) for everything declared, as it was typed."""
+        return tuple(typed_expressions(self))
+
     def _expressions(self) -> list[Expr]:
         """Every expression of the scene, in plain symbols."""
-        found = [self.plain(e, where) for where, e in typed_expressions(self)]
+        found = [self.plain(e, where) for where, e in self.typed]
         return [*found, *self.coordinate_rates.values()]

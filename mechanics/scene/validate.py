@@ -22,7 +22,7 @@ from mechanics.scene.loads import Force, Load
 from mechanics.scene.physical import check_bodies, check_loads
 from mechanics.scene.reactions import Reaction
 from mechanics.scene.symbols import name_of, plain_symbol
-from mechanics.scene.wellformed import check_names, check_symbols, check_types, typed_expressions
+from mechanics.scene.wellformed import check_names, check_symbols, check_types
 
 if TYPE_CHECKING:
     from mechanics.scene.scene import Scene
@@ -50,7 +50,6 @@ def validate(scene: Scene) -> None:
     _speeds(scene)
     check_bodies(scene)
     check_loads(scene)
-    _unknown_functions(scene)
     _given(scene)
 
 
@@ -114,13 +113,10 @@ def _speeds(scene: Scene) -> None:
         )
 
 
-def _unknown_functions(scene: Scene) -> None:
-    for where, expression in typed_expressions(scene):
-        scene.plain(expression, where)
-
-
 def _given(scene: Scene) -> None:
-    """Initial values are for what there is, and definitions can be expanded."""
+    """Initial values are for what there is, definitions end in parameters, the rest is known."""
+    for where, expression in scene.typed:
+        scene.plain(expression, where)
     names = {symbol.name for symbol in (*scene.q, *scene.u)}
     for name, value in scene.example.items():
         if name not in names:

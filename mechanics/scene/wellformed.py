@@ -121,7 +121,7 @@ def check_symbols(scene: Scene) -> None:
     taken |= {name_of(u): "a speed" for u, _ in scene.speeds}
     taken |= {r.name: "a reaction, and loads cannot depend on reactions" for r in scene.reactions}
     seen: dict[str, Symbol] = {}
-    for where, expression in typed_expressions(scene):
+    for where, expression in scene.typed:
         for symbol in expression.free_symbols - {dynamicsymbols._t}:
             if symbol.name in taken:
                 raise SceneError(
