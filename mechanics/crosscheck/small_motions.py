@@ -8,6 +8,9 @@ from mechanics.errors import MechanicsError
 from mechanics.linear import Linear, linearise, modes, numeric_modes, numeric_poles
 from mechanics.report.result import Modes
 
+LARGEST_EXACT = 3
+"""Coordinates up to which modes are sought in the parameters: a larger pencil seldom factors."""
+
 
 def small_motions(
     derived: Mapping[str, Equations],
@@ -22,6 +25,8 @@ def small_motions(
         linear = linearise(equations, rest, {f.name: 0 for f in scene.input_symbols})
     except MechanicsError as error:
         return (), (f"No small motions about q = 0: {error}",)
+    if len(linear.coordinates) > LARGEST_EXACT:
+        return _numeric(linear)
     try:
         return (_exact(linear),), ()
     except MechanicsError:
