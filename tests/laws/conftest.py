@@ -27,7 +27,7 @@ def derived() -> Derived:
 
 
 @pytest.fixture(scope="session")
-def holds() -> Callable[[Scene], None]:
+def assert_laws() -> Callable[[Scene], None]:
     """Every law of the engine holds for a scene: routes, kinematics, energy, reactions, graphs."""
 
     def check(scene: Scene) -> None:

@@ -28,7 +28,7 @@ w1, w2, w3 = dynamicsymbols("w1:4")
 m, g, L, k, h, r, Omega, A, B, C = parameters("m g L k h r Omega A B C")
 
 
-def follow(scene: Scene, *rows: tuple[Expr, Expr]) -> None:
+def assert_follow(scene: Scene, *rows: tuple[Expr, Expr]) -> None:
     """Every typed equation holds along the motions of every route, and its negative does not."""
     for equations in derive_with(scene).values():
         for left, right in rows:
@@ -58,14 +58,14 @@ def top(pivot: bool) -> Scene:
     )  # fmt: skip
 
 
-def test_heavy_symmetric_top(holds: Any) -> None:
+def test_heavy_symmetric_top(assert_laws: Any) -> None:
     scene = top(pivot=True)
-    holds(scene)
+    assert_laws(scene)
     I = A + m * L**2
     spin = C * (psi.diff() + phi.diff() * cos(theta))
     about_vertical = I * phi.diff() * sin(theta) ** 2 + spin * cos(theta)
     nutation = I * phi.diff() ** 2 * sin(theta) * cos(theta) - spin * phi.diff() * sin(theta)
-    follow(
+    assert_follow(
         scene,
         (I * theta.diff(t, 2), nutation + m * g * L * sin(theta)),
         (about_vertical.diff(t), 0),
@@ -73,7 +73,7 @@ def test_heavy_symmetric_top(holds: Any) -> None:
     )
 
 
-def test_euler_equations_of_a_free_body(holds: Any) -> None:
+def test_euler_equations_of_a_free_body(assert_laws: Any) -> None:
     """A w1' = (B - C) w2 w3, and cyclically; speeds are the components in the body."""
     N, O = ReferenceFrame("N"), Point("O")
     body = euler_angles(N)
@@ -86,8 +86,8 @@ def test_euler_equations_of_a_free_body(holds: Any) -> None:
         ),
         bodies=(RigidBody("body", O, body, m, inertia(body, A, B, C)),),
     )  # fmt: skip
-    holds(scene)
-    follow(
+    assert_laws(scene)
+    assert_follow(
         scene,
         (A * w1.diff(), (B - C) * w2 * w3),
         (B * w2.diff(), (C - A) * w3 * w1),
@@ -95,7 +95,7 @@ def test_euler_equations_of_a_free_body(holds: Any) -> None:
     )
 
 
-def test_spherical_pendulum(holds: Any) -> None:
+def test_spherical_pendulum(assert_laws: Any) -> None:
     N, O = ReferenceFrame("N"), Point("O")
     turned = N.orientnew("P", "Axis", (phi, N.z))
     rod = turned.orientnew("Q", "Axis", (theta, -turned.y))
@@ -105,15 +105,15 @@ def test_spherical_pendulum(holds: Any) -> None:
         loads=(gravity(-g * N.z),),
         reactions=(reaction("S", at=bob, on="bob", by=None, along=rod.z),),
     )  # fmt: skip
-    holds(scene)
-    follow(
+    assert_laws(scene)
+    assert_follow(
         scene,
         (theta.diff(t, 2), phi.diff() ** 2 * sin(theta) * cos(theta) - g / L * sin(theta)),
         (phi.diff(t, 2) * sin(theta), -2 * phi.diff() * theta.diff() * cos(theta)),
     )
 
 
-def test_screw(holds: Any) -> None:
+def test_screw(assert_laws: Any) -> None:
     """(I + m p^2) theta'' = -m g p on a vertical thread that rises p for each radian."""
     N, O = ReferenceFrame("N"), Point("O")
     nut = N.orientnew("A", "Axis", (theta, N.z))
@@ -132,14 +132,14 @@ def test_screw(holds: Any) -> None:
             reaction_couple("My", on="nut", by=None, along=N.y),
         ),
     )  # fmt: skip
-    holds(scene)
-    follow(scene, ((C + m * h**2) * theta.diff(t, 2), -m * g * h))
+    assert_laws(scene)
+    assert_follow(scene, ((C + m * h**2) * theta.diff(t, 2), -m * g * h))
     (words,) = derive_with(scene, ("moving_point",))["moving_point"].chosen
     assert "pitch" in words
 
 
 @pytest.mark.parametrize("prescribed", [Omega * t, psi], ids=["time", "input"])
-def test_rotating_frame(holds: Any, prescribed: Expr) -> None:
+def test_rotating_frame(assert_laws: Any, prescribed: Expr) -> None:
     """Foucault: a mass on a turning table, held by a spring to the middle."""
     N, O = ReferenceFrame("N"), Point("O")
     table = N.orientnew("A", "Axis", (prescribed, N.z))
@@ -148,16 +148,16 @@ def test_rotating_frame(holds: Any, prescribed: Expr) -> None:
         "turning table", N, O, coordinates=(x, y), bodies=(Particle("mass", mass, m),),
         loads=(spring("k", O, mass, k),), inputs=(psi,) if prescribed == psi else (),
     )  # fmt: skip
-    holds(scene)
+    assert_laws(scene)
     turn = prescribed.diff(t)
-    follow(
+    assert_follow(
         scene,
         (m * (x.diff(t, 2) - 2 * turn * y.diff() - turn.diff(t) * y - turn**2 * x), -k * x),
         (m * (y.diff(t, 2) + 2 * turn * x.diff() + turn.diff(t) * x - turn**2 * y), -k * y),
     )
 
 
-def test_bead_on_a_turning_rod(holds: Any) -> None:
+def test_bead_on_a_turning_rod(assert_laws: Any) -> None:
     """r'' = Omega^2 r: the rod does work on the bead, and the energy law counts it."""
     N, O = ReferenceFrame("N"), Point("O")
     rod = N.orientnew("A", "Axis", (Omega * t, N.z))
@@ -166,5 +166,5 @@ def test_bead_on_a_turning_rod(holds: Any) -> None:
         "bead on a turning rod", N, O, coordinates=(x,), bodies=(Particle("bead", bead, m),),
         reactions=(reaction("R", at=bead, on="bead", by=None, along=rod.y),),
     )  # fmt: skip
-    holds(scene)
-    follow(scene, (x.diff(t, 2), Omega**2 * x))
+    assert_laws(scene)
+    assert_follow(scene, (x.diff(t, 2), Omega**2 * x))

@@ -145,7 +145,7 @@ REACTIONS = {
     "by alone": (support(on=None, by="carriage"), "reaction N1 on None str"),
     "direction missing": (support(along=None), "reaction N1 along None Vector"),
     "direction as text": (support(along="y"), "reaction N1 along 'y' Vector"),
-    "direction zero": (support(along=lambda p: 0 * p.N.y), "reaction N1 length sqrt(0) unit vector"),
+    "direction zero": (support(along=lambda p: 0 * p.N.y), "reaction N1 sqrt(0) unit vector"),
     "direction of length two": (support(along=lambda p: 2 * p.N.y), "reaction N1 unit vector"),
     "direction of nowhere": (support(along=ReferenceFrame("Q").y), "Q not oriented relative to N"),
     "point of nowhere": (support(at=Point("Q")), "reaction N1 point not in the scene Q"),
