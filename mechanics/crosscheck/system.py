@@ -29,7 +29,7 @@ from mechanics.scene.published import Published
 from mechanics.scene.quantities import EquationOfMotion
 from mechanics.scene.system import System
 
-DEFAULT_STATES = 10_000
+DEFAULT_STATES = 100_000
 
 
 def silent(stage: str) -> None:
