@@ -170,8 +170,8 @@ def _mixed(
 
 
 def _vector(frame: ReferenceFrame, column: Matrix, dynamic: Dynamic) -> Vector:
-    x, y, z = (dynamic.to(entry) for entry in column)
-    return x * frame.x + y * frame.y + z * frame.z
+    # Built at once: SymPy's sums of scaled unit vectors take ten times as long.
+    return Vector([(Matrix([dynamic.to(entry) for entry in column]), frame)])
 
 
 def inertia_dyadic(
