@@ -3,7 +3,7 @@
     l1 cos q1 + l2 cos q2 + l3 cos q3 = d
     l1 sin q1 + l2 sin q2 + l3 sin q3 = 0
 
-The loop closure of the textbooks (Norton, Design of Machinery, chapter 4), with all angles from the
+The loop closure in the form in which textbooks of mechanisms write it, with all angles from the
 ground to the rod, each rod followed from A to D. It is linear in all four lengths; l2 and l3 appear
 in both rows, with the determinant sin(q3 - q2), which vanishes where coupler and rocker line up:
 there the crank no longer tells the speeds of the others.

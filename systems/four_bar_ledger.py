@@ -1,7 +1,7 @@
-"""Dynamic force analysis of the four-bar linkage: Norton, Design of Machinery, chapter 11.
+"""Dynamic force analysis of the four-bar linkage, as textbooks of mechanisms set it up.
 
-The nine equations of three free bodies, and the power equation ("virtual work"). Forces and angles
-are renamed: his F_12x is Ax here and so on, and his theta_4 is the direction from D to C.
+The nine equations of three free bodies, and the power equation ("virtual work"). Common knowledge
+in this field rather than one author's text: typed by hand from the free-body diagrams.
 """
 
 from sympy import cos, sin, symbols
