@@ -12,16 +12,15 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from mechanics.compiled.evaluator import FLAGS, Kernel, evaluator
 from mechanics.compiled.graphs import MATRICES, Graphs
-from mechanics.compiled.native import NativeKernel, find_compiler
+from mechanics.compiled.native import find_compiler
 from mechanics.compiled.program import Program, program
 from mechanics.compiled.quantities import Quantities
-from mechanics.compiled.virtual import NumpyKernel, VirtualKernel
 from mechanics.equations import Equations
 from mechanics.errors import InputError
 
 Array = NDArray[np.floating]
-Kernel = NativeKernel | VirtualKernel | NumpyKernel
 
 
 @dataclass(frozen=True)
@@ -55,11 +54,14 @@ class Model:
         Every function as a CasADi graph with named inputs and outputs, built on first use.
     compiler : str or None
         Path of the C compiler; None for the virtual machine.
+    flags : str
+        Settings of the C compiler.
     """
 
     equations: Equations
     casadi: Graphs
     compiler: str | None
+    flags: str = FLAGS[0]
     _programs: dict[str, Program] = field(default_factory=dict, repr=False)
     _kernels: dict[tuple[str, type], Kernel] = field(default_factory=dict, repr=False)
 
@@ -73,7 +75,7 @@ class Model:
         """What evaluates the functions."""
         if self.compiler is None:
             return "CasADi virtual machine (no C compiler)"
-        return f"C ({self.compiler})"
+        return f"C ({self.compiler} {self.flags})"
 
     @property
     def typical(self) -> Array:
@@ -95,13 +97,9 @@ class Model:
     def kernel(self, name: str, kind: type[np.floating] = np.float64) -> Kernel:
         """The evaluator of a function in a precision; C is compiled here, on first use."""
         if (name, kind) not in self._kernels:
-            if self.compiler is not None:
-                made: Kernel = NativeKernel(self.program(name), self.entries, kind, self.compiler)
-            elif kind is np.float64:
-                made = VirtualKernel(self.casadi[name])
-            else:
-                made = NumpyKernel(self.program(name), kind)
-            self._kernels[name, kind] = made
+            self._kernels[name, kind] = evaluator(
+                self.casadi[name], self.program(name), self.entries, kind, self.compiler, self.flags
+            )
         return self._kernels[name, kind]
 
     def evaluate(
@@ -243,7 +241,7 @@ class Model:
         }
 
 
-def compile(equations: Equations, *, compiler: str | None = "auto") -> Model:
+def compile(equations: Equations, *, compiler: str | None = "auto", flags: str = FLAGS[0]) -> Model:
     """Compile equations of motion.
 
     Graphs and machine code are made when they are first used.
@@ -254,6 +252,10 @@ def compile(equations: Equations, *, compiler: str | None = "auto") -> Model:
     compiler : str or None
         Path or name of a C compiler; ``"auto"`` looks for one ($CC, cc, gcc, clang); None uses
         CasADi's virtual machine.
+    flags : str
+        Settings of the compiler. ``"-O2"`` rounds every operation as it is written;
+        ``"-O3 -march=native"`` does too, faster on this machine only; with ``-ffast-math`` sums are
+        reordered, and NaN and infinity are no longer reported.
     """
     found = find_compiler() if compiler == "auto" else compiler
-    return Model(equations, Graphs(equations), found)
+    return Model(equations, Graphs(equations), found, flags)

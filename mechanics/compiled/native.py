@@ -6,6 +6,7 @@ Batches run in a C loop. Shared libraries live in a folder that vanishes with th
 import ctypes
 import functools
 import os
+import re
 import shutil
 import subprocess
 import tempfile
@@ -23,11 +24,12 @@ from mechanics.errors import CompilerError
 Array = NDArray[np.floating]
 
 # No contraction into fused operations and no reassociation: results are the same everywhere.
-FLAGS = ("-std=c99", "-fPIC", "-shared", "-ffp-contract=off", "-fno-math-errno")
+FLAGS = ("-std=c99", "-fPIC", "-ffp-contract=off", "-fno-math-errno")
 
 # Register allocation of one straight block grows faster than its length: 30,000 operations take gcc
 # 20 s with -O1 or -O2 and 1 s with -O0, for code that is only half as slow again.
 LONG = 10_000
+OPTIMISED = re.compile(r"-O\w*")
 
 
 def find_compiler() -> str | None:
@@ -47,6 +49,8 @@ class NativeKernel:
     entries : names of the entries of each input
     kind : numpy.float64 or numpy.float32
     compiler : str
+    flags : str
+        Settings such as ``"-O2"``.
 
     Raises
     ------
@@ -55,13 +59,18 @@ class NativeKernel:
     """
 
     def __init__(
-        self, code: Program, entries: Entries, kind: type[np.floating], compiler: str
+        self,
+        code: Program,
+        entries: Entries,
+        kind: type[np.floating],
+        compiler: str,
+        flags: str = "-O2",
     ) -> None:
         self._kind = kind
         self._sizes = [size for _, size in code.inputs]
         self._results = [rows * cols for _, (rows, cols) in code.shapes]
-        level = "-O0" if code.operations > LONG else "-O2"
-        library = load(library_source(code, entries, kind), compiler, level)
+        settings = OPTIMISED.sub("-O0", flags) if code.operations > LONG else flags
+        library = load(library_source(code, entries, kind), compiler, settings)
         self._batch = getattr(library, f"{code.name}_batch")
         self._single = getattr(library, code.name)
         self._batch.restype = self._single.restype = None
@@ -121,26 +130,33 @@ def _folder() -> tempfile.TemporaryDirectory:
 
 
 @functools.cache
-def load(source: str, compiler: str, level: str) -> ctypes.CDLL:
+def load(source: str, compiler: str, flags: str) -> ctypes.CDLL:
     """Compile C source into a shared library and load it; the same source is compiled once.
+
+    Compiled and linked apart: gcc links a library that it compiles with -ffast-math to code that
+    flushes subnormal numbers to zero, in every function of the process from then on.
 
     Raises
     ------
     CompilerError
         If the compiler refuses the code or cannot be run; the message carries its words.
     """
-    stem = Path(_folder().name) / sha256(f"{compiler} {level}\n{source}".encode()).hexdigest()[:16]
-    file, library = stem.with_suffix(".c"), stem.with_suffix(".so")
+    stem = Path(_folder().name) / sha256(f"{compiler} {flags}\n{source}".encode()).hexdigest()[:16]
+    file, object_file, library = (stem.with_suffix(suffix) for suffix in (".c", ".o", ".so"))
     file.write_text(source, encoding="ascii")
-    command = [compiler, *FLAGS, level, str(file), "-o", str(library), "-lm"]
+    _run([compiler, *FLAGS, *flags.split(), "-c", str(file), "-o", str(object_file)])
+    _run([compiler, "-shared", str(object_file), "-o", str(library), "-lm"])
+    return ctypes.CDLL(str(library))
+
+
+def _run(command: list[str]) -> None:
     try:
         done = subprocess.run(command, capture_output=True, text=True, check=False)
     except OSError as error:
-        raise CompilerError(f"C compiler {compiler} cannot be run: {error}") from error
+        raise CompilerError(f"C compiler {command[0]} cannot be run: {error}") from error
     if done.returncode != 0:
         words = (done.stderr or done.stdout).strip() or f"exit code {done.returncode}, no message"
         raise CompilerError(
-            f"C compiler {compiler} refused the generated code: {words}\nset CC to another"
+            f"C compiler {command[0]} refused the generated code: {words}\nset CC to another"
             " compiler, or pass compiler=None to use CasADi's virtual machine"
         )
-    return ctypes.CDLL(str(library))

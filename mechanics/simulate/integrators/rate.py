@@ -1,0 +1,135 @@
+"""The right-hand side y' = f(y, inputs, p), y = (q, u), as one graph, compiled once.
+
+    q' = N u + n,    u' = forward dynamics (q, u, inputs, p)
+
+One function and one call: what both halves need is computed once.
+"""
+
+from collections.abc import Callable
+from typing import Any
+from weakref import WeakKeyDictionary
+
+import casadi as ca
+import numpy as np
+from numpy.typing import NDArray
+
+from mechanics.compiled.evaluator import evaluator
+from mechanics.compiled.model import Model
+from mechanics.compiled.program import Program, program
+from mechanics.simulate.integrators.problem import OverBudget, Problem
+
+Array = NDArray[np.float64]
+
+_functions: WeakKeyDictionary[Model, dict[str, ca.Function]] = WeakKeyDictionary()
+_kernels: WeakKeyDictionary[Model, dict[Any, Any]] = WeakKeyDictionary()
+
+
+def rate_function(model: Model) -> ca.Function:
+    """``rate(y, inputs, p) -> yd``: CasADi graph, dense columns."""
+    return _functions_of(model)["rate"]
+
+
+def jacobian_function(model: Model) -> ca.Function:
+    """``rate_jacobian(y, inputs, p) -> slope``: df/dy, (n + m) x (n + m), column by column."""
+    known = _functions_of(model)
+    if "rate_jacobian" not in known:
+        y, w, p = (ca.SX.sym(name, size) for name, size in rate_program(model).inputs)
+        slope = ca.densify(ca.jacobian(rate_function(model)(y, w, p), y))
+        known["rate_jacobian"] = ca.Function(
+            "rate_jacobian", [y, w, p], ca.cse([slope]), ["y", "inputs", "p"], ["slope"]
+        )
+    return known["rate_jacobian"]
+
+
+def rate_program(model: Model) -> Program:
+    """Instructions of the right-hand side."""
+    return program(rate_function(model))
+
+
+def rate_entries(model: Model) -> dict[str, tuple[str, ...]]:
+    """Names of the entries of the inputs of the right-hand side."""
+    known = model.entries
+    return {"y": (*known["q"], *known["u"]), "inputs": known["inputs"], "p": known["p"]}
+
+
+def _functions_of(model: Model) -> dict[str, ca.Function]:
+    if model not in _functions:
+        _functions[model] = {"rate": _build(model)}
+    return _functions[model]
+
+
+def _build(model: Model) -> ca.Function:
+    sizes = {group: len(getattr(model.quantities, group)) for group in ("q", "u", "inputs", "p")}
+    y = ca.SX.sym("y", sizes["q"] + sizes["u"])
+    w, p = (ca.SX.sym(group, sizes[group]) for group in ("inputs", "p"))
+    state = (y[: sizes["q"]], y[sizes["q"] :], w, p)
+    rates = model.casadi["coordinate_rates"](*state)
+    accelerations, _ = model.casadi["forward_dynamics"](*state)
+    yd = ca.densify(ca.vertcat(rates, accelerations))
+    return ca.Function("rate", [y, w, p], ca.cse([yd]), ["y", "inputs", "p"], ["yd"])
+
+
+def _bound(
+    model: Model, function: ca.Function, kind: type[np.floating], arrays: list[Any]
+) -> Callable[[], None]:
+    known = _kernels.setdefault(model, {})
+    if (function.name(), kind) not in known:
+        known[function.name(), kind] = evaluator(
+            function, program(function), rate_entries(model), kind, model.compiler, model.flags
+        )
+    call: Callable[[], None] = known[function.name(), kind].bound(arrays[:-1], arrays[-1:])
+    return call
+
+
+class Rate:
+    """f(t, y) of a problem for integrators that are called from Python; counts its calls.
+
+    Parameters
+    ----------
+    problem : Problem
+    kind : numpy.float64 or numpy.float32
+        The precision of the compiled right-hand side.
+
+    Raises
+    ------
+    OverBudget
+        When called more often than the problem allows.
+    """
+
+    def __init__(self, problem: Problem, kind: type[np.floating] = np.float64) -> None:
+        model, size = problem.model, len(problem.start)
+        self.evaluations = self.jacobians = 0
+        self._problem, self._kind = problem, kind
+        self._y, self._yd = np.zeros(size, kind), np.zeros(size, kind)
+        self._w = np.asarray(problem.signals(0.0), dtype=kind)
+        self._p = np.asarray(problem.p, dtype=kind)
+        arrays = [self._y, self._w, self._p, self._yd]
+        self._run = _bound(model, rate_function(model), kind, arrays)
+        self._varying, self._signals = bool(problem.varying), problem.signals
+        self._slope = np.zeros(size * size, kind)
+        self._run_slope: Callable[[], None] | None = None
+
+    def __call__(self, t: float, y: Array) -> Array:
+        """y', shape (n + m,), in double precision whatever computed it."""
+        if self.evaluations >= self._problem.budget:
+            raise OverBudget(f"{self.evaluations} evaluations are used up at t = {t:.6g} s")
+        self.evaluations += 1
+        self._y[:] = y
+        if self._varying:
+            self._w[:] = self._signals(t)
+        self._run()
+        return self._yd.astype(float)
+
+    def jacobian(self, t: float, y: Array) -> Array:
+        """df/dy, shape (n + m, n + m)."""
+        if self._run_slope is None:
+            arrays = [self._y, self._w, self._p, self._slope]
+            function = jacobian_function(self._problem.model)
+            self._run_slope = _bound(self._problem.model, function, self._kind, arrays)
+        self.jacobians += 1
+        self._y[:] = y
+        if self._varying:
+            self._w[:] = self._signals(t)
+        self._run_slope()
+        size = len(self._y)
+        return self._slope.astype(float).reshape(size, size).T

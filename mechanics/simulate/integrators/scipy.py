@@ -1,0 +1,92 @@
+"""SciPy's methods, stepped one by one; the right-hand side they call is the compiled one.
+
+RK45 and DOP853 are explicit Runge-Kutta pairs of Dormand and Prince, Radau IIA of order 5 is
+implicit (Hairer, Norsett and Wanner, I and II), LSODA switches between Adams and BDF (Petzold).
+Implicit methods are given the compiled Jacobian.
+"""
+
+from collections.abc import Callable
+from functools import partial
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.integrate import DOP853, LSODA, RK45, OdeSolver, Radau
+
+from mechanics.simulate.integrators.problem import (
+    Integrator,
+    Outcome,
+    OverBudget,
+    Problem,
+    Setting,
+)
+from mechanics.simulate.integrators.rate import Rate
+
+Array = NDArray[np.float64]
+
+# The solvers raise a smaller relative tolerance to this without being asked.
+FINEST = 100 * float(np.finfo(float).eps)
+IMPLICIT = (Radau, LSODA)
+
+
+def _suits(problem: Problem, setting: Setting) -> str:
+    if setting.tolerance is None or not FINEST <= setting.tolerance < 1:
+        return f"SciPy takes tolerances from {FINEST:.2g} to 1, {setting.tolerance} found"
+    return ""
+
+
+def _prepare(method: type[OdeSolver], problem: Problem, setting: Setting) -> Callable[[], Outcome]:
+    rate = Rate(problem, setting.kind)
+    options: dict[str, Any] = {"rtol": setting.tolerance, "atol": setting.tolerance}
+    if method in IMPLICIT:
+        options["jac"] = rate.jacobian
+        rate.jacobian(0.0, problem.start)
+
+    def solve() -> Outcome:
+        rate.evaluations = rate.jacobians = 0
+        states = [problem.start]
+        failure = _march(method, rate, problem, options, states)
+        return Outcome(np.array(states), rate.evaluations, failure, rate.jacobians)
+
+    return solve
+
+
+def _march(
+    method: type[OdeSolver],
+    rate: Rate,
+    problem: Problem,
+    options: dict[str, Any],
+    states: list[Array],
+) -> str:
+    """Append the states at the times; why that ended early, or empty."""
+    times, name = problem.times, method.__name__
+    try:
+        solver = method(rate, 0.0, problem.start, float(times[-1]), **options)
+        while solver.status == "running":
+            words = solver.step()
+            if solver.status == "failed":
+                return f"{name} stopped at t = {solver.t:.6g} s: {words}"
+            _sample(solver, times, states)
+    except OverBudget as error:
+        return f"{name} gave up: {error}"
+    return ""
+
+
+def _sample(solver: OdeSolver, times: Array, states: list[Array]) -> None:
+    due = times[len(states) :]
+    due = due[due <= solver.t]
+    if not due.size:
+        return
+    state = solver.dense_output() if due[0] < solver.t else None
+    states.extend(
+        solver.y.copy() if state is None or time == solver.t else state(time) for time in due
+    )
+
+
+def _member(method: type[OdeSolver]) -> Integrator:
+    return Integrator(
+        f"SciPy {method.__name__}", "SciPy", True, str, _suits, partial(_prepare, method)
+    )
+
+
+MEMBERS = tuple(_member(method) for method in (RK45, DOP853, Radau, LSODA))
