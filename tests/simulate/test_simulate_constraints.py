@@ -61,7 +61,7 @@ def test_speeds_satisfy_the_closure(linkage: Model) -> None:
     motion = simulate(linkage, 0.1, initial={"q1": 1.0, "q1_dot": 4.0})
     q1, q2, q3 = (column[0] for column in motion.coordinates.values())
     w1, w2, w3 = (column[0] for column in motion.speeds.values())
-    # Norton, Design of Machinery, 6.7: angular velocity ratios of a four-bar.
+    # Velocity analysis of a four-bar linkage: the ratios of the angular velocities.
     assert w1 == 4.0
     assert w2 == pytest.approx(w1 * 0.1 * np.sin(q3 - q1) / (0.3 * np.sin(q2 - q3)), rel=1e-12)
     assert w3 == pytest.approx(w1 * 0.1 * np.sin(q1 - q2) / (0.25 * np.sin(q2 - q3)), rel=1e-12)
