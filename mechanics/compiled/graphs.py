@@ -14,25 +14,20 @@ from collections.abc import Callable, Iterator, Mapping
 from functools import cached_property
 
 import casadi as ca
-import numpy as np
 import sympy
 
-from mechanics.compiled.factor import solve_general, solve_symmetric
+from mechanics.compiled.forms import System, named_form
 from mechanics.compiled.mechanical import Totals, totals
-from mechanics.compiled.order import Order, pivot_order
-from mechanics.compiled.program import program, run
+from mechanics.compiled.order import Order
 from mechanics.compiled.quantities import DIGITS, Quantities, quantities
-from mechanics.compiled.sampling import DECADES, sample
 from mechanics.compiled.translate import Translator
+from mechanics.compiled.trial import chosen_pivots
 from mechanics.equations import Equations
 from mechanics.errors import InputError
 
 STATE = ("q", "u", "inputs", "p")
 MATRICES = frozenset({"mass_matrix", *(f"ud_{group}" for group in STATE)})
 """Outputs that are matrices, whatever their size; the others are columns."""
-
-TRIALS = 64
-SEED = 2
 
 
 class Graphs(Mapping[str, ca.Function]):
@@ -43,10 +38,13 @@ class Graphs(Mapping[str, ca.Function]):
     Parameters
     ----------
     equations : Equations
+    form : str
+        Of forward dynamics, one of `mechanics.compiled.FORMS`, or ``"auto"``.
     """
 
-    def __init__(self, equations: Equations) -> None:
+    def __init__(self, equations: Equations, form: str = "auto") -> None:
         self.equations = equations
+        self.form = named_form(form, equations)
         self.quantities: Quantities = quantities(equations)
         groups = {name: getattr(self.quantities, name) for name in (*STATE, "ud", "multipliers")}
         self._columns = {name: ca.SX.sym(name, len(group)) for name, group in groups.items()}
@@ -63,11 +61,7 @@ class Graphs(Mapping[str, ca.Function]):
     def __getitem__(self, name: str) -> ca.Function:
         if name not in self._built:
             inputs, outputs = self._parts(name)
-            exact = list(self._constants.values())
-            bound = [float(constant.evalf(DIGITS)) for constant in self._constants]
-            graphs = list(outputs.values())
-            if exact:
-                graphs = ca.substitute(graphs, [ca.vertcat(*exact)], [ca.SX(ca.DM(bound))])
+            graphs = self._bound(list(outputs.values()))
             self._built[name] = self._function(
                 name, inputs, dict(zip(outputs, graphs, strict=True))
             )
@@ -78,6 +72,13 @@ class Graphs(Mapping[str, ca.Function]):
 
     def __len__(self) -> int:
         return len(self._builders)
+
+    def _bound(self, graphs: list[ca.SX]) -> list[ca.SX]:
+        """Graphs with the nearest doubles in place of named constants."""
+        if not self._constants:
+            return graphs
+        values = ca.DM([float(constant.evalf(DIGITS)) for constant in self._constants])
+        return ca.substitute(graphs, [ca.vertcat(*self._constants.values())], [ca.SX(values)])
 
     def exact(self, name: str) -> tuple[ca.Function, tuple[sympy.Expr, ...]]:
         """The function with its named constants as one more input, and what these stand for."""
@@ -123,47 +124,28 @@ class Graphs(Mapping[str, ca.Function]):
         return self._translate.matrix(entries)
 
     @cached_property
-    def _system(self) -> tuple[ca.SX, ca.SX]:
-        left, right = self.equations.system
-        return self._matrix(left), self._matrix(right)
+    def _linear(self) -> System:
+        return System(self.equations, self._translate, self._choose)
 
-    @cached_property
-    def _symmetric(self) -> bool:
-        eq = self.equations
-        return eq.conjugate and not eq.multipliers and not eq.constraint_matrix.rows
+    @property
+    def _system(self) -> tuple[ca.SX, ca.SX]:
+        return self._linear.graphs
 
     @cached_property
     def _solution(self) -> ca.SX:
         """(u', lambda)."""
-        return self._solve(self._system[1])
+        return self.form.solve(self._linear)
 
-    def _solve(self, rhs: ca.SX) -> ca.SX:
-        if self._symmetric:
-            return solve_symmetric(self._system[0], rhs)
-        return solve_general(self._system[0], rhs, self.pivots)
-
-    @cached_property
+    @property
     def pivots(self) -> Order:
         """The order in which rows and columns of the linear system are eliminated."""
-        n = self._system[0].shape[0]
-        if self._symmetric:
-            return tuple((i, i) for i in reversed(range(n)))
-        constants = list(self._constants.values())
-        bound = ca.SX(ca.DM([float(constant.evalf(DIGITS)) for constant in self._constants]))
-        graphs = list(self._system)
-        if constants:
-            graphs = ca.substitute(graphs, [ca.vertcat(*constants)], [bound])
+        return tuple(self._linear.pivots)
+
+    def _choose(self, left: ca.SX, right: ca.SX) -> Order:
+        graphs = self._bound([left, right])
         inputs = {group: self._columns[group] for group in STATE}
-        code = program(self._function("system", inputs, dict(zip("Ab", graphs, strict=True))))
-        # Half of the states are ordinary ones, half as wild as those of the residual checks.
-        drawn = [sample(self.quantities, TRIALS, SEED, decades) for decades in (1.0, DECADES)]
-        groups = (np.vstack(pair) for pair in zip(*(d.groups for d in drawn), strict=True))
-        columns = [list(group.T) for group in groups]
-        left, right = run(code, columns, np.float64)
-        filler = np.zeros(2 * TRIALS)
-        stacked = [np.stack(np.broadcast_arrays(*e, filler)[:-1], 1) for e in (left, right)]
-        # Entries come column by column.
-        return pivot_order(stacked[0].reshape(-1, n, n).swapaxes(1, 2).copy(), stacked[1])
+        function = self._function("system", inputs, dict(zip("Ab", graphs, strict=True)))
+        return chosen_pivots(function, self.quantities)
 
     def _forward_dynamics(self) -> dict[str, ca.SX]:
         n = len(self.quantities.ud)
@@ -176,7 +158,7 @@ class Graphs(Mapping[str, ca.Function]):
 
     def _inverse_dynamics(self) -> dict[str, ca.SX]:
         wanted = self._columns["ud"]
-        if self._symmetric:
+        if self._linear.symmetric:
             left, right = self._system
             return {"forces": left @ wanted - right}
         kinetic = self._translate(self._totals.kinetic)
@@ -212,10 +194,10 @@ class Graphs(Mapping[str, ca.Function]):
     def _jacobians(self) -> dict[str, ca.SX]:
         """The factors of K serve every column; differentiating through them costs twice as much."""
         left, right = self._system
-        held = ca.SX.sym("x", left.shape[1])
+        held, solution = ca.SX.sym("x", left.shape[1]), self._linear.solve(right)
         state = ca.vertcat(*(self._columns[group] for group in STATE))
         slopes = ca.jacobian(right - left @ held, state)
-        columns = self._solve(ca.substitute(slopes, held, self._solution))
+        columns = self._linear.solve(ca.substitute(slopes, held, solution))
         found, start = {}, 0
         for group in STATE:
             end = start + len(getattr(self.quantities, group))

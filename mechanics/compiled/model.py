@@ -78,6 +78,11 @@ class Model:
         return f"C ({self.compiler} {self.flags})"
 
     @property
+    def form(self) -> str:
+        """How forward dynamics is written: the name of one of `mechanics.compiled.FORMS`."""
+        return self.casadi.form.name
+
+    @property
     def typical(self) -> Array:
         """Typical parameters, in order; ValueMissingError names one that has none."""
         return np.array(self.quantities.typical, dtype=float)
@@ -241,7 +246,13 @@ class Model:
         }
 
 
-def compile(equations: Equations, *, compiler: str | None = "auto", flags: str = FLAGS[0]) -> Model:
+def compile(
+    equations: Equations,
+    *,
+    compiler: str | None = "auto",
+    flags: str = FLAGS[0],
+    form: str = "auto",
+) -> Model:
     """Compile equations of motion.
 
     Graphs and machine code are made when they are first used.
@@ -256,6 +267,14 @@ def compile(equations: Equations, *, compiler: str | None = "auto", flags: str =
         Settings of the compiler. ``"-O2"`` rounds every operation as it is written;
         ``"-O3 -march=native"`` does too, faster on this machine only; with ``-ffast-math`` sums are
         reordered, and NaN and infinity are no longer reported.
+    form : str
+        Of forward dynamics: the name of one of `mechanics.compiled.FORMS`; ``"auto"`` takes the one
+        that suits the equations best.
+
+    Raises
+    ------
+    InputError
+        If there is no such form, or the equations have no such one.
     """
     found = find_compiler() if compiler == "auto" else compiler
-    return Model(equations, Graphs(equations), found, flags)
+    return Model(equations, Graphs(equations, form), found, flags)

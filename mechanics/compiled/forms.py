@@ -1,0 +1,211 @@
+"""Forms of forward dynamics: algebra that is equal and rounds differently.
+
+    explicit       x = adj(K) k / det(K)
+    ldl            M = L D L^T
+    elimination    Gaussian elimination along pivots that were tried
+    primitive      the same after common factors were divided out of rows and columns
+    rearranged     pivots d_i = m_i / m_(i+1), minors written without a subtraction where they can
+    refined        x + K^-1 (k - K x): one step of iterative refinement (Skeel 1980)
+
+Each solves K x = k, K = [[M, -B], [A, 0]], x = (u', lambda), and its graph is proved to.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import cached_property
+
+import casadi as ca
+from sympy import Matrix
+
+from mechanics.compiled.factor import (
+    Pivots,
+    solve_explicit,
+    solve_general,
+    solve_symmetric,
+    solve_with_pivots,
+)
+from mechanics.compiled.primitive import Primitive, primitive
+from mechanics.compiled.rearranged import MOST, trailing_minors
+from mechanics.compiled.translate import Translator
+from mechanics.equations import Equations
+from mechanics.errors import InputError
+from mechanics.exact import TooLarge
+
+
+@dataclass(frozen=True, eq=False)
+class System:
+    """What a form starts from.
+
+    Attributes
+    ----------
+    equations : Equations
+    translate : Translator
+    choose : callable
+        From graphs of a square matrix and a column to the pivots that suit them.
+    """
+
+    equations: Equations
+    translate: Translator
+    choose: Callable[[ca.SX, ca.SX], Pivots]
+
+    @cached_property
+    def graphs(self) -> tuple[ca.SX, ca.SX]:
+        """K and k."""
+        left, right = self.equations.system
+        return self.translate.matrix(left), self.translate.matrix(right)
+
+    @cached_property
+    def symmetric(self) -> bool:
+        """Whether K is the mass matrix of conjugate rows."""
+        return is_symmetric(self.equations)
+
+    @cached_property
+    def pivots(self) -> Pivots:
+        """Rows and columns in the order in which they are eliminated."""
+        n = self.graphs[0].shape[0]
+        if self.symmetric:
+            return tuple((i, i) for i in reversed(range(n)))
+        return self.choose(*self.graphs)
+
+    def solve(self, rhs: ca.SX) -> ca.SX:
+        """K^-1 of any columns, by the form that suits every system."""
+        if self.symmetric:
+            return solve_symmetric(self.graphs[0], rhs)
+        return solve_general(self.graphs[0], rhs, self.pivots)
+
+    @cached_property
+    def primitive(self) -> Primitive:
+        """The system without common factors."""
+        return primitive(*self.equations.system)
+
+
+@dataclass(frozen=True)
+class Form:
+    """One way to write the solution of K x = k.
+
+    Attributes
+    ----------
+    name : str
+    meaning : str
+        In a phrase.
+    unsuited : callable
+        Why a set of equations cannot be solved in this form; empty where it can.
+    solve : callable
+        From the system to the graph of x.
+    """
+
+    name: str
+    meaning: str
+    unsuited: Callable[[Equations], str]
+    solve: Callable[[System], ca.SX]
+
+
+def is_symmetric(equations: Equations) -> bool:
+    """Whether K is a symmetric positive definite mass matrix."""
+    free = not equations.multipliers and not equations.constraint_matrix.rows
+    return equations.conjugate and free
+
+
+def named_form(name: str, equations: Equations) -> Form:
+    """The form of a name; what suits the equations best for ``"auto"``.
+
+    Raises
+    ------
+    InputError
+        If there is no such form, or the equations have no such one.
+    """
+    if name == "auto":
+        return automatic(equations)
+    for form in FORMS:
+        if form.name == name:
+            if why := form.unsuited(equations):
+                raise InputError(f"form {name!r}: {why}: choose another, or 'auto'")
+            return form
+    raise InputError(f"form {name!r}: the forms are auto, {', '.join(f.name for f in FORMS)}")
+
+
+def automatic(equations: Equations) -> Form:
+    """The first form of `PREFERRED` that suits the equations."""
+    suited = (form for form in PREFERRED if not form.unsuited(equations))
+    return next(suited)
+
+
+def _few(equations: Equations) -> str:
+    n = equations.system[0].rows
+    return f"{n} unknowns, at most {MOST} can be written out" if n > MOST else ""
+
+
+def _always(equations: Equations) -> str:
+    return ""
+
+
+def _conjugate(equations: Equations) -> str:
+    if is_symmetric(equations):
+        return ""
+    return f"the matrix by {equations.route} is no symmetric mass matrix"
+
+
+def _readable(equations: Equations) -> str:
+    try:
+        primitive(*equations.system)
+    except TooLarge as error:
+        return f"the entries have no normal form that is small enough ({error})"
+    return ""
+
+
+def _small_and_readable(equations: Equations) -> str:
+    return _few(equations) or _readable(equations)
+
+
+def _explicit(system: System) -> ca.SX:
+    return solve_explicit(*system.graphs)
+
+
+def _ldl(system: System) -> ca.SX:
+    return solve_symmetric(*system.graphs)
+
+
+def _elimination(system: System) -> ca.SX:
+    pivots = system.choose(*system.graphs)
+    return solve_general(*system.graphs, pivots)
+
+
+def _primitive(system: System) -> ca.SX:
+    left, right, scale = _scaled(system)
+    n = left.shape[0]
+    along = tuple((i, i) for i in reversed(range(n)))
+    pivots = along if system.symmetric else system.choose(left, right)
+    return solve_general(left, right, pivots) / scale
+
+
+def _rearranged(system: System) -> ca.SX:
+    left, right, scale = _scaled(system)
+    minors = system.translate.column(trailing_minors(system.primitive.left))
+    return solve_with_pivots(left, right, ca.vertsplit(minors)) / scale
+
+
+def _refined(system: System) -> ca.SX:
+    left, right = system.graphs
+    first = system.solve(right)
+    return first + system.solve(right - left @ first)
+
+
+def _scaled(system: System) -> tuple[ca.SX, ca.SX, ca.SX]:
+    p, translate = system.primitive, system.translate
+    return (
+        translate.matrix(p.left),
+        translate.matrix(p.right),
+        translate.matrix(Matrix(p.scale)),
+    )
+
+
+EXPLICIT = Form("explicit", "adjugate over determinant", _few, _explicit)
+LDL = Form("ldl", "L D L^T of the mass matrix", _conjugate, _ldl)
+ELIMINATION = Form("elimination", "Gaussian elimination", _always, _elimination)
+PRIMITIVE = Form("primitive", "elimination without common factors", _readable, _primitive)
+REARRANGED = Form("rearranged", "pivots without subtraction", _small_and_readable, _rearranged)
+REFINED = Form("refined", "elimination and one step of refinement", _always, _refined)
+
+FORMS: tuple[Form, ...] = (EXPLICIT, LDL, ELIMINATION, PRIMITIVE, REARRANGED, REFINED)
+PREFERRED: tuple[Form, ...] = (LDL, ELIMINATION)
+"""What ``"auto"`` takes, the first that suits."""
