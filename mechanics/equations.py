@@ -87,8 +87,9 @@ class Equations:
     conjugate : bool
         Whether the rows are power-conjugate to u, so that M is symmetric and B = A^T up to the
         naming of the multipliers.
-    reactions : tuple of (Symbol, Expr)
-        Eliminated reactions, linear in u' and lambda.
+    solve_reactions : callable or None
+        Finds the eliminated reactions; called when they are first asked for. None where the route
+        has none.
     free_bodies : tuple of FreeBodyRow
         The system before elimination, in tree order, where the route has it.
     chosen : tuple of str
@@ -106,10 +107,15 @@ class Equations:
     constraint_matrix: Matrix
     constraint_bias: Matrix
     conjugate: bool
-    reactions: tuple[tuple[Symbol, Expr], ...] = ()
+    solve_reactions: Callable[[], tuple[tuple[Symbol, Expr], ...]] | None = None
     free_bodies: tuple[FreeBodyRow, ...] = ()
     chosen: tuple[str, ...] = ()
     explain: Callable[[], tuple[Step, ...]] = tuple
+
+    @cached_property
+    def reactions(self) -> tuple[tuple[Symbol, Expr], ...]:
+        """Eliminated reactions, linear in u' and lambda, in the order of the elimination."""
+        return () if self.solve_reactions is None else self.solve_reactions()
 
     @cached_property
     def steps(self) -> tuple[Step, ...]:

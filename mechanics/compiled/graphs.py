@@ -10,12 +10,13 @@ to get u'; with M_T from the kinetic energy this holds whatever the rows of a ro
 rows are conjugate and nothing is constrained, it is M u' - f.
 """
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import cached_property
 
 import casadi as ca
 import sympy
 
+from mechanics.compiled.fixed import Fixed, fix
 from mechanics.compiled.forms import System, named_form
 from mechanics.compiled.mechanical import Totals, totals
 from mechanics.compiled.order import Order
@@ -29,6 +30,9 @@ STATE = ("q", "u", "inputs", "p")
 MATRICES = frozenset({"mass_matrix", *(f"ud_{group}" for group in STATE)})
 """Outputs that are matrices, whatever their size; the others are columns."""
 
+Builders = dict[str, tuple[tuple[str, ...], Callable[[], dict[str, ca.SX]]]]
+"""By name of a function: its inputs beside the state, and what makes the graphs of its outputs."""
+
 
 class Graphs(Mapping[str, ca.Function]):
     """CasADi functions by name; each is built when it is first asked for.
@@ -40,12 +44,33 @@ class Graphs(Mapping[str, ca.Function]):
     equations : Equations
     form : str
         Of forward dynamics, one of `mechanics.compiled.FORMS`, or ``"auto"``.
+    fixed : mapping of Symbol to Expr
+        Exact values of parameters that are fixed.
+    outputs : sequence of str, optional
+        The functions to have; by default all.
+
+    Attributes
+    ----------
+    derived : Equations
+        As they were given.
+    equations : Equations
+        With the fixed values.
     """
 
-    def __init__(self, equations: Equations, form: str = "auto") -> None:
-        self.equations = equations
-        self.form = named_form(form, equations)
-        self.quantities: Quantities = quantities(equations)
+    def __init__(
+        self,
+        equations: Equations,
+        form: str = "auto",
+        fixed: Fixed | None = None,
+        outputs: Sequence[str] | None = None,
+    ) -> None:
+        self.derived, self.fixed = equations, dict(fixed or {})
+        self.equations = fix(equations, self.fixed)
+        self.form = named_form(form, self.equations)
+        self._asked = self._checked(outputs)
+        self.quantities: Quantities = quantities(
+            self.equations, self.fixed, "reactions" in self._builders
+        )
         groups = {name: getattr(self.quantities, name) for name in (*STATE, "ud", "multipliers")}
         self._columns = {name: ca.SX.sym(name, len(group)) for name, group in groups.items()}
         table = {
@@ -95,17 +120,40 @@ class Graphs(Mapping[str, ca.Function]):
 
     def _parts(self, name: str) -> tuple[dict[str, ca.SX], dict[str, ca.SX]]:
         if name not in self._builders:
-            raise InputError(
-                f"function {name!r}: the model of {self.equations.scene.name!r} by"
-                f" {self.equations.route} has {', '.join(self._builders)}"
-            )
+            raise self._unknown(name, self._builders)
         extra, build = self._builders[name]
         outputs = build()
         return {group: self._columns[group] for group in (*STATE, *extra)}, outputs
 
+    def _unknown(self, name: str, known: Iterable[str]) -> InputError:
+        asked = "" if self._asked is None else ", which are the outputs that were asked for"
+        return InputError(
+            f"function {name!r}: the model of {self.equations.scene.name!r} by"
+            f" {self.equations.route} has {', '.join(known)}{asked}"
+        )
+
+    def _checked(self, outputs: Sequence[str] | None) -> tuple[str, ...] | None:
+        """Outputs that were asked for, each once."""
+        self._asked = None
+        if outputs is None:
+            return None
+        names = (outputs,) if isinstance(outputs, str) else tuple(dict.fromkeys(outputs))
+        for name in names:
+            if name not in self._every:
+                raise self._unknown(name, self._every)
+        if not names:
+            raise InputError(f"outputs: none asked for: there are {', '.join(self._every)}")
+        return names
+
     @cached_property
-    def _builders(self) -> dict[str, tuple[tuple[str, ...], Callable[[], dict[str, ca.SX]]]]:
-        found: dict[str, tuple[tuple[str, ...], Callable[[], dict[str, ca.SX]]]] = {
+    def _builders(self) -> Builders:
+        if self._asked is None:
+            return self._every
+        return {name: self._every[name] for name in self._asked}
+
+    @cached_property
+    def _every(self) -> Builders:
+        found: Builders = {
             "forward_dynamics": ((), self._forward_dynamics),
             "mass_matrix": ((), lambda: {"mass_matrix": self._matrix(self.equations.mass)}),
             "forcing": ((), lambda: {"forcing": self._matrix(self.equations.forcing)}),
@@ -116,7 +164,7 @@ class Graphs(Mapping[str, ca.Function]):
             "coordinate_rates": ((), self._coordinate_rates),
             "jacobians": ((), self._jacobians),
         }
-        if self.equations.reactions:
+        if self.equations.solve_reactions is not None:
             found["reactions"] = ((), self._reactions)
         return found
 
@@ -167,7 +215,7 @@ class Graphs(Mapping[str, ca.Function]):
 
     @cached_property
     def _totals(self) -> Totals:
-        return totals(self.equations.scene)
+        return totals(self.equations.scene).fixed(self.fixed)
 
     def _energy(self) -> dict[str, ca.SX]:
         kinetic, potential = map(self._translate, (self._totals.kinetic, self._totals.potential))
@@ -183,7 +231,8 @@ class Graphs(Mapping[str, ca.Function]):
 
     def _coordinate_rates(self) -> dict[str, ca.SX]:
         scene = self.equations.scene
-        return {"qd": self._translate.column([scene.coordinate_rates[qd] for qd in scene.qd])}
+        rates = [scene.coordinate_rates[qd].xreplace(self.fixed) for qd in scene.qd]
+        return {"qd": self._translate.column(rates)}
 
     def _reactions(self) -> dict[str, ca.SX]:
         # u' and lambda stand for the solution here, not for inputs.

@@ -3,9 +3,10 @@
 T = sum (m v.v + omega.I omega) / 2        P = sum m v        H_O = sum (r x m v + I omega)
 """
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 
-from sympy import Add, Expr, Matrix, Rational, zeros
+from sympy import Add, Expr, Matrix, Rational, Symbol, zeros
 
 from mechanics.kinematics.differentiate import body_motions
 from mechanics.kinematics.motion import inertia_matrix
@@ -24,6 +25,13 @@ class Totals:
     potential: Expr
     linear_momentum: Matrix
     angular_momentum: Matrix
+
+    def fixed(self, table: Mapping[Symbol, Expr]) -> "Totals":
+        """The same with numbers in place of parameters."""
+        if not table:
+            return self
+        values = (self.kinetic, self.potential, self.linear_momentum, self.angular_momentum)
+        return Totals(*(value.xreplace(dict(table)) for value in values))
 
 
 def totals(scene: Scene) -> Totals:

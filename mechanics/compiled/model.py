@@ -4,39 +4,26 @@ A model is data and calls. It takes and gives NumPy arrays, one state or a batch
 code where a C compiler is found and by CasADi's virtual machine where none is.
 """
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
+from sympy import Expr, Symbol
 
+from mechanics.compiled.buffer import Buffer
 from mechanics.compiled.evaluator import FLAGS, Kernel, evaluator
+from mechanics.compiled.fixed import read_fixed
 from mechanics.compiled.graphs import MATRICES, Graphs
 from mechanics.compiled.native import find_compiler
 from mechanics.compiled.program import Program, program
-from mechanics.compiled.quantities import Quantities
+from mechanics.compiled.quantities import DIGITS, Quantities
 from mechanics.equations import Equations
 from mechanics.errors import InputError
 
 Array = NDArray[np.floating]
-
-
-@dataclass(frozen=True)
-class Buffer:
-    """One function at one state with the least overhead: write `inputs`, `run()`, read `outputs`.
-
-    Attributes
-    ----------
-    inputs, outputs : mapping of str to array
-        The arrays that `run` reads and writes; the same ones every time. Matrices are views.
-    run : callable
-    """
-
-    inputs: Mapping[str, Array]
-    outputs: Mapping[str, Array]
-    run: Callable[[], None]
 
 
 @dataclass(frozen=True, eq=False)
@@ -81,6 +68,17 @@ class Model:
     def form(self) -> str:
         """How forward dynamics is written: the name of one of `mechanics.compiled.FORMS`."""
         return self.casadi.form.name
+
+    @property
+    def fixed(self) -> dict[str, Expr]:
+        """Exact values of the parameters that are fixed, by name; `p` does not hold these."""
+        return {symbol.name: value for symbol, value in self.casadi.fixed.items()}
+
+    def numbers(self, p: ArrayLike) -> dict[Symbol, float]:
+        """Every parameter's value, the fixed ones included, where `p` are those of the rest."""
+        given = zip((e.symbol for e in self.quantities.p), np.asarray(p, dtype=float), strict=True)
+        known = {symbol: float(value.evalf(DIGITS)) for symbol, value in self.casadi.fixed.items()}
+        return known | {symbol: float(value) for symbol, value in given}
 
     @property
     def typical(self) -> Array:
@@ -252,10 +250,12 @@ def compile(
     compiler: str | None = "auto",
     flags: str = FLAGS[0],
     form: str = "auto",
+    fixed: Mapping[str, Any] | None = None,
+    outputs: Sequence[str] | None = None,
 ) -> Model:
     """Compile equations of motion.
 
-    Graphs and machine code are made when they are first used.
+    Graphs and machine code are made when they are first used; what is not used is not derived.
 
     Parameters
     ----------
@@ -270,11 +270,20 @@ def compile(
     form : str
         Of forward dynamics: the name of one of `mechanics.compiled.FORMS`; ``"auto"`` takes the one
         that suits the equations best.
+    fixed : mapping of str to number, optional
+        Parameters that are numbers from here on: ``{"g": 9.81, "c": 0}``. A float is the decimal
+        that was typed, 981/100; a text may be a fraction. Terms with a zero factor are dropped.
+    outputs : sequence of str, optional
+        The functions to have, such as ``("forward_dynamics", "energy")``; by default all.
 
     Raises
     ------
     InputError
-        If there is no such form, or the equations have no such one.
+        If there is no such form, parameter or output, the equations have no such form, or a value
+        is no number, negative where it must not be, or a divisor that is zero.
+    SingularError
+        If the equations do not determine the accelerations at the fixed values.
     """
     found = find_compiler() if compiler == "auto" else compiler
-    return Model(equations, Graphs(equations, form), found, flags)
+    table = read_fixed(equations.scene, fixed or {})
+    return Model(equations, Graphs(equations, form, table, outputs), found, flags)

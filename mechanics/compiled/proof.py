@@ -5,8 +5,8 @@
     the rest             graph = expression
 
 in exact arithmetic: the graphs are walked instruction by instruction, the right sides as SymPy
-expressions. The graphs are those that are bound and evaluated, with pi and other numbers that no
-double holds still standing as symbols.
+expressions, at the values of parameters that are fixed. The graphs are those that are bound and
+evaluated, with pi and other numbers that no double holds still standing as symbols.
 """
 
 from collections.abc import Callable, Iterator, Sequence
@@ -15,6 +15,7 @@ from typing import Any
 import casadi as ca
 from sympy import Add, Dummy, Expr, Matrix, S, Symbol
 
+from mechanics.compiled.fixed import words
 from mechanics.compiled.graphs import STATE, Graphs
 from mechanics.compiled.mechanical import Totals, totals
 from mechanics.compiled.model import Model
@@ -74,11 +75,16 @@ def prove_graph(
     symbols = [*_inputs(graphs, own), list(constants)]
 
     def experiment(a: Arithmetic) -> list[tuple[Number, Number]]:
+        # What was derived, at the fixed values: how the graph was simplified is not relied on.
+        for symbol, value in graphs.fixed.items():
+            a.assign(symbol, a.value(value))
         results = a.graph(examined, symbols=symbols)
         outputs = {examined.name_out(i): entries for i, entries in enumerate(results)}
         return list(LAWS[name](a, outputs, graphs))
 
-    subject = f"compiled {name.replace('_', ' ')} = derived, {graphs.equations.route}"
+    subject = f"compiled {name.replace('_', ' ')} = derived, {graphs.derived.route}"
+    if graphs.fixed:
+        subject += f", {words(graphs.fixed)}"
     return decide(subject, experiment, **options)
 
 
@@ -92,7 +98,7 @@ def _inputs(graphs: Graphs, function: ca.Function) -> list[list[Symbol]]:
 
 
 def _forward_dynamics(a: Arithmetic, outputs: Outputs, graphs: Graphs) -> Pairs:
-    left, right = graphs.equations.system
+    left, right = graphs.derived.system
     solution = outputs["ud"] + outputs["multipliers"]
     for i in range(left.rows):
         yield _row(a, left, i, solution), a.value(right[i])
@@ -107,8 +113,8 @@ def _row(a: Arithmetic, matrix: Matrix, i: int, vector: Sequence[Number]) -> Num
 
 
 def _residual(a: Arithmetic, outputs: Outputs, graphs: Graphs) -> Pairs:
-    left, right = graphs.equations.system
-    expressions = left * Matrix(graphs.equations.unknowns) - right
+    left, right = graphs.derived.system
+    expressions = left * Matrix(graphs.derived.unknowns) - right
     yield from _equal(a, outputs["residual"], expressions)
 
 
@@ -117,7 +123,7 @@ def _inverse_dynamics(a: Arithmetic, outputs: Outputs, graphs: Graphs) -> Pairs:
 
     dT/du is affine in u with the slope M_T: tau is its change from u = 0 to u = w.
     """
-    equations, u = graphs.equations, graphs.equations.scene.u
+    equations, u = graphs.derived, graphs.derived.scene.u
     left, right = equations.system
     rows = [[a.value(left[i, j]) for j in range(left.cols)] for i in range(left.rows)]
     given = a.solve(rows, [a.value(entry) for entry in right])[: len(u)]
@@ -141,26 +147,26 @@ def _momenta(a: Arithmetic, outputs: Outputs, graphs: Graphs) -> Pairs:
     known = _totals(graphs)
     yield from _equal(a, outputs["linear"], known.linear_momentum)
     yield from _equal(a, outputs["angular"], known.angular_momentum)
-    rates = [known.kinetic.diff(u) for u in graphs.equations.scene.u]
+    rates = [known.kinetic.diff(u) for u in graphs.derived.scene.u]
     yield from _equal(a, outputs["generalized"], rates)
 
 
 def _reactions(a: Arithmetic, outputs: Outputs, graphs: Graphs) -> Pairs:
-    left, right = graphs.equations.system
+    left, right = graphs.derived.system
     rows = [[a.value(left[i, j]) for j in range(left.cols)] for i in range(left.rows)]
     solution = a.solve(rows, [a.value(entry) for entry in right])
-    for symbol, number in zip(graphs.equations.unknowns, solution, strict=True):
+    for symbol, number in zip(graphs.derived.unknowns, solution, strict=True):
         a.assign(symbol, number)
-    yield from _equal(a, outputs["reactions"], [value for _, value in graphs.equations.reactions])
+    yield from _equal(a, outputs["reactions"], [value for _, value in graphs.derived.reactions])
 
 
 def _coordinate_rates(a: Arithmetic, outputs: Outputs, graphs: Graphs) -> Pairs:
-    yield from _equal(a, outputs["qd"], list(graphs.equations.scene.coordinate_rates.values()))
+    yield from _equal(a, outputs["qd"], list(graphs.derived.scene.coordinate_rates.values()))
 
 
 def _jacobians(a: Arithmetic, outputs: Outputs, graphs: Graphs) -> Pairs:
     """The derivative of the solution, solved for in the arithmetic."""
-    left, right = graphs.equations.system
+    left, right = graphs.derived.system
     rows = [[a.value(left[i, j]) for j in range(left.cols)] for i in range(left.rows)]
     solution = a.solve(rows, [a.value(entry) for entry in right])
     n = len(graphs.quantities.ud)
@@ -177,7 +183,7 @@ def _jacobians(a: Arithmetic, outputs: Outputs, graphs: Graphs) -> Pairs:
 
 
 def _totals(graphs: Graphs) -> Totals:
-    return totals(graphs.equations.scene)
+    return totals(graphs.derived.scene)
 
 
 def _equal(a: Arithmetic, numbers: Sequence[Number], expressions: Sequence[Expr]) -> Pairs:
@@ -189,7 +195,7 @@ def _matrix(output: str) -> Law:
     """A law for an output that is one matrix of the equations, column by column."""
 
     def law(a: Arithmetic, outputs: Outputs, graphs: Graphs) -> Pairs:
-        matrix = graphs.equations.mass if output == "mass_matrix" else graphs.equations.forcing
+        matrix = graphs.derived.mass if output == "mass_matrix" else graphs.derived.forcing
         yield from _equal(a, outputs[output], list(matrix.T))
 
     return law

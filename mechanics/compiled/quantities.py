@@ -81,8 +81,23 @@ class Quantities:
         return tuple(typical_value(entry.symbol, self.definitions) for entry in self.p)
 
 
-def quantities(equations: Equations) -> Quantities:
-    """Names, units and orders for the functions of a set of equations."""
+def quantities(
+    equations: Equations,
+    fixed: Mapping[Symbol, Expr] | None = None,
+    with_reactions: bool = True,
+) -> Quantities:
+    """Names, units and orders for the functions of a set of equations.
+
+    Parameters
+    ----------
+    equations : Equations
+    fixed : mapping of Symbol to Expr, optional
+        Values of parameters that are no longer given.
+    with_reactions : bool
+        Whether reactions are asked for; they are not solved for otherwise.
+    """
+    known = dict(fixed or {})
+    reactions = equations.reactions if with_reactions else ()
     scene = equations.scene
     angles = angle_symbols(equations)
 
@@ -95,18 +110,20 @@ def quantities(equations: Equations) -> Quantities:
     declared = {
         r.symbol: Quantity(r.symbol, "N m" if r.at is None else "N") for r in scene.reactions
     }
-    solved = [symbol for symbol, _ in equations.reactions]
+    definitions = {
+        s: sympy.sympify(e).xreplace(known) for s, e in scene.definitions.items() if s not in known
+    }
     return Quantities(
         q=motion(scene.q, angles, 0),
         u=motion(scene.u, turning, 1),
         ud=motion(scene.ud, rates, 2),
-        inputs=tuple(_input(scene, symbol) for symbol in _given(equations)),
-        p=tuple(_parameter(symbol) for symbol in scene.parameters),
+        inputs=tuple(_input(scene, symbol) for symbol in _given(equations, reactions)),
+        p=tuple(_parameter(symbol) for symbol in scene.parameters if symbol not in known),
         multipliers=tuple(
             declared.get(s, Quantity(s, "", "multiplier")) for s in equations.multipliers
         ),
-        reactions=tuple(declared.get(s, Quantity(s, "N")) for s in solved),
-        definitions=scene.definitions,
+        reactions=tuple(declared.get(s, Quantity(s, "N")) for s, _ in reactions),
+        definitions=definitions,
     )
 
 
@@ -158,7 +175,7 @@ def _turns(scene: Scene, speed: Symbol, angles: set[Symbol]) -> bool:
     return any(q in angles for q in driven)
 
 
-def _given(equations: Equations) -> list[Symbol]:
+def _given(equations: Equations, reactions: Iterable[tuple[Symbol, Expr]]) -> list[Symbol]:
     """Inputs in the scene's order, then their rates up to the highest that occurs, then time.
 
     Energies and momenta hold the lower rates where the equations hold a higher one.
@@ -166,7 +183,7 @@ def _given(equations: Equations) -> list[Symbol]:
     scene = equations.scene
     left, right = equations.system
     used = left.free_symbols | right.free_symbols
-    for _, expression in equations.reactions:
+    for _, expression in reactions:
         used |= expression.free_symbols
     found = list(scene.input_symbols)
     orders = range(1, len(DOTS))

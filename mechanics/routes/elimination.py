@@ -9,7 +9,7 @@ other row that holds it:
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 
 from sympy import Add, Expr, Mul, S, Symbol
 
@@ -40,11 +40,10 @@ class Solved:
 
 @dataclass(frozen=True)
 class Elimination:
-    """What is left: rows free of eliminated reactions, and the reactions themselves."""
+    """What is left: rows free of eliminated reactions, and how each of these was solved for."""
 
     rows: tuple[Row, ...]
-    reactions: tuple[tuple[Symbol, Expr], ...]
-    order: tuple[Solved, ...] = field(default=())
+    order: tuple[Solved, ...]
 
 
 def eliminate(rows: Sequence[FreeBodyRow], bodies: Tree, kept: Sequence[Symbol]) -> Elimination:
@@ -67,7 +66,7 @@ def eliminate(rows: Sequence[FreeBodyRow], bodies: Tree, kept: Sequence[Symbol])
             for row in work:
                 if reaction in row.coefficients:
                     _subtract(row, pivot, reaction)
-    return Elimination(tuple(work), _back_substituted(solved, kept), tuple(solved))
+    return Elimination(tuple(work), tuple(solved))
 
 
 def _pivot(work: Sequence[Row], body: str, waiting: Sequence[Symbol]) -> tuple[Symbol, Row]:
@@ -101,9 +100,7 @@ def _subtract(row: Row, pivot: Row, reaction: Symbol) -> None:
     row.coefficients = {symbol: value for symbol, value in tidy.items() if value != 0}
 
 
-def _back_substituted(
-    solved: Sequence[Solved], kept: Sequence[Symbol]
-) -> tuple[tuple[Symbol, Expr], ...]:
+def solved_reactions(solved: Sequence[Solved]) -> tuple[tuple[Symbol, Expr], ...]:
     """Each reaction in u' and the kept ones: the last solved holds no other, so go backwards."""
     values: dict[Symbol, Expr] = {}
     for step in reversed(solved):

@@ -18,7 +18,7 @@ from mechanics.kinematics.constraints import constraint_rows
 from mechanics.kinematics.directions import AXES, Directions, used_directions
 from mechanics.kinematics.motion import BodyMotion, inertia_matrix
 from mechanics.routes.common import assemble
-from mechanics.routes.elimination import eliminate
+from mechanics.routes.elimination import eliminate, solved_reactions
 from mechanics.routes.free_body_steps import derivation_steps
 from mechanics.scene import RigidBody, Scene
 from mechanics.scene.actions import Action, applied_actions, by_body, moment, unit_reactions
@@ -52,7 +52,7 @@ def derive(scene: Scene) -> Equations:
         matrix,
         bias,
         conjugate=False,
-        reactions=result.reactions,
+        solve_reactions=partial(solved_reactions, result.order) if result.order else None,
         free_bodies=rows,
         chosen=tuple(f"{row.body}: {row.kind} momentum along {row.axis}" for row in rows),
         explain=partial(derivation_steps, scene, motions, rows, result, system),

@@ -36,7 +36,7 @@ def flow(model: Model, p: Array, signals: Signals, inputs: Mapping[str, Any]) ->
         What the signals were read from: constraints may need other rates of it.
     """
     scene, n = model.equations.scene, len(model.quantities.q)
-    numbers = {e.symbol: float(v) for e, v in zip(model.quantities.p, p, strict=True)}
+    numbers = model.numbers(p)
     calls = [model.buffer("coordinate_rates"), model.buffer("forward_dynamics")]
     for call in calls:
         call.inputs["p"][:] = p

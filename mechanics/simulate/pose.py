@@ -46,7 +46,7 @@ def pose(
     initial, parameters, inputs = initial or {}, parameters or {}, inputs or {}
     scene, quantities = model.equations.scene, model.quantities
     p = read_parameters(quantities.p, quantities.definitions, parameters)
-    numbers = {e.symbol: float(v) for e, v in zip(quantities.p, p, strict=True)}
+    numbers = model.numbers(p)
     constraints = manifold(scene, numbers, inputs)
     suggested_q, suggested_u = read_initial(scene, initial)
     q, _ = consistent_coordinates(constraints, 0.0, suggested_q, periodic(scene))

@@ -58,7 +58,9 @@ def equations(scene: Scene, route: str) -> Equations:
         Matrix.zeros(0, 1),
         Matrix.zeros(0, 1),
         conjugate=True,
-        reactions=((Symbol("N", real=True), m * cos(scene.q[0])),) if route == "free_body" else (),
+        solve_reactions=(lambda: ((Symbol("N", real=True), m * cos(scene.q[0])),))
+        if route == "free_body"
+        else None,
         explain=lambda: steps,
     )
 

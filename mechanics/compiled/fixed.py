@@ -1,0 +1,131 @@
+"""Parameters that are given a number before anything is compiled.
+
+    M(q, p, 981/100) u' = f(q, u, p, 981/100)
+
+A number is the exact decimal that was typed, so what is compiled can be proved equal to what was
+derived, at that rational. A product with zero is gone, and what only it needed with it.
+"""
+
+from collections.abc import Mapping
+from dataclasses import replace
+from fractions import Fraction
+from functools import partial
+from typing import Any
+
+import sympy
+from sympy import Expr, Matrix, Rational, Symbol
+
+from mechanics.equations import Equations
+from mechanics.errors import InputError, SingularError
+from mechanics.exact import generic_rank
+from mechanics.scene import Scene
+
+Fixed = Mapping[Symbol, Expr]
+
+
+def read_fixed(scene: Scene, given: Mapping[str, Any]) -> dict[Symbol, Expr]:
+    """Exact values by symbol; what a scene defines by fixed parameters is fixed too.
+
+    Parameters
+    ----------
+    scene : Scene
+    given : mapping of str to number or str
+        By name of a parameter, or of a symbol that the scene's definitions use.
+
+    Raises
+    ------
+    InputError
+        For a name that the scene does not have, a value that is no number, or one that is
+        negative where the parameter is declared positive.
+    """
+    definitions = {s: sympy.sympify(e) for s, e in scene.definitions.items()}
+    free = {s for e in definitions.values() for s in e.free_symbols}
+    named = {s.name: s for s in (*scene.parameters, *definitions, *free)}
+    table: dict[Symbol, Expr] = {}
+    for name, value in given.items():
+        if name not in named:
+            raise InputError(
+                f"fixed {name!r}: {scene.name} has no such parameter: the parameters are"
+                f" {', '.join(sorted(named))}"
+            )
+        table[named[name]] = _number(named[name], value)
+    for _ in definitions:
+        for symbol, expression in definitions.items():
+            value = expression.xreplace(table)
+            if symbol not in table and not value.free_symbols:
+                table[symbol] = value
+    wanted = {*scene.parameters, *(named[name] for name in given)}
+    return {symbol: value for symbol, value in table.items() if symbol in wanted}
+
+
+def _number(symbol: Symbol, value: Any) -> Expr:
+    try:
+        # The text of a float is the shortest decimal that gives it: what was typed.
+        number = Fraction(str(value))
+        rounded = float(number)
+    except (ValueError, ZeroDivisionError):
+        raise InputError(
+            f"fixed {symbol.name}: {value!r} is no number: write 9.81 or 1/3"
+        ) from None
+    except OverflowError:
+        raise InputError(f"fixed {symbol.name}: {value!r} is beyond 1.8e308") from None
+    if number and not rounded:
+        raise InputError(f"fixed {symbol.name}: {value!r} is below the smallest double")
+    if number < 0 and symbol.is_positive:
+        raise InputError(
+            f"fixed {symbol.name}: {value!r} is negative: the parameter is declared positive"
+        )
+    return Rational(number.numerator, number.denominator)
+
+
+def fix(equations: Equations, table: Fixed) -> Equations:
+    """The equations with numbers in place of parameters.
+
+    Raises
+    ------
+    InputError
+        If something is divided by a parameter that is fixed to zero.
+    SingularError
+        If the equations no longer determine the accelerations.
+    """
+    if not table:
+        return equations
+    put = partial(fixed_matrix, equations, table)
+    fixed = replace(
+        equations,
+        mass=put(equations.mass),
+        forcing=put(equations.forcing),
+        reaction_matrix=put(equations.reaction_matrix),
+        constraint_matrix=put(equations.constraint_matrix),
+        constraint_bias=put(equations.constraint_bias),
+        solve_reactions=equations.solve_reactions and partial(_reactions, equations, table),
+    )
+    left, _ = fixed.system
+    if generic_rank(left.tolist()) < left.rows:
+        raise SingularError(
+            f"{equations.scene.name} by {equations.route}: with {words(table)} fixed, the equations"
+            " do not determine the accelerations: is a body left without mass?"
+        )
+    return fixed
+
+
+def fixed_matrix(equations: Equations, table: Fixed, matrix: Matrix) -> Matrix:
+    """A matrix of expressions with numbers in place of parameters."""
+    result = matrix.xreplace(dict(table))
+    if result.has(sympy.zoo, sympy.nan, sympy.oo):
+        raise InputError(
+            f"{equations.scene.name} by {equations.route}: with {words(table)} fixed, something is"
+            " divided by zero: leave the parameter free, or choose another route"
+        )
+    return result
+
+
+def words(table: Fixed) -> str:
+    """``c = 0, g = 981/100``."""
+    return ", ".join(f"{s.name} = {e}" for s, e in sorted(table.items(), key=lambda x: x[0].name))
+
+
+def _reactions(equations: Equations, table: Fixed) -> tuple[tuple[Symbol, Expr], ...]:
+    symbols = [symbol for symbol, _ in equations.reactions]
+    values = Matrix([value for _, value in equations.reactions])
+    return tuple(zip(symbols, fixed_matrix(equations, table, values), strict=True))
