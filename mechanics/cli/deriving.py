@@ -9,6 +9,8 @@ from sympy import Matrix
 
 from mechanics.cli.load import load
 from mechanics.cli.python_module import python_module
+from mechanics.cli.values import assignments
+from mechanics.compiled.fixed import fix, read_fixed
 from mechanics.crosscheck import derive as derive_by
 from mechanics.equations import Equations
 from mechanics.report.notation import latex
@@ -28,6 +30,10 @@ def derive(
         str, typer.Option(help="free_body, moving_point, kane or lagrange.")
     ] = "free_body",
     form: Annotated[Format, typer.Option("--format", help="How to write them.")] = Format.TEXT,
+    fixed: Annotated[
+        list[str] | None,
+        typer.Option("--fix", metavar="NAME=VALUE", help="A parameter that becomes a number."),
+    ] = None,
 ) -> None:
     """Print the equations of motion M u' = f + B lambda, A u' = b of one route.
 
@@ -36,8 +42,12 @@ def derive(
     `mechanics derive rocker --route moving_point`
 
     `mechanics derive elastic_pendulum --route kane --format latex`
+
+    `mechanics derive elastic_pendulum --fix m=0 --fix g=9.81`
     """
-    equations = derive_by(load(system).scene(), route)
+    scene = load(system).scene()
+    table = read_fixed(scene, assignments(fixed or [], "--fix"))
+    equations = fix(derive_by(scene, route), table)
     writer = {Format.TEXT: _text, Format.LATEX: _latex, Format.PYTHON: python_module}[form]
     typer.echo(writer(equations))
 

@@ -79,17 +79,31 @@ def codegen(
     system: Annotated[str, typer.Argument(metavar="SYSTEM", help="A name or a .py file.")],
     out: Annotated[Path, typer.Option("--out", "-o", metavar="DIR", help="Folder to write.")],
     route: Annotated[str, typer.Option(help="Route that derives the equations.")] = "free_body",
+    fix: Annotated[
+        list[str] | None,
+        typer.Option("--fix", metavar="NAME=VALUE", help="A parameter that becomes a number."),
+    ] = None,
+    outputs: Annotated[
+        str, typer.Option(metavar="NAME,...", help="Functions to write; all by default.")
+    ] = "",
 ) -> None:
     """Write the equations as C99, with a header, a self-test and a manifest.
+
+    Parameters that are fixed are no longer inputs; what a zero multiplies is left out.
 
     Examples
     --------
     `mechanics codegen elastic_pendulum -o elastic_pendulum_c`
 
+    `mechanics codegen elastic_pendulum -o small_c --fix g=9.81 --outputs forward_dynamics,energy`
+
     `cmake -S elastic_pendulum_c -B build && cmake --build build && ctest --test-dir build`
     """
     scene = load(system).scene()
+    fixed = assignments(fix or [], "--fix")
+    asked = [name.strip() for name in outputs.split(",")] if outputs else None
     with Console(stderr=True).status("deriving"):
-        files = write_c(compile(derive(scene, route)), out)
+        model = compile(derive(scene, route), fixed=fixed, outputs=asked)
+        files = write_c(model, out)
     for path in files:
         typer.echo(str(path))

@@ -7,8 +7,8 @@ from mechanics.errors import InputError
 from mechanics.scene import Scene
 
 
-def assignments(entries: Sequence[str]) -> dict[str, Fraction]:
-    """Read ``name=value`` entries; values are decimal numbers or fractions, kept exact.
+def assignments(entries: Sequence[str], option: str = "--set") -> dict[str, Fraction]:
+    """Read ``name=value`` entries of an option; decimal numbers or fractions, kept exact.
 
     Raises
     ------
@@ -19,14 +19,16 @@ def assignments(entries: Sequence[str]) -> dict[str, Fraction]:
     for entry in entries:
         name, equals, text = (part.strip() for part in entry.partition("="))
         if not equals or not name:
-            raise InputError(f"--set {entry!r}: write name=value, for example --set theta=0.5")
+            raise InputError(
+                f"{option} {entry!r}: write name=value, for example {option} theta=0.5"
+            )
         if name in found:
-            raise InputError(f"--set {entry!r}: {name} is given twice")
+            raise InputError(f"{option} {entry!r}: {name} is given twice")
         try:
             found[name] = Fraction(text)
         except (ValueError, ZeroDivisionError):
             raise InputError(
-                f"--set {entry!r}: {text!r} is no number: write 0.5, 1e-3 or 1/3"
+                f"{option} {entry!r}: {text!r} is no number: write 0.5, 1e-3 or 1/3"
             ) from None
     return found
 

@@ -68,12 +68,12 @@ def _number(symbol: Symbol, value: Any) -> Expr:
             f"fixed {symbol.name}: {value!r} is no number: write 9.81 or 1/3"
         ) from None
     except OverflowError:
-        raise InputError(f"fixed {symbol.name}: {value!r} is beyond 1.8e308") from None
+        raise InputError(f"fixed {symbol.name}: {value} is beyond 1.8e308") from None
     if number and not rounded:
-        raise InputError(f"fixed {symbol.name}: {value!r} is below the smallest double")
+        raise InputError(f"fixed {symbol.name}: {value} is below the smallest double")
     if number < 0 and symbol.is_positive:
         raise InputError(
-            f"fixed {symbol.name}: {value!r} is negative: the parameter is declared positive"
+            f"fixed {symbol.name}: {value} is negative: the parameter is declared positive"
         )
     return Rational(number.numerator, number.denominator)
 

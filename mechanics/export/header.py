@@ -3,6 +3,7 @@
 from collections.abc import Iterator, Sequence
 
 from mechanics.compiled import Model
+from mechanics.compiled.graphs import STATE
 from mechanics.compiled.quantities import Quantity
 from mechanics.compiled.source import signature
 from mechanics.errors import ValueMissingError
@@ -46,12 +47,12 @@ def header(model: Model, prefix: str, names: Sequence[str]) -> str:
  *
  * Non-finite values: an input that is not finite, or a state at which the equations are singular,
  * gives outputs that are not finite. Nothing traps and nothing is checked; use isfinite().
- */
+{fixed_values(model)} */
 #ifndef {guard}
 #define {guard}
 """
     sections = [top]
-    for array, title in ARRAYS.items():
+    for array, title in used_arrays(model, names).items():
         entries = getattr(model.quantities, array)
         sections.append("\n".join(array_section(model, prefix, array, title, entries)) + "\n")
     sections.append('#ifdef __cplusplus\nextern "C" {\n#endif\n')
@@ -60,6 +61,25 @@ def header(model: Model, prefix: str, names: Sequence[str]) -> str:
         sections.append(f"/* {FUNCTIONS[name]} */\n{prototype};\n")
     sections.append(f"#ifdef __cplusplus\n}}\n#endif\n\n#endif /* {guard} */\n")
     return "\n".join(sections)
+
+
+def used_arrays(model: Model, names: Sequence[str]) -> dict[str, str]:
+    """Arrays of the state, and those that a function reads or writes, with their titles."""
+    used = {*STATE}
+    for name in names:
+        code = model.program(name)
+        used |= {array for array, _ in (*code.inputs, *code.shapes)}
+    return {array: title for array, title in ARRAYS.items() if array in used}
+
+
+def fixed_values(model: Model) -> str:
+    """Lines of a comment that say which parameters are numbers; empty where none are."""
+    if not model.fixed:
+        return ""
+    lines = [" *\n * Fixed when this was generated, and no entry of p:\n"]
+    for name, value in sorted(model.fixed.items()):
+        lines.append(f" *   {comment(name)} = {comment(str(value))}\n")
+    return "".join(lines)
 
 
 def array_section(

@@ -7,7 +7,7 @@ from importlib.metadata import PackageNotFoundError, version
 from typing import Any
 
 from mechanics.compiled import Model
-from mechanics.export.header import ARRAYS
+from mechanics.export.header import used_arrays
 
 TOOLS = ("mechanics", "casadi", "sympy", "python-flint")
 
@@ -24,12 +24,13 @@ def manifest(model: Model, prefix: str, names: Sequence[str], files: Mapping[str
         "scene": model.equations.scene.name,
         "route": model.equations.route,
         "prefix": prefix,
+        "fixed": {parameter: str(value) for parameter, value in sorted(model.fixed.items())},
         "arrays": {
             array: [
                 {"name": e.name, "unit": e.unit, "meaning": e.meaning}
                 for e in getattr(model.quantities, array)
             ]
-            for array in ARRAYS
+            for array in used_arrays(model, names)
         },
         "functions": {
             name: {
