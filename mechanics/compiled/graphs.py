@@ -11,6 +11,7 @@ rows are conjugate and nothing is constrained, it is M u' - f.
 """
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from fractions import Fraction
 from functools import cached_property
 
 import casadi as ca
@@ -21,10 +22,12 @@ from mechanics.compiled.forms import System, named_form
 from mechanics.compiled.mechanical import Totals, totals
 from mechanics.compiled.order import Order
 from mechanics.compiled.quantities import DIGITS, Quantities, quantities
+from mechanics.compiled.step import RK4, runge_kutta
 from mechanics.compiled.translate import Translator
 from mechanics.compiled.trial import chosen_pivots
 from mechanics.equations import Equations
 from mechanics.errors import InputError
+from mechanics.scene.rates import TIME
 
 STATE = ("q", "u", "inputs", "p")
 MATRICES = frozenset({"mass_matrix", *(f"ud_{group}" for group in STATE)})
@@ -73,6 +76,7 @@ class Graphs(Mapping[str, ca.Function]):
         )
         groups = {name: getattr(self.quantities, name) for name in (*STATE, "ud", "multipliers")}
         self._columns = {name: ca.SX.sym(name, len(group)) for name, group in groups.items()}
+        self._columns["h"] = ca.SX.sym("h")
         table = {
             entry.symbol: self._columns[name][i]
             for name, group in groups.items()
@@ -163,6 +167,7 @@ class Graphs(Mapping[str, ca.Function]):
             "momenta": ((), self._momenta),
             "coordinate_rates": ((), self._coordinate_rates),
             "jacobians": ((), self._jacobians),
+            "step": (("h",), self._step),
         }
         if self.equations.solve_reactions is not None:
             found["reactions"] = ((), self._reactions)
@@ -253,3 +258,20 @@ class Graphs(Mapping[str, ca.Function]):
             found[f"ud_{group}"] = columns[: len(self.quantities.ud), start:end]
             start = end
         return found
+
+    def _step(self) -> dict[str, ca.SX]:
+        q, u, inputs, p = (self._columns[group] for group in STATE)
+        found = [self._coordinate_rates()["qd"], self._forward_dynamics()["ud"]]
+        constants = ca.vertcat(*self._constants.values()) if self._constants else ca.SX(0, 1)
+        rates = ca.Function("rates", [q, u, inputs, p, constants], [ca.vertcat(*found)])
+        times = [i for i, entry in enumerate(self.quantities.inputs) if entry.symbol == TIME]
+        n, h = len(self.quantities.q), self._columns["h"]
+
+        def rate(y: ca.SX, share: Fraction | float) -> ca.SX:
+            held = ca.SX(inputs)
+            for i in times:
+                held[i] += float(share) * h
+            return rates(y[:n], y[n:], held, p, constants)
+
+        y = runge_kutta(RK4, rate, ca.vertcat(q, u), h)
+        return {"q_next": y[:n], "u_next": y[n:]}

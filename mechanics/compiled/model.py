@@ -94,7 +94,7 @@ class Model:
     @cached_property
     def entries(self) -> dict[str, tuple[str, ...]]:
         """Names of the entries of every input."""
-        groups = ("q", "u", "inputs", "p", "ud", "multipliers")
+        groups = ("q", "u", "inputs", "p", "ud", "multipliers", "h")
         return {g: tuple(e.name for e in getattr(self.quantities, g)) for g in groups}
 
     def kernel(self, name: str, kind: type[np.floating] = np.float64) -> Kernel:

@@ -18,7 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from mechanics.compiled.program import Program
-from mechanics.compiled.source import Entries, function_source
+from mechanics.compiled.source import Entries, function_source, signature
 from mechanics.errors import CompilerError
 
 Array = NDArray[np.floating]
@@ -29,6 +29,8 @@ FLAGS = ("-std=c99", "-fPIC", "-ffp-contract=off", "-fno-math-errno")
 # Register allocation of one straight block grows faster than its length: 30,000 operations take gcc
 # 20 s with -O1 or -O2 and 1 s with -O0, for code that is only half as slow again.
 LONG = 10_000
+# The C library of Linux has a function called step, which would be called in place of ours.
+PREFIX = "mechanics_"
 OPTIMISED = re.compile(r"-O\w*")
 
 
@@ -71,8 +73,8 @@ class NativeKernel:
         self._results = [rows * cols for _, (rows, cols) in code.shapes]
         settings = OPTIMISED.sub("-O0", flags) if code.operations > LONG else flags
         library = load(library_source(code, entries, kind), compiler, settings)
-        self._batch = getattr(library, f"{code.name}_batch")
-        self._single = getattr(library, code.name)
+        self._batch = getattr(library, f"{PREFIX}{code.name}_batch")
+        self._single = getattr(library, f"{PREFIX}{code.name}")
         self._batch.restype = self._single.restype = None
 
     def __call__(self, arguments: Sequence[Array], count: int) -> list[Array]:
@@ -105,19 +107,20 @@ def library_source(code: Program, entries: Entries, kind: type[np.floating]) -> 
     real = "float" if kind is np.float32 else "double"
     sizes = [size for _, size in code.inputs if size]
     results = [rows * cols for _, (rows, cols) in code.shapes if rows * cols]
-    calls = [f"arg[{i}] + i * step[{i}]" for i in range(len(sizes))]
+    calls = [f"arg[{i}] + i * stride[{i}]" for i in range(len(sizes))]
     calls += [f"res[{i}] + i * {size}" for i, size in enumerate(results)]
-    head = f"void {code.name}_batch(long long count, const {real} *const *arg,"
+    name = f"{PREFIX}{code.name}"
+    head = f"void {name}_batch(long long count, const {real} *const *arg,"
     return "\n".join(
         [
             "#include <math.h>",
             "",
-            function_source(code, entries, real),
+            function_source(code, entries, real, signature(code, real, name)),
             head,
-            f"    const long long *step, {real} *const *res)",
+            f"    const long long *stride, {real} *const *res)",
             "{",
             "    for (long long i = 0; i < count; ++i)",
-            f"        {code.name}({', '.join(calls)});",
+            f"        {name}({', '.join(calls)});",
             "}",
             "",
         ]

@@ -69,6 +69,11 @@ class Quantities:
     reactions: tuple[Quantity, ...]
     definitions: Mapping[Symbol, Expr]
 
+    @property
+    def h(self) -> tuple[Quantity, ...]:
+        """The length of a step of integration."""
+        return (Quantity(Symbol("h"), "s", "length of the step"),)
+
     @cached_property
     def typical(self) -> tuple[float, ...]:
         """Typical value of each parameter, the nearest double.

@@ -16,6 +16,7 @@ ARRAYS = {
     "p": "parameters",
     "multipliers": "multipliers: reactions that maintain the constraints",
     "reactions": "reactions",
+    "h": "time",
 }
 
 FUNCTIONS = {
@@ -30,6 +31,8 @@ FUNCTIONS = {
     "coordinate_rates": "Rates of the coordinates: q' = N u + n.",
     "jacobians": "Derivatives of u' by q, u, inputs and p, column by column.",
     "reactions": "The reactions listed above, from the state.",
+    "step": "State at t + h by the classical Runge-Kutta method of order 4, inputs held over the\n"
+    " * step: in place with q_next = q and u_next = u.",
 }
 
 

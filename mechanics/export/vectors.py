@@ -27,6 +27,8 @@ COUNT = 5
 DRAWN = 60
 DECADES = 1.0
 SEED = 3
+# Lengths of steps, in s.
+STEP = 1e-3, 5e-2
 BITS = 512
 DOUBLE = 53
 ROOM = 4
@@ -85,6 +87,7 @@ def _states(quantities: Quantities, groups: Sequence[str]) -> list[Inputs]:
     for group in ("ud", "multipliers"):
         entries: tuple[Quantity, ...] = getattr(quantities, group)
         columns[group] = random.uniform(-10, 10, (DRAWN, len(entries)))
+    columns["h"] = random.uniform(*STEP, (DRAWN, 1))
     rounded = {group: array.astype(np.float32).astype(float) for group, array in columns.items()}
     return [tuple(tuple(rounded[g][i].tolist()) for g in groups) for i in range(DRAWN)]
 

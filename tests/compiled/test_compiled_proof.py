@@ -16,8 +16,10 @@ ROUTES = ("free_body", "moving_point", "kane", "lagrange")
 @pytest.mark.parametrize("system", SEEDS)
 def test_every_function_of_the_seeds_systems_is_proved(modelled, system: str, route: str) -> None:
     model = modelled(system, route)
-    findings = prove_compiled(model, list(model.casadi))
-    assert len(findings) == len(model.casadi)
+    # A step is composed of functions that are proved: tests/compiled/test_compiled_step.py.
+    functions = [name for name in model.casadi if name != "step"]
+    findings = prove_compiled(model, functions)
+    assert len(findings) == len(functions)
     assert {f.subject: f.verdict for f in findings if f.verdict is not Verdict.PROVED} == {}
     assert all(route in f.subject for f in findings)
 

@@ -253,6 +253,72 @@ void elastic_pendulum_jacobians(const double q[2], const double u[2], const doub
     ud_p[9] = v2 * v36 / v4;
 }
 
+void elastic_pendulum_step(const double q[2], const double u[2], const double p[5],
+    const double h[1], double q_next[2], double u_next[2])
+{
+    const double x = q[0];
+    const double theta = q[1];
+    const double x_dot = u[0];
+    const double theta_dot = u[1];
+    const double L = p[0];
+    const double M = p[1];
+    const double g = p[2];
+    const double k = p[3];
+    const double m = p[4];
+    const double h_ = h[0];
+    const double sin_theta = sin(theta);
+    const double v1 = L * M;
+    const double cos_theta = cos(theta);
+    const double v2 = v1 * cos_theta / 2.0;
+    const double v3 = L * L * M / 3.0;
+    const double v4 = v2 / v3;
+    const double v5 = v1 * g;
+    const double v6 = v5 * sin_theta / 2.0;
+    const double v7 = theta_dot * theta_dot * L * M * sin_theta / 2.0 - 2.0 * x * k;
+    const double v8 = M + m;
+    const double v9 = (v7 + v4 * v6) / (v8 - v4 * v2);
+    const double v10 = x_dot + h_ * (v9 / 2.0);
+    const double v11 = (v6 + v2 * v9) / v3;
+    const double v12 = theta_dot - h_ * (v11 / 2.0);
+    const double v13 = theta + h_ * (theta_dot / 2.0);
+    const double sin_v13 = sin(v13);
+    const double v14 = v12 * v12 * L * M * sin_v13 / 2.0;
+    const double v15 = 2.0 * (x + h_ * (x_dot / 2.0)) * k;
+    const double cos_v13 = cos(v13);
+    const double v16 = v1 * cos_v13 / 2.0;
+    const double v17 = v16 / v3;
+    const double v18 = v5 * sin_v13 / 2.0;
+    const double v19 = (v14 - v15 + v17 * v18) / (v8 - v17 * v16);
+    const double v20 = x_dot + h_ * (v19 / 2.0);
+    const double v21 = (v18 + v16 * v19) / v3;
+    const double v22 = theta_dot - h_ * (v21 / 2.0);
+    const double v23 = theta + h_ * (v12 / 2.0);
+    const double sin_v23 = sin(v23);
+    const double v24 = v22 * v22 * L * M * sin_v23 / 2.0;
+    const double v25 = 2.0 * (x + h_ * (v10 / 2.0)) * k;
+    const double cos_v23 = cos(v23);
+    const double v26 = v1 * cos_v23 / 2.0;
+    const double v27 = v26 / v3;
+    const double v28 = v5 * sin_v23 / 2.0;
+    const double v29 = (v24 - v25 + v27 * v28) / (v8 - v27 * v26);
+    const double v30 = (x_dot + 2.0 * v10 + 2.0 * v20 + (x_dot + h_ * v29)) / 6.0;
+    const double v31 = (v28 + v26 * v29) / v3;
+    const double v32 = theta_dot - h_ * v31;
+    const double v33 = theta + h_ * v22;
+    const double sin_v33 = sin(v33);
+    const double cos_v33 = cos(v33);
+    const double v34 = v1 * cos_v33 / 2.0;
+    const double v35 = v34 / v3;
+    const double v36 = v5 * sin_v33 / 2.0;
+    const double v37 = v32 * v32 * L * M * sin_v33 / 2.0 - 2.0 * (x + h_ * v20) * k;
+    const double v38 = (v37 + v35 * v36) / (v8 - v35 * v34);
+    const double v39 = (2.0 * -v21 - v11 + 2.0 * -v31 - (v36 + v34 * v38) / v3) / 6.0;
+    q_next[0] = x + h_ * v30;
+    q_next[1] = theta + h_ * ((theta_dot + 2.0 * v12 + 2.0 * v22 + v32) / 6.0);
+    u_next[0] = x_dot + h_ * ((v9 + 2.0 * v19 + 2.0 * v29 + v38) / 6.0);
+    u_next[1] = theta_dot + h_ * v39;
+}
+
 void elastic_pendulum_reactions(const double q[2], const double u[2], const double p[5],
     double reactions[3])
 {

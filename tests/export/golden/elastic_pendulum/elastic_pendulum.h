@@ -49,6 +49,11 @@
  */
 #define ELASTIC_PENDULUM_REACTIONS_SIZE 3
 
+/* time
+ *   h[0]  h  s  length of the step
+ */
+#define ELASTIC_PENDULUM_H_SIZE 1
+
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -89,6 +94,11 @@ void elastic_pendulum_coordinate_rates(const double q[2], const double u[2], con
 /* Derivatives of u' by q, u, inputs and p, column by column. */
 void elastic_pendulum_jacobians(const double q[2], const double u[2], const double p[5],
     double ud_q[4], double ud_u[4], double ud_p[10]);
+
+/* State at t + h by the classical Runge-Kutta method of order 4, inputs held over the
+ * step: in place with q_next = q and u_next = u. */
+void elastic_pendulum_step(const double q[2], const double u[2], const double p[5],
+    const double h[1], double q_next[2], double u_next[2]);
 
 /* The reactions listed above, from the state. */
 void elastic_pendulum_reactions(const double q[2], const double u[2], const double p[5],

@@ -568,6 +568,75 @@ static int test_jacobians(void)
     return failures;
 }
 
+static int test_step(void)
+{
+    static const double q_in[5][2] = {
+        {0x1.2fd40ep-3, 0x1.921fb4p+0},
+        {-0x1.30bbeap-2, 0x1.1a896p-42},
+        {-0x1.0049d2p+2, 0x1.921fb6p+0},
+        {0x1.75bc38p+0, 0x1.10b18ap+1},
+        {-0x1.3bed68p-3, 0x1.921fb6p+2},
+    };
+    static const double u_in[5][2] = {
+        {-0x1.5c2216p-1, -0x1.3858aep-2},
+        {0x1.3e05a6p-2, 0x1.f36a72p+0},
+        {0x1.1d3fep-2, -0x1.0b9f4ap-3},
+        {0x1.007a28p+1, -0x1.14058cp-3},
+        {0x1.fe8c4cp-4, -0x1.0843bp-3},
+    };
+    static const double p_in[5][5] = {
+        {0x1.7790bap+1, 0x1.691be4p+2, 0x1.145202p-2, 0x1.e71dfp+2, 0x1.bf465ep-2},
+        {0x1.de6706p+2, 0x1.29f70cp+2, 0x1.7a15ecp-2, 0x1.fccddcp+0, 0x1.6aa744p+2},
+        {0x1.244b22p+3, 0x1.4b4ddcp+1, 0x1.879996p+0, 0x1.0f999cp+3, 0x1.b65c5ep+1},
+        {0x1.184f4ap-3, 0x1.9e7162p+0, 0x1.e22d02p-1, 0x1.cdaf4cp-1, 0x1.aa5f9cp-2},
+        {0x1.45e6c4p-1, 0x1.0b6adap-3, 0x1.5e3fbp+0, 0x1.1daafap+0, 0x1.1615f4p+1},
+    };
+    static const double h_in[5][1] = {
+        {0x1.8461cp-5},
+        {0x1.5a394ep-5},
+        {0x1.32d794p-5},
+        {0x1.4e9a38p-5},
+        {0x1.516702p-5},
+    };
+    static const double q_next_expected[5][2] = {
+        {0x1.daa087f0251fap-4, 0x1.8e61d8f5ddfbep+0},
+        {-0x1.22e3bdc248537p-2, 0x1.51620a98ae7aap-4},
+        {-0x1.fe395d423f6a4p+1, 0x1.90d33f7d190ebp+0},
+        {0x1.8a499de9e528p+0, 0x1.0de6381f6e51fp+1},
+        {-0x1.31253ef97703ap-3, 0x1.91c3aadd7e92dp+2},
+    };
+    static const double q_next_tolerance[5][2] = {
+        {0x1p-53, 0x1p-49},
+        {0x1p-51, 0x1p-51},
+        {0x1p-48, 0x1p-49},
+        {0x1p-49, 0x1p-48},
+        {0x1p-52, 0x1p-47},
+    };
+    static const double u_next_expected[5][2] = {
+        {-0x1.60fdd202eb557p-1, -0x1.3f028d08255c2p-2},
+        {0x1.56e059e6173cbp-2, 0x1.f223487135a0cp+0},
+        {0x1.67b76463b029ap-1, -0x1.1f3fcecef78b3p-3},
+        {0x1.ed64d6214444bp+0, -0x1.dd758e20a8d6fp-1},
+        {0x1.0c34b41913aeap-3, -0x1.25fd05e80b471p-3},
+    };
+    static const double u_next_tolerance[5][2] = {
+        {0x1p-50, 0x1p-51},
+        {0x1p-50, 0x1p-49},
+        {0x1p-48, 0x1p-51},
+        {0x1p-49, 0x1p-46},
+        {0x1p-52, 0x1p-49},
+    };
+    int failures = 0;
+    for (int i = 0; i < 5; ++i) {
+        double q_next[2];
+        double u_next[2];
+        elastic_pendulum_step(q_in[i], u_in[i], p_in[i], h_in[i], q_next, u_next);
+        failures += check("step q_next", i, 2, q_next, q_next_expected[i], q_next_tolerance[i]);
+        failures += check("step u_next", i, 2, u_next, u_next_expected[i], u_next_tolerance[i]);
+    }
+    return failures;
+}
+
 static int test_reactions(void)
 {
     static const double q_in[5][2] = {
@@ -627,6 +696,7 @@ int main(void)
     failures += test_momenta();
     failures += test_coordinate_rates();
     failures += test_jacobians();
+    failures += test_step();
     failures += test_reactions();
     printf("elastic_pendulum: %d failures\n", failures);
     return failures > 0;

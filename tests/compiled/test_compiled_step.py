@@ -1,0 +1,71 @@
+"""The Runge-Kutta step: composed of the functions that are proved, of the order that it claims."""
+
+import math
+from fractions import Fraction
+
+import casadi as ca
+import numpy as np
+import pytest
+from flint import arb
+
+from mechanics.compiled.step import RK4, TABLEAUX, Tableau, runge_kutta
+from mechanics.exact.balls import Ball, BallArithmetic, State, ball, precision
+
+SYSTEMS = [("elastic_pendulum", "kane"), ("rocker", "free_body"), ("rolling_disc", "free_body"),
+           ("four_bar", "lagrange")]  # fmt: skip
+
+
+@pytest.mark.parametrize(("system", "route"), SYSTEMS)
+def test_step_is_the_classical_formula_in_balls(modelled, system: str, route: str) -> None:
+    """k1 to k4 one after the other, each by the functions themselves, at 300 bits."""
+    graphs, random = modelled(system, route).casadi, np.random.default_rng(7)
+    step = graphs["step"]
+    sizes = [step.numel_in(i) for i in range(4)]
+    n = sizes[0]
+
+    def rate(y: list[Ball], rest: list[list[Ball]]) -> list[Ball]:
+        qd, *_ = BallArithmetic(State({})).graph(graphs["coordinate_rates"], [y[:n], y[n:], *rest])
+        ud, *_ = BallArithmetic(State({})).graph(graphs["forward_dynamics"], [y[:n], y[n:], *rest])
+        return [entry if isinstance(entry, Ball) else Ball(ball(entry)) for entry in (*qd, *ud)]
+
+    with precision(300):
+        q, u, *rest = (
+            [Ball(arb(x)) for x in random.uniform(0.3, 1.3, size).tolist()] for size in sizes
+        )
+        h, y = Ball(arb(0.01)), [*q, *u]
+        k1 = rate(y, rest)
+        k2 = rate([a + h / 2 * k for a, k in zip(y, k1, strict=True)], rest)
+        k3 = rate([a + h / 2 * k for a, k in zip(y, k2, strict=True)], rest)
+        k4 = rate([a + h * k for a, k in zip(y, k3, strict=True)], rest)
+        found = BallArithmetic(State({})).graph(step, [q, u, *rest, [h]])
+        for value, start, *k in zip([*found[0], *found[1]], y, k1, k2, k3, k4, strict=True):
+            expected = start + h / 6 * (k[0] + 2 * k[1] + 2 * k[2] + k[3])
+            assert (value - expected).arb.contains(0) and (value - expected).arb.rad() < 1e-70
+
+
+@pytest.mark.parametrize("tableau", TABLEAUX, ids=lambda tableau: tableau.name)
+def test_error_of_a_step_falls_with_the_order_it_claims(tableau: Tableau) -> None:
+    """Error of a step on y' = (y2, -y1 y1), whose stages are not all alike, by Richardson."""
+    y, h = ca.SX.sym("y", 2), ca.SX.sym("h")
+    graph = runge_kutta(tableau, lambda at, _: ca.vertcat(at[1], -at[0] * at[0]), y, h)
+    step = ca.Function("step", [y, h], [graph])
+
+    def after(size: Fraction, count: int) -> list[Ball]:
+        state = [Ball(arb(1)), Ball(arb(0.5))]
+        for _ in range(count):
+            given = [state, [Ball(ball(size))]]
+            state = BallArithmetic(State({})).graph(step, given)[0]
+        return state
+
+    with precision(400):
+        # A step and 64 times as many: what the long one leaves is its own error.
+        errors = []
+        for size in (Fraction(1, 4), Fraction(1, 8)):
+            rough, fine = after(size, 1), after(size / 64, 64)
+            errors.append(max(abs(float((a - b).arb)) for a, b in zip(rough, fine, strict=True)))
+    assert math.log2(errors[0] / errors[1]) == pytest.approx(tableau.order + 1, abs=0.45)
+
+
+def test_coefficients_are_those_of_kutta() -> None:
+    assert RK4.b == (Fraction(1, 6), Fraction(1, 3), Fraction(1, 3), Fraction(1, 6))
+    assert [sum(row) for row in RK4.a] == [0, Fraction(1, 2), Fraction(1, 2), 1]
