@@ -2,9 +2,34 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from fractions import Fraction
+
+from sympy import Expr, Symbol
 
 from mechanics.scene.published import Published
 from mechanics.scene.scene import Scene
+
+
+@dataclass(frozen=True)
+class Path:
+    """Values worth a visit that no single quantity leads to: a gain beside its critical value.
+
+    Attributes
+    ----------
+    label : str
+        What is special there, in a phrase.
+    along : Symbol
+        Counts the points of the path.
+    values : tuple of Fraction
+        What it takes in turn.
+    sets : tuple of (str, Expr)
+        Coordinate, speed, input or parameter, and its value in terms of `along` and the parameters.
+    """
+
+    label: str
+    along: Symbol
+    values: tuple[Fraction, ...]
+    sets: tuple[tuple[str, Expr], ...]
 
 
 @dataclass(frozen=True)
@@ -19,8 +44,11 @@ class System:
         Makes a new scene; SymPy's frames and points are mutable.
     published : tuple of Published
         Rows of the source, typed by hand; may be empty.
+    paths : tuple of Path
+        Where `mechanics extremes` goes besides lines and pairs of quantities.
     """
 
     name: str
     scene: Callable[[], Scene]
     published: tuple[Published, ...] = ()
+    paths: tuple[Path, ...] = ()

@@ -1,0 +1,131 @@
+"""The map as JSON, and any figure of it computed anew.
+
+    walk  ->  values of what is varied, hexadecimal  ->  point  ->  figures
+
+Lines and pairs name their values, the last name varying fastest; all other quantities are as usual.
+Paths and mixed points are written out. Figures have four digits; null stands for no number.
+"""
+
+from collections.abc import Mapping, Sequence
+from math import isfinite
+from typing import Any
+
+import numpy as np
+
+from mechanics.compiled import Model
+from mechanics.extremes.cause import CAUSES
+from mechanics.extremes.judge import Case, cause
+from mechanics.extremes.measure import LOST, measure
+from mechanics.extremes.result import PRECISIONS, Extremes, Figures, Reach, Visited, tolerance
+from mechanics.extremes.run import GROUPS, computed, representable
+from mechanics.extremes.trace import trace
+from mechanics.extremes.truth import truth
+
+DIGITS = 4
+Record = Mapping[str, Any]
+
+
+def to_record(found: Extremes) -> dict[str, Any]:
+    """Everything that a walk found, for `json.dumps`."""
+    return {
+        "system": found.system,
+        "route": found.route,
+        "default_form": found.default,
+        "forms": list(found.forms),
+        "backend": found.backend,
+        "unknowns": list(found.unknowns),
+        "tolerance": {precision: tolerance(precision) for precision in PRECISIONS},
+        "causes": {entry.name.lower(): entry.value for entry in CAUSES},
+        "quantities": [
+            {"name": axis.name, "unit": axis.unit, "usual": value.hex()}
+            for axis, value in zip(found.axes, found.usual, strict=True)
+        ],
+        "domain": [_reach(reach) for reach in found.reaches],
+        "walks": [_walk(visited) for visited in found.visited],
+    }
+
+
+def _reach(reach: Reach) -> dict[str, Any]:
+    return {
+        "quantity": reach.name, "unit": reach.unit,
+        "form": reach.form, "precision": reach.precision,
+        "low": reach.low.hex(), "high": reach.high.hex(),
+        "below": reach.below.name.lower(), "above": reach.above.name.lower(),
+        "worst_backward": rounded(reach.worst),
+    }  # fmt: skip
+
+
+def _walk(visited: Visited) -> dict[str, Any]:
+    walk = visited.walk
+    record: dict[str, Any] = {"kind": walk.kind, "names": list(walk.names)}
+    if walk.kind in ("line", "pair"):
+        record["values"] = [[value.hex() for value in values] for values in walk.values]
+    else:
+        record["points"] = [[value.hex() for value in row] for row in walk.points.tolist()]
+    record["condition"] = list(map(rounded, visited.condition.tolist()))
+    record["sensitivity"] = list(map(rounded, visited.sensitivity.tolist()))
+    record["figures"] = [_figures(figures) for figures in visited.figures]
+    return record
+
+
+def _figures(figures: Figures) -> dict[str, Any]:
+    return {
+        "form": figures.form,
+        "precision": figures.precision,
+        "forward_ulp": list(map(rounded, figures.forward.tolist())),
+        "relative": list(map(rounded, figures.relative.tolist())),
+        "backward_eps": list(map(rounded, figures.backward.tolist())),
+        "cause": [CAUSES[i].name.lower() for i in figures.causes.tolist()],
+    }
+
+
+def rounded(value: float) -> float | None:
+    """Four digits; None for what is no number."""
+    return float(f"{value:.{DIGITS}g}") if isfinite(value) else None
+
+
+def point(record: Record, walk: int, index: int) -> tuple[float, ...]:
+    """The values of all quantities at one point of a record."""
+    entry = record["walks"][walk]
+    if "points" in entry:
+        return tuple(map(float.fromhex, entry["points"][index]))
+    values = [float.fromhex(quantity["usual"]) for quantity in record["quantities"]]
+    names = [quantity["name"] for quantity in record["quantities"]]
+    shape = tuple(map(len, entry["values"]))
+    places = np.unravel_index(index, shape)
+    for name, column, place in zip(entry["names"], entry["values"], places, strict=True):
+        values[names.index(name)] = float.fromhex(column[int(place)])
+    return tuple(values)
+
+
+def reproduce(model: Model, values: Sequence[float], precision: str) -> dict[str, Any]:
+    """The figures of one point, computed anew.
+
+    Parameters
+    ----------
+    model : Model
+        Compiled in the form in question.
+    values : sequence of float
+        From `point`.
+    precision : str
+        ``"double"`` or ``"single"``.
+
+    Returns
+    -------
+    dict
+        ``forward_ulp``, ``relative``, ``backward_eps`` and ``cause`` as in a record.
+    """
+    kind, row = PRECISIONS[precision], np.array([values])
+    known = model.quantities
+    symbols = [entry.symbol for group in GROUPS for entry in getattr(known, group)]
+    found = truth(model.equations, symbols).at(values)
+    numbers, (fits,) = computed(model, row, kind), representable(row, kind)
+    errors = measure(found, numbers[0].tolist(), kind) if fits else LOST
+    events = trace(model.program("forward_dynamics"), row, kind)
+    why = cause(Case(found, bool(fits), numbers[0], errors, events, 0), precision)
+    return {
+        "forward_ulp": rounded(errors.forward),
+        "relative": rounded(errors.relative),
+        "backward_eps": rounded(errors.backward),
+        "cause": why.name.lower(),
+    }
