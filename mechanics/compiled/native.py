@@ -42,6 +42,11 @@ def find_compiler() -> str | None:
     return None
 
 
+def affordable(flags: str, operations: int) -> str:
+    """Settings of the compiler without optimisation for a function that is too long for it."""
+    return OPTIMISED.sub("-O0", flags) if operations > LONG else flags
+
+
 class NativeKernel:
     """One program as a C function.
 
@@ -71,7 +76,7 @@ class NativeKernel:
         self._kind = kind
         self._sizes = [size for _, size in code.inputs]
         self._results = [rows * cols for _, (rows, cols) in code.shapes]
-        settings = OPTIMISED.sub("-O0", flags) if code.operations > LONG else flags
+        settings = affordable(flags, code.operations)
         library = load(library_source(code, entries, kind), compiler, settings)
         self._batch = getattr(library, f"{PREFIX}{code.name}_batch")
         self._single = getattr(library, f"{PREFIX}{code.name}")
