@@ -26,6 +26,7 @@ SEED: tuple[System, ...] = (
             *rocker_ledger.PUBLISHED,
             *rocker_control_ledger.PUBLISHED,
         ),
+        (rocker.AT_THE_ENDS,),
     ),
     System("two_mass_chain", two_mass_chain.scene, two_mass_chain_ledger.PUBLISHED),
 )
@@ -35,5 +36,15 @@ ALL: tuple[System, ...] = (
     System("rolling_disc", rolling_disc.scene, rolling_disc.PUBLISHED),
     System("four_bar", four_bar.scene, four_bar_ledger.PUBLISHED),
 )
+VARIANTS: tuple[System, ...] = (
+    System("massless_carriage", elastic_pendulum.massless),
+    System(
+        "controlled_rocker", rocker.controlled, (), (rocker.AT_CRITICAL_GAIN, rocker.AT_THE_ENDS)
+    ),
+    System(
+        "unequal_chain", two_mass_chain.unequal, (), (two_mass_chain.TOWARDS_EQUAL_FREQUENCIES,)
+    ),
+)
+"""The seed's systems with a term more or less; their sources print no equations for them."""
 
-__all__ = ["ALL", "SEED"]
+__all__ = ["ALL", "SEED", "VARIANTS"]

@@ -1,5 +1,6 @@
 """Pendulum on an elastic support: seed document, problem 1."""
 
+from sympy import Expr, Integer
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
 from mechanics.scene import Particle, RigidBody, Scene, gravity, parameters, reaction, spring
@@ -25,18 +26,27 @@ PENDULUM = part(Rod(L), mass=M)
 
 def scene() -> Scene:
     """A carriage between two springs on a rod; a uniform rod hangs from it by a pivot B."""
+    return _scene("pendulum on elastic support", m)
+
+
+def massless() -> Scene:
+    """The same with a carriage that has no mass: the mass matrix stays regular."""
+    return _scene("pendulum on elastic support without mass", Integer(0))
+
+
+def _scene(name: str, carriage: Expr) -> Scene:
     ground = ReferenceFrame("N")
     rod = ground.orientnew("A", "Axis", (theta, ground.z))
     origin = Point("O")
     pivot = origin.locatenew("B", x * ground.x)
     centre = pivot.locatenew("C", -L / 2 * rod.y)
     return Scene(
-        "pendulum on elastic support",
+        name,
         ground,
         origin,
         coordinates=(x, theta),
         bodies=(
-            Particle("carriage", pivot, m),
+            Particle("carriage", pivot, carriage),
             RigidBody("pendulum", centre, rod, M, PENDULUM.inertia),
         ),
         loads=(gravity(-g * ground.y), spring("k", origin, pivot, 2 * k, along=ground.x)),

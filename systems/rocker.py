@@ -3,12 +3,15 @@
 x_C = R theta + R/2 sin theta,   y_C = R + R/2 cos theta        (theta clockwise)
 """
 
-from sympy import pi
+from fractions import Fraction
+
+from sympy import Expr, Integer, Rational, Symbol, pi
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
 from mechanics.scene import RigidBody, Scene, force, gravity, parameters, reaction
 from mechanics.scene.composite import composite, inertia_about, part
 from mechanics.scene.shapes import Rectangle, Semidisc
+from mechanics.scene.system import Path
 
 theta, f = dynamicsymbols("theta f")
 M, I_C, R, g = parameters(
@@ -47,8 +50,48 @@ MIDDLE = part(Rectangle(2 * R, R), density=rho * h)
 ROCKER = composite((UPPER, MIDDLE, LOWER))
 
 
+# The gain is real, not positive: for small and for negative gains the rocker falls.
+(K,) = parameters(
+    "K", units="N/rad", typical="30", meanings=("gain of the control",), positive=False
+)
+theta_d = dynamicsymbols("theta_d")
+critical = Symbol("critical", real=True)
+AT_CRITICAL_GAIN = Path(
+    "gain K = (1 + share) M g / 3 beside the critical one",
+    critical,
+    tuple(
+        sign * Fraction(1, 10**places)
+        for sign, order in ((-1, 1), (1, -1))
+        for places in (0, 3, 6, 9, 12, 15)[::order]
+    ),
+    (
+        ("K", (1 + critical) * M * g / 3),
+        ("theta_d", Integer(0)),
+        # So small that the torques of control and weight cancel but for the share.
+        ("theta", Rational(1, 2**40)),
+        ("theta_dot", Integer(0)),
+    ),
+)
+side = Symbol("side", real=True)
+AT_THE_ENDS = Path(
+    "theta = -pi/2 and pi/2, where a half disc ends",
+    side,
+    (Fraction(-1), Fraction(1)),
+    (("theta", side * pi / 2),),
+)
+
+
 def scene() -> Scene:
     """The rocker on the floor; the control force f acts at the mass centre along +x."""
+    return _scene("rocker", f, (f,))
+
+
+def controlled() -> Scene:
+    """The rocker with the control force f = K (theta_d - theta)."""
+    return _scene("controlled rocker", K * (theta_d - theta), (theta_d,))
+
+
+def _scene(name: str, control: Expr, inputs: tuple[Expr, ...]) -> Scene:
     ground = ReferenceFrame("N")
     # theta is counted clockwise.
     body = ground.orientnew("A", "Axis", (-theta, ground.z))
@@ -58,17 +101,17 @@ def scene() -> Scene:
     circle = contact.locatenew("G", R * ground.y)
     centre = circle.locatenew("C", R / 2 * body.y)
     return Scene(
-        "rocker",
+        name,
         ground,
         origin,
         coordinates=(theta,),
         bodies=(RigidBody("rocker", centre, body, M, I_C),),
-        loads=(gravity(-g * ground.y), force("f", centre, f * ground.x, on="rocker")),
+        loads=(gravity(-g * ground.y), force("f", centre, control * ground.x, on="rocker")),
         reactions=(
             reaction("T", at=contact, on="rocker", by=None, along=ground.x),
             reaction("N", at=contact, on="rocker", by=None, along=ground.y),
         ),
-        inputs=(f,),
+        inputs=inputs,
         definitions={
             M: ROCKER.mass,
             I_C: ROCKER.inertia,

@@ -34,9 +34,10 @@ def load(text: str) -> System:
     """
     if text.endswith(".py"):
         return _from_file(Path(text))
-    from systems import ALL  # ledgers take a second to build, and a file needs none of them
+    # Ledgers take a second to build, and a file needs none of them.
+    from systems import ALL, VARIANTS
 
-    known = {system.name: system for system in ALL}
+    known = {system.name: system for system in (*ALL, *VARIANTS)}
     if text in known:
         return known[text]
     sized = CALL.fullmatch(text)
