@@ -6,6 +6,7 @@
     primitive      the same after common factors were divided out of rows and columns
     rearranged     pivots d_i = m_i / m_(i+1), minors written without a subtraction where they can
     refined        x + K^-1 (k - K x): one step of iterative refinement (Skeel 1980)
+    fewest         quotients of nested polynomials, if they take fewer operations and round well
 
 Each solves K x = k, K = [[M, -B], [A, 0]], x = (u', lambda), and its graph is proved to.
 """
@@ -17,6 +18,7 @@ from functools import cached_property
 import casadi as ca
 from sympy import Matrix
 
+from mechanics.compiled.closed import quotients
 from mechanics.compiled.factor import (
     Pivots,
     solve_explicit,
@@ -24,12 +26,17 @@ from mechanics.compiled.factor import (
     solve_symmetric,
     solve_with_pivots,
 )
+from mechanics.compiled.fewest import solution, written
 from mechanics.compiled.primitive import Primitive, primitive
+from mechanics.compiled.program import operations
 from mechanics.compiled.rearranged import MOST, trailing_minors
 from mechanics.compiled.translate import Translator
 from mechanics.equations import Equations
-from mechanics.errors import InputError
+from mechanics.errors import ExpressionError, InputError
 from mechanics.exact import TooLarge
+
+ROUNDINGS = 8.0
+"""Backward error that the form with the fewest operations may have, in roundings."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -42,11 +49,15 @@ class System:
     translate : Translator
     choose : callable
         From graphs of a square matrix and a column to the pivots that suit them.
+    error : callable
+        From the graph of a solution to its largest backward error at states that are tried, in
+        roundings.
     """
 
     equations: Equations
     translate: Translator
     choose: Callable[[ca.SX, ca.SX], Pivots]
+    error: Callable[[ca.SX], float]
 
     @cached_property
     def graphs(self) -> tuple[ca.SX, ca.SX]:
@@ -190,6 +201,23 @@ def _refined(system: System) -> ca.SX:
     return first + system.solve(right - left @ first)
 
 
+def _fewest(system: System) -> ca.SX:
+    equations = system.equations
+    found = written(*equations.system, equations.unknowns, system.symmetric)
+    closed = solution(found, equations.unknowns, system.translate)
+    other = system.solve(system.graphs[1])
+    cheaper = operations(closed) < operations(other)
+    return closed if cheaper and system.error(closed) < ROUNDINGS else other
+
+
+def _small(equations: Equations) -> str:
+    try:
+        quotients(*equations.system, equations.unknowns, is_symmetric(equations))
+    except (TooLarge, ExpressionError) as error:
+        return str(error)
+    return ""
+
+
 def _scaled(system: System) -> tuple[ca.SX, ca.SX, ca.SX]:
     p, translate = system.primitive, system.translate
     return (
@@ -206,6 +234,8 @@ PRIMITIVE = Form("primitive", "elimination without common factors", _readable, _
 REARRANGED = Form("rearranged", "pivots without subtraction", _small_and_readable, _rearranged)
 REFINED = Form("refined", "elimination and one step of refinement", _always, _refined)
 
-FORMS: tuple[Form, ...] = (EXPLICIT, LDL, ELIMINATION, PRIMITIVE, REARRANGED, REFINED)
-PREFERRED: tuple[Form, ...] = (LDL, ELIMINATION)
+FEWEST = Form("fewest", "quotients of nested polynomials, or elimination", _small, _fewest)
+
+FORMS: tuple[Form, ...] = (EXPLICIT, LDL, ELIMINATION, PRIMITIVE, REARRANGED, REFINED, FEWEST)
+PREFERRED: tuple[Form, ...] = (FEWEST, LDL, ELIMINATION)
 """What ``"auto"`` takes, the first that suits."""

@@ -18,13 +18,13 @@ import casadi as ca
 import sympy
 
 from mechanics.compiled.fixed import Fixed, fix
-from mechanics.compiled.forms import System, named_form
+from mechanics.compiled.forms import Form, System, named_form
 from mechanics.compiled.mechanical import Totals, totals
 from mechanics.compiled.order import Order
 from mechanics.compiled.quantities import DIGITS, Quantities, quantities
 from mechanics.compiled.step import RK4, runge_kutta
 from mechanics.compiled.translate import Translator
-from mechanics.compiled.trial import chosen_pivots
+from mechanics.compiled.trial import chosen_pivots, largest_error
 from mechanics.equations import Equations
 from mechanics.errors import InputError
 from mechanics.scene.rates import TIME
@@ -69,7 +69,10 @@ class Graphs(Mapping[str, ca.Function]):
     ) -> None:
         self.derived, self.fixed = equations, dict(fixed or {})
         self.equations = fix(equations, self.fixed)
-        self.form = named_form(form, self.equations)
+        self._named = form
+        if form != "auto":
+            # A form that there is not is refused at once; what suits best is found when needed.
+            named_form(form, self.equations)
         self._asked = self._checked(outputs)
         self.quantities: Quantities = quantities(
             self.equations, self.fixed, "reactions" in self._builders
@@ -178,11 +181,16 @@ class Graphs(Mapping[str, ca.Function]):
 
     @cached_property
     def _linear(self) -> System:
-        return System(self.equations, self._translate, self._choose)
+        return System(self.equations, self._translate, self._choose, self._error)
 
     @property
     def _system(self) -> tuple[ca.SX, ca.SX]:
         return self._linear.graphs
+
+    @cached_property
+    def form(self) -> Form:
+        """How forward dynamics is written."""
+        return named_form(self._named, self.equations)
 
     @cached_property
     def _solution(self) -> ca.SX:
@@ -195,10 +203,15 @@ class Graphs(Mapping[str, ca.Function]):
         return tuple(self._linear.pivots)
 
     def _choose(self, left: ca.SX, right: ca.SX) -> Order:
-        graphs = self._bound([left, right])
+        return chosen_pivots(self._of_state(left, right), self.quantities)
+
+    def _error(self, solution: ca.SX) -> float:
+        return largest_error(self._of_state(solution), self.equations, self.quantities)
+
+    def _of_state(self, *graphs: ca.SX) -> ca.Function:
         inputs = {group: self._columns[group] for group in STATE}
-        function = self._function("system", inputs, dict(zip("Ab", graphs, strict=True)))
-        return chosen_pivots(function, self.quantities)
+        bound = self._bound(list(graphs))
+        return self._function("system", inputs, dict(zip("xy", bound, strict=False)))
 
     def _forward_dynamics(self) -> dict[str, ca.SX]:
         n = len(self.quantities.ud)

@@ -79,6 +79,16 @@ def program(function: ca.Function) -> Program:
     )
 
 
+def operations(graph: ca.SX) -> int:
+    """Operations of a graph, equal ones shared, a division counted twice."""
+    function = ca.Function("graph", ca.symvar(graph), [ca.cse(ca.densify(graph))])
+    code = program(function)
+    return code.operations + sum(node.operation in DIVISIONS for node in code.nodes)
+
+
+DIVISIONS = (ca.OP_DIV, ca.OP_INV)
+
+
 def run(code: Program, columns: Sequence[Sequence[Any]], kind: Any) -> list[list[Any]]:
     """Evaluate with NumPy at many states at once, every operation rounded to `kind`.
 

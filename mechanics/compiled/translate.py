@@ -92,6 +92,11 @@ class Translator:
         """Return the dense column of a sequence of expressions."""
         return self.matrix(sympy.Matrix(len(entries), 1, list(entries)))
 
+    def number(self, number: sympy.Expr) -> ca.SX:
+        """Return a number: itself if a double holds it, else a named constant."""
+        rational = isinstance(number, sympy.Rational)
+        return self._rational(number) if rational else self._constant(number)
+
     def _node(self, node: sympy.Basic) -> ca.SX:
         if isinstance(node, sympy.Rational):
             return self._rational(node)

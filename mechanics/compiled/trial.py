@@ -1,15 +1,19 @@
-"""Pivots for one linear system, tried at random states.
+"""Pivots for one linear system, and how well a solution of it rounds, tried at random states.
 
 Half of the states are ordinary ones, half as wild as those of the residual checks.
 """
 
 import casadi as ca
 import numpy as np
+from sympy import Add
 
-from mechanics.compiled.order import Order, pivot_order
+from mechanics.compiled.order import Array, Order, pivot_order
 from mechanics.compiled.program import program, run
 from mechanics.compiled.quantities import Quantities
 from mechanics.compiled.sampling import DECADES, sample
+from mechanics.compiled.terms import extended_terms, typed_terms
+from mechanics.equations import Equations
+from mechanics.exact import canonical
 
 TRIALS = 64
 SEED = 2
@@ -24,10 +28,38 @@ def chosen_pivots(system: ca.Function, quantities: Quantities) -> Order:
         When no order solves the system at any of the states.
     """
     n, _ = system.size_out(0)
-    drawn = [sample(quantities, TRIALS, SEED, decades) for decades in (1.0, DECADES)]
-    groups = (np.vstack(pair) for pair in zip(*(d.groups for d in drawn), strict=True))
-    left, right = run(program(system), [list(group.T) for group in groups], np.float64)
+    left, right = run(program(system), _states(quantities), np.float64)
     filler = np.zeros(2 * TRIALS)
     stacked = [np.stack(np.broadcast_arrays(*e, filler)[:-1], 1) for e in (left, right)]
     # Entries come column by column.
     return pivot_order(stacked[0].reshape(-1, n, n).swapaxes(1, 2).copy(), stacked[1])
+
+
+def largest_error(solution: ca.Function, equations: Equations, quantities: Quantities) -> float:
+    """Largest residual of a row of K x = k at the states that are tried, for a function x.
+
+    In units of epsilon times the sum of the magnitudes of the row's terms, in normal form.
+    """
+    states = _states(quantities)
+    (x,) = run(program(solution), states, np.float64)
+    entries = (quantities.q, quantities.u, quantities.inputs, quantities.p)
+    symbols = [entry.symbol for group in entries for entry in group]
+    columns = [*(column for group in states for column in group), *x]
+    columns = list(np.broadcast_arrays(*columns, np.zeros(2 * TRIALS)))[:-1]
+    left, right = equations.system
+    largest = 0.0
+    for i in range(left.rows):
+        row = Add(*(canonical(left[i, j]) * s for j, s in enumerate(equations.unknowns)))
+        terms = extended_terms(
+            typed_terms(row, canonical(right[i])), [*symbols, *equations.unknowns]
+        )
+        ratios = terms.ratios(columns, float(np.finfo(float).eps))
+        largest = max(largest, float(ratios.max()))
+    return largest
+
+
+def _states(quantities: Quantities) -> list[list[Array]]:
+    """For every group of the state, for every entry, its values."""
+    drawn = [sample(quantities, TRIALS, SEED, decades) for decades in (1.0, DECADES)]
+    groups = (np.vstack(pair) for pair in zip(*(d.groups for d in drawn), strict=True))
+    return [list(group.T) for group in groups]
