@@ -54,7 +54,6 @@ ROCKER = composite((UPPER, MIDDLE, LOWER))
 (K,) = parameters(
     "K", units="N/rad", typical="30", meanings=("gain of the control",), positive=False
 )
-theta_d = dynamicsymbols("theta_d")
 critical = Symbol("critical", real=True)
 AT_CRITICAL_GAIN = Path(
     "gain K = (1 + share) M g / 3 beside the critical one",
@@ -66,7 +65,6 @@ AT_CRITICAL_GAIN = Path(
     ),
     (
         ("K", (1 + critical) * M * g / 3),
-        ("theta_d", Integer(0)),
         # So small that the torques of control and weight cancel but for the share.
         ("theta", Rational(1, 2**40)),
         ("theta_dot", Integer(0)),
@@ -87,8 +85,8 @@ def scene() -> Scene:
 
 
 def controlled() -> Scene:
-    """The rocker with the control force f = K (theta_d - theta)."""
-    return _scene("controlled rocker", K * (theta_d - theta), (theta_d,))
+    """The rocker with the control force f = -K theta."""
+    return _scene("controlled rocker", -K * theta, ())
 
 
 def _scene(name: str, control: Expr, inputs: tuple[Expr, ...]) -> Scene:

@@ -3,7 +3,8 @@
     walk  ->  values of what is varied, hexadecimal  ->  point  ->  figures
 
 Lines and pairs name their values, the last name varying fastest; all other quantities are as usual.
-Paths and mixed points are written out. Figures have four digits; null stands for no number.
+Paths and mixed points are written out. Figures have three digits; null stands for no number. A
+cause is a place in the list `causes`.
 """
 
 from collections.abc import Mapping, Sequence
@@ -21,7 +22,7 @@ from mechanics.extremes.run import GROUPS, computed, representable
 from mechanics.extremes.trace import trace
 from mechanics.extremes.truth import truth
 
-DIGITS = 4
+DIGITS = 3
 Record = Mapping[str, Any]
 
 
@@ -35,7 +36,7 @@ def to_record(found: Extremes) -> dict[str, Any]:
         "backend": found.backend,
         "unknowns": list(found.unknowns),
         "tolerance": {precision: tolerance(precision) for precision in PRECISIONS},
-        "causes": {entry.name.lower(): entry.value for entry in CAUSES},
+        "causes": [entry.value for entry in CAUSES],
         "quantities": [
             {"name": axis.name, "unit": axis.unit, "usual": value.hex()}
             for axis, value in zip(found.axes, found.usual, strict=True)
@@ -75,12 +76,12 @@ def _figures(figures: Figures) -> dict[str, Any]:
         "forward_ulp": list(map(rounded, figures.forward.tolist())),
         "relative": list(map(rounded, figures.relative.tolist())),
         "backward_eps": list(map(rounded, figures.backward.tolist())),
-        "cause": [CAUSES[i].name.lower() for i in figures.causes.tolist()],
+        "cause": figures.causes.tolist(),
     }
 
 
 def rounded(value: float) -> float | None:
-    """Four digits; None for what is no number."""
+    """Three digits; None for what is no number."""
     return float(f"{value:.{DIGITS}g}") if isfinite(value) else None
 
 
@@ -127,5 +128,5 @@ def reproduce(model: Model, values: Sequence[float], precision: str) -> dict[str
         "forward_ulp": rounded(errors.forward),
         "relative": rounded(errors.relative),
         "backward_eps": rounded(errors.backward),
-        "cause": why.name.lower(),
+        "cause": CAUSES.index(why),
     }

@@ -1,0 +1,129 @@
+"""`mechanics extremes`: how far every quantity goes before something breaks."""
+
+import json
+import sys
+from collections import Counter
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Annotated
+
+import typer
+from rich.console import Console
+from rich.markup import escape
+from rich.table import Table
+
+from mechanics.cli.checking import _writable
+from mechanics.cli.load import load
+from mechanics.crosscheck import derive
+from mechanics.extremes import CAUSES, Cause, Extremes, to_record
+from mechanics.extremes import extremes as walk
+from mechanics.extremes.result import PRECISIONS
+from mechanics.report.extremes import extremes_html
+from mechanics.scene.system import System
+
+
+def extremes(
+    names: Annotated[
+        list[str] | None,
+        typer.Argument(
+            metavar="[SYSTEM]...",
+            help="Names, `pendulum_chain(5)`, or .py files with a function scene();"
+            " the seed's three and their variants when none is given.",
+            show_default=False,
+        ),
+    ] = None,
+    report: Annotated[
+        Path | None, typer.Option(metavar="FILE.html", help="Write the map for a browser.")
+    ] = None,
+    json_file: Annotated[
+        str | None, typer.Option("--json", metavar="FILE|-", help="Write JSON; - for the screen.")
+    ] = None,
+    route: Annotated[str, typer.Option(help="Route that derives the equations.")] = "kane",
+    form: Annotated[
+        list[str] | None, typer.Option(help="Form of forward dynamics; all when not given.")
+    ] = None,
+) -> None:
+    """Walk out along every parameter, coordinate and speed until something breaks, and say what.
+
+    Errors are measured against enclosed accelerations, in double and in single precision, for every
+    form of forward dynamics.
+
+    Examples
+    --------
+    `mechanics extremes elastic_pendulum --report extremes.html`
+
+    `mechanics extremes 'pendulum_chain(5)' rolling_disc --json -`
+    """
+    for path in (report, None if json_file in (None, "-") else Path(str(json_file))):
+        if path is not None:
+            _writable(path)
+    loaded = [load(name) for name in names] if names else _every()
+    results = []
+    with Console(stderr=True).status("") as status:
+        for system in loaded:
+            status.update(f"{system.name}: deriving")
+            equations = derive(system.scene(), route)
+            status.update(f"{system.name}: walking")
+            results.append(
+                walk(equations, name=system.name, paths=system.paths, forms=tuple(form or ()))
+            )
+        if report is not None:
+            status.update(f"writing {report.name}")
+            report.write_text(extremes_html(results), encoding="utf-8")
+    if json_file is not None:
+        text = json.dumps({"systems": [to_record(found) for found in results]}, allow_nan=False)
+        if json_file == "-":
+            sys.stdout.write(text + "\n")
+        else:
+            Path(json_file).write_text(text + "\n", encoding="utf-8")
+    if json_file != "-":
+        _summary(Console(), results)
+
+
+def _every() -> list[System]:
+    from systems import SEED, VARIANTS
+
+    return [*SEED, *VARIANTS]
+
+
+def _summary(console: Console, results: Sequence[Extremes]) -> None:
+    for found in results:
+        console.print(
+            f"\n[bold]{escape(found.system)}[/]  {found.points} points, equations by {found.route},"
+            f" default form {found.default}"
+        )
+        console.print(_forms(found))
+        console.print(_domain(found))
+
+
+def _forms(found: Extremes) -> Table:
+    table = Table("form", "precision", "backward error", "what broke", box=None, pad_edge=False)
+    for form in found.forms:
+        for precision in PRECISIONS:
+            counts: Counter[int] = Counter()
+            for visited in found.visited:
+                counts.update(visited.figure(form, precision).causes.tolist())
+            broken = [
+                f"{cause.name.lower()} {counts[i]}"
+                for i, cause in enumerate(CAUSES)
+                if counts[i] and cause not in (Cause.ACCURATE, Cause.INPUT)
+            ]
+            table.add_row(form, precision, f"{found.worst(form, precision):.3g}", ", ".join(broken))
+    return table
+
+
+def _domain(found: Extremes) -> Table:
+    table = Table(
+        "quantity", "usual", "accurate from", "to", "below", "above", box=None, pad_edge=False
+    )
+    for reach in found.reaches:
+        if (reach.form, reach.precision) == (found.default, "double"):
+            ends = [
+                "" if cause is Cause.ACCURATE else cause.name.lower()
+                for cause in (reach.below, reach.above)
+            ]
+            table.add_row(
+                f"{reach.name} {reach.unit}".strip(), f"{reach.usual:.3g}", f"{reach.low:.3g}",
+                f"{reach.high:.3g}", *ends,
+            )  # fmt: skip
+    return table
