@@ -147,7 +147,8 @@ def canonical(distribution: str) -> str:
 def declared_dependencies() -> set[str]:
     """Core dependencies, and the extras that users can ask for."""
     project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
-    requirements = project["dependencies"] + project["optional-dependencies"]["parquet"]
+    extras = project["optional-dependencies"]
+    requirements = project["dependencies"] + extras["parquet"] + extras["taylor"]
     return {canonical(re.split(r"[^\w.-]", requirement)[0]) for requirement in requirements}
 
 

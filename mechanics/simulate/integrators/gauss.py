@@ -26,8 +26,9 @@ from mechanics.simulate.integrators.rate import rate_function
 
 Array = NDArray[np.float64]
 
-SWEEPS = 60
-# Changes, in units of epsilon, at which an iteration that no longer converges has arrived.
+SWEEPS, PATIENT = 100, 20
+# Changes, in units of epsilon, at which an iteration that no longer converges has arrived. Entries
+# that are nothing but rounding never do: after PATIENT sweeps the largest entry is the measure.
 ARRIVED = 1000
 # What an iteration takes about, for the budget.
 TYPICAL = 8
@@ -49,9 +50,10 @@ BODY = """
                 for (int j = 0; j < S; ++j)
                     k[s][n] += E[s][j] * last[j][n];
             }}
-        @ before = INFINITY, change = 0;
-        for (int sweep = 0; sweep < {sweeps}; ++sweep) {{
-            change = 0;
+        @ before = INFINITY;
+        int arrived = 0;
+        for (int sweep = 0; sweep < {sweeps} && !arrived; ++sweep) {{
+            @ change = 0, most = 0, largest = 0;
             for (int s = 0; s < S; ++s) {{
                 for (int n = 0; n < N; ++n) {{
                     @ sum = 0;
@@ -67,14 +69,16 @@ BODY = """
                     const @ moved = fabs(held * (found[n] - k[s][n]));
                     if (!(moved <= change * size))
                         change = moved / size;
+                    most = moved > most ? moved : most;
+                    largest = size > largest ? size : largest;
                     k[s][n] = found[n];
                 }}
             }}
-            if (!(change < before) || change == 0)
-                break;
+            arrived = change == 0 || (change <= {arrived} && !(change < before))
+                || (sweep >= {patient} && most <= {arrived} * largest);
             before = change;
         }}
-        if (!(change <= {arrived}))
+        if (!arrived)
             return -spent;
         for (int n = 0; n < N; ++n) {{
             @ sum = 0;
@@ -117,7 +121,7 @@ def _prepare(stages: int, problem: Problem, setting: Setting) -> Callable[[], Ou
     a, b, c, e = (_written(values, real) for values in coefficients(stages))
     groups = {"inputs": "inputs", "p": "p", "yd": "found"}
     body = BODY.format(
-        stages=stages, a=a, b=b, c=c, e=e, sweeps=SWEEPS,
+        stages=stages, a=a, b=b, c=c, e=e, sweeps=SWEEPS, patient=PATIENT,
         arrived=literal(ARRIVED * float(np.finfo(kind).eps), real),
         first=call_inner(code, y="y", **groups), call=call_inner(code, y="at", **groups),
     )  # fmt: skip
