@@ -7,7 +7,7 @@ for an order of the unknowns; what numerator and denominator have in common is c
 eliminated that has to be computed: K_j and k_j hold the x_i before as symbols.
 """
 
-from collections.abc import Sequence
+from collections.abc import Hashable, Sequence
 from dataclasses import dataclass
 
 import sympy
@@ -22,8 +22,11 @@ from mechanics.exact.canonical_poly import Reader, reader
 MOST = 3
 """Unknowns up to which determinants are written out."""
 
-LARGEST = 60
+LARGEST = 32
 """Terms of all quotients up to which it pays."""
+
+CLOSE = 1.5
+"""Orders with more terms than the shortest times this are not worth a search."""
 
 Polynomial = tuple[tuple[tuple[Expr, ...], Coefficient], ...]
 """Factors, in which a power is repeated, and coefficient of each term."""
@@ -68,16 +71,20 @@ def quotients(
         polynomials[n * n : n * n + n],
         polynomials[n * n + n :],
     )
+    if not all(_plain(key) for key in read.ring.keys.values()):
+        raise TooLarge("roots or quotients inside")
     found = []
     for start in range(n):
         # Leaves first or last: each unknown in front once, the rest in their order.
         order = (start, *(i for i in range(n) if i != start))
         solved = system.solved(order, unknowns, definite)
-        if solved and sum(len(q.above) + len(q.below) for q in solved) <= LARGEST:
-            found.append(solved)
+        size = sum(len(q.above) + len(q.below) for q in solved)
+        if solved and size <= LARGEST:
+            found.append((size, solved))
     if not found:
         raise TooLarge(f"more than {LARGEST} terms, or pivots that may vanish")
-    return tuple(found)
+    least = min(size for size, _ in found)
+    return tuple(solved for size, solved in found if size <= CLOSE * least)
 
 
 @dataclass(frozen=True)
@@ -139,6 +146,11 @@ class _System:
             found[key] = found.get(key, sympy.S.Zero) + number
         kept = ((parts, coefficient(number)) for parts, number in found.items() if number != 0)
         return tuple(sorted(kept, key=lambda term: str(term[0])))
+
+
+def _plain(key: Hashable) -> bool:
+    """Whether a generator is a symbol, a sine or cosine, or another function: no power."""
+    return not isinstance(key, Expr) or not key.has(sympy.Pow)
 
 
 def _monic(unknown: Symbol, above: Polynomial, below: Polynomial) -> Quotient:

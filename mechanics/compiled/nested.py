@@ -189,7 +189,8 @@ class Nest:
         wanted = {parts: (sign, number) for sign, number, parts in terms}
         least, best = _cost(terms), None
         for known, (sign, node) in self._sums:
-            if len(wanted.keys() & known.keys()) < 2:
+            # All of it has to be wanted: the value of an unknown that came in might need this.
+            if not known.keys() <= wanted.keys():
                 continue
             for way in (1, -1):
                 left = self._without(wanted, known, way)
