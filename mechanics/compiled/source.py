@@ -19,6 +19,7 @@ import numpy as np
 from mechanics.compiled.names import Namer
 from mechanics.compiled.operations import ATOM, OPERATIONS, PRODUCT, SIGN, SUM, unknown
 from mechanics.compiled.program import Program
+from mechanics.compiled.status import Codes, status_lines, watched
 
 LINE = 100
 WIDTH = 64
@@ -36,7 +37,9 @@ class Text:
     level: int
 
 
-def signature(code: Program, kind: str = "double", name: str | None = None) -> str:
+def signature(
+    code: Program, kind: str = "double", name: str | None = None, result: str = "void"
+) -> str:
     """``void name(const double q[2], double ud[2])``; arrays without entries are left out."""
     arguments = [f"const {kind} {group}[{size}]" for group, size in code.inputs if size]
     arguments += [
@@ -44,13 +47,17 @@ def signature(code: Program, kind: str = "double", name: str | None = None) -> s
     ]
     # A line may end after an argument, not inside one.
     glued = ", ".join(argument.replace(" ", "~") for argument in arguments)
-    text = f"void~{name or code.name}({glued})"
+    text = f"{result}~{name or code.name}({glued})"
     lines = textwrap.wrap(text, LINE, subsequent_indent="    ", break_long_words=False)
     return "\n".join(lines).replace("~", " ")
 
 
 def function_source(
-    code: Program, entries: Entries, kind: str = "double", head: str | None = None
+    code: Program,
+    entries: Entries,
+    kind: str = "double",
+    head: str | None = None,
+    codes: Codes | None = None,
 ) -> str:
     """Definition of one C function.
 
@@ -59,14 +66,19 @@ def function_source(
     entries : names of the entries of each input, for readable local variables
     kind : ``"double"`` or ``"float"``
     head : text before the opening brace; `signature` by default
+    codes : what the function returns to tell its status, if it returns anything
     """
-    return "\n".join([head or signature(code, kind), "{", *_body(code, entries, kind), "}", ""])
+    body = _body(code, entries, kind, codes)
+    return "\n".join([head or signature(code, kind), "{", *body, "}", ""])
 
 
-def _body(code: Program, entries: Entries, kind: str) -> list[str]:
+def _body(code: Program, entries: Entries, kind: str, codes: Codes | None) -> list[str]:
     taken = {name for name, _ in (*code.inputs, *code.shapes)} | {code.name}
     namer = Namer(taken)
     uses = _uses(code)
+    looked_at = _looked_at(code) if codes is not None else ()
+    # What is looked at afterwards gets a name.
+    uses.update(looked_at)
     local = _locals(code, entries, namer, uses)
     lines = [
         f"    const {kind} {name} = {code.inputs[group][0]}[{entry}];"
@@ -105,7 +117,21 @@ def _body(code: Program, entries: Entries, kind: str) -> list[str]:
         for group, (name, size) in enumerate(code.inputs)
         if size and group not in used
     ]
+    if codes is not None:
+        name, divisors = namer.local("status"), watched(code).divisors
+        by = [texts[k].code for k in divisors]
+        values = [texts[k].code for k in looked_at]
+        stores = [*status_lines(name, codes, list(local.values()), values, by), *stores]
+        stores.append(f"    return {name};")
     return [*ignored, *lines, *stores]
+
+
+def _looked_at(code: Program) -> tuple[int, ...]:
+    """Nodes that have to be finite: outputs and what is watched, but for constants."""
+    found = watched(code)
+    outputs = dict.fromkeys(node for nodes in code.outputs for node in nodes)
+    every = (*outputs, *found.divisors, *found.others)
+    return tuple(k for k in dict.fromkeys(every) if code.nodes[k].constant is None)
 
 
 def _locals(

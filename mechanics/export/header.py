@@ -6,6 +6,7 @@ from mechanics.compiled import Model
 from mechanics.compiled.graphs import STATE
 from mechanics.compiled.quantities import Quantity
 from mechanics.compiled.source import signature
+from mechanics.compiled.status import Codes
 from mechanics.errors import ValueMissingError
 
 ARRAYS = {
@@ -48,22 +49,41 @@ def header(model: Model, prefix: str, names: Sequence[str]) -> str:
  * Matrices are stored column by column. All inputs are read before the first output is written,
  * so an output may be the same array as an input of its size.
  *
- * Non-finite values: an input that is not finite, or a state at which the equations are singular,
- * gives outputs that are not finite. Nothing traps and nothing is checked; use isfinite().
+ * Every function returns a status, and writes its outputs whatever it is. Nothing traps. Do not
+ * compile with -ffast-math: it takes the check for infinity away.
 {fixed_values(model)} */
 #ifndef {guard}
 #define {guard}
 """
-    sections = [top]
+    sections = [top, statuses(codes(prefix))]
     for array, title in used_arrays(model, names).items():
         entries = getattr(model.quantities, array)
         sections.append("\n".join(array_section(model, prefix, array, title, entries)) + "\n")
     sections.append('#ifdef __cplusplus\nextern "C" {\n#endif\n')
     for name in names:
-        prototype = signature(model.program(name), name=f"{prefix}_{name}")
+        prototype = signature(model.program(name), name=f"{prefix}_{name}", result="int")
         sections.append(f"/* {FUNCTIONS[name]} */\n{prototype};\n")
     sections.append(f"#ifdef __cplusplus\n}}\n#endif\n\n#endif /* {guard} */\n")
     return "\n".join(sections)
+
+
+def codes(prefix: str) -> Codes:
+    """Names of the statuses."""
+    names = ("OK", "SINGULAR", "OVERFLOW", "BAD_INPUT")
+    return Codes(*(f"{prefix.upper()}_{name}" for name in names))
+
+
+def statuses(names: Codes) -> str:
+    """Their definitions."""
+    meanings = (
+        (names.ok, "every output is a number"),
+        (names.singular, "a divisor is zero: the mass matrix is singular, or too small to tell"),
+        (names.overflow, "a value is beyond the largest number"),
+        (names.bad_input, "an input is infinite or no number"),
+    )
+    rows = [f" *   {number}  {text}" for number, (_, text) in enumerate(meanings)]
+    lines = [f"#define {name} {number}" for number, (name, _) in enumerate(meanings)]
+    return "\n".join(["/* status", *rows, " */", *lines, ""])
 
 
 def used_arrays(model: Model, names: Sequence[str]) -> dict[str, str]:

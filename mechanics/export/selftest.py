@@ -9,7 +9,7 @@ from collections.abc import Iterator, Sequence
 
 from mechanics.compiled import Model
 from mechanics.compiled.source import LINE, literal
-from mechanics.export.header import comment
+from mechanics.export.header import codes, comment
 from mechanics.export.vectors import BITS, ROOM, Vector, vectors
 
 TOP = """\
@@ -39,13 +39,20 @@ static int check(const char *what, int state, int size, const double *got, const
     }}
     return failures;
 }}
+
+static int check_status(const char *what, int state, int status)
+{{
+    if (status != {ok})
+        printf("%s, state %d: status %d found, {ok} expected\\n", what, state, status);
+    return status != {ok};
+}}
 """
 
 
 def selftest(model: Model, prefix: str, names: Sequence[str]) -> str:
     """Text of the self-test program."""
     scene = comment(model.equations.scene.name)
-    parts = [TOP.format(scene=scene, bits=BITS, room=ROOM, prefix=prefix)]
+    parts = [TOP.format(scene=scene, bits=BITS, room=ROOM, prefix=prefix, ok=codes(prefix).ok)]
     for name in names:
         parts.append("\n".join(_test(model, prefix, name, vectors(model, name))) + "\n")
     parts += ["int main(void)", "{", "    int failures = 0;"]
@@ -73,9 +80,9 @@ def _test(model: Model, prefix: str, name: str, states: Sequence[Vector]) -> Ite
     for out, size in outs:
         yield f"        double {out}[{size}];"
     arguments = [f"{group}_in[i]" for group, size in code.inputs if size]
-    yield from _wrapped(
-        f"{prefix}_{name}({', '.join([*arguments, *(out for out, _ in outs)])});", "        "
-    )
+    given = ", ".join([*arguments, *(out for out, _ in outs)])
+    yield from _wrapped(f"int status = {prefix}_{name}({given});", "        ")
+    yield f'        failures += check_status("{name}", i, status);'
     for out, size in outs:
         what = name if len(outs) == 1 else f"{name} {out}"
         yield from _wrapped(

@@ -16,7 +16,7 @@ from mechanics.compiled import Model
 from mechanics.compiled.names import identifier
 from mechanics.compiled.source import function_source, signature
 from mechanics.errors import InputError
-from mechanics.export.header import comment, header
+from mechanics.export.header import codes, comment, header
 from mechanics.export.manifest import manifest
 from mechanics.export.selftest import selftest
 
@@ -81,8 +81,8 @@ def implementation(model: Model, prefix: str, names: Sequence[str]) -> str:
     parts = [f"/* {scene} */", "", f'#include "{prefix}.h"', "", "#include <math.h>", ""]
     for name in names:
         code = model.program(name)
-        head = signature(code, name=f"{prefix}_{name}")
-        parts.append(function_source(code, model.entries, head=head))
+        head = signature(code, name=f"{prefix}_{name}", result="int")
+        parts.append(function_source(code, model.entries, head=head, codes=codes(prefix)))
     return "\n".join(parts)
 
 

@@ -12,10 +12,10 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from mechanics.compiled.trace import Events
 from mechanics.extremes.cause import Cause
 from mechanics.extremes.measure import Errors
 from mechanics.extremes.result import PRECISIONS, STABLE, tolerance
-from mechanics.extremes.trace import Events
 from mechanics.extremes.truth import Enclosed
 
 

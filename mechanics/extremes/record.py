@@ -14,12 +14,12 @@ from typing import Any
 import numpy as np
 
 from mechanics.compiled import Model
+from mechanics.compiled.trace import trace
 from mechanics.extremes.cause import CAUSES
 from mechanics.extremes.judge import Case, cause
 from mechanics.extremes.measure import LOST, measure
 from mechanics.extremes.result import PRECISIONS, Extremes, Figures, Reach, Visited, tolerance
 from mechanics.extremes.run import GROUPS, computed, representable
-from mechanics.extremes.trace import trace
 from mechanics.extremes.truth import truth
 
 DIGITS = 3

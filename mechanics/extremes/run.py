@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from mechanics.compiled import FORMS, Model, compile
+from mechanics.compiled.trace import trace
 from mechanics.equations import Equations
 from mechanics.extremes.axes import axes
 from mechanics.extremes.cause import CAUSES
@@ -22,7 +23,6 @@ from mechanics.extremes.result import (
     Figures,
     Visited,
 )
-from mechanics.extremes.trace import trace
 from mechanics.extremes.truth import Enclosed, Truth, truth
 from mechanics.scene.system import Path
 

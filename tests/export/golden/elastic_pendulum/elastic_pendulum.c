@@ -4,7 +4,7 @@
 
 #include <math.h>
 
-void elastic_pendulum_forward_dynamics(const double q[2], const double u[2], const double p[5],
+int elastic_pendulum_forward_dynamics(const double q[2], const double u[2], const double p[5],
     double ud[2])
 {
     const double x = q[0];
@@ -22,11 +22,21 @@ void elastic_pendulum_forward_dynamics(const double q[2], const double u[2], con
     const double v3 = x * (0x1.5555555555555p+1 * k);
     const double v4 = 0x1.5555555555555p+0 * (M + m) - M * (cos_theta * cos_theta);
     const double v5 = (v2 - v3) / v4;
+    const double v6 = (cos_theta * v5 + g * sin_theta) / v1;
+    int status = ELASTIC_PENDULUM_OK;
+    if (!(isfinite(v5) && isfinite(v6) && isfinite(v4) && isfinite(v1))) {
+        if (!(isfinite(x) && isfinite(theta) && isfinite(theta_dot) && isfinite(L) && isfinite(M) &&
+            isfinite(g) && isfinite(k) && isfinite(m)))
+            status = ELASTIC_PENDULUM_BAD_INPUT;
+        else
+            status = v4 == 0 || v1 == 0 ? ELASTIC_PENDULUM_SINGULAR : ELASTIC_PENDULUM_OVERFLOW;
+    }
     ud[0] = v5;
-    ud[1] = (cos_theta * v5 + g * sin_theta) / v1;
+    ud[1] = v6;
+    return status;
 }
 
-void elastic_pendulum_mass_matrix(const double q[2], const double u[2], const double p[5],
+int elastic_pendulum_mass_matrix(const double q[2], const double u[2], const double p[5],
     double mass_matrix[4])
 {
     (void)u;
@@ -34,15 +44,25 @@ void elastic_pendulum_mass_matrix(const double q[2], const double u[2], const do
     const double L = p[0];
     const double M = p[1];
     const double m = p[4];
+    const double v1 = M + m;
     const double cos_theta = cos(theta);
-    const double v1 = L * M * cos_theta / 2.0;
-    mass_matrix[0] = M + m;
-    mass_matrix[1] = v1;
-    mass_matrix[2] = v1;
-    mass_matrix[3] = L * L * M / 3.0;
+    const double v2 = L * M * cos_theta / 2.0;
+    const double v3 = L * L * M / 3.0;
+    int status = ELASTIC_PENDULUM_OK;
+    if (!(isfinite(v1) && isfinite(v2) && isfinite(v3))) {
+        if (!(isfinite(theta) && isfinite(L) && isfinite(M) && isfinite(m)))
+            status = ELASTIC_PENDULUM_BAD_INPUT;
+        else
+            status = ELASTIC_PENDULUM_OVERFLOW;
+    }
+    mass_matrix[0] = v1;
+    mass_matrix[1] = v2;
+    mass_matrix[2] = v2;
+    mass_matrix[3] = v3;
+    return status;
 }
 
-void elastic_pendulum_forcing(const double q[2], const double u[2], const double p[5],
+int elastic_pendulum_forcing(const double q[2], const double u[2], const double p[5],
     double forcing[2])
 {
     const double x = q[0];
@@ -53,11 +73,22 @@ void elastic_pendulum_forcing(const double q[2], const double u[2], const double
     const double g = p[2];
     const double k = p[3];
     const double sin_theta = sin(theta);
-    forcing[0] = theta_dot * theta_dot * L * M * sin_theta / 2.0 - 2.0 * x * k;
-    forcing[1] = -(L * M * g * sin_theta / 2.0);
+    const double v1 = theta_dot * theta_dot * L * M * sin_theta / 2.0 - 2.0 * x * k;
+    const double v2 = -(L * M * g * sin_theta / 2.0);
+    int status = ELASTIC_PENDULUM_OK;
+    if (!(isfinite(v1) && isfinite(v2))) {
+        if (!(isfinite(x) && isfinite(theta) && isfinite(theta_dot) && isfinite(L) && isfinite(M) &&
+            isfinite(g) && isfinite(k)))
+            status = ELASTIC_PENDULUM_BAD_INPUT;
+        else
+            status = ELASTIC_PENDULUM_OVERFLOW;
+    }
+    forcing[0] = v1;
+    forcing[1] = v2;
+    return status;
 }
 
-void elastic_pendulum_residual(const double q[2], const double u[2], const double p[5],
+int elastic_pendulum_residual(const double q[2], const double u[2], const double p[5],
     const double ud[2], double residual[2])
 {
     const double x = q[0];
@@ -76,13 +107,24 @@ void elastic_pendulum_residual(const double q[2], const double u[2], const doubl
     const double sin_theta = sin(theta);
     const double v3 = (M + m) * x_ddot + v2 * theta_ddot;
     const double v4 = theta_dot * theta_dot * L * M * sin_theta / 2.0 - 2.0 * x * k;
-    const double v5 = v2 * x_ddot + L * L * M / 3.0 * theta_ddot;
-    const double v6 = v1 * g * sin_theta / 2.0;
-    residual[0] = v3 - v4;
-    residual[1] = v5 + v6;
+    const double v5 = v3 - v4;
+    const double v6 = v2 * x_ddot + L * L * M / 3.0 * theta_ddot;
+    const double v7 = v1 * g * sin_theta / 2.0;
+    const double v8 = v6 + v7;
+    int status = ELASTIC_PENDULUM_OK;
+    if (!(isfinite(v5) && isfinite(v8))) {
+        if (!(isfinite(x) && isfinite(theta) && isfinite(theta_dot) && isfinite(L) && isfinite(M) &&
+            isfinite(g) && isfinite(k) && isfinite(m) && isfinite(x_ddot) && isfinite(theta_ddot)))
+            status = ELASTIC_PENDULUM_BAD_INPUT;
+        else
+            status = ELASTIC_PENDULUM_OVERFLOW;
+    }
+    residual[0] = v5;
+    residual[1] = v8;
+    return status;
 }
 
-void elastic_pendulum_inverse_dynamics(const double q[2], const double u[2], const double p[5],
+int elastic_pendulum_inverse_dynamics(const double q[2], const double u[2], const double p[5],
     const double ud[2], double forces[2])
 {
     const double x = q[0];
@@ -106,13 +148,24 @@ void elastic_pendulum_inverse_dynamics(const double q[2], const double u[2], con
     const double v7 = cos_theta * L;
     const double v8 = 0x1p-1 * (M * v7);
     const double v9 = theta_ddot - (cos_theta * v5 + g * sin_theta) / v1;
-    const double v10 = 2.0 * (L * L);
-    const double v11 = M * (0x1p-1 * v7 * v7 + 0x1p-2 * (sin_theta * sin_theta * v10));
-    forces[0] = (m + M) * v6 + v8 * v9;
-    forces[1] = v8 * v6 + (0x1p-1 * v11 + M * v10 / 24.0) * v9;
+    const double v10 = (m + M) * v6 + v8 * v9;
+    const double v11 = 2.0 * (L * L);
+    const double v12 = M * (0x1p-1 * v7 * v7 + 0x1p-2 * (sin_theta * sin_theta * v11));
+    const double v13 = v8 * v6 + (0x1p-1 * v12 + M * v11 / 24.0) * v9;
+    int status = ELASTIC_PENDULUM_OK;
+    if (!(isfinite(v10) && isfinite(v13) && isfinite(v4) && isfinite(v1))) {
+        if (!(isfinite(x) && isfinite(theta) && isfinite(theta_dot) && isfinite(L) && isfinite(M) &&
+            isfinite(g) && isfinite(k) && isfinite(m) && isfinite(x_ddot) && isfinite(theta_ddot)))
+            status = ELASTIC_PENDULUM_BAD_INPUT;
+        else
+            status = v4 == 0 || v1 == 0 ? ELASTIC_PENDULUM_SINGULAR : ELASTIC_PENDULUM_OVERFLOW;
+    }
+    forces[0] = v10;
+    forces[1] = v13;
+    return status;
 }
 
-void elastic_pendulum_energy(const double q[2], const double u[2], const double p[5],
+int elastic_pendulum_energy(const double q[2], const double u[2], const double p[5],
     double kinetic[1], double potential[1], double total[1])
 {
     const double x = q[0];
@@ -132,12 +185,22 @@ void elastic_pendulum_energy(const double q[2], const double u[2], const double 
     const double v4 = (v1 * v1 + v2 * (sin_theta * sin_theta) / 4.0) * M / 2.0;
     const double v5 = v3 + v4 + v2 * M / 24.0;
     const double v6 = x * x * k - L * M * g * cos_theta / 2.0;
+    const double v7 = v5 + v6;
+    int status = ELASTIC_PENDULUM_OK;
+    if (!(isfinite(v5) && isfinite(v6) && isfinite(v7))) {
+        if (!(isfinite(x) && isfinite(theta) && isfinite(x_dot) && isfinite(theta_dot) &&
+            isfinite(L) && isfinite(M) && isfinite(g) && isfinite(k) && isfinite(m)))
+            status = ELASTIC_PENDULUM_BAD_INPUT;
+        else
+            status = ELASTIC_PENDULUM_OVERFLOW;
+    }
     kinetic[0] = v5;
     potential[0] = v6;
-    total[0] = v5 + v6;
+    total[0] = v7;
+    return status;
 }
 
-void elastic_pendulum_momenta(const double q[2], const double u[2], const double p[5],
+int elastic_pendulum_momenta(const double q[2], const double u[2], const double p[5],
     double linear[3], double angular[3], double generalized[2])
 {
     const double x = q[0];
@@ -150,36 +213,58 @@ void elastic_pendulum_momenta(const double q[2], const double u[2], const double
     const double v1 = theta_dot * L;
     const double cos_theta = cos(theta);
     const double v2 = x_dot + v1 * cos_theta / 2.0;
+    const double v3 = x_dot * m + v2 * M;
     const double sin_theta = sin(theta);
-    const double v3 = L * L;
-    const double v4 = theta_dot * v3 * M / 12.0 + v2 * L * M * cos_theta / 2.0;
-    const double v5 = theta_dot * (x + L * sin_theta / 2.0) * L * M * sin_theta / 2.0;
-    const double v6 = 2.0 * v2;
-    const double v7 = v3 * (2.0 * theta_dot);
-    const double v8 = v6 * (0x1p-1 * (cos_theta * L));
-    const double v9 = 0x1p-2 * (sin_theta * sin_theta * v7);
-    linear[0] = x_dot * m + v2 * M;
-    linear[1] = v1 * M * sin_theta / 2.0;
+    const double v4 = v1 * M * sin_theta / 2.0;
+    const double v5 = L * L;
+    const double v6 = theta_dot * v5 * M / 12.0 + v2 * L * M * cos_theta / 2.0;
+    const double v7 = theta_dot * (x + L * sin_theta / 2.0) * L * M * sin_theta / 2.0;
+    const double v8 = v6 + v7;
+    const double v9 = 2.0 * v2;
+    const double v10 = 0x1p-1 * (m * (2.0 * x_dot)) + 0x1p-1 * (M * v9);
+    const double v11 = v5 * (2.0 * theta_dot);
+    const double v12 = v9 * (0x1p-1 * (cos_theta * L));
+    const double v13 = 0x1p-2 * (sin_theta * sin_theta * v11);
+    const double v14 = 0x1p-1 * (M * (v12 + v13)) + M * v11 / 24.0;
+    int status = ELASTIC_PENDULUM_OK;
+    if (!(isfinite(v3) && isfinite(v4) && isfinite(v8) && isfinite(v10) && isfinite(v14))) {
+        if (!(isfinite(x) && isfinite(theta) && isfinite(x_dot) && isfinite(theta_dot) &&
+            isfinite(L) && isfinite(M) && isfinite(m)))
+            status = ELASTIC_PENDULUM_BAD_INPUT;
+        else
+            status = ELASTIC_PENDULUM_OVERFLOW;
+    }
+    linear[0] = v3;
+    linear[1] = v4;
     linear[2] = 0.0;
     angular[0] = 0.0;
     angular[1] = 0.0;
-    angular[2] = v4 + v5;
-    generalized[0] = 0x1p-1 * (m * (2.0 * x_dot)) + 0x1p-1 * (M * v6);
-    generalized[1] = 0x1p-1 * (M * (v8 + v9)) + M * v7 / 24.0;
+    angular[2] = v8;
+    generalized[0] = v10;
+    generalized[1] = v14;
+    return status;
 }
 
-void elastic_pendulum_coordinate_rates(const double q[2], const double u[2], const double p[5],
+int elastic_pendulum_coordinate_rates(const double q[2], const double u[2], const double p[5],
     double qd[2])
 {
     (void)q;
     (void)p;
     const double x_dot = u[0];
     const double theta_dot = u[1];
+    int status = ELASTIC_PENDULUM_OK;
+    if (!(isfinite(x_dot) && isfinite(theta_dot))) {
+        if (!(isfinite(x_dot) && isfinite(theta_dot)))
+            status = ELASTIC_PENDULUM_BAD_INPUT;
+        else
+            status = ELASTIC_PENDULUM_OVERFLOW;
+    }
     qd[0] = x_dot;
     qd[1] = theta_dot;
+    return status;
 }
 
-void elastic_pendulum_jacobians(const double q[2], const double u[2], const double p[5],
+int elastic_pendulum_jacobians(const double q[2], const double u[2], const double p[5],
     double ud_q[4], double ud_u[4], double ud_p[10])
 {
     const double x = q[0];
@@ -198,57 +283,80 @@ void elastic_pendulum_jacobians(const double q[2], const double u[2], const doub
     const double v5 = v2 / v4;
     const double v6 = M + m - v5 * v2;
     const double v7 = 2.0 * -k / v6;
-    const double v8 = theta_dot * theta_dot;
-    const double v9 = v8 * L;
-    const double v10 = v9 * M;
+    const double v8 = -(v2 * v7 / v4);
+    const double v9 = theta_dot * theta_dot;
+    const double v10 = v9 * L;
+    const double v11 = v10 * M;
     const double sin_theta = sin(theta);
-    const double v11 = v1 * g;
-    const double v12 = v11 * sin_theta / 2.0;
-    const double v13 = 2.0 * x;
-    const double v14 = (v10 * sin_theta / 2.0 - v13 * k + v5 * v12) / v6;
-    const double v15 = (v12 + v2 * v14) / v4;
-    const double v16 = 0x1p-1 * v15;
-    const double v17 = 0x1p-1 * v14;
-    const double v18 = sin_theta * (v1 * v17) + cos_theta * (-0x1p-1 * v11);
-    const double v19 = cos_theta * (0x1p-1 * v10) - sin_theta * (v1 * v16) - v5 * v18;
-    const double v20 = v19 / v6;
-    const double v21 = 0x1p-1 * sin_theta;
-    const double v22 = M * v21;
-    const double v23 = 2.0 * theta_dot * (L * v22) / v6;
-    const double v24 = cos_theta * v16;
-    const double v25 = -0x1p-1 * sin_theta;
-    const double v26 = g * v25;
-    const double v27 = v15 / 3.0;
-    const double v28 = cos_theta * v17;
-    const double v29 = M * v26 + 2.0 * L * (M * v27) - M * v28;
-    const double v30 = (v8 * v22 + M * v24 - v5 * v29) / v6;
-    const double v31 = L * v26 + v3 * v27 - L * v28;
-    const double v32 = (v9 * v21 - (v14 - L * v24) - v5 * v31) / v6;
-    const double v33 = v1 * v25;
-    const double v34 = v5 * v33 / v6;
-    const double v35 = v13 / v6;
-    const double v36 = v14 / v6;
+    const double v12 = v1 * g;
+    const double v13 = v12 * sin_theta / 2.0;
+    const double v14 = 2.0 * x;
+    const double v15 = (v11 * sin_theta / 2.0 - v14 * k + v5 * v13) / v6;
+    const double v16 = (v13 + v2 * v15) / v4;
+    const double v17 = 0x1p-1 * v16;
+    const double v18 = 0x1p-1 * v15;
+    const double v19 = sin_theta * (v1 * v18) + cos_theta * (-0x1p-1 * v12);
+    const double v20 = cos_theta * (0x1p-1 * v11) - sin_theta * (v1 * v17) - v5 * v19;
+    const double v21 = v20 / v6;
+    const double v22 = (v19 - v2 * v21) / v4;
+    const double v23 = 0x1p-1 * sin_theta;
+    const double v24 = M * v23;
+    const double v25 = 2.0 * theta_dot * (L * v24) / v6;
+    const double v26 = -(v2 * v25 / v4);
+    const double v27 = cos_theta * v17;
+    const double v28 = -0x1p-1 * sin_theta;
+    const double v29 = g * v28;
+    const double v30 = v16 / 3.0;
+    const double v31 = cos_theta * v18;
+    const double v32 = M * v29 + 2.0 * L * (M * v30) - M * v31;
+    const double v33 = (v9 * v24 + M * v27 - v5 * v32) / v6;
+    const double v34 = (v32 - v2 * v33) / v4;
+    const double v35 = L * v29 + v3 * v30 - L * v31;
+    const double v36 = (v10 * v23 - (v15 - L * v27) - v5 * v35) / v6;
+    const double v37 = (v35 - v2 * v36) / v4;
+    const double v38 = v1 * v28;
+    const double v39 = v5 * v38 / v6;
+    const double v40 = -v39;
+    const double v41 = (v38 + v2 * v39) / v4;
+    const double v42 = v14 / v6;
+    const double v43 = -v42;
+    const double v44 = v2 * v42 / v4;
+    const double v45 = v15 / v6;
+    const double v46 = -v45;
+    const double v47 = v2 * v45 / v4;
+    int status = ELASTIC_PENDULUM_OK;
+    if (!(isfinite(v7) && isfinite(v8) && isfinite(v21) && isfinite(v22) && isfinite(v25) &&
+        isfinite(v26) && isfinite(v33) && isfinite(v34) && isfinite(v36) && isfinite(v37) &&
+        isfinite(v40) && isfinite(v41) && isfinite(v43) && isfinite(v44) && isfinite(v46) &&
+        isfinite(v47) && isfinite(v4) && isfinite(v6))) {
+        if (!(isfinite(x) && isfinite(theta) && isfinite(theta_dot) && isfinite(L) && isfinite(M) &&
+            isfinite(g) && isfinite(k) && isfinite(m)))
+            status = ELASTIC_PENDULUM_BAD_INPUT;
+        else
+            status = v4 == 0 || v6 == 0 ? ELASTIC_PENDULUM_SINGULAR : ELASTIC_PENDULUM_OVERFLOW;
+    }
     ud_q[0] = v7;
-    ud_q[1] = -(v2 * v7 / v4);
-    ud_q[2] = v20;
-    ud_q[3] = (v18 - v2 * v20) / v4;
+    ud_q[1] = v8;
+    ud_q[2] = v21;
+    ud_q[3] = v22;
     ud_u[0] = 0.0;
     ud_u[1] = 0.0;
-    ud_u[2] = v23;
-    ud_u[3] = -(v2 * v23 / v4);
-    ud_p[0] = v30;
-    ud_p[1] = (v29 - v2 * v30) / v4;
-    ud_p[2] = v32;
-    ud_p[3] = (v31 - v2 * v32) / v4;
-    ud_p[4] = -v34;
-    ud_p[5] = (v33 + v2 * v34) / v4;
-    ud_p[6] = -v35;
-    ud_p[7] = v2 * v35 / v4;
-    ud_p[8] = -v36;
-    ud_p[9] = v2 * v36 / v4;
+    ud_u[2] = v25;
+    ud_u[3] = v26;
+    ud_p[0] = v33;
+    ud_p[1] = v34;
+    ud_p[2] = v36;
+    ud_p[3] = v37;
+    ud_p[4] = v40;
+    ud_p[5] = v41;
+    ud_p[6] = v43;
+    ud_p[7] = v44;
+    ud_p[8] = v46;
+    ud_p[9] = v47;
+    return status;
 }
 
-void elastic_pendulum_step(const double q[2], const double u[2], const double p[5],
+int elastic_pendulum_step(const double q[2], const double u[2], const double p[5],
     const double h[1], double q_next[2], double u_next[2])
 {
     const double x = q[0];
@@ -267,42 +375,62 @@ void elastic_pendulum_step(const double q[2], const double u[2], const double p[
     const double v2 = 0x1.5555555555555p+1 * k;
     const double v3 = (cos_theta * g - theta_dot * (v1 * theta_dot)) * (sin_theta * M);
     const double v4 = 0x1.5555555555555p+0 * (M + m);
-    const double v5 = (v3 - x * v2) / (v4 - M * (cos_theta * cos_theta));
-    const double v6 = x_dot + h_ * (v5 / 2.0);
-    const double v7 = theta + h_ * (theta_dot / 2.0);
-    const double cos_v7 = cos(v7);
-    const double v8 = (cos_theta * v5 + g * sin_theta) / v1;
-    const double v9 = theta_dot + h_ * (v8 / 2.0);
-    const double sin_v7 = sin(v7);
-    const double v10 = (cos_v7 * g - v9 * (v1 * v9)) * (sin_v7 * M);
-    const double v11 = (x + h_ * (x_dot / 2.0)) * v2;
-    const double v12 = (v10 - v11) / (v4 - M * (cos_v7 * cos_v7));
-    const double v13 = x_dot + h_ * (v12 / 2.0);
-    const double v14 = theta + h_ * (v9 / 2.0);
-    const double cos_v14 = cos(v14);
-    const double v15 = (cos_v7 * v12 + g * sin_v7) / v1;
-    const double v16 = theta_dot + h_ * (v15 / 2.0);
-    const double sin_v14 = sin(v14);
-    const double v17 = (cos_v14 * g - v16 * (v1 * v16)) * (sin_v14 * M);
-    const double v18 = (x + h_ * (v6 / 2.0)) * v2;
-    const double v19 = (v17 - v18) / (v4 - M * (cos_v14 * cos_v14));
-    const double v20 = h_ * ((x_dot + 2.0 * v6 + 2.0 * v13 + (x_dot + h_ * v19)) / 6.0);
-    const double v21 = (cos_v14 * v19 + g * sin_v14) / v1;
-    const double v22 = theta_dot + h_ * v21;
-    const double v23 = theta + h_ * v16;
-    const double cos_v23 = cos(v23);
-    const double sin_v23 = sin(v23);
-    const double v24 = (cos_v23 * g - v22 * (v1 * v22)) * (sin_v23 * M);
-    const double v25 = (x + h_ * v13) * v2;
-    const double v26 = (v24 - v25) / (v4 - M * (cos_v23 * cos_v23));
-    const double v27 = v8 + 2.0 * v15 + 2.0 * v21 + (cos_v23 * v26 + g * sin_v23) / v1;
-    q_next[0] = x + v20;
-    q_next[1] = theta + h_ * ((theta_dot + 2.0 * v9 + 2.0 * v16 + v22) / 6.0);
-    u_next[0] = x_dot + h_ * ((v5 + 2.0 * v12 + 2.0 * v19 + v26) / 6.0);
-    u_next[1] = theta_dot + h_ * (v27 / 6.0);
+    const double v5 = v4 - M * (cos_theta * cos_theta);
+    const double v6 = (v3 - x * v2) / v5;
+    const double v7 = x_dot + h_ * (v6 / 2.0);
+    const double v8 = theta + h_ * (theta_dot / 2.0);
+    const double cos_v8 = cos(v8);
+    const double v9 = (cos_theta * v6 + g * sin_theta) / v1;
+    const double v10 = theta_dot + h_ * (v9 / 2.0);
+    const double sin_v8 = sin(v8);
+    const double v11 = (cos_v8 * g - v10 * (v1 * v10)) * (sin_v8 * M);
+    const double v12 = (x + h_ * (x_dot / 2.0)) * v2;
+    const double v13 = v4 - M * (cos_v8 * cos_v8);
+    const double v14 = (v11 - v12) / v13;
+    const double v15 = x_dot + h_ * (v14 / 2.0);
+    const double v16 = theta + h_ * (v10 / 2.0);
+    const double cos_v16 = cos(v16);
+    const double v17 = (cos_v8 * v14 + g * sin_v8) / v1;
+    const double v18 = theta_dot + h_ * (v17 / 2.0);
+    const double sin_v16 = sin(v16);
+    const double v19 = (cos_v16 * g - v18 * (v1 * v18)) * (sin_v16 * M);
+    const double v20 = (x + h_ * (v7 / 2.0)) * v2;
+    const double v21 = v4 - M * (cos_v16 * cos_v16);
+    const double v22 = (v19 - v20) / v21;
+    const double v23 = h_ * ((x_dot + 2.0 * v7 + 2.0 * v15 + (x_dot + h_ * v22)) / 6.0);
+    const double v24 = x + v23;
+    const double v25 = (cos_v16 * v22 + g * sin_v16) / v1;
+    const double v26 = theta_dot + h_ * v25;
+    const double v27 = theta + h_ * ((theta_dot + 2.0 * v10 + 2.0 * v18 + v26) / 6.0);
+    const double v28 = theta + h_ * v18;
+    const double cos_v28 = cos(v28);
+    const double sin_v28 = sin(v28);
+    const double v29 = (cos_v28 * g - v26 * (v1 * v26)) * (sin_v28 * M);
+    const double v30 = (x + h_ * v15) * v2;
+    const double v31 = v4 - M * (cos_v28 * cos_v28);
+    const double v32 = (v29 - v30) / v31;
+    const double v33 = x_dot + h_ * ((v6 + 2.0 * v14 + 2.0 * v22 + v32) / 6.0);
+    const double v34 = v9 + 2.0 * v17 + 2.0 * v25 + (cos_v28 * v32 + g * sin_v28) / v1;
+    const double v35 = theta_dot + h_ * (v34 / 6.0);
+    int status = ELASTIC_PENDULUM_OK;
+    if (!(isfinite(v24) && isfinite(v27) && isfinite(v33) && isfinite(v35) && isfinite(v5) &&
+        isfinite(v1) && isfinite(v13) && isfinite(v21) && isfinite(v31))) {
+        if (!(isfinite(x) && isfinite(theta) && isfinite(x_dot) && isfinite(theta_dot) &&
+            isfinite(L) && isfinite(M) && isfinite(g) && isfinite(k) && isfinite(m) &&
+            isfinite(h_)))
+            status = ELASTIC_PENDULUM_BAD_INPUT;
+        else
+            status = v5 == 0 || v1 == 0 || v13 == 0 || v21 == 0 || v31 == 0 ?
+                ELASTIC_PENDULUM_SINGULAR : ELASTIC_PENDULUM_OVERFLOW;
+    }
+    q_next[0] = v24;
+    q_next[1] = v27;
+    u_next[0] = v33;
+    u_next[1] = v35;
+    return status;
 }
 
-void elastic_pendulum_reactions(const double q[2], const double u[2], const double p[5],
+int elastic_pendulum_reactions(const double q[2], const double u[2], const double p[5],
     double reactions[3])
 {
     const double x = q[0];
@@ -322,8 +450,19 @@ void elastic_pendulum_reactions(const double q[2], const double u[2], const doub
     const double v5 = (v2 - v3) / v4;
     const double v6 = (cos_theta * v5 + g * sin_theta) / v1 * L;
     const double v7 = theta_dot * theta_dot * L;
-    const double v8 = (v6 * sin_theta / 2.0 + v7 * cos_theta / 2.0) * M + M * g;
-    reactions[0] = -((v5 + v6 * cos_theta / 2.0 - v7 * sin_theta / 2.0) * M);
-    reactions[1] = v8;
-    reactions[2] = v8 + g * m;
+    const double v8 = -((v5 + v6 * cos_theta / 2.0 - v7 * sin_theta / 2.0) * M);
+    const double v9 = (v6 * sin_theta / 2.0 + v7 * cos_theta / 2.0) * M + M * g;
+    const double v10 = v9 + g * m;
+    int status = ELASTIC_PENDULUM_OK;
+    if (!(isfinite(v8) && isfinite(v9) && isfinite(v10) && isfinite(v4) && isfinite(v1))) {
+        if (!(isfinite(x) && isfinite(theta) && isfinite(theta_dot) && isfinite(L) && isfinite(M) &&
+            isfinite(g) && isfinite(k) && isfinite(m)))
+            status = ELASTIC_PENDULUM_BAD_INPUT;
+        else
+            status = v4 == 0 || v1 == 0 ? ELASTIC_PENDULUM_SINGULAR : ELASTIC_PENDULUM_OVERFLOW;
+    }
+    reactions[0] = v8;
+    reactions[1] = v9;
+    reactions[2] = v10;
+    return status;
 }

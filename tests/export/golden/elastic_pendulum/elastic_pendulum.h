@@ -5,11 +5,22 @@
  * Matrices are stored column by column. All inputs are read before the first output is written,
  * so an output may be the same array as an input of its size.
  *
- * Non-finite values: an input that is not finite, or a state at which the equations are singular,
- * gives outputs that are not finite. Nothing traps and nothing is checked; use isfinite().
+ * Every function returns a status, and writes its outputs whatever it is. Nothing traps. Do not
+ * compile with -ffast-math: it takes the check for infinity away.
  */
 #ifndef ELASTIC_PENDULUM_H
 #define ELASTIC_PENDULUM_H
+
+/* status
+ *   0  every output is a number
+ *   1  a divisor is zero: the mass matrix is singular, or too small to tell
+ *   2  a value is beyond the largest number
+ *   3  an input is infinite or no number
+ */
+#define ELASTIC_PENDULUM_OK 0
+#define ELASTIC_PENDULUM_SINGULAR 1
+#define ELASTIC_PENDULUM_OVERFLOW 2
+#define ELASTIC_PENDULUM_BAD_INPUT 3
 
 /* generalized coordinates q
  *   q[0]  x      m
@@ -59,49 +70,49 @@ extern "C" {
 #endif
 
 /* Accelerations u' (and multipliers) from the state. */
-void elastic_pendulum_forward_dynamics(const double q[2], const double u[2], const double p[5],
+int elastic_pendulum_forward_dynamics(const double q[2], const double u[2], const double p[5],
     double ud[2]);
 
 /* M of the equations M u' = f + B lambda, column by column. */
-void elastic_pendulum_mass_matrix(const double q[2], const double u[2], const double p[5],
+int elastic_pendulum_mass_matrix(const double q[2], const double u[2], const double p[5],
     double mass_matrix[4]);
 
 /* Right side f of the equations M u' = f + B lambda. */
-void elastic_pendulum_forcing(const double q[2], const double u[2], const double p[5],
+int elastic_pendulum_forcing(const double q[2], const double u[2], const double p[5],
     double forcing[2]);
 
 /* M u' - f - B lambda, and below it A u' - b of the constraints. */
-void elastic_pendulum_residual(const double q[2], const double u[2], const double p[5],
+int elastic_pendulum_residual(const double q[2], const double u[2], const double p[5],
     const double ud[2], double residual[2]);
 
 /* Generalized forces, conjugate to u, which added to the loads give u'. */
-void elastic_pendulum_inverse_dynamics(const double q[2], const double u[2], const double p[5],
+int elastic_pendulum_inverse_dynamics(const double q[2], const double u[2], const double p[5],
     const double ud[2], double forces[2]);
 
 /* Kinetic, potential and total energy, in J. */
-void elastic_pendulum_energy(const double q[2], const double u[2], const double p[5],
+int elastic_pendulum_energy(const double q[2], const double u[2], const double p[5],
     double kinetic[1], double potential[1], double total[1]);
 
 /* Linear momentum in kg m/s, angular momentum about the origin in kg m^2/s
  * (inertial components), and the generalized momenta dT/du. */
-void elastic_pendulum_momenta(const double q[2], const double u[2], const double p[5],
+int elastic_pendulum_momenta(const double q[2], const double u[2], const double p[5],
     double linear[3], double angular[3], double generalized[2]);
 
 /* Rates of the coordinates: q' = N u + n. */
-void elastic_pendulum_coordinate_rates(const double q[2], const double u[2], const double p[5],
+int elastic_pendulum_coordinate_rates(const double q[2], const double u[2], const double p[5],
     double qd[2]);
 
 /* Derivatives of u' by q, u, inputs and p, column by column. */
-void elastic_pendulum_jacobians(const double q[2], const double u[2], const double p[5],
+int elastic_pendulum_jacobians(const double q[2], const double u[2], const double p[5],
     double ud_q[4], double ud_u[4], double ud_p[10]);
 
 /* State at t + h by the classical Runge-Kutta method of order 4, inputs held over the
  * step: in place with q_next = q and u_next = u. */
-void elastic_pendulum_step(const double q[2], const double u[2], const double p[5],
+int elastic_pendulum_step(const double q[2], const double u[2], const double p[5],
     const double h[1], double q_next[2], double u_next[2]);
 
 /* The reactions listed above, from the state. */
-void elastic_pendulum_reactions(const double q[2], const double u[2], const double p[5],
+int elastic_pendulum_reactions(const double q[2], const double u[2], const double p[5],
     double reactions[3]);
 
 #ifdef __cplusplus

@@ -25,6 +25,13 @@ static int check(const char *what, int state, int size, const double *got, const
     return failures;
 }
 
+static int check_status(const char *what, int state, int status)
+{
+    if (status != ELASTIC_PENDULUM_OK)
+        printf("%s, state %d: status %d found, ELASTIC_PENDULUM_OK expected\n", what, state, status);
+    return status != ELASTIC_PENDULUM_OK;
+}
+
 static int test_forward_dynamics(void)
 {
     static const double q_in[5][2] = {
@@ -65,7 +72,8 @@ static int test_forward_dynamics(void)
     int failures = 0;
     for (int i = 0; i < 5; ++i) {
         double ud[2];
-        elastic_pendulum_forward_dynamics(q_in[i], u_in[i], p_in[i], ud);
+        int status = elastic_pendulum_forward_dynamics(q_in[i], u_in[i], p_in[i], ud);
+        failures += check_status("forward_dynamics", i, status);
         failures += check("forward_dynamics", i, 2, ud, ud_expected[i], ud_tolerance[i]);
     }
     return failures;
@@ -111,7 +119,8 @@ static int test_mass_matrix(void)
     int failures = 0;
     for (int i = 0; i < 5; ++i) {
         double mass_matrix[4];
-        elastic_pendulum_mass_matrix(q_in[i], u_in[i], p_in[i], mass_matrix);
+        int status = elastic_pendulum_mass_matrix(q_in[i], u_in[i], p_in[i], mass_matrix);
+        failures += check_status("mass_matrix", i, status);
         failures += check("mass_matrix", i, 4, mass_matrix, mass_matrix_expected[i],
             mass_matrix_tolerance[i]);
     }
@@ -158,7 +167,8 @@ static int test_forcing(void)
     int failures = 0;
     for (int i = 0; i < 5; ++i) {
         double forcing[2];
-        elastic_pendulum_forcing(q_in[i], u_in[i], p_in[i], forcing);
+        int status = elastic_pendulum_forcing(q_in[i], u_in[i], p_in[i], forcing);
+        failures += check_status("forcing", i, status);
         failures += check("forcing", i, 2, forcing, forcing_expected[i], forcing_tolerance[i]);
     }
     return failures;
@@ -211,7 +221,8 @@ static int test_residual(void)
     int failures = 0;
     for (int i = 0; i < 5; ++i) {
         double residual[2];
-        elastic_pendulum_residual(q_in[i], u_in[i], p_in[i], ud_in[i], residual);
+        int status = elastic_pendulum_residual(q_in[i], u_in[i], p_in[i], ud_in[i], residual);
+        failures += check_status("residual", i, status);
         failures += check("residual", i, 2, residual, residual_expected[i], residual_tolerance[i]);
     }
     return failures;
@@ -264,7 +275,8 @@ static int test_inverse_dynamics(void)
     int failures = 0;
     for (int i = 0; i < 5; ++i) {
         double forces[2];
-        elastic_pendulum_inverse_dynamics(q_in[i], u_in[i], p_in[i], ud_in[i], forces);
+        int status = elastic_pendulum_inverse_dynamics(q_in[i], u_in[i], p_in[i], ud_in[i], forces);
+        failures += check_status("inverse_dynamics", i, status);
         failures += check("inverse_dynamics", i, 2, forces, forces_expected[i],
             forces_tolerance[i]);
     }
@@ -341,7 +353,8 @@ static int test_energy(void)
         double kinetic[1];
         double potential[1];
         double total[1];
-        elastic_pendulum_energy(q_in[i], u_in[i], p_in[i], kinetic, potential, total);
+        int status = elastic_pendulum_energy(q_in[i], u_in[i], p_in[i], kinetic, potential, total);
+        failures += check_status("energy", i, status);
         failures += check("energy kinetic", i, 1, kinetic, kinetic_expected[i],
             kinetic_tolerance[i]);
         failures += check("energy potential", i, 1, potential, potential_expected[i],
@@ -421,7 +434,9 @@ static int test_momenta(void)
         double linear[3];
         double angular[3];
         double generalized[2];
-        elastic_pendulum_momenta(q_in[i], u_in[i], p_in[i], linear, angular, generalized);
+        int status = elastic_pendulum_momenta(q_in[i], u_in[i], p_in[i], linear, angular,
+            generalized);
+        failures += check_status("momenta", i, status);
         failures += check("momenta linear", i, 3, linear, linear_expected[i], linear_tolerance[i]);
         failures += check("momenta angular", i, 3, angular, angular_expected[i],
             angular_tolerance[i]);
@@ -471,7 +486,8 @@ static int test_coordinate_rates(void)
     int failures = 0;
     for (int i = 0; i < 5; ++i) {
         double qd[2];
-        elastic_pendulum_coordinate_rates(q_in[i], u_in[i], p_in[i], qd);
+        int status = elastic_pendulum_coordinate_rates(q_in[i], u_in[i], p_in[i], qd);
+        failures += check_status("coordinate_rates", i, status);
         failures += check("coordinate_rates", i, 2, qd, qd_expected[i], qd_tolerance[i]);
     }
     return failures;
@@ -560,7 +576,8 @@ static int test_jacobians(void)
         double ud_q[4];
         double ud_u[4];
         double ud_p[10];
-        elastic_pendulum_jacobians(q_in[i], u_in[i], p_in[i], ud_q, ud_u, ud_p);
+        int status = elastic_pendulum_jacobians(q_in[i], u_in[i], p_in[i], ud_q, ud_u, ud_p);
+        failures += check_status("jacobians", i, status);
         failures += check("jacobians ud_q", i, 4, ud_q, ud_q_expected[i], ud_q_tolerance[i]);
         failures += check("jacobians ud_u", i, 4, ud_u, ud_u_expected[i], ud_u_tolerance[i]);
         failures += check("jacobians ud_p", i, 10, ud_p, ud_p_expected[i], ud_p_tolerance[i]);
@@ -630,7 +647,8 @@ static int test_step(void)
     for (int i = 0; i < 5; ++i) {
         double q_next[2];
         double u_next[2];
-        elastic_pendulum_step(q_in[i], u_in[i], p_in[i], h_in[i], q_next, u_next);
+        int status = elastic_pendulum_step(q_in[i], u_in[i], p_in[i], h_in[i], q_next, u_next);
+        failures += check_status("step", i, status);
         failures += check("step q_next", i, 2, q_next, q_next_expected[i], q_next_tolerance[i]);
         failures += check("step u_next", i, 2, u_next, u_next_expected[i], u_next_tolerance[i]);
     }
@@ -677,7 +695,8 @@ static int test_reactions(void)
     int failures = 0;
     for (int i = 0; i < 5; ++i) {
         double reactions[3];
-        elastic_pendulum_reactions(q_in[i], u_in[i], p_in[i], reactions);
+        int status = elastic_pendulum_reactions(q_in[i], u_in[i], p_in[i], reactions);
+        failures += check_status("reactions", i, status);
         failures += check("reactions", i, 3, reactions, reactions_expected[i],
             reactions_tolerance[i]);
     }

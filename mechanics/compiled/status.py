@@ -1,0 +1,117 @@
+"""Whether the values of a function are numbers, and if not, why.
+
+    0  every value is finite          2  overflow: a value is beyond the largest number
+    1  a divisor is zero: singular    3  an input is infinite or no number
+
+An infinity that a quotient or a function turns into a number again would be missed in the outputs,
+so divisors and the arguments of such functions are looked at, too.
+"""
+
+import textwrap
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import casadi as ca
+
+from mechanics.compiled.program import Program
+
+LINE = 100
+DIVISIONS = frozenset({ca.OP_DIV, ca.OP_INV})
+FORGETFUL = frozenset({
+    ca.OP_ATAN, ca.OP_ATAN2, ca.OP_TANH, ca.OP_ERF, ca.OP_EXP, ca.OP_FMIN, ca.OP_FMAX, ca.OP_SIGN,
+    ca.OP_LT, ca.OP_LE, ca.OP_EQ, ca.OP_NE, ca.OP_IF_ELSE_ZERO, ca.OP_COPYSIGN, ca.OP_POW,
+    ca.OP_CONSTPOW,
+})  # fmt: skip
+"""Operations that can make a number of an infinity, other than divisions."""
+
+
+@dataclass(frozen=True)
+class Watched:
+    """Values inside a program that have to be finite.
+
+    Attributes
+    ----------
+    divisors : tuple of int
+        Nodes that something is divided by; they must not be zero either.
+    others : tuple of int
+        Operands of `FORGETFUL`.
+    """
+
+    divisors: tuple[int, ...]
+    others: tuple[int, ...]
+
+
+def watched(code: Program) -> Watched:
+    """What has to be finite besides the outputs; numbers and inputs are known to be."""
+    divisors: dict[int, None] = {}
+    others: dict[int, None] = {}
+    for node in code.nodes:
+        if node.operation in DIVISIONS:
+            divisors[node.operands[-1]] = None
+        elif node.operation in FORGETFUL:
+            others |= dict.fromkeys(node.operands)
+    return Watched(
+        tuple(k for k in divisors if code.nodes[k].constant is None),
+        tuple(k for k in others if code.nodes[k].constant is None and k not in divisors),
+    )
+
+
+def with_watched(code: Program) -> Program:
+    """The program with one more output, ``watched``: divisors first."""
+    found = watched(code)
+    nodes = (*found.divisors, *found.others)
+    return replace(
+        code,
+        name=f"{code.name}_watched",
+        outputs=(*code.outputs, nodes),
+        shapes=(*code.shapes, ("watched", (len(nodes), 1))),
+    )
+
+
+@dataclass(frozen=True)
+class Codes:
+    """Names of the four statuses in C."""
+
+    ok: str
+    singular: str
+    overflow: str
+    bad_input: str
+
+
+def status_lines(
+    name: str, codes: Codes, inputs: Sequence[str], values: Sequence[str], divisors: Sequence[str]
+) -> list[str]:
+    """C that sets a local variable to the status.
+
+    Parameters
+    ----------
+    name : str
+        Of the variable.
+    codes : Codes
+    inputs, values, divisors : sequences of str
+        Locals; divisors are among the values.
+    """
+    if not values:
+        return [f"    const int {name} = {codes.ok};"]
+    singular = " || ".join(f"{divisor} == 0" for divisor in divisors)
+    why = f"{singular} ? {codes.singular} : {codes.overflow}" if divisors else codes.overflow
+    return [
+        f"    int {name} = {codes.ok};",
+        *_wrapped(f"if (!({_finite(values)})) {{", "    "),
+        *_wrapped(f"if (!({_finite(inputs)}))", "        "),
+        f"            {name} = {codes.bad_input};",
+        "        else",
+        *_wrapped(f"{name} = {why};", "            "),
+        "    }",
+    ]
+
+
+def _finite(names: Sequence[str]) -> str:
+    return " && ".join(f"isfinite({name})" for name in dict.fromkeys(names)) or "1"
+
+
+def _wrapped(text: str, indent: str) -> list[str]:
+    return textwrap.wrap(
+        text, LINE, initial_indent=indent, subsequent_indent=indent + "    ",
+        break_long_words=False, break_on_hyphens=False,
+    )  # fmt: skip
