@@ -1,0 +1,137 @@
+"""A motion that is wanted, and the models that can be used for it.
+
+y' = f(t, y),   y(0) = start,   0 <= t <= horizon
+"""
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from mechanics.compiled import Model, compile
+from mechanics.equations import Equations
+from mechanics.errors import InputError
+from mechanics.simulate.consistent import Suggestion, consistent_coordinates, consistent_speeds
+from mechanics.simulate.constraints import manifold, periodic
+from mechanics.simulate.integrators import Problem
+from mechanics.simulate.manifold import Manifold
+from mechanics.simulate.values import read_initial, read_inputs, read_parameters
+from mechanics.trade.choice import LINEARISED, Variant
+from mechanics.trade.linearised import linearised
+
+Array = NDArray[np.float64]
+
+# Times at which errors are looked at, the start included.
+TIMES = 21
+# Evaluations that one run may spend: a tenth of a second to seconds, depending on who calls.
+BUDGET = 400_000
+
+
+@dataclass(frozen=True, eq=False)
+class Case:
+    """A motion of a system with numbers bound, and models of it that are compiled on first use.
+
+    Attributes
+    ----------
+    equations : Equations
+    horizon : float
+        In s.
+    initial, parameters : mapping of str to float
+        What differs from the example and the typical values.
+    inputs : mapping of str to float
+    compiler : str or None
+        As for `mechanics.compile`.
+    linear : callable
+        Makes the linearised equations; refuses where there are none.
+    """
+
+    equations: Equations
+    horizon: float
+    initial: Mapping[str, float] = field(default_factory=dict)
+    parameters: Mapping[str, float] = field(default_factory=dict)
+    inputs: Mapping[str, Any] = field(default_factory=dict)
+    compiler: str | None = "auto"
+    linear: Callable[["Case"], Equations] = lambda case: linearised(
+        case.equations, case.parameters, case.inputs, case.suggested
+    )
+    _models: dict[Variant, Model] = field(default_factory=dict, repr=False)
+
+    def __post_init__(self) -> None:
+        if not (np.isfinite(self.horizon) and self.horizon > 0):
+            raise InputError(
+                f"horizon: {self.horizon!r} found: a positive number of seconds is needed"
+            )
+
+    def model(self, variant: Variant = Variant()) -> Model:  # noqa: B008 - frozen
+        """The model of a variant, compiled once."""
+        if variant not in self._models:
+            equations = self.linear(self) if variant.model == LINEARISED else self.equations
+            self._models[variant] = compile(
+                equations, compiler=self.compiler, flags=variant.flags, form=variant.form
+            )
+        return self._models[variant]
+
+    def p(self, model: Model) -> Array:
+        """Parameters in the order of a model."""
+        return read_parameters(model.quantities.p, model.quantities.definitions, self.parameters)
+
+    @cached_property
+    def suggested(self) -> tuple[Suggestion, Suggestion]:
+        """Coordinates and speeds to start from, before they are made consistent."""
+        return read_initial(self.equations.scene, self.initial)
+
+    @cached_property
+    def manifold(self) -> Manifold:
+        """The constraints."""
+        model = self.model()
+        return manifold(self.equations.scene, model.numbers(self.p(model)), self.inputs)
+
+    @cached_property
+    def start(self) -> Array:
+        """(q, u) at t = 0, on the constraints."""
+        return self.consistent(*self.suggested)
+
+    def consistent(self, q: Suggestion, u: Suggestion) -> Array:
+        """A state on the constraints from suggested values."""
+        placed, _ = consistent_coordinates(self.manifold, 0.0, q, periodic(self.equations.scene))
+        speeds = consistent_speeds(self.manifold, 0.0, placed, u)
+        return np.concatenate([placed, speeds])
+
+    @property
+    def times(self) -> Array:
+        """Times at which the motion is looked at, shape (N,), in s."""
+        return np.linspace(0.0, self.horizon, TIMES)
+
+    def problem(self, variant: Variant = Variant(), start: Array | None = None) -> Problem:  # noqa: B008
+        """What an integrator is given."""
+        model = self.model(variant)
+        begin = self.start if start is None else start
+        return Problem(model, self.p(model), self.inputs, begin, self.times, BUDGET)
+
+    def until(self, horizon: float) -> "Case":
+        """The same for another length of time, with the models that were compiled already."""
+        return replace(self, horizon=horizon)
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """Plain names of the entries of y."""
+        return tuple(s.name for s in (*self.equations.scene.q, *self.equations.scene.u))
+
+    @cached_property
+    def units(self) -> tuple[str, ...]:
+        """Units of the entries of y."""
+        quantities = self.model().quantities
+        return tuple(entry.unit for entry in (*quantities.q, *quantities.u))
+
+    def energy(self, states: Array) -> dict[str, Array]:
+        """Kinetic and potential energy of states, shape (k,), in J."""
+        model, size = self.model(), len(self.equations.scene.q)
+        symbols = [entry.symbol for entry in model.quantities.inputs]
+        signals = read_inputs(self.equations.scene, symbols, self.inputs)
+        given = np.array([signals(t) for t in self.times[: len(states)]])
+        q, u = states[:, :size], states[:, size:]
+        found = model.energy(q, u, inputs=given, p=self.p(model))
+        return {name: np.asarray(value, dtype=float) for name, value in found.items()}

@@ -1,0 +1,127 @@
+"""States to start from that are like the example, but are not the example.
+
+    y_i = start_i + spread * r_i * scale_i,    r_i uniform in (-1, 1)
+
+`scale_i` is the largest magnitude that the coordinate or speed reaches along the motion from the
+example, so coordinates and speeds all vary by the same share of what the motion runs through, and
+energies vary with them. In a scene with constraints the varied values are made consistent, as
+initial values are; a draw that no configuration satisfies is drawn again.
+"""
+
+from dataclasses import dataclass, field, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from mechanics.errors import InputError, SingularError
+from mechanics.simulate.consistent import Suggestion
+from mechanics.simulate.reference import reference
+from mechanics.trade.case import Case
+from mechanics.trade.choice import Choice
+from mechanics.trade.measure import prepared
+from mechanics.trade.truth import Truth, from_reference, from_states
+
+Array = NDArray[np.float64]
+
+SPREAD = 0.1
+"""Share of the motion by which states are varied."""
+TRAINING = 20260101
+"""Seed of the states that a pick is tuned on."""
+DRAWS = 20
+# Digits of references of these states: an error of 1e-15 is seen with two digits.
+DIGITS = 17
+
+
+@dataclass(frozen=True, eq=False)
+class Family:
+    """States around the example on which picks are tuned.
+
+    Attributes
+    ----------
+    starts : array, shape (count, n + m)
+    truths : tuple of Truth
+        What the errors of each are measured against.
+    compared_with : str
+        The same in words.
+    spread : float
+    seed : int
+    """
+
+    starts: Array = field(repr=False)
+    truths: tuple[Truth, ...] = field(repr=False)
+    compared_with: str
+    spread: float
+    seed: int
+
+    @property
+    def words(self) -> str:
+        """What the states are."""
+        return (
+            f"{len(self.starts)} states, each coordinate and speed of the start varied uniformly by"
+            f" up to {self.spread:.0%} of its largest magnitude along the motion"
+        )
+
+
+def family(
+    case: Case, scale: Array, count: int, seed: int = TRAINING, spread: float = SPREAD
+) -> Array:
+    """States around the start of a case.
+
+    Parameters
+    ----------
+    case : Case
+    scale : array, shape (n + m,)
+        Largest magnitude of each entry along the motion from the start.
+    count : int
+    seed : int
+        Of the pseudo-random numbers.
+    spread : float
+        Share of the scale.
+
+    Returns
+    -------
+    array, shape (count, n + m)
+
+    Raises
+    ------
+    InputError
+        If no draw of many satisfies the constraints.
+    """
+    random = np.random.default_rng(seed)
+    return np.array([_drawn(case, scale, spread, random) for _ in range(count)])
+
+
+def _drawn(case: Case, scale: Array, spread: float, random: np.random.Generator) -> Array:
+    size = len(case.equations.scene.q)
+    q, u = case.suggested
+    for _ in range(DRAWS):
+        varied = case.start + spread * random.uniform(-1, 1, len(scale)) * scale
+        try:
+            return case.consistent(_suggest(q, varied[:size]), _suggest(u, varied[size:]))
+        except (InputError, SingularError):
+            continue
+    raise InputError(
+        f"{case.equations.scene.name}: none of {DRAWS} states around the start satisfies the"
+        f" constraints: vary them by less than {spread:g} of the motion"
+    )
+
+
+def _suggest(group: Suggestion, values: Array) -> Suggestion:
+    """Values of which none has to be kept."""
+    return replace(group, values=values, given=(False,) * len(values))
+
+
+def exact_truths(case: Case, starts: Array) -> tuple[Truth, ...]:
+    """A reference with many digits for each state."""
+    return tuple(from_reference(reference(case.problem(start=s), DIGITS)) for s in starts)
+
+
+def working_truths(case: Case, starts: Array, first: Choice, second: Choice) -> tuple[Truth, ...]:
+    """The most accurate choice for each state; its difference from the second is its doubt."""
+    found = []
+    for start in starts:
+        one, other = (prepared(case, choice, start)().states for choice in (first, second))
+        truth = from_states(one)
+        doubt = float(np.max(truth.errors(other))) if len(one) == len(other) else np.inf
+        found.append(replace(truth, doubt=doubt))
+    return tuple(found)

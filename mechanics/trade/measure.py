@@ -1,0 +1,152 @@
+"""Run a choice and measure what it loses; time many of them side by side.
+
+Times are of whole runs in this process, one choice after the other, round after round, so that what
+disturbs the machine disturbs all of them.
+"""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from statistics import median
+from time import perf_counter
+
+import numpy as np
+from numpy.typing import NDArray
+
+from mechanics.errors import MechanicsError
+from mechanics.simulate.conservative import conservative
+from mechanics.simulate.integrators import INTEGRATORS, Integrator, Outcome
+from mechanics.trade.case import Case
+from mechanics.trade.choice import Choice
+from mechanics.trade.truth import Truth
+
+Array = NDArray[np.float64]
+
+ROUNDS = (3, 25)
+"""Fewest and most rounds of timing."""
+
+
+@dataclass(frozen=True, eq=False)
+class Measurement:
+    """What a choice costs and what it loses on the motion from the example.
+
+    Attributes
+    ----------
+    choice : Choice
+    error_end, error_largest : float
+        At the end, and the largest along the way, in the stated norm.
+    evaluations, jacobians : int
+        Of the right-hand side and of its Jacobian, in the whole run.
+    energy_drift : float or None
+        Largest change of the energy, relative to the range that it runs through; None where it is
+        not conserved.
+    seconds : tuple of float
+        Time of computing for a second of motion, one for each repetition.
+    failure : str
+        Why it did not reach the end; empty when it did.
+    """
+
+    choice: Choice
+    error_end: float
+    error_largest: float
+    evaluations: int
+    jacobians: int
+    energy_drift: float | None
+    seconds: tuple[float, ...]
+    failure: str = ""
+
+    @property
+    def time(self) -> float:
+        """Median of the times, in s for a second of motion."""
+        return median(self.seconds)
+
+    @property
+    def spread(self) -> tuple[float, float]:
+        """Quartiles of the times."""
+        low, high = np.quantile(self.seconds, [0.25, 0.75])
+        return float(low), float(high)
+
+
+def integrator(name: str) -> Integrator:
+    """The integrator of a name."""
+    return next(member for member in INTEGRATORS if member.name == name)
+
+
+def unsuited(case: Case, choice: Choice) -> str:
+    """Why a choice cannot be used for a case; empty where it can."""
+    member = integrator(choice.setting.integrator)
+    why = member.available()
+    if why:
+        return why
+    try:
+        return member.suits(case.problem(choice.variant), choice.setting)
+    except MechanicsError as error:
+        return str(error)
+
+
+def prepared(case: Case, choice: Choice, start: Array | None = None) -> Callable[[], Outcome]:
+    """The run of a choice, ready to be timed."""
+    member = integrator(choice.setting.integrator)
+    return member.prepare(case.problem(choice.variant, start), choice.setting)
+
+
+def measured(
+    case: Case, choice: Choice, truth: Truth, run: Callable[[], Outcome]
+) -> tuple[Measurement, Array]:
+    """One run of a choice: what it loses, a first time, and its states."""
+    begin = perf_counter()
+    outcome = run()
+    seconds = perf_counter() - begin
+    errors = truth.errors(outcome.states)
+    complete = not outcome.failure and len(errors) == len(case.times)
+    found = Measurement(
+        choice,
+        float(errors[-1]) if complete else np.inf,
+        float(np.max(errors)) if complete else np.inf,
+        outcome.evaluations,
+        outcome.jacobians,
+        energy_drift(case, outcome.states),
+        (seconds / case.horizon,),
+        outcome.failure,
+    )
+    return found, outcome.states
+
+
+def energy_drift(case: Case, states: Array) -> float | None:
+    """Largest |E - E(0)| relative to what the energies run through; None if not conserved."""
+    if not conservative(case.equations.scene, case.inputs) or not np.all(np.isfinite(states)):
+        return None
+    energy = case.energy(states)
+    total = energy["kinetic"] + energy["potential"]
+    scale = max(float(np.max(energy["kinetic"])), float(np.ptp(energy["potential"])))
+    change = float(np.max(np.abs(total - total[0])))
+    return change / scale if scale > 0 else change
+
+
+def times_side_by_side(
+    runs: Sequence[Callable[[], Outcome]],
+    horizon: float,
+    budget: float,
+    rounds: tuple[int, int] = ROUNDS,
+) -> list[tuple[float, ...]]:
+    """Seconds for a second of motion of every run, in rounds over all of them.
+
+    Parameters
+    ----------
+    runs : sequence of callable
+        Warm.
+    horizon : float
+        Length of the motion in s.
+    budget : float
+        Seconds that all of it may take, beyond the fewest rounds.
+    """
+    found: list[list[float]] = [[] for _ in runs]
+    begin = perf_counter()
+    for done in range(rounds[1]):
+        spent = perf_counter() - begin
+        if done >= rounds[0] and spent * (done + 1) / done > budget:
+            break
+        for run, seconds in zip(runs, found, strict=True):
+            start = perf_counter()
+            run()
+            seconds.append((perf_counter() - start) / horizon)
+    return [tuple(seconds) for seconds in found]

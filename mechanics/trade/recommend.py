@@ -1,0 +1,127 @@
+"""The cheapest choice that meets a target, and why.
+
+A choice meets a target when the bound over the family of states does (`mechanics.trade.train`). Of
+those that do, the cheapest is taken; of those that cost the same within the spread of the times, an
+adaptive method, then the plain model. Nothing in a method with a fixed step notices a state that is
+harder than those it was tuned on, so it is taken only where adaptive ones cost twice as much.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from mechanics.trade.choice import Choice
+from mechanics.trade.measure import Measurement
+from mechanics.trade.train import CONFIDENCE, COVERAGE, Trained
+
+WORTH = 2.0
+"""How much more an adaptive method may cost than one with a fixed step."""
+
+
+@dataclass(frozen=True, eq=False)
+class Recommendation:
+    """What to take for a target.
+
+    Attributes
+    ----------
+    target : float
+        Largest error along the way, in the stated norm.
+    choice : Choice or None
+        None where no choice was shown to meet it.
+    bound : float
+        What the error is expected to stay below over the family of states; without a choice, the
+        smallest bound that there is.
+    measurement : Measurement or None
+        Of the choice, on the motion from the example.
+    reason : str
+        In a sentence.
+    """
+
+    target: float
+    choice: Choice | None
+    bound: float
+    measurement: Measurement | None
+    reason: str
+
+
+def pareto(measurements: Sequence[Measurement]) -> tuple[int, ...]:
+    """Places of those that no other beats in both time and error, by rising time."""
+    order = sorted(range(len(measurements)), key=lambda i: measurements[i].time)
+    best, front = float("inf"), []
+    for i in order:
+        if measurements[i].error_largest < best:
+            best = measurements[i].error_largest
+            front.append(i)
+    return tuple(front)
+
+
+def recommend(
+    target: float, horizon: float, measurements: Sequence[Measurement], trained: Sequence[Trained]
+) -> Recommendation:
+    """The pick for a target."""
+    of = {m.choice: m for m in measurements}
+    able = [t for t in trained if t.choice.variant.careful]
+    meeting = [t for t in able if t.bound <= target]
+    if not meeting:
+        best = min(able, key=lambda t: t.bound, default=None)
+        words = f"for {target:.0e} over {horizon:g} s: no choice is shown to stay below it"
+        if best is None:
+            return Recommendation(target, None, float("inf"), None, words)
+        words += f"; the nearest is {best.choice.words}, which stays below {best.bound:.1e}"
+        return Recommendation(target, None, best.bound, None, words)
+    pick = _picked(meeting, of)
+    found = of[pick.choice]
+    return Recommendation(
+        target,
+        pick.choice,
+        pick.bound,
+        found,
+        _reason(target, horizon, pick, found, _refused(able, of, target, found)),
+    )
+
+
+def _picked(meeting: Sequence[Trained], of: dict[Choice, Measurement]) -> Trained:
+    def time(t: Trained) -> float:
+        return of[t.choice].time
+
+    cheapest = min(meeting, key=time)
+    adaptive = [t for t in meeting if t.choice.setting.tolerance is not None]
+    if cheapest.choice.setting.tolerance is None and adaptive:
+        other = min(adaptive, key=time)
+        if time(other) <= WORTH * time(cheapest):
+            cheapest = other
+    limit = of[cheapest.choice].spread[1]
+    alike = [t for t in meeting if time(t) <= limit or t is cheapest]
+    return min(alike, key=lambda t: (*_complexity(t.choice), time(t)))
+
+
+def _complexity(choice: Choice) -> tuple[bool, bool]:
+    return choice.setting.tolerance is None, not choice.variant.plain
+
+
+def _refused(
+    able: Sequence[Trained], of: dict[Choice, Measurement], target: float, pick: Measurement
+) -> str:
+    """Why what is cheaper was not taken."""
+    cheaper = [t for t in able if of[t.choice].time < pick.time and t.bound > target]
+    if not cheaper:
+        return ""
+    near = min(cheaper, key=lambda t: t.bound)
+    return f"; {near.choice.words} is cheaper, but was only shown to stay below {near.bound:.1e}"
+
+
+def _reason(target: float, horizon: float, pick: Trained, found: Measurement, refused: str) -> str:
+    low, high = found.spread
+    return (
+        f"for {target:.0e} over {horizon:g} s: {pick.choice.words}:"
+        f" {milliseconds(found.time * horizon)} ({milliseconds(low * horizon)} to"
+        f" {milliseconds(high * horizon)}), error {found.error_largest:.1e} on the example,"
+        f" at most {pick.largest:.1e} on {len(pick.errors)} states around it; {COVERAGE:.1%} of"
+        f" these are expected to stay below {pick.bound:.1e} (confidence {CONFIDENCE:.0%}){refused}"
+    )
+
+
+def milliseconds(seconds: float) -> str:
+    """A time with two digits."""
+    if seconds < 9.95e-4:
+        return f"{seconds * 1e6:.2g} us" if seconds < 9.95e-5 else f"{seconds * 1e3:.2f} ms"
+    return f"{seconds * 1e3:.3g} ms" if seconds < 0.9995 else f"{seconds:.2f} s"

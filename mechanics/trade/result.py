@@ -1,0 +1,68 @@
+"""What a trade found, with everything that its figures were made from."""
+
+from dataclasses import dataclass
+
+from mechanics.trade.choice import Choice
+from mechanics.trade.family import Family
+from mechanics.trade.least import LeastModel
+from mechanics.trade.measure import Measurement
+from mechanics.trade.recommend import Recommendation, pareto
+from mechanics.trade.train import Trained
+from mechanics.trade.yardstick import Yardstick
+
+
+@dataclass(frozen=True, eq=False)
+class Trade:
+    """The trade of speed for accuracy, measured on one system and motion.
+
+    Attributes
+    ----------
+    title : str
+    horizon, asked : float
+        Length of the motion that was measured and that was asked for, in s.
+    start : mapping of str to float
+        Where the motion starts.
+    parameters : mapping of str to float
+    backend : str
+        What evaluates the right-hand side.
+    yardstick : Yardstick
+    measurements : tuple of Measurement
+    family : Family
+    trained : tuple of Trained
+    recommendations : tuple of Recommendation
+        One for each target.
+    least : LeastModel or None
+    notes : tuple of str
+        What a reader has to know, in sentences.
+    left_out : mapping of str to str
+        What was not measured, and why.
+    """
+
+    title: str
+    horizon: float
+    asked: float
+    start: dict[str, float]
+    parameters: dict[str, float]
+    backend: str
+    yardstick: Yardstick
+    measurements: tuple[Measurement, ...]
+    family: Family
+    trained: tuple[Trained, ...]
+    recommendations: tuple[Recommendation, ...]
+    least: LeastModel | None
+    notes: tuple[str, ...]
+    left_out: dict[str, str]
+
+    @property
+    def front(self) -> tuple[Measurement, ...]:
+        """Measurements that no other beats in both time and error, the fastest first."""
+        usable = [m for m in self.measurements if m.choice.variant.careful]
+        return tuple(usable[i] for i in pareto(usable))
+
+    def recommendation(self, target: float) -> Recommendation:
+        """The pick for a target that was asked for."""
+        return next(r for r in self.recommendations if r.target == target)
+
+    def bound(self, choice: Choice) -> float | None:
+        """What the errors of a choice stay below over the family; None where it was not tried."""
+        return next((t.bound for t in self.trained if t.choice == choice), None)

@@ -1,0 +1,165 @@
+"""Measure the trade: survey, variants, training, times, recommendations.
+
+choices --> errors on the example --> near the front --> errors on other states --> picks
+"""
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from mechanics.equations import Equations
+from mechanics.errors import InputError
+from mechanics.simulate.integrators import INTEGRATORS, Integrator
+from mechanics.trade.case import Case
+from mechanics.trade.dropping import Derive
+from mechanics.trade.family import SPREAD, TRAINING, Family, exact_truths, family, working_truths
+from mechanics.trade.least import least_model
+from mechanics.trade.recommend import recommend
+from mechanics.trade.result import Trade
+from mechanics.trade.survey import (
+    Progress,
+    Survey,
+    best_for,
+    finest,
+    near_front,
+    survey,
+    timed,
+    vary,
+)
+from mechanics.trade.train import train
+from mechanics.trade.yardstick import Yardstick, yardstick
+
+Array = NDArray[np.float64]
+
+TARGETS = (1e-3, 1e-6, 1e-9)
+"""Targets that every trade answers, beside the one that is asked for."""
+STATES = 24
+"""Training states."""
+# Seconds that references with many digits for the training states may take.
+REFERENCES = 60.0
+# Share of the smallest target below which an error in what others are compared with does not count.
+FAR = 0.01
+
+
+def trade(
+    equations: Equations,
+    horizon: float,
+    *,
+    initial: Mapping[str, float] | None = None,
+    parameters: Mapping[str, float] | None = None,
+    inputs: Mapping[str, Any] | None = None,
+    target: float | None = None,
+    states: int = STATES,
+    spread: float = SPREAD,
+    members: Sequence[Integrator] = INTEGRATORS,
+    compiler: str | None = "auto",
+    derive: Derive | None = None,
+    progress: Progress | None = None,
+) -> Trade:
+    """Measure what each choice of method, arithmetic, form, compiler setting and model costs.
+
+    Parameters
+    ----------
+    equations : Equations
+        By any route.
+    horizon : float
+        Length of the motion in s. Shortened where doubles cannot tell the motion that long.
+    initial, parameters, inputs : mapping, optional
+        As for `mechanics.simulate`; inputs have to be numbers.
+    target : float, optional
+        Largest error along the way that may be made, in the norm of `mechanics.trade.truth`, beside
+        those of `TARGETS`.
+    states : int
+        Number of states around the start on which picks are tuned, at least 3.
+    spread : float
+        Share of the motion by which these states differ: see `mechanics.trade.family`.
+    members : sequence of Integrator
+    compiler : str or None
+        As for `mechanics.compile`.
+    derive : callable, optional
+        Equations of a scene, to see what parts of it may be left out; without it this is not seen.
+    progress : callable, optional
+        Of (what is being done, share that is done).
+
+    Returns
+    -------
+    Trade
+
+    Raises
+    ------
+    InputError
+        For a horizon, target or name that is none, or an input that is a function of time.
+    OverBudget
+        If the motion is too fast for a reference over the horizon.
+    """
+    tell = progress or (lambda words, share: None)
+    targets = _targets(target)
+    if states < 3:
+        raise InputError(f"states: {states} found: at least 3 are needed to tell their spread")
+    asked = Case(equations, horizon, initial or {}, parameters or {}, inputs or {}, compiler)
+    tell("reference", 0.0)
+    case, stick, notes = yardstick(asked)
+    found = survey(case, stick.truth, tuple(members), lambda w, s: tell(w, 0.05 + 0.3 * s))
+    tell("one axis at a time", 0.35)
+    better = vary(case, stick.truth, found, best_for(found.measurements, target or TARGETS[1]))
+    near = near_front(found.measurements)
+    for choice in [c.with_variant(better) for c in near if c.variant.plain]:
+        if better.careful and found.add(case, choice, stick.truth) is not None:
+            near.append(choice)
+    tell("states around the start", 0.45)
+    around = _family(case, found, stick, states, spread, min(targets))
+    trained = train(case, list(dict.fromkeys(near)), around.starts, around.truths)
+    tell("times", 0.7)
+    measurements = timed(case, found, near)
+    tell("models", 0.9)
+    least = None
+    if derive is not None:
+        least = least_model(case, stick.truth, measurements, derive)
+    model = case.model()
+    return Trade(
+        title=equations.scene.name,
+        horizon=case.horizon,
+        asked=horizon,
+        start=dict(zip(case.names, case.start.tolist(), strict=True)),
+        parameters=dict(zip(model.entries["p"], case.p(model).tolist(), strict=True)),
+        backend=model.backend,
+        yardstick=stick,
+        measurements=measurements,
+        family=around,
+        trained=trained,
+        recommendations=tuple(recommend(t, case.horizon, measurements, trained) for t in targets),
+        least=least,
+        notes=notes,
+        left_out=found.left_out,
+    )
+
+
+def _targets(target: float | None) -> tuple[float, ...]:
+    if target is None:
+        return TARGETS
+    if not (np.isfinite(target) and 0 < target < 1):
+        raise InputError(f"target: {target!r} found: an error between 0 and 1 is needed")
+    return tuple(sorted({*TARGETS, float(target)}, reverse=True))
+
+
+def _family(
+    case: Case, found: Survey, stick: Yardstick, count: int, spread: float, target: float
+) -> Family:
+    """Training states, and what they are compared with.
+
+    The two most accurate choices are enough where their errors are far below the target.
+    """
+    starts = family(case, stick.truth.scale, count, spread=spread)
+    first, second = finest(found.measurements)
+    if second.error_largest > FAR * target and stick.seconds * count <= REFERENCES:
+        words = "a reference with many digits for each state"
+        return Family(starts, exact_truths(case, starts), words, spread, TRAINING)
+    truths = working_truths(case, starts, first.choice, second.choice)
+    doubt = max(truth.doubt for truth in truths)
+    words = (
+        f"{first.choice.words}, whose error on the example is {first.error_largest:.1e}; its"
+        f" difference from {second.choice.words}, at most {doubt:.1e}, counts as an error"
+    )
+    return Family(starts, truths, words, spread, TRAINING)

@@ -1,0 +1,97 @@
+"""How large the error of a choice can be on states that were not tried.
+
+    log10 error ~ mean + deviation * normal        over the family of states
+
+    bound = max(largest error seen, 10^(mean + k deviation))
+
+k is the factor of the one-sided tolerance limit of a normal distribution (Hahn and Meeker,
+Statistical Intervals, 1991): with the stated confidence, the stated share of all states of the
+family stays below the bound. Factors between errors are what varies, so logarithms are taken.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.stats import nct, norm
+
+from mechanics.errors import MechanicsError
+from mechanics.trade.case import Case
+from mechanics.trade.choice import Choice
+from mechanics.trade.measure import prepared
+from mechanics.trade.truth import Truth
+
+Array = NDArray[np.float64]
+
+COVERAGE, CONFIDENCE = 0.999, 0.95
+# Below half an ulp of the scale an error is luck.
+SMALLEST = 2.0**-53
+
+
+@dataclass(frozen=True, eq=False)
+class Trained:
+    """Errors of a choice over the training states.
+
+    Attributes
+    ----------
+    choice : Choice
+    errors : array, shape (count,)
+        Largest along the way, in the stated norm; infinite where a run failed.
+    """
+
+    choice: Choice
+    errors: Array = field(repr=False)
+
+    @property
+    def largest(self) -> float:
+        """Largest error that was seen."""
+        return float(np.max(self.errors))
+
+    @property
+    def bound(self) -> float:
+        """What errors on other states of the family are expected to stay below."""
+        if not np.all(np.isfinite(self.errors)):
+            return np.inf
+        logs = np.log10(np.maximum(self.errors, SMALLEST))
+        limit = np.mean(logs) + tolerance_factor(len(logs)) * np.std(logs, ddof=1)
+        return max(self.largest, float(10.0**limit))
+
+
+def tolerance_factor(count: int) -> float:
+    """k of the one-sided tolerance limit for `count` draws from a normal distribution."""
+    root = np.sqrt(count)
+    return float(nct.ppf(CONFIDENCE, count - 1, norm.ppf(COVERAGE) * root) / root)
+
+
+def train(
+    case: Case, choices: Sequence[Choice], starts: Array, truths: Sequence[Truth]
+) -> tuple[Trained, ...]:
+    """Errors of choices on states of the family.
+
+    A choice that fails on one of them is not tried on the others.
+    """
+    return tuple(Trained(choice, _errors(case, choice, starts, truths)) for choice in choices)
+
+
+def error_of(case: Case, choice: Choice, start: Array, truth: Truth) -> float:
+    """Largest error of a choice along the motion from a state; infinite where it fails.
+
+    An error is not taken for smaller than the doubt about what it is measured against.
+    """
+    try:
+        outcome = prepared(case, choice, start)()
+    except MechanicsError:
+        return np.inf
+    if outcome.failure or len(outcome.states) < len(case.times):
+        return np.inf
+    return max(float(np.max(truth.errors(outcome.states))), truth.doubt)
+
+
+def _errors(case: Case, choice: Choice, starts: Array, truths: Sequence[Truth]) -> Array:
+    found = np.full(len(starts), np.inf)
+    for i, (start, truth) in enumerate(zip(starts, truths, strict=True)):
+        found[i] = error_of(case, choice, start, truth)
+        if not np.isfinite(found[i]):
+            break
+    return found

@@ -1,0 +1,54 @@
+"""What errors are measured against, and in which units.
+
+error at t = max_i |y_i - reference_i| / scale_i,   scale_i = max over the motion |reference_i|
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import NDArray
+
+from mechanics.simulate.reference import Reference
+
+Array = NDArray[np.float64]
+
+NORM = (
+    "the largest, over coordinates and speeds, of |error| divided by the largest magnitude of that"
+    " coordinate or speed along the reference"
+)
+
+
+@dataclass(frozen=True, eq=False)
+class Truth:
+    """A solution to compare with.
+
+    Attributes
+    ----------
+    scale : array, shape (n + m,)
+    difference : callable
+        |states - solution| at the first k times, shape (k, n + m).
+    doubt : float
+        What the solution itself may be wrong by, in the stated norm.
+    """
+
+    scale: Array
+    difference: Callable[[Array], Array] = field(repr=False)
+    doubt: float = 0.0
+
+    def errors(self, states: Array) -> Array:
+        """Error at the first k times in the stated norm, shape (k,); infinite where not finite."""
+        relative = np.max(self.difference(states) / self.scale, axis=1)
+        return np.where(np.isfinite(relative), relative, np.inf)
+
+
+def from_reference(found: Reference) -> Truth:
+    """A solution with many digits."""
+    return Truth(found.scale, found.errors)
+
+
+def from_states(states: Array) -> Truth:
+    """A solution in doubles, by the most accurate choice that was measured."""
+    largest = np.max(np.abs(states), axis=0)
+    scale = np.where(largest > 0, largest, 1.0)
+    return Truth(scale, lambda found: np.abs(found - states[: len(found)]))

@@ -1,0 +1,121 @@
+"""The reference that errors are measured against, and how long it means anything.
+
+Doubles round at every operation. Where that has grown to 1 % of the motion, two right methods no
+longer give the same motion, and the horizon is shortened to that time.
+"""
+
+from dataclasses import dataclass, field
+from time import perf_counter
+
+import numpy as np
+from numpy.typing import NDArray
+
+from mechanics.errors import InputError
+from mechanics.simulate.integrators import INTEGRATORS, Setting
+from mechanics.simulate.reference import reference
+from mechanics.simulate.reference_growth import LOST, ROUNDING, growth
+from mechanics.trade.case import Case
+from mechanics.trade.choice import Choice, Variant
+from mechanics.trade.measure import prepared
+from mechanics.trade.truth import NORM, Truth, from_reference, from_states
+
+Array = NDArray[np.float64]
+
+DIGITS = 30
+# A first look at the motion, for its scales.
+LOOK = Choice(Variant(), Setting("SciPy DOP853", tolerance=1e-9))
+
+
+@dataclass(frozen=True, eq=False)
+class Yardstick:
+    """What errors were measured against.
+
+    Attributes
+    ----------
+    scale : mapping of str to (float, str)
+        Largest magnitude along the reference and its unit, by name: the units of the errors.
+    digits : float
+        Fewest correct digits of the reference, relative to the scale.
+    verified_by : tuple of str
+        How that is known.
+    growth : str
+        What becomes of small errors, in a sentence.
+    growth_factor : float
+        By how much an error of the start has grown at the end.
+    meaningful_until : float
+        Time in s until which doubles can tell the motion; may be infinite.
+    seconds : float
+        What the reference took.
+    end : tuple of str
+        The state at the end in decimals, by entry.
+    truth : Truth
+    norm : str
+        How an error is made a number.
+    """
+
+    scale: dict[str, tuple[float, str]]
+    digits: float
+    verified_by: tuple[str, ...]
+    growth: str
+    growth_factor: float
+    meaningful_until: float
+    seconds: float
+    end: tuple[str, ...]
+    truth: Truth = field(repr=False)
+    norm: str = NORM
+
+    @property
+    def reachable(self) -> float:
+        """What one rounding at the start becomes: doubles cannot do much better."""
+        return self.growth_factor * ROUNDING
+
+
+def yardstick(case: Case) -> tuple[Case, Yardstick, tuple[str, ...]]:
+    """The case over a time in which doubles mean something, its reference, and notes.
+
+    Raises
+    ------
+    InputError
+        If the motion cannot be integrated at all.
+    """
+    case, until, notes = _comparable(case)
+    begin = perf_counter()
+    found = reference(case.problem(), DIGITS)
+    seconds = perf_counter() - begin
+    scale = zip(found.scale.tolist(), case.units, strict=True)
+    known = found.growth.factor[: found.growth.known]
+    stick = Yardstick(
+        scale=dict(zip(case.names, scale, strict=True)),
+        digits=float(np.min(found.digits)),
+        verified_by=found.verified_by,
+        growth=found.growth.words,
+        growth_factor=float(np.max(known)),
+        meaningful_until=until,
+        seconds=seconds,
+        end=found.text(len(found.times) - 1),
+        truth=from_reference(found),
+    )
+    return case, stick, notes
+
+
+def _comparable(case: Case) -> tuple[Case, float, tuple[str, ...]]:
+    """The case, shortened where a rounding grows to 1 % of the motion before its end."""
+    member = next(m for m in INTEGRATORS if m.name == LOOK.setting.integrator)
+    if why := member.suits(case.problem(), LOOK.setting):
+        raise InputError(f"{case.equations.scene.name}: {why}")
+    outcome = prepared(case, LOOK)()
+    if outcome.failure:
+        raise InputError(
+            f"{case.equations.scene.name}: the motion cannot be integrated over"
+            f" {case.horizon:g} s: {outcome.failure}: take a shorter horizon or another start"
+        )
+    grown = growth(case.problem(), from_states(outcome.states).scale)
+    until = grown.meaningful_until
+    if not np.isfinite(until):
+        return case, until, ()
+    note = (
+        f"{grown.words}: the reference still tells the motion, but a rounding of the start has"
+        f" grown to {LOST:.0%} of it, so errors are compared until {until:g} s only,"
+        f" not {case.horizon:g} s"
+    )
+    return case.until(until), until, (note,)
