@@ -13,9 +13,11 @@ from typing import Any
 import casadi as ca
 import numpy as np
 
+from mechanics.compiled.step import RK4
 from mechanics.simulate.integrators.external import Counters, external
 from mechanics.simulate.integrators.loop import plan, refused
 from mechanics.simulate.integrators.problem import Integrator, Outcome, Problem, Setting
+from mechanics.simulate.integrators.stiffness import unstable
 
 
 @dataclass(frozen=True)
@@ -58,7 +60,7 @@ PLUGINS = (
         {
             "collocation_scheme": "legendre",
             "interpolation_order": 3,
-            "rootfinder_options": {"show_eval_warnings": False, "error_on_fail": False},
+            "rootfinder_options": {"show_eval_warnings": False},
         },
         12,
     ),
@@ -70,6 +72,8 @@ def _suits(plugin: Plugin, problem: Problem, setting: Setting) -> str:
         return "CasADi computes in double precision only"
     if plugin.stages:
         if why := refused(problem, setting, plugin.stages):
+            return why
+        if plugin.plugin == "rk" and (why := unstable(RK4, problem, setting.step)):
             return why
         if problem.model.compiler is None and plugin.plugin == "collocation":
             return "without a C compiler its evaluations cannot be counted"
@@ -156,6 +160,7 @@ REASONS = {
     "IDA_TOO_MUCH_ACC": "the tolerance is finer than double precision can meet",
     "CV_ERR_FAILURE": "no step meets the tolerance",
     "IDA_ERR_FAIL": "no step meets the tolerance",
+    "rootfinder process failed": "the equations of a step cannot be solved: it is too long",
     "CV_CONV_FAILURE": "the equations of a step cannot be solved",
     "IDA_CONV_FAIL": "the equations of a step cannot be solved",
 }

@@ -20,6 +20,7 @@ from mechanics.simulate.integrators.compiled_loop import call_inner, compiled_ma
 from mechanics.simulate.integrators.loop import march, refused
 from mechanics.simulate.integrators.problem import Integrator, Outcome, Problem, Setting
 from mechanics.simulate.integrators.rate import rate_entries, rate_function
+from mechanics.simulate.integrators.stiffness import unstable
 
 Array = NDArray[np.float64]
 
@@ -50,6 +51,11 @@ def _moved(model: Model, w: ca.SX, p: ca.SX, h: ca.SX) -> Rate:
         return rate(y, held, p)
 
     return at
+
+
+def _suits(tableau: Tableau, problem: Problem, setting: Setting) -> str:
+    why = refused(problem, setting, len(tableau.a))
+    return why or unstable(tableau, problem, setting.step)
 
 
 def _prepare(tableau: Tableau, problem: Problem, setting: Setting) -> Callable[[], Outcome]:
@@ -90,7 +96,7 @@ def _member(tableau: Tableau) -> Integrator:
         "C",
         False,
         str,
-        partial(refused, stages=len(tableau.a)),
+        partial(_suits, tableau),
         partial(_prepare, tableau),
     )
 

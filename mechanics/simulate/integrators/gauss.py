@@ -23,6 +23,7 @@ from mechanics.simulate.integrators.compiled_loop import call_inner, compiled_ma
 from mechanics.simulate.integrators.loop import refused
 from mechanics.simulate.integrators.problem import Integrator, Outcome, Problem, Setting
 from mechanics.simulate.integrators.rate import rate_function
+from mechanics.simulate.integrators.stiffness import rates_at_start
 
 Array = NDArray[np.float64]
 
@@ -112,7 +113,16 @@ def coefficients(stages: int) -> tuple[Array, Array, Array, Array]:
 def _suits(stages: int, problem: Problem, setting: Setting) -> str:
     if problem.model.compiler is None:
         return "a C compiler is needed, and the model runs on CasADi's virtual machine"
-    return refused(problem, setting, TYPICAL * stages)
+    if why := refused(problem, setting, TYPICAL * stages):
+        return why
+    factor = float(np.max(np.abs(np.linalg.eigvals(coefficients(stages)[0]))))
+    fastest = float(np.max(np.abs(rates_at_start(problem))))
+    if (contraction := factor * fastest * (setting.step or 0.0)) > 1:
+        return (
+            f"the iteration for the stages diverges at the start: a step of {setting.step:g} s is"
+            f" {contraction:.2g} times what it bears, the fastest motion having {fastest:.3g} rad/s"
+        )
+    return ""
 
 
 def _prepare(stages: int, problem: Problem, setting: Setting) -> Callable[[], Outcome]:

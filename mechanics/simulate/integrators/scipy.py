@@ -21,18 +21,19 @@ from mechanics.simulate.integrators.problem import (
     Setting,
 )
 from mechanics.simulate.integrators.rate import Rate
+from mechanics.simulate.integrators.stiffness import too_stiff
 
 Array = NDArray[np.float64]
 
 # The solvers raise a smaller relative tolerance to this without being asked.
 FINEST = 100 * float(np.finfo(float).eps)
-IMPLICIT = (Radau, LSODA)
+IMPLICIT, EXPLICIT = (Radau, LSODA), (RK45, DOP853)
 
 
-def _suits(problem: Problem, setting: Setting) -> str:
+def _suits(method: type[OdeSolver], problem: Problem, setting: Setting) -> str:
     if setting.tolerance is None or not FINEST <= setting.tolerance < 1:
         return f"SciPy takes tolerances from {FINEST:.2g} to 1, {setting.tolerance} found"
-    return ""
+    return too_stiff(problem) if method in EXPLICIT else ""
 
 
 def _prepare(method: type[OdeSolver], problem: Problem, setting: Setting) -> Callable[[], Outcome]:
@@ -59,7 +60,7 @@ def _march(
     states: list[Array],
 ) -> str:
     """Append the states at the times; why that ended early, or empty."""
-    times, name = problem.times, method.__name__
+    times, name = problem.times, f"SciPy {method.__name__}"
     try:
         solver = method(rate, 0.0, problem.start, float(times[-1]), **options)
         while solver.status == "running":
@@ -85,7 +86,12 @@ def _sample(solver: OdeSolver, times: Array, states: list[Array]) -> None:
 
 def _member(method: type[OdeSolver]) -> Integrator:
     return Integrator(
-        f"SciPy {method.__name__}", "SciPy", True, str, _suits, partial(_prepare, method)
+        f"SciPy {method.__name__}",
+        "SciPy",
+        True,
+        str,
+        partial(_suits, method),
+        partial(_prepare, method),
     )
 
 
