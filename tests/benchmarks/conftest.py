@@ -1,0 +1,13 @@
+"""A compiler for the tests that need one."""
+
+import pytest
+
+from mechanics.compiled.native import find_compiler
+
+
+@pytest.fixture(scope="session")
+def compiler() -> str:
+    found = find_compiler()
+    if found is None:
+        pytest.skip("no C compiler here")
+    return found
