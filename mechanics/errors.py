@@ -33,5 +33,9 @@ class SingularError(MechanicsError, ArithmeticError):
     """A matrix that has to be regular is singular, at a state or everywhere."""
 
 
+class RangeError(MechanicsError, OverflowError):
+    """A value is beyond the largest number of the precision."""
+
+
 class CompilerError(MechanicsError, RuntimeError):
     """A C compiler was found but refused the generated code; the message carries its words."""

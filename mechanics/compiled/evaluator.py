@@ -19,7 +19,7 @@ FLAGS = ("-O2", "-O3 -march=native", "-O3 -march=native -ffast-math")
 
 
 def evaluator(
-    function: ca.Function,
+    function: ca.Function | None,
     code: Program,
     entries: Entries,
     kind: type[np.floating],
@@ -30,8 +30,8 @@ def evaluator(
 
     Parameters
     ----------
-    function : casadi.Function
-        Dense SX function.
+    function : casadi.Function or None
+        Dense SX function; None where there is a program only.
     code : Program
         Its instructions.
     entries : mapping of str to tuple of str
@@ -44,4 +44,6 @@ def evaluator(
     """
     if compiler is not None:
         return NativeKernel(code, entries, kind, compiler, flags)
-    return VirtualKernel(function) if kind is np.float64 else NumpyKernel(code, kind)
+    if function is not None and kind is np.float64:
+        return VirtualKernel(function)
+    return NumpyKernel(code, kind)

@@ -14,12 +14,15 @@ from numpy.typing import ArrayLike, NDArray
 from sympy import Expr, Symbol
 
 from mechanics.compiled.buffer import Buffer
+from mechanics.compiled.checked import checked
 from mechanics.compiled.evaluator import FLAGS, Kernel, evaluator
 from mechanics.compiled.fixed import read_fixed
+from mechanics.compiled.given import given_array
 from mechanics.compiled.graphs import MATRICES, Graphs
 from mechanics.compiled.native import find_compiler
 from mechanics.compiled.program import Program, program
 from mechanics.compiled.quantities import DIGITS, Quantities
+from mechanics.compiled.status import WATCHED, with_watched
 from mechanics.equations import Equations
 from mechanics.errors import InputError
 
@@ -88,7 +91,9 @@ class Model:
     def program(self, name: str) -> Program:
         """Instructions of a function."""
         if name not in self._programs:
-            self._programs[name] = program(self.casadi[name])
+            own = name.removesuffix(WATCHED)
+            code = program(self.casadi[own])
+            self._programs[name] = code if own == name else with_watched(code)
         return self._programs[name]
 
     @cached_property
@@ -100,8 +105,9 @@ class Model:
     def kernel(self, name: str, kind: type[np.floating] = np.float64) -> Kernel:
         """The evaluator of a function in a precision; C is compiled here, on first use."""
         if (name, kind) not in self._kernels:
+            function = None if name.endswith(WATCHED) else self.casadi[name]
             self._kernels[name, kind] = evaluator(
-                self.casadi[name], self.program(name), self.entries, kind, self.compiler, self.flags
+                function, self.program(name), self.entries, kind, self.compiler, self.flags
             )
         return self._kernels[name, kind]
 
@@ -124,7 +130,7 @@ class Model:
             If an array is missing, unknown or has a wrong shape; it is named with both shapes.
         """
         code = self.program(name)
-        given = [self._array(group, size, kind, arrays) for group, size in code.inputs]
+        given = [self._array(group, kind, arrays) for group, _ in code.inputs]
         unknown = set(arrays) - {group for group, _ in code.inputs}
         if unknown:
             raise InputError(
@@ -146,27 +152,11 @@ class Model:
             shaped[out] = entries if counts else entries[0]
         return shaped
 
-    def _array(
-        self, group: str, size: int, kind: type[np.floating], arrays: Mapping[str, Any]
-    ) -> Array:
+    def _array(self, group: str, kind: type[np.floating], arrays: Mapping[str, Any]) -> Array:
         value = arrays.get(group)
         if group == "p" and (value is None or isinstance(value, Mapping)):
             value = self._parameters(value or {})
-        if value is None:
-            if size:
-                names = ", ".join(self.entries[group])
-                raise InputError(f"{group} is missing: pass {size} values: {names}")
-            value = np.zeros(0)
-        try:
-            array = np.ascontiguousarray(value, dtype=kind)
-        except (TypeError, ValueError) as error:
-            raise InputError(f"{group}: these are no real numbers: {error}") from error
-        if np.ndim(value) not in (1, 2) or array.shape[-1] != size:
-            raise InputError(
-                f"{group}: shape ({size},) or (batch, {size}) expected, {np.shape(value)} found:"
-                f" the entries are {', '.join(self.entries[group]) or 'none'}"
-            )
-        return array
+        return given_array(group, self.entries[group], kind, value)
 
     def _parameters(self, given: Mapping[str, float]) -> Array:
         names = self.entries["p"]
@@ -192,16 +182,27 @@ class Model:
         return Buffer(inputs, views, self.kernel(name).bound(list(inputs.values()), flat))
 
     def forward_dynamics(
-        self, q: ArrayLike, u: ArrayLike, *, inputs: Any = None, p: Any = None
+        self, q: ArrayLike, u: ArrayLike, *, inputs: Any = None, p: Any = None, check: bool = True
     ) -> Array:
-        """u' from the state: (n,) or (batch, n)."""
-        return self.evaluate("forward_dynamics", q=q, u=u, inputs=inputs, p=p)["ud"]
+        """u' from the state: (n,) or (batch, n).
+
+        With `check`, a state at which a value is no number raises InputError, SingularError or
+        RangeError, which name it; without, the array holds what the machine gives.
+        """
+        return self._solved(check, q=q, u=u, inputs=inputs, p=p)["ud"]
 
     def multipliers(
-        self, q: ArrayLike, u: ArrayLike, *, inputs: Any = None, p: Any = None
+        self, q: ArrayLike, u: ArrayLike, *, inputs: Any = None, p: Any = None, check: bool = True
     ) -> Array:
-        """Multipliers lambda, the reactions that maintain the constraints."""
-        return self.evaluate("forward_dynamics", q=q, u=u, inputs=inputs, p=p)["multipliers"]
+        """Multipliers lambda, the reactions that maintain the constraints; as forward_dynamics."""
+        return self._solved(check, q=q, u=u, inputs=inputs, p=p)["multipliers"]
+
+    def _solved(self, check: bool, **arrays: Any) -> dict[str, Array]:
+        if not check:
+            return self.evaluate("forward_dynamics", **arrays)
+        code = self.program("forward_dynamics")
+        given = {g: self._array(g, np.float64, arrays) for g, _ in code.inputs}
+        return checked(self.equations.scene.name, code, self.entries, given, self.evaluate)
 
     def mass_matrix(
         self, q: ArrayLike, u: ArrayLike, *, inputs: Any = None, p: Any = None

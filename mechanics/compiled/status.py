@@ -16,6 +16,9 @@ import casadi as ca
 from mechanics.compiled.program import Program
 
 LINE = 100
+WATCHED = "_watched"
+"""Ends the name of a function that also gives what is watched in it."""
+
 DIVISIONS = frozenset({ca.OP_DIV, ca.OP_INV})
 FORGETFUL = frozenset({
     ca.OP_ATAN, ca.OP_ATAN2, ca.OP_TANH, ca.OP_ERF, ca.OP_EXP, ca.OP_FMIN, ca.OP_FMAX, ca.OP_SIGN,
@@ -62,7 +65,7 @@ def with_watched(code: Program) -> Program:
     nodes = (*found.divisors, *found.others)
     return replace(
         code,
-        name=f"{code.name}_watched",
+        name=f"{code.name}{WATCHED}",
         outputs=(*code.outputs, nodes),
         shapes=(*code.shapes, ("watched", (len(nodes), 1))),
     )

@@ -91,7 +91,7 @@ def test_what_is_no_number_is_bad_input(library: Library, bad: float) -> None:
 
 def test_too_large_is_overflow_and_nothing_to_divide_by_is_singular(library: Library) -> None:
     given = ordinary(library.model)
-    large = given | {"p": np.full(len(given["p"]), 1e300)}
+    large = given | {"p": np.full(len(given["p"]), 1e300), "u": given["u"] * 1e10}
     status, outs = library("energy", **large)
     assert status == OVERFLOW and not np.isfinite(np.concatenate(outs)).all()
     none = given | {"p": np.zeros(len(given["p"]))}
