@@ -1,8 +1,8 @@
 """Simulate compiled models: SciPy integrates; constraints are kept, energy is watched."""
 
+from mechanics.simulate.batch import simulate
 from mechanics.simulate.files import write_table
 from mechanics.simulate.plot import write_plot
-from mechanics.simulate.run import simulate
 from mechanics.simulate.trajectory import Ending, Trajectory
 
 __all__ = ["Ending", "Trajectory", "simulate", "write_plot", "write_table"]

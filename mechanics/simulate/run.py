@@ -1,7 +1,8 @@
 """Simulate a compiled model: from names and numbers to a `Trajectory`."""
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -14,17 +15,64 @@ from mechanics.simulate.conservative import conservative
 from mechanics.simulate.consistent import consistent_coordinates, consistent_speeds
 from mechanics.simulate.constraints import periodic
 from mechanics.simulate.flow import flow
-from mechanics.simulate.march import METHODS, Tolerance
+from mechanics.simulate.march import METHODS, Flow, Tolerance
 from mechanics.simulate.samples import Samples, sample
 from mechanics.simulate.trajectory import Ending, Trajectory
-from mechanics.simulate.values import read_initial, read_inputs, read_parameters
+from mechanics.simulate.values import Signals, read_initial, read_inputs, read_parameters
 
 Array = NDArray[np.float64]
+Progress = Callable[[float], None]
 # The solvers of SciPy raise a smaller tolerance to this without being asked.
 FINEST_RTOL = 100 * np.finfo(float).eps
 
 
-def simulate(
+@dataclass(frozen=True, eq=False)
+class Begin:
+    """A model with numbers bound, and where its motion starts.
+
+    Attributes
+    ----------
+    model : Model
+    p : array
+        Parameters in the model's order.
+    inputs : mapping
+        As they were given.
+    signals : Signals
+        Of the model's inputs.
+    moving : Flow
+    state : array, shape (n + m,)
+        On the constraints.
+    branch : str
+        Which of the configurations that satisfy the constraints it is.
+    """
+
+    model: Model
+    p: Array
+    inputs: Mapping[str, Any]
+    signals: Signals
+    moving: Flow
+    state: Array
+    branch: str
+
+
+def begin(
+    model: Model,
+    initial: Mapping[str, float] | None = None,
+    parameters: Mapping[str, float] | None = None,
+    inputs: Mapping[str, Any] | None = None,
+) -> Begin:
+    """Names and numbers read; initial values made consistent. See `simulate_one`."""
+    scene, quantities, given = model.equations.scene, model.quantities, inputs or {}
+    p = read_parameters(quantities.p, quantities.definitions, parameters or {})
+    signals = read_inputs(scene, [entry.symbol for entry in quantities.inputs], given)
+    suggested_q, suggested_u = read_initial(scene, initial or {})
+    moving = flow(model, p, signals, given)
+    q, branch = consistent_coordinates(moving.manifold, 0.0, suggested_q, periodic(scene))
+    u = consistent_speeds(moving.manifold, 0.0, q, suggested_u)
+    return Begin(model, p, given, signals, moving, np.concatenate([q, u]), branch)
+
+
+def simulate_one(
     model: Model,
     duration: float,
     *,
@@ -35,69 +83,40 @@ def simulate(
     rtol: float = 1e-10,
     atol: float = 1e-12,
     method: str = "DOP853",
+    progress: Progress | None = None,
 ) -> Trajectory:
-    """Integrate the equations of motion from t = 0.
+    """Integrate the motion from one initial state; see `mechanics.simulate.batch.simulate`."""
+    times, by = equal_times(duration, samples), _tolerance(method, rtol, atol)
+    start = begin(model, initial, parameters, inputs)
+    found = sample(start.moving, start.state, times, by, progress)
+    if found.time == 0.0:
+        raise SingularError(
+            f"{model.equations.scene.name}: no motion starts from the initial values:"
+            f" {found.ending.value}: start from others"
+        )
+    return trajectory(start, times, found)
+
+
+def trajectory(start: Begin, times: Array, found: Samples) -> Trajectory:
+    """Samples of a motion with names, units and energies.
 
     Parameters
     ----------
-    model : Model
-        From `mechanics.compile`.
-    duration : float
-        In s.
-    initial : mapping of str to float
-        Initial values by plain name: ``{"theta": 2.5, "theta_dot": 0}``. What is not given is
-        taken from the scene's example, and is zero where that has none. In a constrained scene
-        the given values are kept and as many of the others as there are constraints are solved
-        for, the last ones first.
-    parameters : mapping of str to float
-        What is not given has its typical value.
-    inputs : mapping of str to float or callable
-        Inputs as numbers or functions of t; what is not given is zero. Where rates of an input are
-        needed they are given in the same way, ``{"f": sin, "f_dot": cos}``.
-    samples : int
-        Number of samples at equal distances, both ends included.
-    rtol, atol : float
-        Relative and absolute error that one step may make.
-    method : str
-        A solver of SciPy: DOP853, RK45, Radau, BDF, LSODA.
-
-    Returns
-    -------
-    Trajectory
-        Shorter than asked for where the motion cannot be continued; `ending` and `reason` say why.
-
-    Raises
-    ------
-    InputError
-        For a name that does not exist, a value that is no number or out of range, or initial
-        values that no configuration satisfies.
-    ValueMissingError
-        For a parameter that has no value.
-    SingularError
-        When the initial configuration is singular, so that no motion starts from it.
+    start : Begin
+    times : array, shape (N,)
+        That were asked for.
+    found : Samples
+        At the first K of them.
     """
-    initial, parameters, inputs = initial or {}, parameters or {}, inputs or {}
-    times, by = _times(duration, samples), _tolerance(method, rtol, atol)
-    scene, quantities = model.equations.scene, model.quantities
-    p = read_parameters(quantities.p, quantities.definitions, parameters)
-    signals = read_inputs(scene, [entry.symbol for entry in quantities.inputs], inputs)
-    suggested_q, suggested_u = read_initial(scene, initial)
-    moving = flow(model, p, signals, inputs)
-    q, branch = consistent_coordinates(moving.manifold, 0.0, suggested_q, periodic(scene))
-    u = consistent_speeds(moving.manifold, 0.0, q, suggested_u)
-    found = sample(moving, np.concatenate([q, u]), times, by)
-    if found.time == 0.0:
-        raise SingularError(
-            f"{scene.name}: no motion starts from the initial values: {found.ending.value}:"
-            " start from others"
-        )
+    model, quantities = start.model, start.model.quantities
     reached = times[: len(found.states)]
-    given = np.array([signals(time) for time in reached])
-    states = found.states[:, : len(q)], found.states[:, len(q) :]
-    energy = model.energy(*states, inputs=given, p=p)
-    drift = dict(zip(moving.manifold.names, found.drift.tolist(), strict=True))
+    given = np.array([start.signals(time) for time in reached])
+    n = len(quantities.q)
+    states = found.states[:, :n], found.states[:, n:]
+    energy = model.energy(*states, inputs=given, p=start.p)
+    names = start.moving.manifold.names
     return Trajectory(
-        title=scene.name,
+        title=model.equations.scene.name,
         times=reached,
         coordinates=_by_name(quantities.q, states[0]),
         speeds=_by_name(quantities.u, states[1]),
@@ -105,12 +124,12 @@ def simulate(
         units=_units(quantities),
         kinetic=np.asarray(energy["kinetic"], dtype=np.float64),
         potential=np.asarray(energy["potential"], dtype=np.float64),
-        conservative=conservative(scene, inputs),
-        parameters={e.name: float(v) for e, v in zip(quantities.p, p, strict=True)},
-        drift=drift,
-        branch=branch,
+        conservative=conservative(model.equations.scene, start.inputs),
+        parameters={e.name: float(v) for e, v in zip(quantities.p, start.p, strict=True)},
+        drift=dict(zip(names, found.drift.tolist(), strict=True)),
+        branch=start.branch,
         ending=found.ending,
-        reason=_reason(found, duration),
+        reason=_reason(found, float(times[-1])),
     )
 
 
@@ -134,7 +153,8 @@ def _reason(found: Samples, duration: float) -> str:
     return f"ended at t = {found.time:.6g} s of {duration:g} s: {found.ending.value}"
 
 
-def _times(duration: float, count: int) -> Array:
+def equal_times(duration: float, count: int) -> Array:
+    """Times of the samples, in s."""
     if not (isinstance(duration, int | float) and math.isfinite(duration) and duration > 0):
         raise InputError(f"duration: {duration!r} found: a positive number of seconds is needed")
     if not isinstance(count, int) or count < 2:

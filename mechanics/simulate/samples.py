@@ -1,5 +1,6 @@
 """States at the times that are wanted, picked from the steps of the integrator."""
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -32,7 +33,13 @@ class Samples:
     time: float
 
 
-def sample(flow: Flow, start: Array, times: Array, by: Tolerance) -> Samples:
+def sample(
+    flow: Flow,
+    start: Array,
+    times: Array,
+    by: Tolerance,
+    progress: Callable[[float], None] | None = None,
+) -> Samples:
     """Integrate from ``times[0]`` to ``times[-1]`` and sample the motion.
 
     Parameters
@@ -42,6 +49,9 @@ def sample(flow: Flow, start: Array, times: Array, by: Tolerance) -> Samples:
         On the constraints.
     times : array, shape (N,)
         Increasing.
+    by : Tolerance
+    progress : callable, optional
+        Told the share that is done, after every step.
     """
     states = [start]
     drift = flow.manifold.residual(times[0], start)
@@ -51,6 +61,8 @@ def sample(flow: Flow, start: Array, times: Array, by: Tolerance) -> Samples:
         for time in due[due <= stretch.end]:
             states.append(flow.manifold.project(time, stretch.state(time)))
         end = stretch.end
+        if progress is not None:
+            progress(end / float(times[-1]))
         drift = np.maximum(drift, flow.manifold.residual(end, stretch.state(end)))
         ending = stretch.ending or ending
     return Samples(np.array(states), drift, ending, end)

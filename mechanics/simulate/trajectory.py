@@ -48,6 +48,11 @@ class Trajectory:
     ending : Ending
     reason : str
         One sentence: the ending with its particulars.
+    solved_by : str
+        The method, where it was chosen for an accuracy; empty otherwise.
+    error_estimate : float or None
+        Largest error along the way, of coordinates and speeds relative to the largest magnitude of
+        each; from a second run with a finer setting. None where it was not asked for.
     """
 
     title: str
@@ -64,6 +69,8 @@ class Trajectory:
     branch: str
     ending: Ending
     reason: str
+    solved_by: str = ""
+    error_estimate: float | None = None
 
     @property
     def total(self) -> NDArray[np.float64]:
@@ -98,6 +105,8 @@ class Trajectory:
     def note(self) -> str:
         """What a reader has to know about the quality of the samples, in a line."""
         parts = [self.reason]
+        if self.error_estimate is not None:
+            parts.append(f"error estimate {self.error_estimate:.1e} by {self.solved_by}")
         if self.conservative:
             parts.append(f"energy drift {self.energy_drift:.1e}")
         else:

@@ -78,10 +78,12 @@ def _prepare(problem: Problem, setting: Setting) -> Callable[[], Outcome]:
         start,
         time=kind(0),
         tol=kind(setting.tolerance),
-        pars=np.concatenate([problem.signals(0.0), problem.p]).astype(kind),
         fp_type=kind,
         compact_mode=rate_program(problem.model).operations > LONG,
     )
+    # Heyoka counts parameters up to the last that occurs: a form may do without some.
+    held = np.concatenate([problem.signals(0.0), problem.p]).astype(kind)
+    solver.pars[:] = held[: len(solver.pars)]
     times = problem.times.astype(kind)
     limit = max(1, problem.budget // solver.order)
 
