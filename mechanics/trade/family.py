@@ -15,11 +15,10 @@ from numpy.typing import NDArray
 
 from mechanics.errors import InputError, SingularError
 from mechanics.simulate.consistent import Suggestion
-from mechanics.simulate.reference import reference
 from mechanics.trade.case import Case
 from mechanics.trade.choice import Choice
 from mechanics.trade.measure import prepared
-from mechanics.trade.truth import Truth, from_reference, from_states
+from mechanics.trade.truth import Truth, from_states
 
 Array = NDArray[np.float64]
 
@@ -28,8 +27,6 @@ SPREAD = 0.1
 TRAINING = 20260101
 """Seed of the states that a pick is tuned on."""
 DRAWS = 20
-# Digits of references of these states: an error of 1e-15 is seen with two digits.
-DIGITS = 17
 
 
 @dataclass(frozen=True, eq=False)
@@ -39,17 +36,18 @@ class Family:
     Attributes
     ----------
     starts : array, shape (count, n + m)
+    first, second : Choice
+        What errors are measured against, and what shows how far it can be trusted.
     truths : tuple of Truth
-        What the errors of each are measured against.
-    compared_with : str
-        The same in words.
+        The solutions by these.
     spread : float
     seed : int
     """
 
     starts: Array = field(repr=False)
+    first: Choice
+    second: Choice
     truths: tuple[Truth, ...] = field(repr=False)
-    compared_with: str
     spread: float
     seed: int
 
@@ -60,6 +58,11 @@ class Family:
             f"{len(self.starts)} states, each coordinate and speed of the start varied uniformly by"
             f" up to {self.spread:.0%} of its largest magnitude along the motion"
         )
+
+    @property
+    def doubt(self) -> float:
+        """Largest difference of the two solutions."""
+        return max(truth.doubt for truth in self.truths)
 
 
 def family(
@@ -109,11 +112,6 @@ def _drawn(case: Case, scale: Array, spread: float, random: np.random.Generator)
 def _suggest(group: Suggestion, values: Array) -> Suggestion:
     """Values of which none has to be kept."""
     return replace(group, values=values, given=(False,) * len(values))
-
-
-def exact_truths(case: Case, starts: Array) -> tuple[Truth, ...]:
-    """A reference with many digits for each state."""
-    return tuple(from_reference(reference(case.problem(start=s), DIGITS)) for s in starts)
 
 
 def working_truths(case: Case, starts: Array, first: Choice, second: Choice) -> tuple[Truth, ...]:

@@ -9,9 +9,11 @@ harder than those it was tuned on, so it is taken only where adaptive ones cost 
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+from mechanics.trade.case import Case
 from mechanics.trade.choice import Choice
+from mechanics.trade.family import Family
 from mechanics.trade.measure import Measurement
-from mechanics.trade.train import CONFIDENCE, COVERAGE, Trained
+from mechanics.trade.train import CONFIDENCE, COVERAGE, Trained, train
 
 WORTH = 2.0
 """How much more an adaptive method may cost than one with a fixed step."""
@@ -55,28 +57,39 @@ def pareto(measurements: Sequence[Measurement]) -> tuple[int, ...]:
 
 
 def recommend(
-    target: float, horizon: float, measurements: Sequence[Measurement], trained: Sequence[Trained]
+    case: Case,
+    target: float,
+    measurements: Sequence[Measurement],
+    tried: dict[Choice, Trained],
+    around: Family,
 ) -> Recommendation:
-    """The pick for a target."""
+    """The pick for a target.
+
+    Parameters
+    ----------
+    case : Case
+    target : float
+    measurements : sequence of Measurement
+    tried : dict of Choice to Trained
+        On a few states of the family. A pick is confirmed on all of them, which is written down
+        here; if it does not meet the target there, the next one is.
+    around : Family
+    """
     of = {m.choice: m for m in measurements}
-    able = [t for t in trained if t.choice.variant.careful]
-    meeting = [t for t in able if t.bound <= target]
-    if not meeting:
-        best = min(able, key=lambda t: t.bound, default=None)
-        words = f"for {target:.0e} over {horizon:g} s: no choice is shown to stay below it"
-        if best is None:
-            return Recommendation(target, None, float("inf"), None, words)
-        words += f"; the nearest is {best.choice.words}, which stays below {best.bound:.1e}"
-        return Recommendation(target, None, best.bound, None, words)
-    pick = _picked(meeting, of)
-    found = of[pick.choice]
-    return Recommendation(
-        target,
-        pick.choice,
-        pick.bound,
-        found,
-        _reason(target, horizon, pick, found, _refused(able, of, target, found)),
+    able = [choice for choice in tried if choice.variant.careful]
+    while meeting := [tried[c] for c in able if tried[c].bound <= target]:
+        pick = _picked(meeting, of)
+        if len(pick.errors) == len(around.starts):
+            refused = _refused([tried[c] for c in able], of, target, of[pick.choice])
+            reason = _reason(target, case.horizon, pick, of[pick.choice], refused)
+            return Recommendation(target, pick.choice, pick.bound, of[pick.choice], reason)
+        (tried[pick.choice],) = train(case, [pick.choice], around, len(around.starts))
+    best = min((tried[c] for c in able), key=lambda t: t.bound)
+    reason = (
+        f"for {target:.0e} over {case.horizon:g} s: no choice is shown to stay below it; the"
+        f" nearest is {best.choice.words}, which is expected to stay below {best.bound:.1e}"
     )
+    return Recommendation(target, None, best.bound, None, reason)
 
 
 def _picked(meeting: Sequence[Trained], of: dict[Choice, Measurement]) -> Trained:

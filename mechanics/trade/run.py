@@ -14,7 +14,7 @@ from mechanics.errors import InputError
 from mechanics.simulate.integrators import INTEGRATORS, Integrator
 from mechanics.trade.case import Case
 from mechanics.trade.dropping import Derive
-from mechanics.trade.family import SPREAD, TRAINING, Family, exact_truths, family, working_truths
+from mechanics.trade.family import SPREAD, TRAINING, Family, family, working_truths
 from mechanics.trade.least import least_model
 from mechanics.trade.recommend import recommend
 from mechanics.trade.result import Trade
@@ -36,11 +36,9 @@ Array = NDArray[np.float64]
 TARGETS = (1e-3, 1e-6, 1e-9)
 """Targets that every trade answers, beside the one that is asked for."""
 STATES = 24
-"""Training states."""
-# Seconds that references with many digits for the training states may take.
-REFERENCES = 60.0
-# Share of the smallest target below which an error in what others are compared with does not count.
-FAR = 0.01
+"""States on which every choice near the front is tried."""
+CONFIRMING = 300
+"""States on which picks are confirmed, the former among them."""
 
 
 def trade(
@@ -51,7 +49,6 @@ def trade(
     parameters: Mapping[str, float] | None = None,
     inputs: Mapping[str, Any] | None = None,
     target: float | None = None,
-    states: int = STATES,
     spread: float = SPREAD,
     members: Sequence[Integrator] = INTEGRATORS,
     compiler: str | None = "auto",
@@ -71,10 +68,9 @@ def trade(
     target : float, optional
         Largest error along the way that may be made, in the norm of `mechanics.trade.truth`, beside
         those of `TARGETS`.
-    states : int
-        Number of states around the start on which picks are tuned, at least 3.
     spread : float
-        Share of the motion by which these states differ: see `mechanics.trade.family`.
+        Share of the motion by which the states differ on which picks are tuned: see
+        `mechanics.trade.family`.
     members : sequence of Integrator
     compiler : str or None
         As for `mechanics.compile`.
@@ -96,8 +92,6 @@ def trade(
     """
     tell = progress or (lambda words, share: None)
     targets = _targets(target)
-    if states < 3:
-        raise InputError(f"states: {states} found: at least 3 are needed to tell their spread")
     asked = Case(equations, horizon, initial or {}, parameters or {}, inputs or {}, compiler)
     tell("reference", 0.0)
     case, stick, notes = yardstick(asked)
@@ -109,10 +103,13 @@ def trade(
         if better.careful and found.add(case, choice, stick.truth) is not None:
             near.append(choice)
     tell("states around the start", 0.45)
-    around = _family(case, found, stick, states, spread, min(targets))
-    trained = train(case, list(dict.fromkeys(near)), around.starts, around.truths)
+    around = _family(case, found, stick, spread)
+    trained = train(case, list(dict.fromkeys(near)), around, STATES)
     tell("times", 0.7)
     measurements = timed(case, found, near)
+    tell("picks", 0.85)
+    tried = {t.choice: t for t in trained}
+    picks = tuple(recommend(case, t, measurements, tried, around) for t in targets)
     tell("models", 0.9)
     least = None
     if derive is not None:
@@ -128,8 +125,8 @@ def trade(
         yardstick=stick,
         measurements=measurements,
         family=around,
-        trained=trained,
-        recommendations=tuple(recommend(t, case.horizon, measurements, trained) for t in targets),
+        trained=tuple(tried.values()),
+        recommendations=picks,
         least=least,
         notes=notes,
         left_out=found.left_out,
@@ -144,22 +141,9 @@ def _targets(target: float | None) -> tuple[float, ...]:
     return tuple(sorted({*TARGETS, float(target)}, reverse=True))
 
 
-def _family(
-    case: Case, found: Survey, stick: Yardstick, count: int, spread: float, target: float
-) -> Family:
-    """Training states, and what they are compared with.
-
-    The two most accurate choices are enough where their errors are far below the target.
-    """
-    starts = family(case, stick.truth.scale, count, spread=spread)
-    first, second = finest(found.measurements)
-    if second.error_largest > FAR * target and stick.seconds * count <= REFERENCES:
-        words = "a reference with many digits for each state"
-        return Family(starts, exact_truths(case, starts), words, spread, TRAINING)
-    truths = working_truths(case, starts, first.choice, second.choice)
-    doubt = max(truth.doubt for truth in truths)
-    words = (
-        f"{first.choice.words}, whose error on the example is {first.error_largest:.1e}; its"
-        f" difference from {second.choice.words}, at most {doubt:.1e}, counts as an error"
-    )
-    return Family(starts, truths, words, spread, TRAINING)
+def _family(case: Case, found: Survey, stick: Yardstick, spread: float) -> Family:
+    """States around the start, and what they are compared with: the two most accurate choices."""
+    starts = family(case, stick.truth.scale, CONFIRMING, spread=spread)
+    first, second = (m.choice for m in finest(found.measurements))
+    truths = working_truths(case, starts, first, second)
+    return Family(starts, first, second, truths, spread, TRAINING)

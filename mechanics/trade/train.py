@@ -2,11 +2,16 @@
 
     log10 error ~ mean + deviation * normal        over the family of states
 
-    bound = max(largest error seen, 10^(mean + k deviation))
+    bound = max(largest error seen, 10^(mean + k deviation), tail)
 
 k is the factor of the one-sided tolerance limit of a normal distribution (Hahn and Meeker,
 Statistical Intervals, 1991): with the stated confidence, the stated share of all states of the
 family stays below the bound. Factors between errors are what varies, so logarithms are taken.
+
+Beside a separatrix errors have a heavier tail, P(error > x) ~ x^(-1/xi). With many states xi is
+estimated from the m largest errors (Hill, Annals of Statistics 3, 1975) and the tail extrapolated:
+
+    tail = x_m (m / (count p))^xi,   p = 1 - coverage
 """
 
 from collections.abc import Sequence
@@ -19,12 +24,15 @@ from scipy.stats import nct, norm
 from mechanics.errors import MechanicsError
 from mechanics.trade.case import Case
 from mechanics.trade.choice import Choice
+from mechanics.trade.family import Family
 from mechanics.trade.measure import prepared
 from mechanics.trade.truth import Truth
 
 Array = NDArray[np.float64]
 
 COVERAGE, CONFIDENCE = 0.999, 0.95
+# Share of the errors that is the tail, and the fewest that tell its index.
+TAIL, FEWEST = 0.05, 10
 # Below half an ulp of the scale an error is luck.
 SMALLEST = 2.0**-53
 
@@ -55,7 +63,7 @@ class Trained:
             return np.inf
         logs = np.log10(np.maximum(self.errors, SMALLEST))
         limit = np.mean(logs) + tolerance_factor(len(logs)) * np.std(logs, ddof=1)
-        return max(self.largest, float(10.0**limit))
+        return max(self.largest, float(10.0**limit), tail_limit(self.errors))
 
 
 def tolerance_factor(count: int) -> float:
@@ -64,13 +72,24 @@ def tolerance_factor(count: int) -> float:
     return float(nct.ppf(CONFIDENCE, count - 1, norm.ppf(COVERAGE) * root) / root)
 
 
-def train(
-    case: Case, choices: Sequence[Choice], starts: Array, truths: Sequence[Truth]
-) -> tuple[Trained, ...]:
-    """Errors of choices on states of the family.
+def tail_limit(errors: Array) -> float:
+    """What the stated share stays below by the index of the tail; 0 where there is no tail."""
+    count = int(TAIL * len(errors))
+    if count < FEWEST:
+        return 0.0
+    top = np.sort(np.maximum(errors, SMALLEST))[-count - 1 :]
+    index = float(np.mean(np.log(top[1:] / top[0])))
+    # The estimate of the index scatters by its count's square root.
+    upper = index * (1 + norm.ppf(CONFIDENCE) / np.sqrt(count))
+    return float(top[0] * (count / (len(errors) * (1 - COVERAGE))) ** upper)
+
+
+def train(case: Case, choices: Sequence[Choice], around: Family, count: int) -> tuple[Trained, ...]:
+    """Errors of choices on the first `count` states of a family.
 
     A choice that fails on one of them is not tried on the others.
     """
+    starts, truths = around.starts[:count], around.truths[:count]
     return tuple(Trained(choice, _errors(case, choice, starts, truths)) for choice in choices)
 
 
