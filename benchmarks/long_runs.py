@@ -1,0 +1,69 @@
+"""Energy, momentum and phase over 1e5 natural periods, for every integrator.
+
+    python -m benchmarks.long_runs [SYSTEM] [--periods 100000] [--seconds 10]
+
+prints a table. What would take longer than the seconds is run for a tenth, a hundredth ... of the
+periods, and the table says for how many.
+"""
+
+import argparse
+import math
+
+from mechanics.compiled import Model, compile
+from mechanics.routes.free_body import derive
+from mechanics.simulate.integrators import INTEGRATORS, Problem, Setting
+from mechanics.simulate.long_run import LongRun, long_runs, natural_period
+from mechanics.simulate.pose import pose
+from systems import ALL
+
+# Moderate swings: regular motions, in which errors grow with powers of time.
+STARTS = {"elastic_pendulum": {"x": 0.1, "theta": 0.5}}
+TOLERANCE, STEPS = 1e-9, 60
+COLUMNS = ("integrator", "setting", "periods", "energy", "momentum", "phase in periods", "s")
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("system", nargs="?", default="elastic_pendulum")
+    parser.add_argument("--periods", type=int, default=100_000)
+    parser.add_argument("--seconds", type=float, default=10.0)
+    asked = parser.parse_args()
+    problem = pose(model(asked.system), [0.0, 1.0], initial=STARTS.get(asked.system))
+    period = natural_period(problem)
+    print(f"{asked.system}: natural period {period:.4g} s, {asked.periods} periods\n")
+    print(f"| {' | '.join(COLUMNS)} |\n|{'---|' * len(COLUMNS)}")
+    wanted = settings(problem, period)
+    for run in long_runs(problem, wanted, periods=asked.periods, seconds=asked.seconds):
+        print(f"| {' | '.join(row(run))} |", flush=True)
+
+
+def model(name: str) -> Model:
+    return compile(derive({system.name: system.scene for system in ALL}[name]()))
+
+
+def settings(problem: Problem, period: float) -> list[Setting]:
+    """A tolerance for adaptive methods, a whole number of steps a period for the others."""
+    found = []
+    for member in INTEGRATORS:
+        setting = (
+            Setting(member.name, tolerance=TOLERANCE)
+            if member.adaptive
+            else Setting(member.name, step=period / STEPS)
+        )
+        if not member.available():
+            found.append(setting)
+    return found
+
+
+def row(run: LongRun) -> list[str]:
+    setting = run.setting
+    steps = f"h = {setting.step:.3g} s" if setting.step else f"tolerance {setting.tolerance:g}"
+    momenta = ", ".join(f"{name} {drift.words}" for name, drift in run.momenta) or "none conserved"
+    phase = run.phase.words if math.isfinite(run.phase.rate) else "lost in the first periods"
+    failed = f" ({run.failure})" if run.failure else ""
+    return [setting.integrator, steps, f"{run.periods}{failed}", run.energy.words, momenta, phase,
+            f"{run.seconds:.2g}"]  # fmt: skip
+
+
+if __name__ == "__main__":
+    main()
