@@ -78,6 +78,8 @@ BODY = """
             arrived = change == 0 || (change <= {arrived} && !(change < before))
                 || (sweep >= {patient} && most <= {arrived} * largest);
             before = change;
+            if (!(most < INFINITY))
+                return -spent;
         }}
         if (!arrived)
             return -spent;
