@@ -72,7 +72,8 @@ def _jacobian(model: Model) -> ca.Function:
     size = rate.numel_out(0)
     blocks = [jacobian_function(model)(*arguments)]
     blocks += [ca.SX(size, argument.numel()) for argument in arguments[1:]]
-    known = ca.SX.sym("out_yd", size)
+    # The Jacobian does not need the value: an empty column, or CasADi would compute it each time.
+    known = ca.SX.sym("out_yd", ca.Sparsity(size, 1))
     names = [rate.name_in(i) for i in range(rate.n_in())]
     return ca.Function(
         "jac_rate",
