@@ -5,16 +5,20 @@ steps(count, t, h, y, inputs, p)     takes steps in place; gives the number of e
 """
 
 import ctypes
-from collections.abc import Callable
+from collections.abc import Callable, Hashable
+from weakref import WeakKeyDictionary
 
 import numpy as np
 
+from mechanics.compiled.model import Model
 from mechanics.compiled.native import affordable, load
 from mechanics.compiled.program import Program
 from mechanics.compiled.source import function_source, signature
 from mechanics.simulate.integrators.loop import NOT_FINITE, plan, stopped
 from mechanics.simulate.integrators.problem import Outcome, Problem, Setting
 from mechanics.simulate.integrators.rate import rate_entries
+
+_libraries: WeakKeyDictionary[Model, dict[Hashable, ctypes.CDLL]] = WeakKeyDictionary()
 
 INNER = "mechanics_inner"
 HEAD = """\
@@ -54,7 +58,7 @@ def compiled_march(
         What it means when that gave up.
     """
     kind, size = setting.kind, len(problem.start)
-    library = _library(problem, kind, code, body)
+    library = _library(name, problem, kind, code, body)
     run = library.mechanics_run
     run.restype, run.argtypes = ctypes.c_longlong, [ctypes.c_longlong, *[ctypes.c_void_p] * 8]
     steps = plan(problem.times, setting.step or 0.0)
@@ -80,7 +84,18 @@ def compiled_march(
     return solve
 
 
-def _library(problem: Problem, kind: type[np.floating], code: Program, body: str) -> ctypes.CDLL:
+def _library(
+    name: str, problem: Problem, kind: type[np.floating], code: Program, body: str
+) -> ctypes.CDLL:
+    """The compiled loop; kept with the model, because writing it takes longer than using it."""
+    known = _libraries.setdefault(problem.model, {})
+    key = (name, kind, body, "t" in problem.varying)
+    if key not in known:
+        known[key] = _compiled(problem, kind, code, body)
+    return known[key]
+
+
+def _compiled(problem: Problem, kind: type[np.floating], code: Program, body: str) -> ctypes.CDLL:
     model, real = problem.model, "float" if kind is np.float32 else "double"
     entries = {**rate_entries(model), "h": ("h",)}
     inner = f"static {signature(code, real, INNER)}"

@@ -7,6 +7,7 @@ over steps is C, too. Without a compiler the graph runs on CasADi's virtual mach
 from collections.abc import Callable
 from fractions import Fraction
 from functools import partial
+from weakref import WeakKeyDictionary
 
 import casadi as ca
 import numpy as np
@@ -14,7 +15,7 @@ from numpy.typing import NDArray
 
 from mechanics.compiled.evaluator import evaluator
 from mechanics.compiled.model import Model
-from mechanics.compiled.program import program
+from mechanics.compiled.program import Program, program
 from mechanics.compiled.step import TABLEAUX, Rate, Tableau, runge_kutta
 from mechanics.simulate.integrators.compiled_loop import call_inner, compiled_march
 from mechanics.simulate.integrators.loop import march, refused
@@ -23,6 +24,8 @@ from mechanics.simulate.integrators.rate import rate_entries, rate_function
 from mechanics.simulate.integrators.stiffness import unstable
 
 Array = NDArray[np.float64]
+
+_steps: WeakKeyDictionary[Model, dict[str, tuple[ca.Function, Program]]] = WeakKeyDictionary()
 
 BODY = """
     for (long long i = 0; i < count; ++i) {{
@@ -38,6 +41,15 @@ def step_function(model: Model, tableau: Tableau) -> ca.Function:
     h = ca.SX.sym("h")
     after = runge_kutta(tableau, _moved(model, w, p, h), y, h)
     return ca.Function("step", [y, w, p, h], ca.cse([after]), ["y", "inputs", "p", "h"], ["y_next"])
+
+
+def _step(model: Model, tableau: Tableau) -> tuple[ca.Function, Program]:
+    """The step and its instructions, kept with the model."""
+    known = _steps.setdefault(model, {})
+    if tableau.name not in known:
+        function = step_function(model, tableau)
+        known[tableau.name] = function, program(function)
+    return known[tableau.name]
 
 
 def _moved(model: Model, w: ca.SX, p: ca.SX, h: ca.SX) -> Rate:
@@ -60,10 +72,9 @@ def _suits(tableau: Tableau, problem: Problem, setting: Setting) -> str:
 
 def _prepare(tableau: Tableau, problem: Problem, setting: Setting) -> Callable[[], Outcome]:
     name, stages = f"C {tableau.name}", len(tableau.a)
-    function = step_function(problem.model, tableau)
+    function, code = _step(problem.model, tableau)
     if problem.model.compiler is None:
         return march(name, problem, setting, _virtual(problem, setting.kind, function), stages)
-    code = program(function)
     call = call_inner(code, y="y", inputs="inputs", p="p", h="&h", y_next="y")
     return compiled_march(name, problem, setting, code, BODY.format(call=call, stages=stages))
 
