@@ -21,7 +21,7 @@ from mechanics.compiled.coefficient import Coefficient
 from mechanics.compiled.nested import UNIT, Choice, Nest, Table, Term
 from mechanics.compiled.translate import Translator
 
-PATIENCE = 100
+PATIENCE = 80
 STARTS = 3
 """Trials without success after which a search ends, and searches, each from a start of its own."""
 
@@ -41,8 +41,10 @@ class Written:
     cost: tuple[int, int]
 
 
-def written(left: Matrix, right: Matrix, unknowns: Sequence[Symbol], definite: bool) -> Written:
-    """The cheapest way found to write the solution of K x = k.
+def written(
+    left: Matrix, right: Matrix, unknowns: Sequence[Symbol], definite: bool
+) -> list[Written]:
+    """Ways to write the solution of K x = k, the cheapest first.
 
     Raises
     ------
@@ -50,10 +52,8 @@ def written(left: Matrix, right: Matrix, unknowns: Sequence[Symbol], definite: b
         If the system is not small.
     """
     orders = quotients(left, right, unknowns, definite)
-    return min(
-        (_searched(solved, seed) for solved in orders for seed in range(STARTS)),
-        key=lambda found: found.cost,
-    )
+    found = (_searched(solved, seed) for solved in orders for seed in range(STARTS))
+    return sorted(found, key=lambda way: way.cost)
 
 
 def solution(found: Written, unknowns: Sequence[Symbol], translate: Translator) -> ca.SX:

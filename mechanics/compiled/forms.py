@@ -203,11 +203,12 @@ def _refined(system: System) -> ca.SX:
 
 def _fewest(system: System) -> ca.SX:
     equations = system.equations
-    found = written(*equations.system, equations.unknowns, system.symmetric)
-    closed = solution(found, equations.unknowns, system.translate)
     other = system.solve(system.graphs[1])
-    cheaper = operations(closed) < operations(other)
-    return closed if cheaper and system.error(closed) < ROUNDINGS else other
+    for way in written(*equations.system, equations.unknowns, system.symmetric):
+        closed = solution(way, equations.unknowns, system.translate)
+        if operations(closed) < operations(other) and system.error(closed) < ROUNDINGS:
+            return closed
+    return other
 
 
 def _small(equations: Equations) -> str:

@@ -18,7 +18,7 @@ int elastic_pendulum_forward_dynamics(const double q[2], const double u[2], cons
     const double cos_theta = cos(theta);
     const double v1 = -0x1.5555555555555p-1 * L;
     const double sin_theta = sin(theta);
-    const double v2 = (cos_theta * g - theta_dot * (v1 * theta_dot)) * (sin_theta * M);
+    const double v2 = (cos_theta * g - theta_dot * (theta_dot * v1)) * (sin_theta * M);
     const double v3 = x * (0x1.5555555555555p+1 * k);
     const double v4 = 0x1.5555555555555p+0 * (M + m) - M * (cos_theta * cos_theta);
     const double v5 = (v2 - v3) / v4;
@@ -140,7 +140,7 @@ int elastic_pendulum_inverse_dynamics(const double q[2], const double u[2], cons
     const double cos_theta = cos(theta);
     const double v1 = -0x1.5555555555555p-1 * L;
     const double sin_theta = sin(theta);
-    const double v2 = (cos_theta * g - theta_dot * (v1 * theta_dot)) * (sin_theta * M);
+    const double v2 = (cos_theta * g - theta_dot * (theta_dot * v1)) * (sin_theta * M);
     const double v3 = x * (0x1.5555555555555p+1 * k);
     const double v4 = 0x1.5555555555555p+0 * (M + m) - M * (cos_theta * cos_theta);
     const double v5 = (v2 - v3) / v4;
@@ -373,7 +373,7 @@ int elastic_pendulum_step(const double q[2], const double u[2], const double p[5
     const double v1 = -0x1.5555555555555p-1 * L;
     const double sin_theta = sin(theta);
     const double v2 = 0x1.5555555555555p+1 * k;
-    const double v3 = (cos_theta * g - theta_dot * (v1 * theta_dot)) * (sin_theta * M);
+    const double v3 = (cos_theta * g - theta_dot * (theta_dot * v1)) * (sin_theta * M);
     const double v4 = 0x1.5555555555555p+0 * (M + m);
     const double v5 = v4 - M * (cos_theta * cos_theta);
     const double v6 = (v3 - x * v2) / v5;
@@ -383,7 +383,7 @@ int elastic_pendulum_step(const double q[2], const double u[2], const double p[5
     const double v9 = (cos_theta * v6 + g * sin_theta) / v1;
     const double v10 = theta_dot + h_ * (v9 / 2.0);
     const double sin_v8 = sin(v8);
-    const double v11 = (cos_v8 * g - v10 * (v1 * v10)) * (sin_v8 * M);
+    const double v11 = (cos_v8 * g - v10 * (v10 * v1)) * (sin_v8 * M);
     const double v12 = (x + h_ * (x_dot / 2.0)) * v2;
     const double v13 = v4 - M * (cos_v8 * cos_v8);
     const double v14 = (v11 - v12) / v13;
@@ -393,7 +393,7 @@ int elastic_pendulum_step(const double q[2], const double u[2], const double p[5
     const double v17 = (cos_v8 * v14 + g * sin_v8) / v1;
     const double v18 = theta_dot + h_ * (v17 / 2.0);
     const double sin_v16 = sin(v16);
-    const double v19 = (cos_v16 * g - v18 * (v1 * v18)) * (sin_v16 * M);
+    const double v19 = (cos_v16 * g - v18 * (v18 * v1)) * (sin_v16 * M);
     const double v20 = (x + h_ * (v7 / 2.0)) * v2;
     const double v21 = v4 - M * (cos_v16 * cos_v16);
     const double v22 = (v19 - v20) / v21;
@@ -405,7 +405,7 @@ int elastic_pendulum_step(const double q[2], const double u[2], const double p[5
     const double v28 = theta + h_ * v18;
     const double cos_v28 = cos(v28);
     const double sin_v28 = sin(v28);
-    const double v29 = (cos_v28 * g - v26 * (v1 * v26)) * (sin_v28 * M);
+    const double v29 = (cos_v28 * g - v26 * (v26 * v1)) * (sin_v28 * M);
     const double v30 = (x + h_ * v15) * v2;
     const double v31 = v4 - M * (cos_v28 * cos_v28);
     const double v32 = (v29 - v30) / v31;
@@ -444,7 +444,7 @@ int elastic_pendulum_reactions(const double q[2], const double u[2], const doubl
     const double cos_theta = cos(theta);
     const double v1 = -0x1.5555555555555p-1 * L;
     const double sin_theta = sin(theta);
-    const double v2 = (cos_theta * g - theta_dot * (v1 * theta_dot)) * (sin_theta * M);
+    const double v2 = (cos_theta * g - theta_dot * (theta_dot * v1)) * (sin_theta * M);
     const double v3 = x * (0x1.5555555555555p+1 * k);
     const double v4 = 0x1.5555555555555p+0 * (M + m) - M * (cos_theta * cos_theta);
     const double v5 = (v2 - v3) / v4;
