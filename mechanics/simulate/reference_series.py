@@ -67,6 +67,15 @@ class Taylor:
         self._state = [self._moved() for _ in range(code.inputs[0][1])]
         given = [self._state, *([self._fixed(value) for value in group] for group in held)]
         values: list[Series] = []
+        try:
+            self._build(code, given, values)
+        except ZeroDivisionError as error:
+            raise SingularError("the equations are singular everywhere: a divisor is zero") from (
+                error
+            )
+        self._rates = [values[k] for k in code.outputs[0]]
+
+    def _build(self, code: Program, given: list[list[Series]], values: list[Series]) -> None:
         for operation, operands, constant in code.nodes:
             if constant is not None:
                 values.append(self.number(constant))
@@ -76,7 +85,6 @@ class Taylor:
                 values.append(OPERATIONS[operation](self, *(values[k] for k in operands)))
             else:
                 raise not_analytic(operation)
-        self._rates = [values[k] for k in code.outputs[0]]
 
     def expand(self, start: Sequence[int], step: int, order: int) -> list[list[int]]:
         """Coefficients 0 to `order` of every entry of the state, for h = step / 2^P.

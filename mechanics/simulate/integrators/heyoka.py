@@ -107,17 +107,20 @@ def equations(code: Program, time: int | None) -> list[tuple[Any, Any]]:
     Parameters
     ----------
     code : Program
-        ``rate(y, inputs, p)``.
+        ``rate(y, inputs, p, ...)``.
     time : int or None
-        Which of the inputs is the time; inputs and parameters are heyoka's parameters, in a row.
+        Which of the inputs is the time; all else but y are heyoka's parameters, in a row.
     """
     import heyoka
 
     state = heyoka.make_vars(*(f"y{i}" for i in range(code.inputs[0][1])))
     state = state if isinstance(state, list | tuple) else [state]
-    count = code.inputs[1][1]
-    held = [heyoka.time if i == time else heyoka.par[i] for i in range(count)]
-    given = [state, held, [heyoka.par[count + i] for i in range(code.inputs[2][1])]]
+    given, start = [state], 0
+    for _, size in code.inputs[1:]:
+        given.append([heyoka.par[i] for i in range(start, start + size)])
+        start += size
+    if time is not None:
+        given[1][time] = heyoka.time
     values: list[Any] = []
     for operation, operands, constant in code.nodes:
         if constant is not None:
