@@ -1,0 +1,192 @@
+"""The form with the fewest operations: exact, no dearer than elimination, accurate, repeatable."""
+
+import dataclasses
+from fractions import Fraction
+from random import Random
+
+import numpy as np
+import pytest
+import sympy
+from sympy import Expr, Matrix, Rational, cos, pi, sin, sqrt, symbols
+
+from mechanics.compiled import compile, prove_compiled
+from mechanics.compiled.closed import quotients
+from mechanics.compiled.coefficient import Coefficient, coefficient
+from mechanics.compiled.fewest import Written, written
+from mechanics.compiled.forms import ELIMINATION, FEWEST, LDL, automatic
+from mechanics.compiled.sampling import sample
+from mechanics.exact import TooLarge, is_zero
+
+a, b = symbols("a b", positive=True)
+x, y, th = symbols("x y theta", real=True)
+U, V, W = symbols("U V W", real=True)
+
+SYSTEMS = {
+    "one": (Matrix([[a + b * cos(th)]]), Matrix([a * x**2 - b * y * x])),
+    "shared difference": (sympy.diag(3 * a, 2 * a), Matrix([b * (y - 2 * x), b * (x - y)])),
+    "coupled": (
+        Matrix([[a + b, b * cos(th)], [b * cos(th), 2 * b]]),
+        Matrix([b * sin(th) * x**2 - y, -b * sin(th)]),
+    ),
+    "numbers": (
+        Matrix([[(2 + pi) * a, a], [a, 3 * a]]),
+        Matrix([pi * x + (2 + pi) * y, x / 3]),
+    ),
+    "three": (
+        Matrix([[a + 2, 1, x], [1, b + 2, 0], [x, 0, 3 + x**2]]),
+        Matrix([y, x, x * y + 1]),
+    ),
+    "zero right side": (sympy.diag(a, b), Matrix([0, x])),
+    "negative": (Matrix([[-a]]), Matrix([-x - b * y])),
+}
+
+
+def expressions(found: Written) -> dict[sympy.Symbol, Expr]:
+    """Nodes back into SymPy, unknowns put in."""
+    values: list[Expr] = []
+    for operation, one, two in found.nest.nodes:
+        if operation == "leaf":
+            key = found.nest.table.keys[one]
+            values.append(key.expr if isinstance(key, Coefficient) else key)
+        elif operation == "-":
+            values.append(-values[one] if one == two else values[one] - values[two])
+        else:
+            combine = {"+": lambda p, q: p + q, "*": lambda p, q: p * q, "/": lambda p, q: p / q}
+            values.append(combine[operation](values[one], values[two]))
+    roots = {unknown: values[place] for unknown, place in found.roots}
+    for _ in roots:
+        roots = {unknown: value.subs(roots) for unknown, value in roots.items()}
+    return roots
+
+
+@pytest.mark.parametrize("name", SYSTEMS)
+@pytest.mark.parametrize("definite", [True, False])
+def test_every_way_solves_the_system(name: str, definite: bool) -> None:
+    left, right = SYSTEMS[name]
+    unknowns = (U, V, W)[: left.rows]
+    ways = written(left, right, unknowns, definite)
+    assert ways
+    for way in ways:
+        solution = Matrix([expressions(way)[unknown] for unknown in unknowns])
+        assert all(is_zero(entry) for entry in left * solution - right)
+
+
+def test_the_cheapest_comes_first() -> None:
+    costs = [way.cost for way in written(*SYSTEMS["coupled"], (U, V), True)]
+    assert costs == sorted(costs)
+    # d = x - y, r = b / a, and (d + x) r / 3, d r / 2: a division counts twice.
+    (least, *_) = written(*SYSTEMS["shared difference"], (U, V), True)
+    assert least.cost[0] == 8
+
+
+@pytest.mark.parametrize("seed", range(10))
+def test_random_systems(seed: int) -> None:
+    random = Random(seed)
+    gens = [a, b, x, y, sin(th), cos(th)]
+
+    def polynomial(terms: int) -> Expr:
+        return sympy.Add(*(
+            Rational(random.randint(-4, 4), random.randint(1, 3))
+            * sympy.Mul(*random.choices(gens, k=random.randint(0, 3)))
+            for _ in range(terms)
+        ))  # fmt: skip
+
+    off = polynomial(1)
+    left = Matrix([[a + b, off], [off, 7 + off**2]])
+    right = Matrix([polynomial(3), polynomial(3)])
+    for way in written(left, right, (U, V), True):
+        solution = Matrix([expressions(way)[unknown] for unknown in (U, V)])
+        assert all(is_zero(entry) for entry in left * solution - right)
+
+
+def test_the_same_system_is_written_the_same_way() -> None:
+    from mechanics.compiled import fewest
+
+    one = written(*SYSTEMS["coupled"], (U, V), True)[0]
+    fewest._searched.cache_clear()
+    two = written(*SYSTEMS["coupled"], (U, V), True)[0]
+    assert one is not two
+    assert one.nest.nodes == two.nest.nodes and one.roots == two.roots
+
+
+def test_no_order_divides_by_what_may_vanish() -> None:
+    # det K[1:, 1:] = cos(theta): only the other order is left, unless K is positive definite.
+    left, right = Matrix([[a, x], [x, cos(th)]]), Matrix([1, y])
+    (only,) = quotients(left, right, (U, V), definite=False)
+    assert [quotient.unknown for quotient in only] == [V, U]
+    assert len(quotients(left, right, (U, V), definite=True)) == 2
+
+
+@pytest.mark.parametrize(
+    ("left", "right", "why"),
+    [
+        (sympy.eye(4), Matrix([x, y, a, b]), "4 unknowns"),
+        (Matrix([[1 + sqrt(1 + x**2)]]), Matrix([1]), "roots or quotients inside"),
+        (Matrix([[1]]), Matrix([1 / (1 + x**2)]), "roots or quotients inside"),
+        (Matrix([[1]]), Matrix([sum(x**i * y**j for i in range(7) for j in range(7))]), "32 terms"),
+        (Matrix([[x, y], [y, x * y]]), Matrix([1, 1]), "may vanish"),
+        (Matrix([[x, x], [x, x]]), Matrix([1, 1]), "may vanish"),
+    ],
+    ids=str,
+)
+def test_what_is_left_to_elimination(left: Matrix, right: Matrix, why: str) -> None:
+    with pytest.raises(TooLarge, match=why):
+        written(left, right, (U, V, W, x)[: left.rows], False)
+
+
+SEEDS = ("elastic_pendulum", "rocker", "two_mass_chain")
+
+
+@pytest.mark.parametrize("system", SEEDS)
+@pytest.mark.parametrize("route", ["free_body", "moving_point", "kane", "lagrange"])
+def test_the_form_is_proved_and_no_dearer(derived, system: str, route: str) -> None:
+    equations = derived(system, route)
+    assert automatic(equations) is FEWEST
+    fewest, other = (
+        compile(equations, form=form, outputs=("forward_dynamics",))
+        for form in ("fewest", "elimination")
+    )
+    counts = [m.program("forward_dynamics").operations for m in (fewest, other)]
+    assert counts[0] < counts[1]
+    (finding,) = prove_compiled(fewest)
+    assert finding.verdict.name == "PROVED"
+
+
+def test_large_systems_take_another_form(derived) -> None:
+    assert automatic(derived("pendulum_chain", "kane")) is LDL
+    assert automatic(derived("rolling_disc", "free_body")) is ELIMINATION
+
+
+def test_what_rounds_badly_is_not_taken(derived, monkeypatch: pytest.MonkeyPatch) -> None:
+    from mechanics.compiled import forms
+
+    equations = derived("elastic_pendulum", "kane")
+    monkeypatch.setattr(forms, "ROUNDINGS", 0.0)
+    refused = compile(equations, form="fewest").program("forward_dynamics")
+    assert (
+        refused.operations == compile(equations, form="ldl").program("forward_dynamics").operations
+    )
+
+
+def test_products_that_cancel_are_cancelled(derived) -> None:
+    equations = derived("rocker", "kane")
+    theta = equations.scene.q[0]
+    hidden = equations.forcing + Matrix([10**6 * (sin(theta) ** 2 + cos(theta) ** 2 - 1)])
+    disguised = dataclasses.replace(equations, forcing=hidden)
+    model, plain = (compile(e, compiler=None) for e in (disguised, equations))
+    states = sample(model.quantities, 50, seed=7)
+    q, u, inputs, p = states.groups
+    found, wanted = (m.forward_dynamics(q, u, inputs=inputs, p=p) for m in (model, plain))
+    np.testing.assert_array_equal(found, wanted)
+
+
+def test_coefficients() -> None:
+    area = coefficient(Rational(27, 25) + 27 * pi / 50)
+    assert area == Coefficient(Fraction(27, 50), ((2 + pi, 1),))
+    assert (area / area) == Coefficient(Fraction(1))
+    assert (area * area).expr == Rational(27, 50) ** 2 * (2 + pi) ** 2
+    assert coefficient(1 / (pi - 4)).ratio < 0
+    assert not (-area).positive and abs(-area) == area
+    assert [coefficient(Rational(*n)).awkward for n in ((1, 4), (-1, 4), (1, 3), (-1, 3))] == [
+        0, 1, 2, 3
+    ]  # fmt: skip
