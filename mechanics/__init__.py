@@ -32,7 +32,8 @@ from mechanics.scene import (
 )
 from mechanics.scene.published import published
 from mechanics.scene.system import System
-from mechanics.simulate import simulate
+from mechanics.trade import trade
+from mechanics.trade.accurate import simulate
 
 __all__ = [
     "ROUTES",
@@ -67,5 +68,6 @@ __all__ = [
     "to_json",
     "torque",
     "torsion_spring",
+    "trade",
     "write_c",
 ]

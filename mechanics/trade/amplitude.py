@@ -19,7 +19,7 @@ from mechanics.trade.choice import Choice
 from mechanics.trade.dropping import ENOUGH
 from mechanics.trade.linearised import Equilibrium, as_equations, is_linear
 from mechanics.trade.measure import prepared
-from mechanics.trade.truth import from_states
+from mechanics.trade.truth import Truth, from_states
 
 Array = NDArray[np.float64]
 
@@ -107,7 +107,9 @@ class Pair:
     def error(self, index: int, amplitude: float) -> float:
         """Largest error of the linear motion."""
         found = self.deviations(index, amplitude)
-        return np.inf if found is None else float(np.max(from_states(found[0]).errors(found[1])))
+        if found is None:
+            return np.inf
+        return float(np.max(_truth(found[0], amplitude).errors(found[1])))
 
     def lasts(self, index: int, amplitude: float) -> float:
         """Time in s until which the error is small enough; 0 where it is not at all."""
@@ -116,11 +118,17 @@ class Pair:
             return 0.0
         enough = 0.0
         for k in range(1, len(self.whole.times)):
-            errors = from_states(found[0][: k + 1]).errors(found[1][: k + 1])
+            errors = _truth(found[0][: k + 1], amplitude).errors(found[1][: k + 1])
             if np.max(errors) > ENOUGH:
                 break
             enough = float(self.whole.times[k])
         return enough
+
+
+def _truth(motion: Array, amplitude: float) -> Truth:
+    """The nonlinear motion; what does not move but for rounding has no scale of its own."""
+    truth = from_states(motion)
+    return replace(truth, scale=np.maximum(truth.scale, ROUNDED * amplitude))
 
 
 def _along(pair: Pair, index: int) -> Amplitude:

@@ -44,6 +44,9 @@ class Case:
     inputs : mapping of str to float
     compiler : str or None
         As for `mechanics.compile`.
+    grid : tuple of float, optional
+        Times at which the motion is looked at, from 0 to the horizon; by default some of them at
+        equal distances.
     linear : callable
         Makes the linearised equations; refuses where there are none.
     """
@@ -54,6 +57,7 @@ class Case:
     parameters: Mapping[str, float] = field(default_factory=dict)
     inputs: Mapping[str, Any] = field(default_factory=dict)
     compiler: str | None = "auto"
+    grid: tuple[float, ...] | None = None
     linear: Callable[["Case"], Equations] = lambda case: linearised(
         case.equations, case.parameters, case.inputs, case.suggested
     )
@@ -103,7 +107,7 @@ class Case:
     @property
     def times(self) -> Array:
         """Times at which the motion is looked at, shape (N,), in s."""
-        return np.linspace(0.0, self.horizon, TIMES)
+        return np.linspace(0.0, self.horizon, TIMES) if self.grid is None else np.array(self.grid)
 
     def problem(self, variant: Variant = Variant(), start: Array | None = None) -> Problem:  # noqa: B008
         """What an integrator is given."""
@@ -111,9 +115,13 @@ class Case:
         begin = self.start if start is None else start
         return Problem(model, self.p(model), self.inputs, begin, self.times, BUDGET)
 
+    def with_model(self, model: Model) -> "Case":
+        """The same with a model that was compiled already."""
+        return replace(self, _models={Variant(): model})
+
     def until(self, horizon: float) -> "Case":
         """The same for another length of time, with the models that were compiled already."""
-        return replace(self, horizon=horizon)
+        return replace(self, horizon=horizon, grid=None)
 
     @property
     def names(self) -> tuple[str, ...]:

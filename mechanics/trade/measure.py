@@ -97,7 +97,7 @@ def measured(
     outcome = run()
     seconds = perf_counter() - begin
     errors = truth.errors(outcome.states)
-    complete = not outcome.failure and len(errors) == len(case.times)
+    complete = not outcome.failure and len(outcome.states) == len(case.times)
     found = Measurement(
         choice,
         float(errors[-1]) if complete else np.inf,

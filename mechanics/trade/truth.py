@@ -4,7 +4,7 @@ error at t = max_i |y_i - reference_i| / scale_i,   scale_i = max over the motio
 """
 
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -40,6 +40,15 @@ class Truth:
         """Error at the first k times in the stated norm, shape (k,); infinite where not finite."""
         relative = np.max(self.difference(states) / self.scale, axis=1)
         return np.where(np.isfinite(relative), relative, np.inf)
+
+
+def at_rows(truth: Truth, rows: NDArray[np.intp]) -> Truth:
+    """The same for states of which only some, at the given rows, are compared."""
+
+    def difference(states: Array) -> Array:
+        return truth.difference(states[rows[rows < len(states)]])
+
+    return replace(truth, difference=difference)
 
 
 def from_reference(found: Reference) -> Truth:

@@ -70,8 +70,14 @@ class Yardstick:
         return self.growth_factor * ROUNDING
 
 
-def yardstick(case: Case) -> tuple[Case, Yardstick, tuple[str, ...]]:
+def yardstick(case: Case, digits: int = DIGITS) -> tuple[Case, Yardstick, tuple[str, ...]]:
     """The case over a time in which doubles mean something, its reference, and notes.
+
+    Parameters
+    ----------
+    case : Case
+    digits : int
+        That the reference has at least.
 
     Raises
     ------
@@ -80,7 +86,7 @@ def yardstick(case: Case) -> tuple[Case, Yardstick, tuple[str, ...]]:
     """
     case, until, notes = _comparable(case)
     begin = perf_counter()
-    found = reference(case.problem(), DIGITS)
+    found = reference(case.problem(), digits)
     seconds = perf_counter() - begin
     scale = zip(found.scale.tolist(), case.units, strict=True)
     known = found.growth.factor[: found.growth.known]

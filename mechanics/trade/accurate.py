@@ -1,0 +1,273 @@
+"""Simulate to an accuracy: the cheapest choice that is measured to meet it, and an error estimate.
+
+    measure on the first motion --> run with that choice --> compare with a finer setting
+
+The choice is measured against the reference on the very motion that is asked for. The estimate that
+is reported is another thing: the difference from a run with a tenth of the tolerance, or half of
+the step. Where that is larger than the accuracy, the finer setting becomes the choice.
+"""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from mechanics.compiled import Model
+from mechanics.errors import InputError
+from mechanics.simulate import simulate as simulate_plainly
+from mechanics.simulate.batch import Initial, initial_states, part
+from mechanics.simulate.integrators import INTEGRATORS, Integrator, Problem, Setting
+from mechanics.simulate.march import METHODS, PATIENCE
+from mechanics.simulate.run import Begin, Progress, begin, equal_times, simulate_one, trajectory
+from mechanics.simulate.samples import Samples
+from mechanics.simulate.trajectory import Ending, Trajectory
+from mechanics.trade.case import BUDGET, TIMES, Case
+from mechanics.trade.choice import Choice, Variant
+from mechanics.trade.measure import Measurement, integrator, times_side_by_side
+from mechanics.trade.survey import LONGEST, Survey, ladder
+from mechanics.trade.truth import Truth, at_rows, from_states
+from mechanics.trade.yardstick import yardstick
+
+Array = NDArray[np.float64]
+
+# The measured error has to be below this share of the accuracy: the estimate, by another setting,
+# scatters about it.
+SHARE = 0.5
+# An integrator is given up when it takes so many times what the best one so far needs.
+WORSE = 3.0
+# Seconds to compare the candidates, and evaluations that the run itself may spend.
+COMPARING, PATIENT = 1.0, 100 * BUDGET
+# Digits of the reference behind those of the accuracy.
+MORE = 6
+# What errors are measured against where inputs are functions.
+FINEST = Choice(Variant(), Setting("SciPy DOP853", tolerance=1e-13))
+# How much finer the second run is: a tenth of the tolerance, half of the step.
+FINER = {True: 0.1, False: 0.5}
+
+
+def simulate(
+    model: Model,
+    duration: float,
+    *,
+    initial: Initial = None,
+    parameters: Mapping[str, float] | None = None,
+    inputs: Mapping[str, Any] | None = None,
+    samples: int = 501,
+    accuracy: float | None = None,
+    progress: Progress | None = None,
+    members: Sequence[Integrator] = INTEGRATORS,
+    **options: Any,
+) -> Any:
+    """Integrate the equations of motion from t = 0, if asked for to an accuracy.
+
+    Parameters
+    ----------
+    accuracy : float, optional
+        Largest error along the way, of coordinates and speeds relative to the largest magnitude of
+        each. The cheapest integrator and setting that is measured to meet it is used, and
+        `Trajectory.error_estimate` tells what a finer setting finds. Without it, `rtol`, `atol` and
+        `method` count.
+    members : sequence of Integrator
+        To choose from.
+    model, duration, initial, parameters, inputs, samples, progress, **options
+        As for `mechanics.simulate.batch.simulate`.
+
+    Returns
+    -------
+    Trajectory, or tuple of Trajectory for a batch
+
+    Raises
+    ------
+    InputError
+        Beside the reasons there: for an accuracy that is none or that nothing meets, or with
+        `rtol`, `atol` or `method` at the same time.
+    OverBudget
+        If the motion is too fast for a reference over the duration.
+    """
+    given = {"parameters": parameters, "inputs": inputs}
+    if accuracy is None:
+        options |= {"initial": initial, "samples": samples, "progress": progress, **given}
+        return simulate_plainly(model, duration, **options)
+    if options:
+        raise InputError(f"accuracy: it chooses {', '.join(options)}: give one or the other")
+    if not (np.isfinite(accuracy) and 0 < accuracy < 1):
+        raise InputError(f"accuracy: {accuracy!r} found: a number between 0 and 1 is needed")
+    times = equal_times(duration, samples)
+    starts = initial_states(initial)
+    many = starts if starts is not None else (dict(initial or {}),)  # type: ignore[arg-type]
+    case = Case(
+        model.equations, duration, many[0], parameters or {}, inputs or {}, model.compiler,
+        tuple(times.tolist()),
+    ).with_model(model)  # fmt: skip
+    choice = cheapest(case, accuracy, members)
+    found = tuple(
+        _solved(
+            Wanted(case, begin(model, start, **given), times, start), choice, accuracy,
+            part(progress, i, len(many)),
+        )
+        for i, start in enumerate(many)
+    )  # fmt: skip
+    return found[0] if starts is None else found
+
+
+def cheapest(case: Case, accuracy: float, members: Sequence[Integrator] = INTEGRATORS) -> Choice:
+    """The fastest choice whose measured error is within the accuracy.
+
+    In a scene with constraints only methods are used whose steps are put back onto them, and which
+    lose nothing by that.
+
+    Raises
+    ------
+    InputError
+        If doubles cannot tell the motion that long, or no choice meets the accuracy.
+    """
+    truth = _truth(case, accuracy)
+    if _guarded(case):
+        one_step = set(METHODS) - set(PATIENCE)
+        members = [m for m in members if m.name.removeprefix("SciPy ") in one_step]
+    found = Survey()
+    # The fast ones come last in the list; they end the search among the others early.
+    meeting: list[Measurement] = []
+    for member in reversed(members):
+        if not member.available():
+            meeting += _first(case, truth, found, member, accuracy, meeting)
+    if not meeting:
+        nearest = min(found.measurements, key=lambda m: m.error_largest)
+        raise InputError(
+            f"accuracy {accuracy:g}: no choice meets it: the nearest is {nearest.choice.words} with"
+            f" an error of {nearest.error_largest:.1e}: ask for less, or for a shorter duration"
+        )
+    runs = [found.runs[m.choice] for m in meeting]
+    times = times_side_by_side(runs, case.horizon, COMPARING)
+    timed = [replace(m, seconds=s) for m, s in zip(meeting, times, strict=True)]
+    return min(timed, key=lambda m: m.time).choice
+
+
+def _truth(case: Case, accuracy: float) -> Truth:
+    if any(callable(value) for value in case.inputs.values()):
+        # Of functions only doubles are known, so that the finest run has to do.
+        start = begin(case.model(), case.initial, case.parameters, case.inputs)
+        wanted = Wanted(case, start, case.times, case.initial)
+        return from_states(states_of(wanted.trajectory(FINEST)))
+    # The reference is made at some of the samples only.
+    last = len(case.times) - 1
+    rows = np.unique(np.linspace(0, last, min(TIMES, last + 1)).astype(int))
+    some = replace(case, grid=tuple(case.times[rows].tolist()))
+    shorter, stick, notes = yardstick(some, int(np.ceil(-np.log10(accuracy))) + MORE)
+    if shorter.horizon < case.horizon:
+        raise InputError(f"accuracy {accuracy:g}: {notes[0]}: take a shorter duration")
+    return at_rows(stick.truth, rows)
+
+
+def _guarded(case: Case) -> bool:
+    """Whether steps have to be watched as they are taken."""
+    return bool(case.equations.scene.constraints)
+
+
+def _first(
+    case: Case,
+    truth: Truth,
+    found: Survey,
+    member: Integrator,
+    accuracy: float,
+    meeting: Sequence[Measurement],
+) -> list[Measurement]:
+    """The coarsest setting of an integrator that meets the accuracy, unless others are faster."""
+    best = min((m.time for m in meeting), default=np.inf)
+    for choice in ladder(case, truth, member):
+        one = found.add(case, choice, truth)
+        if one is None:
+            continue
+        if one.error_largest <= SHARE * accuracy:
+            return [one]
+        if one.time > WORSE * best or one.time * case.horizon > 4 * LONGEST:
+            return []
+    return []
+
+
+@dataclass(frozen=True, eq=False)
+class Wanted:
+    """One motion that is wanted: the case, where it starts, and when it is sampled."""
+
+    case: Case
+    start: Begin
+    times: Array
+    initial: Mapping[str, float]
+
+    def trajectory(self, choice: Choice, progress: Progress | None = None) -> Trajectory:
+        """The motion by a choice; SciPy's methods are watched and put back onto constraints.
+
+        Raises
+        ------
+        InputError
+            If the method gives up.
+        """
+        name = choice.setting.integrator
+        if name.startswith("SciPy "):
+            return simulate_one(
+                self.start.model,
+                float(self.times[-1]),
+                initial=self.initial,
+                parameters=self.case.parameters,
+                inputs=self.case.inputs,
+                samples=len(self.times),
+                rtol=choice.amount,
+                atol=choice.amount,
+                method=name.removeprefix("SciPy "),
+                progress=progress,
+            )
+        model, start = self.start.model, self.start
+        problem = Problem(model, start.p, start.inputs, start.state, self.times, PATIENT)
+        outcome = integrator(name).prepare(problem, choice.setting)()
+        if outcome.failure:
+            raise InputError(f"{model.equations.scene.name}: {outcome.failure}: ask for another")
+        drift = np.zeros(len(start.moving.manifold.names))
+        end = float(self.times[-1])
+        found = Samples(outcome.states, drift, Ending.COMPLETE, end)
+        return trajectory(start, self.times, found)
+
+
+def states_of(found: Trajectory) -> Array:
+    """Coordinates and speeds, shape (K, n + m)."""
+    return np.column_stack([*found.coordinates.values(), *found.speeds.values()])
+
+
+def _solved(
+    wanted: Wanted, choice: Choice, accuracy: float, progress: Progress | None
+) -> Trajectory:
+    """The motion by a choice, or by finer settings until the estimate is within the accuracy."""
+    motion = wanted.trajectory(choice, part(progress, 0, 2))
+    while True:
+        finer = _finer(wanted, choice)
+        if _refused(wanted, finer):
+            raise InputError(
+                f"accuracy {accuracy:g}: {choice.words} is as fine as it gets, and its error is not"
+                " shown to be within it: ask for less, or for a shorter duration"
+            )
+        better = wanted.trajectory(finer, part(progress, 1, 2))
+        estimate = _difference(motion, better)
+        if estimate <= accuracy or motion.ending is not Ending.COMPLETE:
+            return replace(motion, solved_by=choice.words, error_estimate=estimate)
+        motion, choice = better, finer
+
+
+def _finer(wanted: Wanted, choice: Choice) -> Choice:
+    adaptive = choice.setting.tolerance is not None
+    # Steps end at the samples, so a longer one than their distance is not taken.
+    taken = choice.amount if adaptive else min(choice.amount, float(wanted.times[1]))
+    return choice.with_amount(FINER[adaptive] * taken)
+
+
+def _refused(wanted: Wanted, choice: Choice) -> str:
+    start = wanted.start
+    problem = Problem(start.model, start.p, start.inputs, start.state, wanted.times, PATIENT)
+    return integrator(choice.setting.integrator).suits(problem, choice.setting)
+
+
+def _difference(motion: Trajectory, better: Trajectory) -> float:
+    """Largest difference along the way in the stated norm."""
+    one, other = states_of(motion), states_of(better)
+    count = min(len(one), len(other))
+    return float(np.max(from_states(other[:count]).errors(one[:count])))
