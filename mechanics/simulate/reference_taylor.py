@@ -12,22 +12,32 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
+from weakref import WeakKeyDictionary
 
 import casadi as ca
 import sympy
 
+from mechanics.compiled.forms import ELIMINATION, LDL, PRIMITIVE
+from mechanics.compiled.graphs import Graphs
 from mechanics.compiled.model import Model
 from mechanics.compiled.program import Program, program
 from mechanics.errors import SingularError
 from mechanics.simulate.integrators.problem import OverBudget, Problem
+from mechanics.simulate.integrators.rate import motion_graphs
 from mechanics.simulate.reference_series import Taylor
 
 # Steps after which the solution is given up, and after how many it is known what it will take.
 STEPS, TRIAL = 40_000, 20
+# Instructions below which it does not pay to look for another form.
+SHORT = 120
 # log2 of how far the reach of a polynomial may differ from the step that scales its coefficients:
 # beyond it their last bits would be amplified, and well below it the terms in the middle
 # would be larger than the solution.
 LEAST, MOST = -1.0, 0.5
+
+_known: WeakKeyDictionary[Model, dict[bool, tuple[ca.Function, tuple[sympy.Expr, ...]]]] = (
+    WeakKeyDictionary()
+)
 
 
 @dataclass(frozen=True, eq=False)
@@ -68,20 +78,40 @@ class Exact:
 
 def exact(problem: Problem) -> Exact:
     """The equations with named constants, and numbers as the rationals that doubles are."""
-    model, timed = problem.model, "t" in problem.varying
-    function, constants = _rate(model, timed)
+    timed = "t" in problem.varying
+    function, constants = _shortest(problem.model, timed)
     inputs = tuple(Fraction(value) for value in problem.signals(0.0))
     parameters = tuple(Fraction(float(value)) for value in problem.p)
     start = [Fraction(float(value)) for value in problem.start] + [Fraction(0)] * timed
     return Exact(function, tuple(start), (inputs, parameters, constants))
 
 
-def _rate(model: Model, timed: bool) -> tuple[ca.Function, tuple[sympy.Expr, ...]]:
+def _shortest(model: Model, timed: bool) -> tuple[ca.Function, tuple[sympy.Expr, ...]]:
+    """The rate in the form with the fewest instructions: in exact numbers all forms are equal."""
+    known = _known.setdefault(model, {})
+    if timed not in known:
+        known[timed] = _searched(model, timed)
+    return known[timed]
+
+
+def _searched(model: Model, timed: bool) -> tuple[ca.Function, tuple[sympy.Expr, ...]]:
+    best = _rate(model, motion_graphs(model), timed)
+    if best[0].n_instructions() < SHORT:
+        return best
+    for form in (LDL, ELIMINATION, PRIMITIVE):
+        if form.name == model.form or form.unsuited(model.equations):
+            continue
+        other = _rate(model, motion_graphs(model, form.name), timed)
+        best = min(best, other, key=lambda found: found[0].n_instructions())
+    return best
+
+
+def _rate(model: Model, graphs: Graphs, timed: bool) -> tuple[ca.Function, tuple[sympy.Expr, ...]]:
     """``rate(y, inputs, p, constants)`` with t' = 1 at the end of y if asked for."""
     sizes = {group: len(getattr(model.quantities, group)) for group in ("q", "u", "inputs", "p")}
     size = sizes["q"] + sizes["u"]
-    dynamics, _ = model.casadi.exact("forward_dynamics")
-    rates, constants = model.casadi.exact("coordinate_rates")
+    dynamics, _ = graphs.exact("forward_dynamics")
+    rates, constants = graphs.exact("coordinate_rates")
     y, w, p, c = (
         ca.SX.sym(name, count)
         for name, count in (

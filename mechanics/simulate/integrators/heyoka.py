@@ -115,7 +115,8 @@ def equations(code: Program, time: int | None) -> list[tuple[Any, Any]]:
 
     state = heyoka.make_vars(*(f"y{i}" for i in range(code.inputs[0][1])))
     state = state if isinstance(state, list | tuple) else [state]
-    given, start = [state], 0
+    given: list[list[Any]] = [list(state)]
+    start = 0
     for _, size in code.inputs[1:]:
         given.append([heyoka.par[i] for i in range(start, start + size)])
         start += size

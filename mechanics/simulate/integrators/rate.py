@@ -14,11 +14,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from mechanics.compiled.evaluator import evaluator
+from mechanics.compiled.graphs import Graphs
 from mechanics.compiled.model import Model
 from mechanics.compiled.program import Program, program
 from mechanics.simulate.integrators.problem import OverBudget, Problem
 
 Array = NDArray[np.float64]
+
+NEEDED = ("forward_dynamics", "coordinate_rates")
 
 _functions: WeakKeyDictionary[Model, dict[str, ca.Function]] = WeakKeyDictionary()
 _kernels: WeakKeyDictionary[Model, dict[Any, Any]] = WeakKeyDictionary()
@@ -52,6 +55,21 @@ def rate_entries(model: Model) -> dict[str, tuple[str, ...]]:
     return {"y": (*known["q"], *known["u"]), "inputs": known["inputs"], "p": known["p"]}
 
 
+def motion_graphs(model: Model, form: str | None = None) -> Graphs:
+    """The model's graphs, with what a motion needs even where the model is not asked for it.
+
+    Parameters
+    ----------
+    form : str, optional
+        Of forward dynamics, when it should be another than the model's.
+    """
+    missing = [name for name in NEEDED if name not in model.casadi]
+    if form is None and not missing:
+        return model.casadi
+    known = model.casadi
+    return Graphs(known.derived, form or model.form, known.fixed, (*known, *missing))
+
+
 def _functions_of(model: Model) -> dict[str, ca.Function]:
     if model not in _functions:
         _functions[model] = {"rate": _build(model)}
@@ -63,8 +81,9 @@ def _build(model: Model) -> ca.Function:
     y = ca.SX.sym("y", sizes["q"] + sizes["u"])
     w, p = (ca.SX.sym(group, sizes[group]) for group in ("inputs", "p"))
     state = (y[: sizes["q"]], y[sizes["q"] :], w, p)
-    rates = model.casadi["coordinate_rates"](*state)
-    accelerations, _ = model.casadi["forward_dynamics"](*state)
+    graphs = motion_graphs(model)
+    rates = graphs["coordinate_rates"](*state)
+    accelerations, _ = graphs["forward_dynamics"](*state)
     yd = ca.densify(ca.vertcat(rates, accelerations))
     return ca.Function("rate", [y, w, p], ca.cse([yd]), ["y", "inputs", "p"], ["yd"])
 
