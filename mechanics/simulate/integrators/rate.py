@@ -63,7 +63,7 @@ def motion_graphs(model: Model, form: str | None = None) -> Graphs:
     form : str, optional
         Of forward dynamics, when it should be another than the model's.
     """
-    missing = [name for name in NEEDED if name not in model.casadi]
+    missing = [name for name in NEEDED if name not in tuple(model.casadi)]
     if form is None and not missing:
         return model.casadi
     known = model.casadi
