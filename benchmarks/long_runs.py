@@ -1,6 +1,7 @@
 """Energy, momentum and phase over 1e5 natural periods, for every integrator.
 
-    python -m benchmarks.long_runs [SYSTEM] [--periods 100000] [--seconds 10]
+    python -m benchmarks.long_runs [SYSTEM] [--set NAME=VALUE] [--periods 100000] [--seconds 10]
+    python -m benchmarks.long_runs --set k=0 --set x_dot=0.1         without springs P_x is conserved
 
 prints a table. What would take longer than the seconds is run for a tenth, a hundredth ... of the
 periods, and the table says for how many.
@@ -8,8 +9,9 @@ periods, and the table says for how many.
 
 import argparse
 import math
+from collections.abc import Mapping
 
-from mechanics.compiled import Model, compile
+from mechanics.compiled import compile
 from mechanics.routes.free_body import derive
 from mechanics.simulate.integrators import INTEGRATORS, Problem, Setting
 from mechanics.simulate.long_run import LongRun, long_runs, natural_period
@@ -27,8 +29,9 @@ def main() -> None:
     parser.add_argument("system", nargs="?", default="elastic_pendulum")
     parser.add_argument("--periods", type=int, default=100_000)
     parser.add_argument("--seconds", type=float, default=10.0)
+    parser.add_argument("--set", action="append", default=[], metavar="NAME=VALUE")
     asked = parser.parse_args()
-    problem = pose(model(asked.system), [0.0, 1.0], initial=STARTS.get(asked.system))
+    problem = posed(asked.system, dict(word.split("=", 1) for word in asked.set))
     period = natural_period(problem)
     print(f"{asked.system}: natural period {period:.4g} s, {asked.periods} periods\n")
     print(f"| {' | '.join(COLUMNS)} |\n|{'---|' * len(COLUMNS)}")
@@ -37,8 +40,14 @@ def main() -> None:
         print(f"| {' | '.join(row(run))} |", flush=True)
 
 
-def model(name: str) -> Model:
-    return compile(derive({system.name: system.scene for system in ALL}[name]()))
+def posed(name: str, values: Mapping[str, str]) -> Problem:
+    """Values are initial ones where the scene has such a coordinate or speed, else parameters."""
+    model = compile(derive({system.name: system.scene for system in ALL}[name]()))
+    states = {*model.entries["q"], *model.entries["u"]}
+    numbers = {key: float(value) for key, value in values.items()}
+    initial = STARTS.get(name, {}) | {key: x for key, x in numbers.items() if key in states}
+    given = {key: x for key, x in numbers.items() if key not in states}
+    return pose(model, [0.0, 1.0], initial=initial, parameters=given)
 
 
 def settings(problem: Problem, period: float) -> list[Setting]:

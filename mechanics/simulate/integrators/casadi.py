@@ -120,8 +120,9 @@ def _prepare(plugin: Plugin, problem: Problem, setting: Setting) -> Callable[[],
 def _accuracy(plugin: Plugin, problem: Problem, setting: Setting) -> dict[str, Any]:
     if plugin.stages:
         steps = plan(problem.times, setting.step or 0.0)
+        total = sum(count for count, _ in steps)
         # CasADi rounds up in every span: one less keeps a rounding from adding a step to each.
-        return {"number_of_finite_elements": max(1, sum(count for count, _ in steps) - 1)}
+        return {"number_of_finite_elements": total - (len(steps) > 1)}
     return {
         "reltol": setting.tolerance,
         "abstol": setting.tolerance,
