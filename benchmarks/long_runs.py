@@ -1,7 +1,7 @@
 """Energy, momentum and phase over 1e5 natural periods, for every integrator.
 
     python -m benchmarks.long_runs [SYSTEM] [--set NAME=VALUE] [--periods 100000] [--seconds 10]
-    python -m benchmarks.long_runs --set k=0 --set x_dot=0.1         without springs P_x is conserved
+    python -m benchmarks.long_runs --set k=0 --set x_dot=0.1        P_x is conserved without springs
 
 prints a table. What would take longer than the seconds is run for a tenth, a hundredth ... of the
 periods, and the table says for how many.
@@ -69,8 +69,7 @@ def row(run: LongRun) -> list[str]:
     steps = f"h = {setting.step:.3g} s" if setting.step else f"tolerance {setting.tolerance:g}"
     momenta = ", ".join(f"{name} {drift.words}" for name, drift in run.momenta) or "none conserved"
     phase = run.phase.words if math.isfinite(run.phase.rate) else "lost in the first periods"
-    failed = f" ({run.failure})" if run.failure else ""
-    return [setting.integrator, steps, f"{run.periods}{failed}", run.energy.words, momenta, phase,
+    return [setting.integrator, steps, run.note or str(run.periods), run.energy.words, momenta, phase,
             f"{run.seconds:.2g}"]  # fmt: skip
 
 

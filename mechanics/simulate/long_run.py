@@ -53,6 +53,11 @@ class Drift:
     power: float
     secular: bool
 
+    def after(self, factor: float) -> float:
+        """Largest error over a motion that is so many times longer, if it goes on like this."""
+        growing = self.secular and math.isfinite(self.power)
+        return self.largest * factor**self.power if growing else self.largest
+
     @property
     def words(self) -> str:
         """The drift in a few words."""
@@ -98,9 +103,11 @@ class LongRun:
         """What was not integrated, in a sentence; empty when all was."""
         if self.failure:
             return self.failure
-        if self.periods < self.wanted:
-            return f"{self.periods} periods: {self.wanted} would have taken too long"
-        return ""
+        if self.periods == self.wanted:
+            return ""
+        text = f"{self.periods} periods, {self.wanted} would have taken too long"
+        later = self.energy.after(self.wanted / self.periods)
+        return f"{text}: an energy error of {later:.1e} if it goes on like this"
 
 
 def natural_period(problem: Problem) -> float:
