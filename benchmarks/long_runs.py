@@ -69,8 +69,8 @@ def row(run: LongRun) -> list[str]:
     steps = f"h = {setting.step:.3g} s" if setting.step else f"tolerance {setting.tolerance:g}"
     momenta = ", ".join(f"{name} {drift.words}" for name, drift in run.momenta) or "none conserved"
     phase = run.phase.words if math.isfinite(run.phase.rate) else "lost in the first periods"
-    return [setting.integrator, steps, run.note or str(run.periods), run.energy.words, momenta, phase,
-            f"{run.seconds:.2g}"]  # fmt: skip
+    told = run.note or str(run.periods)
+    return [setting.integrator, steps, told, run.energy.words, momenta, phase, f"{run.seconds:.2g}"]
 
 
 if __name__ == "__main__":

@@ -69,6 +69,7 @@ def test_what_would_take_too_long_is_cut_and_told() -> None:
     settings = [Setting("SciPy RK45", 1e-9), Setting("SciPy RK45"), Setting("C RK4", step=40.0)]
     slow, bad, wild = long_runs(problem, settings, periods=10_000, seconds=1e-6)
     assert slow.periods < 10_000 and "10000 would have taken too long" in slow.note
+    assert f"an energy error of {slow.energy.after(10_000 / slow.periods):.1e}" in slow.note
     assert "SciPy takes tolerances" in bad.note and bad.periods == 0
     assert "unstable" in wild.failure
     with pytest.raises(InputError, match="integrator 'Euler': there are SciPy RK45, "):
@@ -92,7 +93,8 @@ def test_a_drift_is_told_from_an_oscillation(error, secular: bool, power: float)
 
 
 def test_words_of_a_drift() -> None:
-    assert (
-        Drift(2e-3, -2e-6, 1.0, True).words
-        == "secular, -2.0e-06 a period, grows with t^1.0 to 2.0e-03"
-    )
+    words = Drift(2e-3, -2e-6, 1.0, True).words
+    assert words == "secular, -2.0e-06 a period, grows with t^1.0 to 2.0e-03"
+    assert Drift(2e-3, -2e-6, math.nan, False).words == "bounded, at most 2.0e-03"
+    assert Drift(2e-3, -2e-6, 2.0, True).after(10.0) == pytest.approx(0.2)
+    assert Drift(2e-3, -2e-6, math.nan, False).after(10.0) == 2e-3
