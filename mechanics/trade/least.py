@@ -17,6 +17,7 @@ from mechanics.trade.measure import Measurement, prepared, times_side_by_side
 from mechanics.trade.train import error_of
 from mechanics.trade.truth import Truth
 
+DECLARED = "as declared"
 # Errors of integration have to be far below those of models.
 ACCURATE = 1e-3 * ENOUGH
 # Seconds for the times of the models.
@@ -91,7 +92,7 @@ def least_model(
     models = [*linear, *((d, d.run) for d in left_out)]
     runs += [run for _, run in models if run is not None]
     seconds = iter(times_side_by_side(runs, case.horizon, TIMING, (5, 31)))
-    whole = Fidelity("as declared", operations(case.model()), next(seconds), 0.0, "")
+    whole = Fidelity(DECLARED, operations(case.model()), next(seconds), 0.0, "")
     rest = tuple(
         Fidelity(d.name, d.operations, next(seconds) if run is not None else (), d.error, d.words)
         for d, run in models

@@ -1,0 +1,176 @@
+"""`mechanics trade`: what speed costs in accuracy, measured."""
+
+import json
+import sys
+from functools import partial
+from itertools import groupby, zip_longest
+from pathlib import Path
+from statistics import median
+from typing import Annotated
+
+import typer
+from rich.console import Console
+from rich.markup import escape
+from rich.table import Table
+
+from mechanics.cli.load import load
+from mechanics.cli.values import assignments, sorted_out
+from mechanics.crosscheck import derive
+from mechanics.errors import InputError
+from mechanics.report.trade import trade_html
+from mechanics.report.trade_plot import standalone
+from mechanics.simulate.files import writable
+from mechanics.trade import Trade
+from mechanics.trade import trade as measure
+from mechanics.trade.choice import LINEARISED
+from mechanics.trade.least import DECLARED, LeastModel
+from mechanics.trade.recommend import milliseconds
+from mechanics.trade.record import to_record
+
+WIDE = 130
+"""Columns that the whole table takes."""
+
+
+def trade(
+    system: Annotated[str, typer.Argument(metavar="SYSTEM", help="A name or a .py file.")],
+    horizon: Annotated[float, typer.Option(help="Length of the motion in s.")] = 10.0,
+    settings: Annotated[
+        list[str] | None,
+        typer.Option("--set", metavar="NAME=VALUE", help="Initial value, parameter or input."),
+    ] = None,
+    target: Annotated[
+        float | None, typer.Option(metavar="ERROR", help="Error that may be made, such as 1e-6.")
+    ] = None,
+    report: Annotated[
+        Path | None, typer.Option(metavar="FILE.html", help="Write tables and plot for a browser.")
+    ] = None,
+    json_file: Annotated[
+        str | None, typer.Option("--json", metavar="FILE|-", help="Write JSON; - for the screen.")
+    ] = None,
+    plot: Annotated[
+        Path | None, typer.Option(metavar="FILE.svg", help="Write the work-precision plot.")
+    ] = None,
+    route: Annotated[str, typer.Option(help="Route that derives the equations.")] = "kane",
+) -> None:
+    """Measure what each integrator, precision, form, compiler setting and model costs and loses.
+
+    Errors are measured against a reference with thirty digits, times side by side in one process.
+    For each target the cheapest choice is picked that also meets it on states that are like the
+    example. The last table says how little of a model is enough.
+
+    Examples
+    --------
+    `mechanics trade elastic_pendulum --target 1e-6 --report trade.html`
+
+    `mechanics trade elastic_pendulum --set theta=0.5 --horizon 100 --json -`
+
+    `mechanics trade elastic_pendulum --plot work_precision.svg`
+    """
+    _checked(report, json_file, plot)
+    scene = load(system).scene()
+    initial, parameters, inputs = sorted_out(scene, assignments(settings or []))
+    with Console(stderr=True).status("deriving") as status:
+        found = measure(
+            derive(scene, route),
+            horizon,
+            initial=initial,
+            parameters=parameters,
+            inputs=inputs,
+            target=target,
+            derive=partial(derive, route=route),
+            progress=lambda words, share: status.update(f"{share:.0%} {escape(words)}"),
+        )
+    if report is not None:
+        report.write_text(trade_html(found), encoding="utf-8")
+    if plot is not None:
+        plot.write_text(standalone(found), encoding="utf-8")
+    if json_file is not None:
+        text = json.dumps(to_record(found), allow_nan=False) + "\n"
+        if json_file == "-":
+            sys.stdout.write(text)
+        else:
+            Path(json_file).write_text(text, encoding="utf-8")
+    if json_file != "-":
+        # What is not a terminal has no width of its own.
+        _print(Console(width=None if sys.stdout.isatty() else WIDE), found)
+
+
+def _checked(report: Path | None, json_file: str | None, plot: Path | None) -> None:
+    """Bad file names are refused before the work is done."""
+    if report is not None:
+        writable(report, (".html",))
+    if plot is not None:
+        writable(plot, (".svg",))
+    if json_file not in (None, "-"):
+        folder = Path(str(json_file)).parent
+        if not folder.is_dir():
+            raise InputError(f"--json {json_file}: there is no folder {folder}")
+
+
+def _print(console: Console, found: Trade) -> None:
+    stick = found.yardstick
+    console.print(f"\n[bold]{escape(found.title)}[/] over {found.horizon:g} s, {found.backend}")
+    for words in (*found.notes, *stick.verified_by, stick.growth):
+        console.print(f"  {escape(words)}", style="dim")
+    console.print(f"  error: {stick.norm}\n", style="dim")
+    console.print(_front(found, console.width >= WIDE))
+    console.print()
+    for pick in found.recommendations:
+        style = "" if pick.choice is not None else "yellow"
+        console.print(f"{escape(pick.reason)}\n", style=style)
+    if found.least is not None:
+        _print_least(console, found.least)
+    for name, why in found.left_out.items():
+        console.print(f"not measured: {escape(name)}: {escape(why)}", style="dim")
+
+
+def _print_least(console: Console, least: LeastModel) -> None:
+    console.print(_models(least))
+    for row in least.fidelities:
+        if row.words and row.name != LINEARISED:
+            console.print(f"  {escape(row.words)}")
+    console.print()
+    groups = groupby(least.amplitudes, key=lambda row: row.place)
+    for note, (_, rows) in zip_longest(least.notes, groups, fillvalue=("", ())):
+        console.print(f"{escape(str(note))}")
+        for row in rows:
+            console.print(f"  {escape(row.words)}")
+
+
+def _front(found: Trade, wide: bool) -> Table:
+    """Choices that no other beats, the fastest first; the last columns where there is room."""
+    table = Table(box=None, pad_edge=False)
+    more = ("at the end", "evaluations", "energy drift", "quartiles") if wide else ()
+    for name in ("choice", "time for 1 s", "largest error", "other states below", *more):
+        table.add_column(name, justify="left" if name == "choice" else "right")
+    for m in found.front:
+        bound, (low, high) = found.bound(m.choice), m.spread
+        rest = (
+            f"{m.error_end:.1e}",
+            str(m.evaluations),
+            "" if m.energy_drift is None else f"{m.energy_drift:.1e}",
+            f"{milliseconds(low)} to {milliseconds(high)}",
+        )
+        table.add_row(
+            m.choice.words,
+            milliseconds(m.time),
+            f"{m.error_largest:.1e}",
+            "" if bound is None else f"{bound:.1e}",
+            *(rest if wide else ()),
+        )
+    return table
+
+
+def _models(least: LeastModel) -> Table:
+    table = Table("model", box=None, pad_edge=False)
+    for name in ("operations", "time for 1 s", "error"):
+        table.add_column(name, justify="right")
+    for row in least.fidelities:
+        declared = row.name in (LINEARISED, DECLARED)
+        table.add_row(
+            row.name if declared else f"without {row.name}",
+            str(row.operations or ""),
+            milliseconds(median(row.seconds)) if row.seconds else "",
+            f"{row.error:.1e}",
+        )
+    return table

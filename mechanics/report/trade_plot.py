@@ -1,0 +1,291 @@
+"""The work-precision plot: time for a second of motion over error, both logarithmic, as inline SVG.
+
+Accuracy grows to the right, so the lower right is where one wants to be. A curve is an integrator
+over its tolerances or steps; the band behind joins the choices that no other beats.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from html import escape
+from itertools import groupby
+from math import ceil, floor, isfinite, log10
+
+from mechanics.report.charts import Axis
+from mechanics.trade import Measurement, Trade
+
+# The least accurate motion that is still shown, and the smallest error that is told apart.
+COARSEST, FINEST = 1.0, 1e-16
+FAMILIES = ("heyoka", "C", "CasADi", "SUNDIALS", "SciPy")
+"""Families of integrators, each with a colour of its own."""
+DASHES = ("", "7 3", "2 3", "9 3 2 3", "4 2")
+LINE = 15.0
+
+
+@dataclass(frozen=True)
+class Size:
+    """Of a plot in pixels; labels stand at the ends of curves where there is room for them."""
+
+    width: float
+    height: float
+    right: float
+
+    left = 52.0
+    top = 26.0
+    bottom = 44.0
+
+
+WIDE, NARROW = Size(880.0, 500.0, 138.0), Size(372.0, 400.0, 10.0)
+
+
+@dataclass(frozen=True)
+class Curve:
+    """An integrator over its tolerances or steps."""
+
+    name: str
+    family: str
+    dash: str
+    points: tuple[Measurement, ...]
+
+
+@dataclass(frozen=True)
+class Scales:
+    """Where errors and times are drawn."""
+
+    x: Axis
+    y: Axis
+
+    def place(self, m: Measurement) -> tuple[float, float]:
+        """Pixels of a measurement."""
+        error = max(m.error_largest, FINEST)
+        return self.x.place(-log10(error)), self.y.place(log10(m.time))
+
+
+def work_precision(found: Trade, size: Size = WIDE) -> str:
+    """The plot of a trade, in the colours of the page."""
+    lines, others = curves(found), [m for m in shown(found) if not _plain(m)]
+    scales = _scales(found, size)
+    parts = [_grid(scales, size), _band(found, scales)]
+    parts += [_curve(line, scales) for line in lines]
+    parts += [_other(m, scales) for m in others]
+    parts += [_front(m, scales) for m in found.front if m.error_largest <= COARSEST]
+    parts.append(_picks(found, scales, size))
+    if size.right > LINE:
+        parts.append(_labels(lines, scales, size))
+    title = (
+        f"Work-precision plot of {found.title}: time for a second of motion over largest error,"
+        f" {len(lines)} integrators"
+    )
+    return (
+        f'<svg class="trade-plot" viewBox="0 0 {size.width:.0f} {size.height:.0f}" role="img"'
+        f' aria-label="{escape(title)}">{"".join(parts)}</svg>'
+    )
+
+
+def standalone(found: Trade) -> str:
+    """The plot as a file of its own, which follows light and dark."""
+    body = work_precision(found)
+    head = '<svg xmlns="http://www.w3.org/2000/svg"'
+    opened = body.replace("<svg", head, 1)
+    start = opened.index(">") + 1
+    return f"{opened[:start]}<style>{STYLE}</style>{opened[start:]}\n"
+
+
+def curves(found: Trade) -> list[Curve]:
+    """Plain integrators in double precision, each over its settings."""
+    plain = [m for m in shown(found) if _plain(m)]
+    plain.sort(key=lambda m: (m.choice.setting.integrator, -m.choice.amount))
+    made: list[Curve] = []
+    for name, group in groupby(plain, key=lambda m: m.choice.setting.integrator):
+        family = name.split()[0]
+        dash = DASHES[sum(c.family == family for c in made) % len(DASHES)]
+        made.append(Curve(name, family, dash, tuple(group)))
+    return made
+
+
+def shown(found: Trade) -> list[Measurement]:
+    """Measurements that are drawn: those that tell the motion at all."""
+    return [m for m in found.measurements if m.error_largest <= COARSEST]
+
+
+def key(line: Curve) -> str:
+    """The sample of a curve in a legend."""
+    return (
+        '<svg class="key" viewBox="0 0 28 8" aria-hidden="true">'
+        f'<line class="line {line.family}" stroke-dasharray="{line.dash}" x1="1" y1="4" x2="27"'
+        ' y2="4"/></svg>'
+    )
+
+
+def power(exponent: int) -> str:
+    """A power of ten as SVG text."""
+    return f'10<tspan class="power" dy="-.45em">{str(exponent).replace("-", chr(0x2212))}</tspan>'
+
+
+def _plain(m: Measurement) -> bool:
+    return m.choice.variant.plain and m.choice.setting.arithmetic == "double"
+
+
+def _scales(found: Trade, size: Size) -> Scales:
+    times = [log10(m.time) for m in shown(found)]
+    errors = [-log10(max(m.error_largest, FINEST)) for m in shown(found)]
+    low, high = floor(2 * min(times)) / 2, ceil(2 * max(times)) / 2
+    x = Axis(0.0, max(ceil(max(errors)), 1), size.left, size.width - size.right)
+    return Scales(x, Axis(low, high, size.height - size.bottom, size.top))
+
+
+def _grid(scales: Scales, size: Size) -> str:
+    x, y, parts = scales.x, scales.y, []
+    for exponent in range(ceil(y.low), floor(y.high) + 1):
+        at = y.place(exponent)
+        label = _seconds(exponent)
+        parts.append(
+            f'<line class="grid" x1="{x.start}" x2="{x.end}" y1="{at:.1f}" y2="{at:.1f}"/>'
+            f'<text class="tick" x="{x.start - 6}" y="{at:.1f}" dy=".35em"'
+            f' text-anchor="end">{label}</text>'
+        )
+    step = 2 if size.right > LINE else 3
+    for exponent in range(0, int(x.high) + 1, step):
+        at = x.place(exponent)
+        text = power(-exponent) if exponent else "1"
+        parts.append(
+            f'<line class="grid" x1="{at:.1f}" x2="{at:.1f}" y1="{y.start}" y2="{y.end}"/>'
+            f'<text class="tick" x="{at:.1f}" y="{y.start + 19}" text-anchor="middle">{text}</text>'
+        )
+    parts.append(f'<line class="frame" x1="{x.start}" x2="{x.end}" y1="{y.start}" y2="{y.start}"/>')
+    parts.append(
+        f'<text class="axis-title" x="{x.end}" y="{size.height - 5}" text-anchor="end">'
+        "largest error along the way, relative</text>"
+        '<text class="axis-title" x="2" y="13">time for a second of motion</text>'
+    )
+    return "".join(parts)
+
+
+def _seconds(exponent: int) -> str:
+    """``10 ms`` for -2: whole powers of ten have short names."""
+    for unit, base in (("s", 0), ("ms", -3), ("us", -6), ("ns", -9)):
+        if exponent >= base:
+            return f"{10 ** (exponent - base)} {unit}".replace("us", "µs")
+    return f"1e{exponent} s"
+
+
+def _band(found: Trade, scales: Scales) -> str:
+    front = [scales.place(m) for m in found.front if m.error_largest <= COARSEST]
+    points = " ".join(f"{a:.1f},{b:.1f}" for a, b in front)
+    return f'<polyline class="band" points="{points}"/>'
+
+
+def _curve(line: Curve, scales: Scales) -> str:
+    places = [scales.place(m) for m in line.points]
+    points = " ".join(f"{a:.1f},{b:.1f}" for a, b in places)
+    dots = "".join(
+        f'<circle class="dot {line.family}" cx="{a:.1f}" cy="{b:.1f}" r="2.2">'
+        f"<title>{escape(_title(m))}</title></circle>"
+        for m, (a, b) in zip(line.points, places, strict=True)
+    )
+    dash = f' stroke-dasharray="{line.dash}"' if line.dash else ""
+    return f'<polyline class="line {line.family}"{dash} points="{points}"/>{dots}'
+
+
+def _other(m: Measurement, scales: Scales) -> str:
+    """A cross for another form, compiler setting or model, a hollow square for single precision."""
+    a, b = scales.place(m)
+    family = m.choice.setting.integrator.split()[0]
+    title = f"<title>{escape(_title(m))}</title>"
+    if m.choice.variant.plain:
+        return (
+            f'<rect class="single {family}" x="{a - 2.5:.1f}" y="{b - 2.5:.1f}" width="5"'
+            f' height="5">{title}</rect>'
+        )
+    return f'<path class="cross {family}" d="M{a - 3:.1f} {b - 3:.1f}l6 6m0-6l-6 6">{title}</path>'
+
+
+def _front(m: Measurement, scales: Scales) -> str:
+    a, b = scales.place(m)
+    return f'<circle class="front" cx="{a:.1f}" cy="{b:.1f}" r="4.6"/>'
+
+
+def _picks(found: Trade, scales: Scales, size: Size) -> str:
+    """A line from each target down to the pick that was shown to meet it."""
+    parts = []
+    for pick in found.recommendations:
+        at = scales.x.place(-log10(pick.target))
+        if at > scales.x.end:
+            continue
+        exponent = log10(pick.target)
+        text = power(round(exponent)) if abs(exponent - round(exponent)) < 1e-9 else ""
+        text = text or f"{pick.target:.1e}"
+        parts.append(
+            f'<line class="target" x1="{at:.1f}" x2="{at:.1f}" y1="{scales.y.start}"'
+            f' y2="{scales.y.end}"/>'
+            f'<text class="target-name" x="{at:.1f}" y="{size.top - 6}" text-anchor="middle">'
+            f"{text}</text>"
+        )
+        if pick.measurement is not None:
+            a, b = scales.place(pick.measurement)
+            parts.append(
+                f'<path class="pick" d="M{a:.1f} {b - 7:.1f}l7 7-7 7-7-7z"><title>'
+                f"{escape(pick.reason)}</title></path>"
+                f'<line class="pick-line" x1="{at:.1f}" x2="{a - 7:.1f}" y1="{b:.1f}"'
+                f' y2="{b:.1f}"/>'
+            )
+    return "".join(parts)
+
+
+def _labels(lines: Sequence[Curve], scales: Scales, size: Size) -> str:
+    """Names beside the plot, in the order of the curves' ends, pushed apart where they meet."""
+    ends = sorted(((scales.place(c.points[-1]), c) for c in lines), key=lambda e: e[0][1])
+    heights = spaced([b for (_, b), _ in ends], LINE, scales.y.start)
+    parts, edge = [], scales.x.end + 10
+    for ((a, b), line), height in zip(ends, heights, strict=True):
+        parts.append(
+            f'<path class="leader" d="M{a + 4:.1f} {b:.1f}L{edge:.1f} {height:.1f}h6"/>'
+            f'<text class="name {line.family}" x="{edge + 9:.1f}" y="{height:.1f}" dy=".35em">'
+            f"{escape(line.name)}</text>"
+        )
+    return "".join(parts)
+
+
+def spaced(wanted: Sequence[float], distance: float, most: float) -> list[float]:
+    """Heights in order, as near to what is wanted as the distance and the lower end allow."""
+    heights: list[float] = []
+    for height in wanted:
+        heights.append(max(height, heights[-1] + distance) if heights else height)
+    limit = most
+    for i in reversed(range(len(heights))):
+        heights[i] = min(heights[i], limit)
+        limit = heights[i] - distance
+    return heights
+
+
+def _title(m: Measurement) -> str:
+    error = f"{m.error_largest:.1e}" if isfinite(m.error_largest) else "no end"
+    return f"{m.choice.words}: {m.time * 1e6:.3g} µs for a second, error {error}"
+
+
+STYLE = """
+svg { --paper: #fdfdfb; --ink: #1b222c; --muted: #5a6371; --line: #d8dcdf; --band: #e3c25a;
+  --heyoka: #7b4aa0; --C: #1d5fa8; --CasADi: #0f7c88; --SUNDIALS: #1f7a4d; --SciPy: #b4431a;
+  background: var(--paper); font-family: system-ui, -apple-system, "Segoe UI", Roboto,
+  "Liberation Sans", sans-serif; }
+@media (prefers-color-scheme: dark) { svg { --paper: #15181d; --ink: #e3e6eb; --muted: #9ba5b3;
+  --line: #323a45; --band: #8a6a00; --heyoka: #c9a2ee; --C: #7db2f5; --CasADi: #6ad0dc;
+  --SUNDIALS: #7fd6a2; --SciPy: #ff9d6f; } }
+text { font-size: 13px; fill: var(--muted); }
+.power { font-size: 9.5px; }
+.grid { stroke: var(--line); } .frame { stroke: var(--muted); }
+.line { fill: none; stroke-width: 1.6; stroke-linejoin: round; }
+.band { fill: none; stroke: var(--band); stroke-width: 11; stroke-linejoin: round;
+  stroke-linecap: round; opacity: .38; }
+.single { fill: var(--paper); } .cross { fill: none; }
+.front { fill: none; stroke: var(--ink); stroke-width: 1.1; }
+.target { stroke: var(--muted); stroke-dasharray: 1 4; stroke-width: 1.4; }
+.target-name { fill: var(--ink); font-weight: 600; }
+.pick { fill: var(--ink); stroke: var(--paper); stroke-width: 1.5; }
+.pick-line { stroke: var(--ink); stroke-width: 1.4; }
+.leader { fill: none; stroke: var(--line); } .name { font-weight: 600; }
+""" + "".join(
+    f".line.{f}, .single.{f}, .cross.{f} {{ stroke: var(--{f}); }}"
+    f" .dot.{f}, .name.{f} {{ fill: var(--{f}); }}\n"
+    for f in FAMILIES
+)
+"""Of the plot; the page's own variables, where it has them, are the same."""
