@@ -19,7 +19,7 @@ from mechanics.extremes.cause import CAUSES
 from mechanics.extremes.judge import Case, cause
 from mechanics.extremes.measure import LOST, measure
 from mechanics.extremes.result import PRECISIONS, Extremes, Figures, Reach, Visited, tolerance
-from mechanics.extremes.run import GROUPS, computed, representable
+from mechanics.extremes.survey import GROUPS, computed, representable
 from mechanics.extremes.truth import truth
 
 DIGITS = 3
@@ -82,7 +82,8 @@ def _figures(figures: Figures) -> dict[str, Any]:
 
 def rounded(value: float) -> float | None:
     """Three digits; None for what is no number."""
-    return float(f"{value:.{DIGITS}g}") if isfinite(value) else None
+    short = float(f"{value:.{DIGITS}g}")
+    return short if isfinite(short) else None
 
 
 def point(record: Record, walk: int, index: int) -> tuple[float, ...]:
