@@ -113,12 +113,11 @@ class _System:
                 return ()
             replaced = [[value, *row[1:]] for value, row in zip(column, matrix, strict=True)]
             above = self._determinant(replaced)
-            if not (step == 0 or definite or _certain(self._terms(below))):
+            if not (step == 0 or definite or _certain(numbered(self.read, below))):
                 return ()
             common = above.gcd(below) if above != 0 else below
-            found.append(
-                _monic(unknowns[j], self._terms(above // common), self._terms(below // common))
-            )
+            sides = (numbered(self.read, side // common) for side in (above, below))
+            found.append(_monic(unknowns[j], *sides))
         return tuple(found)
 
     def _determinant(self, rows: list[list[fmpq_mpoly]]) -> fmpq_mpoly:
@@ -131,21 +130,22 @@ class _System:
             total += (-1) ** i * ring.product(row[0], minor)
         return ring.reduced(total)
 
-    def _terms(self, polynomial: fmpq_mpoly) -> Polynomial:
-        """Terms by their factors that are no numbers."""
-        found: dict[tuple[Expr, ...], Expr] = {}
-        for factors, number in terms(polynomial):
-            parts: list[Expr] = []
-            for place, power in factors:
-                generator = generator_expression(self.read.ring, place)
-                if generator.is_number:
-                    number = number * generator**power
-                else:
-                    parts += [generator] * power
-            key = tuple(sorted(parts, key=str))
-            found[key] = found.get(key, sympy.S.Zero) + number
-        kept = ((parts, coefficient(number)) for parts, number in found.items() if number != 0)
-        return tuple(sorted(kept, key=lambda term: str(term[0])))
+
+def numbered(read: Reader, polynomial: fmpq_mpoly) -> Polynomial:
+    """Terms by their factors that are no numbers."""
+    found: dict[tuple[Expr, ...], Expr] = {}
+    for factors, number in terms(polynomial):
+        parts: list[Expr] = []
+        for place, power in factors:
+            generator = generator_expression(read.ring, place)
+            if generator.is_number:
+                number = number * generator**power
+            else:
+                parts += [generator] * power
+        key = tuple(sorted(parts, key=str))
+        found[key] = found.get(key, sympy.S.Zero) + number
+    kept = ((parts, coefficient(number)) for parts, number in found.items() if number != 0)
+    return tuple(sorted(kept, key=lambda term: str(term[0])))
 
 
 def _plain(key: Hashable) -> bool:

@@ -6,19 +6,20 @@
     primitive      the same after common factors were divided out of rows and columns
     rearranged     pivots d_i = m_i / m_(i+1), minors written without a subtraction where they can
     refined        x + K^-1 (k - K x): one step of iterative refinement (Skeel 1980)
-    fewest         quotients of nested polynomials, if they take fewer operations and round well
+    fewest         nested polynomials, in quotients or eliminated, if they take fewer operations
 
 Each solves K x = k, K = [[M, -B], [A, 0]], x = (u', lambda), and its graph is proved to.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import suppress
 from dataclasses import dataclass
 from functools import cached_property
 
 import casadi as ca
 from sympy import Matrix
 
-from mechanics.compiled.closed import quotients
+from mechanics.compiled.entries import nested_entries
 from mechanics.compiled.factor import (
     Pivots,
     solve_explicit,
@@ -26,7 +27,7 @@ from mechanics.compiled.factor import (
     solve_symmetric,
     solve_with_pivots,
 )
-from mechanics.compiled.fewest import solution, written
+from mechanics.compiled.fewest import nested_quotients
 from mechanics.compiled.primitive import Primitive, primitive
 from mechanics.compiled.program import operations
 from mechanics.compiled.rearranged import MOST, trailing_minors
@@ -80,9 +81,13 @@ class System:
 
     def solve(self, rhs: ca.SX) -> ca.SX:
         """K^-1 of any columns, by the form that suits every system."""
+        return self.eliminated(self.graphs[0], rhs)
+
+    def eliminated(self, matrix: ca.SX, rhs: ca.SX) -> ca.SX:
+        """K^-1 of any columns, where K may be written in another way."""
         if self.symmetric:
-            return solve_symmetric(self.graphs[0], rhs)
-        return solve_general(self.graphs[0], rhs, self.pivots)
+            return solve_symmetric(matrix, rhs)
+        return solve_general(matrix, rhs, self.pivots)
 
     @cached_property
     def primitive(self) -> Primitive:
@@ -202,18 +207,41 @@ def _refined(system: System) -> ca.SX:
 
 
 def _fewest(system: System) -> ca.SX:
-    equations = system.equations
+    """The cheapest that rounds well, else what every system is solved by."""
     other = system.solve(system.graphs[1])
-    for way in written(*equations.system, equations.unknowns, system.symmetric):
-        closed = solution(way, equations.unknowns, system.translate)
-        if operations(closed) < operations(other) and system.error(closed) < ROUNDINGS:
-            return closed
+    least = operations(other)
+    for candidate in _candidates(system):
+        if operations(candidate) < least:
+            error = system.error(candidate)
+            # Where elimination itself rounds badly, as beside a singular state, nothing is lost.
+            if error < ROUNDINGS or error <= system.error(other):
+                return candidate
     return other
 
 
-def _small(equations: Equations) -> str:
+def _candidates(system: System) -> Iterator[ca.SX]:
+    """Quotients of a small system, the cheapest first; then elimination of nested entries."""
+    equations = system.equations
+    left, right = equations.system
+    with suppress(TooLarge):
+        for way in nested_quotients(left, right, equations.unknowns, system.symmetric):
+            graphs = way.graphs(system.translate)
+            yield ca.vertcat(*(graphs[unknown] for unknown in equations.unknowns))
+    entries = nested_entries(left.as_immutable(), right.as_immutable()).graphs(system.translate)
+    n = left.rows
+    matrix, column = ca.SX(n, n), ca.SX(n, 1)
+    for (i, j), graph in entries.items():
+        if j < n:
+            matrix[i, j] = graph
+        else:
+            column[i] = graph
+    yield system.eliminated(matrix, ca.densify(column))
+
+
+def _nestable(equations: Equations) -> str:
+    left, right = equations.system
     try:
-        quotients(*equations.system, equations.unknowns, is_symmetric(equations))
+        nested_entries(left.as_immutable(), right.as_immutable())
     except (TooLarge, ExpressionError) as error:
         return str(error)
     return ""
@@ -235,7 +263,7 @@ PRIMITIVE = Form("primitive", "elimination without common factors", _readable, _
 REARRANGED = Form("rearranged", "pivots without subtraction", _small_and_readable, _rearranged)
 REFINED = Form("refined", "elimination and one step of refinement", _always, _refined)
 
-FEWEST = Form("fewest", "quotients of nested polynomials, or elimination", _small, _fewest)
+FEWEST = Form("fewest", "nested polynomials, in quotients or eliminated", _nestable, _fewest)
 
 FORMS: tuple[Form, ...] = (EXPLICIT, LDL, ELIMINATION, PRIMITIVE, REARRANGED, REFINED, FEWEST)
 PREFERRED: tuple[Form, ...] = (FEWEST, LDL, ELIMINATION)

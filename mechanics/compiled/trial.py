@@ -11,7 +11,7 @@ from mechanics.compiled.order import Array, Order, pivot_order
 from mechanics.compiled.program import program, run
 from mechanics.compiled.quantities import Quantities
 from mechanics.compiled.sampling import DECADES, sample
-from mechanics.compiled.terms import extended_terms, typed_terms
+from mechanics.compiled.terms import extended_terms
 from mechanics.equations import Equations
 from mechanics.exact import canonical
 
@@ -49,11 +49,16 @@ def largest_error(solution: ca.Function, equations: Equations, quantities: Quant
     left, right = equations.system
     largest = 0.0
     for i in range(left.rows):
-        row = Add(*(canonical(left[i, j]) * s for j, s in enumerate(equations.unknowns)))
-        terms = extended_terms(
-            typed_terms(row, canonical(right[i])), [*symbols, *equations.unknowns]
+        row = [
+            term * x
+            for entry, x in zip(left[i, :], equations.unknowns, strict=True)
+            for term in Add.make_args(canonical(entry))
+            if term != 0
+        ]
+        row += [-term for term in Add.make_args(canonical(right[i])) if term != 0]
+        ratios = extended_terms(row, [*symbols, *equations.unknowns]).ratios(
+            columns, float(np.finfo(float).eps)
         )
-        ratios = terms.ratios(columns, float(np.finfo(float).eps))
         largest = max(largest, float(ratios.max()))
     return largest
 

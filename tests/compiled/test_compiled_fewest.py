@@ -3,18 +3,21 @@
 import dataclasses
 from fractions import Fraction
 from random import Random
+from typing import Any
 
 import numpy as np
 import pytest
 import sympy
 from sympy import Expr, Matrix, Rational, cos, pi, sin, sqrt, symbols
 
-from mechanics.compiled import compile, prove_compiled
+from mechanics.compiled import compile, graphs, prove_compiled
 from mechanics.compiled.closed import quotients
 from mechanics.compiled.coefficient import Coefficient, coefficient
-from mechanics.compiled.fewest import Written, written
-from mechanics.compiled.forms import ELIMINATION, FEWEST, LDL, automatic
+from mechanics.compiled.entries import nested_entries
+from mechanics.compiled.fewest import nested_quotients
+from mechanics.compiled.forms import FEWEST, automatic
 from mechanics.compiled.sampling import sample
+from mechanics.compiled.written import Written
 from mechanics.exact import TooLarge, is_zero
 
 a, b = symbols("a b", positive=True)
@@ -41,7 +44,7 @@ SYSTEMS = {
 }
 
 
-def expressions(found: Written) -> dict[sympy.Symbol, Expr]:
+def expressions(found: Written) -> dict[Any, Expr]:
     """Nodes back into SymPy, unknowns put in."""
     values: list[Expr] = []
     for operation, one, two in found.nest.nodes:
@@ -53,9 +56,11 @@ def expressions(found: Written) -> dict[sympy.Symbol, Expr]:
         else:
             combine = {"+": lambda p, q: p + q, "*": lambda p, q: p * q, "/": lambda p, q: p / q}
             values.append(combine[operation](values[one], values[two]))
-    roots = {unknown: values[place] for unknown, place in found.roots}
-    for _ in roots:
-        roots = {unknown: value.subs(roots) for unknown, value in roots.items()}
+    roots = {name: values[place] for name, place in found.roots.items()}
+    named = {name: value for name, value in roots.items() if isinstance(name, sympy.Symbol)}
+    for _ in named:
+        roots = {name: value.subs(named) for name, value in roots.items()}
+        named = {name: roots[name] for name in named}
     return roots
 
 
@@ -64,7 +69,7 @@ def expressions(found: Written) -> dict[sympy.Symbol, Expr]:
 def test_every_way_solves_the_system(name: str, definite: bool) -> None:
     left, right = SYSTEMS[name]
     unknowns = (U, V, W)[: left.rows]
-    ways = written(left, right, unknowns, definite)
+    ways = nested_quotients(left, right, unknowns, definite)
     assert ways
     for way in ways:
         solution = Matrix([expressions(way)[unknown] for unknown in unknowns])
@@ -72,10 +77,10 @@ def test_every_way_solves_the_system(name: str, definite: bool) -> None:
 
 
 def test_the_cheapest_comes_first() -> None:
-    costs = [way.cost for way in written(*SYSTEMS["coupled"], (U, V), True)]
+    costs = [way.cost for way in nested_quotients(*SYSTEMS["coupled"], (U, V), True)]
     assert costs == sorted(costs)
     # d = x - y, r = b / a, and (d + x) r / 3, d r / 2: a division counts twice.
-    (least, *_) = written(*SYSTEMS["shared difference"], (U, V), True)
+    (least, *_) = nested_quotients(*SYSTEMS["shared difference"], (U, V), True)
     assert least.cost[0] == 8
 
 
@@ -94,7 +99,7 @@ def test_random_systems(seed: int) -> None:
     off = polynomial(1)
     left = Matrix([[a + b, off], [off, 7 + off**2]])
     right = Matrix([polynomial(3), polynomial(3)])
-    for way in written(left, right, (U, V), True):
+    for way in nested_quotients(left, right, (U, V), True):
         solution = Matrix([expressions(way)[unknown] for unknown in (U, V)])
         assert all(is_zero(entry) for entry in left * solution - right)
 
@@ -102,9 +107,9 @@ def test_random_systems(seed: int) -> None:
 def test_the_same_system_is_written_the_same_way() -> None:
     from mechanics.compiled import fewest
 
-    one = written(*SYSTEMS["coupled"], (U, V), True)[0]
+    one = nested_quotients(*SYSTEMS["coupled"], (U, V), True)[0]
     fewest._searched.cache_clear()
-    two = written(*SYSTEMS["coupled"], (U, V), True)[0]
+    two = nested_quotients(*SYSTEMS["coupled"], (U, V), True)[0]
     assert one is not two
     assert one.nest.nodes == two.nest.nodes and one.roots == two.roots
 
@@ -131,7 +136,7 @@ def test_no_order_divides_by_what_may_vanish() -> None:
 )
 def test_what_is_left_to_elimination(left: Matrix, right: Matrix, why: str) -> None:
     with pytest.raises(TooLarge, match=why):
-        written(left, right, (U, V, W, x)[: left.rows], False)
+        nested_quotients(left, right, (U, V, W, x)[: left.rows], False)
 
 
 SEEDS = ("elastic_pendulum", "rocker", "two_mass_chain")
@@ -152,20 +157,49 @@ def test_the_form_is_proved_and_no_dearer(derived, system: str, route: str) -> N
     assert finding.verdict.name == "PROVED"
 
 
-def test_large_systems_take_another_form(derived) -> None:
-    assert automatic(derived("pendulum_chain", "kane")) is LDL
-    assert automatic(derived("rolling_disc", "free_body")) is ELIMINATION
+LARGE = [("pendulum_chain", route) for route in ("free_body", "moving_point", "kane", "lagrange")]
+LARGE += [("rolling_disc", "kane"), ("rolling_disc", "free_body"), ("four_bar", "lagrange")]
+
+
+@pytest.mark.parametrize(("system", "route"), LARGE)
+def test_entries_of_large_systems_are_nested(derived, system: str, route: str) -> None:
+    equations = derived(system, route)
+    left, right = equations.system
+    found = expressions(nested_entries(left.as_immutable(), right.as_immutable()))
+    for i in range(left.rows):
+        for j, entry in enumerate([*left[i, :], right[i]]):
+            assert is_zero(found.get((i, j), 0) - entry)
+    assert automatic(equations) is FEWEST
+    nested, other = (
+        compile(equations, form=form).program("forward_dynamics").operations
+        for form in ("fewest", "elimination")
+    )
+    assert nested < 0.95 * other
+
+
+def test_too_many_terms_are_left_as_they_are(derived) -> None:
+    equations = derived("rocker", "kane")
+    theta, (f,) = equations.scene.q[0], equations.scene.input_symbols
+    many = sympy.Add(*(theta**i * f**j for i in range(60) for j in range(60)))
+    assert automatic(dataclasses.replace(equations, forcing=Matrix([many]))) is not FEWEST
+    with pytest.raises(TooLarge, match="terms"):
+        nested_entries(equations.mass.as_immutable(), Matrix([many]).as_immutable())
 
 
 def test_what_rounds_badly_is_not_taken(derived, monkeypatch: pytest.MonkeyPatch) -> None:
-    from mechanics.compiled import forms
-
     equations = derived("elastic_pendulum", "kane")
-    monkeypatch.setattr(forms, "ROUNDINGS", 0.0)
-    refused = compile(equations, form="fewest").program("forward_dynamics")
-    assert (
-        refused.operations == compile(equations, form="ldl").program("forward_dynamics").operations
+    asked = []
+
+    def worse_than_elimination(solution: Any, *_: Any) -> float:
+        asked.append(solution)
+        return 1.0 if solution.n_instructions() > 40 else 9.0
+
+    monkeypatch.setattr(graphs, "largest_error", worse_than_elimination)
+    refused, other = (
+        compile(equations, form=form).program("forward_dynamics") for form in ("fewest", "ldl")
     )
+    assert refused.operations == other.operations
+    assert len(asked) > 2
 
 
 def test_products_that_cancel_are_cancelled(derived) -> None:
