@@ -133,8 +133,8 @@ def _print_least(console: Console, least: LeastModel) -> None:
     groups = groupby(least.amplitudes, key=lambda row: row.place)
     for note, (_, rows) in zip_longest(least.notes, groups, fillvalue=("", ())):
         console.print(f"{escape(str(note))}")
-        for row in rows:
-            console.print(f"  {escape(row.words)}")
+        for amplitude in rows:
+            console.print(f"  {escape(amplitude.words)}")
 
 
 def _front(found: Trade, wide: bool) -> Table:

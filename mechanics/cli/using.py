@@ -8,13 +8,14 @@ from rich.console import Console
 from rich.markup import escape
 
 from mechanics.cli.load import load
+from mechanics.cli.progress import working
 from mechanics.cli.values import assignments, sorted_out
 from mechanics.compiled import compile
 from mechanics.crosscheck import derive
 from mechanics.export import write_c
 from mechanics.simulate import Ending, write_plot, write_table
-from mechanics.simulate import simulate as run
 from mechanics.simulate.files import SUFFIXES, writable
+from mechanics.trade.accurate import simulate as run
 
 
 def simulate(
@@ -27,6 +28,10 @@ def simulate(
     ] = None,
     plot: Annotated[Path | None, typer.Option(metavar="FILE.svg", help="Draw the motion.")] = None,
     samples: Annotated[int, typer.Option(min=2, help="Number of samples.")] = 501,
+    accuracy: Annotated[
+        float | None,
+        typer.Option(metavar="ERROR", help="Choose the cheapest method that is as accurate."),
+    ] = None,
     route: Annotated[str, typer.Option(help="Route that derives the equations.")] = "kane",
 ) -> None:
     """Integrate the equations of motion and write the samples.
@@ -35,9 +40,14 @@ def simulate(
     initial values are made consistent: what is set is kept, the rest is solved for, and the branch
     is named. Exit code 3 when the motion had to end early; what was integrated is written.
 
+    With `--accuracy`, integrators are measured against a reference first, the cheapest that meets
+    it is used, and the error is estimated by a second run with a finer setting.
+
     Examples
     --------
     `mechanics simulate elastic_pendulum --duration 10 --set theta=2.5 --out motion.csv`
+
+    `mechanics simulate elastic_pendulum --accuracy 1e-8 --out motion.csv`
 
     `mechanics simulate four_bar --set q1=0.5 --out motion.parquet --plot motion.svg`
     """
@@ -47,10 +57,9 @@ def simulate(
         writable(plot, (".svg",))
     scene = load(system).scene()
     initial, parameters, inputs = sorted_out(scene, assignments(settings or []))
-    errors = Console(stderr=True)
-    with errors.status("deriving") as status:
+    with Console(stderr=True).status("deriving"):
         model = compile(derive(scene, route))
-        status.update("integrating")
+    with working("integrating") as progress:
         found = run(
             model,
             duration,
@@ -58,6 +67,8 @@ def simulate(
             parameters=parameters,
             inputs=inputs,
             samples=samples,
+            accuracy=accuracy,
+            progress=progress,
         )
         write_table(found, out)
         if plot is not None:
@@ -68,6 +79,11 @@ def simulate(
         console.print(escape(found.branch))
     for name, value in found.drift.items():
         console.print(f"largest drift of {escape(name)} before projection: {value:.1e}")
+    if found.error_estimate is not None:
+        console.print(
+            f"error estimate {found.error_estimate:.1e} by {escape(found.solved_by)},"
+            " compared with a finer setting"
+        )
     if found.conservative:
         console.print(f"largest relative change of the energy: {found.energy_drift:.1e}")
     console.print(f"wrote {len(found.times)} samples to {escape(str(out))}")

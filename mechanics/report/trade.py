@@ -54,6 +54,7 @@ def trade_html(found: Trade) -> str:
     )
     return environment.get_template("trade.html").render(
         found=found,
+        front=found.front,
         wide=Markup(trade_plot.work_precision(found, trade_plot.WIDE)),
         narrow=Markup(trade_plot.work_precision(found, trade_plot.NARROW)),
         keys=[(Markup(trade_plot.key(c)), c.name) for c in trade_plot.curves(found)],

@@ -19,6 +19,8 @@ FAMILIES = ("heyoka", "C", "CasADi", "SUNDIALS", "SciPy")
 """Families of integrators, each with a colour of its own."""
 DASHES = ("", "7 3", "2 3", "9 3 2 3", "4 2")
 LINE = 15.0
+# Targets nearer to each other than this get one name.
+APART = 24.0
 
 
 @dataclass(frozen=True)
@@ -30,11 +32,11 @@ class Size:
     right: float
 
     left = 52.0
-    top = 26.0
+    top = 44.0
     bottom = 44.0
 
 
-WIDE, NARROW = Size(880.0, 500.0, 138.0), Size(372.0, 400.0, 10.0)
+WIDE, NARROW = Size(880.0, 520.0, 172.0), Size(372.0, 420.0, 15.0)
 
 
 @dataclass(frozen=True)
@@ -98,8 +100,14 @@ def curves(found: Trade) -> list[Curve]:
     for name, group in groupby(plain, key=lambda m: m.choice.setting.integrator):
         family = name.split()[0]
         dash = DASHES[sum(c.family == family for c in made) % len(DASHES)]
-        made.append(Curve(name, family, dash, tuple(group)))
+        made.append(Curve(name, family, dash, _to_the_best(list(group))))
     return made
+
+
+def _to_the_best(points: list[Measurement]) -> tuple[Measurement, ...]:
+    """Points up to the most accurate one; finer settings only cost more."""
+    best = min(range(len(points)), key=lambda i: points[i].error_largest)
+    return tuple(points[: best + 1])
 
 
 def shown(found: Trade) -> list[Measurement]:
@@ -206,7 +214,7 @@ def _front(m: Measurement, scales: Scales) -> str:
 
 def _picks(found: Trade, scales: Scales, size: Size) -> str:
     """A line from each target down to the pick that was shown to meet it."""
-    parts = []
+    parts, last = [], -APART
     for pick in found.recommendations:
         at = scales.x.place(-log10(pick.target))
         if at > scales.x.end:
@@ -214,6 +222,7 @@ def _picks(found: Trade, scales: Scales, size: Size) -> str:
         exponent = log10(pick.target)
         text = power(round(exponent)) if abs(exponent - round(exponent)) < 1e-9 else ""
         text = text or f"{pick.target:.1e}"
+        text, last = (text, at) if at - last >= APART else ("", last)
         parts.append(
             f'<line class="target" x1="{at:.1f}" x2="{at:.1f}" y1="{scales.y.start}"'
             f' y2="{scales.y.end}"/>'

@@ -148,4 +148,5 @@ def _size(case: Case, part: Part, share: float) -> str:
 
 
 def _percent(error: float) -> str:
-    return f"{100 * error:.2g} %" if error < 10 else f"{error:.1g} times its size"
+    digits = f"{100 * error:.2g}" if error < 1 else f"{10 * round(10 * error):d}"
+    return f"{digits} %" if error < 10 else f"{error:.1g} times its size"

@@ -10,6 +10,9 @@ from mechanics.trade.recommend import Recommendation, pareto
 from mechanics.trade.train import Trained
 from mechanics.trade.yardstick import Yardstick
 
+NOTHING = 1.0
+"""An error of the size of the motion, which tells nothing about it."""
+
 
 @dataclass(frozen=True, eq=False)
 class Trade:
@@ -55,8 +58,13 @@ class Trade:
 
     @property
     def front(self) -> tuple[Measurement, ...]:
-        """Measurements that no other beats in both time and error, the fastest first."""
-        usable = [m for m in self.measurements if m.choice.variant.careful]
+        """Measurements that no other beats in both time and error, the fastest first.
+
+        Those whose error is as large as the motion are left out, and -ffast-math with them.
+        """
+        usable = [
+            m for m in self.measurements if m.choice.variant.careful and m.error_largest <= NOTHING
+        ]
         return tuple(usable[i] for i in pareto(usable))
 
     def recommendation(self, target: float) -> Recommendation:

@@ -95,6 +95,7 @@ class Survey:
         if found.time * case.horizon < LONGEST:
             # The first run may have compiled or allocated.
             found, states = measured(case, choice, truth, run)
+        self.left_out.pop(_short(choice), None)
         self.measurements.append(found)
         self.runs[choice], self.states[choice] = run, states
         return found
