@@ -13,7 +13,7 @@ from math import ceil, prod, sqrt
 
 import numpy as np
 from numpy.typing import NDArray
-from sympy import Symbol
+from sympy import Expr, Rational, Symbol
 
 from mechanics.compiled.quantities import DIGITS, Quantities
 from mechanics.errors import ValueMissingError
@@ -24,7 +24,7 @@ Array = NDArray[np.float64]
 
 PAIRED = 12_000
 """About how many points all the pairs of a system may take together."""
-SIDES = (5, 19)
+SIDES = (3, 19)
 MIXED = 2_000
 SEED = 4
 
@@ -79,10 +79,12 @@ def _typical(quantities: Quantities, index: int) -> float:
         return 1.0
 
 
-def walks(quantities: Quantities, paths: Sequence[Path] = ()) -> tuple[Walk, ...]:
-    """Every walk through the values of a model's quantities."""
+def walks(
+    quantities: Quantities, paths: Sequence[Path] = (), paired: int = PAIRED
+) -> tuple[Walk, ...]:
+    """Every walk through the values of a model's quantities, pairs in about `paired` points."""
     base, every = usual(quantities), axes(quantities)
-    side = _side(len(every))
+    side = _side(len(every), paired)
     return (
         *(_grid("line", base, (axis,), (axis.walked,)) for axis in every),
         *(
@@ -94,9 +96,9 @@ def walks(quantities: Quantities, paths: Sequence[Path] = ()) -> tuple[Walk, ...
     )
 
 
-def _side(count: int) -> int:
+def _side(count: int, paired: int) -> int:
     pairs = max(1, count * (count - 1) // 2)
-    return min(max(ceil(sqrt(PAIRED / pairs)), SIDES[0]), SIDES[1])
+    return min(max(ceil(sqrt(paired / pairs)), SIDES[0]), SIDES[1])
 
 
 def _grid(
@@ -127,11 +129,9 @@ def _paths(quantities: Quantities, base: Array, paths: Sequence[Path]) -> Iterat
         yield Walk("path", (path.label,), (tuple(map(float, path.values)),), points)
 
 
-def _exact(known: dict[Symbol, float]) -> dict[Symbol, object]:
-    from sympy import Rational
-
+def _exact(known: dict[Symbol, float]) -> dict[Symbol, Expr]:
     return {s: Rational(*float(v).as_integer_ratio()) for s, v in known.items()}
 
 
-def _number(expression: object) -> float:
-    return float(expression.evalf(DIGITS))  # type: ignore[attr-defined]
+def _number(expression: Expr) -> float:
+    return float(expression.evalf(DIGITS))

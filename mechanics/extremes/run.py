@@ -11,7 +11,7 @@ from mechanics.compiled import FORMS, Model, compile
 from mechanics.equations import Equations
 from mechanics.extremes.axes import axes
 from mechanics.extremes.domain import reaches
-from mechanics.extremes.points import Walk, usual, walks
+from mechanics.extremes.points import PAIRED, Walk, usual, walks
 from mechanics.extremes.result import Extremes
 from mechanics.extremes.survey import GROUPS, computed, survey
 from mechanics.extremes.truth import truth
@@ -24,6 +24,7 @@ def extremes(
     name: str = "",
     paths: Sequence[Path] = (),
     forms: Sequence[str] = (),
+    paired: int = PAIRED,
     compiler: str | None = "auto",
 ) -> Extremes:
     """Walk out along every parameter, coordinate and speed until something breaks.
@@ -36,7 +37,9 @@ def extremes(
     paths : sequence of Path
         Further points worth a visit.
     forms : sequence of str
-        Forms of forward dynamics; by default all that suit the equations.
+        Forms of forward dynamics, beside the default one; by default all that suit the equations.
+    paired : int
+        About how many points the pairs of quantities take together.
     compiler : str or None
         As for `compile`.
 
@@ -54,7 +57,7 @@ def extremes(
     known = default.quantities
     entries = [e for group in GROUPS for e in getattr(known, group)]
     judge = truth(equations, [entry.symbol for entry in entries])
-    visited = survey(judge, models, tuple(_cut(models, walks(known, paths))))
+    visited = survey(judge, models, tuple(_cut(models, walks(known, paths, paired))))
     start = usual(known)
     return Extremes(
         system=name or equations.scene.name,
