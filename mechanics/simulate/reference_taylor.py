@@ -52,11 +52,14 @@ class Exact:
     start : tuple of Fraction
     held : tuple of tuple of (Fraction or sympy.Expr)
         Inputs, parameters, constants.
+    compiler : str or None
+        For what is quicker in C, with the same digits.
     """
 
     rate: ca.Function
     start: tuple[Fraction, ...]
     held: tuple[tuple[Fraction | sympy.Expr, ...], ...]
+    compiler: str | None = None
 
     @cached_property
     def code(self) -> Program:
@@ -83,7 +86,8 @@ def exact(problem: Problem) -> Exact:
     inputs = tuple(Fraction(value) for value in problem.signals(0.0))
     parameters = tuple(Fraction(float(value)) for value in problem.p)
     start = [Fraction(float(value)) for value in problem.start] + [Fraction(0)] * timed
-    return Exact(function, tuple(start), (inputs, parameters, constants))
+    held = inputs, parameters, constants
+    return Exact(function, tuple(start), held, problem.model.compiler)
 
 
 def _shortest(model: Model, timed: bool) -> tuple[ca.Function, tuple[sympy.Expr, ...]]:
@@ -152,7 +156,7 @@ def solve(
         If the motion cannot be continued.
     """
     held = [[_fixed(number, bits) for number in group] for group in problem.held]
-    taylor = Taylor(problem.code, held, bits)
+    taylor = Taylor(problem.code, held, bits, problem.compiler)
     wanted = [_fixed(Fraction(float(time)), bits) for time in times]
     state = [_fixed(number, bits) for number in problem.start]
     found, t, steps = [state], 0, 0

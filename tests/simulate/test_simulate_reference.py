@@ -15,6 +15,7 @@ from sympy import Abs
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
 from mechanics.compiled.model import compile
+from mechanics.compiled.native import find_compiler
 from mechanics.compiled.program import program
 from mechanics.errors import ExpressionError, InputError, SingularError
 from mechanics.routes import kane
@@ -218,11 +219,13 @@ def test_chaos_is_told_and_until_when_doubles_mean_something() -> None:
         (lambda x: ca.hypot(x, 2), lambda x: (x * x + 4).sqrt()),
     ],
 )
-def test_series_of_every_operation_are_those_of_arb(graph, series) -> None:
+@pytest.mark.parametrize("compiler", [None, find_compiler()], ids=["Python", "C"])
+def test_series_of_every_operation_are_those_of_arb(graph, series, compiler) -> None:
     """y' = f(t), t' = 1 from t = 1/2: the coefficients of y are those of f, over j + 1."""
     bits, order, y = 160, 9, ca.SX.sym("y", 2)
     code = program(ca.Function("f", [y], [ca.vertcat(1, graph(y[0]))]))
-    found = Taylor(code, [], bits).expand([1 << (bits - 1), 0], 1 << bits, order)[1]
+    taylor = Taylor(code, [], bits, compiler)
+    found = taylor.expand([1 << (bits - 1), 0], 1 << bits, order)[1]
     before, ctx.prec = ctx.prec, 250
     try:
         expected = series(arb_series([arb(0.5), 1], prec=order))
@@ -231,6 +234,32 @@ def test_series_of_every_operation_are_those_of_arb(graph, series) -> None:
             assert abs(value - expected[j]) < 1e-40
     finally:
         ctx.prec = before
+
+
+@pytest.mark.parametrize("system", ["elastic_pendulum", "rolling_disc", "four_bar"])
+def test_c_and_python_give_the_same_digits(system: str) -> None:
+    if find_compiler() is None:
+        pytest.skip("no C compiler here")
+    given = exact(pose(compile(kane.derive(SCENES[system]())), [0.0, 0.2]))
+    native, plain = (
+        solve(dataclasses.replace(given, compiler=compiler), [0.0, 0.2], 36, 190, 43)
+        for compiler in (given.compiler, None)
+    )
+    assert native[1] == plain[1]
+    # A unit of 2^-190 for each operation, and what becomes of it.
+    assert all(abs(a - b) < 2**40 for a, b in zip(native[0][1], plain[0][1], strict=True))
+
+
+def test_numbers_that_outgrow_their_words_are_left_to_python() -> None:
+    """y' = y^2 c with c = 2^50 and y = 2^20: coefficients leave the 66 bits before the point."""
+    y, c = ca.SX.sym("y"), ca.SX.sym("c")
+    code = program(ca.Function("f", [y, c], [y * y * c]))
+    held, start = [[1 << 230]], [1 << 200]
+    native, plain = (
+        Taylor(code, held, 180, compiler).expand(start, 1 << 180, 6)
+        for compiler in (find_compiler(), None)
+    )
+    assert native == plain and max(native[0]).bit_length() > 256
 
 
 def bumped() -> Scene:
