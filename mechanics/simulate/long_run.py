@@ -2,8 +2,7 @@
 
     shift  tau = <y - z, f> / <f, f>        phase error: by how much y is late on the motion z
 
-Errors are sampled in windows spread evenly over the run. What drifts has moved, from the first
-window to the last, by more than it varies within one; Hairer, Lubich and Wanner, Geometric
+Errors are sampled in windows spread evenly over the run; Hairer, Lubich and Wanner, Geometric
 Numerical Integration, IX and X. The motion z itself is a run of order 8 with short steps.
 """
 
@@ -16,6 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from mechanics.errors import InputError
+from mechanics.simulate.drift import Drift, drift
 from mechanics.simulate.integrators import INTEGRATORS
 from mechanics.simulate.integrators.problem import Integrator, Outcome, Problem, Setting
 from mechanics.simulate.integrators.rate import Rate
@@ -30,41 +30,6 @@ CONSERVED = 1e-8
 # Beyond this share of the motion, an error is not told by its phase any more.
 LARGE = 0.3
 ENDLESS = 10**15
-
-
-@dataclass(frozen=True)
-class Drift:
-    """How an error behaves.
-
-    Attributes
-    ----------
-    largest : float
-        Largest magnitude of the error.
-    rate : float
-        Slope of the error, for a period; of its mean over windows.
-    power : float
-        Of time, that a secular error grows with: 1 for energy, 2 for the phase that follows.
-    secular : bool
-        Whether it has left the band in which it varies; otherwise it is bounded so far.
-    """
-
-    largest: float
-    rate: float
-    power: float
-    secular: bool
-
-    def after(self, factor: float) -> float:
-        """Largest error over a motion that is so many times longer, if it goes on like this."""
-        growing = self.secular and math.isfinite(self.power)
-        return self.largest * factor**self.power if growing else self.largest
-
-    @property
-    def words(self) -> str:
-        """The drift in a few words."""
-        if self.secular:
-            grows = f" with t^{self.power:.1f}" if math.isfinite(self.power) else ""
-            return f"secular, {self.rate:+.1e} a period, grows{grows} to {self.largest:.1e}"
-        return f"bounded, at most {self.largest:.1e}"
 
 
 @dataclass(frozen=True)
@@ -252,16 +217,16 @@ def _measured(motion: _Motion, setting: Setting, count: int, wanted: int, period
     energy = (change[:, 0] - change[0, 0]) / motion.energy[0, 1]
     momenta = _momenta(problem, states)
     drifts = [
-        (name, _drift(times, (momenta[:, i] - momenta[0, i]) / size))
+        (name, drift(times, (momenta[:, i] - momenta[0, i]) / size, SAMPLES))
         for name, i, size in motion.conserved
     ]
     return LongRun(
         setting,
         round(float(times[-1])) if outcome.failure else count,
         wanted,
-        _drift(times, energy),
+        drift(times, energy, SAMPLES),
         tuple(drifts),
-        _drift(*_phase(motion, states, times, reached, period)),
+        drift(*_phase(motion, states, times, reached, period), SAMPLES),
         seconds,
         outcome.failure,
     )
@@ -277,22 +242,6 @@ def _phase(
     last = reached if near.all() else int(np.argmin(near))
     shift = np.sum(off * flow, axis=1) / np.sum(flow * flow, axis=1) / period
     return times[:last], shift[:last]
-
-
-def _drift(times: Array, error: Array) -> Drift:
-    """Behaviour of an error that is sampled in windows."""
-    count, largest = len(error) // SAMPLES, float(np.max(np.abs(error), initial=0.0))
-    if count < 3:
-        rate = float(np.polyfit(times, error, 1)[0]) if len(error) > 1 else math.nan
-        return Drift(largest, rate, math.nan, True)
-    windows = error[: count * SAMPLES].reshape(count, SAMPLES)
-    means, at = windows.mean(axis=1), times[: count * SAMPLES : SAMPLES]
-    rate = float(np.polyfit(at, means, 1)[0])
-    # The band of the first window: in a later one the drift itself may show.
-    moved, secular = np.abs(means[1:] - means[0]), abs(means[-1] - means[0]) > np.ptp(windows[0])
-    grown = secular and bool(np.all(moved > 0))
-    power = float(np.polyfit(np.log(at[1:]), np.log(moved), 1)[0]) if grown else math.nan
-    return Drift(largest, rate, power, bool(secular))
 
 
 def _energy(problem: Problem, states: Array) -> Array:

@@ -9,8 +9,9 @@ from mechanics.compiled.model import compile
 from mechanics.compiled.native import find_compiler
 from mechanics.errors import InputError
 from mechanics.routes import kane
+from mechanics.simulate.drift import Drift, drift
 from mechanics.simulate.integrators import Problem, Setting
-from mechanics.simulate.long_run import SAMPLES, Drift, _drift, long_runs, natural_period
+from mechanics.simulate.long_run import SAMPLES, long_runs, natural_period
 from mechanics.simulate.pose import pose
 from systems import ALL
 
@@ -86,7 +87,7 @@ def test_what_would_take_too_long_is_cut_and_told() -> None:
 )
 def test_a_drift_is_told_from_an_oscillation(error, secular: bool, power: float) -> None:
     times = np.concatenate([np.linspace(start, start + 3, SAMPLES) for start in range(0, 1000, 80)])
-    found = _drift(times, error(times))
+    found = drift(times, error(times), SAMPLES)
     assert found.secular == secular
     assert found.power == pytest.approx(power, abs=0.1, nan_ok=True)
     assert ("secular" if secular else "bounded") in found.words
