@@ -35,6 +35,8 @@ from mechanics.scene.loads import Gravity
 
 SYSTEMS = [system.name for system in systems.ALL]
 ROUTES = ("free_body", "moving_point", "kane", "lagrange")
+SEED = [system.name for system in systems.SEED]
+EVERY = [(s, r) for s in SYSTEMS for r in (ROUTES if s in SEED else ("free_body", "kane"))]
 ONLY = ("forward_dynamics",)
 STATES = 20
 ROUNDINGS = 16
@@ -83,8 +85,7 @@ def largest_residual(equations: Equations, known: Quantities, columns: np.ndarra
     return max(float(row.ratios(list(columns), epsilon).max()) for row in rows)
 
 
-@pytest.mark.parametrize("system", SYSTEMS)
-@pytest.mark.parametrize("route", ROUTES)
+@pytest.mark.parametrize(("system", "route"), EVERY)
 def test_fixing_all_parameters_is_passing_all(derived: Any, system: str, route: str) -> None:
     equations = derived(system)[route]
     values = decimals(equations)
@@ -102,7 +103,9 @@ def test_fixing_all_parameters_is_passing_all(derived: Any, system: str, route: 
 def test_fixing_any_parameter_is_passing_it(derived: Any, system: str) -> None:
     equations = derived(system)["kane"]
     free = compile(equations, compiler=None)
-    for name, value in decimals(equations, seed=1).items():
+    # Masses or lengths of a chain are alike: first, middle and last of the names are enough.
+    values = list(decimals(equations, seed=1).items())
+    for name, value in {values[0], values[len(values) // 2], values[-1]}:
         fixed = compile(equations, compiler=None, fixed={name: value}, outputs=ONLY)
         assert set(free.entries["p"]) - set(fixed.entries["p"]) == {name}
         same_numbers(free, fixed, {name: value})
