@@ -5,10 +5,10 @@ x_C = R theta + R/2 sin theta,   y_C = R + R/2 cos theta        (theta clockwise
 
 from fractions import Fraction
 
-from sympy import Expr, Integer, Rational, Symbol, pi
+from sympy import Abs, Expr, Integer, Rational, Symbol, pi, symbols
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
-from mechanics.scene import RigidBody, Scene, force, gravity, parameters, reaction
+from mechanics.scene import RigidBody, Scene, condition, force, gravity, parameters, reaction
 from mechanics.scene.composite import composite, inertia_about, part
 from mechanics.scene.shapes import Rectangle, Semidisc
 from mechanics.scene.system import Path
@@ -49,6 +49,14 @@ LOWER = part(Semidisc(R), density=rho * h, at=(0, -R / 2), angle=pi)
 MIDDLE = part(Rectangle(2 * R, R), density=rho * h)
 ROCKER = composite((UPPER, MIDDLE, LOWER))
 
+# The floor only pushes, friction is limited, and beyond pi/2 the rocker stands on its rectangle.
+T, N = symbols("T N", real=True)
+(mu,) = parameters("mu", units="1", typical="0.5", meanings=("coefficient of static friction",))
+CONDITIONS = (
+    condition("contact", N > 0, "lifts off"),
+    condition("rolling", Abs(T) <= mu * N, "slips"),
+    condition("half disc", Abs(theta) <= pi / 2, "comes to the end of its half disc"),
+)
 
 # The gain is real, not positive: for small and for negative gains the rocker falls.
 (K,) = parameters(
@@ -122,4 +130,5 @@ def _scene(name: str, control: Expr, inputs: tuple[Expr, ...]) -> Scene:
             ybar: UPPER.centroid[1] - CIRCLE[1],
         },
         example={"theta": 0.1},
+        conditions=CONDITIONS,
     )

@@ -33,12 +33,16 @@ def simulate(
         typer.Option(metavar="ERROR", help="Choose the cheapest method that is as accurate."),
     ] = None,
     route: Annotated[str, typer.Option(help="Route that derives the equations.")] = "kane",
+    beyond_domain: Annotated[
+        bool, typer.Option("--beyond-domain", help="Go on where the model is not valid.")
+    ] = False,
 ) -> None:
     """Integrate the equations of motion and write the samples.
 
     Values that are not set are the example's and the typical ones. In a scene with constraints the
     initial values are made consistent: what is set is kept, the rest is solved for, and the branch
-    is named. Exit code 3 when the motion had to end early; what was integrated is written.
+    is named. Exit code 3 when the motion had to end early; what was integrated is written. It ends
+    where a condition of the scene ceases to hold, unless `--beyond-domain` is given.
 
     With `--accuracy`, integrators are measured against a reference first, the cheapest that meets
     it is used, and the error is estimated by a second run with a finer setting.
@@ -69,12 +73,15 @@ def simulate(
             samples=samples,
             accuracy=accuracy,
             progress=progress,
+            beyond_domain=beyond_domain,
         )
         write_table(found, out)
         if plot is not None:
             write_plot(found, plot)
     console = Console()
     console.print(f"{escape(found.title)}: {escape(found.reason)}")
+    for crossing in found.crossings if found.ending is not Ending.LEFT_DOMAIN else ():
+        console.print(escape(f"t = {crossing.time:.6g} s: {crossing.sentence}"))
     if found.branch:
         console.print(escape(found.branch))
     for name, value in found.drift.items():

@@ -5,6 +5,7 @@ from fractions import Fraction
 
 from mechanics.errors import InputError
 from mechanics.scene import Scene
+from mechanics.scene.conditions import condition_parameters
 
 
 def assignments(entries: Sequence[str], option: str = "--set") -> dict[str, Fraction]:
@@ -45,6 +46,7 @@ def sorted_out(
     """
     initial = {symbol.name for symbol in (*scene.q, *scene.u)}
     parameters = {symbol.name for symbol in (*scene.parameters, *scene.definitions)}
+    parameters |= {symbol.name for symbol in condition_parameters(scene)}
     for expression in scene.definitions.values():
         parameters |= {symbol.name for symbol in expression.free_symbols}
     inputs = {symbol.name for symbol in scene.input_symbols}

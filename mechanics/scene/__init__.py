@@ -1,6 +1,7 @@
 """What a user declares: one mechanical system, in SymPy's own words."""
 
 from mechanics.scene.bodies import Body, Particle, RigidBody
+from mechanics.scene.conditions import Condition, condition
 from mechanics.scene.loads import (
     Damper,
     Force,
@@ -29,6 +30,7 @@ from mechanics.scene.scene import Scene
 
 __all__ = [
     "Body",
+    "Condition",
     "Constraint",
     "Damper",
     "Force",
@@ -42,6 +44,7 @@ __all__ = [
     "Spring",
     "Torque",
     "TorsionSpring",
+    "condition",
     "damper",
     "force",
     "gravity",

@@ -13,6 +13,7 @@ from sympy.physics.vector import Point, ReferenceFrame, Vector
 
 from mechanics.errors import SceneError
 from mechanics.scene.bodies import Body
+from mechanics.scene.conditions import Condition
 from mechanics.scene.geometry import (
     components,
     frame_path,
@@ -51,6 +52,8 @@ class Scene:
         expanded for proofs that need them.
     example : mapping of str to float
         Initial values of a motion worth looking at, by plain name (``"theta"``, ``"theta_dot"``).
+    conditions : tuple of Condition
+        Where the model is valid: contact that can only push, friction that holds.
 
     Raises
     ------
@@ -70,6 +73,7 @@ class Scene:
     speeds: tuple[tuple[Expr, Expr], ...] = ()
     definitions: Mapping[Symbol, Expr] = field(default_factory=dict)
     example: Mapping[str, float] = field(default_factory=dict)
+    conditions: tuple[Condition, ...] = ()
 
     def __post_init__(self) -> None:
         validate(self)

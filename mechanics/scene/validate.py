@@ -16,6 +16,7 @@ from sympy.physics.vector import Point
 from mechanics.errors import SceneError
 from mechanics.exact import independent_rows
 from mechanics.scene.bodies import RigidBody
+from mechanics.scene.conditions import check_conditions
 from mechanics.scene.declared import scalar
 from mechanics.scene.geometry import frame_path, in_root, point_path, rotation
 from mechanics.scene.loads import Force, Load
@@ -51,6 +52,7 @@ def validate(scene: Scene) -> None:
     check_bodies(scene)
     check_loads(scene)
     _given(scene)
+    check_conditions(scene)
 
 
 def _bodies(scene: Scene) -> None:

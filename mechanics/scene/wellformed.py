@@ -17,6 +17,7 @@ from sympy.physics.vector import Dyadic, Point, ReferenceFrame, Vector, dynamics
 
 from mechanics.errors import SceneError
 from mechanics.scene.bodies import Particle, RigidBody
+from mechanics.scene.conditions import Condition
 from mechanics.scene.declared import kind_of, scalar
 from mechanics.scene.geometry import in_root, rotation
 from mechanics.scene.loads import Load
@@ -31,6 +32,7 @@ PARTS: tuple[tuple[str, str, tuple[Any, ...]], ...] = (
     ("loads", "load", get_args(Load)),
     ("reactions", "reaction", (Reaction,)),
     ("constraints", "constraint", (Constraint,)),
+    ("conditions", "condition", (Condition,)),
 )
 
 
@@ -95,6 +97,7 @@ def check_names(scene: Scene) -> None:
         ("body", [body.name for body in scene.bodies]),
         ("load", [load.name for load in scene.loads]),
         ("constraint", [constraint.name for constraint in scene.constraints]),
+        ("condition", [condition.name for condition in scene.conditions]),
         ("coordinate, speed, input or reaction", [*given, *(r.name for r in scene.reactions)]),
     ):
         for name, count in Counter(names).items():

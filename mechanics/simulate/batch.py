@@ -32,6 +32,7 @@ def simulate(
     atol: float = 1e-12,
     method: str = "DOP853",
     progress: Progress | None = None,
+    beyond_domain: bool = False,
 ) -> Trajectory: ...
 
 
@@ -48,6 +49,7 @@ def simulate(
     atol: float = 1e-12,
     method: str = "DOP853",
     progress: Progress | None = None,
+    beyond_domain: bool = False,
 ) -> tuple[Trajectory, ...]: ...
 
 
@@ -63,6 +65,7 @@ def simulate(
     atol: float = 1e-12,
     method: str = "DOP853",
     progress: Progress | None = None,
+    beyond_domain: bool = False,
 ) -> Trajectory | tuple[Trajectory, ...]:
     """Integrate the equations of motion from t = 0.
 
@@ -91,6 +94,9 @@ def simulate(
         A solver of SciPy: DOP853, RK45, Radau, BDF, LSODA.
     progress : callable, optional
         Told the share that is done, from 0 to 1, as it goes on.
+    beyond_domain : bool
+        Whether to go on where a condition of validity does not hold; `Trajectory.crossings` tell
+        where. Otherwise the motion ends there.
 
     Returns
     -------
@@ -101,7 +107,7 @@ def simulate(
     ------
     InputError
         For a name that does not exist, a value that is no number or out of range, or initial
-        values that no configuration satisfies; in a batch the state is named.
+        values that no configuration satisfies or that lie outside of the model's domain.
     ValueMissingError
         For a parameter that has no value.
     SingularError
@@ -114,6 +120,7 @@ def simulate(
         "rtol": rtol,
         "atol": atol,
         "method": method,
+        "beyond_domain": beyond_domain,
     }
     starts = initial_states(initial)
     if starts is None:

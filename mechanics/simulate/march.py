@@ -16,7 +16,7 @@ from scipy.integrate import BDF, DOP853, LSODA, RK45, OdeSolver, Radau
 
 from mechanics.simulate.manifold import Manifold
 from mechanics.simulate.singular import Linear, Measure, Watch, measure_from, regularity_lost
-from mechanics.simulate.trajectory import Ending
+from mechanics.simulate.trajectory import Crossing, Ending
 
 Array = NDArray[np.float64]
 
@@ -70,6 +70,7 @@ class Stretch:
     state: Callable[[float], Array]
     end: float
     ending: Ending | None = None
+    crossings: tuple[Crossing, ...] = ()
 
 
 def march(flow: Flow, start: Array, span: tuple[float, float], by: Tolerance) -> Iterator[Stretch]:

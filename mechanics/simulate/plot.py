@@ -23,6 +23,7 @@ if TYPE_CHECKING:
 # Paul Tol's bright scheme: told apart by everybody, and dark enough on white.
 COLOURS = ("#4477aa", "#ee6677", "#228833", "#aa3377", "#66ccee", "#ccbb44")
 INK, FAINT = "#222222", "#d9d9d9"
+EDGE = "#aa3300"
 WIDTH, PANEL = 8.0, 2.3  # in
 QUANTITIES = {"rad": "angle", "m": "position"}
 
@@ -82,6 +83,8 @@ def figure(trajectory: Trajectory) -> Figure:
     _draw(axes[-1], trajectory.times, energies)
     axes[-1].get_lines()[-1].set(color=INK, linewidth=2.0)
     axes[-1].get_legend().get_lines()[-1].set(color=INK, linewidth=2.0)
+    for panel in axes:
+        _mark(panel, trajectory)
     axes[-1].set_ylabel("energy / J")
     axes[-1].set_xlabel("time / s")
     axes[-1].set_xlim(trajectory.times[0], max(trajectory.times[-1], trajectory.times[0] + 1e-9))
@@ -91,6 +94,14 @@ def figure(trajectory: Trajectory) -> Figure:
     note = "\n".join(textwrap.wrap(trajectory.note.replace(" = ", "\u00a0=\u00a0"), 110))
     axes[0].set_title(note, loc="left", fontsize=8.5, color="#555555")
     return drawing
+
+
+def _mark(panel: Axes, trajectory: Trajectory) -> None:
+    """A line at each crossing of the domain's edge, and a shade where the model is not valid."""
+    for crossing in trajectory.crossings:
+        panel.axvline(crossing.time, color=EDGE, linewidth=1.0, linestyle=(0, (4, 2)))
+    for begin, end in trajectory.outside:
+        panel.axvspan(begin, end, color=EDGE, alpha=0.08, linewidth=0)
 
 
 def _groups(trajectory: Trajectory) -> list[tuple[str, dict[str, NDArray[np.float64]]]]:

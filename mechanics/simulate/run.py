@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -14,11 +14,19 @@ from mechanics.errors import InputError, SingularError
 from mechanics.simulate.conservative import conservative
 from mechanics.simulate.consistent import consistent_coordinates, consistent_speeds
 from mechanics.simulate.constraints import periodic
+from mechanics.simulate.domain import Domain, domain
+from mechanics.simulate.exits import at_the_start
 from mechanics.simulate.flow import flow
 from mechanics.simulate.march import METHODS, Flow, Tolerance
-from mechanics.simulate.samples import Samples, sample
+from mechanics.simulate.samples import Samples, Watching, sample
 from mechanics.simulate.trajectory import Ending, Trajectory
-from mechanics.simulate.values import Signals, read_initial, read_inputs, read_parameters
+from mechanics.simulate.values import (
+    Signals,
+    for_equations,
+    read_initial,
+    read_inputs,
+    read_parameters,
+)
 
 Array = NDArray[np.float64]
 Progress = Callable[[float], None]
@@ -44,6 +52,8 @@ class Begin:
         On the constraints.
     branch : str
         Which of the configurations that satisfy the constraints it is.
+    domain : Domain
+        Where the model is valid.
     """
 
     model: Model
@@ -53,6 +63,7 @@ class Begin:
     moving: Flow
     state: Array
     branch: str
+    domain: Domain
 
 
 def begin(
@@ -63,13 +74,15 @@ def begin(
 ) -> Begin:
     """Names and numbers read; initial values made consistent. See `simulate_one`."""
     scene, quantities, given = model.equations.scene, model.quantities, inputs or {}
-    p = read_parameters(quantities.p, quantities.definitions, parameters or {})
+    values = parameters or {}
+    p = read_parameters(quantities.p, quantities.definitions, for_equations(scene, values))
     signals = read_inputs(scene, [entry.symbol for entry in quantities.inputs], given)
     suggested_q, suggested_u = read_initial(scene, initial or {})
     moving = flow(model, p, signals, given)
     q, branch = consistent_coordinates(moving.manifold, 0.0, suggested_q, periodic(scene))
     u = consistent_speeds(moving.manifold, 0.0, q, suggested_u)
-    return Begin(model, p, given, signals, moving, np.concatenate([q, u]), branch)
+    valid = domain(model, p, given, values)
+    return Begin(model, p, given, signals, moving, np.concatenate([q, u]), branch, valid)
 
 
 def simulate_one(
@@ -84,17 +97,27 @@ def simulate_one(
     atol: float = 1e-12,
     method: str = "DOP853",
     progress: Progress | None = None,
+    beyond_domain: bool = False,
 ) -> Trajectory:
     """Integrate the motion from one initial state; see `mechanics.simulate.batch.simulate`."""
     times, by = equal_times(duration, samples), _tolerance(method, rtol, atol)
     start = begin(model, initial, parameters, inputs)
-    found = sample(start.moving, start.state, times, by, progress)
+    outside = at_the_start(start.domain, start.state)
+    if outside and not beyond_domain:
+        raise InputError(
+            f"{model.equations.scene.name}: the motion starts outside of the domain of the model:"
+            f" {'; '.join(o.sentence for o in outside)}: start from other values, or ask to go"
+            " on beyond the domain"
+        )
+    watch = Watching(start.domain, beyond_domain)
+    found = sample(start.moving, start.state, times, by, progress, watch)
     if found.time == 0.0:
         raise SingularError(
             f"{model.equations.scene.name}: no motion starts from the initial values:"
             f" {found.ending.value}: start from others"
         )
-    return trajectory(start, times, found)
+    crossed = (*outside, *found.crossings)
+    return trajectory(start, times, replace(found, crossings=crossed))
 
 
 def trajectory(start: Begin, times: Array, found: Samples) -> Trajectory:
@@ -130,6 +153,7 @@ def trajectory(start: Begin, times: Array, found: Samples) -> Trajectory:
         branch=start.branch,
         ending=found.ending,
         reason=_reason(found, float(times[-1])),
+        crossings=found.crossings,
     )
 
 
@@ -150,7 +174,9 @@ def _units(quantities: Quantities) -> dict[str, str]:
 def _reason(found: Samples, duration: float) -> str:
     if found.ending is Ending.COMPLETE:
         return found.ending.value
-    return f"ended at t = {found.time:.6g} s of {duration:g} s: {found.ending.value}"
+    said = [one.sentence for one in found.crossings if found.ending is Ending.LEFT_DOMAIN]
+    words = ": ".join([found.ending.value, *said])
+    return f"ended at t = {found.time:.6g} s of {duration:g} s: {words}"
 
 
 def equal_times(duration: float, count: int) -> Array:

@@ -6,8 +6,10 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from mechanics.simulate.domain import EVERYWHERE, Domain
+from mechanics.simulate.exits import watched
 from mechanics.simulate.march import Flow, Tolerance, march
-from mechanics.simulate.trajectory import Ending
+from mechanics.simulate.trajectory import Crossing, Ending
 
 Array = NDArray[np.float64]
 
@@ -25,12 +27,23 @@ class Samples:
     ending : Ending
     time : float
         When it ended, in s.
+    crossings : tuple of Crossing
+        Of the edge of the domain.
     """
 
     states: Array
     drift: Array
     ending: Ending
     time: float
+    crossings: tuple[Crossing, ...] = ()
+
+
+@dataclass(frozen=True)
+class Watching:
+    """The domain that is watched, and whether to go on outside of it."""
+
+    domain: Domain = EVERYWHERE
+    beyond: bool = False
 
 
 def sample(
@@ -39,6 +52,7 @@ def sample(
     times: Array,
     by: Tolerance,
     progress: Callable[[float], None] | None = None,
+    watch: Watching = Watching(),
 ) -> Samples:
     """Integrate from ``times[0]`` to ``times[-1]`` and sample the motion.
 
@@ -52,11 +66,16 @@ def sample(
     by : Tolerance
     progress : callable, optional
         Told the share that is done, after every step.
+    watch : Watching
+        The domain of the model, and whether to go on outside of it.
     """
     states = [start]
     drift = flow.manifold.residual(times[0], start)
     ending, end = Ending.COMPLETE, float(times[0])
-    for stretch in march(flow, start, (float(times[0]), float(times[-1])), by):
+    crossed: list[Crossing] = []
+    steps = march(flow, start, (float(times[0]), float(times[-1])), by)
+    for stretch in watched(watch.domain, end, steps, watch.beyond):
+        crossed += stretch.crossings
         due = times[len(states) :]
         for time in due[due <= stretch.end]:
             states.append(flow.manifold.project(time, stretch.state(time)))
@@ -65,4 +84,4 @@ def sample(
             progress(end / float(times[-1]))
         drift = np.maximum(drift, flow.manifold.residual(end, stretch.state(end)))
         ending = stretch.ending or ending
-    return Samples(np.array(states), drift, ending, end)
+    return Samples(np.array(states), drift, ending, end, tuple(crossed))

@@ -17,6 +17,28 @@ class Ending(Enum):
     STALLED = "the integrator found no step that meets the tolerance"
     APART = "the state could not be brought back onto the constraints"
     TOO_LONG = "the integrator needed more steps than allowed"
+    LEFT_DOMAIN = "the motion left the domain in which the model is valid"
+
+
+@dataclass(frozen=True)
+class Crossing:
+    """Where a condition of validity begins or ceases to hold.
+
+    Attributes
+    ----------
+    condition : str
+        Its name.
+    time : float
+        In s.
+    leaving : bool
+        Whether it ceases to hold.
+    sentence : str
+    """
+
+    condition: str
+    time: float
+    leaving: bool
+    sentence: str
 
 
 @dataclass(frozen=True, eq=False)
@@ -48,6 +70,8 @@ class Trajectory:
     ending : Ending
     reason : str
         One sentence: the ending with its particulars.
+    crossings : tuple of Crossing
+        Where the motion leaves the domain of the model, or comes back, in the order of time.
     solved_by : str
         The method, where it was chosen for an accuracy; empty otherwise.
     error_estimate : float or None
@@ -69,6 +93,7 @@ class Trajectory:
     branch: str
     ending: Ending
     reason: str
+    crossings: tuple[Crossing, ...] = ()
     solved_by: str = ""
     error_estimate: float | None = None
 
@@ -87,6 +112,22 @@ class Trajectory:
         scale = max(float(np.max(self.kinetic)), float(np.ptp(self.potential)))
         change = float(np.max(np.abs(self.total - self.total[0])))
         return change / scale if scale > 0 else change
+
+    @property
+    def outside(self) -> tuple[tuple[float, float], ...]:
+        """Intervals of time, in s, in which a condition of validity does not hold."""
+        broken: set[str] = set()
+        found: list[tuple[float, float]] = []
+        begin = 0.0
+        for crossing in self.crossings:
+            before = bool(broken)
+            (broken.add if crossing.leaving else broken.discard)(crossing.condition)
+            if broken and not before:
+                begin = crossing.time
+            elif before and not broken:
+                found.append((begin, crossing.time))
+        last = float(self.times[-1])
+        return (*found, (begin, last)) if broken and last > begin else tuple(found)
 
     @property
     def columns(self) -> dict[str, NDArray[np.float64]]:
@@ -113,6 +154,8 @@ class Trajectory:
             parts.append("energy is not conserved: loads or inputs do work")
         if self.drift:
             parts.append(f"largest constraint drift {max(self.drift.values()):.1e}")
+        if self.ending is not Ending.LEFT_DOMAIN:
+            parts += [f"at t = {one.time:.6g} s {one.sentence}" for one in self.crossings]
         if self.branch:
             parts.append(self.branch)
         return "; ".join(parts)

@@ -15,6 +15,7 @@ from sympy import Expr, Rational, Symbol, sympify
 from mechanics.compiled.quantities import Quantity, typical_value
 from mechanics.errors import InputError
 from mechanics.scene import Scene
+from mechanics.scene.conditions import condition_parameters
 from mechanics.scene.rates import TIME
 from mechanics.scene.symbols import DOTS
 from mechanics.simulate.consistent import Suggestion
@@ -58,6 +59,12 @@ def read_parameters(
     # A given value overrules a definition, and counts in the definitions that use it.
     table = {**definitions, **{symbols[n]: Rational(v) for n, v in numbers.items()}}
     return np.array([typical_value(entry.symbol, table) for entry in entries])
+
+
+def for_equations(scene: Scene, given: Given) -> dict[str, float]:
+    """Values for parameters of the equations, without those that only conditions use."""
+    own = {symbol.name for symbol in condition_parameters(scene)}
+    return {name: value for name, value in given.items() if name not in own}
 
 
 @dataclass(frozen=True)

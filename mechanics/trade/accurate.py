@@ -57,6 +57,7 @@ def simulate(
     samples: int = 501,
     accuracy: float | None = None,
     progress: Progress | None = None,
+    beyond_domain: bool = False,
     members: Sequence[Integrator] = INTEGRATORS,
     **options: Any,
 ) -> Any:
@@ -71,7 +72,7 @@ def simulate(
         `method` count.
     members : sequence of Integrator
         To choose from.
-    model, duration, initial, parameters, inputs, samples, progress, **options
+    model, duration, initial, parameters, inputs, samples, progress, beyond_domain, **options
         As for `mechanics.simulate.batch.simulate`.
 
     Returns
@@ -89,7 +90,7 @@ def simulate(
     given = {"parameters": parameters, "inputs": inputs}
     if accuracy is None:
         options |= {"initial": initial, "samples": samples, "progress": progress, **given}
-        return simulate_plainly(model, duration, **options)
+        return simulate_plainly(model, duration, beyond_domain=beyond_domain, **options)
     if options:
         raise InputError(f"accuracy: it chooses {', '.join(options)}: give one or the other")
     if not (np.isfinite(accuracy) and 0 < accuracy < 1):
@@ -97,15 +98,16 @@ def simulate(
     times = equal_times(duration, samples)
     starts = initial_states(initial)
     many = starts if starts is not None else (dict(initial or {}),)  # type: ignore[arg-type]
+    inside = times if beyond_domain else _inside(model, times, many[0], given)
     case = Case(
-        model.equations, duration, many[0], parameters or {}, inputs or {}, model.compiler,
-        tuple(times.tolist()),
+        model.equations, float(inside[-1]), many[0], parameters or {}, inputs or {},
+        model.compiler, tuple(inside.tolist()),
     ).with_model(model)  # fmt: skip
     choice = cheapest(case, accuracy, members)
     found = tuple(
         _solved(
-            Wanted(case, begin(model, start, **given), times, start), choice, accuracy,
-            part(progress, i, len(many)),
+            Wanted(case, begin(model, start, **given), times, start, beyond_domain),
+            choice, accuracy, part(progress, i, len(many)),
         )
         for i, start in enumerate(many)
     )  # fmt: skip
@@ -115,8 +117,8 @@ def simulate(
 def cheapest(case: Case, accuracy: float, members: Sequence[Integrator] = INTEGRATORS) -> Choice:
     """The fastest choice whose measured error is within the accuracy.
 
-    In a scene with constraints only methods are used whose steps are put back onto them, and which
-    lose nothing by that.
+    In a scene with constraints or conditions only methods are used whose steps are watched, and put
+    back onto the constraints, and which lose nothing by that.
 
     Raises
     ------
@@ -163,7 +165,21 @@ def _truth(case: Case, accuracy: float) -> Truth:
 
 def _guarded(case: Case) -> bool:
     """Whether steps have to be watched as they are taken."""
-    return bool(case.equations.scene.constraints)
+    scene = case.equations.scene
+    return bool(scene.constraints or scene.conditions)
+
+
+def _inside(
+    model: Model, times: Array, initial: Mapping[str, float], given: Mapping[str, Any]
+) -> Array:
+    """The times at which choices are measured: up to where the motion leaves the model's domain."""
+    if not model.equations.scene.conditions:
+        return times
+    found = simulate_one(model, float(times[-1]), initial=initial, samples=2, **given)
+    if found.ending is not Ending.LEFT_DOMAIN:
+        return times
+    end = found.crossings[-1].time
+    return np.append(times[times < end], end)
 
 
 def _first(
@@ -195,6 +211,7 @@ class Wanted:
     start: Begin
     times: Array
     initial: Mapping[str, float]
+    beyond_domain: bool = False
 
     def trajectory(self, choice: Choice, progress: Progress | None = None) -> Trajectory:
         """The motion by a choice; SciPy's methods are watched and put back onto constraints.
@@ -217,6 +234,7 @@ class Wanted:
                 atol=choice.amount,
                 method=name.removeprefix("SciPy "),
                 progress=progress,
+                beyond_domain=self.beyond_domain,
             )
         model, start = self.start.model, self.start
         problem = Problem(model, start.p, start.inputs, start.state, self.times, PATIENT)

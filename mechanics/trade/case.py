@@ -18,7 +18,12 @@ from mechanics.simulate.consistent import Suggestion, consistent_coordinates, co
 from mechanics.simulate.constraints import manifold, periodic
 from mechanics.simulate.integrators import Problem
 from mechanics.simulate.manifold import Manifold
-from mechanics.simulate.values import read_initial, read_inputs, read_parameters
+from mechanics.simulate.values import (
+    for_equations,
+    read_initial,
+    read_inputs,
+    read_parameters,
+)
 from mechanics.trade.choice import LINEARISED, Variant
 from mechanics.trade.linearised import linearised
 
@@ -80,7 +85,8 @@ class Case:
 
     def p(self, model: Model) -> Array:
         """Parameters in the order of a model."""
-        return read_parameters(model.quantities.p, model.quantities.definitions, self.parameters)
+        own = for_equations(self.equations.scene, self.parameters)
+        return read_parameters(model.quantities.p, model.quantities.definitions, own)
 
     @cached_property
     def suggested(self) -> tuple[Suggestion, Suggestion]:

@@ -1,0 +1,149 @@
+"""Conditions of validity: where the model of a scene stops being true.
+
+    N > 0                 or it lifts off
+    |T| <= mu N           or it slips
+
+The equations of motion do not know them; a simulation watches them.
+"""
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+from sympy import Expr, Symbol
+from sympy.core.function import AppliedUndef
+from sympy.core.relational import GreaterThan, Relational, StrictGreaterThan, StrictLessThan
+from sympy.logic.boolalg import BooleanAtom
+from sympy.printing.str import StrPrinter
+
+from mechanics.errors import SceneError
+from mechanics.scene.declared import decimals, kind_of
+from mechanics.scene.parameters import Parameter
+
+if TYPE_CHECKING:
+    from mechanics.scene.scene import Scene
+
+
+@dataclass(frozen=True)
+class Condition:
+    """A relation that has to hold for the model to be the system.
+
+    Parameters
+    ----------
+    name : str
+    relation : Relational
+        ``<``, ``<=``, ``>`` or ``>=`` between expressions in coordinates, their rates, inputs,
+        reactions (by the symbols of their names) and parameters.
+    otherwise : str
+        What happens where it does not hold, as a verb: ``"lifts off"``.
+    """
+
+    name: str
+    relation: Relational
+    otherwise: str
+
+    @property
+    def margin(self) -> Expr:
+        """Positive inside of the domain, negative outside."""
+        left, right = self.relation.lhs, self.relation.rhs
+        upward = isinstance(self.relation, GreaterThan | StrictGreaterThan)
+        return left - right if upward else right - left
+
+    @property
+    def text(self) -> str:
+        """The relation for people: ``|T| <= mu*N``."""
+        return _Plain().doprint(self.relation)
+
+    @property
+    def strict(self) -> bool:
+        """Whether the edge is outside."""
+        return isinstance(self.relation, StrictGreaterThan | StrictLessThan)
+
+
+class _Plain(StrPrinter):
+    """SymPy's text, with magnitudes between bars and functions of time by their names."""
+
+    def _print_Abs(self, expression: Expr) -> str:
+        return f"|{self._print(expression.args[0])}|"
+
+    def _print_Function(self, function: Expr) -> str:
+        if isinstance(function, AppliedUndef):
+            return str(function.func.__name__)
+        return super()._print_Function(function)
+
+    def _print_Derivative(self, derivative: Expr) -> str:
+        return self._print(derivative.expr) + "'" * derivative.derivative_count
+
+
+def condition(name: str, relation: Any, otherwise: str) -> Condition:
+    """A condition of validity: see `Condition`.
+
+    Raises
+    ------
+    SceneError
+        When the relation is no inequality, or does not depend on anything.
+    """
+    if isinstance(relation, BooleanAtom | bool):
+        raise SceneError(
+            f"condition {name}: the relation is {bool(relation)} whatever happens: write the"
+            " reaction as Symbol(name, real=True), without an assumption on its sign"
+        )
+    if not isinstance(relation, Relational) or relation.rel_op not in ("<", "<=", ">", ">="):
+        raise SceneError(
+            f"condition {name}: the relation is {kind_of(relation)}: write an inequality such as"
+            " N > 0"
+        )
+    exact = relation.func(decimals(relation.lhs), decimals(relation.rhs), evaluate=False)
+    return Condition(name, exact, otherwise)
+
+
+def condition_parameters(scene: "Scene") -> tuple[Symbol, ...]:
+    """Parameters that only conditions use, in order of their names.
+
+    They are no arguments of the equations.
+    """
+    found = {s for c in scene.conditions for s in plain_margin(scene, c).free_symbols}
+    taken = {symbol.name for symbol in known_symbols(scene)}
+    return tuple(sorted((s for s in found if s.name not in taken), key=lambda s: s.name))
+
+
+def known_symbols(scene: "Scene") -> tuple[Symbol, ...]:
+    """What a condition may hold besides parameters of its own, in plain symbols."""
+    moving = (*scene.q, *scene.u, *scene.ud, *scene.input_symbols)
+    declared = (*scene.parameters, *scene.definitions)
+    return (*moving, *(reaction.symbol for reaction in scene.reactions), *declared)
+
+
+def plain_margin(scene: "Scene", condition: Condition) -> Expr:
+    """The margin in plain symbols; reactions are found by their names."""
+    margin = scene.plain(condition.margin, f"condition {condition.name}")
+    table = {symbol.name: symbol for symbol in known_symbols(scene)}
+    return margin.xreplace({s: table.get(s.name, s) for s in margin.free_symbols})
+
+
+def check_conditions(scene: "Scene") -> None:
+    """Every condition depends on the motion, and every symbol of it is known.
+
+    Raises
+    ------
+    SceneError
+        Names the condition and the symbol.
+    """
+    moving = {s.name for s in (*scene.q, *scene.u, *scene.ud, *scene.input_symbols)}
+    moving |= {reaction.name for reaction in scene.reactions}
+    known = {symbol.name for symbol in known_symbols(scene)}
+    for one in scene.conditions:
+        what = f"condition {one.name}"
+        symbols = plain_margin(scene, one).free_symbols
+        for symbol in symbols:
+            if symbol.name not in known and not isinstance(symbol, Parameter):
+                reactions = ", ".join(r.name for r in scene.reactions) or "none"
+                raise SceneError(
+                    f"{what}: {symbol} is neither a coordinate, an input, a reaction nor a"
+                    f" parameter: the reactions are {reactions}; declare parameters by"
+                    " parameters(...)"
+                )
+        if not any(symbol.name in moving for symbol in symbols):
+            raise SceneError(
+                f"{what}: {one.relation} does not depend on the motion: it is about parameters"
+                " only, and belongs to their declaration"
+            )
