@@ -42,7 +42,7 @@ def pose(
     """
     wanted = np.asarray(times, dtype=float)
     if wanted.ndim != 1 or len(wanted) < 2 or wanted[0] != 0 or not np.all(np.diff(wanted) > 0):
-        raise InputError(f"times: {len(wanted)} numbers found: at least 2, increasing from 0")
+        raise InputError("times: give at least 2 numbers that increase from 0")
     initial, parameters, inputs = initial or {}, parameters or {}, inputs or {}
     scene, quantities = model.equations.scene, model.quantities
     p = read_parameters(quantities.p, quantities.definitions, parameters)

@@ -13,6 +13,7 @@ from scipy.integrate import solve_ivp
 from mechanics.compiled.model import Model, compile
 from mechanics.compiled.native import find_compiler
 from mechanics.compiled.step import TABLEAUX
+from mechanics.errors import InputError
 from mechanics.routes import kane
 from mechanics.simulate.integrators import INTEGRATORS, Integrator, Outcome, Problem, Setting
 from mechanics.simulate.integrators.rate import Rate
@@ -178,6 +179,12 @@ def test_fixed_steps_beyond_the_budget_or_stability_are_refused() -> None:
 def test_heyoka_says_how_to_install_it(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(importlib.util, "find_spec", lambda name: None)
     assert "pip install 'mechanics[taylor]'" in MEMBERS["heyoka Taylor"].available()
+
+
+@pytest.mark.parametrize("times", [1.0, [0.0], [0.1, 1.0], [0.0, 1.0, 1.0], [[0.0, 1.0]]])
+def test_times_have_to_increase_from_zero(times) -> None:
+    with pytest.raises(InputError, match="give at least 2 numbers that increase from 0"):
+        pose(model_with("rocker", "auto"), times)
 
 
 @pytest.fixture(scope="module")
