@@ -71,7 +71,8 @@ def extremes(
             status.update(f"writing {report.name}")
             report.write_text(extremes_html(results), encoding="utf-8")
     if json_file is not None:
-        text = json.dumps({"systems": [to_record(found) for found in results]}, allow_nan=False)
+        record = {"systems": [to_record(found) for found in results]}
+        text = json.dumps(record, allow_nan=False, separators=(",", ":"))
         if json_file == "-":
             sys.stdout.write(text + "\n")
         else:

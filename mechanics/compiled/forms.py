@@ -257,7 +257,7 @@ def _scaled(system: System) -> tuple[ca.SX, ca.SX, ca.SX]:
 
 
 EXPLICIT = Form("explicit", "adjugate over determinant", _few, _explicit)
-LDL = Form("ldl", "L D L^T of the mass matrix", _conjugate, _ldl)
+LDL = Form("ldl", "L D Lᵀ of the mass matrix", _conjugate, _ldl)
 ELIMINATION = Form("elimination", "Gaussian elimination", _always, _elimination)
 PRIMITIVE = Form("primitive", "elimination without common factors", _readable, _primitive)
 REARRANGED = Form("rearranged", "pivots without subtraction", _small_and_readable, _rearranged)

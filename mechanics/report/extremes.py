@@ -13,7 +13,7 @@ from mechanics.extremes import CAUSES, Extremes, Reach, Visited
 from mechanics.extremes.cause import Cause
 from mechanics.extremes.result import PRECISIONS, STABLE
 from mechanics.report import words
-from mechanics.report.extremes_map import LEGEND, heat_map, sample, strip, value_label
+from mechanics.report.extremes_map import LEGEND, heat_map, sample, strip, unit_text, value_label
 from mechanics.report.notation import latex_name
 from mechanics.report.typeset import maths
 
@@ -67,6 +67,17 @@ class Chapter:
     maps: list[tuple[str, list[Figure]]]
     paths: list[PathRow]
 
+    @property
+    def worst(self) -> dict[str, float]:
+        """Largest backward error of the default form, by precision."""
+        return next(row.worst for row in self.forms if row.default)
+
+    @property
+    def limits(self) -> list[Reach]:
+        """Quantities whose range ends before the numbers do, in double precision."""
+        reaches = [double.reach for double, _ in self.strips]
+        return [r for r in reaches if (r.below, r.above) != (Cause.ACCURATE, Cause.ACCURATE)]
+
 
 def extremes_html(results: Sequence[Extremes]) -> str:
     """The report of walks to the extremes.
@@ -93,6 +104,7 @@ def extremes_html(results: Sequence[Extremes]) -> str:
         STABLE=STABLE,
         count=words.count,
         ratio=words.ratio,
+        unit=lambda text: Markup(unit_text(text)),
         symbol=lambda name: maths(latex_name(name)),
         value=lambda number, unit: Markup(_html_value(number, unit)),
         legend=[(Markup(sample(name, letter)), text) for name, letter, text in LEGEND],

@@ -15,13 +15,16 @@ from mechanics.extremes.cause import CAUSES, Cause
 from mechanics.extremes.result import PRECISIONS, Figures
 from mechanics.report.notation import svg_name
 
-CELL = 20.0
-LEFT, TOP, BOTTOM, RIGHT = 58.0, 6.0, 62.0, 4.0
+CELL = 14.0
+LEFT, TOP, BOTTOM, RIGHT = 44.0, 22.0, 58.0, 4.0
 STRIP_WIDTH, STRIP_HEIGHT = 618.0, 12.0
 LETTERS = {
     Cause.CONDITION: "c", Cause.CANCELLATION: "x", Cause.UNDERFLOW: "u", Cause.OVERFLOW: "o",
     Cause.RANGE: "r", Cause.SINGULAR: "s", Cause.INPUT: "",
 }  # fmt: skip
+LIGHT = frozenset({Cause.CANCELLATION, Cause.OVERFLOW, Cause.RANGE})
+"""Causes whose letter is light on a dark colour."""
+
 STEPS = (2.0, 16.0, 256.0)
 """Errors in epsilon at which the colour of an accurate cell changes."""
 
@@ -56,7 +59,7 @@ def heat_map(
         y = TOP + (rows - 1 - i) * CELL
         shades = [shade(figures, i * columns + j) for j in range(columns)]
         parts += _cells(shades, lambda j: LEFT + j * CELL, y)
-        parts.append(_letters([figures.cause(i * columns + j) for j in range(columns)], y))
+        parts += _letters([figures.cause(i * columns + j) for j in range(columns)], y)
         parts.append(
             f'<text class="tick" x="{LEFT - 5}" y="{y + CELL / 2:g}" dy=".35em"'
             f' text-anchor="end">{value_label(values[0][i], units[0])}</text>'
@@ -73,13 +76,12 @@ def heat_map(
         f' height="{rows * CELL:g}"/>'
     )
     parts.append(
-        f'<text class="axis-title" x="{LEFT + columns * CELL:g}" y="{height - 6:g}"'
+        f'<text class="axis-title" x="{LEFT + columns * CELL:g}" y="{height - 4:g}"'
         f' text-anchor="end">{svg_name(names[1])}{_in(units[1])}</text>'
-        f'<text class="axis-title" x="2" y="{height - 6:g}">{svg_name(names[0])}{_in(units[0])}'
-        "</text>"
+        f'<text class="axis-title" x="0" y="14">{svg_name(names[0])}{_in(units[0])}</text>'
     )
     return (
-        f'<svg class="heat" viewBox="0 0 {width:g} {height:g}" role="img"'
+        f'<svg class="heat" width="{width:g}" viewBox="0 0 {width:g} {height:g}" role="img"'
         f' aria-label="{escape(title)}">{"".join(parts)}</svg>'
     )
 
@@ -114,10 +116,15 @@ def strip(title: str, values: Sequence[float], figures: Figures) -> str:
 
 def sample(name: str, letter: str = "") -> str:
     """One cell, for the legend."""
-    text = f'<text x="10" y="10" dy=".35em" text-anchor="middle">{letter}</text>' if letter else ""
+    light = " light" if any(name == cause.name.lower() for cause in LIGHT) else ""
+    text = (
+        f'<text class="letter{light}" x="7" y="7" dy=".33em" text-anchor="middle">{letter}</text>'
+        if letter
+        else ""
+    )
     return (
-        '<svg class="heat sample" viewBox="0 0 20 20" aria-hidden="true">'
-        f'<rect class="{name}" width="20" height="20"/>{text}</svg>'
+        '<svg class="heat sample" viewBox="0 0 14 14" aria-hidden="true">'
+        f'<rect class="{name}" width="14" height="14"/>{text}</svg>'
     )
 
 
@@ -143,8 +150,13 @@ def _quarter(value: float) -> int:
     return k if k in _QUARTERS and abs(value - k * pi / 2) < 1e-6 else 0
 
 
+def unit_text(unit: str) -> str:
+    """A unit as it is printed: m/s² for ``m/s^2``."""
+    return escape(unit).replace("^2", "²").replace("^3", "³").replace("*", "\u2009")
+
+
 def _in(unit: str) -> str:
-    return f" in {escape(unit)}" if unit else ""
+    return f" in {unit_text(unit)}" if unit else ""
 
 
 def _cells(shades: Sequence[str], left: Callable[[int], float], y: float) -> list[str]:
@@ -160,16 +172,22 @@ def _cells(shades: Sequence[str], left: Callable[[int], float], y: float) -> lis
     return parts
 
 
-def _letters(causes: Sequence[Cause], y: float) -> str:
-    found = [(LEFT + (j + 0.5) * CELL, LETTERS.get(cause, "")) for j, cause in enumerate(causes)]
-    marked = [(x, letter) for x, letter in found if letter]
-    if not marked:
-        return ""
-    places = " ".join(f"{x:g}" for x, _ in marked)
-    return (
-        f'<text class="letter" x="{places}" y="{y + CELL / 2:g}" dy=".33em"'
-        f' text-anchor="middle">{"".join(letter for _, letter in marked)}</text>'
-    )
+def _letters(causes: Sequence[Cause], y: float) -> list[str]:
+    parts = []
+    for light in (False, True):
+        marked = [
+            (LEFT + (j + 0.5) * CELL, LETTERS[cause])
+            for j, cause in enumerate(causes)
+            if LETTERS.get(cause) and (cause in LIGHT) == light
+        ]
+        if marked:
+            places = " ".join(f"{x:g}" for x, _ in marked)
+            parts.append(
+                f'<text class="letter{" light" if light else ""}" x="{places}"'
+                f' y="{y + CELL / 2:g}" dy=".33em" text-anchor="middle">'
+                f"{''.join(letter for _, letter in marked)}</text>"
+            )
+    return parts
 
 
 LEGEND: tuple[tuple[str, str, str], ...] = (
