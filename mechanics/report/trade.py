@@ -1,12 +1,13 @@
 """The trade of speed for accuracy as one self-contained HTML page."""
 
+import re
 from dataclasses import dataclass
 from itertools import groupby
 from math import isfinite
 from statistics import median
 
 from jinja2 import Environment, PackageLoader, StrictUndefined
-from markupsafe import Markup
+from markupsafe import Markup, escape
 
 from mechanics.report import charts, trade_plot, words
 from mechanics.report.notation import latex_name
@@ -15,6 +16,8 @@ from mechanics.report.typeset import maths
 from mechanics.trade import Measurement, Trade
 from mechanics.trade.amplitude import Amplitude
 from mechanics.trade.recommend import milliseconds
+
+NUMBER = re.compile(r"\b(\d(?:\.\d+)?)e([+-]\d+)\b")
 
 
 @dataclass(frozen=True)
@@ -46,7 +49,7 @@ def trade_html(found: Trade) -> str:
         lstrip_blocks=True,
         undefined=StrictUndefined,
     )
-    environment.filters.update(error=error, power=power, time=duration)
+    environment.filters.update(error=error, power=power, powers=powers, time=duration)
     environment.globals.update(
         count=words.count,
         median=median,
@@ -75,6 +78,16 @@ def error(value: float | None) -> Markup:
     if -2 <= int(exponent) <= 2:
         return Markup(f"{value:.2g}")
     return Markup(f"{digits}·10<sup>{str(int(exponent)).replace('-', chr(0x2212))}</sup>")
+
+
+def powers(text: str) -> Markup:
+    """A sentence with its numbers such as 1e-07 written as powers of ten."""
+
+    def written(match: re.Match[str]) -> str:
+        digits, exponent = match[1], str(int(match[2])).replace("-", chr(0x2212))
+        return f"{'' if digits == '1' else digits + '·'}10<sup>{exponent}</sup>"
+
+    return Markup(NUMBER.sub(written, str(escape(text))).replace(" us", " µs"))
 
 
 def power(value: float) -> Markup:

@@ -36,7 +36,7 @@ class Size:
     bottom = 44.0
 
 
-WIDE, NARROW = Size(880.0, 520.0, 172.0), Size(372.0, 420.0, 15.0)
+WIDE, NARROW = Size(900.0, 520.0, 198.0), Size(372.0, 420.0, 15.0)
 
 
 @dataclass(frozen=True)

@@ -1,0 +1,145 @@
+"""What is measured: errors against the reference, evaluations, energy, a front."""
+
+import json
+
+import numpy as np
+import pytest
+
+from mechanics.cli.load import load
+from mechanics.crosscheck import derive
+from mechanics.errors import InputError
+from mechanics.trade import Trade, trade
+from mechanics.trade.case import Case
+from mechanics.trade.choice import Choice, Variant
+from mechanics.trade.measure import prepared
+from mechanics.trade.recommend import pareto
+from mechanics.trade.record import to_record
+from mechanics.trade.survey import LONGEST
+from mechanics.trade.yardstick import yardstick
+
+
+def test_errors_follow_from_the_reference(pendulum: Trade, case: Case) -> None:
+    for m in pendulum.front:
+        errors = pendulum.yardstick.truth.errors(prepared(case, m.choice)().states)
+        assert m.error_end == errors[-1]
+        assert m.error_largest == np.max(errors)
+
+
+def test_reference_has_thirty_digits_and_says_how_it_is_known(pendulum: Trade) -> None:
+    assert pendulum.yardstick.digits >= 30
+    assert len(pendulum.yardstick.verified_by) >= 1
+    assert all(len(text.replace("-", "").replace(".", "")) >= 30 for text in pendulum.yardstick.end)
+
+
+def test_front_is_what_no_other_beats(pendulum: Trade) -> None:
+    front = pendulum.front
+    for m in front:
+        others = [o for o in pendulum.measurements if o.choice.variant.careful]
+        assert not [o for o in others if o.time < m.time and o.error_largest < m.error_largest]
+    times = [m.time for m in front]
+    assert times == sorted(times)
+    assert len(front) >= 4
+
+
+def test_pareto_of_known_points(pendulum: Trade) -> None:
+    from dataclasses import replace
+
+    one = pendulum.measurements[0]
+    points = [(1.0, 1e-3), (2.0, 1e-6), (3.0, 1e-4), (2.5, 1e-9)]
+    made = [replace(one, seconds=(t,), error_largest=e) for t, e in points]
+    assert pareto(made) == (0, 1, 3)
+
+
+def test_every_axis_is_measured(pendulum: Trade) -> None:
+    choices = [m.choice for m in pendulum.measurements]
+    assert {"SciPy DOP853", "C RK5", "C RK8"} <= {c.setting.integrator for c in choices}
+    assert {c.setting.arithmetic for c in choices} == {"double", "single"}
+    assert {c.variant.model for c in choices} == {"nonlinear", "linearised"}
+    assert len({c.variant.form for c in choices}) >= 3
+    if "C (" in pendulum.backend:
+        assert any("-ffast-math" in c.variant.flags for c in choices)
+
+
+def test_axes_are_varied_one_at_a_time(pendulum: Trade) -> None:
+    plain = Variant()
+    for m in pendulum.measurements:
+        variant = m.choice.variant
+        different = [
+            variant.form != plain.form,
+            variant.flags != plain.flags,
+            variant.model != plain.model,
+        ]
+        assert sum(different) <= 1
+
+
+def test_higher_order_pays_at_high_accuracy(pendulum: Trade) -> None:
+    # Evaluations, not times: RK8 needs fewer than RK5 for the same error.
+    def fewest(name: str) -> int:
+        return min(
+            m.evaluations
+            for m in pendulum.measurements
+            if m.choice.setting.integrator == name
+            and m.choice.setting.arithmetic == "double"
+            and m.error_largest <= 1e-9
+        )
+
+    assert fewest("C RK8") < fewest("C RK5")
+
+
+def test_energy_drift_falls_with_the_error(pendulum: Trade) -> None:
+    ladder = [
+        m for m in pendulum.measurements
+        if m.choice.setting.integrator == "SciPy DOP853" and m.choice.variant.plain
+        and m.choice.setting.arithmetic == "double"
+    ]  # fmt: skip
+    assert all(m.energy_drift is not None for m in ladder)
+    assert ladder[-1].energy_drift < 1e-6 * ladder[0].energy_drift
+
+
+def test_times_are_repeated_and_their_spread_is_shown(pendulum: Trade) -> None:
+    for m in pendulum.front:
+        if m.time * pendulum.horizon < LONGEST:
+            assert len(m.seconds) >= 3
+        low, high = m.spread
+        assert min(m.seconds) <= low <= m.time <= high <= max(m.seconds)
+
+
+def test_record_holds_every_figure(pendulum: Trade) -> None:
+    record = json.loads(json.dumps(to_record(pendulum), allow_nan=False))
+    assert len(record["measurements"]) == len(pendulum.measurements)
+    for entry, m in zip(record["measurements"], pendulum.measurements, strict=True):
+        assert np.median(entry["seconds"]) == pytest.approx(m.time)
+    errors = {e["choice"]["words"]: e["errors"] for e in record["states"]["errors"]}
+    for pick in record["recommendations"]:
+        assert max(errors[pick["choice"]["words"]]) <= pick["bound"] <= pick["target"]
+    starts = np.array(record["states"]["starts"])
+    assert np.array_equal(starts, pendulum.family.starts)
+
+
+def test_fast_math_is_measured_but_never_picked(pendulum: Trade) -> None:
+    assert all(m.choice.variant.careful for m in pendulum.front)
+    assert not Variant(flags="-O3 -ffast-math").careful
+
+
+def test_choice_says_what_it_is() -> None:
+    from mechanics.simulate.integrators import Setting
+
+    choice = Choice(Variant(form="ldl"), Setting("C RK8", step=0.01, arithmetic="single"))
+    assert choice.words == "C RK8, step 0.01 s, single precision, form ldl"
+    assert choice.with_amount(0.005).setting.step == 0.005
+
+
+def test_chaotic_motion_is_compared_only_while_that_means_something() -> None:
+    equations = derive(load("pendulum_chain(2)").scene(), "kane")
+    wild = Case(equations, 60.0, {"q1": 0.1, "q2": -0.2, "q1_dot": 2.0, "q2_dot": -7.0})
+    short, stick, notes = yardstick(wild, 12)
+    assert short.horizon < 60.0
+    assert short.horizon == pytest.approx(stick.meaningful_until)
+    assert "errors are compared until" in notes[0]
+
+
+@pytest.mark.parametrize(("horizon", "target"), [(0.0, None), (-1.0, None), (1.0, 2.0), (1.0, 0.0)])
+def test_values_out_of_range_are_refused(horizon: float, target: float | None) -> None:
+    equations = derive(load("two_mass_chain").scene(), "kane")
+    with pytest.raises(InputError, match=r"horizon|target"):
+        trade(equations, horizon, target=target)

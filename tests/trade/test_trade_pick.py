@@ -1,0 +1,134 @@
+"""The pick meets its target on initial states that it was not tuned on."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from mechanics.simulate.integrators import Setting
+from mechanics.simulate.reference import reference
+from mechanics.trade import Trade
+from mechanics.trade.case import Case
+from mechanics.trade.choice import Choice, Variant
+from mechanics.trade.family import family
+from mechanics.trade.measure import prepared
+from mechanics.trade.recommend import recommend
+from mechanics.trade.train import Trained, error_of, tail_limit, tolerance_factor
+from mechanics.trade.truth import Truth, from_reference
+
+OTHERS = 50
+SEED = 4711
+
+
+@pytest.fixture(scope="module")
+def others(pendulum: Trade, case: Case) -> list[tuple[np.ndarray, Truth]]:
+    """States of the family with another seed, each with a reference of many digits."""
+    scale = pendulum.yardstick.truth.scale
+    starts = family(case, scale, OTHERS, seed=SEED)
+    return [(s, from_reference(reference(case.problem(start=s), 16))) for s in starts]
+
+
+@pytest.mark.parametrize("target", [1e-3, 1e-6, 1e-9])
+def test_pick_meets_its_target_on_states_it_was_not_tuned_on(
+    pendulum: Trade, case: Case, others: list[tuple[np.ndarray, Truth]], target: float
+) -> None:
+    pick = pendulum.recommendation(target)
+    assert pick.choice is not None
+    errors = [error_of(case, pick.choice, start, truth) for start, truth in others]
+    assert max(errors) <= target
+    tuned = {tuple(start) for start in pendulum.family.starts}
+    assert not tuned & {tuple(start) for start, _ in others}
+
+
+def test_pick_is_shown_to_meet_its_target(pendulum: Trade) -> None:
+    for pick in pendulum.recommendations:
+        assert pick.choice is not None and pick.measurement is not None
+        assert pick.measurement.error_largest <= pick.bound <= pick.target
+        assert pick.choice.variant.careful
+        (confirmed,) = [t for t in pendulum.trained if t.choice == pick.choice]
+        assert len(confirmed.errors) == len(pendulum.family.starts) >= 300
+
+
+def made(pendulum: Trade, name: str, seconds: float, error: float, step: bool) -> tuple:
+    """A measurement and errors on all states, both made up."""
+    setting = Setting(name, step=0.1) if step else Setting(name, tolerance=0.1)
+    choice = Choice(Variant(), setting)
+    one = replace(pendulum.measurements[0], choice=choice, seconds=(seconds,), error_largest=error)
+    return one, Trained(choice, np.full(len(pendulum.family.starts), error))
+
+
+@pytest.mark.parametrize(
+    ("fixed", "adaptive", "expected"),
+    [(1.0, 1.9, "adaptive"), (1.0, 2.1, "fixed"), (2.0, 1.0, "adaptive")],
+)
+def test_fixed_steps_are_taken_only_where_adaptive_ones_cost_twice_as_much(
+    pendulum: Trade, case: Case, fixed: float, adaptive: float, expected: str
+) -> None:
+    rows = [
+        made(pendulum, "fixed", fixed, 1e-7, True),
+        made(pendulum, "adaptive", adaptive, 1e-7, False),
+        made(pendulum, "cheap", 0.1, 1e-5, False),
+        made(pendulum, "dear", 9.0, 1e-12, False),
+    ]
+    tried = {t.choice: t for _, t in rows}
+    pick = recommend(case, 1e-6, [m for m, _ in rows], tried, pendulum.family)
+    assert pick.choice is not None
+    assert pick.choice.setting.integrator == expected
+    assert "cheap, tolerance 1e-01 is cheaper, but was only shown to stay below" in pick.reason
+
+
+def test_target_that_nothing_meets_is_said_so(pendulum: Trade, case: Case) -> None:
+    tried = {t.choice: t for t in pendulum.trained}
+    pick = recommend(case, 1e-18, pendulum.measurements, tried, pendulum.family)
+    assert pick.choice is None
+    assert "no choice is shown to stay below it" in pick.reason
+
+
+def test_tolerance_factor_is_the_published_one() -> None:
+    # One-sided, 95 % confidence: Hahn and Meeker, Statistical Intervals, table A.12.
+    assert tolerance_factor(10) == pytest.approx(5.203, abs=2e-3)
+    assert tolerance_factor(30) == pytest.approx(4.022, abs=2e-3)
+
+
+def test_bound_covers_what_was_seen_and_grows_with_the_spread(pendulum: Trade) -> None:
+    choice = pendulum.trained[0].choice
+    near = Trained(choice, 10.0 ** np.linspace(-9, -8.9, 24))
+    far = Trained(choice, 10.0 ** np.linspace(-11, -8.9, 24))
+    assert near.largest <= near.bound < far.bound
+    assert Trained(choice, np.array([1e-9, np.inf, 1e-9])).bound == np.inf
+
+
+@pytest.mark.parametrize("index", [0.2, 0.5, 1.0])
+def test_tail_limit_covers_the_tail_of_a_pareto_distribution(index: float) -> None:
+    random = np.random.default_rng(3)
+    above = []
+    for _ in range(200):
+        errors = 1e-9 * random.uniform(size=300) ** -index
+        limit = tail_limit(errors)
+        # P(error > limit), exactly.
+        above.append((limit / 1e-9) ** (-1 / index))
+    assert np.mean(np.array(above) <= 1e-3) > 0.85
+
+
+def test_states_are_like_the_example_and_not_the_example(pendulum: Trade, case: Case) -> None:
+    around, scale = pendulum.family, pendulum.yardstick.truth.scale
+    shares = np.abs(around.starts - case.start) / scale
+    assert np.all(shares <= around.spread * (1 + 1e-12))
+    assert np.all(np.max(shares, axis=0) > 0.9 * around.spread)
+
+
+def test_states_of_a_constrained_scene_satisfy_the_constraints() -> None:
+    from mechanics.cli.load import load
+    from mechanics.crosscheck import derive
+
+    disc = Case(derive(load("rolling_disc").scene(), "kane"), 1.0)
+    for start in family(disc, np.ones(len(disc.start)), 5):
+        assert np.all(np.abs(disc.manifold.residual(0.0, start)) < 1e-12)
+
+
+def test_doubt_about_the_comparison_counts_as_an_error(pendulum: Trade, case: Case) -> None:
+    truth = pendulum.family.truths[0]
+    assert truth.doubt > 0
+    first = pendulum.family.first
+    assert error_of(case, first, pendulum.family.starts[0], truth) == truth.doubt
+    assert prepared(case, first)().failure == ""
