@@ -41,4 +41,6 @@ def working(words: str) -> Iterator[Callable[[float], None]]:
     try:
         yield tell
     finally:
-        bar.stop()
+        # Stopping a bar that was not shown prints an empty line.
+        if shown:
+            bar.stop()
