@@ -63,11 +63,13 @@ def _march(
     times, name = problem.times, f"SciPy {method.__name__}"
     try:
         solver = method(rate, 0.0, problem.start, float(times[-1]), **options)
-        while solver.status == "running":
-            words = solver.step()
-            if solver.status == "failed":
-                return f"{name} stopped at t = {solver.t:.6g} s: {words}"
-            _sample(solver, times, states)
+        # A step that is tried and overflows is rejected: no news for the user.
+        with np.errstate(all="ignore"):
+            while solver.status == "running":
+                words = solver.step()
+                if solver.status == "failed":
+                    return f"{name} stopped at t = {solver.t:.6g} s: {words}"
+                _sample(solver, times, states)
     except OverBudget as error:
         return f"{name} gave up: {error}"
     return ""
