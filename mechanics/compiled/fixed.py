@@ -6,7 +6,7 @@ A number is the exact decimal that was typed, so what is compiled can be proved 
 derived, at that rational. A product with zero is gone, and what only it needed with it.
 """
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import replace
 from fractions import Fraction
 from functools import partial
@@ -30,7 +30,7 @@ def read_fixed(scene: Scene, given: Mapping[str, Any]) -> dict[Symbol, Expr]:
     ----------
     scene : Scene
     given : mapping of str to number or str
-        By name of a parameter, or of a symbol that the scene's definitions use.
+        By name of a parameter, or of a symbol that the definition of one uses.
 
     Raises
     ------
@@ -38,9 +38,10 @@ def read_fixed(scene: Scene, given: Mapping[str, Any]) -> dict[Symbol, Expr]:
         For a name that the scene does not have, a value that is no number, or one that is
         negative where the parameter is declared positive.
     """
+    if not isinstance(given, Mapping):
+        raise InputError(f"fixed: {given!r} found: write a mapping such as {{'g': 9.81}}")
     definitions = {s: sympy.sympify(e) for s, e in scene.definitions.items()}
-    free = {s for e in definitions.values() for s in e.free_symbols}
-    named = {s.name: s for s in (*scene.parameters, *definitions, *free)}
+    named = {s.name: s for s in _used(scene.parameters, definitions)}
     table: dict[Symbol, Expr] = {}
     for name, value in given.items():
         if name not in named:
@@ -56,6 +57,18 @@ def read_fixed(scene: Scene, given: Mapping[str, Any]) -> dict[Symbol, Expr]:
                 table[symbol] = value
     wanted = {*scene.parameters, *(named[name] for name in given)}
     return {symbol: value for symbol, value in table.items() if symbol in wanted}
+
+
+def _used(symbols: Iterable[Symbol], definitions: Mapping[Symbol, Expr]) -> set[Symbol]:
+    """Symbols, and those that their definitions use: others would be fixed without any effect."""
+    found: set[Symbol] = set()
+    stack = list(symbols)
+    while stack:
+        symbol = stack.pop()
+        if symbol not in found:
+            found.add(symbol)
+            stack += definitions[symbol].free_symbols if symbol in definitions else ()
+    return found
 
 
 def _number(symbol: Symbol, value: Any) -> Expr:

@@ -16,7 +16,7 @@ from sympy import Expr, Symbol
 from mechanics.compiled.buffer import Buffer
 from mechanics.compiled.checked import checked
 from mechanics.compiled.evaluator import FLAGS, Kernel, evaluator
-from mechanics.compiled.fixed import read_fixed
+from mechanics.compiled.fixed import read_fixed, words
 from mechanics.compiled.given import given_array
 from mechanics.compiled.graphs import MATRICES, Graphs
 from mechanics.compiled.native import find_compiler
@@ -161,9 +161,10 @@ class Model:
     def _parameters(self, given: Mapping[str, float]) -> Array:
         names = self.entries["p"]
         if unknown := set(given) - set(names):
+            held = f", and fixed: {words(self.casadi.fixed)}" if self.fixed else ""
             raise InputError(
                 f"there is no parameter {', '.join(sorted(unknown))}: the parameters are"
-                f" {', '.join(names)}"
+                f" {', '.join(names)}{held}"
             )
         if set(given) == set(names):
             return np.array([given[name] for name in names], dtype=float)

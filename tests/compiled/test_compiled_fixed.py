@@ -34,7 +34,9 @@ def test_a_value_is_the_decimal_that_was_typed(value: Any) -> None:
 
 
 BAD = [
-    ({"z": 1}, "fixed 'z': pendulum on elastic support has no such parameter: .* I_C, L, M, g, k"),
+    ({"z": 1}, "fixed 'z': pendulum on elastic support has no such parameter: .* L, M, g, k, m$"),
+    ({"I_C": 1}, "fixed 'I_C': .* no such parameter"),
+    ([("g", 1)], r"fixed: .* found: write a mapping such as \{'g': 9.81\}"),
     ({"x": 1}, "fixed 'x': .* no such parameter"),
     ({"g": "heavy"}, "fixed g: 'heavy' is no number: write 9.81 or 1/3"),
     ({"g": None}, "fixed g: None is no number"),
@@ -74,6 +76,8 @@ def test_what_is_defined_by_fixed_parameters_is_fixed() -> None:
     # The area is (2 + pi) R^2.
     assert model.fixed["M"] == Rational(27, 50) * (2 + pi)
     assert {"M", "I_C", "R"} <= set(model.fixed)
+    with pytest.raises(InputError, match="no such parameter"):
+        compile(equations, fixed={"m_1": 1})
     (finding,) = prove_compiled(model)
     assert finding.shown, finding
     free = compile(equations, outputs=ONLY)
@@ -188,6 +192,12 @@ def test_what_is_asked_for_is_derived_once(calls: Any) -> None:
         assert equations.steps
     assert counts["solved_reactions"] == counts["totals"] == counts["derivation_steps"] == 1
     assert counts["jacobian"] > 0
+
+
+def test_a_value_for_a_fixed_parameter_is_refused(derived: Any) -> None:
+    model = compile(derived("elastic_pendulum", "kane"), fixed={"g": 9.81})
+    with pytest.raises(InputError, match=r"no parameter g: .* L, M, k, m, and fixed: g = 981/100"):
+        model.forward_dynamics([0, 0], [0, 0], p={"g": 1})
 
 
 def test_a_restricted_model_knows_no_reactions(derived: Any) -> None:
