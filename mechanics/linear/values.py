@@ -1,9 +1,10 @@
 """Typical values: a number for every parameter, by the scene's definitions where it has none."""
 
 from collections.abc import Mapping
+from math import isfinite
 from typing import Any
 
-from sympy import Expr, Symbol, sympify
+from sympy import Expr, Rational, Symbol, sympify
 
 from mechanics.errors import InputError, ValueMissingError
 from mechanics.scene import Scene
@@ -43,7 +44,7 @@ def with_numbers(scene: Scene, expr: Expr, values: Numbers | None = None) -> Exp
 
 def _number(scene: Scene, symbol: Symbol, given: Mapping[str, Any]) -> Expr:
     if symbol.name in given:
-        return sympify(given[symbol.name])
+        return _exact(symbol.name, given[symbol.name])
     if isinstance(symbol, Parameter) and symbol.typical is not None:
         return sympify(symbol.typical)
     if symbol in scene.definitions:
@@ -51,6 +52,18 @@ def _number(scene: Scene, symbol: Symbol, given: Mapping[str, Any]) -> Expr:
     raise ValueMissingError(
         f"{scene.name}: parameter {symbol} has no value: give values={{'{symbol}': ...}}"
     )
+
+
+def _exact(name: str, value: Any) -> Expr:
+    """A given value; a floating-point number as the rational that it is.
+
+    SymPy's own numbers round every sum, so that K - M g/3 beside the critical gain would lose all.
+    """
+    if not isinstance(value, float):
+        return sympify(value)
+    if not isfinite(value):
+        raise InputError(f"parameter {name}: the value {value} is no finite number")
+    return Rational(*value.as_integer_ratio())
 
 
 def _refuse_unknown(scene: Scene, expr: Expr, given: Mapping[str, Any]) -> None:
