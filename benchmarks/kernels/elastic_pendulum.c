@@ -22,7 +22,7 @@ void elastic_pendulum(const double q[2], const double u[2], const double p[5], d
     ud[1] = (g * s + c * a) / l;
 }
 
-/* M = m = L = 1, k = 10, g = 9.81; the numerator and denominator above, doubled and times 3/4 */
+/* M = m = L = 1, k = 10, g = 9.81; the numerator and denominator above, times 3/2 */
 void elastic_pendulum_fixed(const double q[2], const double u[2], double ud[2])
 {
     const double s = sin(q[1]), c = cos(q[1]), w = u[1];
