@@ -208,8 +208,13 @@ def _other(m: Measurement, scales: Scales) -> str:
 
 
 def _front(m: Measurement, scales: Scales) -> str:
+    """A ring, with a stroke from quartile to quartile of the times."""
     a, b = scales.place(m)
-    return f'<circle class="front" cx="{a:.1f}" cy="{b:.1f}" r="4.6"/>'
+    low, high = (scales.y.place(log10(value)) for value in m.spread)
+    return (
+        f'<line class="front" x1="{a:.1f}" x2="{a:.1f}" y1="{low:.1f}" y2="{high:.1f}"/>'
+        f'<circle class="front" cx="{a:.1f}" cy="{b:.1f}" r="4.6"/>'
+    )
 
 
 def _picks(found: Trade, scales: Scales, size: Size) -> str:

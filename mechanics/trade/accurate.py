@@ -25,7 +25,7 @@ from mechanics.simulate.samples import Samples
 from mechanics.simulate.trajectory import Ending, Trajectory
 from mechanics.trade.case import BUDGET, TIMES, Case
 from mechanics.trade.choice import Choice, Variant
-from mechanics.trade.measure import Measurement, integrator, times_side_by_side
+from mechanics.trade.measure import Measurement, integrator, prepared, times_side_by_side
 from mechanics.trade.survey import LONGEST, Survey, ladder
 from mechanics.trade.truth import Truth, at_rows, from_states
 from mechanics.trade.yardstick import yardstick
@@ -150,9 +150,7 @@ def cheapest(case: Case, accuracy: float, members: Sequence[Integrator] = INTEGR
 def _truth(case: Case, accuracy: float) -> Truth:
     if any(callable(value) for value in case.inputs.values()):
         # Of functions only doubles are known, so that the finest run has to do.
-        start = begin(case.model(), case.initial, case.parameters, case.inputs)
-        wanted = Wanted(case, start, case.times, case.initial)
-        return from_states(states_of(wanted.trajectory(FINEST)))
+        return from_states(prepared(case, FINEST)().states)
     # The reference is made at some of the samples only.
     last = len(case.times) - 1
     rows = np.unique(np.linspace(0, last, min(TIMES, last + 1)).astype(int))

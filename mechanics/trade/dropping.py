@@ -20,7 +20,7 @@ from mechanics.linear.values import with_numbers
 from mechanics.scene import Scene
 from mechanics.simulate.integrators import Outcome, Problem
 from mechanics.simulate.integrators.rate import rate_program
-from mechanics.simulate.values import read_parameters
+from mechanics.simulate.values import for_equations, read_parameters
 from mechanics.trade.case import BUDGET, Case
 from mechanics.trade.choice import Choice
 from mechanics.trade.measure import integrator
@@ -107,7 +107,7 @@ def _without(case: Case, part: Part, derive: Derive, choice: Choice) -> Dropped:
 
 
 def _run(case: Case, model: Model, choice: Choice, more: dict[str, float]) -> Callable[[], Outcome]:
-    values = {**case.parameters, **more}
+    values = {**for_equations(case.equations.scene, case.parameters), **more}
     p = read_parameters(model.quantities.p, model.quantities.definitions, values)
     problem = Problem(model, p, case.inputs, case.start, case.times, BUDGET)
     return integrator(choice.setting.integrator).prepare(problem, choice.setting)

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from mechanics.equations import Equations
 from mechanics.errors import InputError
 from mechanics.simulate.integrators import INTEGRATORS, Integrator
+from mechanics.simulate.run import simulate_one
 from mechanics.trade.case import Case
 from mechanics.trade.dropping import Derive
 from mechanics.trade.family import SPREAD, TRAINING, Family, family, working_truths
@@ -95,6 +96,7 @@ def trade(
     asked = Case(equations, horizon, initial or {}, parameters or {}, inputs or {}, compiler)
     tell("reference", 0.0)
     case, stick, notes = yardstick(asked)
+    notes += _left(case)
     found = survey(case, stick.truth, tuple(members), lambda w, s: tell(w, 0.05 + 0.3 * s))
     tell("one axis at a time", 0.35)
     better = vary(case, stick.truth, found, best_for(found.measurements, target or TARGETS[1]))
@@ -139,6 +141,28 @@ def _targets(target: float | None) -> tuple[float, ...]:
     if not (np.isfinite(target) and 0 < target < 1):
         raise InputError(f"target: {target!r} found: an error between 0 and 1 is needed")
     return tuple(sorted({*TARGETS, float(target)}, reverse=True))
+
+
+def _left(case: Case) -> tuple[str, ...]:
+    """Where the motion leaves the domain of the model, in a sentence."""
+    if not case.equations.scene.conditions:
+        return ()
+    found = simulate_one(
+        case.model(),
+        case.horizon,
+        initial=case.initial,
+        parameters=case.parameters,
+        inputs=case.inputs,
+        samples=2,
+        beyond_domain=True,
+    )
+    leaving = [crossing for crossing in found.crossings if crossing.leaving]
+    if not leaving:
+        return ()
+    return (
+        f"the motion leaves the domain of the model at t = {leaving[0].time:.4g} s:"
+        f" {leaving[0].sentence}; later errors are those of the equations, not of the system",
+    )
 
 
 def _family(case: Case, found: Survey, stick: Yardstick, spread: float) -> Family:

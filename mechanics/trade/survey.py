@@ -230,7 +230,7 @@ def timed(case: Case, found: Survey, near: Sequence[Choice]) -> tuple[Measuremen
     """
     others = [m.choice for m in found.measurements if m.choice not in near]
     others = [c for c in others if found.of(c).time * case.horizon < LONGEST]
-    for group, rounds in ((list(dict.fromkeys(near)), (7, 31)), (others, (3, 9))):
+    for group, rounds in ((list(dict.fromkeys(near)), (7, 31)), (others, (3, 5))):
         runs = [found.runs[choice] for choice in group]
         times = times_side_by_side(runs, case.horizon, TIMING / 2, rounds)
         for choice, seconds in zip(group, times, strict=True):

@@ -30,7 +30,7 @@ def test_page_needs_no_network_and_runs_no_script(pendulum: Trade) -> None:
 def test_plot_shows_every_choice_of_the_front_and_every_pick(pendulum: Trade, size: Size) -> None:
     drawn = ElementTree.fromstring(work_precision(pendulum, size))
     kinds = [node.get("class", "").split(" ")[0] for node in drawn.iter()]
-    assert kinds.count("front") == len(pendulum.front)
+    assert kinds.count("front") == 2 * len(pendulum.front)
     assert kinds.count("pick") == len(pendulum.recommendations)
     assert kinds.count("target") == len(pendulum.recommendations)
     assert kinds.count("line") == len(curves(pendulum))
