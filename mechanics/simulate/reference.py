@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 
 from mechanics.errors import InputError
 from mechanics.simulate.integrators.problem import Problem
+from mechanics.simulate.integrators.rate import unsound
 from mechanics.simulate.reference_growth import Growth, growth
 from mechanics.simulate.reference_linear import linear_solution
 from mechanics.simulate.reference_taylor import Exact, exact, solve
@@ -96,7 +97,8 @@ def reference(problem: Problem, digits: int = 30) -> Reference:
     Raises
     ------
     InputError
-        If an input is a function of time, of which only doubles are known.
+        If an input is a function of time, of which only doubles are known, or a number or the
+        motion at the start is not finite.
     ExpressionError
         If the equations hold an operation that is not analytic; it is named.
     OverBudget
@@ -104,6 +106,8 @@ def reference(problem: Problem, digits: int = 30) -> Reference:
     SingularError
         If the motion cannot be continued up to the last time.
     """
+    if why := unsound(problem):
+        raise InputError(why)
     moved = [name for name in problem.varying if name != "t"]
     if moved:
         raise InputError(

@@ -181,6 +181,15 @@ def test_heyoka_says_how_to_install_it(monkeypatch: pytest.MonkeyPatch) -> None:
     assert "pip install 'mechanics[taylor]'" in MEMBERS["heyoka Taylor"].available()
 
 
+@pytest.mark.parametrize("member", INTEGRATORS, ids=lambda member: member.name)
+def test_a_start_that_is_not_finite_is_named(member: Integrator) -> None:
+    problem = posed("elastic_pendulum")
+    lost = dataclasses.replace(problem, start=np.array([0.0, math.nan, 0.0, 0.0]))
+    assert member.suits(lost, fine(member)) == "theta is nan: a finite number is needed"
+    fast = dataclasses.replace(problem, start=np.array([0.0, 1.0, 0.0, 1e200]))
+    assert "is not finite at the start" in member.suits(fast, fine(member))
+
+
 @pytest.mark.parametrize("times", [1.0, [0.0], [0.1, 1.0], [0.0, 1.0, 1.0], [[0.0, 1.0]]])
 def test_times_have_to_increase_from_zero(times) -> None:
     with pytest.raises(InputError, match="give at least 2 numbers that increase from 0"):

@@ -285,5 +285,11 @@ def test_what_has_no_reference_says_why() -> None:
     with pytest.raises(OverBudget, match=r"a reference over 10 s takes \d+ steps, more than"):
         reference(stiff)
     massless = posed("two_mass_chain", [0.0, 1.0])
-    with pytest.raises(SingularError, match="singular"):
+    with pytest.raises(InputError, match="not finite at the start: the motion is singular there"):
         reference(dataclasses.replace(massless, p=np.zeros_like(massless.p)))
+    code = program(ca.Function("f", [y := ca.SX.sym("y")], [1 / y]))
+    with pytest.raises(SingularError, match="a divisor is zero"):
+        Taylor(code, [], 64).expand([0], 1, 4)
+    code = program(ca.Function("f", [y, p := ca.SX.sym("p")], [y / p]))
+    with pytest.raises(SingularError, match="singular everywhere"):
+        Taylor(code, [[0]], 64)

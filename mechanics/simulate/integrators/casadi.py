@@ -155,6 +155,11 @@ def _reason(error: RuntimeError, problem: Problem) -> str:
 
 
 REASONS = {
+    "CV_FIRST_RHSFUNC_ERR": "the rates are not finite at the start",
+    "CV_UNREC_RHSFUNC_ERR": "the rates are not finite on the way",
+    "CV_REPTD_RHSFUNC_ERR": "the rates are not finite on the way",
+    "IDA_RES_FAIL": "the rates are not finite on the way",
+    "IDA_REP_RES_ERR": "the rates are not finite on the way",
     "CV_TOO_MUCH_WORK": "more steps between two of the times than the budget allows",
     "IDA_TOO_MUCH_WORK": "more steps between two of the times than the budget allows",
     "CV_TOO_MUCH_ACC": "the tolerance is finer than double precision can meet",

@@ -152,3 +152,19 @@ class Rate:
         self._run_slope()
         size = len(self._y)
         return self._slope.astype(float).reshape(size, size).T
+
+
+def unsound(problem: Problem) -> str:
+    """Why no motion starts there, or empty: a number or a rate that is not finite is named."""
+    model = problem.model
+    names = (*model.entries["q"], *model.entries["u"])
+    given = [*zip(names, problem.start, strict=True)]
+    given += [*zip(model.entries["p"], problem.p, strict=True)]
+    given += [*zip(model.entries["inputs"], problem.signals(0.0), strict=True)]
+    for name, value in given:
+        if not np.isfinite(value):
+            return f"{name} is {value}: a finite number is needed"
+    for name, value in zip(names, Rate(problem)(0.0, problem.start), strict=True):
+        if not np.isfinite(value):
+            return f"the rate of {name} is not finite at the start: the motion is singular there"
+    return ""

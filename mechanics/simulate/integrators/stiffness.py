@@ -26,8 +26,11 @@ RADIAN = 2.0
 
 
 def rates_at_start(problem: Problem) -> Complex:
-    """Eigenvalues of df/dy at the start, in 1/s."""
-    return np.linalg.eigvals(Rate(problem).jacobian(0.0, problem.start)).astype(complex)
+    """Eigenvalues of df/dy at the start, in 1/s; one that is infinite where they overflow."""
+    slope = Rate(problem).jacobian(0.0, problem.start)
+    if not np.all(np.isfinite(slope)):
+        return np.array([complex(math.inf)])
+    return np.linalg.eigvals(slope).astype(complex)
 
 
 def too_stiff(problem: Problem) -> str:
@@ -48,6 +51,8 @@ def unstable(tableau: Tableau, problem: Problem, step: float | None) -> str:
     if step is None:
         return ""
     rates = rates_at_start(problem)
+    if not np.all(np.isfinite(rates)):
+        return "the derivatives of the equations overflow at the start"
     growth = np.array([_amplification(tableau, step * rate) for rate in rates])
     # Relative to the motion itself, which may grow.
     spurious = np.log(growth) - step * rates.real
