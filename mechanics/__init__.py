@@ -11,6 +11,7 @@ from mechanics.equations import Equations
 from mechanics.errors import MechanicsError
 from mechanics.exact import Finding, Verdict, Witness
 from mechanics.export import write_c
+from mechanics.extremes import extremes
 from mechanics.linear import linearise, modes
 from mechanics.report.html import to_html
 from mechanics.report.json_report import to_json
@@ -54,6 +55,7 @@ __all__ = [
     "crosscheck",
     "damper",
     "derive",
+    "extremes",
     "force",
     "gravity",
     "holonomic",
