@@ -69,7 +69,7 @@ def test_every_constant_in_a_graph_is_a_dyadic_that_was_meant(expression: sympy.
     function, _ = graph_of(expression)
     constants = [function.instruction_constant(k) for k in instructions(function, ca.OP_CONST)]
     # Integers, or integers over a power of two: 1/3 and pi never become doubles.
-    assert all(float(c * 2**10).is_integer() for c in constants)
+    assert all(float(c * 2**30).is_integer() for c in constants)
 
 
 def test_a_third_is_a_division() -> None:
