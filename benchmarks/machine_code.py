@@ -46,16 +46,17 @@ def timed(source: str, names: Sequence[str], compiler: str, seed: int = 1) -> tu
     CompilerError
         If the compiler refuses the code, or there is no ``nm`` beside it.
     """
-    folder = Path(tempfile.mkdtemp(prefix="mechanics-"))
     arguments = {name: _arguments(source, name) for name in names}
     text = "\n".join([source, *(_loop(name, arguments[name]) for name in names)])
-    file, objects, library = (folder / f"code{suffix}" for suffix in (".c", ".o", ".so"))
-    file.write_text(text, encoding="ascii")
-    _output([compiler, *FLAGS, "-O2", "-c", str(file), "-o", str(objects)])
-    _output([compiler, "-shared", str(objects), "-o", str(library), "-lm"])
-    listed = [line.split() for line in _output(["nm", "-S", str(objects)]).splitlines()]
+    # A library that is loaded stays when its file goes.
+    with tempfile.TemporaryDirectory(prefix="mechanics-") as folder:
+        file, objects, library = (Path(folder) / f"code{suffix}" for suffix in (".c", ".o", ".so"))
+        file.write_text(text, encoding="ascii")
+        _output([compiler, *FLAGS, "-O2", "-c", str(file), "-o", str(objects)])
+        _output([compiler, "-shared", str(objects), "-o", str(library), "-lm"])
+        listed = [line.split() for line in _output(["nm", "-S", str(objects)]).splitlines()]
+        loaded = ctypes.CDLL(str(library))
     sizes = {row[3]: int(row[1], 16) for row in listed if len(row) == 4}
-    loaded = ctypes.CDLL(str(library))
     return tuple(
         Timed(name, sizes[name], _call(loaded, name, arguments[name], seed)) for name in names
     )
