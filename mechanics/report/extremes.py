@@ -76,7 +76,7 @@ class Chapter:
     def limits(self) -> list[Reach]:
         """Quantities whose range ends before the numbers do, in double precision."""
         reaches = [double.reach for double, _ in self.strips]
-        return [r for r in reaches if (r.below, r.above) != (Cause.ACCURATE, Cause.ACCURATE)]
+        return [r for r in reaches if {r.below.cause, r.above.cause} != {Cause.ACCURATE}]
 
 
 def extremes_html(results: Sequence[Extremes]) -> str:

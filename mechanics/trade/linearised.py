@@ -17,6 +17,7 @@ from sympy import Expr, Integer, Matrix, Symbol, cos, pi, sin, sympify
 from mechanics.equations import Equations
 from mechanics.errors import ExpressionError, InputError, SingularError
 from mechanics.linear import Linear, linearise, numeric_poles
+from mechanics.scene import Scene
 from mechanics.simulate.consistent import Suggestion
 
 Array = np.ndarray[Any, np.dtype[np.float64]]
@@ -79,7 +80,8 @@ def equilibria(
     _has_own_coordinates(equations)
     found: list[Equilibrium] = []
     why = ""
-    for place in sorted(_places(equations, near), key=lambda p: _distance(p, near)):
+    places = (place for place in _places(equations, near) if _inside(equations.scene, place))
+    for place in sorted(places, key=lambda p: _distance(p, near)):
         try:
             linear = linearise(equations, place, dict.fromkeys(_inputs(equations), Integer(0)))
             at = Equilibrium(linear, _growth(linear, parameters), _distance(place, near))
@@ -178,6 +180,13 @@ def _places(equations: Equations, near: Suggestion) -> Iterator[dict[str, Expr]]
             name: half * pi + 2 * pi * round((start[name] / np.pi - half) / 2)
             for name, half in zip(angles, halves, strict=True)
         }
+
+
+def _inside(scene: Scene, place: Mapping[str, Expr]) -> bool:
+    """Whether no condition on coordinates alone says that the model is not valid there."""
+    table = {q: place[q.name] for q in scene.q}
+    margins = [scene.plain(c.margin, c.name).xreplace(table) for c in scene.conditions]
+    return not any(m.is_negative for m in margins if not m.free_symbols)
 
 
 def _growth(linear: Linear, parameters: Mapping[str, float]) -> float:

@@ -9,16 +9,19 @@ import functools
 import importlib.util
 from collections.abc import Callable
 from typing import Any
+from weakref import WeakKeyDictionary
 
 import casadi as ca
 import numpy as np
 
+from mechanics.compiled.model import Model
 from mechanics.compiled.program import Program
 from mechanics.simulate.integrators.loop import stopped
 from mechanics.simulate.integrators.problem import Integrator, Outcome, Problem, Setting
 from mechanics.simulate.integrators.rate import rate_program
 
 NAME = "heyoka Taylor"
+_solvers: WeakKeyDictionary[Model, dict[Setting, Any]] = WeakKeyDictionary()
 # Programs longer than this are compiled as loops: straight code would take a minute.
 LONG = 250
 
@@ -68,27 +71,20 @@ def _suits(problem: Problem, setting: Setting) -> str:
 def _prepare(problem: Problem, setting: Setting) -> Callable[[], Outcome]:
     import heyoka
 
-    names = problem.model.entries["inputs"]
-    time = names.index("t") if "t" in names else None
-    system = equations(rate_program(problem.model), time)
     kind: Any = np.float32 if setting.arithmetic == "single" else float
+    known = _solvers.setdefault(problem.model, {})
+    if setting not in known:
+        known[setting] = _solver(problem, setting, kind)
+    solver = known[setting]
     start = np.array(problem.start, dtype=kind)
-    solver = heyoka.taylor_adaptive(
-        system,
-        start,
-        time=kind(0),
-        tol=kind(setting.tolerance),
-        fp_type=kind,
-        compact_mode=rate_program(problem.model).operations > LONG,
-    )
-    # Heyoka counts parameters up to the last that occurs: a form may do without some.
     held = np.concatenate([problem.signals(0.0), problem.p]).astype(kind)
-    solver.pars[:] = held[: len(solver.pars)]
     times = problem.times.astype(kind)
     limit = max(1, problem.budget // solver.order)
 
     def solve() -> Outcome:
         solver.time, solver.state[:] = kind(0), start
+        # Heyoka counts parameters up to the last that occurs: a form may do without some.
+        solver.pars[:] = held[: len(solver.pars)]
         result = solver.propagate_grid(times, max_steps=limit)
         states = np.vstack([problem.start, np.asarray(result[5], dtype=float)[1:]])
         finite = np.all(np.isfinite(states), axis=1)
@@ -99,6 +95,24 @@ def _prepare(problem: Problem, setting: Setting) -> Callable[[], Outcome]:
         return Outcome(states[:reached], int(result[3]) * solver.order, words)
 
     return solve
+
+
+def _solver(problem: Problem, setting: Setting, kind: Any) -> Any:
+    """The compiled integrator; kept with the model, because compiling takes longer than using it.
+
+    Every call sets the time, the state and the parameters anew.
+    """
+    import heyoka
+
+    names, code = problem.model.entries["inputs"], rate_program(problem.model)
+    return heyoka.taylor_adaptive(
+        equations(code, names.index("t") if "t" in names else None),
+        np.array(problem.start, dtype=kind),
+        time=kind(0),
+        tol=kind(setting.tolerance),
+        fp_type=kind,
+        compact_mode=code.operations > LONG,
+    )
 
 
 def equations(code: Program, time: int | None) -> list[tuple[Any, Any]]:
