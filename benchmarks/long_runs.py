@@ -8,7 +8,6 @@ periods, and the table says for how many.
 """
 
 import argparse
-import math
 from collections.abc import Mapping
 
 from mechanics.compiled import compile
@@ -68,9 +67,16 @@ def row(run: LongRun) -> list[str]:
     setting = run.setting
     steps = f"h = {setting.step:.3g} s" if setting.step else f"tolerance {setting.tolerance:g}"
     momenta = ", ".join(f"{name} {drift.words}" for name, drift in run.momenta) or "none conserved"
-    phase = run.phase.words if math.isfinite(run.phase.rate) else "lost in the first periods"
-    told = run.note or str(run.periods)
-    return [setting.integrator, steps, told, run.energy.words, momenta, phase, f"{run.seconds:.2g}"]
+    told, seconds = run.note or str(run.periods), f"{run.seconds:.2g}"
+    return [
+        setting.integrator,
+        steps,
+        told,
+        run.energy.words,
+        momenta,
+        run.phase_words,
+        f"{run.seconds:.2g}",
+    ]
 
 
 if __name__ == "__main__":

@@ -48,6 +48,8 @@ class LongRun:
         Of the components that the motion conserves, relative to their value.
     phase : Drift
         In periods.
+    followed : int
+        Periods up to which errors are small enough to be told by a phase.
     seconds : float
         What it took.
     failure : str
@@ -60,8 +62,18 @@ class LongRun:
     energy: Drift
     momenta: tuple[tuple[str, Drift], ...]
     phase: Drift
+    followed: int
     seconds: float
     failure: str = ""
+
+    @property
+    def phase_words(self) -> str:
+        """The phase, as far as the run could be followed by it."""
+        if self.followed >= self.periods - WIDTH:
+            return self.phase.words
+        if not math.isfinite(self.phase.power):
+            return "lost at once: the error is another motion at the second look"
+        return f"{self.phase.words} in {self.followed} periods, another motion then"
 
     @property
     def note(self) -> str:
@@ -220,13 +232,15 @@ def _measured(motion: _Motion, setting: Setting, count: int, wanted: int, period
         (name, drift(times, (momenta[:, i] - momenta[0, i]) / size, SAMPLES))
         for name, i, size in motion.conserved
     ]
+    at, shift = _phase(motion, states, times, reached, period)
     return LongRun(
         setting,
         round(float(times[-1])) if outcome.failure else count,
         wanted,
         drift(times, energy, SAMPLES),
         tuple(drifts),
-        drift(*_phase(motion, states, times, reached, period), SAMPLES),
+        drift(at, shift, SAMPLES),
+        round(float(at[-1])) if len(at) else 0,
         seconds,
         outcome.failure,
     )

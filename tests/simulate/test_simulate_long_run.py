@@ -40,6 +40,7 @@ def test_gauss_stays_bounded_and_explicit_methods_drift_with_the_power_of_their_
         Setting("C RK4", step=period / 200),
     ]
     gauss, rough, fine = long_runs(problem, settings, periods=2000, seconds=60.0)
+    assert gauss.followed == 2000 and gauss.phase_words == gauss.phase.words
     assert not gauss.energy.secular and gauss.energy.largest < 1e-8
     assert gauss.phase.secular and gauss.phase.power == pytest.approx(1, abs=0.2)
     for run in (rough, fine):
@@ -91,6 +92,14 @@ def test_a_drift_is_told_from_an_oscillation(error, secular: bool, power: float)
     assert found.secular == secular
     assert found.power == pytest.approx(power, abs=0.1, nan_ok=True)
     assert ("secular" if secular else "bounded") in found.words
+
+
+@needs_compiler
+def test_a_phase_that_is_lost_is_not_followed() -> None:
+    problem = posed("elastic_pendulum", initial={"x": 0.1, "theta": 0.5})
+    (run,) = long_runs(problem, [Setting("C Gauss2", step=0.04)], periods=5000, seconds=60.0)
+    assert not run.energy.secular and run.followed < 10
+    assert run.phase_words.startswith("lost at once")
 
 
 def test_words_of_a_drift() -> None:
