@@ -17,7 +17,7 @@ from mechanics.cli.load import load
 from mechanics.crosscheck import derive
 from mechanics.extremes import CAUSES, Cause, Extremes, to_record
 from mechanics.extremes import extremes as walk
-from mechanics.extremes.result import PRECISIONS
+from mechanics.extremes.result import PRECISIONS, End
 from mechanics.report.extremes import extremes_html
 from mechanics.scene.system import System
 
@@ -119,12 +119,15 @@ def _domain(found: Extremes) -> Table:
     )
     for reach in found.reaches:
         if (reach.form, reach.precision) == (found.default, "double"):
-            ends = [
-                "" if cause is Cause.ACCURATE else cause.name.lower()
-                for cause in (reach.below, reach.above)
-            ]
+            ends = [_end(end) for end in (reach.below, reach.above)]
             table.add_row(
                 f"{reach.name} {reach.unit}".strip(), f"{reach.usual:.3g}", f"{reach.low:.3g}",
                 f"{reach.high:.3g}", *ends,
             )  # fmt: skip
     return table
+
+
+def _end(end: End) -> str:
+    if end.cause is Cause.ACCURATE:
+        return ""
+    return end.cause.name.lower() + (f" in {end.where}" if end.where else "")

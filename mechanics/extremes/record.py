@@ -18,7 +18,7 @@ from mechanics.compiled.trace import trace
 from mechanics.extremes.cause import CAUSES
 from mechanics.extremes.judge import Case, cause
 from mechanics.extremes.measure import LOST, measure
-from mechanics.extremes.result import PRECISIONS, Extremes, Figures, Reach, Visited, tolerance
+from mechanics.extremes.result import PRECISIONS, End, Extremes, Figures, Reach, Visited, tolerance
 from mechanics.extremes.survey import GROUPS, computed, representable
 from mechanics.extremes.truth import truth
 
@@ -51,9 +51,13 @@ def _reach(reach: Reach) -> dict[str, Any]:
         "quantity": reach.name, "unit": reach.unit,
         "form": reach.form, "precision": reach.precision,
         "low": reach.low.hex(), "high": reach.high.hex(),
-        "below": reach.below.name.lower(), "above": reach.above.name.lower(),
+        "below": _end(reach.below), "above": _end(reach.above),
         "worst_backward": rounded(reach.worst),
     }  # fmt: skip
+
+
+def _end(end: End) -> dict[str, str]:
+    return {"cause": end.cause.name.lower(), "where": end.where}
 
 
 def _walk(visited: Visited) -> dict[str, Any]:

@@ -86,6 +86,22 @@ class Visited:
 
 
 @dataclass(frozen=True)
+class End:
+    """What ends a range.
+
+    Attributes
+    ----------
+    cause : Cause
+        ACCURATE where the walk ended first.
+    where : str
+        The expression that overflows or underflows first; empty for other causes.
+    """
+
+    cause: Cause
+    where: str
+
+
+@dataclass(frozen=True)
 class Reach:
     """How far one quantity goes, the others as usual, before something breaks.
 
@@ -95,8 +111,8 @@ class Reach:
     usual : float
     low, high : float
         Ends of the range in which every point visited is accurate to `tolerance`.
-    below, above : Cause
-        What breaks beyond the ends; ACCURATE where the walk ended first.
+    below, above : End
+        What breaks beyond the ends.
     worst : float
         Largest backward error inside, in epsilon.
     """
@@ -108,8 +124,8 @@ class Reach:
     usual: float
     low: float
     high: float
-    below: Cause
-    above: Cause
+    below: End
+    above: End
     worst: float
 
 

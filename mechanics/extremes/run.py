@@ -68,7 +68,7 @@ def extremes(
         axes=axes(known),
         usual=tuple(start.tolist()),
         visited=visited,
-        reaches=reaches(visited, axes(known), start),
+        reaches=reaches(visited, axes(known), start, models),
         backend=default.backend,
     )
 

@@ -93,11 +93,12 @@ def test_ranges_are_runs_of_accurate_points_and_say_what_ends_them(found) -> Non
         inside &= figures.causes != CAUSES.index(Cause.INPUT)
         assert inside.any()
         assert (figures.causes[inside] == CAUSES.index(Cause.ACCURATE)).all()
-        for cause, beyond in (
+        for end, beyond in (
             (reach.below, values[(values < reach.low) & (values > 0)]),
             (reach.above, values[values > reach.high]),
         ):
-            assert cause is Cause.ACCURATE or len(beyond)
+            assert end.cause is Cause.ACCURATE or len(beyond)
+            assert bool(end.where) == (end.cause in (Cause.OVERFLOW, Cause.RANGE, Cause.UNDERFLOW))
 
 
 def test_figures_of_the_record_are_reproduced(found, derived) -> None:

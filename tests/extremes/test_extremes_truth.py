@@ -6,6 +6,8 @@ import pytest
 from flint import arb
 
 from mechanics.compiled import compile
+from mechanics.compiled.describe import describe
+from mechanics.compiled.trace import trace
 from mechanics.exact.balls import precision
 from mechanics.extremes.measure import measure, spacing
 from mechanics.extremes.survey import GROUPS, computed
@@ -117,3 +119,17 @@ def test_computed_values_are_those_of_the_model(derived) -> None:
     points = np.random.default_rng(2).uniform(0.1, 1.0, (5, 13))
     expected = model.forward_dynamics(points[:, :5], points[:, 5:10], p=points[:, 10:])
     assert np.array_equal(computed(model, points, np.float64), expected)
+
+
+def test_what_overflows_is_named(derived) -> None:
+    model = compile(derived("elastic_pendulum", "kane"), form="ldl", compiler=None)
+    code = model.program("forward_dynamics")
+    point = np.array([[0.1, 0.5, 0.0, 1.0, 1e200, 1.0, 9.81, 10.0, 1.0]])
+    events = trace(code, point, np.float64)
+    assert describe(code, int(events.broken[0]), model.entries) == "L * L"
+    small = np.array([[0.1, 0.5, 0.0, 1.0, 1e-200, 1.0, 9.81, 10.0, 1.0]])
+    assert (
+        describe(code, int(trace(code, small, np.float64).underflow[0]), model.entries) == "L * L"
+    )
+    usual = np.array([[0.1, 0.5, 0.0, 1.0, 1.0, 1.0, 9.81, 10.0, 1.0]])
+    assert trace(code, usual, np.float32).normal.all()
