@@ -75,7 +75,7 @@ def row(run: LongRun) -> list[str]:
         run.energy.words,
         momenta,
         run.phase_words,
-        f"{run.seconds:.2g}",
+        seconds,
     ]
 
 
