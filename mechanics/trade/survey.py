@@ -92,7 +92,7 @@ class Survey:
             self.left_out[_short(choice)] = str(error)
             return None
         found, states = measured(case, choice, truth, run)
-        if found.time * case.horizon < LONGEST:
+        if found.time * case.horizon < LONGEST and not found.failure:
             # The first run may have compiled or allocated.
             found, states = measured(case, choice, truth, run)
         self.left_out.pop(_short(choice), None)
@@ -226,10 +226,11 @@ def near_front(measurements: Sequence[Measurement]) -> list[Choice]:
 def timed(case: Case, found: Survey, near: Sequence[Choice]) -> tuple[Measurement, ...]:
     """All measurements with times side by side, those near the front in more rounds.
 
-    Runs that were too long to be taken are not repeated.
+    Runs that failed, or were too long to be taken, are not repeated.
     """
     others = [m.choice for m in found.measurements if m.choice not in near]
     others = [c for c in others if found.of(c).time * case.horizon < LONGEST]
+    others = [c for c in others if not found.of(c).failure]
     for group, rounds in ((list(dict.fromkeys(near)), (7, 31)), (others, (3, 5))):
         runs = [found.runs[choice] for choice in group]
         times = times_side_by_side(runs, case.horizon, TIMING / 2, rounds)
