@@ -30,7 +30,7 @@ class Size:
     height: float
     right: float
 
-    left = 52.0
+    left = 58.0
     top = 44.0
     bottom = 44.0
 
