@@ -11,10 +11,10 @@ from itertools import combinations
 
 from sympy import Matrix
 
-from mechanics.checks.manifold import settle
 from mechanics.equations import Equations
 from mechanics.errors import SingularError
 from mechanics.exact import Arithmetic, Finding, Number, decide, independent_rows
+from mechanics.kinematics.manifold import settle
 from mechanics.scene import Scene
 
 Pairs = list[tuple[Number, Number]]

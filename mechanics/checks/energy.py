@@ -12,11 +12,11 @@ from sympy import Add, Expr, S, Symbol
 
 from mechanics.checks.agreement import Pairs, proof_pays, solve
 from mechanics.checks.laws import power_of
-from mechanics.checks.manifold import settle
 from mechanics.equations import Equations
 from mechanics.exact import Arithmetic, Finding, collect_linear, decide
 from mechanics.kinematics import differentiate
 from mechanics.kinematics.constraints import velocity_forms
+from mechanics.kinematics.manifold import settle
 from mechanics.kinematics.motion import BodyMotion, inertia_matrix
 from mechanics.scene import Scene
 from mechanics.scene.actions import carrier_of, load_actions, unit_reactions

@@ -10,11 +10,11 @@ from collections.abc import Sequence
 from sympy import Add, Expr, Matrix, Symbol
 
 from mechanics.checks.agreement import Pairs, proof_pays
-from mechanics.checks.manifold import settle
 from mechanics.checks.soundness import metric
 from mechanics.equations import Equations
 from mechanics.exact import Arithmetic, Finding, collect_linear, decide
 from mechanics.kinematics import chain, differentiate
+from mechanics.kinematics.manifold import settle
 from mechanics.kinematics.motion import BodyMotion
 from mechanics.scene import Scene
 from mechanics.scene.actions import Action, elongation, load_actions, unit_reactions

@@ -13,7 +13,6 @@ from decimal import Decimal
 from flint import arb
 from sympy import Expr, Float, S, Symbol, sympify
 
-from mechanics.checks.manifold import settle, settle_accelerations
 from mechanics.errors import InputError, SceneError
 from mechanics.exact import (
     Arithmetic,
@@ -25,6 +24,7 @@ from mechanics.exact import (
     decimal_matches,
     enclose,
 )
+from mechanics.kinematics.manifold import settle, settle_accelerations
 from mechanics.scene import Scene
 
 Pairs = list[tuple[Number, Number]]

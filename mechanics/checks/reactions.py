@@ -11,9 +11,9 @@ from dataclasses import replace
 from sympy import Expr, Symbol
 
 from mechanics.checks.agreement import Pairs, product, proof_pays, solve
-from mechanics.checks.manifold import settle
 from mechanics.equations import Equations
 from mechanics.exact import Arithmetic, Finding, decide
+from mechanics.kinematics.manifold import settle
 
 
 def check_reactions(

@@ -15,6 +15,7 @@ from mechanics.exact import collect_linear, generic_rank, independent_rows, is_z
 from mechanics.kinematics.chain import body_motions
 from mechanics.kinematics.constraints import constraint_rows, velocity_forms
 from mechanics.kinematics.directions import AXES, Directions, used_directions
+from mechanics.kinematics.manifold import on_the_manifold
 from mechanics.kinematics.motion import BodyMotion, inertia_matrix
 from mechanics.scene import RigidBody, Scene
 from mechanics.scene.actions import Action, applied_actions, moment, unit_reactions
@@ -64,7 +65,7 @@ def check_sound(scene: Scene) -> None:
     _scalar_inertias(scene, motions, directions)
     freedoms = _freedoms(scene, motions, reactions, directions)
     powers = _powers(scene, freedoms, tuple(reactions))
-    _ideal(powers, matrix)
+    _ideal(scene, powers, matrix)
     _complete(scene, freedoms, tuple(reactions))
     _maintained(scene, powers)
     _regular(scene, motions, matrix)
@@ -172,10 +173,11 @@ def _powers(
     }
 
 
-def _ideal(powers: Mapping[Symbol, list[Expr]], matrix: Matrix) -> None:
+def _ideal(scene: Scene, powers: Mapping[Symbol, list[Expr]], matrix: Matrix) -> None:
     """The power of a unit is a combination of the constraints' rows: zero where they hold."""
+    closed = on_the_manifold(scene)
     for symbol, power in powers.items():
-        if generic_rank([*matrix.tolist(), power]) > matrix.rows:
+        if generic_rank([*matrix.tolist(), power], closed) > matrix.rows:
             raise SceneError(
                 f"reaction {symbol}: it does work on velocities that the scene admits: correct its"
                 " point, its direction or its bodies, or declare it as a load"
@@ -185,7 +187,8 @@ def _ideal(powers: Mapping[Symbol, list[Expr]], matrix: Matrix) -> None:
 def _maintained(scene: Scene, powers: Mapping[Symbol, list[Expr]]) -> None:
     """The reactions that constraints name act against their violation, each in its own way."""
     kept = multipliers(scene)
-    independent = independent_rows([powers[symbol] for symbol in kept])
+    closed = on_the_manifold(scene)
+    independent = independent_rows([powers[symbol] for symbol in kept], closed)
     for i, constraint in enumerate(scene.constraints):
         if i not in independent:
             raise SceneError(
@@ -197,7 +200,8 @@ def _maintained(scene: Scene, powers: Mapping[Symbol, list[Expr]]) -> None:
 def _complete(scene: Scene, freedoms: Sequence[Freedom], symbols: Sequence[Symbol]) -> None:
     wanted = len(freedoms) - scene.degrees_of_freedom
     columns = [[f.reactions[j] for f in freedoms] for j in range(len(symbols))]
-    independent = independent_rows(columns)
+    closed = on_the_manifold(scene)
+    independent = independent_rows(columns, closed)
     if len(independent) < len(columns):
         extra = ", ".join(str(symbols[j]) for j in range(len(columns)) if j not in independent)
         raise SceneError(
@@ -209,10 +213,10 @@ def _complete(scene: Scene, freedoms: Sequence[Freedom], symbols: Sequence[Symbo
     # A freedom that neither a reaction holds nor a speed moves is the one that was forgotten.
     moved = [[f.partial[i] for f in freedoms] for i in range(len(scene.u))]
     spanned = [*columns, *moved]
-    have = generic_rank(spanned)
+    have = generic_rank(spanned, closed)
     for k, freedom in enumerate(freedoms):
         alone = [[S(int(i == k)) for i in range(len(freedoms))]]
-        if generic_rank([*spanned, *alone]) > have:
+        if generic_rank([*spanned, *alone], closed) > have:
             raise SceneError(
                 f"{scene.name}: the reactions are incomplete ({len(independent)} of {wanted}):"
                 f" nothing holds body {freedom.body} in {freedom.words}: declare the reaction"
@@ -230,7 +234,7 @@ def _regular(scene: Scene, motions: dict[str, BodyMotion], matrix: Matrix) -> No
     if c:
         lower = matrix.row_join(Matrix.zeros(c, c))
         mass = mass.row_join(matrix.T).col_join(lower)
-    rows = independent_rows(mass.tolist())
+    rows = independent_rows(mass.tolist(), on_the_manifold(scene))
     if len(rows) < n + c:
         free = next(i for i in range(n + c) if i not in rows)
         speed = scene.u[free] if free < n else "the constraints"

@@ -20,6 +20,7 @@ from mechanics.exact import canonical, independent_rows
 from mechanics.kinematics.chain import Chain, body_motions, point_motion
 from mechanics.kinematics.constraints import constraint_rows
 from mechanics.kinematics.directions import used_directions
+from mechanics.kinematics.manifold import on_the_manifold
 from mechanics.kinematics.motion import BodyMotion, PointMotion, inertia_matrix
 from mechanics.routes.balance import Balance, Part, dot
 from mechanics.routes.common import System, assemble
@@ -34,8 +35,8 @@ from mechanics.scene.topology import multipliers, tree
 def derive(scene: Scene) -> Equations:
     """Equations of motion from principles in which the reactions do not enter."""
     kept = multipliers(scene)
-    balances, system = _first_of_full_rank(scene, candidates(scene), kept)
     matrix, bias = constraint_rows(scene)
+    balances, system = _first_of_full_rank(scene, candidates(scene), kept, matrix)
     return Equations(
         scene,
         "moving_point",
@@ -131,9 +132,12 @@ def _centre(chain: Chain, principle: Principle) -> PointMotion:
 
 
 def _first_of_full_rank(
-    scene: Scene, found: Iterator[Balance], kept: Sequence[Symbol]
+    scene: Scene, found: Iterator[Balance], kept: Sequence[Symbol], constraints: Matrix
 ) -> tuple[tuple[Balance, ...], System]:
-    """The first candidates of full rank; one that reads 0 = 0 is among the dropped.
+    """The first candidates of full rank, together with the constraints and where these hold.
+
+    One that reads 0 = 0 is among the dropped: the moment of a slider about the pin in its centre,
+    which is beside it only where the loop is open.
 
     Raises
     ------
@@ -144,12 +148,16 @@ def _first_of_full_rank(
     balances: list[Balance] = []
     rows: list[Matrix] = []
     independent: list[int] = []
+    fixed = constraints.row_join(zeros(constraints.rows, len(kept))).tolist()
+    closed = on_the_manifold(scene)
     for balance in found:
         system = assemble(scene, [balance], kept)
         balances.append(balance)
         rows.append(system.mass.row_join(system.reaction_matrix).row_join(system.forcing))
         if len(rows) >= wanted:
-            independent = independent_rows([row[:-1] for row in rows])
+            every = [*fixed, *(row[:-1] for row in rows)]
+            kept_rows = independent_rows(every, closed)
+            independent = [i - len(fixed) for i in kept_rows if i >= len(fixed)]
             if len(independent) >= wanted:
                 break
     if len(independent) < wanted:

@@ -9,10 +9,10 @@ from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
 import systems
 from mechanics.checks.agreement import solve
-from mechanics.checks.manifold import settle
 from mechanics.crosscheck import ROUTES, derive
 from mechanics.equations import Equations
 from mechanics.exact import decide
+from mechanics.kinematics.manifold import settle
 from mechanics.scene import Particle, RigidBody, Scene, gravity, parameters, reaction, spring
 
 NAMES = [route.name for route in ROUTES]

@@ -5,7 +5,8 @@ A(q) u + a = 0     solved for dependent speeds
 A(q) u' = b        solved for dependent accelerations, where a statement holds free ones
 """
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from functools import partial
 from itertools import combinations
 
 from sympy import Expr, S, Symbol
@@ -47,6 +48,23 @@ def settle_accelerations(scene: Scene, a: Arithmetic) -> None:
         table = rate_table(scene)
         forms = [rate(form, table) for form in velocity_forms(scene)]
         _solve(a, *_dependent(forms, scene.ud))
+
+
+def on_the_manifold(scene: Scene) -> Callable[[Arithmetic], None] | None:
+    """Puts the point of an arithmetic where the configuration constraints hold.
+
+    None without such constraints, and where no exact point on them is known: then points off the
+    manifold have to do, at which less is true.
+    """
+    closing = [scene.plain(c.expression, c.name) for c in scene.constraints if c.holonomic]
+    if not closing:
+        return None
+    if _linear(scene, closing) is None:
+        try:
+            _quadratic(scene, closing)
+        except ExpressionError:
+            return None
+    return partial(settle_configuration, scene)
 
 
 def settle_configuration(scene: Scene, a: Arithmetic) -> None:
