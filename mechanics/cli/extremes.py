@@ -19,7 +19,9 @@ from mechanics.extremes import CAUSES, Cause, Extremes, to_record
 from mechanics.extremes import extremes as walk
 from mechanics.extremes.result import PRECISIONS, End
 from mechanics.report.extremes import extremes_html
+from mechanics.report.extremes_plot import heat_plot
 from mechanics.scene.system import System
+from mechanics.simulate.files import writable
 
 
 def extremes(
@@ -38,6 +40,10 @@ def extremes(
     json_file: Annotated[
         str | None, typer.Option("--json", metavar="FILE|-", help="Write JSON; - for the screen.")
     ] = None,
+    plot: Annotated[
+        Path | None,
+        typer.Option(metavar="FILE.svg", help="Write one pair of maps of the first system."),
+    ] = None,
     route: Annotated[str, typer.Option(help="Route that derives the equations.")] = "kane",
     form: Annotated[
         list[str] | None, typer.Option(help="Form of forward dynamics; all when not given.")
@@ -52,8 +58,12 @@ def extremes(
     --------
     `mechanics extremes elastic_pendulum --report extremes.html`
 
+    `mechanics extremes rolling_disc --plot extremes.svg`
+
     `mechanics extremes 'pendulum_chain(5)' rolling_disc --json -`
     """
+    if plot is not None:
+        writable(plot, (".svg",))
     for path in (report, None if json_file in (None, "-") else Path(str(json_file))):
         if path is not None:
             _writable(path)
@@ -67,6 +77,8 @@ def extremes(
             results.append(
                 walk(equations, name=system.name, paths=system.paths, forms=tuple(form or ()))
             )
+        if plot is not None:
+            plot.write_text(heat_plot(results[0]), encoding="utf-8")
         if report is not None:
             status.update(f"writing {report.name}")
             report.write_text(extremes_html(results), encoding="utf-8")

@@ -176,7 +176,7 @@ def telling(found: Extremes, count: int) -> list[Visited]:
 
 def _told(found: Extremes, visited: Visited) -> float:
     """Entropy of the causes in both precisions, and where forms differ."""
-    total = 2 * _difference(found, visited, _other(found, visited))
+    total = 2 * _difference(found, visited, other_form(found, visited))
     for precision in PRECISIONS:
         causes = visited.figure(found.default, precision).causes
         counts = Counter(causes[causes != CAUSES.index(Cause.INPUT)].tolist())
@@ -191,7 +191,7 @@ def _difference(found: Extremes, visited: Visited, form: str) -> float:
     return float((default != other).mean())
 
 
-def _other(found: Extremes, visited: Visited) -> str:
+def other_form(found: Extremes, visited: Visited) -> str:
     """The form whose map differs most from that of the default one."""
     return max(found.forms, key=lambda form: _difference(found, visited, form))
 
@@ -200,7 +200,7 @@ def _maps(found: Extremes, visited: Visited) -> tuple[str, list[Figure]]:
     walk = visited.walk
     units = [next(a.unit for a in found.axes if a.name == name) for name in walk.names]
     shown = [(found.default, "double")]
-    if (other := _other(found, visited)) != found.default:
+    if (other := other_form(found, visited)) != found.default:
         shown.append((other, "double"))
     shown.append((found.default, "single"))
     figures = []

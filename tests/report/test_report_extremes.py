@@ -12,6 +12,7 @@ from mechanics.extremes import CAUSES, Cause, Extremes, extremes
 from mechanics.extremes.result import Figures
 from mechanics.report.extremes import extremes_html, telling
 from mechanics.report.extremes_map import LETTERS, heat_map, shade, strip, value_label
+from mechanics.report.extremes_plot import heat_plot
 from systems import rocker, two_mass_chain
 
 
@@ -93,3 +94,20 @@ def test_the_maps_shown_are_different_and_tell_of_every_quantity_at_most_twice()
 )
 def test_values_on_an_axis(value: float, unit: str, label: str) -> None:
     assert value_label(value, unit) == label
+
+
+def test_the_plot_is_a_file_of_its_own() -> None:
+    found = walked()
+    text = heat_plot(found)
+    root = ElementTree.fromstring(text)
+    maps = [child for child in root if child.get("class") == "heat"]
+    (pair,) = telling(found, 1)
+    assert 1 <= len(maps) <= 2
+    assert found.default in text and all(name in text for name in pair.walk.names)
+    # Every colour that a map uses is explained.
+    used = {rect.get("class") for one in maps for rect in one.iter() if rect.tag.endswith("rect")}
+    key = {child.get("class") for child in root if child.tag.endswith("rect")}
+    assert used - {"frame"} == key
+    # Maps and key are below each other.
+    bottom = max(float(one.get("y", 0)) + float(one.get("height", 0)) for one in maps)
+    assert all(float(c.get("y", 0)) > bottom for c in root if c.tag.endswith("rect"))
