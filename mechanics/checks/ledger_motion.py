@@ -2,9 +2,10 @@
 
     lhs(q, u, u') = rhs(q, u, u')    at    (u', lambda) = [[M, -B], [A, 0]]^-1 (f, b)
 
-The accelerations of one route are put into the two typed sides. A row that does not hold u' at all
-is no equation of motion, and a set of them is complete when d(lhs - rhs)/du' has as many
-independent rows as there are degrees of freedom.
+The accelerations of one route are put into the two typed sides. A row whose d(lhs - rhs)/du' is
+zero there is no equation of motion: it holds no u', or it is a product of equations, which other
+motions satisfy too. A set of them is complete when these gradients have as many independent rows as
+there are degrees of freedom.
 """
 
 from collections.abc import Sequence
@@ -19,6 +20,7 @@ from mechanics.exact import Arithmetic, Finding, Number, Verdict, decide
 from mechanics.scene import Scene
 from mechanics.scene.published import Published
 from mechanics.scene.quantities import EquationOfMotion
+from mechanics.scene.rates import TIME, rate_table
 
 Pairs = list[tuple[Number, Number]]
 
@@ -26,6 +28,8 @@ Pairs = list[tuple[Number, Number]]
 def check_equation(subject: str, sides: Sequence[Expr], equations: Equations) -> Finding:
     """Whether a typed equation of motion holds, and says something, along the motion."""
     scene = equations.scene
+    if strange := _strange(scene, sides):
+        return Finding(subject, Verdict.UNDECIDED, strange)
     rates = gradient(scene, sides)
     static = equal(scene, subject, rates, [S.Zero] * len(rates))
     if static.verdict is not Verdict.REFUTED:
@@ -38,7 +42,41 @@ def check_equation(subject: str, sides: Sequence[Expr], equations: Equations) ->
         first, *others = sides
         return [(a.value(first), a.value(side)) for side in others]
 
-    return decide_in(scene, subject, experiment, symbols_of(sides))
+    found = decide_in(scene, subject, experiment, symbols_of(sides))
+    if found.verdict in (Verdict.PROVED, Verdict.CERTIFIED) and _bent(scene, rates):
+
+        def slope(a: Arithmetic) -> Pairs:
+            put_motion(a, equations)
+            return [(a.value(rate), a.rational(0)) for rate in rates]
+
+        if decide_in(scene, subject, slope, symbols_of(rates)).verdict is not Verdict.REFUTED:
+            return Finding(
+                subject,
+                Verdict.UNDECIDED,
+                "it does not determine an acceleration: a product or power of equations, which"
+                " other motions satisfy too",
+            )
+    return found
+
+
+def _strange(scene: Scene, sides: Sequence[Expr]) -> str:
+    """Names the symbols that the scene does not have, which no statement about it can hold."""
+    known = {*scene.q, *scene.qd, *scene.u, *scene.ud, *rate_table(scene), *scene.parameters, TIME}
+    known |= {reaction.symbol for reaction in scene.reactions}
+    for symbol, value in scene.definitions.items():
+        known |= {symbol, *value.free_symbols}
+    names = sorted(str(symbol) for symbol in symbols_of(sides) - known)
+    if not names:
+        return ""
+    return (
+        f"{', '.join(names)}: the scene has no such symbol: write the scene's own, of the same"
+        " assumptions, or declare it"
+    )
+
+
+def _bent(scene: Scene, rates: Sequence[Expr]) -> bool:
+    """Whether an equation is not linear in the accelerations: its gradient depends on them."""
+    return any(rate.free_symbols & set(scene.ud) for rate in rates)
 
 
 def check_reaction(subject: str, name: str, sides: Sequence[Expr], equations: Equations) -> Finding:
@@ -55,6 +93,9 @@ def check_reaction(subject: str, name: str, sides: Sequence[Expr], equations: Eq
             f"{subject}: the equations of route {equations.route} do not give reaction {name}:"
             " pass those of free_body"
         )
+
+    if strange := _strange(equations.scene, sides):
+        return Finding(subject, Verdict.UNDECIDED, strange)
 
     def experiment(a: Arithmetic) -> Pairs:
         put_motion(a, equations)
@@ -95,6 +136,8 @@ def check_complete(scene: Scene, rows: Sequence[Published], equations: Equations
     left = left.col_join(equations.constraint_matrix)
 
     def experiment(a: Arithmetic) -> Pairs:
+        if _bent(scene, left):
+            put_motion(a, equations)
         rank = a.rank([[a.value(entry) for entry in left.row(i)] for i in range(left.rows)])
         return [(a.rational(rank), a.rational(len(scene.ud)))]
 

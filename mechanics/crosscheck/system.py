@@ -19,12 +19,13 @@ from mechanics.crosscheck.motion import example_motion
 from mechanics.crosscheck.routes import named_routes
 from mechanics.crosscheck.small_motions import small_motions
 from mechanics.equations import Equations
-from mechanics.exact import Finding
+from mechanics.exact import Finding, Verdict
 from mechanics.linear.ledger import check_linear_row
 from mechanics.report.result import LedgerResult, ResidualResult, RouteResult, SystemResult
 from mechanics.routes import free_body, kane
 from mechanics.routes.kane_reactions import auxiliary_equations
 from mechanics.scene import Scene
+from mechanics.scene.declared import decimals
 from mechanics.scene.published import Published
 from mechanics.scene.quantities import EquationOfMotion
 from mechanics.scene.system import System
@@ -102,7 +103,10 @@ def crosscheck(system: System | Scene, options: CrossCheck | None = None) -> Sys
     models = {name: compile(equations) for name, equations in derived.items()}
     findings += _graphs(models)
     stage("residuals of compiled functions")
-    measured = _residuals(scene, models, motions, options.states)
+    shown = (Verdict.PROVED, Verdict.CERTIFIED)
+    right = [entry.row for entry in published if entry.finding.verdict in shown]
+    holding = [row for row in motions if row in right]
+    measured = _residuals(scene, models, holding, options.states)
     stage("small motions")
     modes, remarks = small_motions(derived)
     if motions and scene.constraints:
@@ -210,8 +214,7 @@ def _residuals(
         # Random states are off the constraint manifold, where published equations need not hold.
         return ()
     typed = [
-        (row.tag, scene.plain(row.sides[0], row.tag), scene.plain(row.sides[1], row.tag))
-        for row in rows
+        (row.tag, *(decimals(scene.plain(side, row.tag)) for side in row.sides[:2])) for row in rows
     ]
     found = residuals(tuple(models.values()), typed, states=states)
     return tuple(ResidualResult(entry.subject, entry.max_eps, entry.states) for entry in found)

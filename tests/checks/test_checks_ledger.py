@@ -209,3 +209,30 @@ def test_rows_of_a_constrained_scene_hold_on_its_manifold() -> None:
         )
     )
     assert check(system, q.EquationOfMotion(), d_dt(d_dt(closure)), 0).shown
+
+
+SIXTH, SEVENTH = (
+    row.sides[0] - row.sides[1] for row in rows(PENDULUM) if row.tag in ("(6)", "(7)")
+)
+
+
+@pytest.mark.parametrize("sides", [(SIXTH**2, 0), (SIXTH * SEVENTH, 0), (SIXTH**3, SIXTH**2)])
+def test_a_product_of_right_equations_is_no_equation_of_motion(sides: tuple[object, ...]) -> None:
+    # It vanishes along the motion, and along others: right, yet it says too little.
+    found = check(PENDULUM, q.EquationOfMotion(), *sides)
+    assert found.verdict is Verdict.UNDECIDED
+    assert "other motions satisfy too" in found.evidence
+
+
+def test_a_ratio_of_accelerations_is_an_equation_of_motion() -> None:
+    equation = SEVENTH / x.diff(t, 2)
+    assert check(PENDULUM, q.EquationOfMotion(), equation, 0).shown
+    assert check(PENDULUM, q.EquationOfMotion(), equation + 1, 0).verdict is Verdict.REFUTED
+
+
+def test_a_symbol_that_the_scene_does_not_have_is_named() -> None:
+    stranger = Symbol("mm", positive=True)
+    found = check(PENDULUM, q.EquationOfMotion(), SIXTH + stranger * x, 0)
+    assert found.verdict is Verdict.UNDECIDED and found.evidence.startswith("mm: the scene has no")
+    found = check(PENDULUM, q.ReactionValue("N"), Symbol("M") * 9)
+    assert found.verdict is Verdict.UNDECIDED and found.evidence.startswith("M: the scene has no")
