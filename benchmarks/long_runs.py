@@ -2,13 +2,14 @@
 
     python -m benchmarks.long_runs [SYSTEM] [--set NAME=VALUE] [--periods 100000] [--seconds 10]
     python -m benchmarks.long_runs --set k=0 --set x_dot=0.1        P_x is conserved without springs
+    python -m benchmarks.long_runs --only "SciPy RK45" --tolerance 1e-6 --seconds 600
 
 prints a table. What would take longer than the seconds is run for a tenth, a hundredth ... of the
 periods, and the table says for how many.
 """
 
 import argparse
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
 from mechanics.compiled import compile
 from mechanics.routes.free_body import derive
@@ -20,6 +21,7 @@ from systems import ALL
 # Moderate swings: regular motions, in which errors grow with powers of time.
 STARTS = {"elastic_pendulum": {"x": 0.1, "theta": 0.5}}
 TOLERANCE, STEPS = 1e-9, 60
+NAMES = tuple(member.name for member in INTEGRATORS)
 COLUMNS = ("integrator", "setting", "periods", "energy", "momentum", "phase in periods", "s")
 
 
@@ -29,12 +31,14 @@ def main() -> None:
     parser.add_argument("--periods", type=int, default=100_000)
     parser.add_argument("--seconds", type=float, default=10.0)
     parser.add_argument("--set", action="append", default=[], metavar="NAME=VALUE")
+    parser.add_argument("--only", action="append", choices=NAMES, help="an integrator, repeatable")
+    parser.add_argument("--tolerance", type=float, default=TOLERANCE, help="of adaptive methods")
     asked = parser.parse_args()
     problem = posed(asked.system, dict(word.split("=", 1) for word in asked.set))
     period = natural_period(problem)
     print(f"{asked.system}: natural period {period:.4g} s, {asked.periods} periods\n")
     print(f"| {' | '.join(COLUMNS)} |\n|{'---|' * len(COLUMNS)}")
-    wanted = settings(problem, period)
+    wanted = settings(problem, period, asked.only or NAMES, asked.tolerance)
     for run in long_runs(problem, wanted, periods=asked.periods, seconds=asked.seconds):
         print(f"| {' | '.join(row(run))} |", flush=True)
 
@@ -49,12 +53,19 @@ def posed(name: str, values: Mapping[str, str]) -> Problem:
     return pose(model, [0.0, 1.0], initial=initial, parameters=given)
 
 
-def settings(problem: Problem, period: float) -> list[Setting]:
+def settings(
+    problem: Problem,
+    period: float,
+    names: Sequence[str] = NAMES,
+    tolerance: float = TOLERANCE,
+) -> list[Setting]:
     """A tolerance for adaptive methods, a whole number of steps a period for the others."""
     found = []
     for member in INTEGRATORS:
+        if member.name not in names:
+            continue
         setting = (
-            Setting(member.name, tolerance=TOLERANCE)
+            Setting(member.name, tolerance=tolerance)
             if member.adaptive
             else Setting(member.name, step=period / STEPS)
         )
