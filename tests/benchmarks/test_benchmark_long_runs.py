@@ -16,7 +16,7 @@ def test_the_table_is_printed(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     chosen = [Setting("C RK4", step=0.02), Setting("heyoka Taylor", 2.0)]
-    monkeypatch.setattr(long_runs, "settings", lambda problem, period: chosen)
+    monkeypatch.setattr(long_runs, "settings", lambda problem, period, names, tolerance: chosen)
     arguments = "elastic_pendulum --set k=0 --set x_dot=0.1 --periods 40"
     monkeypatch.setattr("sys.argv", ["long_runs", *arguments.split()])
     long_runs.main()
