@@ -15,6 +15,7 @@ from collections.abc import Callable, Iterator
 from contextlib import suppress
 from dataclasses import dataclass
 from functools import cached_property
+from math import ceil, inf, isfinite, log10
 
 import casadi as ca
 from sympy import Matrix
@@ -207,16 +208,27 @@ def _refined(system: System) -> ca.SX:
 
 
 def _fewest(system: System) -> ca.SX:
-    """The cheapest that rounds well, else what every system is solved by."""
-    other = system.solve(system.graphs[1])
-    least = operations(other)
+    """The cheapest that rounds well; where none does, the cheapest of those that round best."""
+    usual = system.solve(system.graphs[1])
+    least, poor = operations(usual), [usual]
     for candidate in _candidates(system):
         if operations(candidate) < least:
-            error = system.error(candidate)
-            # Where elimination itself rounds badly, as beside a singular state, nothing is lost.
-            if error < ROUNDINGS or error <= system.error(other):
+            if system.error(candidate) < ROUNDINGS:
                 return candidate
-    return other
+            poor.append(candidate)
+    if system.error(usual) < ROUNDINGS:
+        return usual
+    # Terms that cancel may have a factor in common: without it they do not.
+    if not _readable(system.equations):
+        poor.append(_primitive(system))
+    return min(poor, key=lambda graph: (_digits_lost(system.error(graph)), operations(graph)))
+
+
+def _digits_lost(error: float) -> float:
+    """Decimal digits beyond the roundings that are allowed, in whole numbers."""
+    if not isfinite(error):
+        return inf
+    return ceil(log10(max(error / ROUNDINGS, 1.0)))
 
 
 def _candidates(system: System) -> Iterator[ca.SX]:
