@@ -12,7 +12,7 @@ one term. The other way is `mechanics.kinematics.differentiate`.
 from dataclasses import dataclass, field
 from itertools import pairwise
 
-from sympy import Matrix, eye, zeros
+from sympy import Expr, Matrix, cos, eye, sin, zeros
 from sympy.physics.vector import Point, ReferenceFrame
 
 from mechanics.exact import canonical
@@ -25,7 +25,7 @@ from mechanics.scene.geometry import (
     relative_rotation,
     step_vector,
 )
-from mechanics.scene.rates import rate_table, rates
+from mechanics.scene.rates import rate, rate_table, rates
 
 # A vector kept in the frames in which it is short: components by frame, to be added.
 Mixed = dict[ReferenceFrame, Matrix]
@@ -77,9 +77,14 @@ class Chain:
         step = relative_rotation(parent, child).applyfunc(
             lambda entry: self.scene.plain(entry, f"frame {child.name}")
         )
-        # In the child's frame the step turns with R^T R'.
-        skew = step.T * Matrix(3, 3, list(rates(step, table)))
-        own = Matrix([skew[2, 1], skew[0, 2], skew[1, 0]]).applyfunc(canonical)
+        simple = axis_angle(step)
+        if simple is not None:
+            axis, angle = simple
+            own = axis * rate(angle, table)
+        else:
+            # In the child's frame the step turns with R^T R'.
+            skew = step.T * Matrix(3, 3, list(rates(step, table)))
+            own = Matrix([skew[2, 1], skew[0, 2], skew[1, 0]]).applyfunc(canonical)
         carried = outer.omega if _unturned(step, outer.omega) else step.T * outer.omega
         omega = carried + own
         # The derivative of omega in a frame that turns with omega is the angular acceleration.
@@ -157,6 +162,26 @@ def _point(chain: Chain, point: Point) -> PointMotion:
         chain.inertial(motion.velocity),
         chain.inertial(motion.acceleration),
     )
+
+
+def axis_angle(step: Matrix) -> tuple[Matrix, Expr] | None:
+    """(axis, angle) of a rotation about a constant coordinate axis; None for any other.
+
+    The angular velocity of such a rotation is the rate of the angle along the axis.
+    """
+    for k in range(3):
+        axis = Matrix([int(i == k) for i in range(3)])
+        i, j = (k + 1) % 3, (k + 2) % 3
+        if step[k, k] != 1 or (step[j, i].func not in (sin, cos) and not step[j, i].is_Mul):
+            continue
+        for angle in {f.args[0] for f in step.atoms(sin, cos)}:
+            for signed in (angle, -angle):
+                c, s = cos(signed), sin(signed)
+                turn = eye(3)
+                turn[i, i], turn[j, j], turn[i, j], turn[j, i] = c, c, -s, s
+                if turn == step:
+                    return axis, signed
+    return None
 
 
 def _unturned(step: Matrix, vector: Matrix) -> bool:

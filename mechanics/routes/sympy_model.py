@@ -10,11 +10,11 @@ from itertools import pairwise
 from typing import Any
 
 import sympy.physics.mechanics as me
-from sympy import Expr, Matrix, cos, eye, sin, zeros
+from sympy import Matrix, zeros
 from sympy.physics.vector import Dyadic, Point, ReferenceFrame, Vector, outer
 
 from mechanics.exact import is_zero
-from mechanics.kinematics.chain import Chain, Mixed
+from mechanics.kinematics.chain import Chain, Mixed, axis_angle
 from mechanics.routes.dynamic import Dynamic
 from mechanics.scene import Body, RigidBody, Scene
 from mechanics.scene.actions import Action
@@ -120,7 +120,7 @@ def _frame(
         step = relative_rotation(parent, child).applyfunc(
             lambda entry: dynamic.to(scene.plain(entry))
         )
-        simple = _axis_angle(step)
+        simple = axis_angle(step)
         if simple is None:
             new.orient_explicit(frames[parent], step)
         else:
@@ -133,27 +133,6 @@ def _frame(
         new.set_ang_vel(inertial, _vector(new, turn.omega, dynamic))
         new.set_ang_acc(inertial, _vector(new, turn.alpha, dynamic))
     return frames[frame]
-
-
-def _axis_angle(step: Matrix) -> tuple[Matrix, Expr] | None:
-    """(axis, angle) of a rotation about a constant coordinate axis; None for any other.
-
-    SymPy differentiates and simplifies a general rotation matrix, which is slow, and knows the
-    angular velocity of a simple rotation at once.
-    """
-    for k in range(3):
-        axis = Matrix([int(i == k) for i in range(3)])
-        i, j = (k + 1) % 3, (k + 2) % 3
-        if step[k, k] != 1 or (step[j, i].func not in (sin, cos) and not step[j, i].is_Mul):
-            continue
-        for angle in {f.args[0] for f in step.atoms(sin, cos)}:
-            for signed in (angle, -angle):
-                c, s = cos(signed), sin(signed)
-                turn = eye(3)
-                turn[i, i], turn[j, j], turn[i, j], turn[j, i] = c, c, -s, s
-                if turn == step:
-                    return axis, signed
-    return None
 
 
 def _mixed(
