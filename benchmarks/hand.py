@@ -6,7 +6,7 @@ from functools import cache
 
 from benchmarks.c_kernels import FOLDER, CKernel, read
 from mechanics.compiled import Model, compile
-from mechanics.compiled.source import function_source
+from mechanics.compiled.c.source import function_source
 from mechanics.crosscheck import derive
 from mechanics.equations import Equations
 from systems import SEED

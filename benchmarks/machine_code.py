@@ -15,7 +15,7 @@ from time import perf_counter
 
 import numpy as np
 
-from mechanics.compiled.native import FLAGS
+from mechanics.compiled.machine.native import FLAGS
 from mechanics.errors import CompilerError
 
 STATES = 4096

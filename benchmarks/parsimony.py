@@ -14,8 +14,8 @@ from statistics import median
 from benchmarks.hand import PEERS, Peer, counted
 from benchmarks.machine_code import timed
 from mechanics.compiled import Model, compile
-from mechanics.compiled.native import find_compiler
-from mechanics.compiled.source import function_source, signature
+from mechanics.compiled.c.source import function_source, signature
+from mechanics.compiled.machine.native import find_compiler
 from mechanics.errors import CompilerError
 
 

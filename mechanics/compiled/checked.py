@@ -10,8 +10,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from mechanics.compiled.c.status import WATCHED, watched
 from mechanics.compiled.program import Program
-from mechanics.compiled.status import WATCHED, watched
 from mechanics.errors import InputError, MechanicsError, RangeError, SingularError
 
 Array = NDArray[np.floating]

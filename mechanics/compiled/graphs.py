@@ -19,12 +19,12 @@ import sympy
 
 from mechanics.compiled.fixed import Fixed, fix
 from mechanics.compiled.forms import Form, System, named_form
+from mechanics.compiled.forms.order import Order
+from mechanics.compiled.forms.trial import chosen_pivots, largest_error
 from mechanics.compiled.mechanical import Totals, totals
-from mechanics.compiled.order import Order
 from mechanics.compiled.quantities import DIGITS, Quantities, quantities
 from mechanics.compiled.step import RK4, runge_kutta
 from mechanics.compiled.translate import Translator
-from mechanics.compiled.trial import chosen_pivots, largest_error
 from mechanics.equations import Equations
 from mechanics.errors import InputError
 from mechanics.scene.rates import TIME

@@ -13,16 +13,16 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from sympy import Expr, Symbol
 
-from mechanics.compiled.buffer import Buffer
+from mechanics.compiled.c.status import WATCHED, with_watched
 from mechanics.compiled.checked import checked
-from mechanics.compiled.evaluator import FLAGS, Kernel, evaluator
 from mechanics.compiled.fixed import read_fixed, words
 from mechanics.compiled.given import given_array
 from mechanics.compiled.graphs import MATRICES, Graphs
-from mechanics.compiled.native import find_compiler
+from mechanics.compiled.machine.buffer import Buffer
+from mechanics.compiled.machine.evaluator import FLAGS, Kernel, evaluator
+from mechanics.compiled.machine.native import find_compiler
 from mechanics.compiled.program import Program, program
 from mechanics.compiled.quantities import DIGITS, Quantities
-from mechanics.compiled.status import WATCHED, with_watched
 from mechanics.equations import Equations
 from mechanics.errors import InputError
 

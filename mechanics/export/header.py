@@ -3,10 +3,10 @@
 from collections.abc import Iterator, Sequence
 
 from mechanics.compiled import Model
+from mechanics.compiled.c.source import signature
+from mechanics.compiled.c.status import Codes
 from mechanics.compiled.graphs import STATE
 from mechanics.compiled.quantities import Quantity
-from mechanics.compiled.source import signature
-from mechanics.compiled.status import Codes
 from mechanics.errors import ValueMissingError
 
 ARRAYS = {

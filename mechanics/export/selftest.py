@@ -8,7 +8,7 @@ import textwrap
 from collections.abc import Iterator, Sequence
 
 from mechanics.compiled import Model
-from mechanics.compiled.source import LINE, literal
+from mechanics.compiled.c.source import LINE, literal
 from mechanics.export.header import codes, comment
 from mechanics.export.vectors import BITS, ROOM, Vector, vectors
 

@@ -13,8 +13,8 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from mechanics.compiled import Model
-from mechanics.compiled.names import identifier
-from mechanics.compiled.source import function_source, signature
+from mechanics.compiled.c.names import identifier
+from mechanics.compiled.c.source import function_source, signature
 from mechanics.errors import InputError
 from mechanics.export.header import codes, comment, header
 from mechanics.export.manifest import manifest

@@ -6,7 +6,7 @@ import casadi as ca
 import numpy as np
 from numpy.typing import NDArray
 
-from mechanics.compiled.virtual import VirtualKernel
+from mechanics.compiled.machine.virtual import VirtualKernel
 
 Array = NDArray[np.float64]
 

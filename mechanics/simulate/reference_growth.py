@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.integrate import LSODA
 
-from mechanics.compiled.evaluator import evaluator
+from mechanics.compiled.machine.evaluator import evaluator
 from mechanics.compiled.program import program
 from mechanics.simulate.integrators.problem import Problem
 from mechanics.simulate.integrators.rate import rate_entries, rate_function

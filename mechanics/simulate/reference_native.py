@@ -14,7 +14,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from mechanics.compiled.native import load
+from mechanics.compiled.machine.native import load
 from mechanics.errors import CompilerError
 from mechanics.simulate.reference_words import SOURCE
 

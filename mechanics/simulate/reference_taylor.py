@@ -17,7 +17,7 @@ from weakref import WeakKeyDictionary
 import casadi as ca
 import sympy
 
-from mechanics.compiled.forms import ELIMINATION, LDL, PRIMITIVE
+from mechanics.compiled.forms.members import ELIMINATION, LDL, PRIMITIVE
 from mechanics.compiled.graphs import Graphs
 from mechanics.compiled.model import Model
 from mechanics.compiled.program import Program, program

@@ -6,7 +6,7 @@ at a time around the best, or there would be thousands.
 
 from dataclasses import dataclass, replace
 
-from mechanics.compiled.evaluator import FLAGS
+from mechanics.compiled.machine.evaluator import FLAGS
 from mechanics.simulate.integrators import Setting
 
 NONLINEAR, LINEARISED = "nonlinear", "linearised"

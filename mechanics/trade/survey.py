@@ -12,8 +12,8 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from mechanics.compiled.evaluator import FLAGS
 from mechanics.compiled.forms import FORMS
+from mechanics.compiled.machine.evaluator import FLAGS
 from mechanics.errors import MechanicsError
 from mechanics.simulate.integrators import INTEGRATORS, Integrator, Outcome, Setting
 from mechanics.simulate.integrators.rate import Rate

@@ -2,7 +2,7 @@
 
 import pytest
 
-from mechanics.compiled.native import find_compiler
+from mechanics.compiled.machine.native import find_compiler
 
 
 @pytest.fixture(scope="session")

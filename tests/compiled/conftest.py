@@ -8,7 +8,7 @@ import pytest
 
 from mechanics.compiled import Model
 from mechanics.compiled import compile as compile_model
-from mechanics.compiled.native import find_compiler
+from mechanics.compiled.machine.native import find_compiler
 from mechanics.equations import Equations
 
 

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from mechanics.compiled import compile as compile_model
-from mechanics.compiled.status import watched, with_watched
+from mechanics.compiled.c.status import watched, with_watched
 from mechanics.errors import InputError, RangeError, SingularError
 
 NAN, INF = float("nan"), float("inf")

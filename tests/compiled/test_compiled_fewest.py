@@ -11,13 +11,13 @@ import sympy
 from sympy import Expr, Matrix, Rational, cos, pi, sin, sqrt, symbols
 
 from mechanics.compiled import compile, graphs, prove_compiled
-from mechanics.compiled.closed import quotients
-from mechanics.compiled.coefficient import Coefficient, coefficient
-from mechanics.compiled.entries import nested_entries
-from mechanics.compiled.fewest import nested_quotients
-from mechanics.compiled.forms import FEWEST, automatic
+from mechanics.compiled.forms.closed import quotients
+from mechanics.compiled.forms.coefficient import Coefficient, coefficient
+from mechanics.compiled.forms.entries import nested_entries
+from mechanics.compiled.forms.fewest import nested_quotients
+from mechanics.compiled.forms.members import FEWEST, automatic
+from mechanics.compiled.forms.written import Written
 from mechanics.compiled.sampling import sample
-from mechanics.compiled.written import Written
 from mechanics.exact import TooLarge, is_zero
 
 a, b = symbols("a b", positive=True)

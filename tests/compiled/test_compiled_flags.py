@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from mechanics.compiled import compile as compile_model
-from mechanics.compiled.evaluator import FLAGS
+from mechanics.compiled.machine.evaluator import FLAGS
 from mechanics.errors import CompilerError
 
 

@@ -9,7 +9,7 @@ from sympy import cos, symbols
 
 from mechanics.compiled import Model
 from mechanics.compiled import compile as compile_model
-from mechanics.compiled.native import find_compiler
+from mechanics.compiled.machine.native import find_compiler
 from mechanics.errors import CompilerError, InputError, ValueMissingError
 from mechanics.scene import Parameter, Scene
 

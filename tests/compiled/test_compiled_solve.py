@@ -7,8 +7,8 @@ import sympy
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from mechanics.compiled.factor import solve_general, solve_symmetric
-from mechanics.compiled.order import backward_errors, candidates, pivot_order, solve
+from mechanics.compiled.forms.factor import solve_general, solve_symmetric
+from mechanics.compiled.forms.order import backward_errors, candidates, pivot_order, solve
 from mechanics.errors import SingularError
 from mechanics.exact import Arithmetic, decide
 

@@ -6,13 +6,13 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from mechanics.compiled import native
-from mechanics.compiled.names import RESERVED, Namer, identifier
-from mechanics.compiled.native import NativeKernel, library_source
+from mechanics.compiled.c.names import RESERVED, Namer, identifier
+from mechanics.compiled.c.source import function_source, literal
+from mechanics.compiled.machine import native
+from mechanics.compiled.machine.native import NativeKernel, library_source
+from mechanics.compiled.machine.virtual import NumpyKernel, VirtualKernel
 from mechanics.compiled.operations import OPERATIONS
 from mechanics.compiled.program import program
-from mechanics.compiled.source import function_source, literal
-from mechanics.compiled.virtual import NumpyKernel, VirtualKernel
 from mechanics.errors import CompilerError, ExpressionError
 
 ENTRIES = {"s": ("x", "lambda", "I", "y1")}

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from mechanics.compiled import compile
-from mechanics.compiled.native import find_compiler
+from mechanics.compiled.machine.native import find_compiler
 from mechanics.crosscheck import derive
 from mechanics.export import write_c
 from systems import elastic_pendulum

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from mechanics.compiled import Model
-from mechanics.compiled.status import watched
+from mechanics.compiled.c.status import watched
 from mechanics.export import write_c
 
 OK, SINGULAR, OVERFLOW, BAD_INPUT = range(4)

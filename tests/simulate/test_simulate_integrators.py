@@ -10,8 +10,8 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
+from mechanics.compiled.machine.native import find_compiler
 from mechanics.compiled.model import Model, compile
-from mechanics.compiled.native import find_compiler
 from mechanics.compiled.step import TABLEAUX
 from mechanics.errors import InputError
 from mechanics.routes import kane

@@ -5,8 +5,8 @@ import math
 import numpy as np
 import pytest
 
+from mechanics.compiled.machine.native import find_compiler
 from mechanics.compiled.model import compile
-from mechanics.compiled.native import find_compiler
 from mechanics.errors import InputError
 from mechanics.routes import kane
 from mechanics.simulate.drift import Drift, drift

@@ -14,8 +14,8 @@ from flint import arb, arb_series, ctx
 from sympy import Abs
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
+from mechanics.compiled.machine.native import find_compiler
 from mechanics.compiled.model import compile
-from mechanics.compiled.native import find_compiler
 from mechanics.compiled.program import program
 from mechanics.errors import ExpressionError, InputError, SingularError
 from mechanics.routes import kane

@@ -10,10 +10,10 @@ from weakref import WeakKeyDictionary
 
 import numpy as np
 
+from mechanics.compiled.c.source import function_source, signature
+from mechanics.compiled.machine.native import affordable, load
 from mechanics.compiled.model import Model
-from mechanics.compiled.native import affordable, load
 from mechanics.compiled.program import Program
-from mechanics.compiled.source import function_source, signature
 from mechanics.simulate.integrators.loop import NOT_FINITE, plan, stopped
 from mechanics.simulate.integrators.problem import Outcome, Problem, Setting
 from mechanics.simulate.integrators.rate import rate_entries

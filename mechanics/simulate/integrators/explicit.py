@@ -13,7 +13,7 @@ import casadi as ca
 import numpy as np
 from numpy.typing import NDArray
 
-from mechanics.compiled.evaluator import evaluator
+from mechanics.compiled.machine.evaluator import evaluator
 from mechanics.compiled.model import Model
 from mechanics.compiled.program import Program, program
 from mechanics.compiled.step import TABLEAUX, Rate, Tableau, runge_kutta

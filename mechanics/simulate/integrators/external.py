@@ -12,8 +12,8 @@ from pathlib import Path
 
 import casadi as ca
 
+from mechanics.compiled.machine.native import affordable, load
 from mechanics.compiled.model import Model
-from mechanics.compiled.native import affordable, load
 from mechanics.compiled.program import program
 from mechanics.simulate.integrators.rate import jacobian_function, rate_function
 

@@ -13,8 +13,8 @@ import casadi as ca
 import numpy as np
 from numpy.typing import NDArray
 
-from mechanics.compiled.evaluator import evaluator
 from mechanics.compiled.graphs import Graphs
+from mechanics.compiled.machine.evaluator import evaluator
 from mechanics.compiled.model import Model
 from mechanics.compiled.program import Program, program
 from mechanics.simulate.integrators.problem import OverBudget, Problem

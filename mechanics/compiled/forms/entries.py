@@ -11,9 +11,9 @@ from functools import lru_cache
 
 from sympy import Expr, ImmutableMatrix
 
-from mechanics.compiled.closed import Polynomial, numbered
-from mechanics.compiled.nested import ONE, Choice, Nest, Table
-from mechanics.compiled.written import Decide, Written, search, written
+from mechanics.compiled.forms.closed import Polynomial, numbered
+from mechanics.compiled.forms.nested import ONE, Choice, Nest, Table
+from mechanics.compiled.forms.written import Decide, Written, search, written
 from mechanics.exact import TooLarge
 from mechanics.exact.canonical_poly import reader
 

@@ -14,7 +14,7 @@ import sympy
 from flint import fmpq_mpoly
 from sympy import Expr, Matrix, Symbol
 
-from mechanics.compiled.coefficient import Coefficient, coefficient
+from mechanics.compiled.forms.coefficient import Coefficient, coefficient
 from mechanics.exact import TooLarge
 from mechanics.exact.canonical_back import generator_expression, terms
 from mechanics.exact.canonical_poly import Reader, reader

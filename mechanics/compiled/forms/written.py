@@ -15,8 +15,8 @@ from typing import Any
 import casadi as ca
 from sympy import Expr
 
-from mechanics.compiled.coefficient import Coefficient
-from mechanics.compiled.nested import Nest
+from mechanics.compiled.forms.coefficient import Coefficient
+from mechanics.compiled.forms.nested import Nest
 from mechanics.compiled.translate import Translator
 
 FUNCTION = 20

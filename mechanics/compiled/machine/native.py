@@ -17,8 +17,8 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
+from mechanics.compiled.c.source import Entries, function_source, signature
 from mechanics.compiled.program import Program
-from mechanics.compiled.source import Entries, function_source, signature
 from mechanics.errors import CompilerError
 
 Array = NDArray[np.floating]

@@ -16,10 +16,10 @@ from dataclasses import dataclass
 import casadi as ca
 import numpy as np
 
-from mechanics.compiled.names import Namer
+from mechanics.compiled.c.names import Namer
+from mechanics.compiled.c.status import Codes, status_lines, watched
 from mechanics.compiled.operations import ATOM, OPERATIONS, PRODUCT, SIGN, SUM, unknown
 from mechanics.compiled.program import Program
-from mechanics.compiled.status import Codes, status_lines, watched
 
 LINE = 100
 WIDTH = 64

@@ -20,18 +20,18 @@ from math import ceil, inf, isfinite, log10
 import casadi as ca
 from sympy import Matrix
 
-from mechanics.compiled.entries import nested_entries
-from mechanics.compiled.factor import (
+from mechanics.compiled.forms.entries import nested_entries
+from mechanics.compiled.forms.factor import (
     Pivots,
     solve_explicit,
     solve_general,
     solve_symmetric,
     solve_with_pivots,
 )
-from mechanics.compiled.fewest import nested_quotients
-from mechanics.compiled.primitive import Primitive, primitive
+from mechanics.compiled.forms.fewest import nested_quotients
+from mechanics.compiled.forms.primitive import Primitive, primitive
+from mechanics.compiled.forms.rearranged import MOST, trailing_minors
 from mechanics.compiled.program import operations
-from mechanics.compiled.rearranged import MOST, trailing_minors
 from mechanics.compiled.translate import Translator
 from mechanics.equations import Equations
 from mechanics.errors import ExpressionError, InputError

@@ -5,7 +5,7 @@
 A factor that most terms share is taken out, with all that these terms have in common, and so on
 inside (multivariate Horner); what one sum has but for a term of another is built from that one.
 Which of two factors comes first is left to a `Choice`, and so is how a product is multiplied:
-there is no rule that is best for all, so choices are tried (`mechanics.compiled.fewest`).
+there is no rule that is best for all, so choices are tried (`mechanics.compiled.forms.fewest`).
 
 Factors are places in a `Table`, and nodes are places in a list, because this is run hundreds of
 times.
@@ -17,8 +17,8 @@ from fractions import Fraction
 
 from sympy import Expr
 
-from mechanics.compiled.closed import Polynomial
-from mechanics.compiled.coefficient import Coefficient
+from mechanics.compiled.forms.closed import Polynomial
+from mechanics.compiled.forms.coefficient import Coefficient
 
 Factors = tuple[int, ...]
 """Places in a table, in increasing order; a power is repeated."""

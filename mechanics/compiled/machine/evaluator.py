@@ -7,10 +7,10 @@ operations are no longer those of the graph, one rounding each, in its order.
 import casadi as ca
 import numpy as np
 
-from mechanics.compiled.native import NativeKernel
+from mechanics.compiled.c.source import Entries
+from mechanics.compiled.machine.native import NativeKernel
+from mechanics.compiled.machine.virtual import NumpyKernel, VirtualKernel
 from mechanics.compiled.program import Program
-from mechanics.compiled.source import Entries
-from mechanics.compiled.virtual import NumpyKernel, VirtualKernel
 
 Kernel = NativeKernel | VirtualKernel | NumpyKernel
 

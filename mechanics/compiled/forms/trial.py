@@ -7,7 +7,7 @@ import casadi as ca
 import numpy as np
 from sympy import Add
 
-from mechanics.compiled.order import Array, Order, pivot_order
+from mechanics.compiled.forms.order import Array, Order, pivot_order
 from mechanics.compiled.program import program, run
 from mechanics.compiled.quantities import Quantities
 from mechanics.compiled.sampling import DECADES, sample

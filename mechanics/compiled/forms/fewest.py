@@ -2,7 +2,7 @@
 
     x'' = (M s (l w^2 + g c) - 8/3 k x) / (4/3 (M + m) - M c^2),   theta'' = (g s + c x'') / -l
 
-Quotients of polynomials (`mechanics.compiled.closed`) are nested (`mechanics.compiled.nested`); the
+Quotients of polynomials (`.closed`) are nested (`.nested`); the
 search decides what is multiplied first, by which numbers both sides of a quotient are multiplied,
 and which order the unknowns have.
 """
@@ -13,10 +13,10 @@ from functools import lru_cache, partial
 
 from sympy import Matrix, Symbol
 
-from mechanics.compiled.closed import Polynomial, Quotient, quotients
-from mechanics.compiled.coefficient import Coefficient
-from mechanics.compiled.nested import UNIT, Choice, Nest, Table, Term
-from mechanics.compiled.written import Decide, Written, search, written
+from mechanics.compiled.forms.closed import Polynomial, Quotient, quotients
+from mechanics.compiled.forms.coefficient import Coefficient
+from mechanics.compiled.forms.nested import UNIT, Choice, Nest, Table, Term
+from mechanics.compiled.forms.written import Decide, Written, search, written
 
 PATIENCE, MOST = 80, 2000
 """Trials without success after which a search ends, and trials after which it ends anyway."""

@@ -1,0 +1,1 @@
+"""C text: names, expressions, functions, statuses."""
