@@ -105,7 +105,7 @@ def test_random_systems(seed: int) -> None:
 
 
 def test_the_same_system_is_written_the_same_way() -> None:
-    from mechanics.compiled import fewest
+    from mechanics.compiled.forms import fewest
 
     one = nested_quotients(*SYSTEMS["coupled"], (U, V), True)[0]
     fewest._searched.cache_clear()
