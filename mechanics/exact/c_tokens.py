@@ -1,0 +1,65 @@
+"""The tokens of a C source, line by line, comments taken out."""
+
+import re
+
+from mechanics.errors import ExpressionError
+
+TOKEN = re.compile(
+    r"""(?P<space>[ \t\f\v\r]+) | (?P<newline>\n)
+      | (?P<comment>/\*.*?\*/|//[^\n]*)
+      | (?P<string>"(?:\\.|[^"\\\n])*") | (?P<char>'(?:\\.|[^'\\\n])*')
+      | (?P<number>\.?\d(?:[eEpP][+-]|[\w.])*)
+      | (?P<name>[A-Za-z_]\w*)
+      | (?P<punctuation><<=|>>=|\.\.\.|->|\+\+|--|<<|>>|<=|>=|==|!=|&&|\|\||[-+*/%&|^]=|\#\#
+        |[][(){}.&*+\-~!/%<>^|?:;=,\#])""",
+    re.VERBOSE | re.DOTALL,
+)
+
+
+Line = list[tuple[str, str]]
+"""Tokens as (kind, text)."""
+
+
+def tokens(text: str, file: str) -> Line:
+    """(kind, text) of every token, comments as the blanks and ends of lines that they cover.
+
+    Raises
+    ------
+    ExpressionError
+        For a character that C does not have.
+    """
+    if "??" in text:
+        raise ExpressionError(f"{file}: '??' may begin a trigraph: write it apart")
+    text = text.replace("\r\n", "\n").replace("\\\n", " ")
+    found: Line = []
+    at = 0
+    while at < len(text):
+        match = TOKEN.match(text, at)
+        if match is None:
+            line = text.count("\n", 0, at) + 1
+            raise ExpressionError(f"{file}:{line}: {text[at]!r} is no token of C")
+        kind, token = str(match.lastgroup), match.group()
+        if kind == "comment":
+            found += [("newline", "\n")] * token.count("\n") or [("space", " ")]
+        else:
+            found.append((kind, token))
+        at = match.end()
+    return found
+
+
+def touching(line: Line) -> bool:
+    """Whether a bracket touches the name that is defined, which makes it a macro with arguments."""
+    names = [i for i, (kind, _) in enumerate(line) if kind == "name"]
+    after = line[names[1] + 1][1:] if len(names) > 1 and names[1] + 1 < len(line) else ("",)
+    return after[0] == "("
+
+
+def lines(found: Line) -> list[Line]:
+    """Tokens of each line."""
+    result: list[Line] = [[]]
+    for token in found:
+        if token[0] == "newline":
+            result.append([])
+        else:
+            result[-1].append(token)
+    return result
