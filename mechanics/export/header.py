@@ -8,6 +8,7 @@ from mechanics.compiled.c.status import Codes
 from mechanics.compiled.graphs import STATE
 from mechanics.compiled.quantities import Quantity
 from mechanics.errors import ValueMissingError
+from mechanics.export.precision import Part
 
 ARRAYS = {
     "q": "generalized coordinates q",
@@ -37,9 +38,9 @@ FUNCTIONS = {
 }
 
 
-def header(model: Model, prefix: str, names: Sequence[str]) -> str:
+def header(model: Model, part: Part, names: Sequence[str]) -> str:
     """Text of the header."""
-    guard = f"{prefix.upper()}_H"
+    guard = f"{part.macro}_H"
     scene = model.equations.scene
     top = f"""\
 /*
@@ -55,22 +56,16 @@ def header(model: Model, prefix: str, names: Sequence[str]) -> str:
 #ifndef {guard}
 #define {guard}
 """
-    sections = [top, statuses(codes(prefix))]
+    sections = [top, statuses(part.codes)]
     for array, title in used_arrays(model, names).items():
         entries = getattr(model.quantities, array)
-        sections.append("\n".join(array_section(model, prefix, array, title, entries)) + "\n")
+        sections.append("\n".join(array_section(model, part, array, title, entries)) + "\n")
     sections.append('#ifdef __cplusplus\nextern "C" {\n#endif\n')
     for name in names:
-        prototype = signature(model.program(name), name=f"{prefix}_{name}", result="int")
+        prototype = signature(model.program(name), part.kind, f"{part.prefix}_{name}", "int")
         sections.append(f"/* {FUNCTIONS[name]} */\n{prototype};\n")
     sections.append(f"#ifdef __cplusplus\n}}\n#endif\n\n#endif /* {guard} */\n")
     return "\n".join(sections)
-
-
-def codes(prefix: str) -> Codes:
-    """Names of the statuses."""
-    names = ("OK", "SINGULAR", "OVERFLOW", "BAD_INPUT")
-    return Codes(*(f"{prefix.upper()}_{name}" for name in names))
 
 
 def statuses(names: Codes) -> str:
@@ -106,7 +101,7 @@ def fixed_values(model: Model) -> str:
 
 
 def array_section(
-    model: Model, prefix: str, array: str, title: str, entries: Sequence[Quantity]
+    model: Model, part: Part, array: str, title: str, entries: Sequence[Quantity]
 ) -> Iterator[str]:
     """Size of an array, and a table of its entries."""
     if entries:
@@ -118,7 +113,7 @@ def array_section(
             row = f" *   {array}[{i}]  {comment(entry.name):{width}}  "
             yield f"{row}{comment(entry.unit) or '-':{units}}  {words}".rstrip()
         yield " */"
-    yield f"#define {prefix.upper()}_{array.upper()}_SIZE {len(entries)}"
+    yield f"#define {part.macro}_{array.upper()}_SIZE {len(entries)}"
 
 
 def _typical(model: Model, array: str, index: int) -> str:

@@ -9,31 +9,32 @@ from collections.abc import Iterator, Sequence
 
 from mechanics.compiled import Model
 from mechanics.compiled.c.source import LINE, literal
-from mechanics.export.header import codes, comment
+from mechanics.export.header import comment
+from mechanics.export.precision import Part
 from mechanics.export.vectors import BITS, ROOM, Vector, vectors
 
 TOP = """\
 /*
  * Self-test: {scene}.
  *
- * Expected values are enclosed with {bits} binary digits and rounded to the nearest double. The
- * tolerance is {room} times what the roundings of the operations can add up to in double precision
- * (the radius of an enclosure with 53 digits), rounded up to a power of two. Prints what fails;
- * exit code 0 or 1.
+ * Expected values are enclosed with {bits} binary digits and rounded to the nearest {kind}. The
+ * tolerance is {room} times what the roundings of the operations can add up to in this precision
+ * (the radius of an enclosure with {digits} digits), rounded up to a power of two. Prints what
+ * fails; exit code 0 or 1.
  */
 #include "{prefix}.h"
 
 #include <math.h>
 #include <stdio.h>
 
-static int check(const char *what, int state, int size, const double *got, const double *expected,
-    const double *tolerance)
+static int check(const char *what, int state, int size, const {kind} *got, const {kind} *expected,
+    const {kind} *tolerance)
 {{
     int failures = 0;
     for (int i = 0; i < size; ++i) {{
-        if (!(fabs(got[i] - expected[i]) <= tolerance[i])) {{
-            printf("%s, state %d, entry %d: %.17g found, %.17g expected\\n", what, state, i, got[i],
-                expected[i]);
+        if (!({fabs}(got[i] - expected[i]) <= tolerance[i])) {{
+            printf("%s, state %d, entry %d: {printed} found, {printed} expected\\n", what, state, i,
+                (double)got[i], (double)expected[i]);
             ++failures;
         }}
     }}
@@ -49,19 +50,24 @@ static int check_status(const char *what, int state, int status)
 """
 
 
-def selftest(model: Model, prefix: str, names: Sequence[str]) -> str:
+def selftest(model: Model, part: Part, names: Sequence[str]) -> str:
     """Text of the self-test program."""
-    scene = comment(model.equations.scene.name)
-    parts = [TOP.format(scene=scene, bits=BITS, room=ROOM, prefix=prefix, ok=codes(prefix).ok)]
+    top = TOP.format(
+        scene=comment(model.equations.scene.name), bits=BITS, room=ROOM, prefix=part.prefix,
+        ok=part.codes.ok, kind=part.kind, digits=part.digits, printed=part.printed,
+        fabs="fabs" if part.kind == "double" else "fabsf",
+    )  # fmt: skip
+    parts = [top]
     for name in names:
-        parts.append("\n".join(_test(model, prefix, name, vectors(model, name))) + "\n")
+        states = vectors(model, name, part.digits)
+        parts.append("\n".join(_test(model, part, name, states)) + "\n")
     parts += ["int main(void)", "{", "    int failures = 0;"]
     parts += [f"    failures += test_{name}();" for name in names]
-    parts.append(f'    printf("{prefix}: %d failures\\n", failures);')
+    parts.append(f'    printf("{part.prefix}: %d failures\\n", failures);')
     return "\n".join([*parts, "    return failures > 0;", "}", ""])
 
 
-def _test(model: Model, prefix: str, name: str, states: Sequence[Vector]) -> Iterator[str]:
+def _test(model: Model, part: Part, name: str, states: Sequence[Vector]) -> Iterator[str]:
     code = model.program(name)
     sizes = [rows * cols for _, (rows, cols) in code.shapes]
     count = len(states)
@@ -69,19 +75,21 @@ def _test(model: Model, prefix: str, name: str, states: Sequence[Vector]) -> Ite
     yield "{"
     for i, (group, size) in enumerate(code.inputs):
         if size:
-            yield from _table(f"{group}_in", [state.inputs[i] for state in states])
+            yield from _table(part.kind, f"{group}_in", [state.inputs[i] for state in states])
     for i, (out, _) in enumerate(code.shapes):
         if sizes[i]:
-            yield from _table(f"{out}_expected", [state.expected[i] for state in states])
-            yield from _table(f"{out}_tolerance", [state.tolerance[i] for state in states])
+            yield from _table(part.kind, f"{out}_expected", [state.expected[i] for state in states])
+            yield from _table(
+                part.kind, f"{out}_tolerance", [state.tolerance[i] for state in states]
+            )
     yield "    int failures = 0;"
     yield f"    for (int i = 0; i < {count}; ++i) {{"
     outs = [(out, size) for (out, _), size in zip(code.shapes, sizes, strict=True) if size]
     for out, size in outs:
-        yield f"        double {out}[{size}];"
+        yield f"        {part.kind} {out}[{size}];"
     arguments = [f"{group}_in[i]" for group, size in code.inputs if size]
     given = ", ".join([*arguments, *(out for out, _ in outs)])
-    yield from _wrapped(f"int status = {prefix}_{name}({given});", "        ")
+    yield from _wrapped(f"int status = {part.prefix}_{name}({given});", "        ")
     yield f'        failures += check_status("{name}", i, status);'
     for out, size in outs:
         what = name if len(outs) == 1 else f"{name} {out}"
@@ -95,10 +103,10 @@ def _test(model: Model, prefix: str, name: str, states: Sequence[Vector]) -> Ite
     yield "}"
 
 
-def _table(name: str, rows: Sequence[Sequence[float]]) -> Iterator[str]:
-    yield f"    static const double {name}[{len(rows)}][{len(rows[0])}] = {{"
+def _table(kind: str, name: str, rows: Sequence[Sequence[float]]) -> Iterator[str]:
+    yield f"    static const {kind} {name}[{len(rows)}][{len(rows[0])}] = {{"
     for row in rows:
-        numbers = ", ".join(literal(value, "double") for value in row)
+        numbers = ", ".join(literal(value, kind) for value in row)
         yield from _wrapped(f"{{{numbers}}},", "        ")
     yield "    };"
 

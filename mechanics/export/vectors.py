@@ -1,12 +1,12 @@
 """Test vectors: states, the values that a function has there, and how far off a good one may be.
 
-    expected = nearest double to the enclosure with 512 bits
+    expected = nearest number to the enclosure with 512 bits
     tolerance = 4 * radius of the enclosure with 53 bits           rounded up to a power of two
 
-The values are not the model's own: the graph is walked in Arb balls. With the 53 bits of a double,
-the radius of a ball is what the roundings of these operations can add up to, so it tells how
-accurate plain double precision must be there, cancellation included; the factor leaves room for a
-library whose sine is off by a unit of the last place.
+The values are not the model's own: the graph is walked in Arb balls. With the 53 bits of a double
+(24 of a float), the radius of a ball is what the roundings of these operations can add up to, so it
+tells how accurate plain arithmetic must be there, cancellation included; the factor leaves room for
+a library whose sine is off by a unit of the last place, and for constants that had to be rounded.
 """
 
 from collections.abc import Sequence
@@ -30,10 +30,7 @@ SEED = 3
 # Lengths of steps, in s.
 STEP = 1e-3, 5e-2
 BITS = 512
-DOUBLE = 53
 ROOM = 4
-# A state at which roundings may take more than this share of the values tests nothing.
-VAGUE = 2.0**-26
 
 Inputs = tuple[tuple[float, ...], ...]
 
@@ -55,8 +52,13 @@ class Vector:
     tolerance: tuple[tuple[float, ...], ...]
 
 
-def vectors(model: Model, name: str) -> tuple[Vector, ...]:
+def vectors(model: Model, name: str, digits: int = 53) -> tuple[Vector, ...]:
     """Test vectors of one function of a model; the same ones every time.
+
+    Parameters
+    ----------
+    digits : int
+        Binary digits of the numbers that the function computes with.
 
     Raises
     ------
@@ -66,7 +68,7 @@ def vectors(model: Model, name: str) -> tuple[Vector, ...]:
     function = model.casadi[name]
     found: list[Vector] = []
     for inputs in _states(model.quantities, [function.name_in(i) for i in range(function.n_in())]):
-        vector = _vector(function, inputs)
+        vector = _vector(function, inputs, digits)
         if vector is not None:
             found.append(vector)
         if len(found) == COUNT:
@@ -92,13 +94,15 @@ def _states(quantities: Quantities, groups: Sequence[str]) -> list[Inputs]:
     return [tuple(tuple(rounded[g][i].tolist()) for g in groups) for i in range(DRAWN)]
 
 
-def _vector(function: ca.Function, inputs: Inputs) -> Vector | None:
+def _vector(function: ca.Function, inputs: Inputs, digits: int) -> Vector | None:
     """The test vector at a state; None where the function is singular or all cancellation."""
-    rough = _enclosed(function, inputs, DOUBLE)
+    # A state at which roundings may take half of the digits tests nothing.
+    vague = 2.0 ** -(digits // 2)
+    rough = _enclosed(function, inputs, digits)
     radii = [[float(b.rad()) for b in output] for output in rough]
     sizes = [max((abs(float(b.mid())) for b in output), default=0.0) for output in rough]
     for output, size in zip(radii, sizes, strict=True):
-        if not all(isfinite(r) and r <= VAGUE * size for r in output if r):
+        if not all(isfinite(r) and r <= vague * size for r in output if r):
             return None
     fine = _enclosed(function, inputs, BITS)
     return Vector(

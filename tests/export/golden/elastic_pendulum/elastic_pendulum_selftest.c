@@ -2,9 +2,9 @@
  * Self-test: pendulum on elastic support.
  *
  * Expected values are enclosed with 512 binary digits and rounded to the nearest double. The
- * tolerance is 4 times what the roundings of the operations can add up to in double precision
- * (the radius of an enclosure with 53 digits), rounded up to a power of two. Prints what fails;
- * exit code 0 or 1.
+ * tolerance is 4 times what the roundings of the operations can add up to in this precision
+ * (the radius of an enclosure with 53 digits), rounded up to a power of two. Prints what
+ * fails; exit code 0 or 1.
  */
 #include "elastic_pendulum.h"
 
@@ -17,8 +17,8 @@ static int check(const char *what, int state, int size, const double *got, const
     int failures = 0;
     for (int i = 0; i < size; ++i) {
         if (!(fabs(got[i] - expected[i]) <= tolerance[i])) {
-            printf("%s, state %d, entry %d: %.17g found, %.17g expected\n", what, state, i, got[i],
-                expected[i]);
+            printf("%s, state %d, entry %d: %.17g found, %.17g expected\n", what, state, i,
+                (double)got[i], (double)expected[i]);
             ++failures;
         }
     }

@@ -1,0 +1,74 @@
+"""How the folder is built and found: CMakeLists.txt, and the template of a pkg-config file.
+
+cmake -S DIR -B build && cmake --build build && ctest --test-dir build && cmake --install build
+
+find_package(NAME)  ->  NAME::NAME           pkg-config --cflags --libs NAME
+"""
+
+import re
+from collections.abc import Sequence
+from importlib.metadata import PackageNotFoundError, version
+from importlib.resources import files
+
+from mechanics.compiled import Model
+from mechanics.export.header import comment
+from mechanics.export.precision import Part, choices
+
+
+def build_files(model: Model, name: str, parts: Sequence[Part]) -> dict[str, str]:
+    """Text by name of file.
+
+    Parameters
+    ----------
+    name : str
+        Of the library.
+    parts : sequence of Part
+        The precisions that are written.
+    """
+    words = {
+        "TITLE": title(model),
+        "NAME": name,
+        "MACRO": name.upper(),
+        "VERSION": package_version(),
+        "PARTS": "\n".join(_variables(name, part) for part in parts),
+        "PRECISION": choices(parts)[-1],
+        "CHOICES": ", ".join(choices(parts)),
+    }
+    return {
+        "CMakeLists.txt": _filled("CMakeLists.txt", words),
+        f"{name}.pc.in": _filled("package.pc.in", words),
+    }
+
+
+def title(model: Model) -> str:
+    """One line of plain characters that says what was generated."""
+    text = comment(f"Equations of motion: {model.equations.scene.name}")
+    return re.sub(r"[^\w ,.:()-]", "_", text, flags=re.ASCII)
+
+
+def package_version() -> str:
+    """Version of the generator, as numbers with dots."""
+    try:
+        found = re.match(r"\d+(\.\d+){0,3}", version("mechanics"))
+    except PackageNotFoundError:
+        # A source tree that is used without being installed.
+        found = None
+    return found[0] if found else "0"
+
+
+def _variables(name: str, part: Part) -> str:
+    """CMake variables that hold the files of a part."""
+    return "\n".join(
+        f"set({name}_{part.precision}_{group} {file})"
+        for group, file in (
+            ("sources", f"{part.prefix}.c"),
+            ("header", f"{part.prefix}.h"),
+            ("selftest", f"{part.prefix}_selftest"),
+        )
+    )
+
+
+def _filled(template: str, words: dict[str, str]) -> str:
+    """A template with @WORD@ replaced; what is not known stays, for CMake to replace."""
+    text = files("mechanics.export").joinpath("templates", template).read_text(encoding="utf-8")
+    return re.sub(r"@(\w+)@", lambda found: words.get(found[1], found[0]), text)
