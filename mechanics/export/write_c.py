@@ -6,6 +6,7 @@
     NAME_single...     the same in single precision, where it is asked for
     CMakeLists.txt     a library, the self-tests for ctest, a package for find_package
     NAME.pc.in         for pkg-config
+    NAME_loader.py     calls it from Python
     manifest.json      what was generated from what: hash of each file, operation counts, versions
 
 The same printer makes the code that `mechanics.compiled` runs.
@@ -18,6 +19,7 @@ from mechanics.compiled import Model
 from mechanics.compiled.c.source import function_source, signature
 from mechanics.export.folder import write_folder
 from mechanics.export.header import comment, header
+from mechanics.export.loader import loader
 from mechanics.export.manifest import manifest
 from mechanics.export.package import build_files
 from mechanics.export.precision import Part, named_parts
@@ -71,6 +73,7 @@ def write_c(
             f"{part.prefix}_selftest.c": selftest(model, part, names),
         }
     files |= build_files(model, prefix, parts)
+    files[f"{prefix}_loader.py"] = loader(model, prefix, parts, names)
     files["manifest.json"] = manifest(model, prefix, names, files)
     return write_folder(Path(folder), prefix, files)
 

@@ -280,79 +280,81 @@ int elastic_pendulum_jacobians(const double q[2], const double u[2], const doubl
     const double v2 = v1 * cos_theta / 2.0;
     const double v3 = L * L;
     const double v4 = v3 * M / 3.0;
-    const double v5 = v2 / v4;
-    const double v6 = M + m - v5 * v2;
-    const double v7 = 2.0 * -k / v6;
-    const double v8 = -(v2 * v7 / v4);
-    const double v9 = theta_dot * theta_dot;
-    const double v10 = v9 * L;
-    const double v11 = v10 * M;
+    const double v5 = 1.0 / v4;
+    const double v6 = v2 * v5;
+    const double v7 = M + m - v6 * v2;
+    const double v8 = 1.0 / v7;
+    const double v9 = 2.0 * -k * v8;
+    const double v10 = -(v2 * v9 * v5);
+    const double v11 = theta_dot * theta_dot;
+    const double v12 = v11 * L;
+    const double v13 = v12 * M;
     const double sin_theta = sin(theta);
-    const double v12 = v1 * g;
-    const double v13 = v12 * sin_theta / 2.0;
-    const double v14 = 2.0 * x;
-    const double v15 = (v11 * sin_theta / 2.0 - v14 * k + v5 * v13) / v6;
-    const double v16 = (v13 + v2 * v15) / v4;
-    const double v17 = 0x1p-1 * v16;
-    const double v18 = 0x1p-1 * v15;
-    const double v19 = sin_theta * (v1 * v18) + cos_theta * (-0x1p-1 * v12);
-    const double v20 = cos_theta * (0x1p-1 * v11) - sin_theta * (v1 * v17) - v5 * v19;
-    const double v21 = v20 / v6;
-    const double v22 = (v19 - v2 * v21) / v4;
-    const double v23 = 0x1p-1 * sin_theta;
-    const double v24 = M * v23;
-    const double v25 = 2.0 * theta_dot * (L * v24) / v6;
-    const double v26 = -(v2 * v25 / v4);
-    const double v27 = cos_theta * v17;
-    const double v28 = -0x1p-1 * sin_theta;
-    const double v29 = g * v28;
-    const double v30 = v16 / 3.0;
-    const double v31 = cos_theta * v18;
-    const double v32 = M * v29 + 2.0 * L * (M * v30) - M * v31;
-    const double v33 = (v9 * v24 + M * v27 - v5 * v32) / v6;
-    const double v34 = (v32 - v2 * v33) / v4;
-    const double v35 = L * v29 + v3 * v30 - L * v31;
-    const double v36 = (v10 * v23 - (v15 - L * v27) - v5 * v35) / v6;
-    const double v37 = (v35 - v2 * v36) / v4;
-    const double v38 = v1 * v28;
-    const double v39 = v5 * v38 / v6;
-    const double v40 = -v39;
-    const double v41 = (v38 + v2 * v39) / v4;
-    const double v42 = v14 / v6;
-    const double v43 = -v42;
-    const double v44 = v2 * v42 / v4;
-    const double v45 = v15 / v6;
-    const double v46 = -v45;
-    const double v47 = v2 * v45 / v4;
+    const double v14 = v1 * g;
+    const double v15 = v14 * sin_theta / 2.0;
+    const double v16 = 2.0 * x;
+    const double v17 = (v13 * sin_theta / 2.0 - v16 * k + v6 * v15) * v8;
+    const double v18 = (v15 + v2 * v17) * v5;
+    const double v19 = 0x1p-1 * v18;
+    const double v20 = 0x1p-1 * v17;
+    const double v21 = sin_theta * (v1 * v20) + cos_theta * (-0x1p-1 * v14);
+    const double v22 = cos_theta * (0x1p-1 * v13) - sin_theta * (v1 * v19) - v6 * v21;
+    const double v23 = v22 * v8;
+    const double v24 = (v21 - v2 * v23) * v5;
+    const double v25 = 0x1p-1 * sin_theta;
+    const double v26 = M * v25;
+    const double v27 = 2.0 * theta_dot * (L * v26) * v8;
+    const double v28 = -(v2 * v27 * v5);
+    const double v29 = cos_theta * v19;
+    const double v30 = -0x1p-1 * sin_theta;
+    const double v31 = g * v30;
+    const double v32 = v18 / 3.0;
+    const double v33 = cos_theta * v20;
+    const double v34 = M * v31 + 2.0 * L * (M * v32) - M * v33;
+    const double v35 = (v11 * v26 + M * v29 - v6 * v34) * v8;
+    const double v36 = (v34 - v2 * v35) * v5;
+    const double v37 = L * v31 + v3 * v32 - L * v33;
+    const double v38 = (v12 * v25 - (v17 - L * v29) - v6 * v37) * v8;
+    const double v39 = (v37 - v2 * v38) * v5;
+    const double v40 = v1 * v30;
+    const double v41 = v6 * v40 * v8;
+    const double v42 = -v41;
+    const double v43 = (v40 + v2 * v41) * v5;
+    const double v44 = v16 * v8;
+    const double v45 = -v44;
+    const double v46 = v2 * v44 * v5;
+    const double v47 = v17 * v8;
+    const double v48 = -v47;
+    const double v49 = v2 * v47 * v5;
     int status = ELASTIC_PENDULUM_OK;
-    if (!(isfinite(v7) && isfinite(v8) && isfinite(v21) && isfinite(v22) && isfinite(v25) &&
-        isfinite(v26) && isfinite(v33) && isfinite(v34) && isfinite(v36) && isfinite(v37) &&
-        isfinite(v40) && isfinite(v41) && isfinite(v43) && isfinite(v44) && isfinite(v46) &&
-        isfinite(v47) && isfinite(v4) && isfinite(v6))) {
+    if (!(isfinite(v9) && isfinite(v10) && isfinite(v23) && isfinite(v24) && isfinite(v27) &&
+        isfinite(v28) && isfinite(v35) && isfinite(v36) && isfinite(v38) && isfinite(v39) &&
+        isfinite(v42) && isfinite(v43) && isfinite(v45) && isfinite(v46) && isfinite(v48) &&
+        isfinite(v49) && isfinite(v4) && isfinite(v7))) {
         if (!(isfinite(x) && isfinite(theta) && isfinite(theta_dot) && isfinite(L) && isfinite(M) &&
             isfinite(g) && isfinite(k) && isfinite(m)))
             status = ELASTIC_PENDULUM_BAD_INPUT;
         else
-            status = v4 == 0 || v6 == 0 ? ELASTIC_PENDULUM_SINGULAR : ELASTIC_PENDULUM_OVERFLOW;
+            status = v4 == 0 || v7 == 0 ? ELASTIC_PENDULUM_SINGULAR : ELASTIC_PENDULUM_OVERFLOW;
     }
-    ud_q[0] = v7;
-    ud_q[1] = v8;
-    ud_q[2] = v21;
-    ud_q[3] = v22;
+    ud_q[0] = v9;
+    ud_q[1] = v10;
+    ud_q[2] = v23;
+    ud_q[3] = v24;
     ud_u[0] = 0.0;
     ud_u[1] = 0.0;
-    ud_u[2] = v25;
-    ud_u[3] = v26;
-    ud_p[0] = v33;
-    ud_p[1] = v34;
-    ud_p[2] = v36;
-    ud_p[3] = v37;
-    ud_p[4] = v40;
-    ud_p[5] = v41;
-    ud_p[6] = v43;
-    ud_p[7] = v44;
-    ud_p[8] = v46;
-    ud_p[9] = v47;
+    ud_u[2] = v27;
+    ud_u[3] = v28;
+    ud_p[0] = v35;
+    ud_p[1] = v36;
+    ud_p[2] = v38;
+    ud_p[3] = v39;
+    ud_p[4] = v42;
+    ud_p[5] = v43;
+    ud_p[6] = v45;
+    ud_p[7] = v46;
+    ud_p[8] = v48;
+    ud_p[9] = v49;
     return status;
 }
 
@@ -380,53 +382,54 @@ int elastic_pendulum_step(const double q[2], const double u[2], const double p[5
     const double v7 = x_dot + h_ * (v6 / 2.0);
     const double v8 = theta + h_ * (theta_dot / 2.0);
     const double cos_v8 = cos(v8);
-    const double v9 = (cos_theta * v6 + g * sin_theta) / v1;
-    const double v10 = theta_dot + h_ * (v9 / 2.0);
+    const double v9 = 1.0 / v1;
+    const double v10 = (cos_theta * v6 + g * sin_theta) * v9;
+    const double v11 = theta_dot + h_ * (v10 / 2.0);
     const double sin_v8 = sin(v8);
-    const double v11 = (cos_v8 * g - v10 * (v10 * v1)) * (sin_v8 * M);
-    const double v12 = (x + h_ * (x_dot / 2.0)) * v2;
-    const double v13 = v4 - M * (cos_v8 * cos_v8);
-    const double v14 = (v11 - v12) / v13;
-    const double v15 = x_dot + h_ * (v14 / 2.0);
-    const double v16 = theta + h_ * (v10 / 2.0);
-    const double cos_v16 = cos(v16);
-    const double v17 = (cos_v8 * v14 + g * sin_v8) / v1;
-    const double v18 = theta_dot + h_ * (v17 / 2.0);
-    const double sin_v16 = sin(v16);
-    const double v19 = (cos_v16 * g - v18 * (v18 * v1)) * (sin_v16 * M);
-    const double v20 = (x + h_ * (v7 / 2.0)) * v2;
-    const double v21 = v4 - M * (cos_v16 * cos_v16);
-    const double v22 = (v19 - v20) / v21;
-    const double v23 = h_ * ((x_dot + 2.0 * v7 + 2.0 * v15 + (x_dot + h_ * v22)) / 6.0);
-    const double v24 = x + v23;
-    const double v25 = (cos_v16 * v22 + g * sin_v16) / v1;
-    const double v26 = theta_dot + h_ * v25;
-    const double v27 = theta + h_ * ((theta_dot + 2.0 * v10 + 2.0 * v18 + v26) / 6.0);
-    const double v28 = theta + h_ * v18;
-    const double cos_v28 = cos(v28);
-    const double sin_v28 = sin(v28);
-    const double v29 = (cos_v28 * g - v26 * (v26 * v1)) * (sin_v28 * M);
-    const double v30 = (x + h_ * v15) * v2;
-    const double v31 = v4 - M * (cos_v28 * cos_v28);
-    const double v32 = (v29 - v30) / v31;
-    const double v33 = x_dot + h_ * ((v6 + 2.0 * v14 + 2.0 * v22 + v32) / 6.0);
-    const double v34 = v9 + 2.0 * v17 + 2.0 * v25 + (cos_v28 * v32 + g * sin_v28) / v1;
-    const double v35 = theta_dot + h_ * (v34 / 6.0);
+    const double v12 = (cos_v8 * g - v11 * (v11 * v1)) * (sin_v8 * M);
+    const double v13 = (x + h_ * (x_dot / 2.0)) * v2;
+    const double v14 = v4 - M * (cos_v8 * cos_v8);
+    const double v15 = (v12 - v13) / v14;
+    const double v16 = x_dot + h_ * (v15 / 2.0);
+    const double v17 = theta + h_ * (v11 / 2.0);
+    const double cos_v17 = cos(v17);
+    const double v18 = (cos_v8 * v15 + g * sin_v8) * v9;
+    const double v19 = theta_dot + h_ * (v18 / 2.0);
+    const double sin_v17 = sin(v17);
+    const double v20 = (cos_v17 * g - v19 * (v19 * v1)) * (sin_v17 * M);
+    const double v21 = (x + h_ * (v7 / 2.0)) * v2;
+    const double v22 = v4 - M * (cos_v17 * cos_v17);
+    const double v23 = (v20 - v21) / v22;
+    const double v24 = h_ * ((x_dot + 2.0 * v7 + 2.0 * v16 + (x_dot + h_ * v23)) / 6.0);
+    const double v25 = x + v24;
+    const double v26 = (cos_v17 * v23 + g * sin_v17) * v9;
+    const double v27 = theta_dot + h_ * v26;
+    const double v28 = theta + h_ * ((theta_dot + 2.0 * v11 + 2.0 * v19 + v27) / 6.0);
+    const double v29 = theta + h_ * v19;
+    const double cos_v29 = cos(v29);
+    const double sin_v29 = sin(v29);
+    const double v30 = (cos_v29 * g - v27 * (v27 * v1)) * (sin_v29 * M);
+    const double v31 = (x + h_ * v16) * v2;
+    const double v32 = v4 - M * (cos_v29 * cos_v29);
+    const double v33 = (v30 - v31) / v32;
+    const double v34 = x_dot + h_ * ((v6 + 2.0 * v15 + 2.0 * v23 + v33) / 6.0);
+    const double v35 = v10 + 2.0 * v18 + 2.0 * v26 + (cos_v29 * v33 + g * sin_v29) * v9;
+    const double v36 = theta_dot + h_ * (v35 / 6.0);
     int status = ELASTIC_PENDULUM_OK;
-    if (!(isfinite(v24) && isfinite(v27) && isfinite(v33) && isfinite(v35) && isfinite(v5) &&
-        isfinite(v1) && isfinite(v13) && isfinite(v21) && isfinite(v31))) {
+    if (!(isfinite(v25) && isfinite(v28) && isfinite(v34) && isfinite(v36) && isfinite(v5) &&
+        isfinite(v1) && isfinite(v14) && isfinite(v22) && isfinite(v32))) {
         if (!(isfinite(x) && isfinite(theta) && isfinite(x_dot) && isfinite(theta_dot) &&
             isfinite(L) && isfinite(M) && isfinite(g) && isfinite(k) && isfinite(m) &&
             isfinite(h_)))
             status = ELASTIC_PENDULUM_BAD_INPUT;
         else
-            status = v5 == 0 || v1 == 0 || v13 == 0 || v21 == 0 || v31 == 0 ?
+            status = v5 == 0 || v1 == 0 || v14 == 0 || v22 == 0 || v32 == 0 ?
                 ELASTIC_PENDULUM_SINGULAR : ELASTIC_PENDULUM_OVERFLOW;
     }
-    q_next[0] = v24;
-    q_next[1] = v27;
-    u_next[0] = v33;
-    u_next[1] = v35;
+    q_next[0] = v25;
+    q_next[1] = v28;
+    u_next[0] = v34;
+    u_next[1] = v36;
     return status;
 }
 

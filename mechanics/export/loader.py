@@ -1,0 +1,94 @@
+"""NAME_loader.py: Python that calls the C of the folder.
+
+Its template, `mechanics.export.loader_template`, is a module in its own right, so that it is
+checked like any other; here its tables are filled in.
+"""
+
+import inspect
+import re
+from collections.abc import Sequence
+from typing import Any
+
+from mechanics.compiled import Model
+from mechanics.compiled.graphs import MATRICES
+from mechanics.errors import ValueMissingError
+from mechanics.export import loader_template
+from mechanics.export.header import used_arrays
+from mechanics.export.precision import Part
+
+LINE = 80
+_TABLES = re.compile(
+    r"(# What was generated:).*?\n(.*?)(# End of what was generated.\n)", re.DOTALL
+)
+
+
+def loader(model: Model, name: str, parts: Sequence[Part], names: Sequence[str]) -> str:
+    """Text of the module.
+
+    Parameters
+    ----------
+    name : str
+        Of the library.
+    parts : sequence of Part
+        The precisions that are written.
+    names : sequence of str
+        Of the functions.
+    """
+    tables = _tables(model, name, parts, names)
+    text = inspect.getsource(loader_template)
+    (inputs, outputs), first = tables["FUNCTIONS"][names[0]], names[0]
+    words = {
+        "NAME": name,
+        "FUNCTION": first,
+        "GIVEN": ", ".join(f"{group}={[0.1] * size}" for group, size in inputs if group != "p"),
+        "OUTPUT": outputs[0][0],
+    }
+    text = re.sub(r"@(\w+)@", lambda found: words[found[1]], text)
+    written = "".join(f"{table} = {_literal(value)}\n" for table, value in tables.items())
+    return _TABLES.sub(lambda found: f"# What was generated.\n{written}{found[3]}", text)
+
+
+def _tables(model: Model, name: str, parts: Sequence[Part], names: Sequence[str]) -> dict[str, Any]:
+    functions = {}
+    for function in names:
+        code = model.program(function)
+        functions[function] = (
+            tuple((group, size) for group, size in code.inputs if size),
+            tuple((out, _shape(out, shape)) for out, shape in code.shapes if 0 not in shape),
+        )
+    return {
+        "NAME": name,
+        "PREFIXES": {part.precision: part.prefix for part in parts},
+        "SOURCES": {part.precision: (f"{part.prefix}.c",) for part in parts},
+        "ARRAYS": {
+            array: tuple((e.name, e.unit, e.meaning) for e in getattr(model.quantities, array))
+            for array in used_arrays(model, names)
+        },
+        "TYPICAL": _typical(model),
+        "FUNCTIONS": functions,
+    }
+
+
+def _shape(output: str, shape: tuple[int, int]) -> tuple[int, ...]:
+    return shape if output in MATRICES else shape[:1]
+
+
+def _typical(model: Model) -> dict[str, float]:
+    """Typical parameters; empty where one has none."""
+    names = [entry.name for entry in model.quantities.p]
+    try:
+        return dict(zip(names, model.quantities.typical, strict=True))
+    except ValueMissingError:
+        return {}
+
+
+def _literal(value: Any, indent: int = 0) -> str:
+    """Python text of nested tuples and dictionaries, one entry a line where a line is too short."""
+    if not isinstance(value, dict | tuple) or not value or indent + len(repr(value)) < LINE:
+        return repr(value)
+    space = " " * (indent + 4)
+    if isinstance(value, dict):
+        rows = [f"{space}{key!r}: {_literal(each, indent + 4)},\n" for key, each in value.items()]
+        return "{\n" + "".join(rows) + " " * indent + "}"
+    rows = [f"{space}{_literal(each, indent + 4)},\n" for each in value]
+    return "(\n" + "".join(rows) + " " * indent + ")"

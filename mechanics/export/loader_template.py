@@ -1,0 +1,146 @@
+"""Call the C functions of this folder from Python: one file, which needs nothing but this folder.
+
+    from @NAME@_loader import load
+
+    system = load()                                    # compiles the C files that stand beside it
+    found = system.@FUNCTION@(@GIVEN@)
+    found.@OUTPUT@
+
+An array is given as a sequence in the order of `ARRAYS`, or as names with values; parameters that
+are left out are typical. Results are NumPy arrays where NumPy is installed, else `array.array`,
+with matrices column by column. Calls release the lock of the interpreter: use threads as you like.
+"""
+
+import array
+import ctypes
+import math
+import os
+import platform
+import shlex
+import shutil
+import subprocess
+import tempfile
+from collections import namedtuple
+from pathlib import Path
+from typing import Any
+
+try:
+    import numpy
+except ImportError:
+    numpy = None  # type: ignore[assignment]
+
+# What was generated: replaced when the folder is written.
+NAME = ""
+PREFIXES: dict[str, str] = {}  # of the functions, by precision
+SOURCES: dict[str, tuple[str, ...]] = {}  # by precision
+ARRAYS: dict[str, tuple[tuple[str, str, str], ...]] = {}  # name, unit and meaning of every entry
+TYPICAL: dict[str, float] = {}  # parameters
+# Inputs with their sizes and outputs with their shapes, in the order of the arguments.
+FUNCTIONS: dict[str, tuple[tuple[tuple[str, int], ...], tuple[tuple[str, tuple[int, ...]], ...]]]
+FUNCTIONS = {}
+# End of what was generated.
+
+STATUS = ("ok", "singular", "overflow", "bad input")
+TYPES = {"double": (ctypes.c_double, "d"), "single": (ctypes.c_float, "f")}
+FLAGS = "-O3 -march=native" if platform.machine() in ("x86_64", "AMD64") else "-O3"
+
+
+class StatusError(ArithmeticError):
+    """A function returned a status that is not 0: `status`, and `results` all the same."""
+
+    def __init__(self, function: str, status: int, results: Any) -> None:
+        super().__init__(f"{NAME}.{function}: {STATUS[status]}")
+        self.status, self.results = status, results
+
+
+def load(library: Any = None, precision: str = next(iter(PREFIXES), ""), **how: str) -> "System":
+    """The functions, from a shared library that is named, or is built now and kept for this run.
+
+    `precision` is a key of `PREFIXES`; `compiler` and `flags` are those of `build`.
+    """
+    if precision not in PREFIXES:
+        raise ValueError(f"precision {precision!r}: this folder has {', '.join(PREFIXES)}")
+    if library is not None:
+        return System(Path(library), precision)
+    # Vanishes with the object that holds it.
+    folder = tempfile.TemporaryDirectory(prefix=f"{NAME}-")
+    return System(build(Path(folder.name) / f"{NAME}.so", precision, **how), precision, folder)
+
+
+def build(target: Any, precision: str = next(iter(PREFIXES), ""), compiler: str | None = None,
+          flags: str = FLAGS) -> Path:  # fmt: skip
+    """Compile the folder into a shared library; $CC, cc, gcc and clang are tried in turn."""
+    names = (compiler,) if compiler else (os.environ.get("CC", ""), "cc", "gcc", "clang")
+    found = next((path for name in names if name and (path := shutil.which(name))), None)
+    if found is None:
+        raise OSError(
+            f"no C compiler among {', '.join(filter(None, names))}: build a shared library with"
+            f" CMake (-D{NAME.upper()}_SHARED=ON) and give its path to load()"
+        )
+    here = Path(__file__).resolve().parent
+    files = [str(here / file) for file in SOURCES[precision]]
+    options = ["-std=c99", "-fPIC", "-shared", "-ffp-contract=off", *shlex.split(flags)]
+    command = [found, *options, *files, "-o", str(target), "-lm"]
+    done = subprocess.run(command, capture_output=True, text=True, check=False)
+    if done.returncode != 0:
+        raise OSError(f"{found} refused {', '.join(SOURCES[precision])}: {done.stderr.strip()}")
+    return Path(target)
+
+
+class System:
+    """Every function as a method; `help(system.NAME_OF_FUNCTION)` tells its arrays."""
+
+    def __init__(self, path: Path, precision: str, keep: Any = None) -> None:
+        self._library, self._keep = ctypes.CDLL(str(path)), keep
+        for name in FUNCTIONS:
+            function = getattr(self._library, f"{PREFIXES[precision]}_{name}")
+            setattr(self, name, _method(name, function, *TYPES[precision]))
+
+
+def _method(name: str, function: Any, real: Any, code: str) -> Any:
+    inputs, outputs = FUNCTIONS[name]
+    made: Any = namedtuple(name, [out for out, _ in outputs])  # type: ignore[misc]
+    function.restype = ctypes.c_int
+
+    def call(*arrays: Any, **named: Any) -> Any:
+        if len(arrays) > len(inputs):
+            raise TypeError(f"{name} takes {len(inputs)} arrays, not {len(arrays)}")
+        given = {group: value for (group, _), value in zip(inputs, arrays, strict=False)}
+        if wrong := [group for group in named if group in given or group not in dict(inputs)]:
+            raise TypeError(f"{name}: {wrong[0]!r} is unknown or given twice")
+        given |= named
+        groups = [_given(g, size, given.get(g), real) for g, size in inputs]
+        results = [(real * math.prod(shape))() for _, shape in outputs]
+        status = function(*groups, *results)
+        shaped = [_shaped(r, shape, code) for r, (_, shape) in zip(results, outputs, strict=True)]
+        if status != 0:
+            raise StatusError(name, status, made(*shaped))
+        return made(*shaped)
+
+    call.__name__ = name
+    call.__doc__ = (
+        f"{name}({', '.join(f'{g}[{n}]' for g, n in inputs)})"
+        f" -> {', '.join(f'{out}{list(shape)}' for out, shape in outputs)}"
+    )
+    return call
+
+
+def _given(group: str, size: int, value: Any, real: Any) -> Any:
+    names = [name for name, _, _ in ARRAYS[group]]
+    if value is None or hasattr(value, "keys"):
+        known = (TYPICAL if group == "p" else {}) | dict(value or {})
+        if wrong := [name for name in known if name not in names]:
+            raise ValueError(f"{group} has no {wrong[0]!r}: it has {', '.join(names)}")
+        if missing := [name for name in names if name not in known]:
+            raise ValueError(f"{group} lacks {', '.join(missing)}")
+        value = [known[name] for name in names]
+    numbers = [float(number) for number in value]
+    if len(numbers) != size:
+        raise ValueError(f"{group} has {len(numbers)} entries: {', '.join(names)} are {size}")
+    return (real * size)(*numbers)
+
+
+def _shaped(result: Any, shape: tuple[int, ...], code: str) -> Any:
+    if numpy is None:
+        return array.array(code, result)
+    return numpy.array(result).reshape(shape, order="F")
