@@ -38,14 +38,26 @@ def evaluate(a: Arithmetic, function: Any, arguments: Sequence[Sequence[Any]]) -
         )
     inputs = [_stored(function, index, group) for index, group in _checked(function, arguments)]
     nodes, stores = _single_assignment(function)
-    numbers: list[Any] = []
-    tracer = Tracer(a, nodes, numbers, inputs)
-    for node in nodes:
-        numbers.append(_number(a, node, numbers, inputs, tracer))
+    numbers = evaluated(a, nodes, inputs)
     outputs = [[a.rational(0)] * function.nnz_out(i) for i in range(function.n_out())]
     for output, entry, source in stores:
         outputs[output][entry] = numbers[source]
     return [_dense(a, function, index, entries) for index, entries in enumerate(outputs)]
+
+
+def evaluated(a: Arithmetic, nodes: Sequence[Node], inputs: Sequence[Sequence[Any]]) -> list[Any]:
+    """Return the number of every node of straight-line code; inputs are (group, entry).
+
+    Raises
+    ------
+    ExpressionError
+        If an operation is unknown.
+    """
+    numbers: list[Any] = []
+    tracer = Tracer(a, nodes, numbers, inputs)
+    for node in nodes:
+        numbers.append(_number(a, node, numbers, inputs, tracer))
+    return numbers
 
 
 def _checked(function: Any, arguments: Sequence[Sequence[Any]]) -> list[tuple[int, Sequence[Any]]]:
@@ -105,7 +117,11 @@ def _exact(function: Any, constant: float) -> Fraction:
 
 
 def _number(
-    a: Arithmetic, node: Node, numbers: list[Any], inputs: list[list[Any]], tracer: Tracer
+    a: Arithmetic,
+    node: Node,
+    numbers: list[Any],
+    inputs: Sequence[Sequence[Any]],
+    tracer: Tracer,
 ) -> Any:
     op, operands, constant = node
     if constant is not None:

@@ -7,6 +7,7 @@ inputs is an atom of its own.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -36,7 +37,11 @@ class Tracer:
     """Expands arguments of sin, cos and exp, each node once."""
 
     def __init__(
-        self, a: Arithmetic, nodes: list[Node], numbers: list[Any], inputs: list[list[Any]]
+        self,
+        a: Arithmetic,
+        nodes: Sequence[Node],
+        numbers: list[Any],
+        inputs: Sequence[Sequence[Any]],
     ) -> None:
         self._a, self._nodes, self._numbers, self._inputs = a, nodes, numbers, inputs
         self._forms: dict[int, Form] = {}

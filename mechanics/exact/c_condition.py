@@ -1,0 +1,114 @@
+"""What a C text decides by: conditions on values, and integers that depend on them.
+
+    !(isfinite(a) && isfinite(b))  ->  or(not finite a, not finite b)
+
+Negations are moved inwards and what && or || joins is a set, so that two ways of writing one
+condition are mostly equal. An integer that depends on conditions is a tree of choices.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+
+@dataclass(frozen=True)
+class Atom:
+    """One statement about values, or its negation.
+
+    Attributes
+    ----------
+    relation : str
+        ``"finite"``, ``"<"``, ``"<="`` or ``"=="``.
+    operands : tuple
+        Nodes; in a comparison of two statuses keys of another kind.
+    holds : bool
+        False for the negation.
+    """
+
+    relation: str
+    operands: tuple[Any, ...]
+    holds: bool = True
+
+
+@dataclass(frozen=True)
+class Joined:
+    """Conditions that hold all (``both``) or at least one of which holds."""
+
+    both: bool
+    parts: frozenset[Condition]
+
+
+Condition = bool | Atom | Joined
+
+
+def joined(both: bool, left: Condition, right: Condition) -> Condition:
+    """left && right, or left || right."""
+    parts: set[Condition] = set()
+    for side in (left, right):
+        if isinstance(side, bool):
+            if side is not both:
+                return side
+        elif isinstance(side, Joined) and side.both is both:
+            parts |= side.parts
+        else:
+            parts.add(side)
+    if not parts:
+        return both
+    if any(negation(part) in parts for part in parts if isinstance(part, Atom)):
+        return not both
+    return Joined(both, frozenset(parts)) if len(parts) > 1 else next(iter(parts))
+
+
+def negation(condition: Condition) -> Condition:
+    """The opposite."""
+    if isinstance(condition, bool):
+        return not condition
+    if isinstance(condition, Atom):
+        return Atom(condition.relation, condition.operands, not condition.holds)
+    return Joined(not condition.both, frozenset(negation(part) for part in condition.parts))
+
+
+@dataclass(frozen=True)
+class Choice:
+    """`yes` where the condition holds, else `no`."""
+
+    condition: Condition
+    yes: Decision
+    no: Decision
+
+
+Decision = int | Choice
+
+
+def choice(condition: Condition, yes: Decision, no: Decision) -> Decision:
+    """A choice, written in one of the two ways in which it can be."""
+    if isinstance(condition, bool):
+        return yes if condition else no
+    if yes == no:
+        return yes
+    negative = isinstance(condition, Atom) and not condition.holds
+    if negative or (isinstance(condition, Joined) and not condition.both):
+        return Choice(negation(condition), no, yes)
+    return Choice(condition, yes, no)
+
+
+def renamed(decision: Decision, name: Callable[[Atom], Condition]) -> Decision:
+    """The same decision with other names for its statements."""
+    if not isinstance(decision, Choice):
+        return decision
+    yes, no = renamed(decision.yes, name), renamed(decision.no, name)
+    return choice(_renamed(decision.condition, name), yes, no)
+
+
+def _renamed(condition: Condition, name: Callable[[Atom], Condition]) -> Condition:
+    if isinstance(condition, bool):
+        return condition
+    if isinstance(condition, Atom):
+        found = name(Atom(condition.relation, condition.operands))
+        return found if condition.holds else negation(found)
+    result: Condition = condition.both
+    for part in condition.parts:
+        result = joined(condition.both, result, _renamed(part, name))
+    return result

@@ -1,0 +1,290 @@
+"""Expressions of C, lowered to nodes.
+
+What C does silently is refused by name: a float beside a double, a double made an integer, an
+integer quotient of what is not known. Integers beside real numbers are exact.
+"""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from typing import Any
+
+import casadi
+from pycparser import c_ast
+
+from mechanics.errors import ExpressionError
+from mechanics.exact.c_condition import Atom, choice, joined, negation
+from mechanics.exact.c_library import ARITHMETIC
+from mechanics.exact.c_literal import literal, rounded
+from mechanics.exact.c_program import BEYOND, Writer
+from mechanics.exact.c_select import select
+from mechanics.exact.c_types import REALS, declared
+from mechanics.exact.c_values import (
+    Address,
+    Array,
+    Choice,
+    Pointer,
+    Real,
+    Truth,
+    Value,
+    Variable,
+    as_condition,
+    as_decision,
+    of_decision,
+)
+from mechanics.exact.c_whole import Whole, divided, plus, times, whole
+
+
+class Expressions:
+    """Evaluates expressions in the scope of a function.
+
+    Attributes
+    ----------
+    writer : Writer
+    scopes : list of dict of str to Variable or Array
+        The innermost last.
+    beyond, late : list of str
+        As in `CProgram`.
+    written : bool
+        Whether an output was written already.
+    lane : str
+        Name of the integer that counts lanes, inside the loop over them.
+    """
+
+    def __init__(self) -> None:
+        self.writer = Writer()
+        self.scopes: list[dict[str, Variable | Array]] = [{}]
+        self.beyond: list[str] = []
+        self.late: list[str] = []
+        self.written = False
+        self.lane = ""
+
+    def find(self, name: str, where: Any) -> Variable | Array:
+        """The variable or array of a name."""
+        for scope in reversed(self.scopes):
+            if name in scope:
+                return scope[name]
+        raise ExpressionError(f"{where}: {name} is not declared")
+
+    def call(self, node: Any) -> Value | None:
+        """Value of a function call; a subclass knows the functions."""
+        raise NotImplementedError
+
+    def value(self, node: Any) -> Value:
+        """Value of an expression."""
+        if isinstance(node, c_ast.Constant):
+            return self._literal(node)
+        if isinstance(node, c_ast.ID):
+            return self._named(node)
+        if isinstance(node, c_ast.ArrayRef):
+            return self.read(self.element(node), node.coord)
+        if isinstance(node, c_ast.BinaryOp):
+            return self._binary(node)
+        if isinstance(node, c_ast.UnaryOp):
+            return self._unary(node)
+        if isinstance(node, c_ast.TernaryOp):
+            return self._ternary(node)
+        if isinstance(node, c_ast.Cast):
+            return self._cast(node)
+        if isinstance(node, c_ast.FuncCall):
+            found = self.call(node)
+            if found is None:
+                raise ExpressionError(f"{node.coord}: {node.name.name} gives no value")
+            return found
+        raise ExpressionError(f"{node.coord}: {type(node).__name__} is not known here")
+
+    def real(self, value: Value | None, kind: str, where: Any) -> int:
+        """The node of a real number of a type.
+
+        Raises
+        ------
+        ExpressionError
+            If it has another type, so that C would convert it.
+        """
+        if isinstance(value, Real):
+            if value.kind != kind:
+                raise ExpressionError(
+                    f"{where}: a {value.kind} stands where a {kind} is expected: precisions are"
+                    " mixed"
+                )
+            return value.node
+        if isinstance(value, Whole) and value.known is not None:
+            exact = Fraction(value.known)
+            if rounded(exact, kind) != exact:
+                raise ExpressionError(f"{where}: no {kind} holds the integer {value.known}")
+            return self.writer.number(exact, kind)
+        raise ExpressionError(f"{where}: a {kind} is expected, {_words(value)} found")
+
+    def element(self, node: Any) -> Pointer:
+        """The place in an array that ``a[i]`` names."""
+        base, index = self.value(node.name), self.value(node.subscript)
+        if not isinstance(base, Pointer) or not isinstance(index, Whole):
+            raise ExpressionError(f"{node.coord}: an array and an integer are expected")
+        return Pointer(base.array, plus(base.offset, index))
+
+    def entry(self, at: Pointer, where: Any) -> int | None:
+        """Entry of an array, of this lane where it has lanes; None beyond its end.
+
+        Raises
+        ------
+        ExpressionError
+            If it is no entry of this lane.
+        """
+        array, terms = at.array, dict(at.offset.terms)
+        if array.stride:
+            own = terms.pop((self.lane,), None) if self.lane else None
+            found = terms.pop((array.stride,), 0)
+            if own != 1 or terms:
+                raise ExpressionError(
+                    f"{where}: {array.name}[{at.offset}] is no entry of the lane"
+                    f" {self.lane or '(outside of the loop over lanes)'}:"
+                    f" k * {array.stride} + lane is expected"
+                )
+        elif at.offset.known is None:
+            raise ExpressionError(f"{where}: {array.name}[{at.offset}] is no entry that is known")
+        else:
+            found = at.offset.known
+        return found if 0 <= found < array.size else None
+
+    def read(self, at: Pointer, where: Any) -> Value:
+        """Value of an entry."""
+        array, entry = at.array, self.entry(at, where)
+        if array.kind not in REALS:
+            raise ExpressionError(f"{where}: arrays of {array.kind} are not known here")
+        if entry is None:
+            self.beyond.append(f"{where}: {array.name}[{at.offset}]")
+            node = self.writer.input(BEYOND, len(self.beyond) - 1, array.kind)
+            return Real(node, array.kind)
+        if array.place is None or not array.constant:
+            if entry not in array.entries:
+                raise ExpressionError(f"{where}: {array.name}[{entry}] is read before it is set")
+            return array.entries[entry]
+        if self.written:
+            self.late.append(f"{where}: {array.name}[{at.offset}]")
+        return Real(self.writer.input(array.place, entry, array.kind), array.kind)
+
+    def _literal(self, node: Any) -> Value:
+        if node.type in ("char", "string"):
+            raise ExpressionError(f"{node.coord}: {node.value} is not known here")
+        kind, value = literal(node.value)
+        return whole(int(value)) if kind == "int" else Real(self.writer.number(value, kind), kind)
+
+    def _named(self, node: Any) -> Value:
+        found = self.find(node.name, node.coord)
+        if isinstance(found, Array):
+            return Pointer(found, whole(0))
+        if found.value is None:
+            raise ExpressionError(f"{node.coord}: {node.name} is read before it is set")
+        return found.value
+
+    def _unary(self, node: Any) -> Value:
+        if node.op == "&":
+            found = self.find(node.expr.name, node.coord) if type(node.expr) is c_ast.ID else None
+            if isinstance(found, Variable):
+                return Address(found)
+            if isinstance(node.expr, c_ast.ArrayRef):
+                return self.element(node.expr)
+            raise ExpressionError(f"{node.coord}: this address is not known here")
+        value = self.value(node.expr)
+        if node.op == "!":
+            return Truth(negation(self._condition(value, node.coord)))
+        if node.op == "*" and isinstance(value, Pointer):
+            return self.read(value, node.coord)
+        if node.op == "+":
+            return value
+        if node.op == "-" and isinstance(value, Whole):
+            return times(whole(-1), value)
+        if node.op == "-" and isinstance(value, Real):
+            constant = self.writer.nodes[value.node].constant
+            if constant is not None:
+                return Real(self.writer.number(-constant, value.kind), value.kind)
+            return Real(self.writer.add(casadi.OP_NEG, (value.node,), value.kind), value.kind)
+        raise ExpressionError(f"{node.coord}: {node.op} of {_words(value)} is not known here")
+
+    def _condition(self, value: Value, where: Any) -> Any:
+        """A value that decides; a real number does by being zero or not."""
+        if isinstance(value, Real):
+            zero = self.writer.number(Fraction(0), value.kind)
+            return Atom("==", (value.node, zero), False)
+        return as_condition(value, where)
+
+    def _binary(self, node: Any) -> Value:
+        left, right = self.value(node.left), self.value(node.right)
+        return self.combined(node.op, left, right, node.coord)
+
+    def combined(self, op: str, left: Value, right: Value, where: Any) -> Value:
+        """left op right."""
+        if op in ("&&", "||"):
+            sides = (self._condition(left, where), self._condition(right, where))
+            return Truth(joined(op == "&&", *sides))
+        if isinstance(left, Whole) and isinstance(right, Whole):
+            return _integer(op, left, right, where)
+        if isinstance(left, Pointer) and isinstance(right, Whole) and op in "+-":
+            return Pointer(left.array, plus(left.offset, right, 1 if op == "+" else -1))
+        kinds = {side.kind for side in (left, right) if isinstance(side, Real)}
+        if not kinds:
+            raise ExpressionError(f"{where}: {_words(left)} {op} {_words(right)} is not known here")
+        if len(kinds) > 1:
+            raise ExpressionError(f"{where}: a float stands beside a double: precisions are mixed")
+        (kind,) = kinds
+        x, y = self.real(left, kind, where), self.real(right, kind, where)
+        if op in ARITHMETIC:
+            return Real(self.writer.add(ARITHMETIC[op], (x, y), kind), kind)
+        if op in (">", ">="):
+            x, y, op = y, x, op.replace(">", "<")
+        if op in ("<", "<=", "=="):
+            return Truth(Atom(op, (x, y)))
+        if op == "!=":
+            return Truth(Atom("==", (x, y), False))
+        raise ExpressionError(f"{where}: {op} of real numbers is not known here")
+
+    def _ternary(self, node: Any) -> Value:
+        condition = self._condition(self.value(node.cond), node.coord)
+        yes, no = self.value(node.iftrue), self.value(node.iffalse)
+        kinds = {side.kind for side in (yes, no) if isinstance(side, Real)}
+        if not kinds:
+            decisions = (as_decision(side, node.coord) for side in (yes, no))
+            return of_decision(choice(condition, *decisions))
+        kind = kinds.pop()
+        x, y = (self.real(side, kind, node.coord) for side in (yes, no))
+        return Real(select(self.writer, condition, x, y, kind, node.coord), kind)
+
+    def _cast(self, node: Any) -> Value:
+        kind, value = declared(node.to_type), self.value(node.expr)
+        if kind.depth == 0 and kind.kind in REALS:
+            return Real(self.real(value, kind.kind, node.coord), kind.kind)
+        if kind.depth == 0 and kind.kind == "int" and isinstance(value, Whole):
+            return value
+        raise ExpressionError(
+            f"{node.coord}: a cast of {_words(value)} to {kind.words} is not known here"
+        )
+
+
+def _integer(op: str, left: Whole, right: Whole, where: Any) -> Value:
+    if op in ("+", "-"):
+        return plus(left, right, 1 if op == "+" else -1)
+    if op == "*":
+        return times(left, right)
+    try:
+        if op in ("/", "%"):
+            return divided(left, right, op == "%")
+    except ExpressionError as error:
+        raise ExpressionError(f"{where}: {error}") from None
+    x, y = left.known, right.known
+    if x is None or y is None or op not in _COMPARISONS:
+        raise ExpressionError(f"{where}: {left} {op} {right} is not known here")
+    return Truth(_COMPARISONS[op](x, y))
+
+
+_COMPARISONS = {
+    "<": int.__lt__, "<=": int.__le__, ">": int.__gt__, ">=": int.__ge__,
+    "==": int.__eq__, "!=": int.__ne__,
+}  # fmt: skip
+
+
+def _words(value: Value | None) -> str:
+    names = {
+        Whole: "an integer", Choice: "an integer", Truth: "a comparison", Pointer: "an array",
+        Address: "an address", Real: "a number",
+    }  # fmt: skip
+    return names.get(type(value), "nothing")

@@ -1,0 +1,106 @@
+"""A C function as straight-line code: what it computes, node by node, as `graph` has it.
+
+    node k = operation(earlier nodes)        output group, entry = node        status = decision
+
+The nodes are those of a CasADi graph, so that one walker evaluates both.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from fractions import Fraction
+
+import casadi
+
+from mechanics.exact.c_condition import Decision
+from mechanics.exact.graph_angles import Node
+
+
+@dataclass(frozen=True)
+class Parameter:
+    """What one argument of a C function is, in the order of the arguments.
+
+    Attributes
+    ----------
+    name : str
+        Of the quantity, for messages; the text may call it otherwise.
+    kind : str
+        ``"double"`` or ``"float"`` for an array, ``"size_t"`` for an integer.
+    size : int
+        Entries of an array, of one lane.
+    output : bool
+        Whether the function writes it.
+    stride : str
+        Name of the integer parameter by which entries of a lane are apart; empty where all lanes
+        share the array, or there are none.
+    """
+
+    name: str
+    kind: str
+    size: int = 1
+    output: bool = False
+    stride: str = ""
+
+
+@dataclass(frozen=True)
+class CProgram:
+    """What a C function computes.
+
+    Attributes
+    ----------
+    name : str
+    nodes : tuple of Node
+        For an input: (place among the parameters, entry).
+    kinds : tuple of str
+        Type of each node.
+    outputs : mapping of (place, entry) to node
+    status : Decision or None
+        What it returns; None for a function that returns nothing. Operands of its conditions are
+        nodes.
+    beyond : tuple of str
+        Reads beyond the end of an array; such a value is an input of the place `BEYOND`.
+    late : tuple of str
+        Reads of an input after an output was written.
+    lanes : str
+        Name of the integer that counts the lanes; empty for a function of one state.
+    """
+
+    name: str
+    nodes: tuple[Node, ...]
+    kinds: tuple[str, ...]
+    outputs: Mapping[tuple[int, int], int]
+    status: Decision | None
+    beyond: tuple[str, ...]
+    late: tuple[str, ...]
+    lanes: str
+
+
+BEYOND = -1
+
+
+@dataclass
+class Writer:
+    """Nodes as they are found."""
+
+    nodes: list[Node] = field(default_factory=list)
+    kinds: list[str] = field(default_factory=list)
+    _inputs: dict[tuple[int, int], int] = field(default_factory=dict)
+
+    def add(self, op: int, operands: tuple[int, ...], kind: str) -> int:
+        """Append an operation."""
+        self.nodes.append(Node(op, operands, None))
+        self.kinds.append(kind)
+        return len(self.nodes) - 1
+
+    def number(self, value: Fraction, kind: str) -> int:
+        """Append a constant."""
+        self.nodes.append(Node(casadi.OP_CONST, (), value))
+        self.kinds.append(kind)
+        return len(self.nodes) - 1
+
+    def input(self, place: int, entry: int, kind: str) -> int:
+        """The node of an entry of an argument."""
+        if (place, entry) not in self._inputs:
+            self._inputs[place, entry] = self.add(casadi.OP_INPUT, (place, entry), kind)
+        return self._inputs[place, entry]

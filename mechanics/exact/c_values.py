@@ -1,0 +1,122 @@
+"""Values while a C function is read: real numbers as nodes, integers, conditions, arrays."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Any, NamedTuple
+
+from mechanics.errors import ExpressionError
+from mechanics.exact.c_condition import Choice, Condition, Decision, joined, negation
+from mechanics.exact.c_types import Type
+from mechanics.exact.c_whole import Whole, whole
+
+
+class Real(NamedTuple):
+    """A number of the function: its node and type."""
+
+    node: int
+    kind: str
+
+
+class Truth(NamedTuple):
+    """What a comparison gives."""
+
+    condition: Condition
+
+
+@dataclass(eq=False)
+class Array:
+    """An argument or a local array.
+
+    Attributes
+    ----------
+    name : str
+        As messages call it.
+    kind : str
+    size : int
+    place : int or None
+        Of the argument among the parameters; None for a local array.
+    stride : str
+    constant : bool
+    entries : dict of int to Real
+        What is known of a local array, or was written to an output.
+    """
+
+    name: str
+    kind: str
+    size: int
+    place: int | None = None
+    stride: str = ""
+    constant: bool = False
+    entries: dict[int, Real] = field(default_factory=dict)
+
+
+class Pointer(NamedTuple):
+    """A place in an array."""
+
+    array: Array
+    offset: Whole
+
+
+class Address(NamedTuple):
+    """The address of a variable, for a function that writes it."""
+
+    variable: Variable
+
+
+@dataclass(eq=False)
+class Variable:
+    """A local variable; it has no value until something is assigned."""
+
+    name: str
+    type: Type
+    value: Value | None = None
+
+
+Value = Real | Whole | Choice | Truth | Pointer | Address
+
+
+def as_condition(value: Value | None, where: Any) -> Condition:
+    """A value that decides.
+
+    Raises
+    ------
+    ExpressionError
+        If it is neither a comparison nor an integer.
+    """
+    if isinstance(value, Truth):
+        return value.condition
+    if isinstance(value, Whole) and value.known is not None:
+        return value.known != 0
+    if isinstance(value, Choice):
+        yes, no = (as_condition(_value(d), where) for d in (value.yes, value.no))
+        taken = joined(True, value.condition, yes)
+        return joined(False, taken, joined(True, negation(value.condition), no))
+    raise ExpressionError(f"{where}: {type(value).__name__} decides: compare it with a number")
+
+
+def as_decision(value: Value | None, where: Any) -> Decision:
+    """An integer, which may depend on conditions.
+
+    Raises
+    ------
+    ExpressionError
+        If it is none.
+    """
+    if isinstance(value, Choice):
+        return value
+    if isinstance(value, Truth):
+        condition = value.condition
+        return int(condition) if isinstance(condition, bool) else Choice(condition, 1, 0)
+    if isinstance(value, Whole) and value.known is not None:
+        return value.known
+    raise ExpressionError(f"{where}: an integer is expected, {type(value).__name__} found")
+
+
+def _value(decision: Decision) -> Value:
+    return whole(decision) if isinstance(decision, int) else decision
+
+
+def of_decision(decision: Decision) -> Value:
+    """The value that a decision is."""
+    return _value(decision)
