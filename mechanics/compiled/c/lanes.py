@@ -1,0 +1,262 @@
+"""C99 from a program for many states: a loop over lanes that compilers vectorise.
+
+    entry k of state i = array[k * stride + i]            structure of arrays
+
+The body of the loop is straight-line code without a branch. Sines and cosines are computed in pairs
+by the inline text of `sine`; products that are added are one ``mechanics_fma``; what depends on
+shared inputs alone is computed before the loop. Every lane goes through the same operations, so the
+result does not depend on where in the batch a state stands, nor on how long the vectors are.
+"""
+
+import textwrap
+from collections.abc import Sequence
+
+import casadi as ca
+
+from mechanics.compiled.c.names import Namer
+from mechanics.compiled.c.source import LINE, Entries, Text, expression, literal
+from mechanics.compiled.operations import ATOM, SIGN
+from mechanics.compiled.program import Node, Program
+
+SHARED = ("p",)
+"""Inputs that all states of a batch have in common, unless told otherwise."""
+INDEPENDENT = (
+    "#if defined(__clang__)",
+    "#pragma clang loop vectorize(assume_safety)",
+    "#elif defined(__GNUC__)",
+    "#pragma GCC ivdep",
+    "#endif",
+)
+"""Tells the compiler that no state reads what another one writes."""
+OUTPUT = -1
+"""Stands for the outputs among the users of a node."""
+_TURNS = (ca.OP_SIN, ca.OP_COS)
+_PRODUCTS = (ca.OP_MUL, ca.OP_SQ, ca.OP_TWICE)
+_LONG = 24
+
+
+def arguments(code: Program, kind: str, restrict: str = "") -> str:
+    """``size_t count, size_t stride, const double *q, ..., double *ud``."""
+    inputs = [f"const {kind} *{restrict}{group}" for group, size in code.inputs if size]
+    outputs = [f"{kind} *{restrict}{out}" for out, (rows, cols) in code.shapes if rows * cols]
+    return ", ".join(["size_t count, size_t stride", *inputs, *outputs])
+
+
+def lanes_source(
+    code: Program, entries: Entries, kind: str, name: str, shared: Sequence[str] = SHARED
+) -> str:
+    """Definition of ``static inline int name_lanes(...)``: the loop."""
+    writer = _Writer(code, entries, kind, name, shared)
+    unsigned = "uint32_t" if kind == "float" else "uint64_t"
+    head = wrapped(f"static inline int {name}_lanes({arguments(code, kind, 'restrict ')})", "")
+    return "\n".join([
+        *head,
+        "{",
+        *writer.ignored,
+        *writer.before,
+        f"    {unsigned} {writer.far} = 0;",
+        *INDEPENDENT,
+        f"    for (size_t {writer.lane} = 0; {writer.lane} < count; ++{writer.lane}) {{",
+        *writer.inside,
+        "    }",
+        f"    return {writer.far} != 0;",
+        "}",
+        "",
+    ])  # fmt: skip
+
+
+def wrapped(text: str, indent: str) -> list[str]:
+    """Lines of at most `LINE` characters that break between arguments."""
+    glued = text.replace(", ", ",\0").replace(" ", "~").replace("\0", " ")
+    lines = textwrap.wrap(
+        glued, LINE, initial_indent=indent, subsequent_indent=indent + "    ",
+        break_long_words=False, break_on_hyphens=False,
+    )  # fmt: skip
+    return [line.replace("~", " ") for line in lines]
+
+
+class _Writer:
+    """One pass over the nodes.
+
+    Attributes
+    ----------
+    before, inside : list of str
+        Lines before the loop and in it.
+    ignored : list of str
+        Casts of arguments that nothing reads.
+    lane, far : str
+        Names of the index and of the flag.
+    """
+
+    def __init__(
+        self, code: Program, entries: Entries, kind: str, name: str, shared: Sequence[str]
+    ) -> None:
+        self._code, self._kind = code, kind
+        self._f = "f" if kind == "float" else ""
+        groups = {group for group, _ in code.inputs} | {out for out, _ in code.shapes}
+        namer = Namer({*groups, name, "count", "stride"})
+        self._namer = namer
+        self.lane, self.far = namer.local("i"), namer.local("far")
+        self.before: list[str] = []
+        self.inside: list[str] = []
+        self._users = _users(code)
+        self._constant = _constant(code, shared)
+        self._fused = self._fusions()
+        self._inverses: dict[int, Text] = {}
+        self._texts: list[Text] = []
+        self._turned: dict[tuple[int, int], Text] = {}
+        self._read(entries, shared)
+        for k, node in enumerate(code.nodes):
+            self._node(k, node)
+        for (out, _), nodes in zip(code.shapes, code.outputs, strict=True):
+            for entry, node_at in enumerate(nodes):
+                text = self._texts[node_at].code
+                self.inside.append(f"        {out}[{self._place(entry)}] = {text};")
+        read = {code.inputs[n.operands[0]][0] for k, n in self._inputs()}
+        self.ignored = [
+            f"    (void){group};" for group, size in code.inputs if size and group not in read
+        ]
+
+    def _inputs(self) -> list[tuple[int, Node]]:
+        return [
+            (k, node)
+            for k, node in enumerate(self._code.nodes)
+            if node.operation == ca.OP_INPUT and self._users[k]
+        ]
+
+    def _read(self, entries: Entries, shared: Sequence[str]) -> None:
+        """A name for every input entry that is used."""
+        self._local: dict[tuple[int, ...], Text] = {}
+        for _, node in sorted(self._inputs(), key=lambda pair: pair[1].operands):
+            group, entry = self._code.inputs[node.operands[0]][0], node.operands[1]
+            once = group in shared
+            at = f"{group}[{entry}]" if once else f"{group}[{self._place(entry)}]"
+            self._local[node.operands] = self._kept(
+                at, self._namer.local(entries[group][entry]), once
+            )
+
+    def _place(self, entry: int) -> str:
+        return self.lane if entry == 0 else f"{entry} * stride + {self.lane}"
+
+    def _kept(self, text: str, name: str, once: bool) -> Text:
+        lines, indent = (self.before, "    ") if once else (self.inside, "        ")
+        lines.append(f"{indent}const {self._kind} {name} = {text};")
+        return Text(name, ATOM)
+
+    def _node(self, k: int, node: Node) -> None:
+        if node.constant is not None:
+            level = ATOM if node.constant >= 0 else SIGN
+            self._texts.append(Text(literal(node.constant, self._kind), level))
+            return
+        if node.operation == ca.OP_INPUT:
+            self._texts.append(self._local.get(node.operands, Text("", ATOM)))
+            return
+        if node.operation in _TURNS and not self._constant[k]:
+            self._texts.append(self._turn(node))
+            return
+        self._texts.append(self._expression(k, node))
+        if k in self._fused.values():
+            return
+        # What is computed once has to stand before the loop.
+        leaves = self._constant[k] and not all(self._constant[i] for i in self._users[k])
+        if len(self._users[k]) > 1 or leaves or len(self._texts[k].code) > _LONG:
+            self._texts[k] = self._named(k)
+
+    def _named(self, k: int) -> Text:
+        return self._kept(self._texts[k].code, self._namer.value(), self._constant[k])
+
+    def _turn(self, node: Node) -> Text:
+        """Sine or cosine: both at once, the first time that one of them is asked for."""
+        (operand,) = node.operands
+        if (operand, node.operation) not in self._turned:
+            angle = self._texts[operand]
+            if angle.level != ATOM:
+                angle = self._texts[operand] = self._named(operand)
+            pair = [self._namer.local(f"{f}_{angle.code}") for f in ("sin", "cos")]
+            self.inside += [
+                f"        {self._kind} {pair[0]}, {pair[1]};",
+                f"        mechanics_sincos{self._f}({angle.code}, &{pair[0]}, &{pair[1]});",
+                f"        {self.far} |= mechanics_far{self._f}({angle.code});",
+            ]
+            for operation, name in zip(_TURNS, pair, strict=True):
+                self._turned[operand, operation] = Text(name, ATOM)
+        return self._turned[operand, node.operation]
+
+    def _expression(self, k: int, node: Node) -> Text:
+        """One operation."""
+        parts = [self._texts[i] for i in node.operands]
+        if k in self._fused:
+            return self._fusion(k, node)
+        if node.operation == ca.OP_DIV and not self._constant[k]:
+            divisor = node.operands[1]
+            if self._constant[divisor]:
+                return expression(ca.OP_MUL, [parts[0], self._inverse(divisor)], self._kind)
+        return expression(node.operation, parts, self._kind)
+
+    def _inverse(self, k: int) -> Text:
+        """1 over a value that all states share: one division before the loop."""
+        if k not in self._inverses:
+            text = expression(ca.OP_INV, [self._texts[k]], self._kind)
+            self._inverses[k] = self._kept(text.code, self._namer.value(), True)
+        return self._inverses[k]
+
+    def _fusions(self) -> dict[int, int]:
+        """For each sum the product in it that is fused with it: nothing else uses that."""
+        found = {}
+        for k, node in enumerate(self._code.nodes):
+            if node.operation not in (ca.OP_ADD, ca.OP_SUB) or self._constant[k]:
+                continue
+            for i in reversed(node.operands):
+                product = self._code.nodes[i].operation in _PRODUCTS and not self._constant[i]
+                if product and len(self._users[i]) == 1:
+                    found[k] = i
+                    break
+        return found
+
+    def _fusion(self, k: int, node: Node) -> Text:
+        """a b + c, c - a b or a b - c as one operation."""
+        product = self._code.nodes[self._fused[k]]
+        last = node.operands[1] == self._fused[k]
+        other = self._texts[node.operands[0 if last else 1]]
+        right = self._texts[product.operands[-1]]
+        if product.operation == ca.OP_TWICE:
+            left = Text(literal(2.0, self._kind), ATOM)
+        else:
+            left = self._texts[product.operands[0]]
+        if node.operation == ca.OP_SUB:
+            left, other = (_minus(left), other) if last else (left, _minus(other))
+        return Text(f"mechanics_fma{self._f}({left.code}, {right.code}, {other.code})", ATOM)
+
+
+def _minus(text: Text) -> Text:
+    """The same with the other sign."""
+    if text.level == SIGN:
+        return Text(text.code[1:], ATOM)
+    return Text(f"-{text.code}" if text.level == ATOM else f"-({text.code})", SIGN)
+
+
+def _users(code: Program) -> list[list[int]]:
+    """For each node the nodes that use it, once for each use; an output is node -1."""
+    users: list[list[int]] = [[] for _ in code.nodes]
+    for k, node in enumerate(code.nodes):
+        if node.operation in (ca.OP_INPUT, ca.OP_CONST):
+            continue
+        # The text of these repeats its operand.
+        twice = node.operation in (ca.OP_SQ, ca.OP_SIGN)
+        for operand in node.operands:
+            users[operand] += [k, k] if twice else [k]
+    for nodes in code.outputs:
+        for node_at in nodes:
+            users[node_at].append(OUTPUT)
+    return users
+
+
+def _constant(code: Program, shared: Sequence[str]) -> list[bool]:
+    """For each node whether it is the same for all states; the last entry is for outputs."""
+    found: list[bool] = []
+    for node in code.nodes:
+        if node.operation == ca.OP_INPUT:
+            found.append(code.inputs[node.operands[0]][0] in shared)
+        else:
+            found.append(all(found[i] for i in node.operands))
+    return [*found, False]
