@@ -8,6 +8,7 @@ import sympy
 from sympy import Expr, Symbol, sstr
 
 from mechanics.equations import Equations
+from mechanics.scene.symbols import by_name
 
 
 def python_module(equations: Equations) -> str:
@@ -31,7 +32,7 @@ def python_module(equations: Equations) -> str:
     known = dict.fromkeys(s for symbols in groups.values() for s in symbols)
     # Time, and derivatives of inputs, stand in the equations without being columns of them.
     other = {s for matrix in matrices.values() for s in matrix.free_symbols if s not in known}
-    rest = sorted(other, key=lambda symbol: symbol.name)
+    rest = sorted(other, key=by_name)
     names = _names([*known, *rest], {*groups, *matrices})
     title = " ".join(f"Equations of motion of {scene.name}, by {equations.route}.".split())
     lines = [f"# {title}", "", "from sympy import *", ""]

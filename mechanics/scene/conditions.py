@@ -18,6 +18,7 @@ from sympy.printing.str import StrPrinter
 from mechanics.errors import SceneError
 from mechanics.scene.declared import decimals, kind_of
 from mechanics.scene.parameters import Parameter
+from mechanics.scene.symbols import by_name
 
 if TYPE_CHECKING:
     from mechanics.scene.scene import Scene
@@ -103,7 +104,7 @@ def condition_parameters(scene: "Scene") -> tuple[Symbol, ...]:
     """
     found = {s for c in scene.conditions for s in plain_margin(scene, c).free_symbols}
     taken = {symbol.name for symbol in known_symbols(scene)}
-    return tuple(sorted((s for s in found if s.name not in taken), key=lambda s: s.name))
+    return tuple(sorted((s for s in found if s.name not in taken), key=by_name))
 
 
 def known_symbols(scene: "Scene") -> tuple[Symbol, ...]:

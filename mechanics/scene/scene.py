@@ -23,7 +23,7 @@ from mechanics.scene.geometry import (
 )
 from mechanics.scene.loads import Load
 from mechanics.scene.reactions import Constraint, Reaction
-from mechanics.scene.symbols import plain_symbol, plain_table, to_plain
+from mechanics.scene.symbols import by_name, plain_symbol, plain_table, to_plain
 from mechanics.scene.validate import validate
 from mechanics.scene.wellformed import typed_expressions
 
@@ -120,7 +120,7 @@ class Scene:
         found: set[Symbol] = set()
         for expression in self._expressions():
             found |= expression.free_symbols
-        return tuple(sorted(found - known, key=lambda symbol: symbol.name))
+        return tuple(sorted(found - known, key=by_name))
 
     @cached_property
     def input_symbols(self) -> tuple[Symbol, ...]:

@@ -4,6 +4,7 @@ Printers, walkers and differentiation are quick on plain symbols. SymPy's dynami
 what users write, and again only inside the two adapters over SymPy's own methods.
 """
 
+import re
 from collections.abc import Iterable, Mapping
 
 from sympy import Derivative, Expr, Symbol, sympify
@@ -13,6 +14,7 @@ from sympy.physics.vector import dynamicsymbols
 from mechanics.errors import SceneError
 
 DOTS = ("", "_dot", "_ddot", "_dddot")
+NUMBER = re.compile(r"(\d+)")
 
 
 def name_of(function: Expr) -> str:
@@ -23,6 +25,12 @@ def name_of(function: Expr) -> str:
             " dynamicsymbols('x')"
         )
     return str(function.func.__name__)
+
+
+def by_name(symbol: Symbol) -> tuple[tuple[str | int, ...], str]:
+    """Key that puts symbols in the order of their names, m2 before m10."""
+    parts = NUMBER.split(symbol.name)
+    return tuple(int(part) if i % 2 else part for i, part in enumerate(parts)), symbol.name
 
 
 def plain_symbol(function: Expr, order: int = 0) -> Symbol:

@@ -6,6 +6,7 @@ import pytest
 
 from mechanics.errors import SceneError
 from mechanics.scene import parameters
+from systems import pendulum_chain
 
 
 def test_typical_values_are_exact() -> None:
@@ -37,3 +38,8 @@ def test_a_parameter_may_have_any_sign() -> None:
 def test_declarations_that_do_not_fit_are_refused(given: tuple, words: str) -> None:
     with pytest.raises(SceneError, match=words):
         parameters(*given)
+
+
+def test_parameters_are_in_the_order_of_their_names_and_numbers() -> None:
+    names = [symbol.name for symbol in pendulum_chain.scene(11).parameters]
+    assert names == ["g", *(f"l{i}" for i in range(11)), *(f"m{i}" for i in range(12))]
