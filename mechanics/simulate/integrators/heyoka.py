@@ -7,7 +7,7 @@ included, machine code. A step of order n is counted as n evaluations of the rig
 
 import functools
 import importlib.util
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import Any
 from weakref import WeakKeyDictionary
 
@@ -136,6 +136,13 @@ def equations(code: Program, time: int | None) -> list[tuple[Any, Any]]:
         start += size
     if time is not None:
         given[1][time] = heyoka.time
+    return list(zip(state, expressions(code, given)[0], strict=True))
+
+
+def expressions(code: Program, given: Sequence[Sequence[Any]]) -> list[list[Any]]:
+    """Outputs of a program as heyoka's expressions, by output, from those of its inputs."""
+    import heyoka
+
     values: list[Any] = []
     for operation, operands, constant in code.nodes:
         if constant is not None:
@@ -144,7 +151,7 @@ def equations(code: Program, time: int | None) -> list[tuple[Any, Any]]:
             values.append(given[operands[0]][operands[1]])
         else:
             values.append(_function(heyoka, operation)(*(values[k] for k in operands)))
-    return list(zip(state, [values[k] for k in code.outputs[0]], strict=True))
+    return [[values[k] for k in nodes] for nodes in code.outputs]
 
 
 def _function(heyoka: Any, operation: int) -> Callable[..., Any]:

@@ -1,0 +1,1 @@
+"""Kernels against each other: generated, written by hand, and those of other packages."""
