@@ -7,6 +7,7 @@ scene --> routes --> Equations --> checks --> report
 
 from mechanics.compiled import Model, compile
 from mechanics.crosscheck import ROUTES, CrossCheck, crosscheck, derive
+from mechanics.crosscheck.fmu import write_fmu
 from mechanics.equations import Equations
 from mechanics.errors import MechanicsError
 from mechanics.exact import Finding, Verdict, Witness
@@ -74,4 +75,5 @@ __all__ = [
     "torsion_spring",
     "trade",
     "write_c",
+    "write_fmu",
 ]

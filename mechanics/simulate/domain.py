@@ -13,11 +13,12 @@ import casadi as ca
 import numpy as np
 from numpy.typing import NDArray
 
-from mechanics.compiled import Model, compile
-from mechanics.compiled.quantities import DIGITS, Quantity
-from mechanics.compiled.translate import Translator
+from mechanics.compiled import Model
+from mechanics.compiled.graphs import Graphs
+from mechanics.compiled.margins import margins
+from mechanics.compiled.quantities import Quantity
 from mechanics.routes import free_body
-from mechanics.scene.conditions import Condition, condition_parameters, plain_margin
+from mechanics.scene.conditions import Condition, condition_parameters
 from mechanics.simulate.graph_call import Call
 from mechanics.simulate.values import read_inputs, read_parameters
 
@@ -70,40 +71,21 @@ def domain(
     scene = model.equations.scene
     if not scene.conditions:
         return EVERYWHERE
-    full = compile(free_body.derive(scene), compiler=model.compiler)
-    known = full.quantities
-    numbers = model.numbers(p) | _own_values(model, parameters)
+    graphs = Graphs(free_body.derive(scene))
+    known = graphs.quantities
+    numbers = model.numbers(p) | own_values(model, parameters)
     symbols = [entry.symbol for entry in known.inputs]
     signals = read_inputs(scene, symbols, inputs)
-    q, u, w = (ca.SX.sym(g, len(getattr(known, g))) for g in ("q", "u", "inputs"))
-    constants = ca.SX(ca.DM([numbers[entry.symbol] for entry in known.p]))
-    ud, multipliers = full.casadi["forward_dynamics"](q, u, w, constants)
-    table = {symbol: ca.SX(value) for symbol, value in numbers.items()}
-    groups = [(known.q, q), (known.u, u), (known.ud, ud), (known.inputs, w)]
-    groups.append((known.multipliers, multipliers))
-    if known.reactions:
-        groups.append((known.reactions, full.casadi["reactions"](q, u, w, constants)))
-    for entries, column in groups:
-        table |= {entry.symbol: column[i] for i, entry in enumerate(entries)}
-    margins = [plain_margin(scene, condition) for condition in scene.conditions]
-    call = Call([q, u, w], _bound(Translator(table), margins))
+    state = [ca.SX.sym(g, len(getattr(known, g))) for g in ("q", "u", "inputs")]
+    constants = {symbol: ca.SX(value) for symbol, value in numbers.items()}
+    call = Call(state, margins(graphs, state, constants))
     n = len(scene.q)
     return Domain(scene.conditions, lambda t, y: call(y[:n], y[n:], signals(t))[0][:, 0])
 
 
-def _own_values(model: Model, parameters: Mapping[str, float]) -> dict[Any, float]:
+def own_values(model: Model, parameters: Mapping[str, float]) -> dict[Any, float]:
     """Values of the parameters that only conditions use."""
     own = condition_parameters(model.equations.scene)
     given = {s.name: parameters[s.name] for s in own if s.name in parameters}
     entries = tuple(Quantity(s, getattr(s, "unit", "")) for s in own)
     return dict(zip(own, read_parameters(entries, {}, given).tolist(), strict=True))
-
-
-def _bound(translate: Translator, margins: list[Any]) -> ca.SX:
-    """The column of margins, with named constants as numbers."""
-    column = translate.column(margins)
-    if not translate.constants:
-        return ca.densify(column)
-    values = [ca.SX(float(number.evalf(DIGITS))) for number in translate.constants]
-    names = ca.vertcat(*translate.constants.values())
-    return ca.densify(ca.substitute(column, names, ca.vertcat(*values)))

@@ -15,6 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.optimize import brentq, minimize_scalar
 
+from mechanics.errors import InputError
 from mechanics.scene.conditions import Condition
 from mechanics.simulate.domain import Domain
 from mechanics.simulate.march import Stretch
@@ -105,11 +106,34 @@ def _looks(margin: Margin, begin: float, end: float) -> Sequence[float]:
     return sorted({*times, *bottoms})
 
 
-def at_the_start(domain: Domain, state: Array) -> tuple[Crossing, ...]:
-    """Conditions that do not hold at t = 0 already, as crossings there."""
+def at_the_start(name: str, domain: Domain, state: Array, beyond: bool) -> tuple[Crossing, ...]:
+    """Conditions that do not hold at t = 0 already, as crossings there.
+
+    Parameters
+    ----------
+    name : str
+        Of the scene.
+    domain : Domain
+    state : array
+        At the start.
+    beyond : bool
+        Whether to go on outside of the domain.
+
+    Raises
+    ------
+    InputError
+        If there are any, and going on was not asked for.
+    """
     broken = domain.broken(domain.margins(0.0, state))
-    return tuple(
+    outside = tuple(
         Crossing(one.name, 0.0, True, f"it {one.otherwise} ({one.text} does not hold)")
         for one, out in zip(domain.conditions, broken, strict=True)
         if out
     )
+    if outside and not beyond:
+        raise InputError(
+            f"{name}: the motion starts outside of the domain of the model:"
+            f" {'; '.join(one.sentence for one in outside)}: start from other values, or ask to go"
+            " on beyond the domain"
+        )
+    return outside

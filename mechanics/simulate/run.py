@@ -102,18 +102,13 @@ def simulate_one(
     """Integrate the motion from one initial state; see `mechanics.simulate.batch.simulate`."""
     times, by = equal_times(duration, samples), _tolerance(method, rtol, atol)
     start = begin(model, initial, parameters, inputs)
-    outside = at_the_start(start.domain, start.state)
-    if outside and not beyond_domain:
-        raise InputError(
-            f"{model.equations.scene.name}: the motion starts outside of the domain of the model:"
-            f" {'; '.join(o.sentence for o in outside)}: start from other values, or ask to go"
-            " on beyond the domain"
-        )
+    name = model.equations.scene.name
+    outside = at_the_start(name, start.domain, start.state, beyond_domain)
     watch = Watching(start.domain, beyond_domain)
     found = sample(start.moving, start.state, times, by, progress, watch)
     if found.time == 0.0:
         raise SingularError(
-            f"{model.equations.scene.name}: no motion starts from the initial values:"
+            f"{name}: no motion starts from the initial values:"
             f" {found.ending.value}: start from others"
         )
     crossed = (*outside, *found.crossings)

@@ -1,0 +1,64 @@
+"""`mechanics fmu`: equations as a functional mock-up unit."""
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+from rich.console import Console
+
+from mechanics.cli.load import load
+from mechanics.cli.values import assignments, sorted_out
+from mechanics.compiled import compile
+from mechanics.crosscheck import derive
+from mechanics.crosscheck.fmu import write_fmu
+
+
+def fmu(
+    system: Annotated[str, typer.Argument(metavar="SYSTEM", help="A name or a .py file.")],
+    out: Annotated[Path, typer.Option("--out", "-o", metavar="NAME.fmu", help="File to write.")],
+    settings: Annotated[
+        list[str] | None,
+        typer.Option("--set", metavar="NAME=VALUE", help="Start value, parameter or input."),
+    ] = None,
+    fix: Annotated[
+        list[str] | None,
+        typer.Option("--fix", metavar="NAME=VALUE", help="A parameter that becomes a number."),
+    ] = None,
+    route: Annotated[str, typer.Option(help="Route that derives the equations.")] = "free_body",
+    step: Annotated[
+        float | None, typer.Option(help="Longest internal step of co-simulation, in s.")
+    ] = None,
+    beyond_domain: Annotated[
+        bool, typer.Option("--beyond-domain", help="Go on where the model is not valid.")
+    ] = False,
+) -> None:
+    """Write the equations as an FMU: FMI 3.0, for model exchange and co-simulation.
+
+    The unit holds its C sources and, where there is a compiler, the library for this machine. What
+    is set are start values, which can be set again in the importer; what is fixed is a number for
+    good. Outputs are coordinates, speeds, accelerations, reactions, energies, and the margins of
+    the conditions of validity: where one ceases to hold, the unit asks to end the simulation.
+
+    Examples
+    --------
+    `mechanics fmu elastic_pendulum -o elastic_pendulum.fmu --set theta=2.5`
+
+    `mechanics fmu rocker -o rocker.fmu --fix g=9.81 && fmpy validate rocker.fmu`
+    """
+    scene = load(system).scene()
+    initial, parameters, inputs = sorted_out(scene, assignments(settings or []))
+    fixed = assignments(fix or [], "--fix")
+    with Console(stderr=True).status("deriving"):
+        model = compile(derive(scene, route), fixed=fixed)
+        path = write_fmu(
+            model,
+            out,
+            initial=initial,
+            parameters=parameters,
+            inputs=inputs,
+            step=step,
+            beyond_domain=beyond_domain,
+        )
+    typer.echo(str(path))
+    if model.compiler is None:
+        typer.echo("no C compiler here: it holds the sources only, to be compiled by the importer")

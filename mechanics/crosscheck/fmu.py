@@ -1,0 +1,72 @@
+"""A model as a functional mock-up unit that starts where `mechanics.simulate` does."""
+
+from collections.abc import Mapping
+from pathlib import Path
+
+from mechanics.compiled import Model
+from mechanics.errors import InputError
+from mechanics.export.fmu import Start, write_unit
+from mechanics.simulate.domain import own_values
+from mechanics.simulate.exits import at_the_start
+from mechanics.simulate.run import begin
+
+
+def write_fmu(
+    model: Model,
+    path: str | Path,
+    *,
+    initial: Mapping[str, float] | None = None,
+    parameters: Mapping[str, float] | None = None,
+    inputs: Mapping[str, float] | None = None,
+    step: float | None = None,
+    beyond_domain: bool = False,
+) -> Path:
+    """Write a model as a unit of FMI 3.0, for model exchange and co-simulation.
+
+    Its states are the coordinates and speeds, dependent ones of a constrained scene included: the
+    multipliers are solved for, and an output tells how far each constraint is off.
+
+    Parameters
+    ----------
+    model : Model
+        With a compiler the unit has the library for this machine; the sources are always in it.
+    path : str or Path
+        ``NAME.fmu``; overwritten.
+    initial, parameters, inputs : mapping of str to float, optional
+        Start values of the unit, read as by `mechanics.simulate`: those of a constrained scene are
+        made consistent. All can be set in the importer, too.
+    step : float, optional
+        Longest internal step of co-simulation, in s; by default it is chosen so that a step errs by
+        less than 1e-10 along the motion from the start values. The importer can set it.
+    beyond_domain : bool
+        Whether to go on where a condition of validity of the scene does not hold; otherwise the
+        unit asks the importer to end the simulation there, and says why.
+
+    Returns
+    -------
+    Path
+
+    Raises
+    ------
+    InputError
+        For a name that does not exist, a value that is out of range, start values outside of the
+        model's domain, a path that is no .fmu, or a platform that FMI does not name.
+    ValueMissingError
+        For a parameter that has no value.
+    CompilerError
+        If the compiler refuses the code.
+    """
+    for name, value in (inputs or {}).items():
+        if callable(value):
+            raise InputError(
+                f"input {name}: a function of time cannot be exported: give a number, and connect"
+                " the function in the importer"
+            )
+    start = begin(model, initial, parameters, inputs)
+    at_the_start(model.equations.scene.name, start.domain, start.state, beyond_domain)
+    known = model.quantities
+    names = [entry.name for entry in (*known.q, *known.u, *known.p)]
+    values = dict(zip(names, [*start.state.tolist(), *start.p.tolist()], strict=True))
+    values |= {s.name: value for s, value in own_values(model, parameters or {}).items()}
+    values |= {name: float(value) for name, value in (inputs or {}).items()}
+    return write_unit(model, path, Start(values, step, beyond_domain), model.compiler)

@@ -1,0 +1,193 @@
+"""Put a unit together: ``NAME.fmu``, a zip archive with the layout of FMI 3.0.
+
+    modelDescription.xml          variables, units, what depends on what
+    sources/                      C of the interface and of the model, buildDescription.xml
+    binaries/x86_64-linux/        the library for the machine that writes it
+
+The same model and the same start values give the same bytes.
+"""
+
+import zipfile
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from hashlib import sha256
+from importlib.metadata import PackageNotFoundError, version
+from importlib.resources import files
+from pathlib import Path
+
+import casadi as ca
+import numpy as np
+from numpy.typing import NDArray
+
+from mechanics.compiled import Model
+from mechanics.compiled.c.names import identifier
+from mechanics.compiled.machine.evaluator import evaluator
+from mechanics.compiled.machine.native import affordable
+from mechanics.compiled.program import program
+from mechanics.compiled.step import TABLEAUX
+from mechanics.errors import InputError
+from mechanics.export.fmu.binary import OPTIONS, Platform, compiled_library, this_platform
+from mechanics.export.fmu.description import build_description, model_description
+from mechanics.export.fmu.functions import Functions, functions
+from mechanics.export.fmu.model_text import model_header, model_source
+from mechanics.export.fmu.step_size import ALLOWED, Rates, step_size
+from mechanics.export.fmu.variables import Variables, variables
+
+SUFFIX = ".fmu"
+# The method of highest order: few long steps, and errors near rounding.
+METHOD = TABLEAUX[-1]
+# What importers suggest to simulate, in s: what `mechanics simulate` does.
+DURATION = 10.0
+# Archives hold no earlier date; with a fixed one the bytes depend on the contents only.
+DATE = (1980, 1, 1, 0, 0, 0)
+
+
+@dataclass(frozen=True)
+class Start:
+    """Where a unit starts, by name.
+
+    Attributes
+    ----------
+    values : mapping of str to float
+        Of every coordinate, speed, parameter and input that is not zero.
+    step : float or None
+        Longest internal step of co-simulation, in s; measured where it is None.
+    beyond_domain : bool
+        Whether to go on where a condition of the scene does not hold.
+    """
+
+    values: Mapping[str, float] = field(default_factory=dict)
+    step: float | None = None
+    beyond_domain: bool = False
+
+
+def write_unit(model: Model, path: str | Path, start: Start, compiler: str | None) -> Path:
+    """Write a unit.
+
+    Parameters
+    ----------
+    model : Model
+    path : str or Path
+        ``NAME.fmu``; overwritten.
+    start : Start
+    compiler : str or None
+        Of the library for this machine; None writes the sources only.
+
+    Raises
+    ------
+    InputError
+        If the path does not end in .fmu, its folder does not exist, the step is no positive number,
+        or this platform is none of the standard's.
+    CompilerError
+        If the compiler refuses the code.
+    """
+    target = Path(path)
+    if target.suffix != SUFFIX or not target.parent.is_dir() or target.is_dir():
+        raise InputError(f"{target}: a file NAME{SUFFIX} in a folder that exists is needed")
+    where = this_platform() if compiler else None
+    known = functions(model)
+    names = [e.name for e in (*model.quantities.q, *model.quantities.u, *known.inputs, *known.p)]
+    values = {name: float(start.values.get(name, 0.0)) for name in names}
+    found = variables(model, known, values, 1.0)
+    step = start.step or _measured(model, known, found)
+    if not 0 < step < float("inf"):
+        raise InputError(f"step: {start.step!r} found: a positive number of seconds is needed")
+    contents = _contents(model, known, variables(model, known, values, step), start.beyond_domain)
+    binary = _binary(model, known, contents, where, compiler)
+    _archive(target, contents | binary)
+    return target
+
+
+def _measured(model: Model, known: Functions, found: Variables) -> float:
+    start = np.array([variable.start or 0.0 for variable in found.given])
+    return step_size(_rates(model, known), start, len(found.states), METHOD, DURATION)
+
+
+def _rates(model: Model, known: Functions) -> Rates:
+    """The rates of a unit as a function in this process."""
+    function: ca.Function = known.graphs["rates"]
+    given, wanted = np.zeros(function.numel_in(0)), np.zeros(function.numel_out(0))
+    entries = {"given": tuple(f"v{i}" for i in range(len(given)))}
+    kernel = evaluator(function, program(function), entries, np.float64, model.compiler)
+    run = kernel.bound([given], [wanted])
+
+    def rates(values: NDArray[np.float64]) -> NDArray[np.float64]:
+        given[:] = values
+        run()
+        return wanted
+
+    return rates
+
+
+def _contents(model: Model, known: Functions, found: Variables, beyond: bool) -> dict[str, bytes]:
+    """Every file but the library, by its name in the archive."""
+    scene = model.equations.scene
+    name, title = identifier(scene.name), f"{scene.name}, derived by {model.equations.route}"
+    model_c = model_source(title, found, known, METHOD, scene.conditions if found.margins else ())
+    fixed = "; ".join(f"{parameter} = {value}" for parameter, value in model.fixed.items())
+    own = {entry.name: entry.read_text(encoding="utf-8") for entry in _texts()}
+    token = _token(model_c, fixed, str(beyond), *own.values())
+    own["model.c"] = model_c
+    own["model.h"] = model_header(title, name, token, found, known, METHOD, beyond)
+    words = {
+        "modelName": scene.name,
+        "instantiationToken": token,
+        "description": f"{title}; fixed: {fixed}" if fixed else title,
+        "generationTool": f"mechanics {_version()}",
+    }
+    experiment = {"startTime": 0.0, "stopTime": DURATION, "tolerance": ALLOWED}
+    texts = {
+        "modelDescription.xml": model_description(name, words, found, known, experiment),
+        **{f"sources/{file}": text for file, text in own.items()},
+        "sources/buildDescription.xml": build_description(
+            name, sorted(file for file in own if file.endswith(".c")), " ".join(OPTIONS)
+        ),
+    }
+    return {file: text.encode("utf-8") for file, text in texts.items()}
+
+
+def _texts() -> list:
+    """The C that is the same for every unit."""
+    folder = files("mechanics.export.fmu") / "c"
+    return sorted((f for f in folder.iterdir() if f.name.endswith((".c", ".h"))), key=_by_name)
+
+
+def _by_name(entry: object) -> str:
+    return str(entry.name)  # type: ignore[attr-defined]
+
+
+def _token(*texts: str) -> str:
+    """A name for this export: library and description of different ones are kept apart by it."""
+    return "{" + sha256("\0".join(texts).encode("utf-8")).hexdigest()[:32] + "}"
+
+
+def _version() -> str:
+    try:
+        return version("mechanics")
+    except PackageNotFoundError:
+        # A source tree that is used without being installed.
+        return "(not installed)"
+
+
+def _binary(
+    model: Model, known: Functions, contents: Mapping[str, bytes], where: Platform | None,
+    compiler: str | None,
+) -> dict[str, bytes]:  # fmt: skip
+    if where is None or compiler is None:
+        return {}
+    folder = "sources/"
+    sources = {
+        file.removeprefix(folder): text.decode("utf-8")
+        for file, text in contents.items()
+        if file.startswith(folder) and file.endswith((".c", ".h"))
+    }
+    longest = max(program(function).operations for function in known.graphs.values())
+    library = compiled_library(sources, compiler, affordable("-O2", longest))
+    name = identifier(model.equations.scene.name)
+    return {f"binaries/{where.tuple}/{name}{where.suffix}": library}
+
+
+def _archive(target: Path, contents: Mapping[str, bytes]) -> None:
+    with zipfile.ZipFile(target, "w", zipfile.ZIP_DEFLATED) as archive:
+        for name, content in contents.items():
+            archive.writestr(zipfile.ZipInfo(name, DATE), content, zipfile.ZIP_DEFLATED)
