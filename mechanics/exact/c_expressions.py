@@ -13,13 +13,14 @@ import casadi
 from pycparser import c_ast
 
 from mechanics.errors import ExpressionError
-from mechanics.exact.c_condition import Atom, choice, joined, negation
+from mechanics.exact.c_condition import Atom, Condition, choice, joined, negation
 from mechanics.exact.c_library import ARITHMETIC
 from mechanics.exact.c_literal import literal, rounded
 from mechanics.exact.c_program import BEYOND, Writer
 from mechanics.exact.c_select import select
 from mechanics.exact.c_types import REALS, declared
 from mechanics.exact.c_values import (
+    COMPARISONS,
     Address,
     Array,
     Choice,
@@ -30,6 +31,7 @@ from mechanics.exact.c_values import (
     Variable,
     as_condition,
     as_decision,
+    compared,
     of_decision,
 )
 from mechanics.exact.c_whole import Whole, divided, plus, times, whole
@@ -47,8 +49,8 @@ class Expressions:
         As in `CProgram`.
     written : bool
         Whether an output was written already.
-    lane : str
-        Name of the integer that counts lanes, inside the loop over them.
+    lane : Whole or None
+        Which lane is at hand, inside the loop over them.
     """
 
     def __init__(self) -> None:
@@ -57,7 +59,7 @@ class Expressions:
         self.beyond: list[str] = []
         self.late: list[str] = []
         self.written = False
-        self.lane = ""
+        self.lane: Whole | None = None
 
     def find(self, name: str, where: Any) -> Variable | Array:
         """The variable or array of a name."""
@@ -130,11 +132,11 @@ class Expressions:
         ExpressionError
             If it is no entry of this lane.
         """
-        array, terms = at.array, dict(at.offset.terms)
+        array = at.array
         if array.stride:
-            own = terms.pop((self.lane,), None) if self.lane else None
-            found = terms.pop((array.stride,), 0)
-            if own != 1 or terms:
+            rest = dict(plus(at.offset, self.lane or whole(0), -1).terms)
+            found = rest.pop((array.stride,), 0)
+            if self.lane is None or rest:
                 raise ExpressionError(
                     f"{where}: {array.name}[{at.offset}] is no entry of the lane"
                     f" {self.lane or '(outside of the loop over lanes)'}:"
@@ -158,7 +160,7 @@ class Expressions:
         if array.place is None or not array.constant:
             if entry not in array.entries:
                 raise ExpressionError(f"{where}: {array.name}[{entry}] is read before it is set")
-            return array.entries[entry]
+            return Real(array.entries[entry][-1].node, array.kind)
         if self.written:
             self.late.append(f"{where}: {array.name}[{at.offset}]")
         return Real(self.writer.input(array.place, entry, array.kind), array.kind)
@@ -187,7 +189,7 @@ class Expressions:
             raise ExpressionError(f"{node.coord}: this address is not known here")
         value = self.value(node.expr)
         if node.op == "!":
-            return Truth(negation(self._condition(value, node.coord)))
+            return Truth(negation(self.condition(value, node.coord)))
         if node.op == "*" and isinstance(value, Pointer):
             return self.read(value, node.coord)
         if node.op == "+":
@@ -201,7 +203,7 @@ class Expressions:
             return Real(self.writer.add(casadi.OP_NEG, (value.node,), value.kind), value.kind)
         raise ExpressionError(f"{node.coord}: {node.op} of {_words(value)} is not known here")
 
-    def _condition(self, value: Value, where: Any) -> Any:
+    def condition(self, value: Value, where: Any) -> Condition:
         """A value that decides; a real number does by being zero or not."""
         if isinstance(value, Real):
             zero = self.writer.number(Fraction(0), value.kind)
@@ -215,13 +217,16 @@ class Expressions:
     def combined(self, op: str, left: Value, right: Value, where: Any) -> Value:
         """left op right."""
         if op in ("&&", "||"):
-            sides = (self._condition(left, where), self._condition(right, where))
+            sides = (self.condition(left, where), self.condition(right, where))
             return Truth(joined(op == "&&", *sides))
         if isinstance(left, Whole) and isinstance(right, Whole):
             return _integer(op, left, right, where)
         if isinstance(left, Pointer) and isinstance(right, Whole) and op in "+-":
             return Pointer(left.array, plus(left.offset, right, 1 if op == "+" else -1))
         kinds = {side.kind for side in (left, right) if isinstance(side, Real)}
+        if not kinds and op in COMPARISONS:
+            sides = (as_decision(side, where) for side in (left, right))
+            return of_decision(compared(op, *sides))
         if not kinds:
             raise ExpressionError(f"{where}: {_words(left)} {op} {_words(right)} is not known here")
         if len(kinds) > 1:
@@ -239,8 +244,12 @@ class Expressions:
         raise ExpressionError(f"{where}: {op} of real numbers is not known here")
 
     def _ternary(self, node: Any) -> Value:
-        condition = self._condition(self.value(node.cond), node.coord)
         yes, no = self.value(node.iftrue), self.value(node.iffalse)
+        if isinstance(node.cond, c_ast.BinaryOp) and node.cond.op == "<":
+            sides = self.value(node.cond.left), self.value(node.cond.right)
+            if sides == (yes, no) and isinstance(yes, Whole) and isinstance(no, Whole):
+                return self.least(yes, no, node.coord)
+        condition = self.condition(self.value(node.cond), node.coord)
         kinds = {side.kind for side in (yes, no) if isinstance(side, Real)}
         if not kinds:
             decisions = (as_decision(side, node.coord) for side in (yes, no))
@@ -248,6 +257,13 @@ class Expressions:
         kind = kinds.pop()
         x, y = (self.real(side, kind, node.coord) for side in (yes, no))
         return Real(select(self.writer, condition, x, y, kind, node.coord), kind)
+
+    def least(self, left: Whole, right: Whole, where: Any) -> Whole:
+        """``left < right ? left : right``."""
+        x, y = left.known, right.known
+        if x is None or y is None:
+            raise ExpressionError(f"{where}: which of {left} and {right} is less is not known here")
+        return whole(min(x, y))
 
     def _cast(self, node: Any) -> Value:
         kind, value = declared(node.to_type), self.value(node.expr)
@@ -271,15 +287,9 @@ def _integer(op: str, left: Whole, right: Whole, where: Any) -> Value:
     except ExpressionError as error:
         raise ExpressionError(f"{where}: {error}") from None
     x, y = left.known, right.known
-    if x is None or y is None or op not in _COMPARISONS:
+    if x is None or y is None or op not in COMPARISONS:
         raise ExpressionError(f"{where}: {left} {op} {right} is not known here")
-    return Truth(_COMPARISONS[op](x, y))
-
-
-_COMPARISONS = {
-    "<": int.__lt__, "<=": int.__le__, ">": int.__gt__, ">=": int.__ge__,
-    "==": int.__eq__, "!=": int.__ne__,
-}  # fmt: skip
+    return whole(int(COMPARISONS[op](x, y)))
 
 
 def _words(value: Value | None) -> str:

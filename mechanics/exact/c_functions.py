@@ -16,7 +16,7 @@ from pycparser import c_ast
 
 from mechanics.errors import ExpressionError
 from mechanics.exact.c_condition import Atom
-from mechanics.exact.c_library import FUNCTIONS, FUSED, SINCOS
+from mechanics.exact.c_library import FAR, FUNCTIONS, FUSED, SINCOS
 from mechanics.exact.c_parse import Source
 from mechanics.exact.c_program import CProgram, Parameter
 from mechanics.exact.c_statements import Statements
@@ -65,10 +65,10 @@ def lower(source: Source, name: str, given: Sequence[Parameter]) -> CProgram:
     result = machine.body(function)
     returns = declared(_returned(function)).kind
     outputs = {
-        (array.place, entry): real.node
+        (array.place, entry): tuple(written)
         for array in arrays
         if array.place is not None and not array.constant
-        for entry, real in array.entries.items()
+        for entry, written in array.entries.items()
     }
     status = None if returns == "void" else as_decision(result, function.coord)
     writer = machine.writer
@@ -148,6 +148,9 @@ class Functions(Statements):
             value = self.value(given[0])
             if isinstance(value, Real):
                 return Truth(Atom("finite", (value.node,)))
+        elif name in FAR and len(given) == 1:
+            angle = self.real(self.value(given[0]), FAR[name], node.coord)
+            return Truth(Atom("far", (angle,)))
         elif name in SINCOS and len(given) == 3:
             self._sincos(node, SINCOS[name])
             return None
@@ -185,7 +188,8 @@ class Functions(Statements):
         for declaration, argument in zip(known, given, strict=True):
             kind = declared(declaration)
             value = self.converted(self.value(argument), kind, where)
-            scope[declaration.name] = Variable(declaration.name, kind, value)
+            guards = len(self.guards)
+            scope[declaration.name] = Variable(declaration.name, kind, value, guards)
         # The scopes of the caller are out of sight.
         outer, self.scopes = self.scopes, [scope]
         inside, self.lane_scope = self.lane_scope, 0

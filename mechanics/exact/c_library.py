@@ -45,6 +45,9 @@ SINCOS = {
 }
 """``name(x, &sine, &cosine)``."""
 
+FAR = {f"mechanics_far{suffix}": kind for suffix, kind in _KINDS}
+"""Whether an angle is beyond what the inline sine and cosine can do."""
+
 FUSED = {f"{name}{suffix}": kind for name in ("fma", "mechanics_fma") for suffix, kind in _KINDS}
 """x y + z, rounded once or twice."""
 

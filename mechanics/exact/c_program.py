@@ -10,10 +10,11 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction
+from typing import NamedTuple
 
 import casadi
 
-from mechanics.exact.c_condition import Decision
+from mechanics.exact.c_condition import Condition, Decision
 from mechanics.exact.graph_angles import Node
 
 
@@ -43,6 +44,13 @@ class Parameter:
     stride: str = ""
 
 
+class Written(NamedTuple):
+    """A value that an output gets where a condition holds."""
+
+    condition: Condition
+    node: int
+
+
 @dataclass(frozen=True)
 class CProgram:
     """What a C function computes.
@@ -54,7 +62,9 @@ class CProgram:
         For an input: (place among the parameters, entry).
     kinds : tuple of str
         Type of each node.
-    outputs : mapping of (place, entry) to node
+    outputs : mapping of (place, entry) to tuple of (Condition, node)
+        What was written, in the order in which it was: each is what stands there at last where its
+        condition holds and those after it do not.
     status : Decision or None
         What it returns; None for a function that returns nothing. Operands of its conditions are
         nodes.
@@ -69,7 +79,7 @@ class CProgram:
     name: str
     nodes: tuple[Node, ...]
     kinds: tuple[str, ...]
-    outputs: Mapping[tuple[int, int], int]
+    outputs: Mapping[tuple[int, int], tuple[Written, ...]]
     status: Decision | None
     beyond: tuple[str, ...]
     late: tuple[str, ...]
@@ -81,26 +91,28 @@ BEYOND = -1
 
 @dataclass
 class Writer:
-    """Nodes as they are found."""
+    """Nodes as they are found, equal ones once."""
 
     nodes: list[Node] = field(default_factory=list)
     kinds: list[str] = field(default_factory=list)
-    _inputs: dict[tuple[int, int], int] = field(default_factory=dict)
+    _places: dict[tuple[Node, str], int] = field(default_factory=dict)
 
     def add(self, op: int, operands: tuple[int, ...], kind: str) -> int:
-        """Append an operation."""
-        self.nodes.append(Node(op, operands, None))
-        self.kinds.append(kind)
-        return len(self.nodes) - 1
+        """The node of an operation."""
+        return self._kept(Node(op, operands, None), kind)
 
     def number(self, value: Fraction, kind: str) -> int:
-        """Append a constant."""
-        self.nodes.append(Node(casadi.OP_CONST, (), value))
-        self.kinds.append(kind)
-        return len(self.nodes) - 1
+        """The node of a constant."""
+        return self._kept(Node(casadi.OP_CONST, (), value), kind)
 
     def input(self, place: int, entry: int, kind: str) -> int:
         """The node of an entry of an argument."""
-        if (place, entry) not in self._inputs:
-            self._inputs[place, entry] = self.add(casadi.OP_INPUT, (place, entry), kind)
-        return self._inputs[place, entry]
+        return self._kept(Node(casadi.OP_INPUT, (place, entry), None), kind)
+
+    def _kept(self, node: Node, kind: str) -> int:
+        """One place for equal nodes."""
+        if (node, kind) not in self._places:
+            self._places[node, kind] = len(self.nodes)
+            self.nodes.append(node)
+            self.kinds.append(kind)
+        return self._places[node, kind]

@@ -1,11 +1,11 @@
 """Statements of C, run once.
 
-    for (size_t i = 0; i < count; ++i) { ... }     once, for the lane i: entry k at [k * stride + i]
-    for (int i = 0; i < 4; ++i) { ... }            four times
-    if (...) status = 2;                           both ways, where only integers change
+    if (...) status = 2;            both ways, and what differs afterwards depends on the condition
+    if (...) continue;              the rest under the opposite condition
 
 Inputs may be the same arrays as outputs, so a read after a write is noted. A variable that is read
-before it is set, a constant that is changed, an output written under a condition are refused.
+before it is set, a constant that is changed, a number that is set under a condition are refused; an
+output may be written under one.
 """
 
 from __future__ import annotations
@@ -15,8 +15,9 @@ from typing import Any
 from pycparser import c_ast
 
 from mechanics.errors import ExpressionError
-from mechanics.exact.c_condition import choice
-from mechanics.exact.c_expressions import Expressions
+from mechanics.exact.c_condition import Condition, choice, joined, negation
+from mechanics.exact.c_loops import Guard, Loops
+from mechanics.exact.c_program import Written
 from mechanics.exact.c_types import REALS, Type, declared
 from mechanics.exact.c_values import (
     Array,
@@ -24,39 +25,20 @@ from mechanics.exact.c_values import (
     Real,
     Value,
     Variable,
-    as_condition,
     as_decision,
     of_decision,
 )
-from mechanics.exact.c_whole import Whole, unknown, whole
-
-MOST_TURNS = 4096
-"""Of a loop with constant bounds."""
+from mechanics.exact.c_whole import Whole, whole
 
 
-class Statements(Expressions):
-    """Runs statements.
-
-    Attributes
-    ----------
-    counted : str
-        The integer that counts the lanes, once a loop over them was read.
-    guards : int
-        Conditions under which the statement at hand runs.
-    lane_scope : int
-        Number of scopes outside of the loop over lanes.
-    """
-
-    def __init__(self) -> None:
-        super().__init__()
-        self.counted = ""
-        self.guards = 0
-        self.lane_scope = 0
+class Statements(Loops):
+    """Runs statements."""
 
     def declare(self, name: str, thing: Variable | Array, where: Any) -> None:
         """Add to the innermost scope."""
         if name in self.scopes[-1]:
             raise ExpressionError(f"{where}: {name} is declared twice")
+        thing.guards = len(self.guards)
         self.scopes[-1][name] = thing
 
     def converted(self, value: Value | None, kind: Type, where: Any) -> Value:
@@ -85,7 +67,7 @@ class Statements(Expressions):
         elif isinstance(node, c_ast.If):
             self._if(node)
         elif isinstance(node, c_ast.For):
-            self._for(node)
+            self.loop(node)
         elif isinstance(node, c_ast.Compound):
             self._block(node)
         elif isinstance(node, c_ast.FuncCall):
@@ -102,8 +84,18 @@ class Statements(Expressions):
 
     def _block(self, node: Any) -> None:
         self.scopes.append({})
+        depth = len(self.guards)
         for statement in node.block_items or ():
-            self.statement(statement)
+            if _is_skip(statement):
+                # What follows runs where this does not hold.
+                condition = negation(self.condition(self.value(statement.cond), statement.coord))
+                if condition is False:
+                    break
+                if condition is not True:
+                    self.guards.append(Guard(condition, False))
+            else:
+                self.statement(statement)
+        del self.guards[depth:]
         self.scopes.pop()
 
     def _declaration(self, node: Any) -> None:
@@ -132,7 +124,8 @@ class Statements(Expressions):
             for i in range(kind.size):
                 # What is left out is zero.
                 given = self.value(node.init.exprs[i]) if i < len(node.init.exprs) else whole(0)
-                array.entries[i] = Real(self.real(given, kind.kind, node.coord), kind.kind)
+                number = self.real(given, kind.kind, node.coord)
+                array.entries[i] = [Written(True, number)]
         self.declare(node.name, array, node.coord)
 
     def _assignment(self, node: Any) -> None:
@@ -143,7 +136,8 @@ class Statements(Expressions):
         if isinstance(node.lvalue, c_ast.ID):
             target = self.find(node.lvalue.name, node.coord)
             if isinstance(target, Variable):
-                self.assign(target, value, node.coord)
+                gathers = node.op == "|=" and target.type.kind == "int"
+                self.assign(target, value, node.coord, gathers)
                 return
         elif isinstance(node.lvalue, c_ast.ArrayRef):
             self.store(self.element(node.lvalue), value, node.coord)
@@ -155,20 +149,16 @@ class Statements(Expressions):
                 return
         raise ExpressionError(f"{node.coord}: this assignment is not known here")
 
-    def assign(self, variable: Variable, value: Value, where: Any) -> None:
-        """Set a variable."""
+    def assign(self, variable: Variable, value: Value, where: Any, gathers: bool = False) -> None:
+        """Set a variable; `gathers` where a flag gathers what all lanes say."""
         if variable.type.constant and not variable.type.depth:
             raise ExpressionError(f"{where}: the constant {variable.name} is changed")
-        outer = self.lane and not any(variable in scope.values() for scope in self.inner())
-        if outer:
+        if self.lane and not gathers and not self.inside_lane(variable):
             raise ExpressionError(f"{where}: {variable.name} is carried from lane to lane")
-        if self.guards and variable.type.kind in REALS:
+        guards = self.guards[variable.guards :]
+        if guards and (variable.type.kind in REALS or not all(guard.both for guard in guards)):
             raise ExpressionError(f"{where}: {variable.name} is set under a condition only")
         variable.value = self.converted(value, variable.type, where)
-
-    def inner(self) -> list[dict[str, Variable | Array]]:
-        """Scopes inside the loop over lanes."""
-        return self.scopes[self.lane_scope :]
 
     def store(self, at: Pointer, value: Value, where: Any) -> None:
         """Set an entry of an array."""
@@ -179,15 +169,20 @@ class Statements(Expressions):
             raise ExpressionError(
                 f"{where}: {array.name}[{at.offset}] is beyond its {array.size} entries"
             )
-        if self.guards:
-            raise ExpressionError(f"{where}: {array.name}[{entry}] is set under a condition only")
-        if self.lane and array.place is not None and not array.stride:
+        outside = array.place is not None
+        if self.lane and outside and not array.stride:
             raise ExpressionError(f"{where}: {array.name} is written by every lane")
-        array.entries[entry] = Real(self.real(value, array.kind, where), array.kind)
-        self.written = self.written or array.place is not None
+        condition: Condition = True
+        for guard in self.guards[array.guards :]:
+            condition = joined(True, condition, guard.condition)
+        if condition is not True and not outside:
+            raise ExpressionError(f"{where}: {array.name}[{entry}] is set under a condition only")
+        before = [] if condition is True else array.entries.get(entry, [])
+        array.entries[entry] = [*before, Written(condition, self.real(value, array.kind, where))]
+        self.written = self.written or outside
 
     def _if(self, node: Any) -> None:
-        condition = as_condition(self.value(node.cond), node.coord)
+        condition = self.condition(self.value(node.cond), node.coord)
         if isinstance(condition, bool):
             taken = node.iftrue if condition else node.iffalse
             if taken is not None:
@@ -195,65 +190,23 @@ class Statements(Expressions):
             return
         variables = [v for s in self.scopes for v in s.values() if isinstance(v, Variable)]
         before = [v.value for v in variables]
-        self.guards += 1
         ends: list[list[Value | None]] = []
-        for branch in (node.iftrue, node.iffalse):
+        for branch, holds in ((node.iftrue, condition), (node.iffalse, negation(condition))):
             for variable, value in zip(variables, before, strict=True):
                 variable.value = value
             if branch is not None:
+                self.guards.append(Guard(holds, True))
                 self._block(c_ast.Compound([branch]))
+                self.guards.pop()
             ends.append([v.value for v in variables])
-        self.guards -= 1
         for variable, yes, no in zip(variables, *ends, strict=True):
             if yes != no:
                 sides = (as_decision(side, node.coord) for side in (yes, no))
                 variable.value = of_decision(choice(condition, *sides))
 
-    # ------------------------------------------------------------------ loops
 
-    def _for(self, node: Any) -> None:
-        """``for (int i = a; i < b; ++i)``; over lanes where b is an argument."""
-        where = node.coord
-        counter = node.init.decls[0] if isinstance(node.init, c_ast.DeclList) else None
-        cond, step = node.cond, node.next
-        fits = (
-            counter is not None
-            and len(node.init.decls) == 1
-            and isinstance(cond, c_ast.BinaryOp)
-            and isinstance(cond.left, c_ast.ID)
-            and cond.left.name == counter.name
-            and cond.op == "<"
-            and isinstance(step, c_ast.UnaryOp)
-            and step.op in ("++", "p++")
-            and isinstance(step.expr, c_ast.ID)
-            and step.expr.name == counter.name
-        )
-        if counter is None or not fits or declared(counter).kind != "int":
-            raise ExpressionError(f"{where}: a loop is expected as for (int i = 0; i < n; ++i)")
-        first, last = self.value(counter.init), self.value(cond.right)
-        if not isinstance(first, Whole) or not isinstance(last, Whole) or first.known is None:
-            raise ExpressionError(f"{where}: the bounds of this loop are not known here")
-        if last.known is None:
-            self._over_lanes(node, counter, first.known, last)
-            return
-        if last.known - first.known > MOST_TURNS:
-            raise ExpressionError(f"{where}: more than {MOST_TURNS} turns of a loop")
-        for turn in range(first.known, last.known):
-            self._turn(node, counter, whole(turn))
-
-    def _turn(self, node: Any, counter: Any, value: Whole) -> None:
-        kind = Type("int", True, 0, None, "const int")
-        self.scopes.append({counter.name: Variable(counter.name, kind, value)})
-        self.statement(node.stmt)
-        self.scopes.pop()
-
-    def _over_lanes(self, node: Any, counter: Any, first: int, last: Whole) -> None:
-        """The body once, for a lane that stands for all of them."""
-        if first != 0 or self.lane or self.guards or len(last.terms) != 1:
-            raise ExpressionError(f"{node.coord}: a loop over all lanes is expected, i = 0 to n")
-        if self.counted:
-            raise ExpressionError(f"{node.coord}: a second loop over lanes is not known here")
-        self.counted = str(last)
-        self.lane, self.lane_scope = f"lane {counter.name}", len(self.scopes)
-        self._turn(node, counter, unknown(self.lane))
-        self.lane = ""
+def _is_skip(node: Any) -> bool:
+    """``if (...) continue;``."""
+    if not isinstance(node, c_ast.If) or node.iffalse is not None:
+        return False
+    return isinstance(node.iftrue, c_ast.Continue)

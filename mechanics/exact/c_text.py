@@ -17,7 +17,7 @@ from mechanics.exact.c_tokens import Line, lines, tokens, touching
 SYSTEM = frozenset({"math.h", "stddef.h", "stdint.h", "string.h", "stdio.h", "float.h", "stdlib.h"})
 """Headers of the C library; what is used of them is known to the reader of the program."""
 
-PRAGMAS = ("omp simd", "GCC ivdep", "clang loop vectorize(enable)", "STDC FP_CONTRACT OFF")
+PRAGMAS = ("omp simd", "GCC ivdep", "clang loop vectorize(assume_safety)", "STDC FP_CONTRACT OFF")
 """They promise what is proved (lanes are independent) or ask for what is assumed."""
 
 

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import Any, NamedTuple
 
 from mechanics.errors import ExpressionError
-from mechanics.exact.c_condition import Choice, Condition, Decision, joined, negation
+from mechanics.exact.c_condition import Choice, Condition, Decision, choice, joined, negation
+from mechanics.exact.c_program import Written
 from mechanics.exact.c_types import Type
 from mechanics.exact.c_whole import Whole, whole
 
@@ -38,8 +40,10 @@ class Array:
         Of the argument among the parameters; None for a local array.
     stride : str
     constant : bool
-    entries : dict of int to Real
-        What is known of a local array, or was written to an output.
+    guards : int
+        Conditions under which it was declared.
+    entries : dict of int to list of Written
+        What was written.
     """
 
     name: str
@@ -48,7 +52,8 @@ class Array:
     place: int | None = None
     stride: str = ""
     constant: bool = False
-    entries: dict[int, Real] = field(default_factory=dict)
+    guards: int = 0
+    entries: dict[int, list[Written]] = field(default_factory=dict)
 
 
 class Pointer(NamedTuple):
@@ -71,6 +76,7 @@ class Variable:
     name: str
     type: Type
     value: Value | None = None
+    guards: int = 0
 
 
 Value = Real | Whole | Choice | Truth | Pointer | Address
@@ -120,3 +126,20 @@ def _value(decision: Decision) -> Value:
 def of_decision(decision: Decision) -> Value:
     """The value that a decision is."""
     return _value(decision)
+
+
+def compared(op: str, left: Decision, right: Decision) -> Decision:
+    """1 where two integers that depend on conditions compare so, else 0."""
+    if isinstance(left, Choice):
+        sides = (compared(op, side, right) for side in (left.yes, left.no))
+        return choice(left.condition, *sides)
+    if isinstance(right, Choice):
+        sides = (compared(op, left, side) for side in (right.yes, right.no))
+        return choice(right.condition, *sides)
+    return int(COMPARISONS[op](left, right))
+
+
+COMPARISONS: dict[str, Callable[[int, int], int]] = {
+    "<": int.__lt__, "<=": int.__le__, ">": int.__gt__, ">=": int.__ge__,
+    "==": int.__eq__, "!=": int.__ne__, "|": int.__or__,
+}  # fmt: skip
