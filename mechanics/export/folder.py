@@ -37,9 +37,9 @@ def write_folder(target: Path, name: str, files: Mapping[str, str]) -> tuple[Pat
         for file, text in files.items():
             # The same bytes everywhere, whatever the machine takes for an end of line.
             (target / file).write_bytes(text.encode("utf-8"))
-        for file, digest in held.items():
-            if file not in files and _digest(target / file) == digest:
-                (target / file).unlink()
+        for file in list(target.iterdir()):
+            if file.name not in files and _digest(file) == held.get(file.name, ""):
+                file.unlink()
     except OSError as error:
         raise InputError(
             f"{target} cannot be written: {error.strerror}: name a folder that can be"

@@ -34,10 +34,13 @@ def chosen_prefix(model: Model, name: str | None) -> str:
     """
     wanted = model.equations.scene.name if name is None else name
     free = free_prefix(wanted)
-    if name not in (None, free):
-        why = "taken by a header, a library or CMake" if name in TAKEN else "no C identifier"
-        raise InputError(f"name {name!r} is {why}: {free!r} would do")
-    return free
+    if name in (None, free):
+        return free
+    if wanted.lower() in TAKEN:
+        raise InputError(
+            f"name {name!r} hides a header, a library or a target of CMake: {free!r} would not"
+        )
+    raise InputError(f"name {name!r} is no C identifier that is free: {free!r} would be one")
 
 
 def free_prefix(text: str) -> str:

@@ -24,13 +24,25 @@ def modelled() -> Callable[[str, str], Model]:
     return _modelled
 
 
+@pytest.fixture(scope="session")
+def needed() -> Callable[[str], str]:
+    """Path of a tool; what is not installed is skipped, and fails in CI."""
+
+    def path(tool: str) -> str:
+        found = shutil.which(tool)
+        if found is None and os.environ.get("MECHANICS_CI"):
+            pytest.fail(f"{tool} is not installed: .ci/run has a table of packages")
+        if found is None:
+            pytest.skip(f"no {tool} here")
+        return found
+
+    return path
+
+
 @pytest.fixture(params=["gcc", "clang"])
-def compiler(request: pytest.FixtureRequest) -> str:
-    """Each C compiler in turn; what is not installed is skipped."""
-    found = shutil.which(request.param)
-    if found is None:
-        pytest.skip(f"no {request.param} here")
-    return found
+def compiler(request: pytest.FixtureRequest, needed: Callable[[str], str]) -> str:
+    """Each C compiler in turn."""
+    return needed(request.param)
 
 
 @pytest.fixture(scope="session")
