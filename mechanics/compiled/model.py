@@ -6,14 +6,12 @@ code where a C compiler is found and by CasADi's virtual machine where none is.
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
-from functools import cached_property
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from sympy import Expr, Symbol
 
-from mechanics.compiled.c.status import WATCHED, with_watched
 from mechanics.compiled.checked import checked
 from mechanics.compiled.fixed import read_fixed, words
 from mechanics.compiled.given import given_array
@@ -21,7 +19,8 @@ from mechanics.compiled.graphs import MATRICES, Graphs
 from mechanics.compiled.machine.buffer import Buffer
 from mechanics.compiled.machine.evaluator import FLAGS, Kernel, evaluator
 from mechanics.compiled.machine.native import find_compiler
-from mechanics.compiled.program import Program, program
+from mechanics.compiled.program import Program
+from mechanics.compiled.programs import Programs
 from mechanics.compiled.quantities import DIGITS, Quantities
 from mechanics.equations import Equations
 from mechanics.errors import InputError
@@ -44,6 +43,8 @@ class Model:
         Every function as a CasADi graph with named inputs and outputs, built on first use.
     compiler : str or None
         Path of the C compiler; None for the virtual machine.
+    programs : Programs
+        What C is printed from.
     flags : str
         Settings of the C compiler.
     """
@@ -51,8 +52,8 @@ class Model:
     equations: Equations
     casadi: Graphs
     compiler: str | None
+    programs: Programs
     flags: str = FLAGS[0]
-    _programs: dict[str, Program] = field(default_factory=dict, repr=False)
     _kernels: dict[tuple[str, type], Kernel] = field(default_factory=dict, repr=False)
 
     @property
@@ -89,25 +90,21 @@ class Model:
         return np.array(self.quantities.typical, dtype=float)
 
     def program(self, name: str) -> Program:
-        """Instructions of a function."""
-        if name not in self._programs:
-            own = name.removesuffix(WATCHED)
-            code = program(self.casadi[own])
-            self._programs[name] = code if own == name else with_watched(code)
-        return self._programs[name]
+        """Instructions of a function, or of a part of it; see `mechanics.compiled.programs`."""
+        return self.programs[name]
 
-    @cached_property
+    @property
     def entries(self) -> dict[str, tuple[str, ...]]:
         """Names of the entries of every input."""
-        groups = ("q", "u", "inputs", "p", "ud", "multipliers", "h")
-        return {g: tuple(e.name for e in getattr(self.quantities, g)) for g in groups}
+        return self.programs.entries
 
     def kernel(self, name: str, kind: type[np.floating] = np.float64) -> Kernel:
         """The evaluator of a function in a precision; C is compiled here, on first use."""
         if (name, kind) not in self._kernels:
-            function = None if name.endswith(WATCHED) else self.casadi[name]
+            function = self.casadi[name] if name in tuple(self.casadi) else None
+            code, names = self.program(name), self.programs.names(name)
             self._kernels[name, kind] = evaluator(
-                function, self.program(name), self.entries, kind, self.compiler, self.flags
+                function, code, names, kind, self.compiler, self.flags
             )
         return self._kernels[name, kind]
 
@@ -130,7 +127,9 @@ class Model:
             If an array is missing, unknown or has a wrong shape; it is named with both shapes.
         """
         code = self.program(name)
-        given = [self._array(group, kind, arrays) for group, _ in code.inputs]
+        given = [
+            self._array(g, names, kind, arrays) for g, names in self.programs.names(name).items()
+        ]
         unknown = set(arrays) - {group for group, _ in code.inputs}
         if unknown:
             raise InputError(
@@ -152,11 +151,13 @@ class Model:
             shaped[out] = entries if counts else entries[0]
         return shaped
 
-    def _array(self, group: str, kind: type[np.floating], arrays: Mapping[str, Any]) -> Array:
+    def _array(
+        self, group: str, names: Sequence[str], kind: type[np.floating], arrays: Mapping[str, Any]
+    ) -> Array:
         value = arrays.get(group)
         if group == "p" and (value is None or isinstance(value, Mapping)):
             value = self._parameters(value or {})
-        return given_array(group, self.entries[group], kind, value)
+        return given_array(group, names, kind, value)
 
     def _parameters(self, given: Mapping[str, float]) -> Array:
         names = self.entries["p"]
@@ -202,7 +203,8 @@ class Model:
         if not check:
             return self.evaluate("forward_dynamics", **arrays)
         code = self.program("forward_dynamics")
-        given = {g: self._array(g, np.float64, arrays) for g, _ in code.inputs}
+        names = self.programs.names("forward_dynamics")
+        given = {g: self._array(g, names[g], np.float64, arrays) for g, _ in code.inputs}
         return checked(self.equations.scene.name, code, self.entries, given, self.evaluate)
 
     def mass_matrix(
@@ -254,6 +256,7 @@ def compile(
     form: str = "auto",
     fixed: Mapping[str, Any] | None = None,
     outputs: Sequence[str] | None = None,
+    reciprocals: bool = True,
 ) -> Model:
     """Compile equations of motion.
 
@@ -277,6 +280,9 @@ def compile(
         that was typed, 981/100; a text may be a fraction. Terms with a zero factor are dropped.
     outputs : sequence of str, optional
         The functions to have, such as ``("forward_dynamics", "energy")``; by default all.
+    reciprocals : bool
+        Whether several quotients by one divisor are products with its reciprocal: fewer divisions,
+        each product off by at most 1.5 units in the last place instead of 0.5.
 
     Raises
     ------
@@ -288,4 +294,5 @@ def compile(
     """
     found = find_compiler() if compiler == "auto" else compiler
     table = read_fixed(equations.scene, fixed or {})
-    return Model(equations, Graphs(equations, form, table, outputs), found, flags)
+    graphs = Graphs(equations, form, table, outputs)
+    return Model(equations, graphs, found, Programs(graphs, reciprocals), flags)

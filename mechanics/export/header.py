@@ -6,6 +6,7 @@ from mechanics.compiled import Model
 from mechanics.compiled.c.source import signature
 from mechanics.compiled.c.status import Codes
 from mechanics.compiled.graphs import STATE
+from mechanics.compiled.hoist import CONSTANTS
 from mechanics.compiled.quantities import Quantity
 from mechanics.errors import ValueMissingError
 from mechanics.export.precision import Part
@@ -16,6 +17,7 @@ ARRAYS = {
     "ud": "rates of the speeds, u'",
     "inputs": "inputs",
     "p": "parameters",
+    "c": "constants: what prepare makes of the parameters",
     "multipliers": "multipliers: reactions that maintain the constraints",
     "reactions": "reactions",
     "h": "time",
@@ -33,6 +35,10 @@ FUNCTIONS = {
     "coordinate_rates": "Rates of the coordinates: q' = N u + n.",
     "jacobians": "Derivatives of u' by q, u, inputs and p, column by column.",
     "reactions": "The reactions listed above, from the state.",
+    "prepare": "What the forward dynamics use of the parameters only: once for many states.",
+    "forward_dynamics_prepared": "The same accelerations with what the function above makes of p:\n"
+    " * fewer operations. Quotients by a parameter are products with its reciprocal: off by at\n"
+    " * most 1.5 units in the last place each, instead of 0.5.",
     "step": "State at t + h by the classical Runge-Kutta method of order 4, inputs held over the\n"
     " * step: in place with q_next = q and u_next = u.",
 }
@@ -58,7 +64,7 @@ def header(model: Model, part: Part, names: Sequence[str]) -> str:
 """
     sections = [top, statuses(part.codes)]
     for array, title in used_arrays(model, names).items():
-        entries = getattr(model.quantities, array)
+        entries = array_entries(model, array)
         sections.append("\n".join(array_section(model, part, array, title, entries)) + "\n")
     sections.append('#ifdef __cplusplus\nextern "C" {\n#endif\n')
     for name in names:
@@ -88,6 +94,11 @@ def used_arrays(model: Model, names: Sequence[str]) -> dict[str, str]:
         code = model.program(name)
         used |= {array for array, _ in (*code.inputs, *code.shapes)}
     return {array: title for array, title in ARRAYS.items() if array in used}
+
+
+def array_entries(model: Model, array: str) -> Sequence[Quantity]:
+    """What the entries of an array are."""
+    return model.programs.constants if array == CONSTANTS else getattr(model.quantities, array)
 
 
 def fixed_values(model: Model) -> str:

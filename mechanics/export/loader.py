@@ -13,7 +13,7 @@ from mechanics.compiled import Model
 from mechanics.compiled.graphs import MATRICES
 from mechanics.errors import ValueMissingError
 from mechanics.export import loader_template
-from mechanics.export.header import used_arrays
+from mechanics.export.header import array_entries, used_arrays
 from mechanics.export.precision import Part
 
 LINE = 80
@@ -61,7 +61,7 @@ def _tables(model: Model, name: str, parts: Sequence[Part], names: Sequence[str]
         "PREFIXES": {part.precision: part.prefix for part in parts},
         "SOURCES": {part.precision: (f"{part.prefix}.c",) for part in parts},
         "ARRAYS": {
-            array: tuple((e.name, e.unit, e.meaning) for e in getattr(model.quantities, array))
+            array: tuple((e.name, e.unit, e.meaning) for e in array_entries(model, array))
             for array in used_arrays(model, names)
         },
         "TYPICAL": _typical(model),

@@ -7,7 +7,7 @@ from importlib.metadata import PackageNotFoundError, version
 from typing import Any
 
 from mechanics.compiled import Model
-from mechanics.export.header import used_arrays
+from mechanics.export.header import array_entries, used_arrays
 
 TOOLS = ("mechanics", "casadi", "sympy", "python-flint")
 
@@ -28,7 +28,7 @@ def manifest(model: Model, prefix: str, names: Sequence[str], files: Mapping[str
         "arrays": {
             array: [
                 {"name": e.name, "unit": e.unit, "meaning": e.meaning}
-                for e in getattr(model.quantities, array)
+                for e in array_entries(model, array)
             ]
             for array in used_arrays(model, names)
         },

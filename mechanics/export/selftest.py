@@ -5,10 +5,12 @@ Inputs, expected values and tolerances are hexadecimal floats, so no digit is lo
 """
 
 import textwrap
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 
 from mechanics.compiled import Model
 from mechanics.compiled.c.source import LINE, literal
+from mechanics.compiled.hoist import CONSTANTS, PREPARE, PREPARED
+from mechanics.compiled.programs import PARTS, WHOLE
 from mechanics.export.header import comment
 from mechanics.export.precision import Part
 from mechanics.export.vectors import BITS, ROOM, Vector, vectors
@@ -58,16 +60,21 @@ def selftest(model: Model, part: Part, names: Sequence[str]) -> str:
         fabs="fabs" if part.kind == "double" else "fabsf",
     )  # fmt: skip
     parts = [top]
-    for name in names:
+    # The two parts of a function are called at its states, one after the other.
+    wholes = [name for name in names if name not in PARTS]
+    tested = wholes if len(wholes) == len(names) else dict.fromkeys([*wholes, WHOLE])
+    for name in tested:
         states = vectors(model, name, part.digits)
-        parts.append("\n".join(_test(model, part, name, states)) + "\n")
+        parts.append("\n".join(_test(model, part, name, names, states)) + "\n")
     parts += ["int main(void)", "{", "    int failures = 0;"]
-    parts += [f"    failures += test_{name}();" for name in names]
+    parts += [f"    failures += test_{name}();" for name in tested]
     parts.append(f'    printf("{part.prefix}: %d failures\\n", failures);')
     return "\n".join([*parts, "    return failures > 0;", "}", ""])
 
 
-def _test(model: Model, part: Part, name: str, states: Sequence[Vector]) -> Iterator[str]:
+def _test(
+    model: Model, part: Part, name: str, names: Sequence[str], states: Sequence[Vector]
+) -> Iterator[str]:
     code = model.program(name)
     sizes = [rows * cols for _, (rows, cols) in code.shapes]
     count = len(states)
@@ -82,25 +89,42 @@ def _test(model: Model, part: Part, name: str, states: Sequence[Vector]) -> Iter
             yield from _table(
                 part.kind, f"{out}_tolerance", [state.tolerance[i] for state in states]
             )
-    yield "    int failures = 0;"
+    yield "    int failures = 0, status;"
     yield f"    for (int i = 0; i < {count}; ++i) {{"
     outs = [(out, size) for (out, _), size in zip(code.shapes, sizes, strict=True) if size]
     for out, size in outs:
         yield f"        {part.kind} {out}[{size}];"
-    arguments = [f"{group}_in[i]" for group, size in code.inputs if size]
-    given = ", ".join([*arguments, *(out for out, _ in outs)])
-    yield from _wrapped(f"int status = {part.prefix}_{name}({given});", "        ")
+    arguments = {group: f"{group}_in[i]" for group, size in code.inputs if size}
+    if name in names:
+        yield from _call(part, name, arguments, outs)
+    if name == WHOLE and PREPARE in names:
+        size = len(model.programs.constants)
+        yield f"        {part.kind} {CONSTANTS}[{size}];"
+        yield from _call(part, PREPARE, {"p": arguments["p"]}, [(CONSTANTS, size)], False)
+        yield from _call(part, f"{name}{PREPARED}", {**arguments, "p": CONSTANTS}, outs)
+    yield "    }"
+    yield "    return failures;"
+    yield "}"
+
+
+def _call(
+    part: Part,
+    name: str,
+    arguments: Mapping[str, str],
+    outs: Sequence[tuple[str, int]],
+    known: bool = True,
+) -> Iterator[str]:
+    """Call a function and check its status, and its outputs where what to expect is known."""
+    given = ", ".join([*arguments.values(), *(out for out, _ in outs)])
+    yield from _wrapped(f"status = {part.prefix}_{name}({given});", "        ")
     yield f'        failures += check_status("{name}", i, status);'
-    for out, size in outs:
+    for out, size in outs if known else ():
         what = name if len(outs) == 1 else f"{name} {out}"
         yield from _wrapped(
             f'failures += check("{what}", i, {size}, {out}, {out}_expected[i],'
             f" {out}_tolerance[i]);",
             "        ",
         )
-    yield "    }"
-    yield "    return failures;"
-    yield "}"
 
 
 def _table(kind: str, name: str, rows: Sequence[Sequence[float]]) -> Iterator[str]:

@@ -45,7 +45,8 @@ def write_c(
     name : str, optional
         Prefix of files and functions; by default the name of the scene.
     functions : sequence of str, optional
-        Names of functions of the model; by default all.
+        Names of functions of the model; by default all, and the two parts of forward dynamics,
+        ``prepare`` and ``forward_dynamics_prepared``.
     precision : str
         ``"double"``, ``"single"`` (files and functions then begin with NAME_single) or ``"both"``.
 
@@ -64,7 +65,7 @@ def write_c(
     """
     prefix = chosen_prefix(model, name)
     parts = named_parts(prefix, precision)
-    names = tuple(model.casadi) if functions is None else tuple(functions)
+    names = model.programs.written(functions)
     files: dict[str, str] = {}
     for part in parts:
         files |= {
@@ -85,5 +86,6 @@ def implementation(model: Model, part: Part, names: Sequence[str]) -> str:
     for name in names:
         code = model.program(name)
         head = signature(code, part.kind, f"{part.prefix}_{name}", "int")
-        written.append(function_source(code, model.entries, part.kind, head, part.codes))
+        entries = model.programs.names(name)
+        written.append(function_source(code, entries, part.kind, head, part.codes))
     return "\n".join(written)

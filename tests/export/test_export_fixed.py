@@ -36,14 +36,16 @@ def test_the_header_says_what_is_fixed(folder: Path) -> None:
 def test_the_manifest_says_what_is_fixed(folder: Path) -> None:
     content = json.loads((folder / "manifest.json").read_text(encoding="utf-8"))
     assert content["fixed"] == {"g": "981/100", "m": "0"}
-    assert list(content["functions"]) == ["forward_dynamics", "energy"]
+    parts = ["prepare", "forward_dynamics_prepared"]
+    assert list(content["functions"]) == ["forward_dynamics", "energy", *parts]
     assert [entry["name"] for entry in content["arrays"]["p"]] == ["L", "M", "k"]
     assert "reactions" not in content["arrays"]
 
 
 def test_the_code_holds_nothing_else(folder: Path) -> None:
     text = (folder / "pendulum.c").read_text(encoding="utf-8")
-    assert re.findall(r"pendulum_(\w+)\(", text) == ["forward_dynamics", "energy"]
+    functions = ["forward_dynamics", "energy", "prepare", "forward_dynamics_prepared"]
+    assert re.findall(r"pendulum_(\w+)\(", text) == functions
     assert not re.search(r"\b[gm]\b =", text)
 
 

@@ -469,3 +469,62 @@ int elastic_pendulum_reactions(const double q[2], const double u[2], const doubl
     reactions[2] = v10;
     return status;
 }
+
+int elastic_pendulum_prepare(const double p[5], double c[6])
+{
+    const double L = p[0];
+    const double M = p[1];
+    const double g = p[2];
+    const double k = p[3];
+    const double m = p[4];
+    const double v1 = -0x1.5555555555555p-1 * L;
+    const double v2 = 0x1.5555555555555p+1 * k;
+    const double v3 = 0x1.5555555555555p+0 * (M + m);
+    const double v4 = 1.0 / v1;
+    int status = ELASTIC_PENDULUM_OK;
+    if (!(isfinite(g) && isfinite(v1) && isfinite(v4) && isfinite(M) && isfinite(v2) &&
+        isfinite(v3))) {
+        if (!(isfinite(L) && isfinite(M) && isfinite(g) && isfinite(k) && isfinite(m)))
+            status = ELASTIC_PENDULUM_BAD_INPUT;
+        else
+            status = v1 == 0 ? ELASTIC_PENDULUM_SINGULAR : ELASTIC_PENDULUM_OVERFLOW;
+    }
+    c[0] = g;
+    c[1] = v1;
+    c[2] = v4;
+    c[3] = M;
+    c[4] = v2;
+    c[5] = v3;
+    return status;
+}
+
+int elastic_pendulum_forward_dynamics_prepared(const double q[2], const double u[2],
+    const double c[6], double ud[2])
+{
+    const double x = q[0];
+    const double theta = q[1];
+    const double theta_dot = u[1];
+    const double g = c[0];
+    const double c1 = c[1];
+    const double c2 = c[2];
+    const double M = c[3];
+    const double c4 = c[4];
+    const double c5 = c[5];
+    const double cos_theta = cos(theta);
+    const double sin_theta = sin(theta);
+    const double v1 = (cos_theta * g - theta_dot * (theta_dot * c1)) * (sin_theta * M);
+    const double v2 = c5 - M * (cos_theta * cos_theta);
+    const double v3 = (v1 - x * c4) / v2;
+    const double v4 = (cos_theta * v3 + g * sin_theta) * c2;
+    int status = ELASTIC_PENDULUM_OK;
+    if (!(isfinite(v3) && isfinite(v4) && isfinite(v2))) {
+        if (!(isfinite(x) && isfinite(theta) && isfinite(theta_dot) && isfinite(g) && isfinite(c1)
+            && isfinite(c2) && isfinite(M) && isfinite(c4) && isfinite(c5)))
+            status = ELASTIC_PENDULUM_BAD_INPUT;
+        else
+            status = v2 == 0 ? ELASTIC_PENDULUM_SINGULAR : ELASTIC_PENDULUM_OVERFLOW;
+    }
+    ud[0] = v3;
+    ud[1] = v4;
+    return status;
+}

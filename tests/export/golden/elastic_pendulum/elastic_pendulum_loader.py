@@ -45,6 +45,14 @@ ARRAYS = {
         ('k', 'N/m', 'stiffness of each of the two springs'),
         ('m', 'kg', 'mass of the carriage'),
     ),
+    'c': (
+        ('g', 'm/s^2', 'acceleration of gravity'),
+        ('c1', '', 'made of parameters'),
+        ('c2', '', 'made of parameters'),
+        ('M', 'kg', 'mass of the pendulum'),
+        ('c4', '', 'made of parameters'),
+        ('c5', '', 'made of parameters'),
+    ),
     'multipliers': (),
     'reactions': (('T', 'N', ''), ('N', 'N', ''), ('N1', 'N', '')),
     'h': (('h', 's', 'length of the step'),),
@@ -74,6 +82,8 @@ FUNCTIONS = {
         (('q_next', (2,)), ('u_next', (2,))),
     ),
     'reactions': ((('q', 2), ('u', 2), ('p', 5)), (('reactions', (3,)),)),
+    'prepare': ((('p', 5),), (('c', (6,)),)),
+    'forward_dynamics_prepared': ((('q', 2), ('u', 2), ('c', 6)), (('ud', (2,)),)),
 }
 # End of what was generated.
 

@@ -69,12 +69,18 @@ static int test_forward_dynamics(void)
         {0x1p-46, 0x1p-42},
         {0x1p-50, 0x1p-48},
     };
-    int failures = 0;
+    int failures = 0, status;
     for (int i = 0; i < 5; ++i) {
         double ud[2];
-        int status = elastic_pendulum_forward_dynamics(q_in[i], u_in[i], p_in[i], ud);
+        status = elastic_pendulum_forward_dynamics(q_in[i], u_in[i], p_in[i], ud);
         failures += check_status("forward_dynamics", i, status);
         failures += check("forward_dynamics", i, 2, ud, ud_expected[i], ud_tolerance[i]);
+        double c[6];
+        status = elastic_pendulum_prepare(p_in[i], c);
+        failures += check_status("prepare", i, status);
+        status = elastic_pendulum_forward_dynamics_prepared(q_in[i], u_in[i], c, ud);
+        failures += check_status("forward_dynamics_prepared", i, status);
+        failures += check("forward_dynamics_prepared", i, 2, ud, ud_expected[i], ud_tolerance[i]);
     }
     return failures;
 }
@@ -116,10 +122,10 @@ static int test_mass_matrix(void)
         {0.0, 0x1p-53, 0x1p-53, 0x1p-57},
         {0.0, 0x1p-54, 0x1p-54, 0x1p-55},
     };
-    int failures = 0;
+    int failures = 0, status;
     for (int i = 0; i < 5; ++i) {
         double mass_matrix[4];
-        int status = elastic_pendulum_mass_matrix(q_in[i], u_in[i], p_in[i], mass_matrix);
+        status = elastic_pendulum_mass_matrix(q_in[i], u_in[i], p_in[i], mass_matrix);
         failures += check_status("mass_matrix", i, status);
         failures += check("mass_matrix", i, 4, mass_matrix, mass_matrix_expected[i],
             mass_matrix_tolerance[i]);
@@ -164,10 +170,10 @@ static int test_forcing(void)
         {0x1p-48, 0x1p-52},
         {0x1p-51, 0x1p-62},
     };
-    int failures = 0;
+    int failures = 0, status;
     for (int i = 0; i < 5; ++i) {
         double forcing[2];
-        int status = elastic_pendulum_forcing(q_in[i], u_in[i], p_in[i], forcing);
+        status = elastic_pendulum_forcing(q_in[i], u_in[i], p_in[i], forcing);
         failures += check_status("forcing", i, status);
         failures += check("forcing", i, 2, forcing, forcing_expected[i], forcing_tolerance[i]);
     }
@@ -218,10 +224,10 @@ static int test_residual(void)
         {0x1p-47, 0x1p-51},
         {0x1p-46, 0x1p-50},
     };
-    int failures = 0;
+    int failures = 0, status;
     for (int i = 0; i < 5; ++i) {
         double residual[2];
-        int status = elastic_pendulum_residual(q_in[i], u_in[i], p_in[i], ud_in[i], residual);
+        status = elastic_pendulum_residual(q_in[i], u_in[i], p_in[i], ud_in[i], residual);
         failures += check_status("residual", i, status);
         failures += check("residual", i, 2, residual, residual_expected[i], residual_tolerance[i]);
     }
@@ -272,10 +278,10 @@ static int test_inverse_dynamics(void)
         {0x1p-44, 0x1p-48},
         {0x1p-45, 0x1p-49},
     };
-    int failures = 0;
+    int failures = 0, status;
     for (int i = 0; i < 5; ++i) {
         double forces[2];
-        int status = elastic_pendulum_inverse_dynamics(q_in[i], u_in[i], p_in[i], ud_in[i], forces);
+        status = elastic_pendulum_inverse_dynamics(q_in[i], u_in[i], p_in[i], ud_in[i], forces);
         failures += check_status("inverse_dynamics", i, status);
         failures += check("inverse_dynamics", i, 2, forces, forces_expected[i],
             forces_tolerance[i]);
@@ -348,12 +354,12 @@ static int test_energy(void)
         {0x1p-45},
         {0x1p-52},
     };
-    int failures = 0;
+    int failures = 0, status;
     for (int i = 0; i < 5; ++i) {
         double kinetic[1];
         double potential[1];
         double total[1];
-        int status = elastic_pendulum_energy(q_in[i], u_in[i], p_in[i], kinetic, potential, total);
+        status = elastic_pendulum_energy(q_in[i], u_in[i], p_in[i], kinetic, potential, total);
         failures += check_status("energy", i, status);
         failures += check("energy kinetic", i, 1, kinetic, kinetic_expected[i],
             kinetic_tolerance[i]);
@@ -429,13 +435,12 @@ static int test_momenta(void)
         {0x1p-46, 0x1p-50},
         {0x1p-51, 0x1p-55},
     };
-    int failures = 0;
+    int failures = 0, status;
     for (int i = 0; i < 5; ++i) {
         double linear[3];
         double angular[3];
         double generalized[2];
-        int status = elastic_pendulum_momenta(q_in[i], u_in[i], p_in[i], linear, angular,
-            generalized);
+        status = elastic_pendulum_momenta(q_in[i], u_in[i], p_in[i], linear, angular, generalized);
         failures += check_status("momenta", i, status);
         failures += check("momenta linear", i, 3, linear, linear_expected[i], linear_tolerance[i]);
         failures += check("momenta angular", i, 3, angular, angular_expected[i],
@@ -483,10 +488,10 @@ static int test_coordinate_rates(void)
         {0.0, 0.0},
         {0.0, 0.0},
     };
-    int failures = 0;
+    int failures = 0, status;
     for (int i = 0; i < 5; ++i) {
         double qd[2];
-        int status = elastic_pendulum_coordinate_rates(q_in[i], u_in[i], p_in[i], qd);
+        status = elastic_pendulum_coordinate_rates(q_in[i], u_in[i], p_in[i], qd);
         failures += check_status("coordinate_rates", i, status);
         failures += check("coordinate_rates", i, 2, qd, qd_expected[i], qd_tolerance[i]);
     }
@@ -571,12 +576,12 @@ static int test_jacobians(void)
         {0x1p-42, 0x1p-37, 0x1p-45, 0x1p-42, 0x1p-48, 0x1p-44, 0x1p-48, 0x1p-44, 0x1p-47, 0x1p-43},
         {0x1p-51, 0x1p-45, 0x1p-49, 0x1p-44, 0x1p-62, 0x1p-57, 0x1p-51, 0x1p-48, 0x1p-51, 0x1p-49},
     };
-    int failures = 0;
+    int failures = 0, status;
     for (int i = 0; i < 5; ++i) {
         double ud_q[4];
         double ud_u[4];
         double ud_p[10];
-        int status = elastic_pendulum_jacobians(q_in[i], u_in[i], p_in[i], ud_q, ud_u, ud_p);
+        status = elastic_pendulum_jacobians(q_in[i], u_in[i], p_in[i], ud_q, ud_u, ud_p);
         failures += check_status("jacobians", i, status);
         failures += check("jacobians ud_q", i, 4, ud_q, ud_q_expected[i], ud_q_tolerance[i]);
         failures += check("jacobians ud_u", i, 4, ud_u, ud_u_expected[i], ud_u_tolerance[i]);
@@ -643,11 +648,11 @@ static int test_step(void)
         {0x1p-49, 0x1p-46},
         {0x1p-52, 0x1p-49},
     };
-    int failures = 0;
+    int failures = 0, status;
     for (int i = 0; i < 5; ++i) {
         double q_next[2];
         double u_next[2];
-        int status = elastic_pendulum_step(q_in[i], u_in[i], p_in[i], h_in[i], q_next, u_next);
+        status = elastic_pendulum_step(q_in[i], u_in[i], p_in[i], h_in[i], q_next, u_next);
         failures += check_status("step", i, status);
         failures += check("step q_next", i, 2, q_next, q_next_expected[i], q_next_tolerance[i]);
         failures += check("step u_next", i, 2, u_next, u_next_expected[i], u_next_tolerance[i]);
@@ -692,10 +697,10 @@ static int test_reactions(void)
         {0x1p-45, 0x1p-45, 0x1p-45},
         {0x1p-52, 0x1p-52, 0x1p-48},
     };
-    int failures = 0;
+    int failures = 0, status;
     for (int i = 0; i < 5; ++i) {
         double reactions[3];
-        int status = elastic_pendulum_reactions(q_in[i], u_in[i], p_in[i], reactions);
+        status = elastic_pendulum_reactions(q_in[i], u_in[i], p_in[i], reactions);
         failures += check_status("reactions", i, status);
         failures += check("reactions", i, 3, reactions, reactions_expected[i],
             reactions_tolerance[i]);
