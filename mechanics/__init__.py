@@ -35,6 +35,7 @@ from mechanics.scene import (
 )
 from mechanics.scene.published import published
 from mechanics.scene.system import System
+from mechanics.simulate import Feedback
 from mechanics.trade import trade
 from mechanics.trade.accurate import simulate
 
@@ -42,6 +43,7 @@ __all__ = [
     "ROUTES",
     "CrossCheck",
     "Equations",
+    "Feedback",
     "Finding",
     "MechanicsError",
     "Model",

@@ -85,7 +85,8 @@ def simulate(
         What is not given has its typical value.
     inputs : mapping of str to float or callable
         Inputs as numbers or functions of t; what is not given is zero. Where rates of an input are
-        needed they are given in the same way, ``{"f": sin, "f_dot": cos}``.
+        needed they are given in the same way, ``{"f": sin, "f_dot": cos}``. A control law is a
+        `mechanics.Feedback`: ``{"f": Feedback(lambda t, q, u: -30 * q[0])}``.
     samples : int
         Number of samples at equal distances, both ends included.
     rtol, atol : float

@@ -80,7 +80,7 @@ def domain(
     constants = {symbol: ca.SX(value) for symbol, value in numbers.items()}
     call = Call(state, margins(graphs, state, constants))
     n = len(scene.q)
-    return Domain(scene.conditions, lambda t, y: call(y[:n], y[n:], signals(t))[0][:, 0])
+    return Domain(scene.conditions, lambda t, y: call(y[:n], y[n:], signals(t, y))[0][:, 0])
 
 
 def own_values(model: Model, parameters: Mapping[str, float]) -> dict[Any, float]:

@@ -43,7 +43,7 @@ def flow(model: Model, p: Array, signals: Signals, inputs: Mapping[str, Any]) ->
     rates, accelerations = calls[0].outputs["qd"], calls[1].outputs["ud"]
 
     def rate(t: float, state: Array) -> Array:
-        given = signals(t)
+        given = signals(t, state)
         for call in calls:
             call.inputs["q"][:] = state[:n]
             call.inputs["u"][:] = state[n:]
@@ -68,7 +68,7 @@ def _linear(
 
     def linear(t: float, state: Array) -> Linear:
         q, u = state[:n], state[n:]
-        inertia, turning = call(q, u, signals(t))
+        inertia, turning = call(q, u, signals(t, state))
         return Linear(inertia, constraints.speed(t, q, u)[1], turning)
 
     return linear

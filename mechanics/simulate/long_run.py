@@ -258,10 +258,16 @@ def _phase(
     return times[:last], shift[:last]
 
 
+def _given(problem: Problem, states: Array) -> Array:
+    """Inputs at the times of the states, a row each."""
+    times = problem.times[: len(states)]
+    return np.array([problem.signals(*at) for at in zip(times, states, strict=True)])
+
+
 def _energy(problem: Problem, states: Array) -> Array:
     """Columns: total energy, and the range that its parts run through."""
     n = len(problem.model.quantities.q)
-    given = np.array([problem.signals(t) for t in problem.times[: len(states)]])
+    given = _given(problem, states)
     found = problem.model.energy(states[:, :n], states[:, n:], inputs=given, p=problem.p)
     span = max(float(np.max(found["kinetic"])), float(np.ptp(found["potential"])))
     return np.stack([found["total"], np.full(len(states), span)], axis=1)
@@ -270,7 +276,7 @@ def _energy(problem: Problem, states: Array) -> Array:
 def _momenta(problem: Problem, states: Array) -> Array:
     """Linear and angular momentum, shape (N, 6)."""
     n = len(problem.model.quantities.q)
-    given = np.array([problem.signals(t) for t in problem.times[: len(states)]])
+    given = _given(problem, states)
     found = problem.model.evaluate(
         "momenta", q=states[:, :n], u=states[:, n:], inputs=given, p=problem.p
     )

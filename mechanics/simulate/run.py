@@ -128,7 +128,7 @@ def trajectory(start: Begin, times: Array, found: Samples) -> Trajectory:
     """
     model, quantities = start.model, start.model.quantities
     reached = times[: len(found.states)]
-    given = np.array([start.signals(time) for time in reached])
+    given = np.array([start.signals(*at) for at in zip(reached, found.states, strict=True)])
     n = len(quantities.q)
     states = found.states[:, :n], found.states[:, n:]
     energy = model.energy(*states, inputs=given, p=start.p)

@@ -6,6 +6,7 @@ Every mistake is an `InputError` that says what was found and which names there 
 import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -19,9 +20,11 @@ from mechanics.scene.conditions import condition_parameters
 from mechanics.scene.rates import TIME
 from mechanics.scene.symbols import DOTS
 from mechanics.simulate.consistent import Suggestion
+from mechanics.simulate.feedback import Feedback
 
 Array = NDArray[np.float64]
-Signal = Callable[[float], float]
+Signal = Callable[[float, Array | None], float]
+"""Of time, and of the state where it is known."""
 Given = Mapping[str, float]
 
 
@@ -69,51 +72,68 @@ def for_equations(scene: Scene, given: Given) -> dict[str, float]:
 
 @dataclass(frozen=True)
 class Signals:
-    """Inputs as functions of time, for the symbols that stand for them and their rates."""
+    """Inputs as functions of time and state, for the symbols of them and of their rates."""
 
     functions: tuple[Signal, ...]
 
-    def __call__(self, t: float) -> Array:
-        """Their values at a time."""
-        return np.array([function(t) for function in self.functions], dtype=float)
+    def __call__(self, t: float, state: Array | None = None) -> Array:
+        """Their values at a time, and at a state (q, u), which feedback needs."""
+        return np.array([function(t, state) for function in self.functions], dtype=float)
 
 
 def read_inputs(scene: Scene, symbols: Sequence[Symbol], given: Mapping[str, Any]) -> Signals:
     """Signals for `symbols`, which are inputs, their rates, and time.
 
     An input that is not given is zero. The rates of an input that is given as a function of time
-    have to be given too, where they are needed: ``{"f": sin, "f_dot": cos}``.
+    have to be given too, where they are needed: ``{"f": sin, "f_dot": cos}``. An input that is a
+    `Feedback` is a function of the state, too.
     """
     bases = [symbol.name for symbol in scene.input_symbols]
     orders = {base + dots: (base, i) for base in bases for i, dots in enumerate(DOTS)}
     _known("input", given, list(orders), "inputs and their rates")
-    signals = {name: _signal(name, value) for name, value in given.items()}
+    n = len(scene.q)
+    signals = {name: _signal(name, value, n) for name, value in given.items()}
 
     def signal(symbol: Symbol) -> Signal:
         if symbol == TIME:
-            return float
+            return _time
         if symbol.name in signals:
             return signals[symbol.name]
         base, order = orders[symbol.name]
         if order and callable(given.get(base)):
             raise InputError(
-                f"input {base} is given as a function of time and its rate {symbol.name} is"
-                " needed: give that function too"
+                f"input {base} is given as a function and its rate {symbol.name} is needed:"
+                " give that function too"
             )
         return _zero
 
     return Signals(tuple(signal(symbol) for symbol in symbols))
 
 
-def _zero(t: float) -> float:
+def _zero(t: float, state: Array | None) -> float:
     return 0.0
 
 
-def _signal(name: str, value: Any) -> Signal:
+def _time(t: float, state: Array | None) -> float:
+    return t
+
+
+def _signal(name: str, value: Any, n: int) -> Signal:
+    if isinstance(value, Feedback):
+        return partial(_fed_back, name, value, n)
     if callable(value):
-        return lambda t: float(value(t))
+        return lambda t, state: float(value(t))
     constant = _number(f"input {name}", value)
-    return lambda t: constant
+    return lambda t, state: constant
+
+
+def _fed_back(name: str, law: Feedback, n: int, t: float, state: Array | None) -> float:
+    if state is None:
+        raise InputError(
+            f"input {name}: it is fed back from the state, and a function of time is needed here:"
+            " a constraint that it moves, or the error of a choice of integrators"
+        )
+    return law(t, state[:n], state[n:])
 
 
 def _known(kind: str, given: Mapping[str, Any], names: Sequence[str], group: str) -> None:

@@ -145,7 +145,8 @@ class Case:
         model, size = self.model(), len(self.equations.scene.q)
         symbols = [entry.symbol for entry in model.quantities.inputs]
         signals = read_inputs(self.equations.scene, symbols, self.inputs)
-        given = np.array([signals(t) for t in self.times[: len(states)]])
+        times = self.times[: len(states)]
+        given = np.array([signals(*at) for at in zip(times, states, strict=True)])
         q, u = states[:, :size], states[:, size:]
         found = model.energy(q, u, inputs=given, p=self.p(model))
         return {name: np.asarray(value, dtype=float) for name, value in found.items()}

@@ -120,7 +120,7 @@ class Rate:
         self.evaluations = self.jacobians = 0
         self._problem, self._kind = problem, kind
         self._y, self._yd = np.zeros(size, kind), np.zeros(size, kind)
-        self._w = np.asarray(problem.signals(0.0), dtype=kind)
+        self._w = np.asarray(problem.signals(0.0, problem.start), dtype=kind)
         self._p = np.asarray(problem.p, dtype=kind)
         arrays = [self._y, self._w, self._p, self._yd]
         self._run = _bound(model, rate_function(model), kind, arrays)
@@ -135,7 +135,7 @@ class Rate:
         self.evaluations += 1
         self._y[:] = y
         if self._varying:
-            self._w[:] = self._signals(t)
+            self._w[:] = self._signals(t, y)
         self._run()
         return self._yd.astype(float)
 
@@ -148,7 +148,7 @@ class Rate:
         self.jacobians += 1
         self._y[:] = y
         if self._varying:
-            self._w[:] = self._signals(t)
+            self._w[:] = self._signals(t, y)
         self._run_slope()
         size = len(self._y)
         return self._slope.astype(float).reshape(size, size).T
@@ -160,7 +160,7 @@ def unsound(problem: Problem) -> str:
     names = (*model.entries["q"], *model.entries["u"])
     given = [*zip(names, problem.start, strict=True)]
     given += [*zip(model.entries["p"], problem.p, strict=True)]
-    given += [*zip(model.entries["inputs"], problem.signals(0.0), strict=True)]
+    given += [*zip(model.entries["inputs"], problem.signals(0.0, problem.start), strict=True)]
     for name, value in given:
         if not np.isfinite(value):
             return f"{name} is {value}: a finite number is needed"

@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.integrate import DOP853, LSODA, RK45, OdeSolver, Radau
 
+from mechanics.simulate.feedback import Feedback
 from mechanics.simulate.integrators.problem import (
     Integrator,
     Outcome,
@@ -39,7 +40,9 @@ def _suits(method: type[OdeSolver], problem: Problem, setting: Setting) -> str:
 def _prepare(method: type[OdeSolver], problem: Problem, setting: Setting) -> Callable[[], Outcome]:
     rate = Rate(problem, setting.kind)
     options: dict[str, Any] = {"rtol": setting.tolerance, "atol": setting.tolerance}
-    if method in IMPLICIT:
+    fed_back = any(isinstance(value, Feedback) for value in problem.inputs.values())
+    # The compiled Jacobian holds inputs; where they follow the state, SciPy takes differences.
+    if method in IMPLICIT and not fed_back:
         options["jac"] = rate.jacobian
         rate.jacobian(0.0, problem.start)
 
