@@ -8,8 +8,8 @@ B lambda are the reactions that maintain the constraints. A route that solves fo
 has no lambda, and fewer rows.
 """
 
-from collections.abc import Callable
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
 from functools import cached_property
 
 from sympy import Expr, Matrix, Symbol
@@ -96,6 +96,8 @@ class Equations:
         What the route picked, in words: free bodies and moment centres.
     explain : callable
         Makes the steps of the derivation, for people; called when they are first asked for.
+    fixed : mapping of Symbol to Expr
+        Parameters that stand as numbers in these equations, while the scene still names them.
     """
 
     scene: Scene
@@ -111,6 +113,7 @@ class Equations:
     free_bodies: tuple[FreeBodyRow, ...] = ()
     chosen: tuple[str, ...] = ()
     explain: Callable[[], tuple[Step, ...]] = tuple
+    fixed: Mapping[Symbol, Expr] = field(default_factory=dict)
 
     @cached_property
     def reactions(self) -> tuple[tuple[Symbol, Expr], ...]:

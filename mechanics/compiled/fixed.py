@@ -112,6 +112,7 @@ def fix(equations: Equations, table: Fixed) -> Equations:
         constraint_matrix=put(equations.constraint_matrix),
         constraint_bias=put(equations.constraint_bias),
         solve_reactions=equations.solve_reactions and partial(_reactions, equations, table),
+        fixed={**equations.fixed, **table},
     )
     left, _ = fixed.system
     if generic_rank(left.tolist()) < left.rows:

@@ -122,7 +122,7 @@ def quantities(
         q=motion(scene.q, angles, 0),
         u=motion(scene.u, turning, 1),
         ud=motion(scene.ud, rates, 2),
-        inputs=tuple(_input(scene, symbol) for symbol in _given(equations, reactions)),
+        inputs=tuple(_input(scene, symbol) for symbol in input_symbols(equations, reactions)),
         p=tuple(_parameter(symbol) for symbol in scene.parameters if symbol not in known),
         multipliers=tuple(
             declared.get(s, Quantity(s, "", "multiplier")) for s in equations.multipliers
@@ -180,7 +180,9 @@ def _turns(scene: Scene, speed: Symbol, angles: set[Symbol]) -> bool:
     return any(q in angles for q in driven)
 
 
-def _given(equations: Equations, reactions: Iterable[tuple[Symbol, Expr]]) -> list[Symbol]:
+def input_symbols(
+    equations: Equations, reactions: Iterable[tuple[Symbol, Expr]] = ()
+) -> list[Symbol]:
     """Inputs in the scene's order, then their rates up to the highest that occurs, then time.
 
     Energies and momenta hold the lower rates where the equations hold a higher one.

@@ -7,6 +7,8 @@
     rearranged     pivots d_i = m_i / m_(i+1), minors written without a subtraction where they can
     refined        x + K^-1 (k - K x): one step of iterative refinement (Skeel 1980)
     fewest         nested polynomials, in quotients or eliminated, if they take fewer operations
+    recursive      bodies of a tree from its leaves to its root and back
+    sparse         the same with the constraints of closed loops, where few entries fill in
 
 Each solves K x = k, K = [[M, -B], [A, 0]], x = (u', lambda), and its graph is proved to.
 """
@@ -14,86 +16,30 @@ Each solves K x = k, K = [[M, -B], [A, 0]], x = (u', lambda), and its graph is p
 from collections.abc import Callable, Iterator
 from contextlib import suppress
 from dataclasses import dataclass
-from functools import cached_property
 from math import ceil, inf, isfinite, log10
 
 import casadi as ca
 from sympy import Matrix
 
+from mechanics.compiled.forms import recursive, sparse
 from mechanics.compiled.forms.entries import nested_entries
 from mechanics.compiled.forms.factor import (
-    Pivots,
     solve_explicit,
     solve_general,
     solve_symmetric,
     solve_with_pivots,
 )
 from mechanics.compiled.forms.fewest import nested_quotients
-from mechanics.compiled.forms.primitive import Primitive, primitive
+from mechanics.compiled.forms.primitive import primitive
 from mechanics.compiled.forms.rearranged import MOST, trailing_minors
+from mechanics.compiled.forms.system import System, is_symmetric
 from mechanics.compiled.program import operations
-from mechanics.compiled.translate import Translator
 from mechanics.equations import Equations
 from mechanics.errors import ExpressionError, InputError
 from mechanics.exact import TooLarge
 
 ROUNDINGS = 8.0
 """Backward error that the form with the fewest operations may have, in roundings."""
-
-
-@dataclass(frozen=True, eq=False)
-class System:
-    """What a form starts from.
-
-    Attributes
-    ----------
-    equations : Equations
-    translate : Translator
-    choose : callable
-        From graphs of a square matrix and a column to the pivots that suit them.
-    error : callable
-        From the graph of a solution to its largest backward error at states that are tried, in
-        roundings.
-    """
-
-    equations: Equations
-    translate: Translator
-    choose: Callable[[ca.SX, ca.SX], Pivots]
-    error: Callable[[ca.SX], float]
-
-    @cached_property
-    def graphs(self) -> tuple[ca.SX, ca.SX]:
-        """K and k."""
-        left, right = self.equations.system
-        return self.translate.matrix(left), self.translate.matrix(right)
-
-    @cached_property
-    def symmetric(self) -> bool:
-        """Whether K is the mass matrix of conjugate rows."""
-        return is_symmetric(self.equations)
-
-    @cached_property
-    def pivots(self) -> Pivots:
-        """Rows and columns in the order in which they are eliminated."""
-        n = self.graphs[0].shape[0]
-        if self.symmetric:
-            return tuple((i, i) for i in reversed(range(n)))
-        return self.choose(*self.graphs)
-
-    def solve(self, rhs: ca.SX) -> ca.SX:
-        """K^-1 of any columns, by the form that suits every system."""
-        return self.eliminated(self.graphs[0], rhs)
-
-    def eliminated(self, matrix: ca.SX, rhs: ca.SX) -> ca.SX:
-        """K^-1 of any columns, where K may be written in another way."""
-        if self.symmetric:
-            return solve_symmetric(matrix, rhs)
-        return solve_general(matrix, rhs, self.pivots)
-
-    @cached_property
-    def primitive(self) -> Primitive:
-        """The system without common factors."""
-        return primitive(*self.equations.system)
 
 
 @dataclass(frozen=True)
@@ -115,12 +61,6 @@ class Form:
     meaning: str
     unsuited: Callable[[Equations], str]
     solve: Callable[[System], ca.SX]
-
-
-def is_symmetric(equations: Equations) -> bool:
-    """Whether K is a symmetric positive definite mass matrix."""
-    free = not equations.multipliers and not equations.constraint_matrix.rows
-    return equations.conjugate and free
 
 
 def named_form(name: str, equations: Equations) -> Form:
@@ -277,6 +217,15 @@ REFINED = Form("refined", "elimination and one step of refinement", _always, _re
 
 FEWEST = Form("fewest", "nested polynomials, in quotients or eliminated", _nestable, _fewest)
 
-FORMS: tuple[Form, ...] = (EXPLICIT, LDL, ELIMINATION, PRIMITIVE, REARRANGED, REFINED, FEWEST)
+RECURSIVE = Form(
+    "recursive", "bodies from leaves to root and back", recursive.unsuited, recursive.solve
+)
+SPARSE = Form(
+    "sparse", "bodies and constraints, where few entries fill in", sparse.unsuited, sparse.solve
+)
+
+FORMS: tuple[Form, ...] = (
+    EXPLICIT, LDL, ELIMINATION, PRIMITIVE, REARRANGED, REFINED, FEWEST, RECURSIVE, SPARSE,
+)  # fmt: skip
 PREFERRED: tuple[Form, ...] = (FEWEST, LDL, ELIMINATION)
 """What ``"auto"`` takes, the first that suits."""

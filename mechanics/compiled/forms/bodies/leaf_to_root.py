@@ -1,0 +1,175 @@
+"""The order in which unknowns are eliminated: leaves first, the cheapest step at a time.
+
+An unknown may go when nothing is defined by it any more. What steps cost is counted before they are
+taken, so where nothing is coupled nothing is multiplied.
+"""
+
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
+
+import casadi as ca
+
+from mechanics.compiled.forms.bodies.affine import Affine, Unknown
+from mechanics.compiled.forms.bodies.gauss import Gauss, minimise, put, turn
+
+Rule = Callable[[str, int, int], tuple[int, ...]]
+"""From the kind of a step, its cost and its age to what is least for the step to take next."""
+
+
+def cheapest(kind: str, cost: int, age: int) -> tuple[int, ...]:
+    """Whatever multiplies least."""
+    return (cost, age)
+
+
+def free_first(kind: str, cost: int, age: int) -> tuple[int, ...]:
+    """Free unknowns before those that are defined."""
+    return (kind not in ("swap", "minimise"), cost, age)
+
+
+def outermost(kind: str, cost: int, age: int) -> tuple[int, ...]:
+    """What was defined last: body by body, as the articulated-body algorithm does."""
+    return (kind != "swap", age)
+
+
+RULES: tuple[Rule, ...] = (free_first, cheapest, outermost)
+
+
+@dataclass(frozen=True)
+class Solved:
+    """``unknown = value / divisor``, in unknowns that are eliminated later."""
+
+    unknown: Unknown
+    value: Affine
+    divisor: ca.SX | None = None
+
+
+def eliminated(
+    g: Gauss,
+    unknowns: Sequence[Unknown],
+    nonzero: Callable[[ca.SX], bool],
+    rule: Rule,
+    multipliers: Sequence[Unknown] = (),
+) -> list[Solved]:
+    """Eliminate every unknown, those that others are defined by after these.
+
+    Parameters
+    ----------
+    g : Gauss
+        Is used up.
+    unknowns : sequence
+        Free ones, and those that G defines, the latter in order.
+    nonzero : callable
+        Whether a graph is known not to vanish.
+    rule : Rule
+    multipliers : sequence
+        Those of the unknowns that have no square in G.
+    """
+    work = _Work(g, unknowns, nonzero, multipliers)
+    solved: list[Solved] = []
+    while work.left:
+        steps = {rule(kind, cost, work.left[y]): (kind, y) for kind, cost, y in work.steps()}
+        solved += work.take(*steps[min(steps)])
+    return solved
+
+
+def values(solved: Sequence[Solved]) -> dict[Unknown, ca.SX]:
+    """The value of every unknown: the last that was eliminated comes first."""
+    found: dict[Unknown, ca.SX] = {}
+    for entry in reversed(solved):
+        total = entry.value.constant
+        for unknown, coefficient in entry.value.coefficients.items():
+            total = total + coefficient * found[unknown]
+        found[entry.unknown] = total if entry.divisor is None else total / entry.divisor
+    return found
+
+
+class _Work:
+    """What is left to eliminate."""
+
+    def __init__(
+        self,
+        g: Gauss,
+        unknowns: Sequence[Unknown],
+        nonzero: Callable[[ca.SX], bool],
+        multipliers: Sequence[Unknown],
+    ) -> None:
+        self.g, self.nonzero, self.multipliers = g, nonzero, set(multipliers)
+        # The age of an unknown: the last that was defined is the youngest.
+        self.left = {unknown: age for age, unknown in enumerate(reversed(unknowns))}
+        self.users: dict[Unknown, set[Unknown]] = {unknown: set() for unknown in unknowns}
+        for name, value in g.definitions.items():
+            for unknown in value.coefficients:
+                self.users[unknown].add(name)
+
+    def steps(self) -> Iterator[tuple[str, int, Unknown]]:
+        """(kind, cost, unknown) of every step that may be taken."""
+        for unknown in self.left:
+            if unknown in self.g.definitions:
+                if not self.users[unknown]:
+                    yield from self._put_or_turn(unknown)
+            elif unknown in self.multipliers:
+                if self.multipliers.issuperset(self.g.row(unknown)):
+                    yield "minimise", self._minimise_cost(unknown), unknown
+            elif not self.users[unknown]:
+                yield "minimise", self._minimise_cost(unknown), unknown
+            elif self._may_swap(unknown):
+                yield "swap", 0, unknown
+
+    def take(self, kind: str, unknown: Unknown) -> list[Solved]:
+        """Take one step."""
+        if kind == "minimise":
+            found = [Solved(unknown, minimise(self.g, unknown))]
+        elif kind == "put":
+            found = [Solved(unknown, put(self.g, unknown, self._undefined(unknown)))]
+        elif kind == "turn":
+            by = self.g.turns[unknown]
+            turn(self.g, by)
+            found = [Solved(y, self._undefined(y)) for y in by.pair]
+        else:
+            found = [self._swapped(unknown)]
+        for entry in found:
+            del self.left[entry.unknown]
+        return found
+
+    def _undefined(self, unknown: Unknown) -> Affine:
+        value = self.g.definitions.pop(unknown)
+        for other in value.coefficients:
+            self.users[other].discard(unknown)
+        return value
+
+    def _may_swap(self, unknown: Unknown) -> bool:
+        if len(self.users[unknown]) != 1 or self.g.row(unknown):
+            return False
+        (user,) = self.users[unknown]
+        return self.nonzero(self.g.definitions[user].coefficients[unknown])
+
+    def _swapped(self, unknown: Unknown) -> Solved:
+        """``y = x z + rest`` becomes ``z = (y - rest) / x``, and y is free."""
+        (user,) = self.users[unknown]
+        value = self._undefined(user)
+        x = value.coefficients[unknown]
+        rest = {k: -entry for k, entry in value.coefficients.items() if k != unknown}
+        solved = Affine({user: ca.SX(1), **rest}, -value.constant)
+        if unknown in self.g.linear:
+            put(self.g, unknown, solved.times(1 / x))
+        return Solved(unknown, solved, None if x.is_one() else x)
+
+    def _put_or_turn(self, unknown: Unknown) -> Iterator[tuple[str, int, Unknown]]:
+        by = self.g.turns.get(unknown)
+        if by is not None and all(y in self.g.definitions and self.g.row(y) for y in by.pair):
+            if by.pair[0] == unknown and not self.users[by.pair[1]]:
+                yield "turn", 10, unknown
+        else:
+            yield "put", self._put_cost(unknown), unknown
+
+    def _put_cost(self, unknown: Unknown) -> int:
+        value, row = self.g.definitions[unknown], self.g.row(unknown)
+        k = sum(not x.is_one() for x in value.coefficients.values())
+        own = int(unknown in row)
+        n = len(row) - own
+        moved = 0 if value.constant.is_zero() else n + own
+        return k * n + own * k * (k + 3) // 2 + k * (unknown in self.g.linear) + moved
+
+    def _minimise_cost(self, unknown: Unknown) -> int:
+        n = len(self.g.row(unknown)) - 1
+        return n + n * (n + 1) // 2 + n * (unknown in self.g.linear)

@@ -1,0 +1,124 @@
+"""Forward dynamics of bodies in closed loops: a sparse system, in an order that fills in little.
+
+    [ Q  -A^T ] [ y      ]   [ f  ]
+    [-A   0   ] [ lambda ] = [ -b ]          A u' = b
+
+y are u' and the accelerations that Gauss's function is written in (`bodies.function`). Q is
+positive definite; a multiplier is eliminated when every acceleration that its constraint holds is
+gone, so that its pivot -A Q^-1 A^T is less than zero. The rest of the order is by counted
+operations.
+"""
+
+from functools import cache
+
+import casadi as ca
+from sympy import Expr, S
+
+from mechanics.compiled.forms.bodies.function import gauss_function
+from mechanics.compiled.forms.bodies.gauss import Gauss
+from mechanics.compiled.forms.bodies.leaf_to_root import RULES, Rule, eliminated, values
+from mechanics.compiled.forms.bodies.reading import Reading, scratch
+from mechanics.compiled.forms.system import System
+from mechanics.compiled.program import operations
+from mechanics.equations import Equations
+from mechanics.errors import ExpressionError, SingularError
+from mechanics.exact import canonical
+from mechanics.kinematics import differentiate
+from mechanics.kinematics.constraints import constraint_rows
+from mechanics.scene import Scene
+from mechanics.scene.actions import unit_reactions
+
+
+def unsuited(equations: Equations) -> str:
+    """Why the constraints cannot be taken along; empty where they can."""
+    if not equations.scene.constraints:
+        return "nothing constrains the coordinates: form 'recursive' is for trees"
+    return _failure(equations)
+
+
+@cache
+def _failure(equations: Equations) -> str:
+    try:
+        if equations.multipliers:
+            signs(equations.scene)
+        _solution(equations, Reading(equations.scene, scratch(equations), equations.fixed))
+    except (ExpressionError, SingularError) as error:
+        return str(error)
+    return ""
+
+
+def solve(system: System) -> ca.SX:
+    """(u', lambda) of a system."""
+    equations = system.equations
+    return _solution(equations, Reading(equations.scene, system.translate, equations.fixed))
+
+
+def _solution(equations: Equations, reading: Reading) -> ca.SX:
+    return min((_solved(equations, reading, rule) for rule in RULES), key=operations)
+
+
+def _solved(equations: Equations, reading: Reading, rule: Rule) -> ca.SX:
+    scene, g = reading.scene, gauss_function(reading)
+    names = [("multiplier", c.name) for c in scene.constraints]
+    constrain(g, reading, names)
+    unknowns = [*names, *scene.ud, *g.definitions]
+    found = values(eliminated(g, unknowns, reading.nonzero, rule, names))
+    column = [found[symbol] for symbol in scene.ud]
+    if equations.multipliers:
+        column += [s * found[name] for s, name in zip(signs(scene), names, strict=True)]
+    return ca.vertcat(*column)
+
+
+def constrain(g: Gauss, reading: Reading, names: list[tuple[str, str]]) -> None:
+    """Add the constraints A u' = b to Gauss's function, each with its multiplier."""
+    matrix, bias = constraint_rows(reading.scene)
+    for i, name in enumerate(names):
+        g.add_force(name, -reading(bias[i]))
+        for j, symbol in enumerate(reading.scene.ud):
+            entry = reading(matrix[i, j])
+            if not entry.is_zero():
+                g.couple(name, symbol, -entry)
+
+
+@cache
+def signs(scene: Scene) -> tuple[int, ...]:
+    """For each constraint 1 if its reaction acts along its gradient, -1 if against it.
+
+    Raises
+    ------
+    ExpressionError
+        If it acts along neither.
+    """
+    matrix, _ = constraint_rows(scene)
+    forces = generalized_reactions(scene)
+    found = []
+    for i, constraint in enumerate(scene.constraints):
+        row = forces[i]
+        for sign in (1, -1):
+            if all(canonical(e - sign * g) == 0 for e, g in zip(row, matrix[i, :], strict=True)):
+                found.append(sign)
+                break
+        else:
+            raise ExpressionError(
+                f"constraint {constraint.name}: its reaction does not act along its gradient, so"
+                " that its multiplier is another quantity"
+            )
+    return tuple(found)
+
+
+def generalized_reactions(scene: Scene) -> list[list[Expr]]:
+    """For each constraint the generalized forces, conjugate to u, of a unit of its reaction."""
+    motions = {motion.body.name: motion for motion in differentiate.body_motions(scene)}
+    units = {symbol.name: pair for symbol, pair in unit_reactions(scene).items()}
+    found = []
+    for constraint in scene.constraints:
+        power = S.Zero
+        for name in constraint.reactions:
+            for action in units[name]:
+                motion = motions[action.body]
+                arm = action.at - motion.centre.position
+                spin = motion.angular_velocity
+                power += action.force.dot(motion.centre.velocity + spin.cross(arm))
+                power += action.couple.dot(spin)
+        found.append([canonical(power.diff(u)) for u in scene.u])
+    return found
