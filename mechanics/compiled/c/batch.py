@@ -2,12 +2,13 @@
 
 The lanes function returns whether an angle was too large for the inline sine, or no number. The
 batch function calls it for one block of states after the other, and gives the states that it could
-not do to the scalar function, which has its sines from the C library.
+not do to the scalar function, which has its sines from the C library. It returns what the lanes
+have returned: 0 where nothing of that kind has happened.
 """
 
 from collections.abc import Sequence
 
-from mechanics.compiled.c.lanes import SHARED, arguments, lanes_source, wrapped
+from mechanics.compiled.c.lanes import FAR, SHARED, arguments, lanes_source, wrapped
 from mechanics.compiled.c.source import Entries
 from mechanics.compiled.program import Program
 
@@ -23,6 +24,7 @@ def batch_source(
     *,
     scalar: str,
     shared: Sequence[str] = SHARED,
+    checked: bool = False,
 ) -> str:
     """Definitions of ``name_lanes`` and of ``name``; `sine_source` and the scalar stand before.
 
@@ -33,16 +35,16 @@ def batch_source(
     name : of the batch function
     scalar : name of the scalar function, with plain arrays
     shared : inputs that all states have in common: ``p[k]``
+    checked : whether to look for values that are not finite
     """
-    return f"{lanes_source(code, entries, kind, name, shared)}\n" + blocks_source(
-        code, kind, name, scalar, shared
-    )
+    lanes = lanes_source(code, entries, kind, name, shared, checked)
+    return f"{lanes}\n{blocks_source(code, kind, name, scalar, shared)}"
 
 
 def blocks_source(
     code: Program, kind: str, name: str, scalar: str, shared: Sequence[str] = SHARED
 ) -> str:
-    """Definition of ``void name(...)``: lanes in blocks, and what they could not do."""
+    """Definition of ``int name(...)``: lanes in blocks, and what they could not do."""
     moving = [group for group, size in code.inputs if size and group not in shared]
     given = [(group, size) for group, size in code.inputs if size]
     asked = [(out, rows * cols) for out, (rows, cols) in code.shapes if rows * cols]
@@ -59,7 +61,7 @@ def blocks_source(
         *wrapped(f"static void {name}_far({arguments(code, kind)})", ""),
         "{",
         "    for (size_t i = 0; i < count; ++i) {",
-        *wrapped(f"if (!{name}_lanes(1, stride, {at('i')}))", "        "),
+        *wrapped(f"if (!({name}_lanes(1, stride, {at('i')}) & {FAR}))", "        "),
         "            continue;",
         *(f"        {kind} {g}_[{size}];" for g, size in (*given, *asked) if g not in shared),
         *(x for g, size in given if g in moving for x in _copied(f"{g}_[k] = {g}[{_AT}]", size)),
@@ -68,13 +70,17 @@ def blocks_source(
         "    }",
         "}",
         "",
-        *wrapped(f"void {name}({arguments(code, kind)})", ""),
+        *wrapped(f"int {name}({arguments(code, kind)})", ""),
         "{",
+        "    int found = 0;",
         f"    for (size_t i = 0; i < count; i += {BLOCK}) {{",
         f"        const size_t lanes = count - i < {BLOCK} ? count - i : {BLOCK};",
-        *wrapped(f"if ({name}_lanes(lanes, stride, {at('i')}))", "        "),
+        *wrapped(f"const int flags = {name}_lanes(lanes, stride, {at('i')});", "        "),
+        "        found |= flags;",
+        f"        if (flags & {FAR})",
         *wrapped(f"{name}_far(lanes, stride, {at('i')});", "            "),
         "    }",
+        "    return found;",
         "}",
         "",
     ])  # fmt: skip

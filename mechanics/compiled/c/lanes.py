@@ -12,7 +12,9 @@ import textwrap
 from collections.abc import Sequence
 
 import casadi as ca
+import numpy as np
 
+from mechanics.compiled.c.flow import constant, looked_at, users
 from mechanics.compiled.c.names import Namer
 from mechanics.compiled.c.source import LINE, Entries, Text, expression, literal
 from mechanics.compiled.operations import ATOM, SIGN
@@ -28,11 +30,12 @@ INDEPENDENT = (
     "#endif",
 )
 """Tells the compiler that no state reads what another one writes."""
-OUTPUT = -1
-"""Stands for the outputs among the users of a node."""
+FAR, WILD = 1, 2
+"""What the functions return; 0 is neither."""
 _TURNS = (ca.OP_SIN, ca.OP_COS)
 _PRODUCTS = (ca.OP_MUL, ca.OP_SQ, ca.OP_TWICE)
 _LONG = 24
+_LARGEST = {"double": float(np.finfo(np.float64).max), "float": float(np.finfo(np.float32).max)}
 
 
 def arguments(code: Program, kind: str, restrict: str = "") -> str:
@@ -43,23 +46,36 @@ def arguments(code: Program, kind: str, restrict: str = "") -> str:
 
 
 def lanes_source(
-    code: Program, entries: Entries, kind: str, name: str, shared: Sequence[str] = SHARED
+    code: Program,
+    entries: Entries,
+    kind: str,
+    name: str,
+    shared: Sequence[str] = SHARED,
+    checked: bool = False,
 ) -> str:
-    """Definition of ``static inline int name_lanes(...)``: the loop."""
+    """Definition of ``static inline int name_lanes(...)``: the loop.
+
+    It returns `FAR` where an angle of some state is too large for the inline sine, or no number;
+    with `checked`, plus `WILD` where a value that has to be finite may not be.
+    """
     writer = _Writer(code, entries, kind, name, shared)
     unsigned = "uint32_t" if kind == "float" else "uint64_t"
+    flags, result = [writer.far], f"{writer.far} != 0"
+    if checked:
+        flags.append(writer.check())
+        result = f"({result}) | ({flags[1]} != 0) << 1"
     head = wrapped(f"static inline int {name}_lanes({arguments(code, kind, 'restrict ')})", "")
     return "\n".join([
         *head,
         "{",
         *writer.ignored,
         *writer.before,
-        f"    {unsigned} {writer.far} = 0;",
+        *(f"    {unsigned} {flag} = 0;" for flag in flags),
         *INDEPENDENT,
         f"    for (size_t {writer.lane} = 0; {writer.lane} < count; ++{writer.lane}) {{",
         *writer.inside,
         "    }",
-        f"    return {writer.far} != 0;",
+        f"    return {result};",
         "}",
         "",
     ])  # fmt: skip
@@ -99,8 +115,8 @@ class _Writer:
         self.lane, self.far = namer.local("i"), namer.local("far")
         self.before: list[str] = []
         self.inside: list[str] = []
-        self._users = _users(code)
-        self._constant = _constant(code, shared)
+        self._users = users(code)
+        self._constant = constant(code, shared)
         self._fused = self._fusions()
         self._inverses: dict[int, Text] = {}
         self._texts: list[Text] = []
@@ -116,6 +132,18 @@ class _Writer:
         self.ignored = [
             f"    (void){group};" for group, size in code.inputs if size and group not in read
         ]
+
+    def check(self) -> str:
+        """Add to the loop whether values are finite; the name of the flag."""
+        flag = self._namer.local("wild")
+        values = [self._texts[k].code for k in looked_at(self._code)]
+        # A sum is finite only where its terms are.
+        total, limit = (
+            " + ".join(dict.fromkeys(values)) or "0",
+            literal(_LARGEST[self._kind], self._kind),
+        )
+        self.inside.append(f"        {flag} |= !(fabs{self._f}({total}) <= {limit});")
+        return flag
 
     def _inputs(self) -> list[tuple[int, Node]]:
         return [
@@ -233,30 +261,3 @@ def _minus(text: Text) -> Text:
     if text.level == SIGN:
         return Text(text.code[1:], ATOM)
     return Text(f"-{text.code}" if text.level == ATOM else f"-({text.code})", SIGN)
-
-
-def _users(code: Program) -> list[list[int]]:
-    """For each node the nodes that use it, once for each use; an output is node -1."""
-    users: list[list[int]] = [[] for _ in code.nodes]
-    for k, node in enumerate(code.nodes):
-        if node.operation in (ca.OP_INPUT, ca.OP_CONST):
-            continue
-        # The text of these repeats its operand.
-        twice = node.operation in (ca.OP_SQ, ca.OP_SIGN)
-        for operand in node.operands:
-            users[operand] += [k, k] if twice else [k]
-    for nodes in code.outputs:
-        for node_at in nodes:
-            users[node_at].append(OUTPUT)
-    return users
-
-
-def _constant(code: Program, shared: Sequence[str]) -> list[bool]:
-    """For each node whether it is the same for all states; the last entry is for outputs."""
-    found: list[bool] = []
-    for node in code.nodes:
-        if node.operation == ca.OP_INPUT:
-            found.append(code.inputs[node.operands[0]][0] in shared)
-        else:
-            found.append(all(found[i] for i in node.operands))
-    return [*found, False]
