@@ -103,8 +103,9 @@ def mjcf(case: Case) -> str:
         y = lengths[i - 1] if i else 0.0
         inner = (f'<body pos="0 {y!r} 0"><joint type="hinge" axis="0 0 1"/>'
                  f"{inertial(masses[i + 1], lengths[i])}{inner}</body>")  # fmt: skip
+    g = float(case.p[0])
     return (
-        f'<mujoco><compiler angle="radian"/><option gravity="0 {-float(case.p[0])!r} 0"/><worldbody>'
+        f'<mujoco><compiler angle="radian"/><option gravity="0 {-g!r} 0"/><worldbody>'
         f'<body><joint type="slide" axis="1 0 0"/>{inertial(masses[0], 0.0)}{inner}</body>'
         "</worldbody></mujoco>"
     )
