@@ -29,7 +29,8 @@ def write_fmu(
     Parameters
     ----------
     model : Model
-        With a compiler the unit has the library for this machine; the sources are always in it.
+        With a compiler the unit has the library for this machine, compiled with the model's flags;
+        the sources are always in it.
     path : str or Path
         ``NAME.fmu``; overwritten.
     initial, parameters, inputs : mapping of str to float, optional

@@ -10,7 +10,7 @@ from pathlib import Path
 
 from mechanics.errors import CompilerError, InputError
 
-OPTIONS = ("-std=c99", "-O2", "-fPIC", "-fvisibility=hidden", "-ffp-contract=off",
+OPTIONS = ("-std=c99", "-fPIC", "-fvisibility=hidden", "-ffp-contract=off",
            "-fno-math-errno")  # fmt: skip
 STRICT = ("-Wall", "-Wextra", "-Werror")
 
@@ -63,7 +63,7 @@ def this_platform(machine: str | None = None, system: str | None = None) -> Plat
     return Platform(f"{architecture}-{name}", suffix)
 
 
-def compiled_library(sources: Mapping[str, str], compiler: str, flags: str = "") -> bytes:
+def compiled_library(sources: Mapping[str, str], compiler: str, flags: str) -> bytes:
     """The shared library that a compiler makes of C files; a warning is an error.
 
     Parameters
@@ -72,7 +72,7 @@ def compiled_library(sources: Mapping[str, str], compiler: str, flags: str = "")
         Text by file name.
     compiler : str
     flags : str
-        After `OPTIONS`.
+        Settings after `OPTIONS`, such as ``"-O2"``.
 
     Raises
     ------

@@ -140,7 +140,7 @@ def _contents(model: Model, known: Functions, found: Variables, beyond: bool) ->
         "modelDescription.xml": model_description(name, words, found, known, experiment),
         **{f"sources/{file}": text for file, text in own.items()},
         "sources/buildDescription.xml": build_description(
-            name, sorted(file for file in own if file.endswith(".c")), " ".join(OPTIONS)
+            name, sorted(file for file in own if file.endswith(".c")), " ".join(["-O2", *OPTIONS])
         ),
     }
     return {file: text.encode("utf-8") for file, text in texts.items()}
@@ -182,7 +182,7 @@ def _binary(
         if file.startswith(folder) and file.endswith((".c", ".h"))
     }
     longest = max(program(function).operations for function in known.graphs.values())
-    library = compiled_library(sources, compiler, affordable("-O2", longest))
+    library = compiled_library(sources, compiler, affordable(model.flags, longest))
     name = identifier(model.equations.scene.name)
     return {f"binaries/{where.tuple}/{name}{where.suffix}": library}
 
