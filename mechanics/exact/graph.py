@@ -45,8 +45,16 @@ def evaluate(a: Arithmetic, function: Any, arguments: Sequence[Sequence[Any]]) -
     return [_dense(a, function, index, entries) for index, entries in enumerate(outputs)]
 
 
-def evaluated(a: Arithmetic, nodes: Sequence[Node], inputs: Sequence[Sequence[Any]]) -> list[Any]:
+def evaluated(
+    a: Arithmetic,
+    nodes: Sequence[Node],
+    inputs: Sequence[Sequence[Any]],
+    whole_angles: bool = False,
+) -> list[Any]:
     """Return the number of every node of straight-line code; inputs are (group, entry).
+
+    Angles kept whole are enough where both sides compute the same angles: sin(a + b) is then not
+    known to be sin(a) cos(b) + cos(a) sin(b), but is the same however a + b was computed.
 
     Raises
     ------
@@ -54,7 +62,7 @@ def evaluated(a: Arithmetic, nodes: Sequence[Node], inputs: Sequence[Sequence[An
         If an operation is unknown.
     """
     numbers: list[Any] = []
-    tracer = Tracer(a, nodes, numbers, inputs)
+    tracer = Tracer(a, nodes, numbers, inputs, whole_angles)
     for node in nodes:
         numbers.append(_number(a, node, numbers, inputs, tracer))
     return numbers

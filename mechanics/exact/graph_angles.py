@@ -34,7 +34,7 @@ class Node(NamedTuple):
 
 
 class Tracer:
-    """Expands arguments of sin, cos and exp, each node once."""
+    """Expands arguments of sin, cos and exp, each node once; keeps them if they shall be whole."""
 
     def __init__(
         self,
@@ -42,7 +42,9 @@ class Tracer:
         nodes: Sequence[Node],
         numbers: list[Any],
         inputs: Sequence[Sequence[Any]],
+        whole: bool = False,
     ) -> None:
+        self._whole = whole
         self._a, self._nodes, self._numbers, self._inputs = a, nodes, numbers, inputs
         self._forms: dict[int, Form] = {}
         self._circles: dict[int, tuple[Any, Any]] = {}
@@ -69,6 +71,8 @@ class Tracer:
         return self._a.root_power(number, ratio)
 
     def _terms(self, node: int) -> list[tuple[Fraction, Any]]:
+        if self._whole:
+            return [(Fraction(1), self._numbers[node])]
         return [(factor, self._product(monomial)) for monomial, factor in self._form(node).items()]
 
     def _product(self, monomial: Monomial) -> Any:
