@@ -119,6 +119,13 @@ class Graphs(Mapping[str, ca.Function]):
         function = self._function(name, {**inputs, "constants": constants}, outputs)
         return function, tuple(self._constants)
 
+    def exact_rates(self) -> tuple[ca.Function, tuple[sympy.Expr, ...]]:
+        """``qd``, ``ud`` and the multipliers, which the step is made of, as `exact` gives them."""
+        outputs = {**self._coordinate_rates(), **self._forward_dynamics()}
+        constants = ca.vertcat(*self._constants.values()) if self._constants else ca.SX(0, 1)
+        inputs = {**{group: self._columns[group] for group in STATE}, "constants": constants}
+        return self._function("rates", inputs, outputs), tuple(self._constants)
+
     def _function(
         self, name: str, inputs: Mapping[str, ca.SX], outputs: Mapping[str, ca.SX]
     ) -> ca.Function:
