@@ -60,7 +60,7 @@ def write_fmu(
     for name, value in (inputs or {}).items():
         if callable(value):
             raise InputError(
-                f"input {name}: a function of time cannot be exported: give a number, and connect"
+                f"input {name}: a function cannot be exported: give a number, and connect"
                 " the function in the importer"
             )
     start = begin(model, initial, parameters, inputs)

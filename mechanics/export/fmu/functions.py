@@ -20,7 +20,6 @@ from mechanics.routes import free_body
 from mechanics.scene.conditions import condition_parameters, plain_margin
 from mechanics.scene.rates import TIME
 
-NEEDED = ("coordinate_rates", "forward_dynamics")
 CLOCK = Quantity(TIME, "s", "time")
 STEP_SIZE = Quantity(
     Symbol("step_size"), "s", "co-simulation: longest internal step", positive=True
@@ -52,6 +51,8 @@ def functions(model: Model) -> Functions:
 
     Raises
     ------
+    InputError
+        If the model was asked for other functions than those of a motion.
     ExpressionError
         If a condition or constraint holds an operation that is not known.
     """
@@ -102,17 +103,8 @@ def _telling(model: Model) -> Graphs | None:
     asked = {s for one in scene.conditions for s in plain_margin(scene, one).free_symbols}
     reactions = asked & {reaction.symbol for reaction in scene.reactions}
     if reactions <= {entry.symbol for entry in model.quantities.reactions}:
-        return _complete(model)
+        return model.casadi
     return Graphs(free_body.derive(scene))
-
-
-def _complete(model: Model) -> Graphs:
-    """The model's graphs, with what a motion needs even where it was not asked for."""
-    known = model.casadi
-    missing = [name for name in NEEDED if name not in tuple(known)]
-    if not missing:
-        return known
-    return Graphs(known.derived, model.form, known.fixed, (*known, *missing))
 
 
 def _inputs(sources: Sequence[Quantities]) -> tuple[Quantity, ...]:
@@ -141,7 +133,7 @@ def _state(model: Model, table: Mapping[Symbol, ca.SX]) -> list[ca.SX]:
 
 
 def _rates(model: Model, table: Mapping[Symbol, ca.SX]) -> ca.SX:
-    graphs, state = _complete(model), _state(model, table)
+    graphs, state = model.casadi, _state(model, table)
     accelerations, _ = graphs["forward_dynamics"](*state)
     return ca.vertcat(graphs["coordinate_rates"](*state), accelerations)
 
@@ -155,7 +147,7 @@ def _outputs(model: Model, table: Mapping[Symbol, ca.SX]) -> tuple[list[ca.SX], 
         graphs.append(model.casadi["reactions"](*state))
         entries += [Quantity(e.symbol, e.unit, "reaction") for e in known.reactions]
     elif known.multipliers:
-        graphs.append(_complete(model)["forward_dynamics"](*state)[1])
+        graphs.append(model.casadi["forward_dynamics"](*state)[1])
         entries += [Quantity(e.symbol, e.unit, "multiplier") for e in known.multipliers]
     if "energy" in tuple(model.casadi):
         graphs += model.casadi["energy"](*state)

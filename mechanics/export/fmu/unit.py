@@ -89,7 +89,7 @@ def write_unit(model: Model, path: str | Path, start: Start, compiler: str | Non
     names = [e.name for e in (*model.quantities.q, *model.quantities.u, *known.inputs, *known.p)]
     values = {name: float(start.values.get(name, 0.0)) for name in names}
     found = variables(model, known, values, 1.0)
-    step = start.step or _measured(model, known, found)
+    step = _measured(model, known, found) if start.step is None else start.step
     if not 0 < step < float("inf"):
         raise InputError(f"step: {start.step!r} found: a positive number of seconds is needed")
     contents = _contents(model, known, variables(model, known, values, step), start.beyond_domain)
@@ -124,7 +124,7 @@ def _contents(model: Model, known: Functions, found: Variables, beyond: bool) ->
     scene = model.equations.scene
     name, title = identifier(scene.name), f"{scene.name}, derived by {model.equations.route}"
     model_c = model_source(title, found, known, METHOD, scene.conditions if found.margins else ())
-    fixed = "; ".join(f"{parameter} = {value}" for parameter, value in model.fixed.items())
+    fixed = "; ".join(f"{parameter} = {value}" for parameter, value in sorted(model.fixed.items()))
     own = {entry.name: entry.read_text(encoding="utf-8") for entry in _texts()}
     token = _token(model_c, fixed, str(beyond), *own.values())
     own["model.c"] = model_c
