@@ -1,11 +1,13 @@
 """What a person passes for the values of one group of quantities, as an array."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from mechanics.compiled.fixed import Fixed, words
+from mechanics.compiled.quantities import Quantities
 from mechanics.errors import InputError
 
 Array = NDArray[np.floating]
@@ -34,3 +36,27 @@ def given_array(group: str, names: Sequence[str], kind: type[np.floating], value
             f" the entries are {', '.join(names) or 'none'}"
         )
     return array
+
+
+def named_parameters(
+    names: Sequence[str], given: Mapping[str, float], known: Quantities, fixed: Fixed
+) -> Array:
+    """Parameters in order, from those that are named; the rest have their typical values.
+
+    Raises
+    ------
+    InputError
+        If there is no such parameter, or it is fixed.
+    ValueMissingError
+        If one is not named and has no typical value.
+    """
+    if unknown := set(given) - set(names):
+        held = f", and fixed: {words(fixed)}" if fixed else ""
+        raise InputError(
+            f"there is no parameter {', '.join(sorted(unknown))}: the parameters are"
+            f" {', '.join(names)}{held}"
+        )
+    if set(given) == set(names):
+        return np.array([given[name] for name in names], dtype=float)
+    values = dict(zip(names, known.typical, strict=True)) | dict(given)
+    return np.array([values[name] for name in names], dtype=float)

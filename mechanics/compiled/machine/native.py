@@ -1,30 +1,26 @@
-"""Programs as machine code: printed as C, compiled by the system's compiler, called by ctypes.
+"""Programs as machine code: printed as C, compiled by the system's compiler, and called.
 
-Batches run in a C loop. Shared libraries live in a folder that vanishes with the process.
+Batches run in a C loop, called by ctypes. One state at a time is called by the extension of
+`mechanics.compiled.machine.direct`, or by ctypes where that cannot be compiled.
 """
 
 import ctypes
 import functools
-import os
 import re
-import shutil
-import subprocess
-import tempfile
-from collections.abc import Sequence
-from hashlib import sha256
-from pathlib import Path
+from collections.abc import Callable, Sequence
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from mechanics.compiled.c.source import Entries, function_source, signature
+from mechanics.compiled.machine.direct import direct_calls
+from mechanics.compiled.machine.library import FLAGS, find_compiler, load
 from mechanics.compiled.program import Program
-from mechanics.errors import CompilerError
 
 Array = NDArray[np.floating]
 
-# No contraction into fused operations and no reassociation: results are the same everywhere.
-FLAGS = ("-std=c99", "-fPIC", "-ffp-contract=off", "-fno-math-errno")
+__all__ = ["FLAGS", "NativeKernel", "affordable", "find_compiler", "library_source", "load"]
 
 # Register allocation of one straight block grows faster than its length: 30,000 operations take gcc
 # 20 s with -O1 or -O2 and 1 s with -O0, for code that is only half as slow again.
@@ -32,14 +28,6 @@ LONG = 10_000
 # The C library of Linux has a function called step, which would be called in place of ours.
 PREFIX = "mechanics_"
 OPTIMISED = re.compile(r"-O\w*")
-
-
-def find_compiler() -> str | None:
-    """The C compiler of this machine: $CC, or cc, gcc, clang; None where there is none."""
-    for name in (os.environ.get("CC", ""), "cc", "gcc", "clang"):
-        if name and (path := shutil.which(name)):
-            return path
-    return None
 
 
 def affordable(flags: str, operations: int) -> str:
@@ -80,7 +68,9 @@ class NativeKernel:
         library = load(library_source(code, entries, kind), compiler, settings)
         self._batch = getattr(library, f"{PREFIX}{code.name}_batch")
         self._single = getattr(library, f"{PREFIX}{code.name}")
-        self._batch.restype = self._single.restype = None
+        self._at = getattr(library, f"{PREFIX}{code.name}_at")
+        self._batch.restype = self._single.restype = self._at.restype = None
+        self._compiler = compiler
 
     def __call__(self, arguments: Sequence[Array], count: int) -> list[Array]:
         """Evaluate at `count` states.
@@ -101,10 +91,24 @@ class NativeKernel:
         )
         return results
 
-    def bound(self, arguments: Sequence[Array], results: Sequence[Array]) -> functools.partial:
+    @property
+    def extension(self) -> Any:
+        """The module that calls it without ctypes, None where there is none."""
+        return direct_calls(self._compiler).module
+
+    @property
+    def address(self) -> int:
+        """Of ``void f(const real *const *arg, real *const *res)``, valid while the kernel lives."""
+        return ctypes.cast(self._at, ctypes.c_void_p).value or 0
+
+    def bound(self, arguments: Sequence[Array], results: Sequence[Array]) -> Callable[[], None]:
         """A call without arguments that reads and writes these arrays: the least overhead."""
-        arrays = [array for array in (*arguments, *results) if array.size]
-        return functools.partial(self._single, *(ctypes.c_void_p(a.ctypes.data) for a in arrays))
+        ins, outs = ([a for a in arrays if a.size] for arrays in (arguments, results))
+        if self.extension is None:
+            places = (ctypes.c_void_p(a.ctypes.data) for a in (*ins, *outs))
+            return functools.partial(self._single, *places)
+        addresses = (tuple(a.ctypes.data for a in arrays) for arrays in (ins, outs))
+        return self.extension.Bound(self.address, *addresses, (self._at, ins, outs))
 
 
 def library_source(code: Program, entries: Entries, kind: type[np.floating]) -> str:
@@ -114,6 +118,7 @@ def library_source(code: Program, entries: Entries, kind: type[np.floating]) -> 
     results = [rows * cols for _, (rows, cols) in code.shapes if rows * cols]
     calls = [f"arg[{i}] + i * stride[{i}]" for i in range(len(sizes))]
     calls += [f"res[{i}] + i * {size}" for i, size in enumerate(results)]
+    cells = [f"arg[{i}]" for i in range(len(sizes))] + [f"res[{i}]" for i in range(len(results))]
     name = f"{PREFIX}{code.name}"
     head = f"void {name}_batch(long long count, const {real} *const *arg,"
     return "\n".join(
@@ -128,43 +133,10 @@ def library_source(code: Program, entries: Entries, kind: type[np.floating]) -> 
             f"        {name}({', '.join(calls)});",
             "}",
             "",
+            f"void {name}_at(const {real} *const *arg, {real} *const *res)",
+            "{",
+            f"    {name}({', '.join(cells)});",
+            "}",
+            "",
         ]
     )
-
-
-@functools.cache
-def _folder() -> tempfile.TemporaryDirectory:
-    return tempfile.TemporaryDirectory(prefix="mechanics-")
-
-
-@functools.cache
-def load(source: str, compiler: str, flags: str) -> ctypes.CDLL:
-    """Compile C source into a shared library and load it; the same source is compiled once.
-
-    Compiled and linked apart: gcc links a library that it compiles with -ffast-math to code that
-    flushes subnormal numbers to zero, in every function of the process from then on.
-
-    Raises
-    ------
-    CompilerError
-        If the compiler refuses the code or cannot be run; the message carries its words.
-    """
-    stem = Path(_folder().name) / sha256(f"{compiler} {flags}\n{source}".encode()).hexdigest()[:16]
-    file, object_file, library = (stem.with_suffix(suffix) for suffix in (".c", ".o", ".so"))
-    file.write_text(source, encoding="ascii")
-    _run([compiler, *FLAGS, *flags.split(), "-c", str(file), "-o", str(object_file)])
-    _run([compiler, "-shared", str(object_file), "-o", str(library), "-lm"])
-    return ctypes.CDLL(str(library))
-
-
-def _run(command: list[str]) -> None:
-    try:
-        done = subprocess.run(command, capture_output=True, text=True, check=False)
-    except OSError as error:
-        raise CompilerError(f"C compiler {command[0]} cannot be run: {error}") from error
-    if done.returncode != 0:
-        words = (done.stderr or done.stdout).strip() or f"exit code {done.returncode}, no message"
-        raise CompilerError(
-            f"C compiler {command[0]} refused the generated code: {words}\nset CC to another"
-            " compiler, or pass compiler=None to use CasADi's virtual machine"
-        )
