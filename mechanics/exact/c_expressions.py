@@ -20,7 +20,7 @@ from mechanics.exact.c_program import BEYOND, Writer
 from mechanics.exact.c_select import select
 from mechanics.exact.c_types import REALS, declared
 from mechanics.exact.c_values import (
-    COMPARISONS,
+    INTEGERS,
     Address,
     Array,
     Choice,
@@ -224,9 +224,9 @@ class Expressions:
         if isinstance(left, Pointer) and isinstance(right, Whole) and op in "+-":
             return Pointer(left.array, plus(left.offset, right, 1 if op == "+" else -1))
         kinds = {side.kind for side in (left, right) if isinstance(side, Real)}
-        if not kinds and op in COMPARISONS:
-            sides = (as_decision(side, where) for side in (left, right))
-            return of_decision(compared(op, *sides))
+        if not kinds and op in INTEGERS:
+            one, two = as_decision(left, where), as_decision(right, where)
+            return of_decision(compared(op, one, two))
         if not kinds:
             raise ExpressionError(f"{where}: {_words(left)} {op} {_words(right)} is not known here")
         if len(kinds) > 1:
@@ -287,9 +287,9 @@ def _integer(op: str, left: Whole, right: Whole, where: Any) -> Value:
     except ExpressionError as error:
         raise ExpressionError(f"{where}: {error}") from None
     x, y = left.known, right.known
-    if x is None or y is None or op not in COMPARISONS:
+    if x is None or y is None or op not in INTEGERS:
         raise ExpressionError(f"{where}: {left} {op} {right} is not known here")
-    return whole(int(COMPARISONS[op](x, y)))
+    return whole(int(INTEGERS[op](x, y)))
 
 
 def _words(value: Value | None) -> str:

@@ -54,7 +54,7 @@ class Loops(Expressions):
     guards : list of Guard
         Under which the statement at hand runs.
     lane_scope : int
-        Number of scopes outside of the loop over lanes.
+        Number of scopes outside of the loop over lanes or blocks.
     """
 
     def __init__(self) -> None:
@@ -68,8 +68,10 @@ class Loops(Expressions):
         """Run one statement; a subclass knows them."""
         raise NotImplementedError
 
-    def inside_lane(self, variable: Variable) -> bool:
-        """Whether a variable belongs to the lane at hand alone."""
+    def is_own(self, variable: Variable) -> bool:
+        """Whether a variable belongs to the lane or block at hand alone."""
+        if self.lane is None and self.block is None:
+            return True
         return any(variable in scope.values() for scope in self.scopes[self.lane_scope :])
 
     def least(self, left: Whole, right: Whole, where: Any) -> Whole:
@@ -149,8 +151,9 @@ class Loops(Expressions):
         self._count(last, node.coord)
         first = unknown(f"block {counter.name}")
         self.block = Block(first, unknown(f"lanes of block {counter.name}"), size)
+        outer, self.lane_scope = self.lane_scope, len(self.scopes)
         self._turn(node, counter, first)
-        self.block = None
+        self.block, self.lane_scope = None, outer
 
     def _count(self, last: Whole, where: Any) -> None:
         """All lanes are counted by one argument."""

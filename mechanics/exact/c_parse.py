@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
 from typing import Any
 
@@ -42,6 +42,27 @@ class Source:
     structs: Mapping[str, Any]
     macros: Mapping[str, str]
     asked: tuple[str, ...]
+
+
+def linked(first: Source, *others: Source) -> Source:
+    """A file with the functions of others that it calls; static ones are its own.
+
+    Raises
+    ------
+    ExpressionError
+        If a function is defined in two of the files.
+    """
+    functions = dict(first.functions)
+    prototypes = dict(first.prototypes)
+    for other in others:
+        for name, node in other.functions.items():
+            if "static" in (node.decl.storage or ()):
+                continue
+            if name in functions:
+                raise ExpressionError(f"function {name} is defined in two files")
+            functions[name] = node
+            prototypes[name] = (*prototypes.get(name, ()), *other.prototypes[name])
+    return replace(first, functions=functions, prototypes=prototypes)
 
 
 def parse(

@@ -153,7 +153,7 @@ class Statements(Loops):
         """Set a variable; `gathers` where a flag gathers what all lanes say."""
         if variable.type.constant and not variable.type.depth:
             raise ExpressionError(f"{where}: the constant {variable.name} is changed")
-        if self.lane and not gathers and not self.inside_lane(variable):
+        if not gathers and not self.is_own(variable):
             raise ExpressionError(f"{where}: {variable.name} is carried from lane to lane")
         guards = self.guards[variable.guards :]
         if guards and (variable.type.kind in REALS or not all(guard.both for guard in guards)):

@@ -112,8 +112,7 @@ def as_decision(value: Value | None, where: Any) -> Decision:
     if isinstance(value, Choice):
         return value
     if isinstance(value, Truth):
-        condition = value.condition
-        return int(condition) if isinstance(condition, bool) else Choice(condition, 1, 0)
+        return choice(value.condition, 1, 0)
     if isinstance(value, Whole) and value.known is not None:
         return value.known
     raise ExpressionError(f"{where}: an integer is expected, {type(value).__name__} found")
@@ -129,17 +128,18 @@ def of_decision(decision: Decision) -> Value:
 
 
 def compared(op: str, left: Decision, right: Decision) -> Decision:
-    """1 where two integers that depend on conditions compare so, else 0."""
+    """left op right for two integers that depend on conditions."""
     if isinstance(left, Choice):
         sides = (compared(op, side, right) for side in (left.yes, left.no))
         return choice(left.condition, *sides)
     if isinstance(right, Choice):
         sides = (compared(op, left, side) for side in (right.yes, right.no))
         return choice(right.condition, *sides)
-    return int(COMPARISONS[op](left, right))
+    return int(INTEGERS[op](left, right))
 
 
-COMPARISONS: dict[str, Callable[[int, int], int]] = {
+INTEGERS: dict[str, Callable[[int, int], int]] = {
     "<": int.__lt__, "<=": int.__le__, ">": int.__gt__, ">=": int.__ge__,
     "==": int.__eq__, "!=": int.__ne__, "|": int.__or__,
+    "&": int.__and__, "<<": int.__lshift__,
 }  # fmt: skip
