@@ -1,0 +1,48 @@
+"""`mechanics fmu`: a unit that FMPy's own command accepts, and one line for every mistake."""
+
+import math
+import subprocess
+import sys
+from pathlib import Path
+from typing import Any
+
+import pytest
+from fmpy import read_model_description
+
+
+def test_a_unit_is_written_and_fmpy_accepts_it(run: Any, tmp_path: Path) -> None:
+    path = tmp_path / "rocker.fmu"
+    ran = run("fmu", "rocker", "-o", path, "--set", "theta=0.25", "--set", "mu=0.4",
+              "--set", "rho=1000", "--fix", "g=9.81", "--step", "0.01")  # fmt: skip
+    assert ran.code == 0, ran.err
+    assert ran.out.startswith(str(path))
+    command = [sys.executable, "-m", "fmpy", "validate", str(path)]
+    done = subprocess.run(command, capture_output=True, text=True, check=False)
+    assert (done.returncode, done.stdout) == (0, "No problems found.\n")
+    start = {v.name: v.start for v in read_model_description(str(path)).modelVariables}
+    assert [float(start[name]) for name in ("theta", "mu", "step_size")] == [0.25, 0.4, 0.01]
+    # The mass is rho h (pi R^2 + 2 R R), with R = 0.1 m and h = 0.02 m; g is a number for good.
+    assert float(start["M"]) == pytest.approx(1000 * 0.02 * (math.pi + 2) * 0.1**2, rel=1e-12)
+    assert "g" not in start
+
+
+@pytest.mark.parametrize(
+    ("options", "words"),
+    [
+        ("--set phi=1", "there is no 'phi' to set"),
+        ("--set theta=2", "the motion starts outside of the domain"),
+        ("--fix phi=1", "fixed 'phi': rocker has no such parameter"),
+        ("--step=-1", "step: -1.0 found: a positive number of seconds is needed"),
+        ("--route none", "route 'none': the routes are"),
+    ],
+)
+def test_mistakes_are_one_line(run: Any, tmp_path: Path, options: str, words: str) -> None:
+    ran = run("fmu", "rocker", "-o", tmp_path / "rocker.fmu", *options.split())
+    assert ran.code == 2
+    assert words in ran.err and ran.err.count("\n") == 1
+    assert not (tmp_path / "rocker.fmu").exists()
+
+
+def test_another_suffix_is_refused(run: Any, tmp_path: Path) -> None:
+    ran = run("fmu", "rocker", "-o", tmp_path / "rocker.zip")
+    assert ran.code == 2 and "a file NAME.fmu in a folder that exists is needed" in ran.err
