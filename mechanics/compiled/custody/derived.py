@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
-from sympy import Expr, Matrix, S, Symbol
+from sympy import Expr, Matrix, S, Symbol, zeros
 
 from mechanics.compiled.graphs import Graphs
 from mechanics.compiled.mechanical import totals
@@ -42,6 +42,9 @@ class Derived:
         Momenta.
     reactions : tuple of (Symbol, Expr)
         In terms of the unknowns, too.
+    rows : tuple of Expr
+        M u' - f - B lambda as it was derived, where M and f have not been written out; `left` and
+        `right` then hold the constraints only.
     """
 
     scene: str
@@ -60,16 +63,30 @@ class Derived:
     linear: tuple[Expr, ...] = ()
     angular: tuple[Expr, ...] = ()
     reactions: tuple[tuple[Symbol, Expr], ...] = field(default=())
+    rows: tuple[Expr, ...] = ()
 
 
 WITH_TOTALS = frozenset({"energy", "momenta", "inverse_dynamics"})
 """Functions that need energies."""
+OF_ROWS = frozenset({"forward_dynamics", "coordinate_rates", "energy", "momenta"})
+"""Functions that can be judged by rows that are not split into M and f."""
 
 
-def derived(graphs: Graphs, functions: Sequence[str]) -> Derived:
-    """What was derived, as far as some functions need it."""
+def derived(graphs: Graphs, functions: Sequence[str], by_rows: bool = False) -> Derived:
+    """What was derived, as far as some functions need it.
+
+    With `by_rows`, M and f of a long chain are not written out where they have not been yet.
+    """
     equations, scene = graphs.derived, graphs.derived.scene
-    left, right = equations.system
+    by_rows = by_rows and not equations.split and OF_ROWS.issuperset(functions)
+    if by_rows:
+        count = len(equations.multipliers)
+        constraints = equations.constraint_matrix
+        left = constraints.row_join(zeros(constraints.rows, count))
+        right, mass, forcing = equations.constraint_bias, zeros(0, 0), zeros(0, 1)
+    else:
+        left, right = equations.system
+        mass, forcing = equations.mass, equations.forcing
     symbols = {g: tuple(e.symbol for e in getattr(graphs.quantities, g)) for g in GROUPS}
     times = [i for i, symbol in enumerate(symbols["inputs"]) if symbol == TIME]
     known = totals(scene) if WITH_TOTALS & set(functions) else None
@@ -83,12 +100,13 @@ def derived(graphs: Graphs, functions: Sequence[str]) -> Derived:
         unknowns=tuple(equations.unknowns),
         left=left,
         right=right,
-        mass=equations.mass,
-        forcing=equations.forcing,
+        mass=mass,
+        forcing=forcing,
         rates=tuple(scene.coordinate_rates[qd] for qd in scene.qd),
         kinetic=known.kinetic if known else S.Zero,
         potential=known.potential if known and "energy" in functions else S.Zero,
         linear=tuple(known.linear_momentum) if known and momenta else (),
         angular=tuple(known.angular_momentum) if known and momenta else (),
         reactions=tuple(equations.reactions) if "reactions" in functions else (),
+        rows=equations.rows if by_rows else (),
     )

@@ -27,6 +27,12 @@ STATE = ("q", "u", "inputs", "p")
 
 def _forward_dynamics(a: Arithmetic, outputs: Outputs, known: Derived) -> Iterator[Pair]:
     solution = outputs["ud"] + outputs["multipliers"]
+    if known.rows:
+        # The value of a row at what the graph gives; M and f would be its slope and its rest.
+        for symbol, number in zip(known.unknowns, solution, strict=True):
+            a.assign(symbol, number)
+        for i, row in enumerate(known.rows):
+            yield f"row {i} as derived", a.value(row), a.rational(0)
     for i in range(known.left.rows):
         yield f"row {i} of K x = k", _row(a, known.left, i, solution), a.value(known.right[i])
 

@@ -1,0 +1,64 @@
+"""Functions of a C folder: which function of the model each is, and what its arguments are."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from mechanics.exact.c_functions import lower
+from mechanics.exact.c_parse import Source
+from mechanics.exact.c_program import CProgram, Parameter
+
+COUNT, STRIDE = "count", "stride"
+"""The first arguments of a function of many states."""
+
+
+@dataclass(frozen=True)
+class Kernel:
+    """One function of a C text, and what it should be.
+
+    Attributes
+    ----------
+    function : str
+        Name in the model.
+    symbol : str
+        Name in C.
+    file : str
+    kind : str
+        ``"double"`` or ``"float"``.
+    shared : tuple of str or None
+        For a function of many states the inputs that all share; None for one of one state.
+    """
+
+    function: str
+    symbol: str
+    file: str
+    kind: str
+    shared: tuple[str, ...] | None = None
+
+    @property
+    def lanes(self) -> bool:
+        """Whether it takes many states."""
+        return self.shared is not None
+
+
+def lowered(
+    source: Source,
+    kernel: Kernel,
+    groups: Sequence[tuple[str, int]],
+    outputs: Sequence[tuple[str, int]],
+) -> CProgram:
+    """The straight-line code of a C function with arrays of these names and sizes.
+
+    Raises
+    ------
+    ExpressionError
+        If the text holds what is not known here.
+    """
+    given = [Parameter(COUNT, "size_t"), Parameter(STRIDE, "size_t")] if kernel.lanes else []
+    for group, size in groups:
+        moving = kernel.shared is not None and group not in kernel.shared
+        given.append(Parameter(group, kernel.kind, size, False, STRIDE if moving else ""))
+    for name, size in outputs:
+        given.append(Parameter(name, kernel.kind, size, True, STRIDE if kernel.lanes else ""))
+    return lower(source, kernel.symbol, given)
