@@ -116,7 +116,7 @@ def measured(model: Model, folder: Path) -> Measured:
     if packages := missing_tools():
         raise CompilerError(f"no cross compiler or emulator: install {' '.join(packages)}")
     code, build = folder / "c", folder / "build"
-    write_c(model, code, name=NAME, precision="single")
+    write_c(model, code, name=NAME, precision="single", batch=False)
     toolchain = f"-DCMAKE_TOOLCHAIN_FILE={EMBEDDED / 'cortex_m4f.cmake'}"
     flags = f"-D{NAME.upper()}_FLAGS={STRICT}"
     _run(["cmake", "-S", str(code), "-B", str(build), toolchain, flags])

@@ -37,9 +37,9 @@ def write_folder(target: Path, name: str, files: Mapping[str, str]) -> tuple[Pat
         for file, text in files.items():
             # The same bytes everywhere, whatever the machine takes for an end of line.
             (target / file).write_bytes(text.encode("utf-8"))
-        for file in list(target.iterdir()):
-            if file.name not in files and _digest(file) == held.get(file.name, ""):
-                file.unlink()
+        for path in list(target.iterdir()):
+            if path.name not in files and _digest(path) == held.get(path.name, ""):
+                path.unlink()
     except OSError as error:
         raise InputError(
             f"{target} cannot be written: {error.strerror}: name a folder that can be"

@@ -22,7 +22,9 @@ _TABLES = re.compile(
 )
 
 
-def loader(model: Model, name: str, parts: Sequence[Part], names: Sequence[str]) -> str:
+def loader(
+    model: Model, name: str, parts: Sequence[Part], names: Sequence[str], many: Sequence[str]
+) -> str:
     """Text of the module.
 
     Parameters
@@ -33,8 +35,15 @@ def loader(model: Model, name: str, parts: Sequence[Part], names: Sequence[str])
         The precisions that are written.
     names : sequence of str
         Of the functions.
+    many : sequence of str
+        Those that are there for many states, too.
     """
     tables = _tables(model, name, parts, names)
+    tables["BATCH"] = tuple(many)
+    ends = ("", "_batch") if many else ("",)
+    tables["SOURCES"] = {
+        part.precision: tuple(f"{part.prefix}{end}.c" for end in ends) for part in parts
+    }
     text = inspect.getsource(loader_template)
     (inputs, outputs), first = tables["FUNCTIONS"][names[0]], names[0]
     words = {
@@ -59,7 +68,6 @@ def _tables(model: Model, name: str, parts: Sequence[Part], names: Sequence[str]
     return {
         "NAME": name,
         "PREFIXES": {part.precision: part.prefix for part in parts},
-        "SOURCES": {part.precision: (f"{part.prefix}.c",) for part in parts},
         "ARRAYS": {
             array: tuple((e.name, e.unit, e.meaning) for e in array_entries(model, array))
             for array in used_arrays(model, names)

@@ -9,6 +9,10 @@
 An array is given as a sequence in the order of `ARRAYS`, or as names with values; parameters that
 are left out are typical. Results are NumPy arrays where NumPy is installed, else `array.array`,
 with matrices column by column. Calls release the lock of the interpreter: use threads as you like.
+
+The functions in `BATCH` are there for many states, too: `system.NAME_batch` takes a row of numbers,
+one a state, for each entry of q, u and inputs, and gives such rows. A NumPy array of shape
+(entries, states), contiguous and of the right type, is read where it stands.
 """
 
 import array
@@ -38,6 +42,7 @@ TYPICAL: dict[str, float] = {}  # parameters
 # Inputs with their sizes and outputs with their shapes, in the order of the arguments.
 FUNCTIONS: dict[str, tuple[tuple[tuple[str, int], ...], tuple[tuple[str, tuple[int, ...]], ...]]]
 FUNCTIONS = {}
+BATCH: tuple[str, ...] = ()  # functions of many states
 # End of what was generated.
 
 STATUS = ("ok", "singular", "overflow", "bad input")
@@ -95,6 +100,9 @@ class System:
         for name in FUNCTIONS:
             function = getattr(self._library, f"{PREFIXES[precision]}_{name}")
             setattr(self, name, _method(name, function, *TYPES[precision]))
+        for name in BATCH:
+            function = getattr(self._library, f"{PREFIXES[precision]}_{name}_batch")
+            setattr(self, f"{name}_batch", _batch(name, function, *TYPES[precision]))
 
 
 def _method(name: str, function: Any, real: Any, code: str) -> Any:
@@ -103,12 +111,7 @@ def _method(name: str, function: Any, real: Any, code: str) -> Any:
     function.restype = ctypes.c_int
 
     def call(*arrays: Any, **named: Any) -> Any:
-        if len(arrays) > len(inputs):
-            raise TypeError(f"{name} takes {len(inputs)} arrays, not {len(arrays)}")
-        given = {group: value for (group, _), value in zip(inputs, arrays, strict=False)}
-        if wrong := [group for group in named if group in given or group not in dict(inputs)]:
-            raise TypeError(f"{name}: {wrong[0]!r} is unknown or given twice")
-        given |= named
+        given = _sorted_out(name, inputs, arrays, named)
         groups = [_given(g, size, given.get(g), real) for g, size in inputs]
         results = [(real * math.prod(shape))() for _, shape in outputs]
         status = function(*groups, *results)
@@ -123,6 +126,51 @@ def _method(name: str, function: Any, real: Any, code: str) -> Any:
         f" -> {', '.join(f'{out}{list(shape)}' for out, shape in outputs)}"
     )
     return call
+
+
+def _batch(name: str, function: Any, real: Any, code: str) -> Any:
+    inputs, outputs = FUNCTIONS[name]
+    made: Any = namedtuple(f"{name}_batch", [out for out, _ in outputs])  # type: ignore[misc]
+    function.restype = ctypes.c_int
+
+    def call(*arrays: Any, **named: Any) -> Any:
+        given = _sorted_out(name, inputs, arrays, named)
+        counts = {len(row) for g, _ in inputs if g != "p" for row in given.get(g, ())}
+        if len(counts) != 1:
+            raise ValueError(f"{name}_batch: rows of {sorted(counts)} states: give as many in each")
+        (count,) = counts
+        groups = [
+            _given(g, n, given.get(g), real) if g == "p" else _rows(g, n, given.get(g, ()), real)
+            for g, n in inputs
+        ]
+        results = [(real * (math.prod(shape) * count))() for _, shape in outputs]
+        size = ctypes.c_size_t(count)
+        function(size, size, *groups, *results)
+        if numpy is None:
+            return made(*(array.array(code, result) for result in results))
+        return made(*(numpy.frombuffer(result, real).reshape(-1, count) for result in results))
+
+    call.__name__ = f"{name}_batch"
+    call.__doc__ = f"{name} at many states: a row of numbers, one a state, for each entry."
+    return call
+
+
+def _rows(group: str, size: int, value: Any, real: Any) -> Any:
+    if len(value) != size:
+        raise ValueError(f"{group} has {len(value)} rows: {size} are needed")
+    if numpy is None:
+        return (real * (size * len(value[0])))(*(number for row in value for number in row))
+    # The result holds the array.
+    return numpy.ascontiguousarray(value, real).ctypes.data_as(ctypes.POINTER(real))
+
+
+def _sorted_out(name: str, inputs: Any, arrays: tuple, named: dict[str, Any]) -> dict[str, Any]:
+    if len(arrays) > len(inputs):
+        raise TypeError(f"{name} takes {len(inputs)} arrays, not {len(arrays)}")
+    given = {group: value for (group, _), value in zip(inputs, arrays, strict=False)}
+    if wrong := [group for group in named if group in given or group not in dict(inputs)]:
+        raise TypeError(f"{name}: {wrong[0]!r} is unknown or given twice")
+    return given | named
 
 
 def _given(group: str, size: int, value: Any, real: Any) -> Any:

@@ -15,7 +15,7 @@ from mechanics.export.header import comment
 from mechanics.export.precision import Part, choices
 
 
-def build_files(model: Model, name: str, parts: Sequence[Part]) -> dict[str, str]:
+def build_files(model: Model, name: str, parts: Sequence[Part], batch: bool) -> dict[str, str]:
     """Text by name of file.
 
     Parameters
@@ -24,20 +24,23 @@ def build_files(model: Model, name: str, parts: Sequence[Part]) -> dict[str, str
         Of the library.
     parts : sequence of Part
         The precisions that are written.
+    batch : bool
+        Whether there are functions of many states.
     """
     words = {
         "TITLE": title(model),
         "NAME": name,
         "MACRO": name.upper(),
         "VERSION": package_version(),
-        "PARTS": "\n".join(_variables(name, part) for part in parts),
+        "PARTS": "\n".join(_variables(name, part, batch) for part in parts),
         "PRECISION": choices(parts)[-1],
         "CHOICES": ", ".join(choices(parts)),
     }
-    return {
+    files = {
         "CMakeLists.txt": _filled("CMakeLists.txt", words),
         f"{name}.pc.in": _filled("package.pc.in", words),
     }
+    return files | ({"vectorised.cmake": _filled("vectorised.cmake", words)} if batch else {})
 
 
 def title(model: Model) -> str:
@@ -56,16 +59,11 @@ def package_version() -> str:
     return found[0] if found else "0"
 
 
-def _variables(name: str, part: Part) -> str:
-    """CMake variables that hold the files of a part."""
-    return "\n".join(
-        f"set({name}_{part.precision}_{group} {file})"
-        for group, file in (
-            ("sources", f"{part.prefix}.c"),
-            ("header", f"{part.prefix}.h"),
-            ("selftest", f"{part.prefix}_selftest"),
-        )
-    )
+def _variables(name: str, part: Part, batch: bool) -> str:
+    """CMake variables that hold the files of a part, without their ends."""
+    many = f"{part.prefix}_batch" if batch else '""'
+    own = f"{name}_{part.precision}"
+    return f"set({own} {part.prefix})\nset({own}_batch {many})"
 
 
 def _filled(template: str, words: dict[str, str]) -> str:

@@ -82,11 +82,11 @@ def _test(
     yield "{"
     for i, (group, size) in enumerate(code.inputs):
         if size:
-            yield from _table(part.kind, f"{group}_in", [state.inputs[i] for state in states])
+            yield from table(part.kind, f"{group}_in", [state.inputs[i] for state in states])
     for i, (out, _) in enumerate(code.shapes):
         if sizes[i]:
-            yield from _table(part.kind, f"{out}_expected", [state.expected[i] for state in states])
-            yield from _table(
+            yield from table(part.kind, f"{out}_expected", [state.expected[i] for state in states])
+            yield from table(
                 part.kind, f"{out}_tolerance", [state.tolerance[i] for state in states]
             )
     yield "    int failures = 0, status;"
@@ -116,26 +116,28 @@ def _call(
 ) -> Iterator[str]:
     """Call a function and check its status, and its outputs where what to expect is known."""
     given = ", ".join([*arguments.values(), *(out for out, _ in outs)])
-    yield from _wrapped(f"status = {part.prefix}_{name}({given});", "        ")
+    yield from wrapped(f"status = {part.prefix}_{name}({given});", "        ")
     yield f'        failures += check_status("{name}", i, status);'
     for out, size in outs if known else ():
         what = name if len(outs) == 1 else f"{name} {out}"
-        yield from _wrapped(
+        yield from wrapped(
             f'failures += check("{what}", i, {size}, {out}, {out}_expected[i],'
             f" {out}_tolerance[i]);",
             "        ",
         )
 
 
-def _table(kind: str, name: str, rows: Sequence[Sequence[float]]) -> Iterator[str]:
+def table(kind: str, name: str, rows: Sequence[Sequence[float]]) -> Iterator[str]:
+    """A table of numbers, one row a state."""
     yield f"    static const {kind} {name}[{len(rows)}][{len(rows[0])}] = {{"
     for row in rows:
         numbers = ", ".join(literal(value, kind) for value in row)
-        yield from _wrapped(f"{{{numbers}}},", "        ")
+        yield from wrapped(f"{{{numbers}}},", "        ")
     yield "    };"
 
 
-def _wrapped(text: str, indent: str) -> list[str]:
+def wrapped(text: str, indent: str) -> list[str]:
+    """Lines that are not too long."""
     return textwrap.wrap(
         text, LINE, initial_indent=indent, subsequent_indent=indent + "    ",
         break_long_words=False, break_on_hyphens=False,

@@ -52,13 +52,17 @@ class Vector:
     tolerance: tuple[tuple[float, ...], ...]
 
 
-def vectors(model: Model, name: str, digits: int = 53) -> tuple[Vector, ...]:
+def vectors(
+    model: Model, name: str, digits: int = 53, shared: Sequence[str] = ()
+) -> tuple[Vector, ...]:
     """Test vectors of one function of a model; the same ones every time.
 
     Parameters
     ----------
     digits : int
         Binary digits of the numbers that the function computes with.
+    shared : sequence of str
+        Inputs that have the same values in all vectors.
 
     Raises
     ------
@@ -67,7 +71,8 @@ def vectors(model: Model, name: str, digits: int = 53) -> tuple[Vector, ...]:
     """
     function = model.casadi[name]
     found: list[Vector] = []
-    for inputs in _states(model.quantities, [function.name_in(i) for i in range(function.n_in())]):
+    groups = [function.name_in(i) for i in range(function.n_in())]
+    for inputs in _states(model.quantities, groups, shared):
         vector = _vector(function, inputs, digits)
         if vector is not None:
             found.append(vector)
@@ -81,7 +86,7 @@ def vectors(model: Model, name: str, digits: int = 53) -> tuple[Vector, ...]:
     return tuple(found)
 
 
-def _states(quantities: Quantities, groups: Sequence[str]) -> list[Inputs]:
+def _states(quantities: Quantities, groups: Sequence[str], shared: Sequence[str]) -> list[Inputs]:
     """Ordinary states, rounded to single precision so that they are short to write."""
     known = sample(quantities, DRAWN, SEED, DECADES)
     columns = dict(zip(("q", "u", "inputs", "p"), known.groups, strict=True))
@@ -91,7 +96,10 @@ def _states(quantities: Quantities, groups: Sequence[str]) -> list[Inputs]:
         columns[group] = random.uniform(-10, 10, (DRAWN, len(entries)))
     columns["h"] = random.uniform(*STEP, (DRAWN, 1))
     rounded = {group: array.astype(np.float32).astype(float) for group, array in columns.items()}
-    return [tuple(tuple(rounded[g][i].tolist()) for g in groups) for i in range(DRAWN)]
+    return [
+        tuple(tuple(rounded[g][0 if g in shared else i].tolist()) for g in groups)
+        for i in range(DRAWN)
+    ]
 
 
 def _vector(function: ca.Function, inputs: Inputs, digits: int) -> Vector | None:

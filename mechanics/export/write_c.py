@@ -3,8 +3,11 @@
     NAME.h             sizes, order and units of every array, one prototype a function
     NAME.c             the functions: plain arguments, no allocation, no global state
     NAME_selftest.c    a program that checks them against enclosed values, exit code 0 or 1
+    NAME_batch...      header, functions and self-test for many states at once, vectorised
+    NAME_sine.h        sine and cosine for these
     NAME_single...     the same in single precision, where it is asked for
     CMakeLists.txt     a library, the self-tests for ctest, a package for find_package
+    vectorised.cmake   says after a build which functions of many states are vectorised
     NAME.pc.in         for pkg-config
     NAME_loader.py     calls it from Python
     manifest.json      what was generated from what: hash of each file, operation counts, versions
@@ -17,6 +20,8 @@ from pathlib import Path
 
 from mechanics.compiled import Model
 from mechanics.compiled.c.source import function_source, signature
+from mechanics.export.batch import batch_header, batch_implementation, batched, sine_header
+from mechanics.export.batch_selftest import batch_selftest
 from mechanics.export.folder import write_folder
 from mechanics.export.header import comment, header
 from mechanics.export.loader import loader
@@ -34,6 +39,7 @@ def write_c(
     name: str | None = None,
     functions: Sequence[str] | None = None,
     precision: str = "double",
+    batch: bool = True,
 ) -> tuple[Path, ...]:
     """Write a model as C.
 
@@ -49,6 +55,9 @@ def write_c(
         ``prepare`` and ``forward_dynamics_prepared``.
     precision : str
         ``"double"``, ``"single"`` (files and functions then begin with NAME_single) or ``"both"``.
+    batch : bool
+        Whether functions of many states are written, too: those of `mechanics.export.batch.BATCHED`
+        that are among the functions.
 
     Returns
     -------
@@ -66,17 +75,31 @@ def write_c(
     prefix = chosen_prefix(model, name)
     parts = named_parts(prefix, precision)
     names = model.programs.written(functions)
+    many = batched(names) if batch else ()
     files: dict[str, str] = {}
     for part in parts:
-        files |= {
-            f"{part.prefix}.h": header(model, part, names),
-            f"{part.prefix}.c": implementation(model, part, names),
-            f"{part.prefix}_selftest.c": selftest(model, part, names),
-        }
-    files |= build_files(model, prefix, parts)
-    files[f"{prefix}_loader.py"] = loader(model, prefix, parts, names)
+        files |= _sources(model, part, names, many)
+    files |= build_files(model, prefix, parts, bool(many))
+    files[f"{prefix}_loader.py"] = loader(model, prefix, parts, names, many)
     files["manifest.json"] = manifest(model, prefix, names, files)
     return write_folder(Path(folder), prefix, files)
+
+
+def _sources(model: Model, part: Part, names: Sequence[str], many: Sequence[str]) -> dict[str, str]:
+    """C of one precision, by name of file."""
+    files = {
+        f"{part.prefix}.h": header(model, part, names),
+        f"{part.prefix}.c": implementation(model, part, names),
+        f"{part.prefix}_selftest.c": selftest(model, part, names),
+    }
+    if many:
+        files |= {
+            f"{part.prefix}_batch.h": batch_header(model, part, many),
+            f"{part.prefix}_batch.c": batch_implementation(model, part, many),
+            f"{part.prefix}_batch_selftest.c": batch_selftest(model, part, many),
+            f"{part.prefix}_sine.h": sine_header(part),
+        }
+    return files
 
 
 def implementation(model: Model, part: Part, names: Sequence[str]) -> str:

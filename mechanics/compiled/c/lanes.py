@@ -129,9 +129,10 @@ class _Writer:
                 text = self._texts[node_at].code
                 self.inside.append(f"        {out}[{self._place(entry)}] = {text};")
         read = {code.inputs[n.operands[0]][0] for k, n in self._inputs()}
-        self.ignored = [
-            f"    (void){group};" for group, size in code.inputs if size and group not in read
-        ]
+        unread = [group for group, size in code.inputs if size and group not in read]
+        if not any(" * stride" in line for line in self.inside):
+            unread.append("stride")
+        self.ignored = [f"    (void){argument};" for argument in unread]
 
     def check(self) -> str:
         """Add to the loop whether values are finite; the name of the flag."""

@@ -1,0 +1,102 @@
+"""NAME_batch.h and NAME_batch.c: functions of many states at once, which compilers vectorise.
+
+    NAME_forward_dynamics_batch(count, stride, q, u, p, ud)      q[k * stride + i]: entry k, state i
+
+The loops are those of `mechanics.compiled.c.batch`. NAME_sine.h, for the folder's own use, has the
+inline sine and cosine of `mechanics.compiled.c.sine`; the scalar functions stand in where an angle
+is too large for these.
+"""
+
+from collections.abc import Sequence
+
+from mechanics.compiled import Model
+from mechanics.compiled.c.batch import batch_source
+from mechanics.compiled.c.lanes import FAR, SHARED, WILD, arguments, wrapped
+from mechanics.compiled.c.sine import LIMIT, sine_source
+from mechanics.export.header import FUNCTIONS, comment
+from mechanics.export.precision import Part
+
+BATCHED = ("forward_dynamics", "coordinate_rates", "energy")
+"""Functions that ensembles of motions need. Others are long, and compilers take long for them."""
+
+TOP = """\
+/*
+ * Functions of many states at once: {scene}.
+ *
+ * Structure of arrays: entry k of state i is array[k * stride + i], with stride >= count. All
+ * states share {shared}. {prefix}.h has the order and unit of every entry. Arrays need not be
+ * aligned; an output must not overlap an input.
+ *
+ * Every function returns 0, or a sum of
+ *   {far}  in some state an angle is beyond {limit} rad, or no number: such states, and only
+ *      they, are given to the scalar function, which has sine and cosine of the C library
+ *   {wild}  in some state a value is not finite: the status of the scalar function says why
+ */
+#ifndef {macro}_BATCH_H
+#define {macro}_BATCH_H
+
+#include "{prefix}.h"
+
+#include <stddef.h>
+
+#define {macro}_BATCH_FAR {far}
+#define {macro}_BATCH_NOT_FINITE {wild}
+
+#ifdef __cplusplus
+extern "C" {{
+#endif
+
+{prototypes}
+#ifdef __cplusplus
+}}
+#endif
+
+#endif /* {macro}_BATCH_H */
+"""
+
+
+def batched(names: Sequence[str]) -> tuple[str, ...]:
+    """Those of the functions that are written for many states, too."""
+    return tuple(name for name in names if name in BATCHED)
+
+
+def batch_header(model: Model, part: Part, names: Sequence[str]) -> str:
+    """Text of the header."""
+    prototypes = []
+    for name in names:
+        head = f"int {part.prefix}_{name}_batch({arguments(model.program(name), part.kind)});"
+        prototypes.append("\n".join([f"/* {FUNCTIONS[name]} */", *wrapped(head, ""), ""]))
+    return TOP.format(
+        scene=comment(model.equations.scene.name), prefix=part.prefix, macro=part.macro,
+        prototypes="\n".join(prototypes), far=FAR, wild=WILD, limit=f"{LIMIT:.0f}",
+        shared=" and ".join(SHARED),
+    )  # fmt: skip
+
+
+def batch_implementation(model: Model, part: Part, names: Sequence[str]) -> str:
+    """The C file."""
+    lines = [
+        f"/* {comment(model.equations.scene.name)}: many states at once. */", "",
+        f'#include "{part.prefix}_batch.h"', f'#include "{part.prefix}_sine.h"', "",
+        "#include <math.h>",
+    ]  # fmt: skip
+    written = ["\n".join(lines) + "\n"]
+    for name in names:
+        own = f"{part.prefix}_{name}"
+        entries = model.programs.names(name)
+        written.append(
+            batch_source(
+                model.program(name), entries, part.kind, f"{own}_batch", scalar=own, checked=True
+            )
+        )
+    return "\n".join(written)
+
+
+def sine_header(part: Part) -> str:
+    """Text of the header with the inline sine and cosine."""
+    guard = f"{part.macro}_SINE_H"
+    return "\n".join([
+        "/* Sine and cosine that a compiler vectorises. For the C files of this folder only. */",
+        f"#ifndef {guard}", f"#define {guard}", "", "#include <math.h>", "#include <stdint.h>", "",
+        sine_source(part.kind), f"#endif /* {guard} */", "",
+    ])  # fmt: skip
