@@ -11,11 +11,15 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from sympy import Expr, Symbol
 
+from mechanics.compiled.c.lanes import SHARED
 from mechanics.compiled.given import given_array, named_parameters
 from mechanics.compiled.graphs import MATRICES, Graphs
+from mechanics.compiled.machine.batch import BatchKernel
 from mechanics.compiled.machine.buffer import Buffer
 from mechanics.compiled.machine.direct import direct_calls
 from mechanics.compiled.machine.evaluator import FLAGS, Kernel, evaluator
+from mechanics.compiled.machine.native import LONG
+from mechanics.compiled.many_states import MANY, look_at, run, shared, written
 from mechanics.compiled.program import Program
 from mechanics.compiled.programs import Programs
 from mechanics.compiled.quantities import DIGITS, Quantities
@@ -52,6 +56,7 @@ class Functions:
     programs: Programs
     flags: str = FLAGS[0]
     _kernels: dict[tuple[str, type], Kernel] = field(default_factory=dict, repr=False)
+    _batches: dict[tuple, BatchKernel] = field(default_factory=dict, repr=False)
 
     @property
     def quantities(self) -> Quantities:
@@ -107,8 +112,44 @@ class Functions:
             )
         return self._kernels[name, kind]
 
+    def batch_kernel(
+        self,
+        name: str,
+        kind: type[np.floating] = np.float64,
+        shared: Sequence[str] = SHARED,
+        checked: bool = False,
+    ) -> BatchKernel | None:
+        """The evaluator of many states at once, compiled for this machine on first use.
+
+        None where there is no C compiler, or the function is so long that compiling it for speed
+        takes minutes. Its `vectorised` tells what the compiler made of it.
+        """
+        code, key = self.program(name), (name, kind, tuple(shared), checked)
+        if self.compiler is None or code.operations > LONG:
+            return None
+        if key not in self._batches:
+            names = self.programs.names(name)
+            self._batches[key] = BatchKernel(code, names, kind, self.compiler, shared, checked)
+        return self._batches[key]
+
+    def vectorised(
+        self, name: str = "forward_dynamics", kind: type[np.floating] = np.float64
+    ) -> str:
+        """Whether many states are computed by vectors, in words, and why not."""
+        kernel = self.batch_kernel(name, kind)
+        if kernel is not None:
+            return kernel.vectorised.sentence
+        why = "there is no C compiler" if self.compiler is None else "the function is too long"
+        return f"not vectorised: {why}: states are computed one by one"
+
     def evaluate(
-        self, name: str, kind: type[np.floating] = np.float64, **arrays: Any
+        self,
+        name: str,
+        kind: type[np.floating] = np.float64,
+        *,
+        out: Mapping[str, Array] | None = None,
+        threads: int = 1,
+        **arrays: Any,
     ) -> dict[str, Array]:
         """Every output of a function.
 
@@ -117,6 +158,10 @@ class Functions:
         name : str
             One of `casadi`.
         kind : numpy.float64 or numpy.float32
+        out : mapping of str to array, optional
+            Arrays that outputs are written to, by name.
+        threads : int
+            How many parts of a large batch are computed at a time.
         **arrays
             By name of the input.
 
@@ -125,30 +170,65 @@ class Functions:
         InputError
             If an array is missing, unknown or has a wrong shape; it is named with both shapes.
         """
-        code = self.program(name)
-        given = [
-            self._array(g, names, kind, arrays) for g, names in self.programs.names(name).items()
-        ]
-        unknown = set(arrays) - {group for group, _ in code.inputs}
-        if unknown:
+        given, count = self._given(name, kind, arrays)
+        return self._evaluated(name, kind, given, count, out, threads)[0]
+
+    def _given(
+        self, name: str, kind: type[np.floating], arrays: Mapping[str, Any]
+    ) -> tuple[dict[str, Array], int | None]:
+        """The inputs as arrays, and the number of states; None for a single one."""
+        named = self.programs.names(name)
+        given = {g: self._array(g, names, kind, arrays) for g, names in named.items()}
+        if unknown := set(arrays) - set(given):
             raise InputError(
                 f"{name}: there is no input {', '.join(sorted(unknown))}: the inputs are"
-                f" {', '.join(group for group, _ in code.inputs)}"
+                f" {', '.join(given)}"
             )
-        counts = {
-            group: len(a) for (group, _), a in zip(code.inputs, given, strict=True) if a.ndim == 2
-        }
+        counts = {group: len(a) for group, a in given.items() if a.ndim == 2}
         if len(set(counts.values())) > 1:
             sizes = ", ".join(f"{group} {count}" for group, count in counts.items())
             raise InputError(f"{name}: batches of different size: {sizes}: give one size to all")
-        count = next(iter(counts.values()), 1)
-        results = self.kernel(name, kind)([np.atleast_2d(a) for a in given], count)
+        return given, next(iter(counts.values()), None)
+
+    def _evaluated(
+        self,
+        name: str,
+        kind: type[np.floating],
+        given: Mapping[str, Array],
+        count: int | None,
+        out: Mapping[str, Array] | None = None,
+        threads: int = 1,
+        checked: bool = False,
+    ) -> tuple[dict[str, Array], int]:
+        """Every output, and what the batch kernel has met; with `checked`, it looks for more."""
+        code, out, met = self.program(name), out or {}, 0
+        look_at(code, out, count, kind)
+        many = self._many(name, kind, given, count, checked)
+        if many is None or count is None:
+            cells = [np.ascontiguousarray(np.atleast_2d(array)) for array in given.values()]
+            results = self.kernel(name, kind)(cells, 1 if count is None else count)
+        else:
+            flat = {output: array for output, array in out.items() if output not in MATRICES}
+            results, met = run(many, code, given, count, flat, threads)
         shaped = {}
-        for (out, (rows, cols)), result in zip(code.shapes, results, strict=True):
-            entries = result.reshape(count, cols, rows).swapaxes(1, 2)
-            entries = entries if out in MATRICES else entries[:, :, 0]
-            shaped[out] = entries if counts else entries[0]
-        return shaped
+        for (output, (rows, cols)), result in zip(code.shapes, results, strict=True):
+            entries = result.reshape(len(result), cols, rows).swapaxes(1, 2)
+            entries = entries if output in MATRICES else entries[:, :, 0]
+            shaped[output] = entries[0] if count is None else entries
+        return written(shaped, out), met
+
+    def _many(
+        self,
+        name: str,
+        kind: type[np.floating],
+        given: Mapping[str, Array],
+        count: int | None,
+        checked: bool = False,
+    ) -> BatchKernel | None:
+        """The batch kernel, if so many states are worth it."""
+        if count is None or count < MANY:
+            return None
+        return self.batch_kernel(name, kind, shared(given), checked)
 
     def _array(
         self, group: str, names: Sequence[str], kind: type[np.floating], arrays: Mapping[str, Any]

@@ -27,7 +27,7 @@ def given_array(group: str, names: Sequence[str], kind: type[np.floating], value
             raise InputError(f"{group} is missing: pass {size} values: {', '.join(names)}")
         value = np.zeros(0)
     try:
-        array: Array = np.ascontiguousarray(value, dtype=kind)
+        array: Array = np.asarray(value, dtype=kind)
     except (TypeError, ValueError) as error:
         raise InputError(f"{group}: these are no real numbers: {error}") from error
     if np.ndim(value) not in (1, 2) or array.shape[-1] != size:

@@ -18,6 +18,7 @@ from mechanics.compiled.functions import Functions
 from mechanics.compiled.graphs import Graphs
 from mechanics.compiled.machine.evaluator import FLAGS
 from mechanics.compiled.machine.native import find_compiler
+from mechanics.compiled.many_states import look_at, written
 from mechanics.compiled.one_state import CALLS, OneState
 from mechanics.compiled.programs import Programs
 from mechanics.equations import Equations
@@ -37,17 +38,23 @@ class Model(Functions):
         return OneState(self)
 
     def forward_dynamics(
-        self, q: ArrayLike, u: ArrayLike, p: Any = None, *, inputs: Any = None, check: bool = True
-    ) -> Array:
+        self, q: ArrayLike, u: ArrayLike, p: Any = None, *, inputs: Any = None,
+        check: bool = True, out: Array | None = None, threads: int = 1,
+    ) -> Array:  # fmt: skip
         """u' from the state: (n,) or (batch, n).
 
         With `check`, a state at which a value is no number raises InputError, SingularError or
-        RangeError, which name it; without, the array holds what the machine gives.
+        RangeError, which name it; without, the array holds what the machine gives. From 512 states
+        on they are computed by vectors, with sines and cosines of their own, in `threads` parts at
+        a time: results differ by a few units in the last place from those of single states. They
+        are written to `out`, if that is given; arrays are not copied, whatever their strides.
         """
-        found = self._one["forward_dynamics" if check else "unchecked"](q, u, inputs, p)
-        if found is not None:
-            return found
-        return self._solved(check, q=q, u=u, inputs=inputs, p=p)["ud"]
+        if out is None:
+            found = self._one["forward_dynamics" if check else "unchecked"](q, u, inputs, p)
+            if found is not None:
+                return found
+        arrays = {"q": q, "u": u, "inputs": inputs, "p": p}
+        return self._solved(check, arrays, None if out is None else {"ud": out}, threads)["ud"]
 
     def multipliers(
         self, q: ArrayLike, u: ArrayLike, p: Any = None, *, inputs: Any = None, check: bool = True
@@ -56,15 +63,27 @@ class Model(Functions):
         found = self._one["multipliers"](q, u, inputs, p) if check else None
         if found is not None:
             return found
-        return self._solved(check, q=q, u=u, inputs=inputs, p=p)["multipliers"]
+        arrays = {"q": q, "u": u, "inputs": inputs, "p": p}
+        return self._solved(check, arrays)["multipliers"]
 
-    def _solved(self, check: bool, **arrays: Any) -> dict[str, Array]:
-        if not check:
-            return self.evaluate("forward_dynamics", **arrays)
-        code = self.program("forward_dynamics")
-        names = self.programs.names("forward_dynamics")
-        given = {g: self._array(g, names[g], np.float64, arrays) for g, _ in code.inputs}
-        return checked(self.equations.scene.name, code, self.entries, given, self.evaluate)
+    def _solved(
+        self,
+        check: bool,
+        arrays: Mapping[str, Any],
+        out: Mapping[str, Array] | None = None,
+        threads: int = 1,
+    ) -> dict[str, Array]:
+        name = "forward_dynamics"
+        given, count = self._given(name, np.float64, arrays)
+        several = self._many(name, np.float64, given, count, check) is not None
+        if several or not check:
+            found, met = self._evaluated(name, np.float64, given, count, out, threads, check)
+            if not check or not met:
+                return found
+        code, scene = self.program(name), self.equations.scene.name
+        look_at(code, out or {}, count, np.float64)
+        looked = checked(scene, code, self.entries, given, self.evaluate)
+        return found if several else written(looked, out or {})
 
     def mass_matrix(
         self, q: ArrayLike, u: ArrayLike, p: Any = None, *, inputs: Any = None
