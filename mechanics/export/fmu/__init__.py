@@ -3,7 +3,7 @@
     given, wanted = variables      wanted = g(given) in C      modelDescription.xml      NAME.fmu
 
 The C of the interface is the same for every model and stands in the folder ``c``, as it is shipped;
-what differs, ``model.h`` and ``model.c``, is generated.
+what differs, ``model.c`` with the functions and ``tables.c`` with names and numbers, is generated.
 """
 
 from mechanics.export.fmu.unit import Start, write_unit

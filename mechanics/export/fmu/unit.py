@@ -31,6 +31,7 @@ from mechanics.export.fmu.description import build_description, model_descriptio
 from mechanics.export.fmu.functions import Functions, functions
 from mechanics.export.fmu.model_text import model_header, model_source
 from mechanics.export.fmu.step_size import ALLOWED, Rates, step_size
+from mechanics.export.fmu.tables_text import tables_header, tables_source
 from mechanics.export.fmu.variables import Variables, variables
 
 SUFFIX = ".fmu"
@@ -122,13 +123,15 @@ def _rates(model: Model, known: Functions) -> Rates:
 def _contents(model: Model, known: Functions, found: Variables, beyond: bool) -> dict[str, bytes]:
     """Every file but the library, by its name in the archive."""
     scene = model.equations.scene
+    conditions = scene.conditions if found.margins else ()
     name, title = identifier(scene.name), f"{scene.name}, derived by {model.equations.route}"
-    model_c = model_source(title, found, known, METHOD, scene.conditions if found.margins else ())
     fixed = "; ".join(f"{parameter} = {value}" for parameter, value in sorted(model.fixed.items()))
     own = {entry.name: entry.read_text(encoding="utf-8") for entry in _texts()}
-    token = _token(model_c, fixed, str(beyond), *own.values())
-    own["model.c"] = model_c
-    own["model.h"] = model_header(title, name, token, found, known, METHOD, beyond)
+    own["model.h"] = model_header(title, name, found, known)
+    own["model.c"] = model_source(title, name, found, known)
+    own["tables.c"] = tables_source(found, conditions, METHOD)
+    token = _token(fixed, str(beyond), *own.values())
+    own["tables.h"] = tables_header(title, name, token, beyond, bool(conditions), METHOD)
     words = {
         "modelName": scene.name,
         "instantiationToken": token,

@@ -5,7 +5,7 @@
  *
  * A communication step is divided into the fewest equal parts that are no longer than the parameter
  * for the step. Inputs are held over a communication step; time is not. The coefficients stand in
- * model.h.
+ * tables.c.
  */
 #include "fmu.h"
 

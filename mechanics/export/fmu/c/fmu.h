@@ -10,7 +10,7 @@
 #define FMU_H
 
 #include "fmi3.h"
-#include "model.h"
+#include "tables.h"
 
 /* Names that several files use, unique for each model that is linked into one program. */
 #define OWN(name) MODEL(fmu_##name)
