@@ -109,16 +109,31 @@ def codegen(
     outputs: Annotated[
         str, typer.Option(metavar="NAME,...", help="Functions to write; all by default.")
     ] = "",
+    precision: Annotated[
+        str, typer.Option(metavar="double|single|both", help="Of the numbers in C.")
+    ] = "double",
+    batch: Annotated[
+        bool, typer.Option("--batch/--no-batch", help="Functions of many states at once, too.")
+    ] = True,
+    name: Annotated[
+        str | None,
+        typer.Option(help="What files and functions begin with; the scene's name by default."),
+    ] = None,
 ) -> None:
-    """Write the equations as C99, with a header, a self-test and a manifest.
+    """Write the equations as C99: a folder that builds, tests and installs alone.
 
-    Parameters that are fixed are no longer inputs; what a zero multiplies is left out.
+    It holds headers with the order and unit of every entry, self-tests, a CMake package, a
+    pkg-config file, a Python loader and a manifest. Parameters that are fixed are no longer inputs;
+    what a zero multiplies is left out. What an earlier call wrote into the folder is replaced;
+    files of others stay as they are.
 
     Examples
     --------
     `mechanics codegen elastic_pendulum -o elastic_pendulum_c`
 
     `mechanics codegen elastic_pendulum -o small_c --fix g=9.81 --outputs forward_dynamics,energy`
+
+    `mechanics codegen elastic_pendulum -o chip_c --precision single --no-batch --name pendulum`
 
     `cmake -S elastic_pendulum_c -B build && cmake --build build && ctest --test-dir build`
     """
@@ -127,6 +142,6 @@ def codegen(
     asked = [name.strip() for name in outputs.split(",")] if outputs else None
     with Console(stderr=True).status("deriving"):
         model = compile(derive(scene, route), fixed=fixed, outputs=asked)
-        files = write_c(model, out)
+        files = write_c(model, out, name=name, precision=precision, batch=batch)
     for path in files:
         typer.echo(str(path))

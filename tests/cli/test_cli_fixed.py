@@ -13,7 +13,8 @@ def test_codegen_writes_what_is_asked_for(run: Any, tmp_path: Path) -> None:
     assert ran.code == 0, ran.err
     content = json.loads((tmp_path / "c" / "manifest.json").read_text(encoding="utf-8"))
     assert content["fixed"] == {"g": "981/100", "m": "0"}
-    assert list(content["functions"]) == ["forward_dynamics", "energy"]
+    parts = ["prepare", "forward_dynamics_prepared"]
+    assert list(content["functions"]) == ["forward_dynamics", "energy", *parts]
 
 
 def test_derive_prints_the_fixed_equations(run: Any) -> None:

@@ -143,7 +143,7 @@ def test_what_hinders_a_build_is_told(loader: ModuleType, monkeypatch, tmp_path:
     with pytest.raises(ValueError, match="precision 'half': this folder has double, single"):
         loader.load(precision="half")
     if find_compiler() is not None:
-        with pytest.raises(OSError, match=r"refused pendulum\.c, pendulum_batch\.c: .*no-such-flag"):
+        with pytest.raises(OSError, match=r"refused pendulum\.c, .*: .*no-such-flag"):
             loader.load(flags="--no-such-flag")
     monkeypatch.setenv("PATH", str(tmp_path))
     monkeypatch.delenv("CC", raising=False)

@@ -1,0 +1,54 @@
+"""`mechanics codegen`: precision, many states, names, and one line for every mistake."""
+
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+
+def written(ran: Any) -> set[str]:
+    assert ran.code == 0, ran.err
+    return {Path(line).name for line in ran.out.splitlines()}
+
+
+def test_precision_name_and_batch_choose_the_files(run: Any, tmp_path: Path) -> None:
+    ran = run("codegen", "rocker", "-o", tmp_path / "a", "--outputs", "energy", "--name", "swing")
+    double = written(ran)
+    assert double >= {"swing.c", "swing.h", "swing_batch.c", "swing_loader.py", "swing.pc.in"}
+    assert not any("single" in name for name in double)
+    single = written(run("codegen", "rocker", "-o", tmp_path / "b", "--outputs", "energy",
+                         "--precision", "single", "--no-batch", "--name", "swing"))  # fmt: skip
+    assert single >= {"swing_single.c", "swing_single.h", "swing_single_selftest.c"}
+    assert not any("batch" in name for name in single) and "swing.c" not in single
+
+
+def test_a_folder_with_a_space_can_be_written_twice(run: Any, tmp_path: Path) -> None:
+    folder = tmp_path / "with a space" / "c"
+    first = written(run("codegen", "rocker", "-o", folder, "--outputs", "energy"))
+    second = written(run("codegen", "rocker", "-o", folder, "--outputs", "energy", "--no-batch"))
+    assert second < first == second | {path for path in first if "batch" in path or "vec" in path
+                                       or "sine" in path}  # fmt: skip
+    assert {path.name for path in folder.iterdir()} == second
+
+
+@pytest.mark.parametrize(
+    ("options", "words"),
+    [
+        ("--name int", "name 'int' is no C identifier that is free: 'int_system' would be one"),
+        ("--name math", "name 'math' hides a header"),
+        ("--precision half", "precision 'half': there are double, single, both"),
+    ],
+)
+def test_mistakes_are_one_line(run: Any, tmp_path: Path, options: str, words: str) -> None:
+    ran = run("codegen", "rocker", "-o", tmp_path / "c", *options.split())
+    assert ran.code == 2
+    assert words in ran.err and ran.err.count("\n") == 1
+    assert not (tmp_path / "c").exists()
+
+
+def test_a_folder_of_somebody_else_is_one_line(run: Any, tmp_path: Path) -> None:
+    (tmp_path / "CMakeLists.txt").write_text("mine", encoding="utf-8")
+    ran = run("codegen", "rocker", "-o", tmp_path)
+    assert ran.code == 2
+    assert "was not generated" in ran.err and ran.err.count("\n") == 1
+    assert (tmp_path / "CMakeLists.txt").read_text(encoding="utf-8") == "mine"
