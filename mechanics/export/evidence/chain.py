@@ -1,0 +1,137 @@
+"""The chain of custody of one folder: what is shown about it.
+
+1   derived equations = graph          each function
+2   graph = C text                     each C function, its outputs and its status
+3   C text = binary                    each compiler that is found
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+
+from mechanics.compiled.custody.code import Code
+from mechanics.compiled.custody.derived import Derived
+from mechanics.compiled.custody.graph import prove_derived
+from mechanics.compiled.custody.kernel import Kernel
+from mechanics.compiled.custody.prove import Graph, is_prepared, prove_text
+from mechanics.compiled.custody.status import prove_status
+from mechanics.compiled.custody.text import Text
+from mechanics.compiled.hoist import PREPARE
+from mechanics.compiled.programs import PARTS
+from mechanics.errors import ExpressionError, InputError
+from mechanics.exact import Finding, Verdict
+from mechanics.exact.c_parse import Source
+from mechanics.export.evidence.graphs import RATES
+from mechanics.export.evidence.texts import not_named, sources
+
+SMALL = 80
+"""Nodes of a graph for which a proof is tried beyond the certificate."""
+
+
+@dataclass(frozen=True)
+class Evidence:
+    """What the files of a folder say, read.
+
+    Attributes
+    ----------
+    known : Derived
+    graphs : mapping of str to Graph
+        By function.
+    rates : Code or None
+        The graph that the step is made of.
+    kernels : tuple of Kernel
+    texts : mapping of str to str
+        C files and headers by name.
+    """
+
+    known: Derived
+    graphs: Mapping[str, Graph]
+    rates: Code | None
+    kernels: tuple[Kernel, ...]
+    texts: Mapping[str, str]
+
+
+@dataclass(frozen=True)
+class Read:
+    """A kernel whose text is the graph's, for the third step."""
+
+    kernel: Kernel
+    text: Text
+    prepare: Text | None = None
+
+
+Report = Callable[[str], None]
+"""Told what is looked at."""
+
+
+def silent(words: str) -> None:
+    """Nobody is told."""
+
+
+def first_step(evidence: Evidence, known: Derived, report: Report = silent) -> Iterator[Finding]:
+    """Decide for each graph whether it is what was derived."""
+    codes = {name: g.code for name, g in evidence.graphs.items() if name not in PARTS}
+    for name, graph in evidence.graphs.items():
+        if name in PARTS:
+            # Parts of a function: their text is compared with the graph of the whole.
+            codes.setdefault(graph.code.name, graph.code)
+    if evidence.rates is not None:
+        codes[RATES] = evidence.rates
+    for name, code in codes.items():
+        report(f"{name}: equations = graph")
+        small = len(code.nodes) <= SMALL
+        try:
+            yield prove_derived(name, code, known, evidence.rates, try_normal=small)
+        except (ExpressionError, InputError, KeyError) as error:
+            yield Finding(f"compiled {name} = derived", Verdict.UNDECIDED, f"refused: {error}")
+
+
+def second_step(evidence: Evidence, read: list[Read], report: Report = silent) -> Iterator[Finding]:
+    """Decide for each C function whether it is its graph; `read` gets those that are."""
+    found = sources(evidence.kernels, evidence.texts)
+    for kernel in evidence.kernels:
+        for (file, title), source in found.items():
+            if file == kernel.file:
+                report(f"{kernel.symbol}: graph = text")
+                yield from _kernel(evidence, kernel, title, source, read)
+    plain = {f: s for (f, t), s in found.items() if not t and isinstance(s, Source)}
+    for name in not_named(evidence.kernels, plain):
+        words = "refused: the manifest does not say what this function should be"
+        yield Finding(name, Verdict.UNDECIDED, words)
+
+
+def _kernel(
+    evidence: Evidence,
+    kernel: Kernel,
+    title: str,
+    source: Source | ExpressionError,
+    read: list[Read],
+) -> Iterator[Finding]:
+    where = f"{kernel.file}: {kernel.symbol}" + (f", as {title} reads it" if title else "")
+    if isinstance(source, ExpressionError):
+        yield Finding(f"{where} = graph", Verdict.UNDECIDED, f"refused: {source}")
+        return
+    if kernel.function not in evidence.graphs:
+        yield Finding(f"{where} = graph", Verdict.UNDECIDED, "refused: it has no graph")
+        return
+    prepare = _preparing(evidence.kernels, kernel)
+    if is_prepared(kernel.function) and prepare is None:
+        words = f"refused: there is no {PREPARE} function beside it"
+        yield Finding(f"{where} = graph", Verdict.UNDECIDED, words)
+        return
+    finding, text = prove_text(kernel, source, evidence.graphs, evidence.known, prepare)
+    yield finding
+    if text is not None and finding.shown:
+        status = prove_status(text, evidence.graphs[kernel.function], evidence.known)
+        yield status
+        if status.shown and not title:
+            read.append(Read(kernel, text))
+
+
+def _preparing(kernels: Sequence[Kernel], kernel: Kernel) -> Kernel | None:
+    """The function that prepares the parameters of another."""
+    if not is_prepared(kernel.function):
+        return None
+    same = (k for k in kernels if k.function == PREPARE and k.kind == kernel.kind)
+    return next((k for k in same if k.file == kernel.file), None)
