@@ -2,9 +2,8 @@
 
     NAME_forward_dynamics_batch(count, stride, q, u, p, ud)      q[k * stride + i]: entry k, state i
 
-The loops are those of `mechanics.compiled.c.batch`. NAME_sine.h, for the folder's own use, has the
-inline sine and cosine of `mechanics.compiled.c.sine`; the scalar functions stand in where an angle
-is too large for these.
+The loops are those of `mechanics.compiled.c.batch`, with the sine and cosine of NAME_sine.h; the
+scalar functions stand in where an angle is too large for these.
 """
 
 from collections.abc import Sequence
@@ -12,7 +11,7 @@ from collections.abc import Sequence
 from mechanics.compiled import Model
 from mechanics.compiled.c.batch import batch_source
 from mechanics.compiled.c.lanes import FAR, SHARED, WILD, arguments, wrapped
-from mechanics.compiled.c.sine import LIMIT, sine_source
+from mechanics.compiled.c.sine import LIMIT
 from mechanics.export.header import FUNCTIONS, comment
 from mechanics.export.precision import Part
 
@@ -90,13 +89,3 @@ def batch_implementation(model: Model, part: Part, names: Sequence[str]) -> str:
             )
         )
     return "\n".join(written)
-
-
-def sine_header(part: Part) -> str:
-    """Text of the header with the inline sine and cosine."""
-    guard = f"{part.macro}_SINE_H"
-    return "\n".join([
-        "/* Sine and cosine that a compiler vectorises. For the C files of this folder only. */",
-        f"#ifndef {guard}", f"#define {guard}", "", "#include <math.h>", "#include <stdint.h>", "",
-        sine_source(part.kind), f"#endif /* {guard} */", "",
-    ])  # fmt: skip

@@ -67,7 +67,7 @@ def batch_selftest(model: Model, part: Part, names: Sequence[str]) -> str:
     top = TOP.format(
         scene=comment(model.equations.scene.name), prefix=part.prefix, kind=part.kind,
         count=COUNT, stride=STRIDE, printed=part.printed,
-        fabs="fabs" if part.kind == "double" else "fabsf",
+        fabs=f"fabs{part.suffix}",
     )  # fmt: skip
     tests = []
     for name in names:

@@ -3,10 +3,12 @@
 from collections.abc import Iterator, Sequence
 
 from mechanics.compiled import Model
+from mechanics.compiled.c.sine import LIMIT
 from mechanics.compiled.c.source import signature
 from mechanics.compiled.c.status import Codes
 from mechanics.compiled.graphs import STATE
 from mechanics.compiled.hoist import CONSTANTS
+from mechanics.compiled.operations import ATOM, OPERATIONS
 from mechanics.compiled.quantities import Quantity
 from mechanics.errors import ValueMissingError
 from mechanics.export.precision import Part
@@ -22,6 +24,13 @@ ARRAYS = {
     "reactions": "reactions",
     "h": "time",
 }
+
+CALLS = {
+    operation: how.text.partition("{f}(")[0]
+    for operation, how in OPERATIONS.items()
+    if how.level == ATOM and "{f}(" in how.text
+}
+"""Functions of the C library, by operation of CasADi."""
 
 FUNCTIONS = {
     "forward_dynamics": "Accelerations u' (and multipliers) from the state.",
@@ -58,7 +67,8 @@ def header(model: Model, part: Part, names: Sequence[str]) -> str:
  *
  * Every function returns a status, and writes its outputs whatever it is. Nothing traps. Do not
  * compile with -ffast-math: it takes the check for infinity away.
-{fixed_values(model)} */
+ *
+{library_calls(model, part, names)}{fixed_values(model)} */
 #ifndef {guard}
 #define {guard}
 """
@@ -72,6 +82,27 @@ def header(model: Model, part: Part, names: Sequence[str]) -> str:
         sections.append(f"/* {FUNCTIONS[name]} */\n{prototype};\n")
     sections.append(f"#ifdef __cplusplus\n}}\n#endif\n\n#endif /* {guard} */\n")
     return "\n".join(sections)
+
+
+def library_calls(model: Model, part: Part, names: Sequence[str]) -> str:
+    """Lines of a comment that say what the functions need of the C library."""
+    called: set[str] = set()
+    for name in names:
+        for node in model.program(name).nodes:
+            if node.operation in CALLS:
+                called.add(CALLS[node.operation] + part.suffix)
+    if not called:
+        return " * Nothing of the C library is called.\n"
+    lines = [f" * Of the C library they call {', '.join(sorted(called))}."]
+    own = sorted({f"sin{part.suffix}", f"cos{part.suffix}"} & called)
+    if own:
+        lines[0] += f" With the macro {part.macro}_INLINE_SINE"
+        lines += [
+            f" * defined, {' and '.join(own)} are those of {part.prefix}_sine.h instead: up to"
+            f" {LIMIT:.0f} rad, with",
+            " * status 2 beyond, and an error of less than 2 units in the last place.",
+        ]
+    return "\n".join(lines) + "\n"
 
 
 def statuses(names: Codes) -> str:

@@ -41,6 +41,11 @@ class Part:
     printed: str
 
     @property
+    def suffix(self) -> str:
+        """End of the names of the C library's functions."""
+        return "f" if self.kind == "float" else ""
+
+    @property
     def macro(self) -> str:
         """Prefix of macros."""
         return self.prefix.upper()

@@ -57,7 +57,7 @@ def selftest(model: Model, part: Part, names: Sequence[str]) -> str:
     top = TOP.format(
         scene=comment(model.equations.scene.name), bits=BITS, room=ROOM, prefix=part.prefix,
         ok=part.codes.ok, kind=part.kind, digits=part.digits, printed=part.printed,
-        fabs="fabs" if part.kind == "double" else "fabsf",
+        fabs=f"fabs{part.suffix}",
     )  # fmt: skip
     parts = [top]
     # The two parts of a function are called at its states, one after the other.

@@ -4,7 +4,7 @@
     NAME.c             the functions: plain arguments, no allocation, no global state
     NAME_selftest.c    a program that checks them against enclosed values, exit code 0 or 1
     NAME_batch...      header, functions and self-test for many states at once, vectorised
-    NAME_sine.h        sine and cosine for these
+    NAME_sine.h        sine and cosine for these, and in place of libm's where that is chosen
     NAME_single...     the same in single precision, where it is asked for
     CMakeLists.txt     a library, the self-tests for ctest, a package for find_package
     vectorised.cmake   says after a build which functions of many states are vectorised
@@ -20,7 +20,7 @@ from pathlib import Path
 
 from mechanics.compiled import Model
 from mechanics.compiled.c.source import function_source, signature
-from mechanics.export.batch import batch_header, batch_implementation, batched, sine_header
+from mechanics.export.batch import batch_header, batch_implementation, batched
 from mechanics.export.batch_selftest import batch_selftest
 from mechanics.export.folder import write_folder
 from mechanics.export.header import comment, header
@@ -30,6 +30,7 @@ from mechanics.export.package import build_files
 from mechanics.export.precision import Part, named_parts
 from mechanics.export.prefix import chosen_prefix
 from mechanics.export.selftest import selftest
+from mechanics.export.sine import inline_choice, sine_header
 
 
 def write_c(
@@ -90,6 +91,7 @@ def _sources(model: Model, part: Part, names: Sequence[str], many: Sequence[str]
     files = {
         f"{part.prefix}.h": header(model, part, names),
         f"{part.prefix}.c": implementation(model, part, names),
+        f"{part.prefix}_sine.h": sine_header(part),
         f"{part.prefix}_selftest.c": selftest(model, part, names),
     }
     if many:
@@ -97,7 +99,6 @@ def _sources(model: Model, part: Part, names: Sequence[str], many: Sequence[str]
             f"{part.prefix}_batch.h": batch_header(model, part, many),
             f"{part.prefix}_batch.c": batch_implementation(model, part, many),
             f"{part.prefix}_batch_selftest.c": batch_selftest(model, part, many),
-            f"{part.prefix}_sine.h": sine_header(part),
         }
     return files
 
@@ -105,7 +106,10 @@ def _sources(model: Model, part: Part, names: Sequence[str], many: Sequence[str]
 def implementation(model: Model, part: Part, names: Sequence[str]) -> str:
     """The C file."""
     scene = comment(f"{model.equations.scene.name}, derived by {model.equations.route}")
-    written = [f"/* {scene} */", "", f'#include "{part.prefix}.h"', "", "#include <math.h>", ""]
+    written = [
+        f"/* {scene} */", "", f'#include "{part.prefix}.h"', "", "#include <math.h>", "",
+        inline_choice(part),
+    ]  # fmt: skip
     for name in names:
         code = model.program(name)
         head = signature(code, part.kind, f"{part.prefix}_{name}", "int")

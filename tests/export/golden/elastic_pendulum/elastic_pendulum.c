@@ -4,6 +4,12 @@
 
 #include <math.h>
 
+#ifdef ELASTIC_PENDULUM_INLINE_SINE
+#include "elastic_pendulum_sine.h"
+#define sin mechanics_sin
+#define cos mechanics_cos
+#endif
+
 int elastic_pendulum_forward_dynamics(const double q[2], const double u[2], const double p[5],
     double ud[2])
 {

@@ -7,6 +7,10 @@
  *
  * Every function returns a status, and writes its outputs whatever it is. Nothing traps. Do not
  * compile with -ffast-math: it takes the check for infinity away.
+ *
+ * Of the C library they call cos, sin. With the macro ELASTIC_PENDULUM_INLINE_SINE
+ * defined, cos and sin are those of elastic_pendulum_sine.h instead: up to 1048576 rad, with
+ * status 2 beyond, and an error of less than 2 units in the last place.
  */
 #ifndef ELASTIC_PENDULUM_H
 #define ELASTIC_PENDULUM_H

@@ -94,7 +94,9 @@ SOURCES = {'double': ('elastic_pendulum.c', 'elastic_pendulum_batch.c')}
 
 STATUS = ("ok", "singular", "overflow", "bad input")
 TYPES = {"double": (ctypes.c_double, "d"), "single": (ctypes.c_float, "f")}
-FLAGS = "-O3 -march=native" if platform.machine() in ("x86_64", "AMD64") else "-O3"
+FLAGS = "-O3"
+if platform.machine() in ("x86_64", "AMD64"):
+    FLAGS = "-O3 -march=native -mprefer-vector-width=512"
 
 
 class StatusError(ArithmeticError):

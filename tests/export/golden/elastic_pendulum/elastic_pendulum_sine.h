@@ -1,4 +1,8 @@
-/* Sine and cosine that a compiler vectorises. For the C files of this folder only. */
+/*
+ * Sine and cosine that a compiler makes inline and vectorises; for the C files of this folder only.
+ *
+ * Valid up to 1048576 rad. mechanics_sin and mechanics_cos give no number beyond.
+ */
 #ifndef ELASTIC_PENDULUM_SINE_H
 #define ELASTIC_PENDULUM_SINE_H
 
@@ -64,6 +68,20 @@ static inline void mechanics_sincos(double x, double *sine, double *cosine)
     const double even = quadrant & 1u ? s : c;
     *sine = mechanics_turned(odd, quadrant);
     *cosine = mechanics_turned(even, quadrant + 1u);
+}
+
+static inline double mechanics_sin(double x)
+{
+    double sine, cosine;
+    mechanics_sincos(x, &sine, &cosine);
+    return mechanics_far(x) ? (double)NAN : sine;
+}
+
+static inline double mechanics_cos(double x)
+{
+    double sine, cosine;
+    mechanics_sincos(x, &sine, &cosine);
+    return mechanics_far(x) ? (double)NAN : cosine;
 }
 
 #endif /* ELASTIC_PENDULUM_SINE_H */
