@@ -11,6 +11,7 @@ has no lambda, and fewer rows.
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
+from typing import Any
 
 from sympy import Expr, Matrix, Symbol
 
@@ -75,7 +76,8 @@ class Equations:
     scene : Scene
     route : str
     mass : Matrix
-        M, r x n. SI units follow from the rows.
+        M, r x n. SI units follow from the rows. Like f and B it may be given as a function, which
+        is called when it is first read.
     forcing : Matrix
         f, r x 1.
     multipliers : tuple of Symbol
@@ -98,6 +100,12 @@ class Equations:
         Makes the steps of the derivation, for people; called when they are first asked for.
     fixed : mapping of Symbol to Expr
         Parameters that stand as numbers in these equations, while the scene still names them.
+    of_bodies : bool
+        Whether these are the scene's own equations, so that forms of forward dynamics may start
+        from its bodies; not so where a model was simplified.
+    rows : tuple of Expr
+        M u' - f - B lambda row by row as it was derived, before it was split into M, f and B, where
+        the route has that.
     """
 
     scene: Scene
@@ -114,6 +122,8 @@ class Equations:
     chosen: tuple[str, ...] = ()
     explain: Callable[[], tuple[Step, ...]] = tuple
     fixed: Mapping[Symbol, Expr] = field(default_factory=dict)
+    of_bodies: bool = False
+    rows: tuple[Expr, ...] = ()
 
     @cached_property
     def reactions(self) -> tuple[tuple[Symbol, Expr], ...]:
@@ -148,6 +158,36 @@ class Equations:
         return left, right
 
     @property
+    def split(self) -> bool:
+        """Whether M, f and B are written out; until they are read, `rows` stand for them."""
+        return not (self.rows and callable(self.__dict__["mass"]))
+
+    @property
     def unknowns(self) -> tuple[Symbol, ...]:
         """(u', lambda) in the order of `system`."""
         return (*self.scene.ud, *self.multipliers)
+
+
+class Late:
+    """A matrix of `Equations` that may be given as a function, called when it is first read.
+
+    A chain of fifty links has 2600 entries of M, and its recursive kernels need none of them.
+    """
+
+    def __init__(self, name: str) -> None:
+        self._name = name
+
+    def __get__(self, instance: Any, owner: type) -> Any:
+        if instance is None:
+            return self
+        given = instance.__dict__[self._name]
+        if callable(given):
+            given = instance.__dict__[self._name] = given()
+        return given
+
+    def __set__(self, instance: Any, given: Matrix | Callable[[], Matrix]) -> None:
+        instance.__dict__[self._name] = given
+
+
+for _matrix in ("mass", "forcing", "reaction_matrix"):
+    setattr(Equations, _matrix, Late(_matrix))

@@ -108,6 +108,7 @@ def fix(equations: Equations, table: Fixed) -> Equations:
         equations,
         mass=put(equations.mass),
         forcing=put(equations.forcing),
+        rows=(),
         reaction_matrix=put(equations.reaction_matrix),
         constraint_matrix=put(equations.constraint_matrix),
         constraint_bias=put(equations.constraint_bias),

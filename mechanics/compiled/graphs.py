@@ -18,7 +18,7 @@ import casadi as ca
 import sympy
 
 from mechanics.compiled.fixed import Fixed, fix
-from mechanics.compiled.forms import Form, System, named_form
+from mechanics.compiled.forms import Form, System, chosen, named_form
 from mechanics.compiled.forms.order import Order
 from mechanics.compiled.forms.trial import chosen_pivots, largest_error
 from mechanics.compiled.mechanical import Totals, totals
@@ -71,7 +71,7 @@ class Graphs(Mapping[str, ca.Function]):
         self.equations = fix(equations, self.fixed)
         self._named = form
         if form != "auto":
-            # A form that there is not is refused at once; what suits best is found when needed.
+            # A form that there is not is refused at once; the cheapest is found when it is needed.
             named_form(form, self.equations)
         self._asked = self._checked(outputs)
         self.quantities: Quantities = quantities(
@@ -194,15 +194,22 @@ class Graphs(Mapping[str, ca.Function]):
     def _system(self) -> tuple[ca.SX, ca.SX]:
         return self._linear.graphs
 
-    @cached_property
+    @property
     def form(self) -> Form:
         """How forward dynamics is written."""
-        return named_form(self._named, self.equations)
+        return self._written[0]
 
-    @cached_property
+    @property
     def _solution(self) -> ca.SX:
         """(u', lambda)."""
-        return self.form.solve(self._linear)
+        return self._written[1]
+
+    @cached_property
+    def _written(self) -> tuple[Form, ca.SX]:
+        if self._named == "auto":
+            return chosen(self._linear)
+        form = named_form(self._named, self.equations)
+        return form, form.solve(self._linear)
 
     @property
     def pivots(self) -> Order:

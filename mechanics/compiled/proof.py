@@ -66,5 +66,5 @@ def prove_graph(
         raise InputError(f"function {name!r}: what it should be is known for {', '.join(LAWS)}")
     own, constants = graphs.exact(name)
     rates = code_of(*graphs.exact_rates()) if name == STEP else None
-    known = derived(graphs, (name,))
+    known = derived(graphs, (name,), by_rows=True)
     return prove_derived(name, code_of(function or own, constants), known, rates, **options)

@@ -188,17 +188,25 @@ def input_symbols(
     Energies and momenta hold the lower rates where the equations hold a higher one.
     """
     scene = equations.scene
-    left, right = equations.system
-    used = left.free_symbols | right.free_symbols
+    orders = range(1, len(DOTS))
+    given = {TIME, *(plain_symbol(f, k) for f in scene.inputs for k in orders)}
+    used = _used(equations, given)
     for _, expression in reactions:
         used |= expression.free_symbols
     found = list(scene.input_symbols)
-    orders = range(1, len(DOTS))
     highest = {f: max((k for k in orders if plain_symbol(f, k) in used), default=0)
                for f in scene.inputs}  # fmt: skip
     for order in orders:
         found += [plain_symbol(f, order) for f in scene.inputs if order <= highest[f]]
     return found + ([TIME] if TIME in used else [])
+
+
+def _used(equations: Equations, given: set[Symbol]) -> set[Symbol]:
+    """Those of the given symbols that the equations hold; M and f are not written out for none."""
+    if not equations.split and not any(row.free_symbols & given for row in equations.rows):
+        return set()
+    left, right = equations.system
+    return (left.free_symbols | right.free_symbols) & given
 
 
 def _input(scene: Scene, symbol: Symbol) -> Quantity:

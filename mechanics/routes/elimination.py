@@ -6,6 +6,9 @@ other row that holds it:
 
     row_i <- row_i - (c_i / c_p) row_p                       c_p a number
     row_i <- c_p row_i - c_i row_p                           otherwise: nothing is divided by c_p
+
+A reaction that closes a loop of bodies belongs to no joint of the tree (ropes over one pulley, teeth
+of two wheels): those are solved for last, from whatever rows are left.
 """
 
 from collections.abc import Sequence
@@ -37,6 +40,14 @@ class Solved:
     pivot: Expr
     row: Row
 
+    @property
+    def value(self) -> Expr:
+        """The reaction in the accelerations and the reactions that were not solved for before."""
+        others = (
+            -c * symbol for symbol, c in self.row.coefficients.items() if symbol != self.reaction
+        )
+        return Add(self.row.value, *others) / self.pivot
+
 
 @dataclass(frozen=True)
 class Elimination:
@@ -57,16 +68,36 @@ def eliminate(rows: Sequence[FreeBodyRow], bodies: Tree, kept: Sequence[Symbol])
     work = [Row(row.body, row.rate - row.applied, dict(row.coefficients)) for row in rows]
     solved: list[Solved] = []
     for name in reversed(bodies.order):
-        waiting = [r.symbol for r in bodies.joints[name] if r.symbol not in kept]
-        while waiting:
-            reaction, pivot = _pivot(work, name, waiting)
-            waiting.remove(reaction)
-            work.remove(pivot)
-            solved.append(Solved(reaction, pivot.body, pivot.coefficients[reaction], pivot))
-            for row in work:
-                if reaction in row.coefficients:
-                    _subtract(row, pivot, reaction)
+        own = [r.symbol for r in bodies.joints[name] if r.symbol not in kept]
+        solved += solve_for(work, own, name)
+    solved += solve_loops(work, kept)
     return Elimination(tuple(work), tuple(solved))
+
+
+def solve_loops(work: list[Row], kept: Sequence[Symbol]) -> list[Solved]:
+    """Solve rows for every reaction that they still hold and that is not kept, in place."""
+    held = dict.fromkeys(symbol for row in work for symbol in row.coefficients)
+    return solve_for(work, [symbol for symbol in held if symbol not in kept])
+
+
+def solve_for(work: list[Row], reactions: Sequence[Symbol], body: str = "") -> list[Solved]:
+    """Solve rows for reactions and put the solutions into the other rows, in place.
+
+    Raises
+    ------
+    SingularError
+        When no row determines a reaction.
+    """
+    waiting, solved = list(reactions), []
+    while waiting:
+        reaction, pivot = _pivot(work, body, waiting)
+        waiting.remove(reaction)
+        work.remove(pivot)
+        solved.append(Solved(reaction, pivot.body, pivot.coefficients[reaction], pivot))
+        for row in work:
+            if reaction in row.coefficients:
+                _subtract(row, pivot, reaction)
+    return solved
 
 
 def _pivot(work: Sequence[Row], body: str, waiting: Sequence[Symbol]) -> tuple[Symbol, Row]:
@@ -79,7 +110,9 @@ def _pivot(work: Sequence[Row], body: str, waiting: Sequence[Symbol]) -> tuple[S
     ]
     if not candidates:
         raise SingularError(
-            f"reaction {waiting[0]}: no momentum equation determines it: is it redundant?"
+            f"reactions {', '.join(map(str, waiting))}: no momentum equation determines them: are"
+            " they redundant? A loop may need more coordinates, and holonomic(...) constraints that"
+            " name them"
         )
     *_, reaction, row = min(candidates, key=lambda entry: entry[:3])
     return reaction, row

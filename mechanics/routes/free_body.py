@@ -7,7 +7,7 @@ of the tree of bodies to its root. Velocities come from `mechanics.kinematics.di
 """
 
 from collections.abc import Sequence
-from functools import partial
+from functools import cache, partial
 
 from sympy import Add, Expr, Matrix, S, Symbol
 
@@ -18,7 +18,7 @@ from mechanics.kinematics.constraints import constraint_rows
 from mechanics.kinematics.directions import AXES, Directions, used_directions
 from mechanics.kinematics.motion import BodyMotion, inertia_matrix
 from mechanics.routes.common import assemble
-from mechanics.routes.elimination import eliminate, solved_reactions
+from mechanics.routes.elimination import Row, eliminate, solved_reactions
 from mechanics.routes.free_body_steps import derivation_steps
 from mechanics.scene import RigidBody, Scene
 from mechanics.scene.actions import Action, applied_actions, by_body, moment, unit_reactions
@@ -40,23 +40,31 @@ def derive(scene: Scene) -> Equations:
     rows = free_body_rows(scene, bodies, motions)
     kept = multipliers(scene)
     result = eliminate(rows, bodies, kept)
-    system = assemble(scene, result.rows, kept)
+    # A chain of fifty links has 2600 entries of M and f, which few need.
+    system = cache(partial(assemble, scene, result.rows, kept))
     matrix, bias = constraint_rows(scene)
     return Equations(
         scene,
         "free_body",
-        system.mass,
-        system.forcing,
+        lambda: system().mass,
+        lambda: system().forcing,
         kept,
-        system.reaction_matrix,
+        lambda: system().reaction_matrix,
         matrix,
         bias,
         conjugate=False,
         solve_reactions=partial(solved_reactions, result.order) if result.order else None,
         free_bodies=rows,
         chosen=tuple(f"{row.body}: {row.kind} momentum along {row.axis}" for row in rows),
-        explain=partial(derivation_steps, scene, motions, rows, result, system),
+        explain=lambda: derivation_steps(scene, motions, rows, result, system()),
+        of_bodies=True,
+        rows=tuple(_residual(row) for row in result.rows),
     )
+
+
+def _residual(row: Row) -> Expr:
+    """``value - sum of coefficients times reactions``."""
+    return Add(row.value, *(-c * reaction for reaction, c in row.coefficients.items()))
 
 
 def free_body_rows(

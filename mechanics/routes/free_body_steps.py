@@ -7,7 +7,7 @@ from sympy import Add, Expr
 from mechanics.equations import FreeBodyRow, Line, Step
 from mechanics.kinematics.motion import BodyMotion
 from mechanics.routes.common import System, result_step
-from mechanics.routes.elimination import Elimination, Solved
+from mechanics.routes.elimination import Elimination
 from mechanics.scene import Scene
 
 
@@ -49,7 +49,7 @@ def derivation_steps(
             "From the leaves of the tree of bodies to its root, each reaction is solved from one"
             " row and put into the others.",
             tuple(
-                Line(solved.reaction, _solved(solved), f"from {solved.body}")
+                Line(solved.reaction, solved.value, f"from {solved.body}")
                 for solved in result.order
             ),
         ),
@@ -77,12 +77,3 @@ def kinematic_lines(name: str, motion: BodyMotion) -> list[Line]:
 def _momentum_name(row: FreeBodyRow) -> str:
     symbol = "p" if row.kind == "linear" else "H"
     return rf"{symbol}_{{\mathrm{{{row.body}}},{row.axis.split('.')[-1]}}}"
-
-
-def _solved(solved: Solved) -> Expr:
-    others = (
-        -factor * symbol
-        for symbol, factor in solved.row.coefficients.items()
-        if symbol != solved.reaction
-    )
-    return Add(solved.row.value, *others) / solved.pivot

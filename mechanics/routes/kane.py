@@ -45,6 +45,7 @@ def derive(scene: Scene) -> Equations:
         zeros(0, 1),
         conjugate=True,
         explain=partial(_steps, scene, mass, forcing),
+        of_bodies=True,
     )
 
 
@@ -77,6 +78,7 @@ def derive_with_multipliers(scene: Scene) -> Equations:
         bias,
         conjugate=True,
         explain=partial(_steps, scene, mass, forcing),
+        of_bodies=True,
     )
 
 
@@ -105,6 +107,7 @@ def _with_dependent_speeds(
         conjugate=False,
         chosen=tuple(f"dependent speed {scene.u[i]}" for i in dependent),
         explain=partial(_steps, scene, mass, forcing),
+        of_bodies=True,
     )
 
 

@@ -133,6 +133,7 @@ def _common_form(
         bias,
         conjugate=True,
         explain=lambda: (_energies(scene, kinetic, stored), result_step(scene, mass, forcing)),
+        of_bodies=True,
     )
 
 

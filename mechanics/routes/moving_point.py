@@ -5,7 +5,8 @@
 
 v_B is the velocity of the geometric point B, not of a material one. Candidates are the outboard
 subtrees of the tree of bodies; `mechanics.routes.twists` finds, for each, the principles in which
-the reactions that cross its boundary do not enter. Velocities come from
+the reactions that cross its boundary do not enter. Reactions that close a loop of bodies are let in,
+and eliminated by algebra where no constraint names them. Velocities come from
 `mechanics.kinematics.chain`.
 """
 
@@ -24,19 +25,26 @@ from mechanics.kinematics.manifold import on_the_manifold
 from mechanics.kinematics.motion import BodyMotion, PointMotion, inertia_matrix
 from mechanics.routes.balance import Balance, Part, dot
 from mechanics.routes.common import System, assemble
+from mechanics.routes.elimination import Row, Solved, solve_for
 from mechanics.routes.moving_point_steps import derivation_steps
 from mechanics.routes.twists import Principle, principles
 from mechanics.scene import Scene
 from mechanics.scene.actions import Action, applied_actions, by_body, moment, unit_reactions
 from mechanics.scene.rates import rate_table, rates
-from mechanics.scene.topology import multipliers, tree
+from mechanics.scene.topology import loop_reactions, multipliers, tree
 
 
 def derive(scene: Scene) -> Equations:
     """Equations of motion from principles in which the reactions do not enter."""
     kept = multipliers(scene)
+    loops = loop_reactions(scene, tree(scene))
     matrix, bias = constraint_rows(scene)
-    balances, system = _first_of_full_rank(scene, candidates(scene), kept, matrix)
+    balances, system = _first_of_full_rank(scene, candidates(scene), (*kept, *loops), matrix)
+    solved: list[Solved] = []
+    if loops:
+        rows = [Row(b.principle.words, b.value, dict(b.coefficients)) for b in balances]
+        solved = solve_for(rows, loops)
+        system = assemble(scene, rows, kept)
     return Equations(
         scene,
         "moving_point",
@@ -48,14 +56,15 @@ def derive(scene: Scene) -> Equations:
         bias,
         conjugate=False,
         chosen=tuple(balance.principle.words for balance in balances),
-        explain=partial(derivation_steps, scene, balances, system),
+        explain=partial(derivation_steps, scene, balances, solved, system),
+        of_bodies=True,
     )
 
 
 def candidates(scene: Scene) -> Iterator[Balance]:
     """Every candidate principle of every outboard subtree, from the leaves inward."""
     bodies = tree(scene)
-    kept = multipliers(scene)
+    kept = {*multipliers(scene), *loop_reactions(scene, bodies)}
     chain = Chain(scene)
     motions = {motion.body.name: motion for motion in body_motions(scene, chain)}
     loads = by_body(applied_actions(scene))
@@ -136,7 +145,8 @@ def _first_of_full_rank(
 ) -> tuple[tuple[Balance, ...], System]:
     """The first candidates of full rank, together with the constraints and where these hold.
 
-    One that reads 0 = 0 is among the dropped: the moment of a slider about the pin in its centre,
+    With constraint rows there are as many as speeds and reactions that are let in. One that reads
+    0 = 0 is among the dropped: the moment of a slider about the pin in its centre,
     which is beside it only where the loop is open.
 
     Raises
@@ -144,7 +154,8 @@ def _first_of_full_rank(
     SingularError
         When the candidates do not determine the motion.
     """
-    wanted = len(scene.u)
+    size = len(scene.u)
+    wanted = size + len(kept) - constraints.rows
     balances: list[Balance] = []
     rows: list[Matrix] = []
     independent: list[int] = []
@@ -163,11 +174,12 @@ def _first_of_full_rank(
     if len(independent) < wanted:
         raise SingularError(
             f"{scene.name}: the moving-point principles give {len(independent)} independent"
-            f" equations for {wanted} speeds: are the reactions complete and the mass matrix"
-            " regular?"
+            f" equations where {wanted} are needed: are the reactions complete and the mass"
+            " matrix regular? A loop may need more coordinates, and holonomic(...) constraints"
+            " that name its reactions"
         )
     # Read from the ground outward, as one would write them down.
     order = list(reversed(independent))
     whole = Matrix.vstack(*(rows[i] for i in order))
-    system = System(whole[:, :wanted], whole[:, -1], whole[:, wanted:-1])
+    system = System(whole[:, :size], whole[:, -1], whole[:, size:-1])
     return tuple(balances[i] for i in order), system

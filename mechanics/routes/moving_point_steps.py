@@ -8,18 +8,24 @@ from mechanics.equations import Line, Step
 from mechanics.exact import canonical
 from mechanics.routes.balance import Balance
 from mechanics.routes.common import System, result_step
+from mechanics.routes.elimination import Solved
 from mechanics.scene import Scene
 
 LARGEST_SCENE = 6
 """Number of equations up to which every term is written out; beyond, only the choice and result."""
 
 
-def derivation_steps(scene: Scene, balances: Sequence[Balance], system: System) -> tuple[Step, ...]:
+def derivation_steps(
+    scene: Scene, balances: Sequence[Balance], solved: Sequence[Solved], system: System
+) -> tuple[Step, ...]:
     """The derivation in the order in which it was carried out."""
     chosen = "; ".join(balance.principle.words for balance in balances)
-    choice = Step(
-        "Free bodies and moment centres", f"Chosen so that the reactions drop out: {chosen}.", ()
-    )
+    text = f"Chosen so that the reactions drop out: {chosen}."
+    if solved:
+        loops = ", ".join(str(step.reaction) for step in solved)
+        text += f" {loops} close a loop of bodies: they are let in, and eliminated by algebra."
+    lines = tuple(Line(step.reaction, step.value, f"from {step.body}") for step in solved)
+    choice = Step("Free bodies and moment centres", text, lines)
     result = result_step(scene, system.mass, system.forcing)
     if len(balances) > LARGEST_SCENE:
         return (choice, result)

@@ -15,7 +15,7 @@ from mechanics.compiled.forms.closed import quotients
 from mechanics.compiled.forms.coefficient import Coefficient, coefficient
 from mechanics.compiled.forms.entries import nested_entries
 from mechanics.compiled.forms.fewest import nested_quotients
-from mechanics.compiled.forms.members import FEWEST, automatic
+from mechanics.compiled.forms.members import FEWEST, preferred
 from mechanics.compiled.forms.written import Written
 from mechanics.compiled.sampling import sample
 from mechanics.exact import TooLarge, is_zero
@@ -146,7 +146,7 @@ SEEDS = ("elastic_pendulum", "rocker", "two_mass_chain")
 @pytest.mark.parametrize("route", ["free_body", "moving_point", "kane", "lagrange"])
 def test_the_form_is_proved_and_no_dearer(derived, system: str, route: str) -> None:
     equations = derived(system, route)
-    assert automatic(equations) is FEWEST
+    assert preferred(equations) is FEWEST
     fewest, other = (
         compile(equations, form=form, outputs=("forward_dynamics",))
         for form in ("fewest", "elimination")
@@ -169,7 +169,7 @@ def test_entries_of_large_systems_are_nested(derived, system: str, route: str) -
     for i in range(left.rows):
         for j, entry in enumerate([*left[i, :], right[i]]):
             assert is_zero(found.get((i, j), 0) - entry)
-    assert automatic(equations) is FEWEST
+    assert preferred(equations) is FEWEST
     nested, other = (
         compile(equations, form=form).program("forward_dynamics").operations
         for form in ("fewest", "elimination")
@@ -181,7 +181,7 @@ def test_too_many_terms_are_left_as_they_are(derived) -> None:
     equations = derived("rocker", "kane")
     theta, (f,) = equations.scene.q[0], equations.scene.input_symbols
     many = sympy.Add(*(theta**i * f**j for i in range(60) for j in range(60)))
-    assert automatic(dataclasses.replace(equations, forcing=Matrix([many]))) is not FEWEST
+    assert preferred(dataclasses.replace(equations, forcing=Matrix([many]))) is not FEWEST
     with pytest.raises(TooLarge, match="terms"):
         nested_entries(equations.mass.as_immutable(), Matrix([many]).as_immutable())
 

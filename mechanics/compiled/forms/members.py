@@ -42,6 +42,10 @@ ROUNDINGS = 8.0
 """Backward error that the form with the fewest operations may have, in roundings."""
 
 
+def _always(equations: Equations) -> str:
+    return ""
+
+
 @dataclass(frozen=True)
 class Form:
     """One way to write the solution of K x = k.
@@ -55,24 +59,25 @@ class Form:
         Why a set of equations cannot be solved in this form; empty where it can.
     solve : callable
         From the system to the graph of x.
+    inapplicable : callable
+        As `unsuited`, as far as it can be told without trying.
     """
 
     name: str
     meaning: str
     unsuited: Callable[[Equations], str]
     solve: Callable[[System], ca.SX]
+    inapplicable: Callable[[Equations], str] = _always
 
 
 def named_form(name: str, equations: Equations) -> Form:
-    """The form of a name; what suits the equations best for ``"auto"``.
+    """The form of a name.
 
     Raises
     ------
     InputError
         If there is no such form, or the equations have no such one.
     """
-    if name == "auto":
-        return automatic(equations)
     for form in FORMS:
         if form.name == name:
             if why := form.unsuited(equations):
@@ -81,19 +86,14 @@ def named_form(name: str, equations: Equations) -> Form:
     raise InputError(f"form {name!r}: the forms are auto, {', '.join(f.name for f in FORMS)}")
 
 
-def automatic(equations: Equations) -> Form:
+def preferred(equations: Equations) -> Form:
     """The first form of `PREFERRED` that suits the equations."""
-    suited = (form for form in PREFERRED if not form.unsuited(equations))
-    return next(suited)
+    return next(form for form in PREFERRED if not form.unsuited(equations))
 
 
 def _few(equations: Equations) -> str:
     n = equations.system[0].rows
     return f"{n} unknowns, at most {MOST} can be written out" if n > MOST else ""
-
-
-def _always(equations: Equations) -> str:
-    return ""
 
 
 def _conjugate(equations: Equations) -> str:
@@ -161,10 +161,10 @@ def _fewest(system: System) -> ca.SX:
     # Terms that cancel may have a factor in common: without it they do not.
     if not _readable(system.equations):
         poor.append(_primitive(system))
-    return min(poor, key=lambda graph: (_digits_lost(system.error(graph)), operations(graph)))
+    return min(poor, key=lambda graph: (digits_lost(system.error(graph)), operations(graph)))
 
 
-def _digits_lost(error: float) -> float:
+def digits_lost(error: float) -> float:
     """Decimal digits beyond the roundings that are allowed, in whole numbers."""
     if not isfinite(error):
         return inf
@@ -218,14 +218,16 @@ REFINED = Form("refined", "elimination and one step of refinement", _always, _re
 FEWEST = Form("fewest", "nested polynomials, in quotients or eliminated", _nestable, _fewest)
 
 RECURSIVE = Form(
-    "recursive", "bodies from leaves to root and back", recursive.unsuited, recursive.solve
-)
+    "recursive", "bodies from leaves to root and back",
+    recursive.unsuited, recursive.solve, recursive.inapplicable,
+)  # fmt: skip
 SPARSE = Form(
-    "sparse", "bodies and constraints, where few entries fill in", sparse.unsuited, sparse.solve
-)
+    "sparse", "bodies and constraints, where few entries fill in",
+    sparse.unsuited, sparse.solve, sparse.inapplicable,
+)  # fmt: skip
 
 FORMS: tuple[Form, ...] = (
     EXPLICIT, LDL, ELIMINATION, PRIMITIVE, REARRANGED, REFINED, FEWEST, RECURSIVE, SPARSE,
 )  # fmt: skip
 PREFERRED: tuple[Form, ...] = (FEWEST, LDL, ELIMINATION)
-"""What ``"auto"`` takes, the first that suits."""
+"""Of the forms that start from K and k, what ``"auto"`` takes: the first that suits."""

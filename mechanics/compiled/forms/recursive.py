@@ -21,13 +21,19 @@ from mechanics.equations import Equations
 from mechanics.errors import ExpressionError, SingularError
 
 
-def unsuited(equations: Equations) -> str:
-    """Why there is no tree to go along; empty where there is one."""
-    scene = equations.scene
-    if scene.constraints:
-        named = ", ".join(constraint.name for constraint in scene.constraints)
+def inapplicable(equations: Equations) -> str:
+    """Why there is no tree to go along; empty where there may be one."""
+    if not equations.of_bodies:
+        return f"the equations by {equations.route} are not those of the scene's bodies"
+    if equations.scene.constraints:
+        named = ", ".join(constraint.name for constraint in equations.scene.constraints)
         return f"the bodies are no tree, for {named} constrains them"
-    return _failure(equations)
+    return ""
+
+
+def unsuited(equations: Equations) -> str:
+    """Why u' cannot be written so; empty where it can."""
+    return inapplicable(equations) or _failure(equations)
 
 
 @cache

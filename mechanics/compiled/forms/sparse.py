@@ -29,11 +29,18 @@ from mechanics.scene import Scene
 from mechanics.scene.actions import unit_reactions
 
 
-def unsuited(equations: Equations) -> str:
-    """Why the constraints cannot be taken along; empty where they can."""
+def inapplicable(equations: Equations) -> str:
+    """Why there are no constraints to take along; empty where there may be."""
+    if not equations.of_bodies:
+        return f"the equations by {equations.route} are not those of the scene's bodies"
     if not equations.scene.constraints:
         return "nothing constrains the coordinates: form 'recursive' is for trees"
-    return _failure(equations)
+    return ""
+
+
+def unsuited(equations: Equations) -> str:
+    """Why the constraints cannot be taken along; empty where they can."""
+    return inapplicable(equations) or _failure(equations)
 
 
 @cache

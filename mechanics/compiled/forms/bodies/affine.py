@@ -35,8 +35,17 @@ class Affine:
         """The product with a graph."""
         if factor.is_zero():
             return Affine()
+        if factor.is_one():
+            return self
         scaled = {unknown: factor * entry for unknown, entry in self.coefficients.items()}
         return Affine(scaled, factor * self.constant)
+
+    def over(self, divisor: ca.SX) -> "Affine":
+        """The quotient by a graph."""
+        if divisor.is_one():
+            return self
+        parts = {unknown: entry / divisor for unknown, entry in self.coefficients.items()}
+        return Affine(parts, self.constant / divisor)
 
     @property
     def known(self) -> bool:

@@ -24,7 +24,7 @@ def gauss_function(reading: Reading) -> Gauss:
         mass = reading(scene.plain(body.mass, body.name))
         if not mass.is_zero():
             for entry in carried.acceleration(body.centre):
-                g.add_square(entry, entry, mass)
+                g.add_square(mass, entry)
         if isinstance(body, RigidBody):
             _spin(carried, body)
     for load in scene.loads:
@@ -39,8 +39,9 @@ def _spin(carried: Carried, body: RigidBody) -> None:
         return
     alpha, omega = carried.alpha(body.frame), carried.turning.omega(body.frame)
     for i, row in enumerate(inertia):
-        for j, entry in enumerate(row):
-            g.add_square(alpha[i], alpha[j], entry)
+        g.add_square(row[i], alpha[i])
+        for j in range(i):
+            g.add_product(row[j], alpha[i], alpha[j])
     # A scalar stands for a multiple of the identity, whose moment of momentum is along omega.
     if isinstance(body.inertia, Dyadic):
         couple = cross(omega, rotated(inertia, omega))

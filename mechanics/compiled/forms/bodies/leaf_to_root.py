@@ -10,7 +10,7 @@ from dataclasses import dataclass
 import casadi as ca
 
 from mechanics.compiled.forms.bodies.affine import Affine, Unknown
-from mechanics.compiled.forms.bodies.gauss import Gauss, minimise, put, turn
+from mechanics.compiled.forms.bodies.gauss import Gauss, few, gather, minimise, put, turn
 
 Rule = Callable[[str, int, int], tuple[int, ...]]
 """From the kind of a step, its cost and its age to what is least for the step to take next."""
@@ -120,6 +120,7 @@ class _Work:
         if kind == "minimise":
             found = [Solved(unknown, minimise(self.g, unknown))]
         elif kind == "put":
+            gather(self.g, unknown)
             found = [Solved(unknown, put(self.g, unknown, self._undefined(unknown)))]
         elif kind == "turn":
             by = self.g.turns[unknown]
@@ -138,7 +139,7 @@ class _Work:
         return value
 
     def _may_swap(self, unknown: Unknown) -> bool:
-        if len(self.users[unknown]) != 1 or self.g.row(unknown):
+        if len(self.users[unknown]) != 1 or self.g.holds(unknown):
             return False
         (user,) = self.users[unknown]
         return self.nonzero(self.g.definitions[user].coefficients[unknown])
@@ -156,7 +157,7 @@ class _Work:
 
     def _put_or_turn(self, unknown: Unknown) -> Iterator[tuple[str, int, Unknown]]:
         by = self.g.turns.get(unknown)
-        if by is not None and all(y in self.g.definitions and self.g.row(y) for y in by.pair):
+        if by is not None and all(y in self.g.definitions and self.g.holds(y) for y in by.pair):
             if by.pair[0] == unknown and not self.users[by.pair[1]]:
                 yield "turn", 10, unknown
         else:
@@ -167,9 +168,14 @@ class _Work:
         k = sum(not x.is_one() for x in value.coefficients.values())
         own = int(unknown in row)
         n = len(row) - own
-        moved = 0 if value.constant.is_zero() else n + own
+        held = len(self.g.holding(unknown))
+        moved = 0 if value.constant.is_zero() else n + own + held
         return k * n + own * k * (k + 3) // 2 + k * (unknown in self.g.linear) + moved
 
     def _minimise_cost(self, unknown: Unknown) -> int:
-        n = len(self.g.row(unknown)) - 1
-        return n + n * (n + 1) // 2 + n * (unknown in self.g.linear)
+        squares = self.g.holding(unknown)
+        others = {*self.g.row(unknown), *(i for s in squares for i in s.form.coefficients)}
+        n, force = len(others) - 1, unknown in self.g.linear
+        if few(self.g, unknown, squares):
+            return (len(squares) - 1) * (3 + n) + n * force
+        return sum(len(s.form.coefficients) for s in squares) + n + n * (n + 1) // 2 + n * force

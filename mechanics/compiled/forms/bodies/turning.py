@@ -1,11 +1,11 @@
 """How the frames of a scene turn, as graphs, each step worked out once along the scene's tree.
 
-    R(F <- G) = Rz(a_G - a_F)                    steps about one axis: a difference of angles
+    R(F <- G) = Rz(a_G - a_F)                    steps about one axis
     R(F <- G) = R(F <- parent) R(parent <- G)    any other
     omega_F = R^T omega_parent + o               components in F; o is what the step adds
 
-Frames that the user oriented relative to the same frame stay independent of each other, so a chain
-in absolute angles has the sine and cosine of a difference, and no product of rotations.
+Frames that the user oriented relative to the same frame stay independent of each other, so that a
+chain in absolute angles has no product of many rotations.
 """
 
 from dataclasses import dataclass, field
@@ -135,16 +135,23 @@ class Turning:
     def _circle(
         self, common: ReferenceFrame, to: ReferenceFrame, of: ReferenceFrame
     ) -> tuple[ca.SX, ca.SX]:
-        """Cosine and sine of a_of - a_to, the angles from the common frame."""
-        if common in (to, of):
-            frame, sign = (of, 1) if common == to else (to, -1)
-            step = self._steps[frame]
-            if step.parent == common:
-                # By the translator, which knows sines of the angle already.
-                return self.reading(cos(step.angle)), sign * self.reading(sin(step.angle))
-            angle = self._angle(common, frame)
-            return ca.cos(angle), sign * ca.sin(angle)
-        angle = self._angle(common, of) - self._angle(common, to)
+        """Cosine and sine of a_of - a_to, the angles from the common frame.
+
+        Of angles that are large the difference would be rounded, and with it its sine.
+        """
+        c, s = self._from(common, of)
+        d, e = self._from(common, to)
+        return c * d + s * e, s * d - c * e
+
+    def _from(self, base: ReferenceFrame, frame: ReferenceFrame) -> tuple[ca.SX, ca.SX]:
+        """Cosine and sine of the angle from one frame out to another."""
+        if frame == base:
+            return ca.SX(1), ca.SX(0)
+        step = self._steps[frame]
+        if step.parent == base:
+            # By the translator, which knows sines of the angle already.
+            return self.reading(cos(step.angle)), self.reading(sin(step.angle))
+        angle = self._angle(base, frame)
         return ca.cos(angle), ca.sin(angle)
 
     def _angle(self, base: ReferenceFrame, frame: ReferenceFrame) -> ca.SX:
