@@ -1,6 +1,10 @@
-"""The commands, and what every one of them does with an error: one line, exit code 2."""
+"""The commands, and what every one of them does with an error: one line, exit code 2.
+
+An error that the program did not expect shows where it happened, with an exit code of its own.
+"""
 
 import sys
+import traceback
 from typing import Any, NoReturn
 
 import typer
@@ -33,6 +37,9 @@ app.command("trade")(trading.trade)
 app.command("linearize")(small_motions.linearize)
 app.command("modes")(small_motions.modes)
 
+DEFECT = 70
+"""Exit code after an error that nobody expected (EX_SOFTWARE of sysexits.h)."""
+
 
 def main() -> None:
     """Entry point of the console command."""
@@ -42,6 +49,10 @@ def main() -> None:
         _refuse(error.format_message())
     except (MechanicsError, OSError) as error:
         _refuse(str(error))
+    except Exception:
+        # A defect of this program. Python's own exit code for it, 1, would read as a refutation.
+        traceback.print_exc()
+        sys.exit(DEFECT)
     else:
         sys.exit(code)
 

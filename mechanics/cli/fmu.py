@@ -7,7 +7,7 @@ import typer
 from rich.console import Console
 
 from mechanics.cli.load import load
-from mechanics.cli.values import assignments, sorted_out
+from mechanics.cli.values import assignments, points, sorted_out
 from mechanics.compiled import compile
 from mechanics.crosscheck import derive
 from mechanics.crosscheck.fmu import write_fmu
@@ -46,7 +46,7 @@ def fmu(
     `mechanics fmu rocker -o rocker.fmu --fix g=9.81 && fmpy validate rocker.fmu`
     """
     scene = load(system).scene()
-    initial, parameters, inputs = sorted_out(scene, assignments(settings or []))
+    initial, parameters, inputs = sorted_out(scene, points(settings or [], "--set"))
     fixed = assignments(fix or [], "--fix")
     with Console(stderr=True).status("deriving"):
         model = compile(derive(scene, route), fixed=fixed)

@@ -3,10 +3,10 @@
 from typing import Annotated
 
 import typer
-from sympy import Matrix, Rational
+from sympy import Expr, Matrix, Rational
 
 from mechanics.cli.load import load
-from mechanics.cli.values import assignments
+from mechanics.cli.values import points
 from mechanics.crosscheck import derive
 from mechanics.errors import ExpressionError, InputError
 from mechanics.linear import Linear, linearise, numeric_modes, numeric_poles, stability
@@ -69,10 +69,9 @@ def modes(system: SystemArgument, at: AtOption = None) -> None:
 
 def _linear(name: str, settings: list[str]) -> Linear:
     scene = load(name).scene()
-    values = {key: Rational(v.numerator, v.denominator) for key, v in assignments(settings).items()}
-    coordinates = {symbol.name: Rational(0) for symbol in scene.q}
-    inputs = {symbol.name: Rational(0) for symbol in scene.input_symbols}
-    for key, value in values.items():
+    coordinates: dict[str, Expr] = {symbol.name: Rational(0) for symbol in scene.q}
+    inputs: dict[str, Expr] = {symbol.name: Rational(0) for symbol in scene.input_symbols}
+    for key, value in points(settings, "--at").items():
         if key in coordinates:
             coordinates[key] = value
         elif key in inputs:

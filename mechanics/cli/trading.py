@@ -14,7 +14,7 @@ from rich.markup import escape
 from rich.table import Table
 
 from mechanics.cli.load import load
-from mechanics.cli.values import assignments, sorted_out
+from mechanics.cli.values import points, sorted_out
 from mechanics.crosscheck import derive
 from mechanics.errors import InputError
 from mechanics.report.trade import trade_html
@@ -68,7 +68,7 @@ def trade(
     """
     _checked(report, json_file, plot)
     scene = load(system).scene()
-    initial, parameters, inputs = sorted_out(scene, assignments(settings or []))
+    initial, parameters, inputs = sorted_out(scene, points(settings or [], "--set"))
     with Console(stderr=True).status("deriving") as status:
         found = measure(
             derive(scene, route),

@@ -9,7 +9,7 @@ from rich.markup import escape
 
 from mechanics.cli.load import load
 from mechanics.cli.progress import working
-from mechanics.cli.values import assignments, sorted_out
+from mechanics.cli.values import assignments, points, sorted_out
 from mechanics.compiled import compile
 from mechanics.crosscheck import derive
 from mechanics.export import write_c
@@ -60,7 +60,7 @@ def simulate(
     if plot is not None:
         writable(plot, (".svg",))
     scene = load(system).scene()
-    initial, parameters, inputs = sorted_out(scene, assignments(settings or []))
+    initial, parameters, inputs = sorted_out(scene, points(settings or [], "--set"))
     with Console(stderr=True).status("deriving"):
         model = compile(derive(scene, route))
     with working("integrating") as progress:

@@ -1,14 +1,20 @@
-"""Values on the command line: ``--set M=2 --set theta=1/2``."""
+"""Values on the command line: ``--set M=2 --set theta=1/2 --at theta=pi``."""
 
+import re
 from collections.abc import Sequence
 from fractions import Fraction
+
+from sympy import Expr, Rational, pi
 
 from mechanics.errors import InputError
 from mechanics.scene import Scene
 from mechanics.scene.conditions import condition_parameters
 
+TURN = re.compile(r"([+-]?)(?:([\d.eE+-]+|\d+/\d+) *\*? *)?pi(?: */ *([\d.]+))?")
+"""A multiple of pi: its sign, factor and divisor."""
 
-def assignments(entries: Sequence[str], option: str = "--set") -> dict[str, Fraction]:
+
+def assignments(entries: Sequence[str], option: str) -> dict[str, Fraction]:
     """Read ``name=value`` entries of an option; decimal numbers or fractions, kept exact.
 
     Raises
@@ -17,25 +23,58 @@ def assignments(entries: Sequence[str], option: str = "--set") -> dict[str, Frac
         For an entry that is no assignment, a value that is no number, or a name given twice.
     """
     found: dict[str, Fraction] = {}
+    for name, text, entry in _named(entries, option):
+        try:
+            found[name] = Fraction(text)
+        except (ValueError, ZeroDivisionError):
+            raise _no_number(option, entry, text, "") from None
+    return found
+
+
+def points(entries: Sequence[str], option: str) -> dict[str, Expr]:
+    """Read ``name=value`` entries; numbers as for `assignments`, or multiples of pi.
+
+    Raises
+    ------
+    InputError
+        As `assignments`.
+    """
+    found: dict[str, Expr] = {}
+    for name, text, entry in _named(entries, option):
+        turn = TURN.fullmatch(text)
+        try:
+            if turn:
+                sign, factor, divisor = turn.groups()
+                number = Fraction(f"{sign}1") * Fraction(factor or 1) / Fraction(divisor or 1)
+            else:
+                number = Fraction(text)
+        except (ValueError, ZeroDivisionError):
+            raise _no_number(option, entry, text, " or pi/2") from None
+        found[name] = Rational(number.numerator, number.denominator) * (pi if turn else 1)
+    return found
+
+
+def _named(entries: Sequence[str], option: str) -> list[tuple[str, str, str]]:
+    """(name, text, entry) of each entry, no name twice."""
+    found: list[tuple[str, str, str]] = []
     for entry in entries:
         name, equals, text = (part.strip() for part in entry.partition("="))
         if not equals or not name:
             raise InputError(
                 f"{option} {entry!r}: write name=value, for example {option} theta=0.5"
             )
-        if name in found:
+        if any(name == known for known, _, _ in found):
             raise InputError(f"{option} {entry!r}: {name} is given twice")
-        try:
-            found[name] = Fraction(text)
-        except (ValueError, ZeroDivisionError):
-            raise InputError(
-                f"{option} {entry!r}: {text!r} is no number: write 0.5, 1e-3 or 1/3"
-            ) from None
+        found.append((name, text, entry))
     return found
 
 
+def _no_number(option: str, entry: str, text: str, more: str) -> InputError:
+    return InputError(f"{option} {entry!r}: {text!r} is no number: write 0.5, 1e-3, 1/3{more}")
+
+
 def sorted_out(
-    scene: Scene, values: dict[str, Fraction]
+    scene: Scene, values: dict[str, Expr]
 ) -> tuple[dict[str, float], dict[str, float], dict[str, float]]:
     """Values by what they are for: initial values, parameters, inputs.
 
@@ -62,10 +101,8 @@ def sorted_out(
     return groups[0], groups[1], groups[2]
 
 
-def _finite(name: str, value: Fraction) -> float:
-    try:
-        return float(value)
-    except OverflowError:
-        raise InputError(
-            f"--set {name}: the value is beyond 1.8e308: write a smaller one"
-        ) from None
+def _finite(name: str, value: Expr) -> float:
+    number = float(value)
+    if abs(number) == float("inf"):
+        raise InputError(f"--set {name}: the value is beyond 1.8e308: write a smaller one")
+    return number

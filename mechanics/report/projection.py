@@ -13,6 +13,7 @@ from sympy import Expr, Matrix, Symbol, sympify
 from sympy.physics.vector import Point, Vector
 
 from mechanics.scene import Gravity, Scene, Spring
+from mechanics.scene.rates import TIME
 
 ISOMETRIC = np.array([[-0.7071, 0.7071, 0.0], [-0.4082, -0.4082, 0.8165]])
 FRONT = np.array([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]])
@@ -42,7 +43,8 @@ class View:
         table |= {symbol: UNKNOWN for symbol in scene.input_symbols}
         for symbol in (*scene.q, *scene.qd, *scene.u, *scene.ud):
             table[symbol] = float(self.state.get(symbol.name, 0.0))
-        return table
+        # Where the scene holds the time, it is seen at the start.
+        return {TIME: 0.0, **table}
 
     def _constant(self, symbol: Symbol) -> float:
         """A parameter by its definition, else its typical value."""

@@ -163,7 +163,8 @@ def solve(
     step = max(1, wanted[-1] // 64)
     keep = math.ceil(digits * math.log2(10))
     while len(found) < len(wanted):
-        coefficients, step, reach = _expanded(taylor, state, step, order, keep)
+        left = max(1, wanted[-1] - t)
+        coefficients, step, reach = _expanded(taylor, state, min(step, left), left, order, keep)
         if steps == TRIAL and (needed := wanted[-1] // max(t // steps, 1)) > STEPS:
             raise OverBudget(_too_many(needed, wanted[-1] / 2**bits))
         while len(found) < len(wanted) and wanted[len(found)] - t <= reach:
@@ -183,9 +184,13 @@ def _too_many(steps: int, duration: float) -> str:
 
 
 def _expanded(
-    taylor: Taylor, state: Sequence[int], step: int, order: int, keep: int
+    taylor: Taylor, state: Sequence[int], step: int, left: int, order: int, keep: int
 ) -> tuple[list[list[int]], int, int]:
-    """Coefficients, the step they are scaled with, and how far they reach."""
+    """Coefficients, the step they are scaled with, and how far they reach.
+
+    A polynomial that reaches beyond the time that is `left`, as that of a body at rest does, is
+    scaled with it.
+    """
     while True:
         coefficients = taylor.expand(state, step, order)
         stretch = _stretch(coefficients, order, keep)
@@ -194,7 +199,9 @@ def _expanded(
             raise SingularError("no step is small enough: the motion is singular there")
         if LEAST <= stretch <= MOST:
             return coefficients, step, reach
-        step = min(reach, step << 8)
+        if stretch > MOST and step == left:
+            return coefficients, step, step
+        step = min(reach, step << 8, left)
 
 
 def _stretch(coefficients: Sequence[Sequence[int]], order: int, keep: int) -> float:

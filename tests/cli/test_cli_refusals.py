@@ -42,6 +42,8 @@ ROWS = [
     (f"simulate {ONE} --out {{tmp}}/a.csv --set x1=1e400", "--set x1 1.8e308"),
     ("linearize rocker --at zz=2", "no coordinate or input 'zz' theta, f"),
     ("modes rocker --at theta=2", "theta = 2 no equilibrium"),
+    ("linearize rocker --at theta=pi/0", "--at 'pi/0' no number pi/2"),
+    ("linearize rocker --at theta=pie", "--at 'pie' no number"),
     ("bogus", "'bogus'"),
 ]
 
@@ -98,3 +100,20 @@ def test_a_scene_that_cannot_be_right_is_one_line(run: Any, pendulum: Any) -> No
     assert ran.code == 2
     assert ran.err.count("\n") == 1
     assert "reactions are incomplete" in ran.err
+
+
+def test_angles_may_be_multiples_of_pi(run: Any) -> None:
+    ran = run("linearize", "elastic_pendulum", "--at", "theta=pi")
+    assert ran.code == 0
+    # Upright: gravity turns the pendulum away.
+    assert "K = [[2*k, 0], [0, -L*M*g/2]]" in ran.out
+    assert run("linearize", "elastic_pendulum", "--at", "theta=3.14159").code == 2
+
+
+def test_a_defect_of_the_program_has_an_exit_code_of_its_own(
+    run: Any, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("mechanics.cli.small_motions.linearise", None)
+    ran = run("linearize", "elastic_pendulum")
+    assert ran.code == 70
+    assert "TypeError" in ran.err

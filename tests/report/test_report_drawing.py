@@ -8,12 +8,14 @@ from functools import cache
 
 import numpy as np
 import pytest
+from sympy import cos
+from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
 import systems
 from mechanics.report.charts import Axis, bar, line_chart, round_step
 from mechanics.report.drawing import HEIGHT, WIDTH, drawing, outline
 from mechanics.report.projection import View
-from mechanics.scene import Scene
+from mechanics.scene import Particle, Scene, parameters
 
 
 @cache
@@ -46,6 +48,15 @@ def test_every_system_is_drawn_inside_its_frame(name: str) -> None:
     assert max(y) <= HEIGHT
     # Every body is seen.
     assert len(re.findall(r'class="(?:body|rod|rim)"', text)) >= len(scene.bodies)
+
+
+def test_a_scene_that_holds_the_time_is_drawn_at_its_start() -> None:
+    ground, origin, shift = ReferenceFrame("N"), Point("O"), dynamicsymbols("x")
+    time = dynamicsymbols._t
+    tip = origin.locatenew("P", (shift + 3 * cos(time)) * ground.x)
+    (m,) = parameters("m", units="kg", typical="1")
+    scene = Scene("shaken", ground, origin, coordinates=(shift,), bodies=(Particle("b", tip, m),))
+    assert np.allclose(View(scene, {"x": 1.0}).point(tip), (4, 0))
 
 
 def test_a_rod_and_a_rolling_body_have_their_size() -> None:

@@ -169,6 +169,13 @@ def test_errors_are_seen_below_the_rounding_of_doubles() -> None:
     assert known.text(0, 25) == ("0.1000000000000000055511151", "2.5", "0", "0")
 
 
+def test_a_body_at_rest_has_a_reference() -> None:
+    problem = posed("elastic_pendulum", [0.0, 2.0, 50.0], initial={"x": 0, "theta": 0})
+    found = reference(problem)
+    assert np.array_equal(found.states, np.zeros((3, 4)))
+    assert min(found.digits) >= 30
+
+
 def test_a_reference_is_solved_once(monkeypatch: pytest.MonkeyPatch) -> None:
     problem = posed("rocker", [0.0, 0.2])
     first = reference(problem)
