@@ -4,8 +4,10 @@ Run ``python -m benchmarks.microcontroller [SYSTEM...]`` in the project's root. 
 that ``mechanics codegen --precision single`` writes, builds it for an STM32F405 with Debian's
 gcc-arm-none-eabi and newlib, runs the self-test in QEMU, and prints for every function
 
-    operations, bytes of its own code in flash and of all that it calls (sine and cosine of newlib),
-    bytes of stack: its own frame as the compiler counts it, and all that a call used in QEMU
+    operations, bytes of its code in flash, bytes with all that it calls; bytes of its frame on the
+    stack as the compiler counts it, and of all the stack that a call used in QEMU
+
+once with sine and cosine of newlib, and once with those of the folder, which are inline.
 """
 
 import argparse
@@ -19,6 +21,7 @@ from pathlib import Path
 
 from mechanics.cli.load import load
 from mechanics.compiled import Model, compile
+from mechanics.compiled.hoist import PREPARE
 from mechanics.crosscheck import derive
 from mechanics.errors import CompilerError
 from mechanics.export import write_c
@@ -100,13 +103,15 @@ def missing_tools() -> list[str]:
     return [package for command, package in TOOLS.items() if shutil.which(command) is None]
 
 
-def measured(model: Model, folder: Path) -> Measured:
+def measured(model: Model, folder: Path, inline: bool = False) -> Measured:
     """Build for the microcontroller, test and measure.
 
     Parameters
     ----------
     folder : Path
         Of files that are made on the way.
+    inline : bool
+        Whether sine and cosine are those of the folder, not newlib's.
 
     Raises
     ------
@@ -118,8 +123,8 @@ def measured(model: Model, folder: Path) -> Measured:
     code, build = folder / "c", folder / "build"
     write_c(model, code, name=NAME, precision="single", batch=False)
     toolchain = f"-DCMAKE_TOOLCHAIN_FILE={EMBEDDED / 'cortex_m4f.cmake'}"
-    flags = f"-D{NAME.upper()}_FLAGS={STRICT}"
-    _run(["cmake", "-S", str(code), "-B", str(build), toolchain, flags])
+    options = [f"-D{NAME.upper()}_FLAGS={STRICT}", f"-D{NAME.upper()}_INLINE_SINE={inline}"]
+    _run(["cmake", "-S", str(code), "-B", str(build), toolchain, *options])
     _run(["cmake", "--build", str(build)])
     said = _run(["ctest", "--test-dir", str(build), "--output-on-failure", "-V", "--timeout", "60"])
     verdict = re.search(rf"{PREFIX}: \d+ failures", said)
@@ -136,7 +141,7 @@ def _taken(model: Model, folder: Path, objects: Path) -> Iterator[Taken]:
     own = {name: int(size) for name, size in sections}
     frames = objects.with_suffix(".su").read_text(encoding="utf-8")
     stack = _stack(model, folder, objects)
-    for name in model.casadi:
+    for name in measured_names(model):
         frame = re.search(rf":{PREFIX}_{name}\t(\d+)\tstatic", frames)
         if frame is None:
             raise CompilerError(f"{name}: the compiler does not tell the size of its frame")
@@ -157,7 +162,7 @@ def _reached(function: str, folder: Path, objects: Path) -> int:
 def _stack(model: Model, folder: Path, objects: Path) -> dict[str, int]:
     """Bytes of stack that a call of each function uses, all calls in it included."""
     program, source = folder / "measure", folder / "measure.c"
-    names = list(model.casadi)
+    names = measured_names(model)
     source.write_text(
         MEASURE.format(
             prefix=PREFIX,
@@ -220,6 +225,11 @@ def _run(command: Sequence[str]) -> str:
     return done.stdout
 
 
+def measured_names(model: Model) -> tuple[str, ...]:
+    """Functions of the state."""
+    return tuple(name for name in model.programs.written() if name != PREPARE)
+
+
 def rows(system: str, found: Measured) -> Iterator[str]:
     """Lines of a Markdown table."""
     for at in found.functions:
@@ -231,16 +241,20 @@ def main() -> None:
     """Print the table."""
     parser = argparse.ArgumentParser(description="Sizes on a Cortex-M4F.")
     parser.add_argument("systems", nargs="*", default=["elastic_pendulum", "rocker"])
-    print("| system | function | operations | flash | with what it calls | frame | stack |")
-    print("|---|---|---|---|---|---|---|")
+    systems = parser.parse_args().systems
     verdicts = []
-    for system in parser.parse_args().systems:
-        model = compile(derive(load(system).scene(), "free_body"), compiler=None)
-        with tempfile.TemporaryDirectory(prefix="mechanics-") as folder:
-            found = measured(model, Path(folder))
-        print("\n".join(rows(system, found)))
-        verdicts.append(f"self-test of {system} in QEMU: {found.selftest.partition(': ')[2]}")
-    print("", *verdicts, sep="\n")
+    for inline, title in enumerate(("sine and cosine of newlib", "inline sine and cosine")):
+        print(f"| {title} | function | operations | flash | with what it calls | frame | stack |")
+        print("|---|---|---|---|---|---|---|")
+        for system in systems:
+            model = compile(derive(load(system).scene(), "free_body"), compiler=None)
+            with tempfile.TemporaryDirectory(prefix="mechanics-") as folder:
+                found = measured(model, Path(folder), bool(inline))
+            print("\n".join(rows(system, found)))
+            said = found.selftest.partition(": ")[2]
+            verdicts.append(f"self-test of {system} in QEMU, {title}: {said}")
+        print()
+    print(*verdicts, sep="\n")
 
 
 if __name__ == "__main__":

@@ -35,12 +35,26 @@ def found(cross_compiler, model: Model, tmp_path_factory) -> Measured:
     return measured(model, tmp_path_factory.mktemp("with a space"))
 
 
-def test_the_self_test_passes_in_the_emulator(found: Measured) -> None:
-    assert found.selftest == "kernel_single: 0 failures"
+@pytest.fixture(scope="module")
+def inline(cross_compiler, model: Model, tmp_path_factory) -> Measured:
+    return measured(model, tmp_path_factory.mktemp("inline"), inline=True)
+
+
+def test_the_self_test_passes_in_the_emulator(found: Measured, inline: Measured) -> None:
+    assert found.selftest == inline.selftest == "kernel_single: 0 failures"
+
+
+def test_inline_sines_call_nothing_and_are_smaller(found: Measured, inline: Measured) -> None:
+    for own, library in zip(inline.functions, found.functions, strict=True):
+        assert own.flash_with_calls == own.flash
+        assert own.flash <= library.flash_with_calls and own.stack <= library.stack
+        # A frame may hold room that no value came to.
+        assert own.frame - 8 <= own.stack <= own.frame
 
 
 def test_sizes_are_those_of_every_function(model: Model, found: Measured) -> None:
-    assert [at.name for at in found.functions] == list(model.casadi)
+    names = [at.name for at in found.functions]
+    assert names == [*model.casadi, "forward_dynamics_prepared"]
     sines = {at.name: at for at in found.functions}
     assert sines["forward_dynamics"].flash_with_calls > sines["forward_dynamics"].flash + 1000
     # No function of the library is called here.
@@ -49,7 +63,7 @@ def test_sizes_are_those_of_every_function(model: Model, found: Measured) -> Non
         assert 0 < at.flash <= at.flash_with_calls < 2**14
         # A frame may hold room that no value came to; what is called comes on top.
         assert 0 <= at.stack < 2**10 and at.frame <= at.stack + 8
-    assert sum("forward_dynamics" in row for row in rows("pendulum", found)) == 1
+    assert sum("`forward_dynamics`" in row for row in rows("pendulum", found)) == 1
 
 
 def test_a_changed_sign_fails_in_the_emulator(
