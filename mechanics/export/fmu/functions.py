@@ -10,7 +10,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import casadi as ca
-from sympy import Symbol
+from sympy import Dummy, Symbol
 
 from mechanics.compiled import Model
 from mechanics.compiled.graphs import Graphs
@@ -21,9 +21,8 @@ from mechanics.scene.conditions import condition_parameters, plain_margin
 from mechanics.scene.rates import TIME
 
 CLOCK = Quantity(TIME, "s", "time")
-STEP_SIZE = Quantity(
-    Symbol("step_size"), "s", "co-simulation: longest internal step", positive=True
-)
+# A dummy is no parameter of a scene, whatever that is called.
+STEP_SIZE = Quantity(Dummy("step_size"), "s", "co-simulation: longest internal step", positive=True)
 
 
 @dataclass(frozen=True, eq=False)

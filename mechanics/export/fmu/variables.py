@@ -110,8 +110,9 @@ def variables(model: Model, known: Functions, start: Mapping[str, float], step: 
     (clock,) = made((TIME,), "independent", "continuous", "")
     states = tuple(made((*quantities.q, *quantities.u), "output", "continuous", "exact", start))
     inputs = tuple(made(known.inputs, "input", "continuous", "", start))
-    values = {**start, STEP_SIZE.name: step}
-    parameters = tuple(made((*known.p, STEP_SIZE), "parameter", "tunable", "exact", values))
+    own = made(known.p, "parameter", "tunable", "exact", start)
+    of_the_unit = made((STEP_SIZE,), "parameter", "tunable", "exact", {STEP_SIZE.name: step})
+    parameters = (*own, *of_the_unit)
     rates = tuple(_rates(model, states, numbers, taken))
     split = len(known.outputs) - len(model.equations.scene.conditions)
     rest = [
