@@ -29,6 +29,10 @@ class InputError(MechanicsError, ValueError):
     """Bad input from a person: an unknown name, a file that is no scene, a value out of range."""
 
 
+class WrongKindError(MechanicsError, TypeError):
+    """A function was given another kind of thing than it takes; the message says how to get it."""
+
+
 class SingularError(MechanicsError, ArithmeticError):
     """A matrix that has to be regular is singular, at a state or everywhere."""
 
@@ -39,3 +43,25 @@ class RangeError(MechanicsError, OverflowError):
 
 class CompilerError(MechanicsError, RuntimeError):
     """A C compiler was found but refused the generated code; the message carries its words."""
+
+
+def wanted(value: object, kind: type | tuple[type, ...], call: str, advice: str) -> None:
+    """Refuse what is not of the kind that a function takes.
+
+    Parameters
+    ----------
+    value : object
+    kind : type or tuple of types
+    call : str
+        Name of the function.
+    advice : str
+        How to get what it takes.
+
+    Raises
+    ------
+    WrongKindError
+    """
+    if not isinstance(value, kind):
+        kinds = kind if isinstance(kind, tuple) else (kind,)
+        names = " or ".join(k.__name__ for k in kinds)
+        raise WrongKindError(f"{call}: {names} wanted, {type(value).__name__} found: {advice}")

@@ -22,6 +22,7 @@ from mechanics.compiled.many_states import look_at, written
 from mechanics.compiled.one_state import CALLS, OneState
 from mechanics.compiled.programs import Programs
 from mechanics.equations import Equations
+from mechanics.errors import wanted
 
 Array = NDArray[np.floating]
 
@@ -178,6 +179,7 @@ def compile(
     SingularError
         If the equations do not determine the accelerations at the fixed values.
     """
+    wanted(equations, Equations, "compile", "pass derive(scene, route)")
     found = find_compiler() if compiler == "auto" else compiler
     table = read_fixed(equations.scene, fixed or {})
     graphs = Graphs(equations, form, table, outputs)

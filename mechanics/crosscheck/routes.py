@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 from mechanics.checks.soundness import check_sound
 from mechanics.equations import Equations
-from mechanics.errors import InputError
+from mechanics.errors import InputError, wanted
 from mechanics.routes import free_body, kane, lagrange, moving_point
 from mechanics.scene import Scene
 
@@ -57,6 +57,7 @@ def derive(scene: Scene, route: str = "free_body") -> Equations:
     InputError
         For a name that is no route.
     """
+    wanted(scene, Scene, "derive", "pass what scene() of a system gives")
     (chosen,) = named_routes((route,))
     check_sound(scene)
     return chosen.derive(scene)

@@ -19,6 +19,7 @@ from mechanics.crosscheck.motion import example_motion
 from mechanics.crosscheck.routes import named_routes
 from mechanics.crosscheck.small_motions import small_motions
 from mechanics.equations import Equations
+from mechanics.errors import wanted
 from mechanics.exact import Finding, Verdict
 from mechanics.linear.ledger import check_linear_row
 from mechanics.report.result import LedgerResult, ResidualResult, RouteResult, SystemResult
@@ -78,6 +79,7 @@ def crosscheck(system: System | Scene, options: CrossCheck | None = None) -> Sys
     SingularError
         When a route does not determine the accelerations.
     """
+    wanted(system, (System, Scene), "crosscheck", "pass a scene, or one of systems.ALL")
     options = options or CrossCheck()
     if isinstance(system, Scene):
         scene = system

@@ -10,7 +10,10 @@
     vectorised.cmake   says after a build which functions of many states are vectorised
     NAME.pc.in         for pkg-config
     NAME_loader.py     calls it from Python
-    manifest.json      what was generated from what: hash of each file, operation counts, versions
+    equations.json     what was derived, as data
+    graphs.json        the graphs that the C was printed from, as data
+    manifest.json      what was generated from what: hash of each file, operation counts, versions,
+                       and what was shown about it: `mechanics verify` repeats that from the files
 
 The same printer makes the code that `mechanics.compiled` runs.
 """
@@ -20,8 +23,11 @@ from pathlib import Path
 
 from mechanics.compiled import Model
 from mechanics.compiled.c.source import function_source, signature
+from mechanics.errors import wanted
 from mechanics.export.batch import batch_header, batch_implementation, batched
 from mechanics.export.batch_selftest import batch_selftest
+from mechanics.export.evidence.record import chain_record, evidence_files, evidence_of
+from mechanics.export.evidence.verify import chain
 from mechanics.export.folder import write_folder
 from mechanics.export.header import comment, header
 from mechanics.export.loader import loader
@@ -41,6 +47,9 @@ def write_c(
     functions: Sequence[str] | None = None,
     precision: str = "double",
     batch: bool = True,
+    system: str | None = None,
+    prove: bool = True,
+    measure: bool = True,
 ) -> tuple[Path, ...]:
     """Write a model as C.
 
@@ -59,6 +68,14 @@ def write_c(
     batch : bool
         Whether functions of many states are written, too: those of `mechanics.export.batch.BATCHED`
         that are among the functions.
+    system : str, optional
+        Name of the built-in system that the model was made of, for the manifest.
+    prove : bool
+        Whether the chain of custody, from the derived equations to the C text, is gone through
+        before the files are written, and what is shown noted in the manifest.
+    measure : bool
+        Whether the C is compiled, too, by every compiler that is found, and its results are
+        compared with enclosures.
 
     Returns
     -------
@@ -73,6 +90,7 @@ def write_c(
     SingularError
         If a function has no finite value at any of the states of the self-test.
     """
+    wanted(model, Model, "write_c", "pass compile(derive(scene, route))")
     prefix = chosen_prefix(model, name)
     parts = named_parts(prefix, precision)
     names = model.programs.written(functions)
@@ -82,7 +100,13 @@ def write_c(
         files |= _sources(model, part, names, many)
     files |= build_files(model, prefix, parts, bool(many))
     files[f"{prefix}_loader.py"] = loader(model, prefix, parts, names, many)
-    files["manifest.json"] = manifest(model, prefix, names, files)
+    code = {file: text for file, text in files.items() if file.endswith((".c", ".h"))}
+    evidence = evidence_of(model, parts, names, many, code)
+    files |= evidence_files(evidence)
+    shown = chain_record(chain(evidence, measure=measure)) if prove else None
+    files["manifest.json"] = manifest(
+        model, prefix, names, files, evidence.kernels, shown, system
+    )  # fmt: skip
     return write_folder(Path(folder), prefix, files)
 
 

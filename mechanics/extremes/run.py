@@ -9,6 +9,7 @@ import numpy as np
 
 from mechanics.compiled import FORMS, Model, compile
 from mechanics.equations import Equations
+from mechanics.errors import wanted
 from mechanics.extremes.axes import axes
 from mechanics.extremes.domain import reaches
 from mechanics.extremes.points import PAIRED, Walk, usual, walks
@@ -50,6 +51,7 @@ def extremes(
     ExpressionError
         If an operation of the equations has no enclosure; it is named.
     """
+    wanted(equations, Equations, "extremes", "pass derive(scene, route)")
     default = compile(equations, compiler=compiler)
     chosen = forms or [f.name for f in FORMS if not f.unsuited(equations)]
     chosen = list(dict.fromkeys([*chosen, default.form]))

@@ -17,7 +17,7 @@ from dataclasses import dataclass
 from sympy import Expr, Matrix, Symbol, eye, sympify
 
 from mechanics.equations import Equations
-from mechanics.errors import InputError
+from mechanics.errors import InputError, wanted
 from mechanics.linear.algebra import independent_rows, inverse, is_zero, null_space, reduced
 from mechanics.linear.form import Linear
 from mechanics.scene import Scene
@@ -77,6 +77,7 @@ def linearise(
     ExpressionError
         If it cannot be told whether the point is an equilibrium.
     """
+    wanted(equations, Equations, "linearise", "pass derive(scene, route)")
     scene = equations.scene
     rest = _rest(scene, at, inputs or {}, parameters or {})
     _placed(scene, rest)

@@ -9,7 +9,7 @@ from functools import cmp_to_key
 
 from sympy import Expr, Matrix, Symbol, factor_list, sqrt
 
-from mechanics.errors import ExpressionError, InputError
+from mechanics.errors import ExpressionError, InputError, wanted
 from mechanics.exact import enclose
 from mechanics.linear.algebra import coefficients, null_space, numerator, reduced, sign
 from mechanics.linear.form import Linear
@@ -74,6 +74,7 @@ def modes(linear: Linear, convention: Convention = Convention.ENGINEERING) -> Mo
     ExpressionError
         If the characteristic polynomial has a factor that is not linear: use `numeric_modes`.
     """
+    wanted(linear, Linear, "modes", "pass linearise(derive(scene, route), at)")
     found: list[tuple[Expr, Matrix]] = []
     for factor, _ in characteristic_factors(linear):
         roots = coefficients(factor, EIGENVALUE)

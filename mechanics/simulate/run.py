@@ -33,6 +33,9 @@ Progress = Callable[[float], None]
 # The solvers of SciPy raise a smaller tolerance to this without being asked.
 FINEST_RTOL = 100 * np.finfo(float).eps
 
+NEEDED = ("coordinate_rates", "forward_dynamics", "energy")
+"""Functions of a model that a simulation calls."""
+
 
 @dataclass(frozen=True, eq=False)
 class Begin:
@@ -73,6 +76,12 @@ def begin(
     inputs: Mapping[str, Any] | None = None,
 ) -> Begin:
     """Names and numbers read; initial values made consistent. See `simulate_one`."""
+    missing = [name for name in NEEDED if name not in tuple(model.casadi)]
+    if missing:
+        raise InputError(
+            f"simulate: {model.equations.scene.name} was compiled without {', '.join(missing)}:"
+            " name them among its outputs, or leave outputs out"
+        )
     scene, quantities, given = model.equations.scene, model.quantities, inputs or {}
     values = parameters or {}
     p = read_parameters(quantities.p, quantities.definitions, for_equations(scene, values))

@@ -41,7 +41,7 @@ class Crossing:
     sentence: str
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Trajectory:
     """A simulated motion: N samples of n coordinates, m speeds and k inputs.
 
@@ -96,6 +96,11 @@ class Trajectory:
     crossings: tuple[Crossing, ...] = ()
     solved_by: str = ""
     error_estimate: float | None = None
+
+    def __repr__(self) -> str:
+        names = ", ".join((*self.coordinates, *self.speeds))
+        end = f"{len(self.times)} samples of {names} up to t = {self.times[-1]:g} s"
+        return f"<Trajectory of {self.title}: {end}; {self.reason}>"
 
     @property
     def total(self) -> NDArray[np.float64]:

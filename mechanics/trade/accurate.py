@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from mechanics.compiled import Model
-from mechanics.errors import InputError
+from mechanics.errors import InputError, wanted
 from mechanics.simulate import simulate as simulate_plainly
 from mechanics.simulate.batch import Initial, initial_states, part
 from mechanics.simulate.integrators import INTEGRATORS, Integrator, Problem, Setting
@@ -87,6 +87,7 @@ def simulate(
     OverBudget
         If the motion is too fast for a reference over the duration.
     """
+    wanted(model, Model, "simulate", "pass compile(derive(scene, route))")
     given = {"parameters": parameters, "inputs": inputs}
     if accuracy is None:
         options |= {"initial": initial, "samples": samples, "progress": progress, **given}

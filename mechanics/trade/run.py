@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from mechanics.equations import Equations
-from mechanics.errors import InputError
+from mechanics.errors import InputError, wanted
 from mechanics.simulate.integrators import INTEGRATORS, Integrator
 from mechanics.simulate.run import simulate_one
 from mechanics.trade.case import Case
@@ -91,6 +91,7 @@ def trade(
     OverBudget
         If the motion is too fast for a reference over the horizon.
     """
+    wanted(equations, Equations, "trade", "pass derive(scene, route)")
     tell = progress or (lambda words, share: None)
     targets = _targets(target)
     asked = Case(equations, horizon, initial or {}, parameters or {}, inputs or {}, compiler)

@@ -197,3 +197,12 @@ def test_too_many_steps_end_the_motion(pendulum: Model, monkeypatch: pytest.Monk
     motion = simulate(pendulum, 10.0)
     assert motion.ending is Ending.TOO_LONG
     assert 1 < len(motion.times) < 501
+
+
+def test_a_motion_is_one_line_and_what_it_calls_is_named(pendulum: Model) -> None:
+    motion = simulate(pendulum, 1.0)
+    assert repr(motion).count("\n") == 0
+    assert "501 samples" in repr(motion)
+    part = compile(pendulum.equations, outputs=("forward_dynamics",))
+    with pytest.raises(InputError, match="compiled without coordinate_rates, energy: name them"):
+        simulate(part, 1.0)

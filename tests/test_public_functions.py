@@ -1,0 +1,35 @@
+"""Public functions: another kind of thing than they take is refused, and how to get it is told."""
+
+import re
+from collections.abc import Callable
+
+import pytest
+
+import mechanics
+from systems import rocker
+
+SCENE = rocker.scene()
+
+
+@pytest.mark.parametrize(
+    ("call", "words"),
+    [
+        (lambda: mechanics.compile(SCENE), "compile: Equations wanted, Scene found: pass derive("),
+        (
+            lambda: mechanics.simulate(SCENE, 1),
+            "simulate: Model wanted, Scene found: pass compile(",
+        ),
+        (lambda: mechanics.trade(SCENE, 1), "trade: Equations wanted, Scene found"),
+        (lambda: mechanics.extremes(SCENE), "extremes: Equations wanted, Scene found"),
+        (lambda: mechanics.linearise(SCENE, {}), "linearise: Equations wanted, Scene found"),
+        (lambda: mechanics.modes(SCENE), "modes: Linear wanted, Scene found: pass linearise("),
+        (lambda: mechanics.write_c(SCENE, "c"), "write_c: Model wanted, Scene found"),
+        (lambda: mechanics.crosscheck("a.py"), "crosscheck: System or Scene wanted, str found"),
+        (lambda: mechanics.derive("a.py"), "derive: Scene wanted, str found"),
+    ],
+)
+def test_what_a_function_does_not_take_is_refused(call: Callable[[], object], words: str) -> None:
+    with pytest.raises(TypeError, match=re.escape(words)) as caught:
+        call()
+    assert isinstance(caught.value, mechanics.MechanicsError)
+    assert "\n" not in str(caught.value)
