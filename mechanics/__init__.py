@@ -35,7 +35,7 @@ from mechanics.scene import (
 )
 from mechanics.scene.published import published
 from mechanics.scene.system import System
-from mechanics.simulate import Feedback
+from mechanics.simulate import Feedback, ensemble
 from mechanics.trade import trade
 from mechanics.trade.accurate import simulate
 
@@ -58,6 +58,7 @@ __all__ = [
     "crosscheck",
     "damper",
     "derive",
+    "ensemble",
     "extremes",
     "force",
     "gravity",

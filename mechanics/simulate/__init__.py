@@ -1,9 +1,20 @@
 """Simulate compiled models: SciPy integrates; constraints are kept, energy is watched."""
 
 from mechanics.simulate.batch import simulate
+from mechanics.simulate.ensembles import Ensemble, Status, ensemble
 from mechanics.simulate.feedback import Feedback
 from mechanics.simulate.files import write_table
 from mechanics.simulate.plot import write_plot
 from mechanics.simulate.trajectory import Ending, Trajectory
 
-__all__ = ["Ending", "Feedback", "Trajectory", "simulate", "write_plot", "write_table"]
+__all__ = [
+    "Ending",
+    "Ensemble",
+    "Feedback",
+    "Status",
+    "Trajectory",
+    "ensemble",
+    "simulate",
+    "write_plot",
+    "write_table",
+]

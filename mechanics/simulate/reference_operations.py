@@ -11,6 +11,7 @@ there, and a method of order forty is one of order one.
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import casadi as ca
@@ -24,49 +25,73 @@ if TYPE_CHECKING:
 Operation = Callable[..., "Series"]
 
 
+@dataclass(frozen=True)
+class Function:
+    """A function of one number, with all the digits that are wanted.
+
+    Attributes
+    ----------
+    name : str
+        In C.
+    exact : callable
+    by : Series or None
+        The second argument, a constant.
+    """
+
+    name: str
+    exact: Callable[[arb], arb]
+    by: Any = None
+
+    def __call__(self, x: arb) -> arb:
+        """Its value."""
+        return self.exact(x)
+
+
+def operation_name(operation: int) -> str:
+    """CasADi's name of an operation."""
+    names = [n for n in dir(ca) if n.startswith("OP_") and getattr(ca, n) == operation]
+    return names[0] if names else str(operation)
+
+
 def not_analytic(operation: int) -> ExpressionError:
     """The error for an operation that is not in the table."""
-    names = [n for n in dir(ca) if n.startswith("OP_") and getattr(ca, n) == operation]
     return ExpressionError(
-        f"CasADi operation {names[0] if names else operation} has no Taylor series, so there is no"
+        f"CasADi operation {operation_name(operation)} has no Taylor series, so there is no"
         " reference solution: write the equations without it"
     )
 
 
 def _root(t: Taylor, x: Series) -> Series:
-    return t.chain(x, arb.sqrt, lambda y: t.quotient(t.number(0.5), y))
+    return t.chain(x, Function("sqrt", arb.sqrt), lambda y: t.quotient(t.number(0.5), y))
 
 
 def _power(t: Taylor, x: Series, a: Series) -> Series:
     if not a.constant:
         return _exponential(t, t.product(a, _logarithm(t, x)))
-    exponent = arb(a[0]) / arb(2) ** t.bits
-    return t.chain(x, lambda v: v**exponent, lambda y: t.quotient(t.product(a, y), x))
+    power = Function("pow", lambda v: v ** (arb(a[0]) / arb(2) ** t.bits), a)
+    return t.chain(x, power, lambda y: t.quotient(t.product(a, y), x))
 
 
 def _exponential(t: Taylor, x: Series) -> Series:
-    return t.chain(x, arb.exp, lambda y: y)
+    return t.chain(x, Function("exp", arb.exp), lambda y: y)
 
 
 def _logarithm(t: Taylor, x: Series) -> Series:
-    return t.chain(x, arb.log, lambda y: t.quotient(t.number(1.0), x))
+    return t.chain(x, Function("log", arb.log), lambda y: t.quotient(t.number(1.0), x))
 
 
 def _error_function(t: Taylor, x: Series) -> Series:
     def slope(y: Series) -> Series:
         bell = _exponential(t, t.scaled(t.product(x, x), -1))
-        return t.quotient(t.scaled(bell, 2), t.chain(t.number(1.0), _root_of_pi, lambda y: y))
+        return t.quotient(t.scaled(bell, 2), t.chain(t.number(1.0), ROOT_OF_PI, lambda y: y))
 
-    return t.chain(x, arb.erf, slope)
-
-
-def _root_of_pi(one: arb) -> arb:
-    return arb.pi().sqrt()
+    return t.chain(x, Function("erf", arb.erf), slope)
 
 
-def _inverse(
-    function: Callable[[arb], arb], one: int, square: int, rooted: bool, sign: int = 1
-) -> Operation:
+ROOT_OF_PI = Function("root_of_pi", lambda one: arb.pi().sqrt())
+
+
+def _inverse(function: Function, one: int, square: int, rooted: bool, sign: int = 1) -> Operation:
     """y' = sign x' / (one + square x^2), or over its root."""
 
     def operation(t: Taylor, x: Series) -> Series:
@@ -83,7 +108,7 @@ def _acosh(t: Taylor, x: Series) -> Series:
     def slope(y: Series) -> Series:
         return t.quotient(t.number(1.0), _root(t, t.sum(t.product(x, x), t.number(1.0), -1)))
 
-    return t.chain(x, arb.acosh, slope)
+    return t.chain(x, Function("acosh", arb.acosh), slope)
 
 
 def _wave(circular: bool, entry: int) -> Operation:
@@ -122,11 +147,11 @@ OPERATIONS: dict[int, Any] = {
     ca.OP_SINH: _wave(False, 0),
     ca.OP_COSH: _wave(False, 1),
     ca.OP_TANH: _ratio(False),
-    ca.OP_ASIN: _inverse(arb.asin, 1, -1, True),
-    ca.OP_ACOS: _inverse(arb.acos, 1, -1, True, -1),
-    ca.OP_ATAN: _inverse(arb.atan, 1, 1, False),
-    ca.OP_ASINH: _inverse(arb.asinh, 1, 1, True),
+    ca.OP_ASIN: _inverse(Function("asin", arb.asin), 1, -1, True),
+    ca.OP_ACOS: _inverse(Function("acos", arb.acos), 1, -1, True, -1),
+    ca.OP_ATAN: _inverse(Function("atan", arb.atan), 1, 1, False),
+    ca.OP_ASINH: _inverse(Function("asinh", arb.asinh), 1, 1, True),
     ca.OP_ACOSH: _acosh,
-    ca.OP_ATANH: _inverse(arb.atanh, 1, -1, False),
+    ca.OP_ATANH: _inverse(Function("atanh", arb.atanh), 1, -1, False),
     ca.OP_ERF: _error_function,
 }

@@ -1,0 +1,92 @@
+/* DOP853 with the control of a step that SciPy has:
+
+   error = h |e5|^2 / sqrt(n (|e5|^2 + |e3|^2 / 100)),  each entry over tolerance (1 + |y|)
+   next step = h min(10, max(1/5, 9/10 error^(-1/8))),  no longer than h after a refused one */
+static inline L scaled(const Block *b, const L *x, int n)
+{
+    L r;
+    for (int i = 0; i < VECTORS; ++i) {
+        const V y = largest(size(b->y[n].at[i]), size(x[n].at[i]));
+        r.at[i] = b->tolerance + b->tolerance * y;
+    }
+    return r;
+}
+
+static void enter(Block *b)
+{
+    L y = all(0.0), f = all(0.0);
+    rate(b->y, b->held, b->work.slopes[0]);
+    for (int n = 0; n < MOVING; ++n) {
+        const L scale = scaled(b, b->y, n);
+        const L a = over(b->y[n], scale), c = over(b->work.slopes[0][n], scale);
+        y = fused(a, a, y);
+        f = fused(c, c, f);
+    }
+    for (int lane = 0; lane < LANES; ++lane)
+        if (LANE(&b->tried, lane) == 0) {
+            const double size = sqrt(LANE(&y, lane)), slope = sqrt(LANE(&f, lane));
+            const double guess = size < 1e-5 || !(slope > 1e-5) ? 1e-6 : 0.01 * size / slope;
+            LANE(&b->step, lane) = fmin(LANE(&b->step, lane), guess);
+            LANE(&b->work.careful, lane) = 0;
+        }
+}
+
+static void attempt(Block *b)
+{
+    L h, five = all(0.0), three = all(0.0);
+    for (int i = 0; i < VECTORS; ++i)
+        h.at[i] = least(b->step.at[i], b->left.at[i]);
+    memcpy(b->work.old, b->y, sizeof b->y);
+    stages(b->y, b->held, h, b->work.slopes, b->next);
+    for (int n = 0; n < MOVING; ++n) {
+        const L scale = scaled(b, b->next, n);
+        const L x = over(fifth(b->work.slopes, n), scale), y = over(third(b->work.slopes, n), scale);
+        five = fused(x, x, five);
+        three = fused(y, y, three);
+    }
+    for (int i = 0; i < VECTORS; ++i) {
+        V strange = every(0.0);
+        for (int n = 0; n < SIZE; ++n)
+            strange += b->next[n].at[i] - b->next[n].at[i];
+        const V e = h.at[i] * five.at[i];
+        const V both = MOVING * (five.at[i] + 0.01 * three.at[i]);
+        const V error = largest(choose(both == 0, every(0.0), e * e / both), every(1e-30));
+        const I good = error < 1;
+        const V most = choose(good & (b->work.careful.at[i] == 0), every(10.0), every(1.0));
+        const V factor = 0.9 * power((logarithm((I)error) - 1023.0) * (-1.0 / 16));
+        b->taken.at[i] = choose(good | (strange != 0), h.at[i], every(0.0));
+        b->step.at[i] = h.at[i] * largest(least(factor, most), every(0.2));
+        b->work.careful.at[i] = choose(good, every(0.0), every(1.0));
+    }
+    b->work.length = h;
+}
+
+static void between(Block *b)
+{
+    L at[SIZE];
+    more_stages(b->work.old, b->held, b->work.length, b->work.slopes, at);
+}
+
+static double inside(Block *b, int lane, int k, double part)
+{
+    const double h = LANE(&b->work.length, lane), old = LANE(&b->work.old[k], lane);
+    const double change = LANE(&b->next[k], lane) - old;
+    const double begin = LANE(&b->work.slopes[0][k], lane);
+    const double end = LANE(&b->work.slopes[STAGES][k], lane);
+    double f[3 + DENSE] = {change, h * begin - change, 2 * change - h * (begin + end)};
+    for (int i = 0; i < DENSE; ++i)
+        for (int j = 0; j < STAGES + 1 + MORE; ++j)
+            f[3 + i] += h * dense[i][j] * LANE(&b->work.slopes[j][k], lane);
+    double y = 0;
+    for (int i = 2 + DENSE; i >= 0; --i)
+        y = (y + f[i]) * (i % 2 ? 1 - part : part);
+    return old + y;
+}
+
+static void settle(Block *b, const M *accepted)
+{
+    L(*k)[SIZE] = b->work.slopes;
+    for (int n = 0; n < SIZE; ++n)
+        for (int i = 0; i < VECTORS; ++i)
+            k[0][n].at[i] = choose(accepted->at[i], k[STAGES][n].at[i], k[0][n].at[i]);
+}

@@ -1,0 +1,126 @@
+"""A method for a model as machine code: composed, compiled once, called on several threads.
+
+Every thread takes a part of the motions, one behind the other, and memory of its own. A motion is
+computed in the same way wherever it stands, so the results do not depend on the parts.
+"""
+
+import ctypes
+from collections.abc import Callable, Hashable, Sequence
+from concurrent.futures import ThreadPoolExecutor
+from itertools import pairwise
+from weakref import WeakKeyDictionary
+
+import casadi as ca
+import numpy as np
+
+from mechanics.compiled.machine.library import load
+from mechanics.compiled.machine.native import affordable
+from mechanics.compiled.machine.vectorised import settings
+from mechanics.compiled.model import Model
+from mechanics.compiled.program import Program, program
+from mechanics.simulate.ensembles.text import text
+from mechanics.simulate.integrators.rate import rate_function
+
+ALIGNED = 64
+"""Bytes of the widest vectors."""
+# Products that are added are one operation where the machine has it.
+FUSED = "-ffp-contract=fast"
+
+_programs: WeakKeyDictionary[Model, Program] = WeakKeyDictionary()
+_libraries: WeakKeyDictionary[Model, dict[Hashable, ctypes.CDLL]] = WeakKeyDictionary()
+
+
+def ensemble_program(model: Model) -> Program:
+    """``rate(y, held)``: y' from the state, with t as its last entry if it is held, and the rest.
+
+    What is held are the inputs without t, and the parameters.
+    """
+    if model not in _programs:
+        function, names = rate_function(model), model.entries["inputs"]
+        y, w, p = function.sx_in()
+        state, given = y, w
+        rates = function(y, w, p)
+        if timed(model):
+            time = w[names.index("t")]
+            state, rates = ca.vertcat(y, time), ca.vertcat(rates, 1)
+            given = ca.vertcat(*(w[i] for i, name in enumerate(names) if name != "t"))
+        held = ca.vertcat(given, p)
+        graph = ca.Function("rate", [state, held], [ca.densify(rates)], ["y", "held"], ["yd"])
+        _programs[model] = program(graph)
+    return _programs[model]
+
+
+def timed(model: Model) -> bool:
+    """Whether the time is among the inputs."""
+    return "t" in model.entries["inputs"]
+
+
+class Library:
+    """A compiled method.
+
+    Parameters
+    ----------
+    model : Model
+        With a compiler.
+    key : hashable
+        Of the method.
+    source : callable
+        Of the program, to C text that follows the arithmetic of lanes.
+    """
+
+    def __init__(self, model: Model, key: Hashable, source: Callable[[Program], str]) -> None:
+        known = _libraries.setdefault(model, {})
+        if key not in known:
+            known[key] = _compiled(model, source)
+        self._library = known[key]
+        self._room = int(self._library.mechanics_room())
+
+    def march(
+        self, per_motion: Sequence[np.ndarray], call: Callable[..., None], threads: int
+    ) -> None:
+        """Call the function for parts of the motions.
+
+        Parameters
+        ----------
+        per_motion : arrays with one row a motion, contiguous
+        call : callable
+            Of the C function, the number of motions, addresses of their rows, and of memory.
+        threads : int
+        """
+        count = len(per_motion[0])
+        bounds = np.linspace(0, count, threads + 1).astype(int).tolist()
+
+        def part(first: int, last: int) -> None:
+            memory = np.empty(self._room + ALIGNED, dtype=np.uint8)
+            address = memory.ctypes.data
+            rows = [at(array[first:last]) for array in per_motion]
+            room = ctypes.c_void_p(address + -address % ALIGNED)
+            call(self._library.mechanics_march, ctypes.c_int64(last - first), rows, room)
+
+        spans = [(a, b) for a, b in pairwise(bounds) if b > a]
+        if len(spans) == 1:
+            part(*spans[0])
+            return
+        with ThreadPoolExecutor(len(spans) or 1) as pool:
+            for done in [pool.submit(part, *span) for span in spans]:
+                done.result()
+
+
+def at(array: np.ndarray) -> ctypes.c_void_p:
+    """Address of an array."""
+    return ctypes.c_void_p(array.ctypes.data)
+
+
+def _compiled(model: Model, source: Callable[[Program], str]) -> ctypes.CDLL:
+    code, compiler = ensemble_program(model), model.compiler or ""
+    (_, size), (_, held) = code.inputs
+    whole = "\n".join([
+        text("lanes.h"),
+        f"enum {{ SIZE = {size}, HELD = {held}, MOVING = {size - timed(model)} }};",
+        source(code),
+    ])  # fmt: skip
+    flags = f"{affordable(settings(compiler), code.operations)} {FUSED}"
+    library = load(whole, compiler, flags)
+    library.mechanics_room.restype = ctypes.c_int64
+    library.mechanics_march.restype = None
+    return library
