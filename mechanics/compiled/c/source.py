@@ -3,8 +3,8 @@
     static void name(const double q[2], const double p[5], double ud[2])
 
 A value that is used once is written where it is used, as long as the line stays readable; the rest
-get a name each. Parentheses keep the order of the roundings. Inputs are read and outputs are
-written last, so an output may be the same array as an input.
+get a name each. Parentheses keep the order of the roundings. Inputs are read before outputs are
+written, so an output may be the same array as an input.
 """
 
 import re
@@ -17,6 +17,7 @@ import casadi as ca
 import numpy as np
 
 from mechanics.compiled.c.names import Namer
+from mechanics.compiled.c.schedule import scheduled
 from mechanics.compiled.c.status import Codes, status_lines, watched
 from mechanics.compiled.operations import ATOM, OPERATIONS, PRODUCT, SIGN, SUM, unknown
 from mechanics.compiled.program import Program
@@ -68,11 +69,15 @@ def function_source(
     head : text before the opening brace; `signature` by default
     codes : what the function returns to tell its status, if it returns anything
     """
-    body = _body(code, entries, kind, codes)
+    ordered = scheduled(code)
+    # What a call is given is read just before it, where the order of statements matters.
+    body = _body(ordered, entries, kind, codes, early=ordered is code)
     return "\n".join([head or signature(code, kind), "{", *body, "}", ""])
 
 
-def _body(code: Program, entries: Entries, kind: str, codes: Codes | None) -> list[str]:
+def _body(
+    code: Program, entries: Entries, kind: str, codes: Codes | None, early: bool
+) -> list[str]:
     taken = {name for name, _ in (*code.inputs, *code.shapes)} | {code.name}
     namer = Namer(taken)
     uses = _uses(code)
@@ -80,10 +85,11 @@ def _body(code: Program, entries: Entries, kind: str, codes: Codes | None) -> li
     # What is looked at afterwards gets a name.
     uses.update(looked_at)
     local = _locals(code, entries, namer, uses)
-    lines = [
-        f"    const {kind} {name} = {code.inputs[group][0]}[{entry}];"
+    reads = {
+        (group, entry): f"    const {kind} {name} = {code.inputs[group][0]}[{entry}];"
         for (group, entry), name in sorted(local.items())
-    ]
+    }
+    lines = list(reads.values()) if early else []
     texts: list[Text] = []
 
     def keep(text: Text, name: str) -> Text:
@@ -95,6 +101,8 @@ def _body(code: Program, entries: Entries, kind: str, codes: Codes | None) -> li
             texts.append(Text(literal(node.constant, kind), ATOM if node.constant >= 0 else SIGN))
             continue
         if node.operation == ca.OP_INPUT:
+            if not early and node.operands in reads:
+                lines.append(reads[node.operands])
             texts.append(Text(local.get(node.operands, ""), ATOM))
             continue
         text = expression(node.operation, [texts[i] for i in node.operands], kind)
