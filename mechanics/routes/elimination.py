@@ -7,8 +7,8 @@ other row that holds it:
     row_i <- row_i - (c_i / c_p) row_p                       c_p a number
     row_i <- c_p row_i - c_i row_p                           otherwise: nothing is divided by c_p
 
-A reaction that closes a loop of bodies belongs to no joint of the tree (ropes over one pulley, teeth
-of two wheels): those are solved for last, from whatever rows are left.
+A reaction that closes a loop of bodies belongs to no joint of the tree (ropes over one pulley, the
+teeth of two wheels): those are solved for last, from whatever rows are left.
 """
 
 from collections.abc import Sequence

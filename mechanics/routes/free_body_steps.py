@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 
-from sympy import Add, Expr
+from sympy import Add
 
 from mechanics.equations import FreeBodyRow, Line, Step
 from mechanics.kinematics.motion import BodyMotion

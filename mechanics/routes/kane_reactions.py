@@ -1,10 +1,9 @@
 """Reactions by Kane's auxiliary speeds: the second, independent way.
 
-For each reaction the joint it belongs to is opened: everything outboard moves with an auxiliary
-speed along (or turns about) the direction of the reaction,
+For each reaction its joint is opened (`mechanics.routes.kane_openings`): the bodies that move then
+get an auxiliary speed,
 
-    v_body <- v_body + w_j e_j         (force)
-    v_body <- v_body + w_j e_j x (r_C - r_0),  omega_body <- omega_body + w_j e_j      (couple)
+    v_body <- v_body + w_j (e_j + n_j x (r_C - r_0)),    omega_body <- omega_body + w_j n_j
 
 and the reactions enter as loads. The equations that belong to the auxiliary speeds, with these set
 to zero, hold the reactions.
@@ -19,6 +18,7 @@ from sympy.physics.mechanics import KanesMethod, Point, ReferenceFrame, dynamics
 from mechanics.kinematics import chain
 from mechanics.kinematics.motion import BodyMotion
 from mechanics.routes.dynamic import Dynamic, dynamic_speeds
+from mechanics.routes.kane_openings import Opening, openings
 from mechanics.routes.sympy_model import (
     SympyModel,
     Velocities,
@@ -29,7 +29,7 @@ from mechanics.routes.sympy_model import (
 from mechanics.scene import RigidBody, Scene
 from mechanics.scene.actions import Action, applied_actions, unit_reactions
 from mechanics.scene.reactions import Reaction
-from mechanics.scene.topology import Tree, multipliers, tree
+from mechanics.scene.topology import multipliers
 
 
 def auxiliary_equations(scene: Scene) -> tuple[tuple[Symbol, Expr], ...]:
@@ -47,7 +47,7 @@ def auxiliary_equations(scene: Scene) -> tuple[tuple[Symbol, Expr], ...]:
     dynamic = dynamic_speeds(scene)
     model = build(scene, dynamic)
     speeds = [dynamicsymbols(f"aux_{i}") for i in range(len(sought))]
-    fields = _opened(scene, tree(scene), sought, speeds)
+    fields = _opened(scene, sought, speeds)
     motions = {motion.body.name: motion for motion in chain.body_motions(scene)}
     bodies = [_body(scene, m, fields[name], model, dynamic) for name, m in motions.items()]
     loads = [
@@ -74,25 +74,16 @@ def auxiliary_equations(scene: Scene) -> tuple[tuple[Symbol, Expr], ...]:
     return tuple(zip((reaction.symbol for reaction in sought), rows, strict=True))
 
 
-Field = list[tuple[Expr, Matrix, Matrix, Matrix]]
-"""Auxiliary speeds that move a body: (speed, direction of translation, of rotation, centre)."""
+Field = list[tuple[Expr, Opening]]
+"""Auxiliary speeds that move a body, and how."""
 
 
-def _opened(
-    scene: Scene, bodies: Tree, sought: Sequence[Reaction], speeds: Sequence[Expr]
-) -> dict[str, Field]:
-    """For every body the auxiliary speeds of the joints that it is outboard of."""
-    fields: dict[str, Field] = {name: [] for name in bodies.order}
-    none = zeros(3, 1)
-    for reaction, speed in zip(sought, speeds, strict=True):
-        outer_end = next(name for name in bodies.order if reaction in bodies.joints[name])
-        along = scene.vector(reaction.along, reaction.name)
-        for name in bodies.subtree(outer_end):
-            if reaction.at is None:
-                hinge = scene.position(scene.body(outer_end).centre)
-                fields[name].append((speed, none, along, hinge))
-            else:
-                fields[name].append((speed, along, none, none))
+def _opened(scene: Scene, sought: Sequence[Reaction], speeds: Sequence[Expr]) -> dict[str, Field]:
+    """For every body the auxiliary speeds that move it."""
+    fields: dict[str, Field] = {body.name: [] for body in scene.bodies}
+    for opening, speed in zip(openings(scene, sought), speeds, strict=True):
+        for name in opening.bodies:
+            fields[name].append((speed, opening))
     return fields
 
 
@@ -109,9 +100,9 @@ def _actions(scene: Scene) -> list[Action]:
 def _extra(field: Field, at: Matrix) -> tuple[Matrix, Matrix]:
     """Velocity at a place, and angular velocity, that the auxiliary speeds add."""
     velocity, omega = zeros(3, 1), zeros(3, 1)
-    for speed, along, about, hinge in field:
-        velocity += speed * (along + about.cross(at - hinge))
-        omega += speed * about
+    for speed, opening in field:
+        velocity += speed * opening.velocity(at)
+        omega += speed * opening.about
     return velocity, omega
 
 

@@ -5,8 +5,8 @@
 
 v_B is the velocity of the geometric point B, not of a material one. Candidates are the outboard
 subtrees of the tree of bodies; `mechanics.routes.twists` finds, for each, the principles in which
-the reactions that cross its boundary do not enter. Reactions that close a loop of bodies are let in,
-and eliminated by algebra where no constraint names them. Velocities come from
+the reactions that cross its boundary do not enter. Reactions that close a loop of bodies are let
+in, and eliminated by algebra where no constraint names them. Velocities come from
 `mechanics.kinematics.chain`.
 """
 

@@ -1,0 +1,169 @@
+"""Loops of bodies that one coordinate follows: their reactions are in no joint of the tree.
+
+(m1 + m2 + J/R^2) x'' = (m1 - m2) g - c x'/R^2,    T1 = m1 (g - x''),    T2 = m2 (g + x'')
+(J1/R1^2 + J2/R2^2) R1 a'' = M/R1,                 F = (M - J1 a'')/R1
+"""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from sympy import S, simplify
+from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols, inertia
+
+from mechanics import compile, crosscheck, derive, simulate
+from mechanics.crosscheck import ROUTES, CrossCheck
+from mechanics.errors import SingularError
+from mechanics.export import write_c
+from mechanics.routes.elimination import Row, solve_for
+from mechanics.scene import (
+    Particle,
+    RigidBody,
+    Scene,
+    gravity,
+    parameters,
+    reaction,
+    torque,
+)
+from mechanics.scene.published import published
+from mechanics.scene.quantities import EquationOfMotion, ReactionValue
+from mechanics.scene.system import System
+
+x, a = dynamicsymbols("x a")
+m1, m2, J, R, c, g = parameters(
+    "m1 m2 J R c g", units="kg kg kg*m^2 m N*m*s/rad m/s^2", typical="2 1 0.05 0.2 0.01 9.81"
+)
+J1, J2, R1, R2, M = parameters(
+    "J1 J2 R1 R2 M", units="kg*m^2 kg*m^2 m m N*m", typical="0.1 0.2 0.1 0.3 1"
+)
+
+
+def atwood() -> Scene:
+    """Two masses on guides, ropes over a heavy pulley with friction, one coordinate."""
+    ground, origin = ReferenceFrame("N"), Point("O")
+    wheel = ground.orientnew("W", "Axis", (x / R, ground.z))
+    left = origin.locatenew("P1", -R * ground.x - x * ground.y)
+    right = origin.locatenew("P2", R * ground.x + x * ground.y)
+    friction = -c * x.diff() / R * ground.z
+    return Scene(
+        "Atwood machine",
+        ground,
+        origin,
+        coordinates=(x,),
+        bodies=(
+            Particle("left", left, m1),
+            Particle("right", right, m2),
+            RigidBody("pulley", origin, wheel, S(3), inertia(wheel, 0, 0, J)),
+        ),
+        loads=(gravity(-g * ground.y), torque("friction", on="pulley", vector=friction)),
+        reactions=(
+            reaction("T1", at=left, on="left", by="pulley", along=ground.y),
+            reaction("T2", at=right, on="right", by="pulley", along=ground.y),
+            reaction("G1", at=left, on="left", by=None, along=ground.x),
+            reaction("G2", at=right, on="right", by=None, along=ground.x),
+            reaction("Bx", at=origin, on="pulley", by=None, along=ground.x),
+            reaction("By", at=origin, on="pulley", by=None, along=ground.y),
+        ),
+    )
+
+
+def gears() -> Scene:
+    """Two wheels on bearings; only the force F of their teeth closes the loop."""
+    ground, origin = ReferenceFrame("N"), Point("O")
+    one = ground.orientnew("A", "Axis", (a, ground.z))
+    two = ground.orientnew("B", "Axis", (-a * R1 / R2, ground.z))
+    other = origin.locatenew("C", (R1 + R2) * ground.x)
+    teeth = origin.locatenew("P", R1 * ground.x)
+    held = (("A", origin, "first"), ("B", other, "second"))
+    return Scene(
+        "two gears",
+        ground,
+        origin,
+        coordinates=(a,),
+        bodies=(
+            RigidBody("first", origin, one, S.One, inertia(one, 0, 0, J1)),
+            RigidBody("second", other, two, S(2), inertia(two, 0, 0, J2)),
+        ),
+        loads=(torque("motor", on="first", vector=M * ground.z),),
+        reactions=(
+            *(
+                reaction(f"{name}{axis}", at=at, on=on, by=None, along=getattr(ground, axis))
+                for name, at, on in held
+                for axis in "xy"
+            ),
+            reaction("F", at=teeth, on="second", by="first", along=ground.y),
+        ),
+    )
+
+
+SYSTEMS = (
+    System(
+        "atwood",
+        atwood,
+        (
+            published(
+                "(1)",
+                EquationOfMotion(),
+                (m1 + m2 + J / R**2) * x.diff(dynamicsymbols._t, 2),
+                (m1 - m2) * g - c / R**2 * x.diff(),
+                label="motion",
+            ),
+            published("(2)", ReactionValue("T1"), m1 * (g - x.diff().diff()), label="left"),
+            published("(3)", ReactionValue("T2"), m2 * (g + x.diff().diff()), label="right"),
+        ),
+    ),
+    System(
+        "gears",
+        gears,
+        (
+            published(
+                "(1)",
+                EquationOfMotion(),
+                (J1 / R1 + J2 * R1 / R2**2) * a.diff().diff(),
+                M / R1,
+                label="turning",
+            ),
+            published("(2)", ReactionValue("F"), (M - J1 * a.diff().diff()) / R1, label="teeth"),
+        ),
+    ),
+)
+
+
+@pytest.mark.parametrize("system", SYSTEMS, ids=lambda system: system.name)
+def test_every_route_eliminates_the_reactions_of_a_loop(system: System) -> None:
+    found = crosscheck(system, CrossCheck(states=100))
+    assert found.ok, [f for f in found.findings if not f.shown]
+    assert [entry.finding.shown for entry in found.published] == [True] * len(system.published)
+    # Auxiliary speeds determine the reactions of the loop too, each by an equation of its own.
+    subjects = " ".join(finding.subject for finding in found.findings)
+    for held in system.scene().reactions:
+        assert f"reaction {held.name}: free_body = auxiliary speeds" in subjects
+
+
+@pytest.mark.parametrize("route", [route.name for route in ROUTES])
+def test_one_coordinate_leaves_one_equation(route: str) -> None:
+    equations = derive(atwood(), route)
+    assert equations.mass.shape == (1, 1)
+    ratio = equations.forcing[0] / equations.mass[0]
+    scene = equations.scene
+    expected = ((m1 - m2) * g - c / R**2 * scene.u[0]) / (m1 + m2 + J / R**2)
+    assert simplify(ratio - expected) == 0
+
+
+@pytest.mark.parametrize("route", ["free_body", "moving_point"])
+def test_loops_are_compiled_written_and_simulated(route: str, tmp_path: Path) -> None:
+    model = compile(derive(atwood(), route))
+    u = 0.3
+    expected = (9.81 - 0.01 / 0.2**2 * u) / (3 + 0.05 / 0.2**2)
+    np.testing.assert_allclose(model.forward_dynamics([0.1], [u]), [expected], rtol=1e-13)
+    assert write_c(model, tmp_path)
+    duration = 0.1
+    fallen = simulate(model, duration, parameters={"c": 0}).coordinates["x"][-1]
+    assert fallen == pytest.approx(9.81 / (3 + 0.05 / 0.2**2) * duration**2 / 2, rel=1e-8)
+
+
+def test_a_reaction_that_no_row_holds_is_refused_by_name() -> None:
+    scene = atwood()
+    tensions = [held.symbol for held in scene.reactions[:2]]
+    with pytest.raises(SingularError, match=r"T1, T2.*holonomic"):
+        solve_for([Row("left", scene.ud[0], {})], tensions)
