@@ -35,6 +35,7 @@ Array = NDArray[np.float64]
 # The measured error has to be below this share of the accuracy: the estimate, by another setting,
 # scatters about it.
 SHARE = 0.5
+EPSILON = float(np.finfo(float).eps)
 # An integrator is given up when it takes so many times what the best one so far needs.
 WORSE = 3.0
 # Seconds to compare the candidates, and evaluations that the run itself may spend.
@@ -96,6 +97,10 @@ def simulate(
         raise InputError(f"accuracy: it chooses {', '.join(options)}: give one or the other")
     if not (np.isfinite(accuracy) and 0 < accuracy < 1):
         raise InputError(f"accuracy: {accuracy!r} found: a number between 0 and 1 is needed")
+    if accuracy < EPSILON:
+        raise InputError(
+            f"accuracy {accuracy:g}: doubles round to {EPSILON:.1e}: nothing in them meets it"
+        )
     times = equal_times(duration, samples)
     starts = initial_states(initial)
     many = starts if starts is not None else (dict(initial or {}),)  # type: ignore[arg-type]

@@ -77,7 +77,8 @@ def test_without_accuracy_nothing_is_estimated() -> None:
         ({"accuracy": 0.0}, "accuracy: 0.0 found"),
         ({"accuracy": 2.0}, "accuracy: 2.0 found"),
         ({"accuracy": float("nan")}, "accuracy: nan found"),
-        ({"accuracy": 1e-17}, "no choice meets it: the nearest is"),
+        ({"accuracy": 1e-17}, "doubles round to 2.2e-16"),
+        ({"accuracy": 3e-16}, "no choice meets it: the nearest is"),
         ({"accuracy": 1e-6, "rtol": 1e-6}, "it chooses rtol: give one or the other"),
     ],
 )
