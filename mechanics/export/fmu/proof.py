@@ -1,0 +1,72 @@
+"""The C functions in a unit are the graphs that they were printed from.
+
+    model.c  --parsed-->  nodes  =  graph        for rates, outputs, tangent and adjoint
+
+The text is read back from the archive. The graphs are put together from those of the model, and
+`mechanics.compiled.proof` decides whether these are what was derived.
+"""
+
+import zipfile
+from pathlib import Path
+
+from sympy import Matrix, Symbol
+
+from mechanics.compiled import Model
+from mechanics.compiled.c.names import identifier
+from mechanics.compiled.custody.code import exact
+from mechanics.compiled.custody.derived import Derived
+from mechanics.compiled.custody.kernel import Kernel
+from mechanics.compiled.custody.prove import Graph, prove_text
+from mechanics.compiled.program import program
+from mechanics.exact import Finding
+from mechanics.exact.c_parse import Source, parse
+from mechanics.export.fmu.functions import CLOCK, STEP_SIZE, Functions, functions
+from mechanics.export.fmu.model_text import symbol
+
+SOURCE, HEADER = "model.c", "model.h"
+
+
+def prove_unit(model: Model, path: str | Path) -> tuple[Finding, ...]:
+    """Decide for each function in a unit whether it is the model's.
+
+    Parameters
+    ----------
+    model : Model
+        That the unit was written from.
+    path : str or Path
+        ``NAME.fmu``.
+    """
+    with zipfile.ZipFile(path) as archive:
+        texts = {name: archive.read(f"sources/{name}").decode() for name in (SOURCE, HEADER)}
+    source = parse(texts[SOURCE], SOURCE, includes={HEADER: texts[HEADER]})
+    return prove_functions(model, functions(model), source)
+
+
+def prove_functions(model: Model, known: Functions, source: Source) -> tuple[Finding, ...]:
+    """The same for a text that has been parsed."""
+    names = _names(model, known)
+    found = []
+    for name, function in known.graphs.items():
+        code = program(function)
+        if not code.outputs[0]:
+            continue
+        kernel = Kernel(
+            name, symbol(identifier(model.equations.scene.name), name), SOURCE, "double"
+        )
+        finding, _ = prove_text(kernel, source, {name: Graph(exact(code), code)}, names)
+        found.append(finding)
+    return tuple(found)
+
+
+def _names(model: Model, known: Functions) -> Derived:
+    """Symbols for the arguments: there is nothing else that text and graph have to agree about."""
+    quantities = model.quantities
+    given = (CLOCK, *quantities.q, *quantities.u, *known.inputs, *known.p, STEP_SIZE)
+    size = max(f.numel_in(i) for f in known.graphs.values() for i in range(f.n_in()))
+    groups = {
+        "given": tuple(entry.symbol for entry in given),
+        "seed": tuple(Symbol(f"seed_{i}") for i in range(size)),
+    }
+    none = Matrix(0, 0, [])
+    scene, route = model.equations.scene.name, model.equations.route
+    return Derived(scene, route, groups, {}, None, (), none, none, none, none, ())
