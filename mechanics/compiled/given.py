@@ -26,6 +26,9 @@ def given_array(group: str, names: Sequence[str], kind: type[np.floating], value
         if size:
             raise InputError(f"{group} is missing: pass {size} values: {', '.join(names)}")
         value = np.zeros(0)
+    if isinstance(value, np.ndarray) and value.dtype.kind == "c":
+        # NumPy would drop the imaginary parts.
+        raise InputError(f"{group}: these are no real numbers: {value.dtype} found")
     try:
         array: Array = np.asarray(value, dtype=kind)
     except (TypeError, ValueError) as error:
