@@ -15,8 +15,8 @@ from mpmath import mp, mpf
 
 REACHES = {"double": mpf("0.7855"), "float": mpf("0.83")}
 """Largest |r|: pi/4 = 0.785398... and what rounding of 2/pi adds, times the largest |x|."""
-COUNTS = {"double": 6, "float": 3}
-"""Coefficients of P, and of Q."""
+COUNTS = {"double": (6, 6), "float": (4, 3)}
+"""Number of coefficients of P and of Q."""
 
 DIGITS = 60
 GRID = 400
@@ -130,8 +130,8 @@ def rounded(number: mpf, kind: str) -> str:
 
 def coefficients(kind: str) -> tuple[tuple[str, ...], tuple[str, ...]]:
     """P and Q of a precision, ``"double"`` or ``"float"``."""
-    p, _ = remez(sine_residue, sine_weight, COUNTS[kind], REACHES[kind])
-    q, _ = remez(cosine_residue, cosine_weight, COUNTS[kind], REACHES[kind])
+    p, _ = remez(sine_residue, sine_weight, COUNTS[kind][0], REACHES[kind])
+    q, _ = remez(cosine_residue, cosine_weight, COUNTS[kind][1], REACHES[kind])
     return tuple(rounded(c, kind) for c in p), tuple(rounded(c, kind) for c in q)
 
 

@@ -66,7 +66,7 @@ DOUBLE = Numbers(
 SINGLE = Numbers(
     "float", "f", 32, "0x1.8p23", "0x1.45f306p-1",
     ("0x1.921fb4p+0", "0x1.4442dp-24", "0x1.84698ap-48"),
-    ("0x1.55553ep-3", "-0x1.1104cap-7", "0x1.9877dp-13"),
+    ("0x1.555556p-3", "-0x1.111106p-7", "0x1.a00ce4p-13", "-0x1.6c3b3cp-19"),
     ("0x1.555546p-5", "-0x1.6c098cp-10", "0x1.9930d4p-16"),
 )  # fmt: skip
 PRECISIONS = {numbers.kind: numbers for numbers in (DOUBLE, SINGLE)}

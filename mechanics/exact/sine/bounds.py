@@ -1,0 +1,224 @@
+"""Largest error of the computed sine and cosine, in units in the last place (ulp).
+
+    |s - sin t| <= |s - S(r, low)| + |S(r, low) - sin(r - low)| + |r - low - t|
+
+S is the polynomial of the text. The first term is a running error analysis, the second one the
+difference of S and Taylor's polynomial with its remainder, the third one comes from the reduction.
+All three are enclosed by Arb for r in each of many short intervals that cover what r can be; signs
+are taken care of by symmetry, so r > 0 here. The unit is that of the true or the computed value,
+whichever is larger: they differ where a power of 2 lies between the two.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cache
+from math import factorial, isfinite
+
+from flint import arb, arb_poly, fmpq
+
+from mechanics.errors import ExpressionError
+from mechanics.exact.balls import precision
+from mechanics.exact.c_parse import Source
+from mechanics.exact.sine.affine import BITS, SMALLEST, half_unit
+from mechanics.exact.sine.reduction import Reduced
+from mechanics.exact.sine.rounding import Poly, Polynomials, Rounded, Roundings, unit
+from mechanics.exact.sine.walk import Function
+
+DIGITS = 160
+"""Bits of the balls."""
+TERMS = 30
+"""Degree of Taylor's polynomials: the remainder for |r| < 1 is below 2^-100."""
+
+
+@dataclass(frozen=True)
+class Largest:
+    """Largest errors: of sine and cosine in ulp of the true values, of s^2 + c^2."""
+
+    sine: float
+    cosine: float
+    square: float
+
+    def joined(self, other: Largest) -> Largest:
+        """The larger ones of both."""
+        return Largest(
+            max(self.sine, other.sine),
+            max(self.cosine, other.cosine),
+            max(self.square, other.square),
+        )
+
+
+def largest_errors(
+    source: Source, name: str, kind: str, known: Sequence[Reduced], small: Fraction
+) -> Largest:
+    """Over all numbers.
+
+    Parameters
+    ----------
+    known : sequence of Reduced
+        What is known where n is not zero.
+    small : Fraction
+        Largest |r| where n is zero, where r is exact.
+    """
+    with precision(DIGITS):
+        return _largest(source, name, kind, known, small)
+
+
+def _largest(
+    source: Source, name: str, kind: str, known: Sequence[Reduced], small: Fraction
+) -> Largest:
+    ideal = Function(source, name, Polynomials(), {"r": {(1, 0): Fraction(1)}, "low": _LOW})
+    polynomials = _Difference(ideal["s"], 0), _Difference(ideal["c"], 1)
+    found = Largest(0.0, 0.0, 0.0)
+    top = max([small, *(one.farthest + 2 * one.low for one in known)])
+    for a, b in _intervals(kind, top):
+        if a < small:
+            still = Reduced(0, Fraction(0), small, Fraction(0), Fraction(0))
+            found = found.joined(_errors(source, name, kind, polynomials, (a, b), still))
+        near = [one for one in known if _least(one) <= b]
+        if near:
+            worst = Reduced(
+                max(one.turns for one in near),
+                min(one.nearest for one in near),
+                max(one.farthest for one in near),
+                max(one.low for one in near),
+                max(one.error for one in near),
+            )
+            found = found.joined(_errors(source, name, kind, polynomials, (a, b), worst))
+    return found
+
+
+def _least(one: Reduced) -> Fraction:
+    """Lower bound of |r|; a relative rounding error is less than 2^-20."""
+    return (one.nearest - one.low - one.error) * (1 - Fraction(1, 2**20))
+
+
+_LOW: Poly = {(0, 1): Fraction(1)}
+
+
+def _intervals(kind: str, top: Fraction) -> Iterator[tuple[Fraction, Fraction]]:
+    """Intervals from the smallest number to `top`, shorter where errors are larger."""
+    for e in range(-1, SMALLEST[kind] - 1, -1):
+        parts = 128 if e > -3 else (16 if e > -28 else 1)
+        start = Fraction(2) ** e
+        for k in range(parts):
+            a, b = start * (1 + Fraction(k, parts)), start * (1 + Fraction(k + 1, parts))
+            if a < top:
+                yield a, min(b, top)
+
+
+class _Difference:
+    """S(r, low) - sin(r - low), or with the cosine.
+
+    Parameters
+    ----------
+    poly : polynomial in r and low
+    shift : 0 for the sine, 1 for the cosine
+    """
+
+    def __init__(self, poly: Poly, shift: int) -> None:
+        degree = max([TERMS, *(i for i, _ in poly)])
+        # cos r for shift 1; the derivative of the sine by low is -cos r, of the cosine sin r.
+        self._value = arb_poly(_coefficients(poly, 0, degree, shift, 1))
+        self._slope = arb_poly(_coefficients(poly, 1, degree, shift + 1, -1))
+        self._more = [(i, j, _arb(c)) for (i, j), c in poly.items() if j > 1]
+        self._remainder = _arb(Fraction(1, factorial(degree + 1)))
+        self._degree = degree
+
+    def __call__(self, r: arb, low: arb) -> arb:
+        """Bound of the absolute value for r and low in balls."""
+        rest = abs(r) ** (self._degree + 1) * self._remainder
+        value = abs(_centred(self._value, r)) + rest
+        slope = abs(_centred(self._slope, r)) + rest + abs(low) / 2
+        more = (abs(c) * abs(r) ** i * abs(low) ** j for i, j, c in self._more)
+        return value + abs(low) * slope + sum(more, arb(0))
+
+
+def _centred(poly: arb_poly, r: arb) -> arb:
+    """Values of a polynomial on a ball, about its midpoint: large terms that cancel do so there."""
+    return poly(arb_poly([r.mid(), 1]))(r - r.mid())
+
+
+def _coefficients(poly: Poly, power: int, degree: int, shift: int, sign: int) -> list[arb]:
+    """Of low^power in the polynomial, less Taylor's of sign * the shift-th derivative of sin r."""
+    return [
+        _arb(
+            poly.get((i, power), Fraction(0))
+            - sign * _taylor(i + shift) * Fraction(1, factorial(i))
+        )
+        for i in range(degree + 1)
+    ]
+
+
+@cache
+def _taylor(order: int) -> int:
+    """The derivative of the sine of this order, at zero."""
+    return (0, 1, 0, -1)[order % 4]
+
+
+def _arb(number: Fraction) -> arb:
+    return arb(fmpq(number.numerator, number.denominator))
+
+
+def _errors(
+    source: Source,
+    name: str,
+    kind: str,
+    polynomials: tuple[_Difference, _Difference],
+    interval: tuple[Fraction, Fraction],
+    known: Reduced,
+) -> Largest:
+    a, b = (_arb(end) for end in interval)
+    r, low = arb((a + b) / 2, (b - a) / 2), arb(0, _arb(known.low))
+    given = {"r": Rounded(r, arb(0), arb(0)), "low": Rounded(low, arb(0), arb(0))}
+    function = Function(source, name, Roundings(), given)
+    # Where n is zero, r is x itself.
+    shift = _arb(known.error + (half_unit(kind, interval[1]) if known.turns else 0))
+    t = r - low + arb(0, shift)
+    sine, cosine = t.sin(), t.cos()
+    ulps, errors = [], []
+    for which, difference, true, slope in (
+        ("s", polynomials[0], sine, cosine),
+        ("c", polynomials[1], cosine, sine),
+    ):
+        value = function[which]
+        before = (value.error + difference(r, low) + shift * abs(slope)).abs_upper()
+        ulps.append(_ulps(kind, true, before, value))
+        errors.append(before + value.last)
+    square = sum(
+        (2 * abs(true) * error + error**2
+         for error, true in zip(errors, (sine, cosine), strict=True)), arb(0),
+    )  # fmt: skip
+    return Largest(*(_upper(value) for value in (*ulps, square)))
+
+
+def _ulps(kind: str, true: arb, before: arb, value: Rounded) -> arb:
+    """The error in units of the larger of both values, for every binade that the true one is in.
+
+    `before` bounds the error before the last rounding. If the true value is in a binade, so is the
+    computed one, or it is below, and the last rounding is at most half a unit there; or it is in
+    the next one, where units are twice as large.
+    """
+    found, step = arb(0), unit(kind, true)
+    top = true.abs_upper()
+    while True:
+        inside = (before + _smaller(value.last, step / 2)) / step
+        above = (before + _smaller(value.last, step)) / (2 * step)
+        found = max(found, inside, above, key=float)
+        if top < step * arb(2) ** BITS[kind]:
+            return found
+        step = 2 * step
+
+
+def _smaller(a: arb, b: arb) -> arb:
+    return min(a, b, key=float)
+
+
+def _upper(number: arb) -> float:
+    """A double that is not smaller."""
+    upper = float(number.abs_upper())
+    if not isfinite(upper):
+        raise ExpressionError("an enclosure is not finite")
+    return upper * (1 + 2.0**-50)

@@ -1,0 +1,171 @@
+"""Is this text sine and cosine? ``verify_sine(text) -> Finding``.
+
+    PROVED      for all floating numbers up to the limit that mechanics_far has, to so many ulp
+    REFUTED     at a witness the computed value is farther from the enclosure of the true one
+
+The text is read twice: with fused operations, as machines compute it that have them, and without.
+"""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Iterator, Mapping
+from fractions import Fraction
+from math import ldexp
+
+import numpy as np
+from flint import arb, fmpq
+from pycparser import c_ast
+
+from mechanics.errors import ExpressionError
+from mechanics.exact.balls import precision
+from mechanics.exact.c_literal import literal
+from mechanics.exact.c_parse import Source, parse
+from mechanics.exact.finding import Finding, Verdict, Witness
+from mechanics.exact.sine.affine import SMALLEST
+from mechanics.exact.sine.bounds import Largest, largest_errors
+from mechanics.exact.sine.machine import sincos
+from mechanics.exact.sine.quadrant import check_parity, check_quadrants
+from mechanics.exact.sine.reduction import reduced, small
+from mechanics.exact.sine.rounding import unit
+
+MOST = 1.6
+"""Largest error that is accepted, in ulp."""
+READINGS: Mapping[str, Mapping[str, str]] = {"fused": {"__FMA__": "1"}, "not fused": {}}
+"""Macros that a compiler defines, or does not."""
+SUFFIX = {"double": "", "float": "f"}
+TRIALS = 60
+"""Angles of each kind that are tried to find a witness."""
+
+
+def verify_sine(
+    text: str,
+    kind: str = "double",
+    *,
+    most: float = MOST,
+    file: str = "code.c",
+    includes: Mapping[str, str] | None = None,
+) -> Finding:
+    """Prove that ``mechanics_sincos`` computes sine and cosine.
+
+    Parameters
+    ----------
+    text : str
+        C source that holds it, and maybe more.
+    kind : ``"double"`` or ``"float"``
+    most : float
+        Largest error to accept, in ulp.
+    file : str
+        Name for messages.
+    includes : mapping of str to str
+        Text of each file that it includes.
+    """
+    name = f"mechanics_sincos{SUFFIX[kind]}"
+    subject = f"{file}: {name} = sine and cosine"
+    limit, found, why = Fraction(0), Largest(0.0, 0.0, 0.0), ""
+    sources = []
+    try:
+        for macros in READINGS.values():
+            source = parse(text, file, includes, macros)
+            sources.append(source)
+            limit = _limit(source, kind)
+            found = found.joined(_proved(source, name, kind, limit))
+    except ExpressionError as error:
+        why = str(error)
+    else:
+        if max(found.sine, found.cosine) <= most:
+            return Finding(subject, Verdict.PROVED, _evidence(found, limit))
+        why = f"the error is bounded by {max(found.sine, found.cosine):.3g} ulp only"
+    for source in sources:
+        witness = _witness(source, name, kind, limit, most)
+        if witness is not None:
+            return Finding(subject, Verdict.REFUTED, f"{why}; see the witness", None, witness)
+    return Finding(subject, Verdict.UNDECIDED, why)
+
+
+def _proved(source: Source, name: str, kind: str, limit: Fraction) -> Largest:
+    known = reduced(source, name, kind, limit)
+    check_quadrants(source, name, kind, max((one.turns for one in known), default=0))
+    check_parity(source, name)
+    return largest_errors(source, name, kind, known, small(source, name, kind, limit))
+
+
+def _evidence(found: Largest, limit: Fraction) -> str:
+    return (
+        f"off by at most {found.sine:.3f} and {found.cosine:.3f} ulp for all |x| <="
+        f" {float(limit):g}, with fused operations and without; odd and even to the last bit;"
+        " |s^2 + c^2 - 1| <="
+        f" {found.square:.2g}; beyond that limit mechanics_far is not zero"
+    )
+
+
+def _limit(source: Source, kind: str) -> Fraction:
+    """L of ``return !(fabs(x) <= L);``.
+
+    Raises
+    ------
+    ExpressionError
+        If the text of ``mechanics_far`` is another one.
+    """
+    f = SUFFIX[kind]
+    name = f"mechanics_far{f}"
+    if name not in source.functions:
+        raise ExpressionError(f"there is no function {name}")
+    function = source.functions[name]
+    match function.body.block_items:
+        case [
+            c_ast.Return(
+                expr=c_ast.UnaryOp(
+                    op="!",
+                    expr=c_ast.BinaryOp(
+                        op="<=" | "<",
+                        left=c_ast.FuncCall(
+                            name=c_ast.ID(name=called),
+                            args=c_ast.ExprList(exprs=[c_ast.ID(name=x)]),
+                        ),
+                        right=c_ast.Constant(value=number),
+                    ),
+                )
+            )
+        ] if called == f"fabs{f}" and x == function.decl.type.args.params[0].name:
+            return literal(number).value
+    raise ExpressionError(f"{name} is not !(fabs{f}(x) <= limit)")
+
+
+def _witness(source: Source, name: str, kind: str, limit: Fraction, most: float) -> Witness | None:
+    """An angle at which the error is larger."""
+    with precision(300):
+        for x in _angles(kind, limit):
+            try:
+                values = sincos(source, name, x)
+            except (ExpressionError, OverflowError):
+                return None
+            true = arb(fmpq(*x.as_integer_ratio())).sin_cos()
+            for which, value, exact in zip(("sin", "cos"), values, true, strict=True):
+                error = abs(_exact(value) - exact)
+                if exact.contains(0) or not error > most * unit(kind, abs(exact)):
+                    continue
+                state = (("x", f"{x!r}, {x.hex()}"),)
+                return Witness(state, f"{which}: {value!r}", f"{exact.str(20)}")
+    return None
+
+
+def _exact(value: float) -> arb:
+    return arb(fmpq(*value.as_integer_ratio())) if np.isfinite(value) else arb.pos_inf()
+
+
+def _angles(kind: str, limit: Fraction) -> Iterator[float]:
+    """Angles of all sizes, next to multiples of pi/2 and half way between, to be tried."""
+    draw, largest = random.Random(1), float(limit or 1)
+    turn = np.pi / 2
+    for _ in range(TRIALS):
+        n = draw.randrange(int(largest / turn) + 1)
+        for x in (
+            draw.uniform(-largest, largest),
+            draw.uniform(-turn, turn),
+            draw.uniform(-100, 100),
+            n * turn,
+            (n + 0.5) * turn,
+            ldexp(draw.uniform(-1, 1), -draw.randrange(-SMALLEST[kind] - 30)),
+        ):
+            yield float(np.float32(x)) if kind == "float" else x
