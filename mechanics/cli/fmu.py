@@ -11,6 +11,8 @@ from mechanics.cli.values import assignments, points, sorted_out
 from mechanics.compiled import compile
 from mechanics.crosscheck import derive
 from mechanics.crosscheck.fmu import write_fmu
+from mechanics.exact import Verdict
+from mechanics.export.fmu.proof import prove_unit
 
 
 def fmu(
@@ -37,7 +39,9 @@ def fmu(
     The unit holds its C sources and, where there is a compiler, the library for this machine. What
     is set are start values, which can be set again in the importer; what is fixed is a number for
     good. Outputs are coordinates, speeds, accelerations, reactions, energies, and the margins of
-    the conditions of validity: where one ceases to hold, the unit asks to end the simulation.
+    the conditions of validity: where one ceases to hold, the unit asks to end the simulation. The C
+    functions are read back and compared with the graphs in exact arithmetic; exit code 1 if one is
+    refuted, 3 if one is undecided.
 
     Examples
     --------
@@ -59,6 +63,12 @@ def fmu(
             step=step,
             beyond_domain=beyond_domain,
         )
+        findings = prove_unit(model, path)
+    for finding in findings:
+        typer.echo(f"{finding.subject}: {finding.verdict.name}")
     typer.echo(str(path))
     if model.compiler is None:
         typer.echo("no C compiler here: it holds the sources only, to be compiled by the importer")
+    if not all(finding.shown for finding in findings):
+        refuted = any(finding.verdict is Verdict.REFUTED for finding in findings)
+        raise typer.Exit(1 if refuted else 3)

@@ -42,7 +42,7 @@ def at(columns: list[np.ndarray], i: int) -> list[np.ndarray]:
     return [group[:, i] for group in columns]
 
 
-def close(one: object, other: object, rtol: float = 1e-9) -> None:
+def assert_close(one: object, other: object, rtol: float = 1e-9) -> None:
     one, other = np.array(one, dtype=float), np.array(other, dtype=float)
     scale = float(np.max(np.abs(other), initial=0.0)) + 1e-9
     np.testing.assert_allclose(one, other, rtol=0, atol=rtol * scale)
@@ -78,8 +78,8 @@ def test_functions_are_differentiable(model: Model) -> None:
         random = np.random.default_rng(11)
         d, w = random.normal(size=stacked.numel()), random.normal(size=value.numel())
         here, slope, along, back = every(*point, d, w)
-        close(along, slope @ d)
-        close(back, slope.T @ w)
+        assert_close(along, slope @ d)
+        assert_close(back, slope.T @ w)
         flat, h = np.concatenate(point), 1e-6
         sides = []
         for sign in (1, -1):
@@ -103,7 +103,7 @@ def test_second_derivatives_exist(model: Model) -> None:
     hessian, _ = ca.hessian(total, ca.vertcat(*inputs))
     found = np.array(ca.Function("hessian", inputs, [hessian])(*point))
     assert np.all(np.isfinite(found)) and np.any(found != 0)
-    close(found, found.T)
+    assert_close(found, found.T)
 
 
 def test_functions_map(model: Model) -> None:
@@ -115,7 +115,7 @@ def test_functions_map(model: Model) -> None:
             single = function.call(at(columns, i))
             for many, one in zip(mapped, single, strict=True):
                 width = one.shape[1]
-                close(many[:, i * width : (i + 1) * width], one, rtol=1e-14)
+                assert_close(many[:, i * width : (i + 1) * width], one, rtol=1e-14)
 
 
 def test_functions_survive_serialisation(model: Model, tmp_path: Path) -> None:
@@ -163,9 +163,9 @@ def test_generated_c_comes_back_as_an_external_function(
     loaded = ca.external("forward_dynamics", str(library))
     point = at(points(modelled("pendulum_chain", "free_body"), function), 0)
     for one, other in zip(loaded.call(point), function.call(point), strict=True):
-        close(one, other, rtol=1e-12)
+        assert_close(one, other, rtol=1e-12)
     assert loaded.name_in() == function.name_in()
     x = ca.MX.sym("q", 4)
     slope = ca.Function("slope", [x], [ca.jacobian(loaded(x, *point[1:])[0], x)])
     own = ca.Function("own", [x], [ca.jacobian(function(x, *point[1:])[0], x)])
-    close(slope(point[0]), own(point[0]), rtol=1e-9)
+    assert_close(slope(point[0]), own(point[0]), rtol=1e-9)

@@ -114,8 +114,9 @@ def test_the_sources_compile_without_a_warning(
 ) -> None:
     folder = sources_of(unit_of(name), tmp_path)
     files = sorted(path.name for path in folder.glob("*.c"))
-    run(compiler, *OPTIONS, *STRICT, "-O0", "-shared", *files, "-o", "unit.so", "-lm",
-        folder=folder)  # fmt: skip
+    said = run(compiler, *OPTIONS, *STRICT, "-O0", "-shared", *files, "-o", "unit.so", "-lm",
+               folder=folder)  # fmt: skip
+    assert said == "" and (folder / "unit.so").stat().st_size > 0
 
 
 def test_two_units_in_one_program_under_sanitizers(
