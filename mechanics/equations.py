@@ -97,7 +97,8 @@ class Equations:
     chosen : tuple of str
         What the route picked, in words: free bodies and moment centres.
     explain : callable
-        Makes the steps of the derivation, for people; called when they are first asked for.
+        Makes the steps of the derivation before its result, for people; called when they are first
+        asked for.
     fixed : mapping of Symbol to Expr
         Parameters that stand as numbers in these equations, while the scene still names them.
     of_bodies : bool
@@ -132,8 +133,25 @@ class Equations:
 
     @cached_property
     def steps(self) -> tuple[Step, ...]:
-        """The derivation in steps, in the order in which it is carried out."""
-        return self.explain()
+        """The derivation in steps, in the order in which it is carried out; the result is last."""
+        return (*self.explain(), self.result)
+
+    @property
+    def result(self) -> Step:
+        """M u' = f + B lambda and A u' = b line by line, for people."""
+        ud = Matrix(self.scene.ud)
+        right = self.forcing
+        text = "Terms with accelerations on the left."
+        if self.multipliers:
+            right = right + self.reaction_matrix * Matrix(self.multipliers)
+        rows = zip(self.mass * ud, right, strict=True)
+        lines = [Line(left, side) for left, side in rows]
+        if self.constraint_matrix.rows:
+            text += " Then the constraints, differentiated down to the accelerations."
+            held = zip(self.constraint_matrix * ud, self.constraint_bias, strict=True)
+            names = [constraint.name for constraint in self.scene.constraints]
+            lines += [Line(*sides, name) for sides, name in zip(held, names, strict=True)]
+        return Step("Equations of motion", text, tuple(lines))
 
     @property
     def residual(self) -> Matrix:

@@ -11,6 +11,7 @@ from mechanics.exact import Finding, Verdict
 from mechanics.report import charts, typeset
 from mechanics.report.projection import View
 from mechanics.report.result import LedgerResult, Motion, RouteResult, SystemResult
+from mechanics.routes.elimination import multipliers_of
 from mechanics.scene import Scene
 
 ROUTES = {
@@ -157,12 +158,20 @@ def speeds(result: SystemResult) -> list[Speed]:
 
 
 def reactions(result: SystemResult) -> list[tuple[str, list[Line]]]:
-    """Reactions as functions of the state, by the routes that have them."""
-    return [
-        (name, [Line(symbol, value) for symbol, value in route.equations.reactions])
-        for name, route in result.routes.items()
-        if route.equations.reactions
-    ]
+    """Reactions as functions of the state, by the routes that have them.
+
+    Those that maintain constraints come first: the others hold them.
+    """
+    declared = {reaction.symbol for reaction in result.scene.reactions}
+    found = []
+    for name, route in result.routes.items():
+        equations = route.equations
+        values = list(equations.reactions)
+        if equations.multipliers and declared.issuperset(equations.multipliers):
+            values = [*multipliers_of(equations), *values]
+        if values:
+            found.append((name, [Line(symbol, value) for symbol, value in values]))
+    return found
 
 
 def published_rows(result: SystemResult) -> list[PublishedRow]:

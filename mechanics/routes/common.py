@@ -9,7 +9,6 @@ from typing import Protocol
 
 from sympy import Expr, Matrix, S, Symbol, zeros
 
-from mechanics.equations import Line, Step
 from mechanics.exact import linear_equation
 from mechanics.scene import Scene
 
@@ -50,10 +49,3 @@ def assemble(scene: Scene, rows: Sequence[ForceBalance], kept: Sequence[Symbol])
         Matrix(forcing),
         Matrix(reactions) if kept else zeros(len(rows), 0),
     )
-
-
-def result_step(scene: Scene, mass: Matrix, forcing: Matrix) -> Step:
-    """The equations of motion, for people: terms with accelerations on the left."""
-    lefts = mass * Matrix(scene.ud)
-    lines = tuple(Line(left, right) for left, right in zip(lefts, forcing, strict=True))
-    return Step("Equations of motion", "Terms with accelerations on the left.", lines)

@@ -14,9 +14,9 @@ teeth of two wheels): those are solved for last, from whatever rows are left.
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from sympy import Add, Expr, Mul, S, Symbol
+from sympy import Add, Expr, Matrix, Mul, S, Symbol
 
-from mechanics.equations import FreeBodyRow
+from mechanics.equations import Equations, FreeBodyRow
 from mechanics.errors import SingularError
 from mechanics.exact import canonical
 from mechanics.scene.topology import Tree
@@ -146,3 +146,22 @@ def solved_reactions(solved: Sequence[Solved]) -> tuple[tuple[Symbol, Expr], ...
         )
         values[step.reaction] = (step.row.value - others) / step.pivot
     return tuple((step.reaction, values[step.reaction]) for step in solved)
+
+
+def multipliers_of(equations: Equations) -> tuple[tuple[Symbol, Expr], ...]:
+    """The reactions that maintain the constraints, in u' and those of them that stand before.
+
+    As many rows of M u' - f = B lambda are solved for them, the shortest first.
+
+    Raises
+    ------
+    SingularError
+        When the rows do not determine them.
+    """
+    rates = list(equations.mass * Matrix(equations.scene.ud) - equations.forcing)
+    rows = []
+    for i, rate in sorted(enumerate(rates), key=lambda entry: int(entry[1].count_ops())):
+        held = zip(equations.multipliers, equations.reaction_matrix[i, :], strict=True)
+        rows.append(Row("", rate, {symbol: factor for symbol, factor in held if factor != 0}))
+    solved = solve_for(rows, equations.multipliers)
+    return tuple((step.reaction, step.value) for step in reversed(solved))

@@ -56,7 +56,7 @@ def derive(scene: Scene) -> Equations:
         solve_reactions=partial(solved_reactions, result.order) if result.order else None,
         free_bodies=rows,
         chosen=tuple(f"{row.body}: {row.kind} momentum along {row.axis}" for row in rows),
-        explain=lambda: derivation_steps(scene, motions, rows, result, system()),
+        explain=partial(derivation_steps, motions, rows, result),
         of_bodies=True,
         rows=tuple(_residual(row) for row in result.rows),
     )

@@ -6,17 +6,13 @@ from sympy import Add
 
 from mechanics.equations import FreeBodyRow, Line, Step
 from mechanics.kinematics.motion import BodyMotion
-from mechanics.routes.common import System, result_step
 from mechanics.routes.elimination import Elimination
-from mechanics.scene import Scene
 
 
 def derivation_steps(
-    scene: Scene,
     motions: Mapping[str, BodyMotion],
     rows: Sequence[FreeBodyRow],
     result: Elimination,
-    system: System,
 ) -> tuple[Step, ...]:
     """The derivation in the order in which it was carried out."""
     return (
@@ -53,7 +49,6 @@ def derivation_steps(
                 for solved in result.order
             ),
         ),
-        result_step(scene, system.mass, system.forcing),
     )
 
 

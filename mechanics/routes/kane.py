@@ -16,7 +16,6 @@ from mechanics.equations import Equations, Line, Step
 from mechanics.exact import collect_linear, independent_rows
 from mechanics.kinematics import chain
 from mechanics.kinematics.constraints import constraint_rows, velocity_forms
-from mechanics.routes.common import result_step
 from mechanics.routes.dynamic import Dynamic, dynamic_speeds
 from mechanics.routes.sympy_model import SympyModel, Velocities, build, force_at
 from mechanics.scene import Scene
@@ -44,7 +43,7 @@ def derive(scene: Scene) -> Equations:
         zeros(0, len(scene.u)),
         zeros(0, 1),
         conjugate=True,
-        explain=partial(_steps, scene, mass, forcing),
+        explain=partial(_steps, scene),
         of_bodies=True,
     )
 
@@ -77,7 +76,7 @@ def derive_with_multipliers(scene: Scene) -> Equations:
         matrix,
         bias,
         conjugate=True,
-        explain=partial(_steps, scene, mass, forcing),
+        explain=partial(_steps, scene),
         of_bodies=True,
     )
 
@@ -106,7 +105,7 @@ def _with_dependent_speeds(
         right[free:, :],
         conjugate=False,
         chosen=tuple(f"dependent speed {scene.u[i]}" for i in dependent),
-        explain=partial(_steps, scene, mass, forcing),
+        explain=partial(_steps, scene),
         of_bodies=True,
     )
 
@@ -179,7 +178,7 @@ def _loads(
     return found
 
 
-def _steps(scene: Scene, mass: Matrix, forcing: Matrix) -> tuple[Step, ...]:
+def _steps(scene: Scene) -> tuple[Step, ...]:
     """Partial velocities of the mass centres: what Kane's method projects on."""
     lines = []
     for motion in chain.body_motions(scene):
@@ -190,10 +189,7 @@ def _steps(scene: Scene, mass: Matrix, forcing: Matrix) -> tuple[Step, ...]:
                     left = rf"\partial v_{{{motion.body.name},{axis}}} / \partial {_tex(u)}"
                     lines.append(Line(left, partial[i]))
     text = "Partial velocities of the mass centres, inertial components."
-    return (
-        Step("Partial velocities", text, tuple(lines)),
-        result_step(scene, mass, forcing),
-    )
+    return (Step("Partial velocities", text, tuple(lines)),)
 
 
 def _tex(u: Symbol) -> str:

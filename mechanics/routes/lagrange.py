@@ -17,7 +17,6 @@ from mechanics.equations import Equations, Line, Step
 from mechanics.exact import canonical
 from mechanics.kinematics import differentiate
 from mechanics.kinematics.motion import BodyMotion, inertia_matrix
-from mechanics.routes.common import result_step
 from mechanics.routes.dynamic import Dynamic, dynamic_rates
 from mechanics.scene import Scene
 from mechanics.scene.actions import load_actions
@@ -132,7 +131,7 @@ def _common_form(
         matrix,
         bias,
         conjugate=True,
-        explain=lambda: (_energies(scene, kinetic, stored), result_step(scene, mass, forcing)),
+        explain=lambda: (_energies(scene, kinetic, stored),),
         of_bodies=True,
     )
 

@@ -56,7 +56,7 @@ def derive(scene: Scene) -> Equations:
         bias,
         conjugate=False,
         chosen=tuple(balance.principle.words for balance in balances),
-        explain=partial(derivation_steps, scene, balances, solved, system),
+        explain=partial(derivation_steps, balances, solved),
         of_bodies=True,
     )
 

@@ -1,4 +1,4 @@
-"""The steps of procedure (ii), for people: choice, momenta, rates, equation (1), result."""
+"""The steps of procedure (ii), for people: choice, momenta, rates, loads."""
 
 from collections.abc import Sequence
 
@@ -7,17 +7,13 @@ from sympy import Add, zeros
 from mechanics.equations import Line, Step
 from mechanics.exact import canonical
 from mechanics.routes.balance import Balance
-from mechanics.routes.common import System, result_step
 from mechanics.routes.elimination import Solved
-from mechanics.scene import Scene
 
 LARGEST_SCENE = 6
-"""Number of equations up to which every term is written out; beyond, only the choice and result."""
+"""Number of equations up to which every term is written out; beyond, only the choice."""
 
 
-def derivation_steps(
-    scene: Scene, balances: Sequence[Balance], solved: Sequence[Solved], system: System
-) -> tuple[Step, ...]:
+def derivation_steps(balances: Sequence[Balance], solved: Sequence[Solved]) -> tuple[Step, ...]:
     """The derivation in the order in which it was carried out."""
     chosen = "; ".join(balance.principle.words for balance in balances)
     text = f"Chosen so that the reactions drop out: {chosen}."
@@ -26,9 +22,8 @@ def derivation_steps(
         text += f" {loops} close a loop of bodies: they are let in, and eliminated by algebra."
     lines = tuple(Line(step.reaction, step.value, f"from {step.body}") for step in solved)
     choice = Step("Free bodies and moment centres", text, lines)
-    result = result_step(scene, system.mass, system.forcing)
     if len(balances) > LARGEST_SCENE:
-        return (choice, result)
+        return (choice,)
     terms: list[Line] = []
     for balance in balances:
         words = balance.principle.words
@@ -42,4 +37,4 @@ def derivation_steps(
         held = Add(*(factor * symbol for symbol, factor in balance.coefficients.items()))
         terms.append(Line(load, canonical(balance.applied) + held))
     text = "Momentum, its rate, the term of the moving point, and the loads, for each choice."
-    return (choice, Step("Momenta, rates and loads", text, tuple(terms)), result)
+    return (choice, Step("Momenta, rates and loads", text, tuple(terms)))

@@ -46,7 +46,7 @@ def equations(scene: Scene, route: str) -> Equations:
     acceleration = scene.ud[0]
     steps = (
         Step("Kinematics", "The position $x$ and its rate.", (Line("r_x", scene.q[0]),)),
-        Step("Result", "", (Line(m * acceleration, -k * scene.q[0], "block, along N.x"),)),
+        Step("Free body", "", (Line(m * acceleration, -k * scene.q[0], "block, along N.x"),)),
     )
     return Equations(
         scene,

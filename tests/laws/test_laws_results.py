@@ -1,0 +1,52 @@
+"""What a derivation ends with: M u' = f + B lambda and A u' = b, and the multipliers solved."""
+
+import pytest
+from sympy import Matrix
+
+from mechanics.checks.agreement import Pairs, solve
+from mechanics.crosscheck import ROUTES, Route
+from mechanics.exact import Arithmetic, decide
+from mechanics.kinematics.manifold import settle
+from mechanics.routes import free_body
+from mechanics.routes.elimination import multipliers_of
+from mechanics.scene.system import System
+from systems import ALL
+
+CONSTRAINED = [system for system in ALL if system.scene().constraints]
+
+
+@pytest.mark.parametrize("route", ROUTES, ids=lambda route: route.name)
+@pytest.mark.parametrize("system", CONSTRAINED, ids=lambda system: system.name)
+def test_the_last_step_states_all_equations(system: System, route: Route) -> None:
+    equations = route.derive(system.scene())
+    step = equations.steps[-1]
+    assert step == equations.result
+    left, right = equations.system
+    whole = left * Matrix(equations.unknowns) - right
+    # Each line is a row of the system for (u', lambda), constraints included.
+    assert len(step.lines) == left.rows
+
+    def experiment(a: Arithmetic) -> Pairs:
+        pairs = zip(step.lines, whole, strict=True)
+        return [(a.value(line.left - line.right), a.value(row)) for line, row in pairs]
+
+    assert decide("lines", experiment, try_normal=False).shown
+    named = [line.label for line in step.lines if line.label]
+    assert named == [constraint.name for constraint in equations.scene.constraints]
+    held = set().union(*(line.right.free_symbols for line in step.lines))
+    assert held.issuperset(equations.multipliers)
+
+
+@pytest.mark.parametrize("system", CONSTRAINED, ids=lambda system: system.name)
+def test_multipliers_are_given_by_the_motion(system: System) -> None:
+    scene = system.scene()
+    equations = free_body.derive(scene)
+
+    def experiment(a: Arithmetic) -> Pairs:
+        settle(scene, a)
+        for unknown, number in zip(equations.unknowns, solve(a, equations), strict=True):
+            a.assign(unknown, number)
+        return [(a.value(symbol), a.value(value)) for symbol, value in multipliers_of(equations)]
+
+    assert {symbol for symbol, _ in multipliers_of(equations)} == set(equations.multipliers)
+    assert decide("multipliers", experiment, try_normal=False).shown
