@@ -83,11 +83,20 @@ Decision = int | Choice
 
 
 def choice(condition: Condition, yes: Decision, no: Decision) -> Decision:
-    """A choice, written in one of the two ways in which it can be."""
+    """A choice, written in one way of those in which it can be.
+
+    c ? x : (d ? x : y)  ->  c || d ? x : y            c ? (d ? x : y) : y  ->  c && d ? x : y
+    """
     if isinstance(condition, bool):
         return yes if condition else no
     if yes == no:
         return yes
+    if isinstance(no, Choice) and yes in (no.yes, no.no):
+        other = no.condition if yes == no.yes else negation(no.condition)
+        return choice(joined(False, condition, other), yes, no.no if yes == no.yes else no.yes)
+    if isinstance(yes, Choice) and no in (yes.yes, yes.no):
+        other = yes.condition if no == yes.no else negation(yes.condition)
+        return choice(joined(True, condition, other), yes.yes if no == yes.no else yes.no, no)
     negative = isinstance(condition, Atom) and not condition.holds
     if negative or (isinstance(condition, Joined) and not condition.both):
         return Choice(negation(condition), no, yes)

@@ -123,17 +123,21 @@ class _Point:
         nodes = self.text.program.nodes
         if nodes[size].op != ca.OP_FABS or nodes[limit].constant != LARGEST[self.text.kernel.kind]:
             return None
-        terms: list[int] = []
-        stack = list(nodes[size].operands)
-        wanted = {self.key(self._program[k]) for k in looked_at(self.graph.written)}
+        wanted = {self.key(self._program[k]): k for k in looked_at(self.graph.written)}
+        found: set[int] = set()
+        # A sum is finite only where its terms and the sums of some of them are.
+        stack = [(i, False) for i in nodes[size].operands]
         while stack:
-            at = stack.pop()
-            # A value that is asked for may be a sum itself.
-            if nodes[at].op == ca.OP_ADD and self.key(self._text[at]) not in wanted:
-                stack += nodes[at].operands
-            else:
-                terms.append(at)
-        return self._finite(self._text[i] for i in terms if nodes[i].constant is None)
+            at, inside = stack.pop()
+            key = self.key(self._text[at])
+            found.add(key)
+            if nodes[at].op == ca.OP_ADD:
+                stack += [(i, inside or key in wanted) for i in nodes[at].operands]
+            elif not inside and key not in wanted and nodes[at].constant is None:
+                return None
+        if not found.issuperset(wanted):
+            return None
+        return self._finite(self._program[k] for k in wanted.values())
 
     def _finite(self, numbers: Iterable[Any]) -> Condition:
         result: Condition = True

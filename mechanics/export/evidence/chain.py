@@ -108,7 +108,7 @@ def _kernel(
     source: Source | ExpressionError,
     read: list[Read],
 ) -> Iterator[Finding]:
-    where = f"{kernel.file}: {kernel.symbol}" + (f", as {title} reads it" if title else "")
+    where = f"{kernel.file}: {kernel.symbol}" + (f" with {title}" if title else "")
     if isinstance(source, ExpressionError):
         yield Finding(f"{where} = graph", Verdict.UNDECIDED, f"refused: {source}")
         return

@@ -12,11 +12,11 @@ from mechanics.errors import ExpressionError
 from mechanics.exact.c_library import FAR, FUNCTIONS, FUSED, SINCOS
 from mechanics.exact.c_parse import Source, linked, parse
 
-CONFIGURATIONS: tuple[tuple[str, Mapping[str, str]], ...] = (
-    ("", {}),
+COMPILERS: tuple[tuple[str, Mapping[str, str]], ...] = (
     ("gcc", {"__GNUC__": "12", "__FMA__": "1"}),
     ("clang", {"__GNUC__": "4", "__clang__": "1", "__FMA__": "1"}),
-    ("ARM", {"__GNUC__": "12", "__ARM_FEATURE_FMA": "1"}),
+    ("gcc for ARM", {"__GNUC__": "12", "__ARM_FEATURE_FMA": "1"}),
+    ("a fast fma", {"FP_FAST_FMA": "1", "FP_FAST_FMAF": "1"}),
 )
 """What compilers define, of the names that conditions in a text ask for."""
 
@@ -35,20 +35,30 @@ def sources(
     texts : mapping of str to str
         Every ``.c`` and ``.h`` file of the folder.
     """
-    files = list(dict.fromkeys(kernel.file for kernel in kernels))
+    kinds = {kernel.file: kernel.kind for kernel in kernels}
+    files = list(kinds)
     headers = {name: text for name, text in texts.items() if name.endswith(".h")}
     found: dict[tuple[str, str], Source | ExpressionError] = {}
-    for title, defined in CONFIGURATIONS:
+    choices: list[tuple[str, Mapping[str, str]]] = [("", {})]
+    for title, defined in choices:
         parsed = {file: _parsed(file, texts, headers, defined) for file in files}
         for file in files:
-            one = _linked(file, parsed)
-            first = found.get((file, ""))
-            if not title or not _same(one, first):
+            same = [parsed[other] for other in files if kinds[other] == kinds[file]]
+            one = _linked(parsed[file], same)
+            if not title or not _same(one, found[file, ""]):
                 found[file, title] = one
-        asked = {name for one in parsed.values() if isinstance(one, Source) for name in one.asked}
-        if not any(asked.intersection(names) for _, names in CONFIGURATIONS):
-            break
+        if not title:
+            choices += _configurations([one for one in parsed.values() if isinstance(one, Source)])
     return found
+
+
+def _configurations(parsed: Sequence[Source]) -> list[tuple[str, Mapping[str, str]]]:
+    """What may be defined, of the names that conditions ask for and the text does not define."""
+    asked = {name for one in parsed for name in set(one.asked) - set(one.macros)} - {"__cplusplus"}
+    compilers = {name for _, names in COMPILERS for name in names}
+    found = [(title, names) for title, names in COMPILERS if asked & set(names)]
+    # A choice of whoever builds the folder.
+    return found + [(name, {name: "1"}) for name in sorted(asked - compilers)]
 
 
 def _parsed(
@@ -62,14 +72,14 @@ def _parsed(
         return error
 
 
-def _linked(file: str, parsed: Mapping[str, Source | ExpressionError]) -> Source | ExpressionError:
+def _linked(
+    own: Source | ExpressionError, others: Sequence[Source | ExpressionError]
+) -> Source | ExpressionError:
     """A file with the others that it calls; one that cannot be read spoils only itself."""
-    own = parsed[file]
     if isinstance(own, ExpressionError):
         return own
-    others = [one for name, one in parsed.items() if name != file and isinstance(one, Source)]
     try:
-        return linked(own, *others)
+        return linked(own, *(one for one in others if one is not own and isinstance(one, Source)))
     except ExpressionError as error:
         return error
 

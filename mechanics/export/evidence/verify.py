@@ -6,16 +6,29 @@ still shown to be its graph. Files that no step looks at have nothing but their 
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 from enum import Enum
 from pathlib import Path
 
+from mechanics.compiled.custody.binary import Measured
+from mechanics.compiled.custody.build import building, compilers
 from mechanics.compiled.custody.derived import Derived, derived
 from mechanics.compiled.fixed import read_fixed
 from mechanics.compiled.graphs import Graphs
 from mechanics.equations import Equations
 from mechanics.exact import Finding, Verdict
-from mechanics.export.evidence.chain import Read, Report, first_step, second_step, silent
+from mechanics.export.evidence.binaries import third_step
+from mechanics.export.evidence.chain import (
+    Evidence,
+    Read,
+    Report,
+    first_step,
+    second_step,
+    silent,
+)
+from mechanics.export.evidence.equations import FILE as EQUATIONS
+from mechanics.export.evidence.graphs import FILE as GRAPHS
 from mechanics.export.evidence.read import Folder, read_folder
 
 
@@ -28,39 +41,109 @@ class Outcome(Enum):
 
 
 @dataclass(frozen=True)
+class Chain:
+    """What is shown about generated code.
+
+    Attributes
+    ----------
+    steps : tuple of (str, tuple of Finding)
+        Title and findings of each step.
+    measured : tuple of Measured
+        Errors of binaries.
+    not_done : tuple of str
+        What was not looked at, and why: sentences.
+    """
+
+    steps: tuple[tuple[str, tuple[Finding, ...]], ...]
+    measured: tuple[Measured, ...]
+    not_done: tuple[str, ...]
+
+    @property
+    def verdicts(self) -> set[Verdict]:
+        """Every verdict that occurs."""
+        return {finding.verdict for _, findings in self.steps for finding in findings}
+
+
+@dataclass(frozen=True)
 class Verification:
     """What was found out about a folder.
 
     Attributes
     ----------
     folder : Folder
-    steps : tuple of (str, tuple of Finding)
-        Title and findings of each step.
+    chain : Chain
     unvouched : tuple of str
         Changed files that no step has looked at.
-    not_repeated : tuple of str
-        What was not repeated, and why: sentences.
     """
 
     folder: Folder
-    steps: tuple[tuple[str, tuple[Finding, ...]], ...]
+    chain: Chain
     unvouched: tuple[str, ...]
-    not_repeated: tuple[str, ...]
 
     @property
     def outcome(self) -> Outcome:
         """REFUTED if something is, SHOWN if everything is and every file is vouched for."""
-        verdicts = {finding.verdict for _, findings in self.steps for finding in findings}
-        if Verdict.REFUTED in verdicts:
+        if Verdict.REFUTED in self.chain.verdicts:
             return Outcome.REFUTED
-        if Verdict.UNDECIDED in verdicts or self.unvouched or self.folder.missing:
+        if Verdict.UNDECIDED in self.chain.verdicts or self.unvouched or self.folder.missing:
             return Outcome.UNDECIDED
         return Outcome.SHOWN
+
+
+def chain(
+    evidence: Evidence,
+    again: Derived | None = None,
+    measure: bool = True,
+    report: Report = silent,
+) -> Chain:
+    """Go through the chain of custody once.
+
+    Parameters
+    ----------
+    evidence : Evidence
+    again : Derived, optional
+        What was derived anew, to be compared with the graphs, too.
+    measure : bool
+        Whether to compile the code and compare.
+    report : callable
+        Told what is looked at.
+    """
+    steps: list[tuple[str, tuple[Finding, ...]]] = []
+    paths = compilers() if measure else ()
+    files = list(dict.fromkeys(kernel.file for kernel in evidence.kernels))
+    # Compilers work while the texts are read.
+    with building(evidence.texts, files, paths) as collected:
+        if again is not None:
+            found = tuple(first_step(evidence, again, report))
+            steps.append(("physics, derived again = graph", found))
+        found = tuple(first_step(evidence, evidence.known, report))
+        steps.append(("derived equations = graph", found))
+        read: list[Read] = []
+        found = tuple(second_step(evidence, read, report))
+        steps.append(("graph = C text", found))
+        why = _not_compiled(measure, paths, all(one.shown for one in found))
+        if why:
+            return Chain(tuple(steps), (), (why,))
+        report("compiling")
+        binaries = third_step(evidence, read, collected(), report)
+    steps.append(("C text = binary", binaries.findings))
+    return Chain(tuple(steps), binaries.measured, ())
+
+
+def _not_compiled(measure: bool, paths: Sequence[str], shown: bool) -> str:
+    """Why binaries are not looked at; empty where they are."""
+    if not measure:
+        return "the code was not compiled: that was not asked for"
+    if not paths:
+        return "the code was not compiled: no C compiler was found"
+    # What is not shown may write anywhere.
+    return "" if shown else "the code was not run: a text is not shown to be its graph"
 
 
 def verify(
     path: str | Path,
     equations: Equations | None = None,
+    measure: bool = True,
     report: Report = silent,
 ) -> Verification:
     """Repeat the chain of custody of a folder.
@@ -72,6 +155,8 @@ def verify(
     equations : Equations, optional
         Derived again from the scene by the route of the manifest: then the graphs are compared with
         these, too.
+    measure : bool
+        Whether to compile the code and compare.
     report : callable
         Told what is looked at.
 
@@ -81,22 +166,15 @@ def verify(
         If it is no such folder, or a file of it cannot be read.
     """
     folder = read_folder(Path(path))
-    evidence = folder.evidence
-    steps: list[tuple[str, tuple[Finding, ...]]] = []
-    skipped: list[str] = []
-    if equations is not None:
-        known = again(folder, equations)
-        steps.append(("physics = graph", tuple(first_step(evidence, known, report))))
-    else:
-        skipped.append("the equations were not derived again: no scene is known for this folder")
-    found = tuple(first_step(evidence, evidence.known, report))
-    steps.append(("equations = graph", found))
-    read: list[Read] = []
-    steps.append(("graph = C text", tuple(second_step(evidence, read, report))))
-    return Verification(folder, tuple(steps), unvouched(folder, equations), tuple(skipped))
+    again = derived_again(folder, equations) if equations is not None else None
+    found = chain(folder.evidence, again, measure, report)
+    if equations is None:
+        words = "the equations were not derived again: no scene is known for this folder"
+        found = replace(found, not_done=(words, *found.not_done))
+    return Verification(folder, found, unvouched(folder, equations))
 
 
-def again(folder: Folder, equations: Equations) -> Derived:
+def derived_again(folder: Folder, equations: Equations) -> Derived:
     """What was derived again, with the parameters fixed as the manifest says."""
     names = tuple(folder.evidence.graphs)
     table = read_fixed(equations.scene, folder.fixed)
@@ -105,8 +183,8 @@ def again(folder: Folder, equations: Equations) -> Derived:
 
 def unvouched(folder: Folder, equations: Equations | None) -> tuple[str, ...]:
     """Changed files that no step looks at."""
-    seen = {kernel.file for kernel in folder.evidence.kernels} | {"graphs.json"}
+    seen = {kernel.file for kernel in folder.evidence.kernels} | {GRAPHS}
     seen |= {name for name in folder.texts if name.endswith(".h")}
     if equations is not None:
-        seen.add("equations.json")
+        seen.add(EQUATIONS)
     return tuple(name for name in folder.changed if name not in seen)

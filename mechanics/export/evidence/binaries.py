@@ -1,0 +1,43 @@
+"""Third step of the chain for a folder: its C compiled by every compiler that is found."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from mechanics.compiled.custody.binary import Measured, compare, truth
+from mechanics.compiled.custody.build import Built
+from mechanics.exact import Finding
+from mechanics.export.evidence.chain import Evidence, Read, Report, silent
+
+
+@dataclass(frozen=True)
+class Binaries:
+    """What is found about the binaries of a folder."""
+
+    findings: tuple[Finding, ...]
+    measured: tuple[Measured, ...]
+
+
+def third_step(
+    evidence: Evidence, read: Sequence[Read], libraries: Sequence[Built], report: Report = silent
+) -> Binaries:
+    """Compare values and statuses of binaries with the text.
+
+    Parameters
+    ----------
+    evidence : Evidence
+    read : sequence of Read
+        From the second step; nothing is run unless every kernel is among them.
+    libraries : sequence of Built
+    """
+    findings: list[Finding] = []
+    measured: list[Measured] = []
+    for one in read:
+        report(f"{one.kernel.symbol}: text = binary")
+        known = truth(one.text, evidence.known.symbols)
+        for library in libraries:
+            finding, figures = compare(known, library)
+            findings.append(finding)
+            measured += [figures] if figures is not None else []
+    return Binaries(tuple(findings), tuple(measured))
