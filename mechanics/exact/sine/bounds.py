@@ -25,7 +25,7 @@ from mechanics.exact.c_parse import Source
 from mechanics.exact.sine.affine import BITS, SMALLEST, half_unit
 from mechanics.exact.sine.reduction import Reduced
 from mechanics.exact.sine.rounding import Poly, Polynomials, Rounded, Roundings, unit
-from mechanics.exact.sine.walk import Function
+from mechanics.exact.sine.tape import Recorded, record
 
 DIGITS = 160
 """Bits of the balls."""
@@ -69,25 +69,37 @@ def largest_errors(
 def _largest(
     source: Source, name: str, kind: str, known: Sequence[Reduced], small: Fraction
 ) -> Largest:
-    ideal = Function(source, name, Polynomials(), {"r": {(1, 0): Fraction(1)}, "low": _LOW})
-    polynomials = _Difference(ideal["s"], 0), _Difference(ideal["c"], 1)
+    text = record(source, name, ("r", "low"), ("s", "c"))
+    sine, cosine = text.play(Polynomials(), {"r": {(1, 0): Fraction(1)}, "low": _LOW})
+    differences = _Difference(sine, 0), _Difference(cosine, 1)
+    cases = [Reduced(0, Fraction(0), small, Fraction(0), Fraction(0)), *known]
     found = Largest(0.0, 0.0, 0.0)
-    top = max([small, *(one.farthest + 2 * one.low for one in known)])
-    for a, b in _intervals(kind, top):
-        if a < small:
-            still = Reduced(0, Fraction(0), small, Fraction(0), Fraction(0))
-            found = found.joined(_errors(source, name, kind, polynomials, (a, b), still))
-        near = [one for one in known if _least(one) <= b]
-        if near:
-            worst = Reduced(
-                max(one.turns for one in near),
-                min(one.nearest for one in near),
-                max(one.farthest for one in near),
-                max(one.low for one in near),
-                max(one.error for one in near),
-            )
-            found = found.joined(_errors(source, name, kind, polynomials, (a, b), worst))
+    for a, b in _intervals(kind, max(one.farthest + 2 * one.low for one in cases)):
+        near = [one for one in cases if _least(one) <= b and a <= one.farthest + 2 * one.low]
+        if a > _TINY:
+            near = [*(one for one in near if not one.turns), *_joined([o for o in near if o.turns])]
+        for one in near:
+            found = found.joined(_errors(text, kind, differences, (a, b), one))
     return found
+
+
+def _joined(cases: Sequence[Reduced]) -> list[Reduced]:
+    """One case that holds all of them."""
+    if not cases:
+        return []
+    return [
+        Reduced(
+            max(one.turns for one in cases),
+            min(one.nearest for one in cases),
+            max(one.farthest for one in cases),
+            max(one.low for one in cases),
+            max(one.error for one in cases),
+        )
+    ]
+
+
+_TINY = Fraction(1, 2**12)
+"""Below, low matters beside r, and how large it is depends on n."""
 
 
 def _least(one: Reduced) -> Fraction:
@@ -100,8 +112,10 @@ _LOW: Poly = {(0, 1): Fraction(1)}
 
 def _intervals(kind: str, top: Fraction) -> Iterator[tuple[Fraction, Fraction]]:
     """Intervals from the smallest number to `top`, shorter where errors are larger."""
+    if top > 1:
+        raise ExpressionError(f"the reduced angle may be {float(top):.3g}")
     for e in range(-1, SMALLEST[kind] - 1, -1):
-        parts = 128 if e > -3 else (16 if e > -28 else 1)
+        parts = 128 if e > -3 else (16 if e > -12 else 1)
         start = Fraction(2) ** e
         for k in range(parts):
             a, b = start * (1 + Fraction(k, parts)), start * (1 + Fraction(k + 1, parts))
@@ -163,27 +177,24 @@ def _arb(number: Fraction) -> arb:
 
 
 def _errors(
-    source: Source,
-    name: str,
+    text: Recorded,
     kind: str,
-    polynomials: tuple[_Difference, _Difference],
+    differences: tuple[_Difference, _Difference],
     interval: tuple[Fraction, Fraction],
     known: Reduced,
 ) -> Largest:
     a, b = (_arb(end) for end in interval)
     r, low = arb((a + b) / 2, (b - a) / 2), arb(0, _arb(known.low))
     given = {"r": Rounded(r, arb(0), arb(0)), "low": Rounded(low, arb(0), arb(0))}
-    function = Function(source, name, Roundings(), given)
+    values = text.play(Roundings(), given)
     # Where n is zero, r is x itself.
     shift = _arb(known.error + (half_unit(kind, interval[1]) if known.turns else 0))
-    t = r - low + arb(0, shift)
+    t = _between(_arb(known.nearest), r - low + arb(0, shift))
     sine, cosine = t.sin(), t.cos()
     ulps, errors = [], []
-    for which, difference, true, slope in (
-        ("s", polynomials[0], sine, cosine),
-        ("c", polynomials[1], cosine, sine),
+    for value, difference, true, slope in zip(
+        values, differences, (sine, cosine), (cosine, sine), strict=True
     ):
-        value = function[which]
         before = (value.error + difference(r, low) + shift * abs(slope)).abs_upper()
         ulps.append(_ulps(kind, true, before, value))
         errors.append(before + value.last)
@@ -192,6 +203,14 @@ def _errors(
          for error, true in zip(errors, (sine, cosine), strict=True)), arb(0),
     )  # fmt: skip
     return Largest(*(_upper(value) for value in (*ulps, square)))
+
+
+def _between(lowest: arb, ball: arb) -> arb:
+    """What of the ball is not below a number."""
+    lower, upper = ball.lower(), ball.upper()
+    if not lower < lowest:
+        return ball
+    return lowest.union(upper) if lowest < upper else lowest
 
 
 def _ulps(kind: str, true: arb, before: arb, value: Rounded) -> arb:

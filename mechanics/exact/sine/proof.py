@@ -11,11 +11,12 @@ from __future__ import annotations
 import random
 from collections.abc import Iterator, Mapping
 from fractions import Fraction
+from functools import lru_cache
 from math import ldexp
 
 import numpy as np
 from flint import arb, fmpq
-from pycparser import c_ast
+from pycparser import c_ast, c_generator
 
 from mechanics.errors import ExpressionError
 from mechanics.exact.balls import precision
@@ -33,6 +34,8 @@ MOST = 1.6
 """Largest error that is accepted, in ulp."""
 READINGS: Mapping[str, Mapping[str, str]] = {"fused": {"__FMA__": "1"}, "not fused": {}}
 """Macros that a compiler defines, or does not."""
+PREFIX = "mechanics_"
+"""Begins the names of its functions."""
 SUFFIX = {"double": "", "float": "f"}
 TRIALS = 60
 """Angles of each kind that are tried to find a witness."""
@@ -69,7 +72,7 @@ def verify_sine(
             source = parse(text, file, includes, macros)
             sources.append(source)
             limit = _limit(source, kind)
-            found = found.joined(_proved(source, name, kind, limit))
+            found = found.joined(_proved(_inline(source), name, kind, limit))
     except ExpressionError as error:
         why = str(error)
     else:
@@ -83,7 +86,16 @@ def verify_sine(
     return Finding(subject, Verdict.UNDECIDED, why)
 
 
-def _proved(source: Source, name: str, kind: str, limit: Fraction) -> Largest:
+def _inline(source: Source) -> str:
+    """The functions of the inline sine alone, in one layout: what was proved once stays so."""
+    write = c_generator.CGenerator().visit
+    texts = [write(node) for n, node in sorted(source.functions.items()) if n.startswith(PREFIX)]
+    return "\n".join(texts)
+
+
+@lru_cache(maxsize=16)
+def _proved(text: str, name: str, kind: str, limit: Fraction) -> Largest:
+    source = parse(text)
     known = reduced(source, name, kind, limit)
     check_quadrants(source, name, kind, max((one.turns for one in known), default=0))
     check_parity(source, name)

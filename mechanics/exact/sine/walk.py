@@ -91,6 +91,7 @@ class Function:
         self._texts: dict[str, Any] = {}
         self._stores: dict[str, Any] = {}
         self._found: dict[str, Typed] = {}
+        self._followed: set[str] = set()
         self._unions: dict[str, Typed] = {}
         self._changes: list[Any] = []
         definition = source.functions[name]
@@ -146,6 +147,9 @@ class Function:
                 raise ExpressionError(f"{name} has no value")
             node = self._texts[name]
             kind = _kind(node.type)
+            if name in self._followed:
+                raise ExpressionError(f"{node.coord}: {name} is made of itself")
+            self._followed.add(name)
             value = (
                 self._known[name]
                 if name in self._known
@@ -187,10 +191,10 @@ class Function:
             return self._named(node.name)
         if isinstance(node, c_ast.StructRef):
             return self._field(node)
-        if isinstance(node, c_ast.UnaryOp) and node.op == "-":
+        if isinstance(node, c_ast.UnaryOp) and node.op in ("-", "+"):
             kind, value = self._value(node.expr)
             self._floating(kind, node)
-            return Typed(kind, self._domain.negative(kind, value))
+            return Typed(kind, self._domain.negative(kind, value) if node.op == "-" else value)
         if isinstance(node, c_ast.BinaryOp):
             return self._combined(node)
         if isinstance(node, c_ast.TernaryOp):
