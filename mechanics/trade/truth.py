@@ -57,7 +57,17 @@ def from_reference(found: Reference) -> Truth:
 
 
 def from_states(states: Array) -> Truth:
-    """A solution in doubles, by the most accurate choice that was measured."""
+    """A solution in doubles, by the most accurate choice that was measured.
+
+    Behind the time at which that gave up, errors are not known to be finite.
+    """
     largest = np.max(np.abs(states), axis=0)
     scale = np.where(largest > 0, largest, 1.0)
-    return Truth(scale, lambda found: np.abs(found - states[: len(found)]))
+
+    def difference(found: Array) -> Array:
+        gaps = np.full(found.shape, np.inf)
+        known = min(len(found), len(states))
+        gaps[:known] = np.abs(found[:known] - states[:known])
+        return gaps
+
+    return Truth(scale, difference)

@@ -14,7 +14,7 @@ from mechanics.trade.family import family
 from mechanics.trade.measure import prepared
 from mechanics.trade.recommend import recommend
 from mechanics.trade.train import Trained, error_of, tail_limit, tolerance_factor
-from mechanics.trade.truth import Truth, from_reference
+from mechanics.trade.truth import Truth, from_reference, from_states
 
 OTHERS = 50
 SEED = 4711
@@ -132,3 +132,10 @@ def test_doubt_about_the_comparison_counts_as_an_error(pendulum: Trade, case: Ca
     first = pendulum.family.first
     assert error_of(case, first, pendulum.family.starts[0], truth) == truth.doubt
     assert prepared(case, first)().failure == ""
+
+
+def test_what_is_known_for_a_part_of_the_time_tells_nothing_about_the_rest() -> None:
+    states = np.arange(8.0).reshape(4, 2) + 1
+    truth = from_states(states[:3])
+    assert np.array_equal(truth.errors(states[:2]), np.zeros(2))
+    assert np.array_equal(truth.errors(states), [0, 0, 0, np.inf])
