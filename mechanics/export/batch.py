@@ -12,7 +12,8 @@ from mechanics.compiled import Model
 from mechanics.compiled.c.batch import batch_source
 from mechanics.compiled.c.lanes import FAR, SHARED, WILD, arguments, wrapped
 from mechanics.compiled.c.sine import LIMIT
-from mechanics.export.header import FUNCTIONS, comment
+from mechanics.export.functions import about
+from mechanics.export.header import comment
 from mechanics.export.precision import Part
 
 BATCHED = ("forward_dynamics", "coordinate_rates", "energy")
@@ -31,8 +32,8 @@ TOP = """\
  *      they, are given to the scalar function, which has sine and cosine of the C library
  *   {wild}  in some state a value is not finite: the status of the scalar function says why
  */
-#ifndef {macro}_BATCH_H
-#define {macro}_BATCH_H
+#ifndef {guard}_BATCH
+#define {guard}_BATCH
 
 #include "{prefix}.h"
 
@@ -50,7 +51,7 @@ extern "C" {{
 }}
 #endif
 
-#endif /* {macro}_BATCH_H */
+#endif /* {guard}_BATCH */
 """
 
 
@@ -64,11 +65,11 @@ def batch_header(model: Model, part: Part, names: Sequence[str]) -> str:
     prototypes = []
     for name in names:
         head = f"int {part.prefix}_{name}_batch({arguments(model.program(name), part.kind)});"
-        prototypes.append("\n".join([f"/* {FUNCTIONS[name]} */", *wrapped(head, ""), ""]))
+        prototypes.append("\n".join([about(model, name), *wrapped(head, ""), ""]))
     return TOP.format(
         scene=comment(model.equations.scene.name), prefix=part.prefix, macro=part.macro,
-        prototypes="\n".join(prototypes), far=FAR, wild=WILD, limit=f"{LIMIT:.0f}",
-        shared=" and ".join(SHARED),
+        guard=part.guard, prototypes="\n".join(prototypes), far=FAR, wild=WILD,
+        limit=f"{LIMIT:.0f}", shared=" and ".join(SHARED),
     )  # fmt: skip
 
 

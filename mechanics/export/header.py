@@ -11,6 +11,7 @@ from mechanics.compiled.hoist import CONSTANTS
 from mechanics.compiled.operations import ATOM, OPERATIONS
 from mechanics.compiled.quantities import Quantity
 from mechanics.errors import ValueMissingError
+from mechanics.export.functions import about
 from mechanics.export.precision import Part
 
 ARRAYS = {
@@ -32,30 +33,10 @@ CALLS = {
 }
 """Functions of the C library, by operation of CasADi."""
 
-FUNCTIONS = {
-    "forward_dynamics": "Accelerations u' (and multipliers) from the state.",
-    "mass_matrix": "M of the equations M u' = f + B lambda, column by column.",
-    "forcing": "Right side f of the equations M u' = f + B lambda.",
-    "residual": "M u' - f - B lambda, and below it A u' - b of the constraints.",
-    "inverse_dynamics": "Generalized forces, conjugate to u, which added to the loads give u'.",
-    "energy": "Kinetic, potential and total energy, in J.",
-    "momenta": "Linear momentum in kg m/s, angular momentum about the origin in kg m^2/s\n"
-    " * (inertial components), and the generalized momenta dT/du.",
-    "coordinate_rates": "Rates of the coordinates: q' = N u + n.",
-    "jacobians": "Derivatives of u' by q, u, inputs and p, column by column.",
-    "reactions": "The reactions listed above, from the state.",
-    "prepare": "What the forward dynamics use of the parameters only: once for many states.",
-    "forward_dynamics_prepared": "The same accelerations with what the function above makes of p:\n"
-    " * fewer operations. Quotients by a parameter are products with its reciprocal: off by at\n"
-    " * most 1.5 units in the last place each, instead of 0.5.",
-    "step": "State at t + h by the classical Runge-Kutta method of order 4, inputs held over the\n"
-    " * step: in place with q_next = q and u_next = u.",
-}
-
 
 def header(model: Model, part: Part, names: Sequence[str]) -> str:
     """Text of the header."""
-    guard = f"{part.macro}_H"
+    guard = part.guard
     scene = model.equations.scene
     top = f"""\
 /*
@@ -79,7 +60,7 @@ def header(model: Model, part: Part, names: Sequence[str]) -> str:
     sections.append('#ifdef __cplusplus\nextern "C" {\n#endif\n')
     for name in names:
         prototype = signature(model.program(name), part.kind, f"{part.prefix}_{name}", "int")
-        sections.append(f"/* {FUNCTIONS[name]} */\n{prototype};\n")
+        sections.append(f"{about(model, name)}\n{prototype};\n")
     sections.append(f"#ifdef __cplusplus\n}}\n#endif\n\n#endif /* {guard} */\n")
     return "\n".join(sections)
 

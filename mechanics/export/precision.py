@@ -51,6 +51,11 @@ class Part:
         return self.prefix.upper()
 
     @property
+    def guard(self) -> str:
+        """Macro that a header defines when it is read; names that differ by case differ here."""
+        return f"MECHANICS_{self.prefix}_H"
+
+    @property
     def codes(self) -> Codes:
         """Names of the statuses."""
         names = ("OK", "SINGULAR", "OVERFLOW", "BAD_INPUT")

@@ -14,8 +14,8 @@ TEXT = """\
  *
  * Valid up to {limit} rad. mechanics_sin{f} and mechanics_cos{f} give no number beyond.
  */
-#ifndef {macro}_SINE_H
-#define {macro}_SINE_H
+#ifndef {guard}_SINE
+#define {guard}_SINE
 
 #include <math.h>
 #include <stdint.h>
@@ -35,7 +35,7 @@ static inline {kind} mechanics_cos{f}({kind} x)
     return mechanics_far{f}(x) ? ({kind})NAN : cosine;
 }}
 
-#endif /* {macro}_SINE_H */
+#endif /* {guard}_SINE */
 """
 
 CHOICE = """\
@@ -50,7 +50,7 @@ CHOICE = """\
 def sine_header(part: Part) -> str:
     """Text of the header."""
     return TEXT.format(
-        macro=part.macro, kind=part.kind, f=part.suffix, limit=f"{LIMIT:.0f}",
+        guard=part.guard, kind=part.kind, f=part.suffix, limit=f"{LIMIT:.0f}",
         source=sine_source(part.kind),
     )  # fmt: skip
 

@@ -1,0 +1,59 @@
+"""What each function computes, in the words of its header: one comment a prototype."""
+
+from mechanics.compiled import Model
+from mechanics.compiled.graphs import MATRICES
+
+FUNCTIONS = {
+    "forward_dynamics": ("Accelerations u' (and multipliers) from the state.",),
+    "mass_matrix": ("M of the equations M u' = f + B lambda.",),
+    "forcing": ("Right side f of the equations M u' = f + B lambda.",),
+    "residual": ("M u' - f - B lambda, and below it A u' - b of the constraints.",),
+    "inverse_dynamics": (
+        "Generalized forces, conjugate to u, which added to the loads give u'.",
+    ),
+    "energy": ("Kinetic, potential and total energy.",),
+    "momenta": ("Momentum, angular momentum about the origin, and generalized momenta dT/du.",),
+    "coordinate_rates": ("Rates of the coordinates: q' = N u + n.",),
+    "jacobians": ("Derivatives of u' by q, u, inputs and p.",),
+    "reactions": ("The reactions listed above, from the state.",),
+    "prepare": ("What the forward dynamics use of the parameters only: once for many states.",),
+    "forward_dynamics_prepared": (
+        "The same accelerations with what the function above makes of p: fewer operations.",
+        "Quotients by a parameter are products with its reciprocal: off by at most 1.5 units in",
+        "the last place each, instead of 0.5.",
+    ),
+    "step": (
+        "State at t + h by the classical Runge-Kutta method of order 4, inputs held over the",
+        "step: in place with q_next = q and u_next = u.",
+    ),
+}  # fmt: skip
+"""Lines about each function."""
+
+OUTPUTS = {
+    "mass_matrix": "row i, column j",
+    "forcing": "row i of the equations",
+    "residual": "row i of the equations",
+    "forces": "forces[i] * u[i] is a power in W",
+    "generalized": "generalized[i] * u[i] is an energy in J",
+    "linear": "component i in the inertial frame, in kg m/s",
+    "angular": "component i in the inertial frame, in kg m^2/s",
+    "qd": "rate of q[i], in the unit of q[i] per s",
+    "kinetic": "in J",
+    "potential": "in J",
+    "total": "in J",
+    "ud_q": "derivative of ud[i] by q[j]",
+    "ud_u": "derivative of ud[i] by u[j]",
+    "ud_inputs": "derivative of ud[i] by inputs[j]",
+    "ud_p": "derivative of ud[i] by p[j]",
+}
+"""What an entry is, for outputs that are no array with a table of its own."""
+
+
+def about(model: Model, name: str) -> str:
+    """The comment before a prototype."""
+    lines = list(FUNCTIONS[name])
+    for out, (rows, cols) in model.program(name).shapes:
+        if out in OUTPUTS and rows * cols:
+            place = f"i + {rows} * j" if out in MATRICES else "i" if rows > 1 else "0"
+            lines.append(f"  {out}[{place}]: {OUTPUTS[out]}")
+    return "/* " + "\n * ".join(lines) + " */"
