@@ -11,7 +11,16 @@ import typer
 from rich.console import Console
 from rich.markup import escape
 
-from mechanics.cli import checking, deriving, extremes, fmu, small_motions, trading, using
+from mechanics.cli import (
+    checking,
+    deriving,
+    extremes,
+    fmu,
+    small_motions,
+    trading,
+    using,
+    verifying,
+)
 from mechanics.errors import MechanicsError
 
 # Typer brings its own copy of click, or uses click, depending on its version.
@@ -31,6 +40,7 @@ app.command("crosscheck")(checking.crosscheck)
 app.command("derive")(deriving.derive)
 app.command("simulate")(using.simulate)
 app.command("codegen")(using.codegen)
+app.command("verify")(verifying.verify)
 app.command("fmu")(fmu.fmu)
 app.command("extremes")(extremes.extremes)
 app.command("trade")(trading.trade)

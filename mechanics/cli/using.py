@@ -142,6 +142,9 @@ def codegen(
     asked = [name.strip() for name in outputs.split(",")] if outputs else None
     with Console(stderr=True).status("deriving"):
         model = compile(derive(scene, route), fixed=fixed, outputs=asked)
-        files = write_c(model, out, name=name, precision=precision, batch=batch)
+        built_in = None if system.endswith(".py") else system
+        files = write_c(
+            model, out, name=name, precision=precision, batch=batch, system=built_in
+        )  # fmt: skip
     for path in files:
         typer.echo(str(path))

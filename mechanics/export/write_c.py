@@ -103,7 +103,7 @@ def write_c(
     code = {file: text for file, text in files.items() if file.endswith((".c", ".h"))}
     evidence = evidence_of(model, parts, names, many, code)
     files |= evidence_files(evidence)
-    shown = chain_record(chain(evidence, measure=measure)) if prove else None
+    shown = chain_record(chain(evidence, measure=measure, sines=False)) if prove else None
     files["manifest.json"] = manifest(
         model, prefix, names, files, evidence.kernels, shown, system
     )  # fmt: skip

@@ -30,6 +30,9 @@ from mechanics.export.evidence.chain import (
 from mechanics.export.evidence.equations import FILE as EQUATIONS
 from mechanics.export.evidence.graphs import FILE as GRAPHS
 from mechanics.export.evidence.read import Folder, read_folder
+from mechanics.export.evidence.sines import prove_sines
+
+NO_SINES = "the text of the inline sine and cosine is proved by `mechanics verify`"
 
 
 class Outcome(Enum):
@@ -94,6 +97,7 @@ def chain(
     evidence: Evidence,
     again: Derived | None = None,
     measure: bool = True,
+    sines: bool = True,
     report: Report = silent,
 ) -> Chain:
     """Go through the chain of custody once.
@@ -105,6 +109,9 @@ def chain(
         What was derived anew, to be compared with the graphs, too.
     measure : bool
         Whether to compile the code and compare.
+    sines : bool
+        Whether to prove the text of the inline sine and cosine, which is the same in every folder
+        and takes some seconds.
     report : callable
         Told what is looked at.
     """
@@ -121,13 +128,20 @@ def chain(
         read: list[Read] = []
         found = tuple(second_step(evidence, read, report))
         steps.append(("graph = C text", found))
-        why = _not_compiled(measure, paths, all(one.shown for one in found))
+        not_done = () if sines else (NO_SINES,)
+        if sines and (found := tuple(prove_sines(evidence.texts, report))):
+            steps.append(("inline sine and cosine = sine and cosine", found))
+        why = _not_compiled(measure, paths, _all_shown(steps))
         if why:
-            return Chain(tuple(steps), (), (why,))
+            return Chain(tuple(steps), (), (*not_done, why))
         report("compiling")
         binaries = third_step(evidence, read, collected(), report)
     steps.append(("C text = binary", binaries.findings))
-    return Chain(tuple(steps), binaries.measured, ())
+    return Chain(tuple(steps), binaries.measured, not_done)
+
+
+def _all_shown(steps: Sequence[tuple[str, tuple[Finding, ...]]]) -> bool:
+    return all(finding.shown for _, findings in steps for finding in findings)
 
 
 def _not_compiled(measure: bool, paths: Sequence[str], shown: bool) -> str:
@@ -141,7 +155,7 @@ def _not_compiled(measure: bool, paths: Sequence[str], shown: bool) -> str:
 
 
 def verify(
-    path: str | Path,
+    folder: Folder | str | Path,
     equations: Equations | None = None,
     measure: bool = True,
     report: Report = silent,
@@ -150,7 +164,7 @@ def verify(
 
     Parameters
     ----------
-    path : str or Path
+    folder : Folder, str or Path
         As `write_c` wrote it.
     equations : Equations, optional
         Derived again from the scene by the route of the manifest: then the graphs are compared with
@@ -165,9 +179,9 @@ def verify(
     InputError
         If it is no such folder, or a file of it cannot be read.
     """
-    folder = read_folder(Path(path))
+    folder = folder if isinstance(folder, Folder) else read_folder(Path(folder))
     again = derived_again(folder, equations) if equations is not None else None
-    found = chain(folder.evidence, again, measure, report)
+    found = chain(folder.evidence, again, measure, report=report)
     if equations is None:
         words = "the equations were not derived again: no scene is known for this folder"
         found = replace(found, not_done=(words, *found.not_done))

@@ -1,0 +1,140 @@
+"""`mechanics verify`: generated code once more, from its files alone."""
+
+import json
+import sys
+from collections import Counter
+from pathlib import Path
+from typing import Annotated
+
+import typer
+from rich.console import Console
+from rich.markup import escape
+
+from mechanics.cli.checking import STYLES, _counted, _explain
+from mechanics.cli.load import load
+from mechanics.crosscheck import derive
+from mechanics.equations import Equations
+from mechanics.errors import InputError
+from mechanics.exact import Verdict
+from mechanics.export.evidence.read import Folder, read_folder
+from mechanics.export.evidence.record import chain_record
+from mechanics.export.evidence.verify import Outcome, Verification
+from mechanics.export.evidence.verify import verify as check
+
+SHOWN_FINDINGS = 12
+"""Findings that are explained; of more there is only the number."""
+
+
+def verify(
+    folder: Annotated[Path, typer.Argument(metavar="DIR", help="Written by mechanics codegen.")],
+    scene: Annotated[
+        str | None,
+        typer.Option(
+            metavar="SYSTEM", help="A name or a .py file; by default the one in the manifest."
+        ),
+    ] = None,
+    measure: Annotated[
+        bool, typer.Option("--compile/--no-compile", help="Compile it and compare values, too.")
+    ] = True,
+    json_file: Annotated[
+        str | None, typer.Option("--json", metavar="FILE|-", help="Write JSON; - for the screen.")
+    ] = None,
+) -> None:
+    """Repeat every step from the physics to the machine code, from the files of a folder.
+
+    Derived equations = graph = C text in exact arithmetic, each function and its status; the text
+    of the inline sine and cosine by itself; and binaries by every compiler that is found, against
+    what correct roundings of the text can give. Where the scene is known the equations are derived
+    again.
+
+    A file whose hash differs is named; C that is only formatted anew is shown all the same.
+
+    Exit code: 0 when all is shown, 1 when something is REFUTED, 3 when something is UNDECIDED, a
+    file is missing, or one that no step looks at was changed, 2 for bad input.
+
+    Examples
+    --------
+    `mechanics codegen elastic_pendulum -o DIR && mechanics verify DIR`
+
+    `mechanics verify DIR --scene my_system.py`
+    """
+    errors = Console(stderr=True)
+    with errors.status("reading") as status:
+        read = read_folder(folder)
+        equations, remark = _derived(read, scene)
+        found = check(read, equations, measure, lambda words: status.update(escape(words)))
+    console = Console(soft_wrap=True)
+    if json_file is not None:
+        _write(found, json_file)
+    if json_file != "-":
+        _print(console, found, remark)
+    if found.outcome is not Outcome.SHOWN:
+        raise typer.Exit(found.outcome.value)
+
+
+def _derived(folder: Folder, scene: str | None) -> tuple[Equations | None, str]:
+    """The equations derived again, or why they are not."""
+    name = folder.system if scene is None else scene
+    if name is None:
+        return None, "the manifest names no built-in system: give --scene"
+    try:
+        return derive(load(name).scene(), folder.route), ""
+    except InputError as error:
+        if scene is not None:
+            raise
+        return None, f"the system of the manifest cannot be loaded: {error}"
+
+
+def _write(found: Verification, file: str) -> None:
+    record = {
+        "outcome": found.outcome.name,
+        "changed": list(found.folder.changed),
+        "missing": list(found.folder.missing),
+        **chain_record(found.chain),
+    }
+    text = json.dumps(record, indent=2, ensure_ascii=False) + "\n"
+    if file == "-":
+        sys.stdout.write(text)
+    else:
+        Path(file).write_text(text, encoding="utf-8")
+
+
+def _print(console: Console, found: Verification, remark: str) -> None:
+    folder = found.folder
+    console.print(f"[bold]{escape(str(folder.path))}[/]  {escape(str(folder.manifest['scene']))}")
+    for title, findings in found.chain.steps:
+        console.print(f"  {escape(title)}: {_counted(findings)}")
+    worst = max(found.chain.measured, key=lambda one: one.ulp_terms, default=None)
+    if worst is not None:
+        states = sum(one.states for one in found.chain.measured)
+        console.print(
+            f"  largest error {worst.ulp_terms:.3g} ulp of the sum of the terms,"
+            f" {worst.symbol}, {worst.compiler}; {states} comparisons of states",
+            markup=False,
+        )
+    _tell_files(console, found)
+    for sentence in (*found.chain.not_done, *([remark] if remark else [])):
+        console.print(f"[yellow]not repeated[/]: {escape(sentence)}")
+    bad = [
+        finding
+        for _, findings in found.chain.steps
+        for finding in findings
+        if finding.verdict in (Verdict.REFUTED, Verdict.UNDECIDED)
+    ]
+    for finding in bad[:SHOWN_FINDINGS]:
+        _explain(console, finding)
+    if len(bad) > SHOWN_FINDINGS:
+        counts = Counter(finding.verdict for finding in bad[SHOWN_FINDINGS:])
+        words = ", ".join(f"[{STYLES[v]}]{n} more {v.name}[/]" for v, n in counts.items())
+        console.print(words)
+
+
+def _tell_files(console: Console, found: Verification) -> None:
+    folder = found.folder
+    for name in folder.missing:
+        console.print(f"[bold red]missing[/] {escape(name)}")
+    for name in folder.changed:
+        nobody = ": no step looks at it" if name in found.unvouched else ", see what is shown above"
+        console.print(f"[yellow]changed[/] {escape(name)}: its hash is another one{nobody}")
+    if not folder.changed and not folder.missing:
+        console.print(f"  {len(folder.texts)} files have the hashes of the manifest")
