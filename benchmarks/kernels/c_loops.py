@@ -12,7 +12,7 @@ from benchmarks.c_kernels import FOLDER
 from benchmarks.kernels.case import Case, model
 from benchmarks.kernels.race import Contender, Lap
 from mechanics.compiled.c.source import function_source, signature
-from mechanics.compiled.machine.native import find_compiler, load
+from mechanics.compiled.machine.library import find_compiler, load
 
 FLAGS = "-O3 -march=native"
 

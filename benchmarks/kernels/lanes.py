@@ -7,15 +7,25 @@ import numpy as np
 
 from benchmarks.c_kernels import FOLDER
 from benchmarks.kernels.c_loops import no_compiler
-from benchmarks.kernels.case import Case
+from benchmarks.kernels.case import Case, model
 from benchmarks.kernels.race import Contender, Lap
-from mechanics.compiled.machine.native import find_compiler, load
+from mechanics.compiled.machine.batch import library_source
+from mechanics.compiled.machine.library import find_compiler, load
+from mechanics.compiled.machine.vectorised import settings
 from mechanics.simulate.integrators.heyoka import expressions
 
-FLAGS = "-O3 -march=native -fopenmp-simd"
-WIDE = "-mprefer-vector-width=512"
-"""Gcc otherwise takes half of the widest registers; clang has the same setting."""
-BY_HAND = (1, 5)
+PASSES = """
+void passes(long n, {arguments})
+{{
+    for (long k = 0; k < n; ++k)
+        {name}({names});
+}}
+"""
+IN_CACHE = 100_000
+"""States from which on a pass takes long enough by itself."""
+ARRAYS = ("q", "u", "inputs", "p", "ud")
+TOGETHER = 16
+"""Passes in one call from Python, which takes about as long as a thousand states."""
 
 
 def by_hand() -> Contender:
@@ -23,15 +33,42 @@ def by_hand() -> Contender:
 
     def prepare(case: Case) -> Lap:
         text = (FOLDER / "chain_lanes.c").read_text(encoding="utf-8")
-        library = load(text, str(find_compiler()), f"{FLAGS} {WIDE}")
-        function = library[f"chain_{case.links}_lanes"]
-        found = np.empty_like(case.q)
-        arrays = (case.q, case.u, case.inputs, case.p, found)
-        count = ctypes.c_size_t(case.count)
-        arguments = [count, count, *(ctypes.c_void_p(a.ctypes.data) for a in arrays)]
-        return Lap(lambda: function(*arguments), case.count, lambda: found)
+        return _lap(case, text, f"chain_{case.links}_lanes")
 
     return Contender("lanes by hand", no_compiler, prepare)
+
+
+def generated(form: str = "auto", name: str = "generated lanes") -> Contender:
+    """The generated batch kernel, with its check of far angles."""
+
+    def prepare(case: Case) -> Lap:
+        chain = model(case.links, form)
+        code = chain.program("forward_dynamics")
+        text = library_source(code, chain.entries, np.float64)
+        return _lap(case, text, "mechanics_forward_dynamics_states")
+
+    return Contender(name, no_compiler, prepare)
+
+
+def _lap(case: Case, text: str, function: str) -> Lap:
+    compiler = str(find_compiler())
+    arguments = "size_t count, size_t stride, " + ", ".join(
+        f"{'' if name == 'ud' else 'const '}double *{name}" for name in ARRAYS
+    )
+    names = ", ".join(("count", "stride", *ARRAYS))
+    passes = PASSES.format(arguments=arguments, name=function, names=names)
+    library = load(text + passes, compiler, f"{settings(compiler)} -fopenmp-simd")
+    found = np.empty_like(case.q)
+    together = TOGETHER if case.count < IN_CACHE else 1
+    count = ctypes.c_size_t(case.count)
+    arrays = (case.q, case.u, case.inputs, case.p, found)
+    given = [
+        ctypes.c_long(together),
+        count,
+        count,
+        *(ctypes.c_void_p(a.ctypes.data) for a in arrays),
+    ]
+    return Lap(lambda: library.passes(*given), case.count, lambda: found, together)
 
 
 def heyoka(constant: bool = False) -> Contender:

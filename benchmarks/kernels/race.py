@@ -31,11 +31,14 @@ class Lap:
         How many states one run evaluates.
     result : callable
         Accelerations (links + 1, states) of the last run.
+    together : int
+        How many passes one run makes.
     """
 
     run: Callable[[], None]
     states: int
     result: Callable[[], Array]
+    together: int = 1
 
 
 @dataclass(frozen=True)
@@ -95,7 +98,7 @@ def _checked(contender: Contender, case: Case) -> Lap:
 
 def _passes(lap: Lap) -> int:
     """So many that one measurement is long enough for the clock."""
-    once = _timed(lap, 1) * lap.states * 1e-9
+    once = _timed(lap, 1) * lap.states * lap.together * 1e-9
     return max(1, round(SHORTEST / max(once, 1e-9)))
 
 
@@ -103,4 +106,4 @@ def _timed(lap: Lap, passes: int) -> float:
     start = perf_counter()
     for _ in range(passes):
         lap.run()
-    return (perf_counter() - start) / (passes * lap.states) * 1e9
+    return (perf_counter() - start) / (passes * lap.together * lap.states) * 1e9
