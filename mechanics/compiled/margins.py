@@ -6,15 +6,36 @@ Accelerations and reactions in a condition are those of the state, so that margi
 it, of the inputs and of the parameters.
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 
 import casadi as ca
 from sympy import Expr, Symbol
 
 from mechanics.compiled.graphs import Graphs
+from mechanics.compiled.model import Model
 from mechanics.compiled.quantities import DIGITS, Quantity
 from mechanics.compiled.translate import Translator
+from mechanics.equations import Equations
+from mechanics.scene import Scene
 from mechanics.scene.conditions import plain_margin
+
+
+def telling(model: Model, derive: Callable[[Scene], Equations]) -> Graphs:
+    """Graphs that know the reactions which the conditions hold.
+
+    Parameters
+    ----------
+    model : Model
+        Whose own graphs are taken if they do.
+    derive : callable
+        A route that tells every reaction.
+    """
+    scene = model.equations.scene
+    asked = {s for one in scene.conditions for s in plain_margin(scene, one).free_symbols}
+    reactions = asked & {reaction.symbol for reaction in scene.reactions}
+    if reactions <= {entry.symbol for entry in model.quantities.reactions}:
+        return model.casadi
+    return Graphs(derive(scene))
 
 
 def margins(graphs: Graphs, state: Sequence[ca.SX], parameters: Mapping[Symbol, ca.SX]) -> ca.SX:

@@ -1,8 +1,9 @@
 """Along a motion, how far inside of its domain the model is.
 
-margin_i(t, q, u) > 0    inside of condition i;    reactions as the free-body route gives them
+margin_i(t, q, u) > 0    inside of condition i
 
 Accelerations and reactions are those of the state, so that margins are functions of it and of time.
+Reactions are the model's, or the free-body route's where the model does not tell them.
 """
 
 from collections.abc import Callable, Mapping
@@ -14,8 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from mechanics.compiled import Model
-from mechanics.compiled.graphs import Graphs
-from mechanics.compiled.margins import margins
+from mechanics.compiled.margins import margins, telling
 from mechanics.compiled.quantities import Quantity
 from mechanics.routes import free_body
 from mechanics.scene.conditions import Condition, condition_parameters
@@ -71,7 +71,7 @@ def domain(
     scene = model.equations.scene
     if not scene.conditions:
         return EVERYWHERE
-    graphs = Graphs(free_body.derive(scene))
+    graphs = telling(model, free_body.derive)
     known = graphs.quantities
     numbers = model.numbers(p) | own_values(model, parameters)
     symbols = [entry.symbol for entry in known.inputs]

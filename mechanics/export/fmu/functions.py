@@ -13,11 +13,10 @@ import casadi as ca
 from sympy import Dummy, Symbol
 
 from mechanics.compiled import Model
-from mechanics.compiled.graphs import Graphs
-from mechanics.compiled.margins import bound_column, margins
+from mechanics.compiled.margins import bound_column, margins, telling
 from mechanics.compiled.quantities import DIGITS, Quantities, Quantity
 from mechanics.routes import free_body
-from mechanics.scene.conditions import condition_parameters, plain_margin
+from mechanics.scene.conditions import condition_parameters
 from mechanics.scene.rates import TIME
 
 CLOCK = Quantity(TIME, "s", "time")
@@ -56,8 +55,8 @@ def functions(model: Model) -> Functions:
         If a condition or constraint holds an operation that is not known.
     """
     scene, known = model.equations.scene, model.quantities
-    telling = _telling(model)
-    sources = [known, telling.quantities] if telling else [known]
+    graphs = telling(model, free_body.derive) if scene.conditions else model.casadi
+    sources = [known, graphs.quantities]
     inputs = _inputs(sources)
     p = (*known.p, *_own_parameters(model))
     given = (CLOCK, *known.q, *known.u, *inputs, *p, STEP_SIZE)
@@ -65,9 +64,9 @@ def functions(model: Model) -> Functions:
     table = {entry.symbol: v[i] for i, entry in enumerate(given)}
     table |= {s: ca.SX(float(x.evalf(DIGITS))) for s, x in model.casadi.fixed.items()}
     wanted, outputs = _outputs(model, table)
-    if telling:
-        state = [_column(getattr(telling.quantities, g), table) for g in ("q", "u", "inputs")]
-        wanted.append(margins(telling, state, table))
+    if scene.conditions:
+        state = [_column(getattr(graphs.quantities, g), table) for g in ("q", "u", "inputs")]
+        wanted.append(margins(graphs, state, table))
         outputs += [
             Quantity(Symbol(f"margin of {one.name}"), "", f"{one.text}, or it {one.otherwise}")
             for one in scene.conditions
@@ -92,18 +91,6 @@ def _graphs(v: ca.SX, rates: ca.SX, outputs: ca.SX) -> dict[str, ca.Function]:
 def _function(name: str, arguments: Mapping[str, ca.SX], graph: ca.SX) -> ca.Function:
     dense = ca.cse([ca.densify(graph)])
     return ca.Function(name, list(arguments.values()), dense, list(arguments), ["wanted"])
-
-
-def _telling(model: Model) -> Graphs | None:
-    """Graphs that know the reactions in the conditions; None where there are no conditions."""
-    scene = model.equations.scene
-    if not scene.conditions:
-        return None
-    asked = {s for one in scene.conditions for s in plain_margin(scene, one).free_symbols}
-    reactions = asked & {reaction.symbol for reaction in scene.reactions}
-    if reactions <= {entry.symbol for entry in model.quantities.reactions}:
-        return model.casadi
-    return Graphs(free_body.derive(scene))
 
 
 def _inputs(sources: Sequence[Quantities]) -> tuple[Quantity, ...]:
