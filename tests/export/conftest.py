@@ -4,12 +4,14 @@ import functools
 import importlib
 import os
 import shutil
+import sys
 from collections.abc import Callable
 
 import pytest
 
 from mechanics.compiled import Model
 from mechanics.compiled import compile as compile_model
+from mechanics.export.evidence.verify import Chain
 
 
 @functools.cache
@@ -22,6 +24,14 @@ def _modelled(system: str, route: str) -> Model:
 @pytest.fixture(scope="session")
 def modelled() -> Callable[[str, str], Model]:
     return _modelled
+
+
+@pytest.fixture(autouse=True)
+def without_chain(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> None:
+    """What is shown about generated code has tests of its own, and takes a second a folder."""
+    if "evidence" not in request.path.parts:
+        module = sys.modules["mechanics.export.write_c"]
+        monkeypatch.setattr(module, "chain", lambda *_, **__: Chain((), (), ()))
 
 
 @pytest.fixture(scope="session")

@@ -367,74 +367,74 @@ int elastic_pendulum_jacobians(const double q[2], const double u[2], const doubl
 int elastic_pendulum_step(const double q[2], const double u[2], const double p[5],
     const double h[1], double q_next[2], double u_next[2])
 {
-    const double x = q[0];
+    const double L = p[0];
+    const double v1 = -0x1.5555555555555p-1 * L;
     const double theta = q[1];
+    const double cos_theta = cos(theta);
+    const double sin_theta = sin(theta);
+    const double k = p[3];
+    const double v2 = 0x1.5555555555555p+1 * k;
+    const double M = p[1];
+    const double m = p[4];
     const double x_dot = u[0];
     const double theta_dot = u[1];
-    const double L = p[0];
-    const double M = p[1];
-    const double g = p[2];
-    const double k = p[3];
-    const double m = p[4];
+    const double x = q[0];
+    const double v3 = 0x1.5555555555555p+0 * (M + m);
+    const double v4 = 1.0 / v1;
     const double h_ = h[0];
-    const double cos_theta = cos(theta);
-    const double v1 = -0x1.5555555555555p-1 * L;
-    const double sin_theta = sin(theta);
-    const double v2 = 0x1.5555555555555p+1 * k;
-    const double v3 = (cos_theta * g - theta_dot * (theta_dot * v1)) * (sin_theta * M);
-    const double v4 = 0x1.5555555555555p+0 * (M + m);
-    const double v5 = v4 - M * (cos_theta * cos_theta);
-    const double v6 = (v3 - x * v2) / v5;
-    const double v7 = x_dot + h_ * (v6 / 2.0);
-    const double v8 = theta + h_ * (theta_dot / 2.0);
-    const double cos_v8 = cos(v8);
-    const double v9 = 1.0 / v1;
-    const double v10 = (cos_theta * v6 + g * sin_theta) * v9;
-    const double v11 = theta_dot + h_ * (v10 / 2.0);
-    const double sin_v8 = sin(v8);
-    const double v12 = (cos_v8 * g - v11 * (v11 * v1)) * (sin_v8 * M);
-    const double v13 = (x + h_ * (x_dot / 2.0)) * v2;
-    const double v14 = v4 - M * (cos_v8 * cos_v8);
-    const double v15 = (v12 - v13) / v14;
-    const double v16 = x_dot + h_ * (v15 / 2.0);
-    const double v17 = theta + h_ * (v11 / 2.0);
-    const double cos_v17 = cos(v17);
-    const double v18 = (cos_v8 * v15 + g * sin_v8) * v9;
-    const double v19 = theta_dot + h_ * (v18 / 2.0);
-    const double sin_v17 = sin(v17);
-    const double v20 = (cos_v17 * g - v19 * (v19 * v1)) * (sin_v17 * M);
-    const double v21 = (x + h_ * (v7 / 2.0)) * v2;
-    const double v22 = v4 - M * (cos_v17 * cos_v17);
-    const double v23 = (v20 - v21) / v22;
-    const double v24 = h_ * ((x_dot + 2.0 * v7 + 2.0 * v16 + (x_dot + h_ * v23)) / 6.0);
-    const double v25 = x + v24;
-    const double v26 = (cos_v17 * v23 + g * sin_v17) * v9;
-    const double v27 = theta_dot + h_ * v26;
-    const double v28 = theta + h_ * ((theta_dot + 2.0 * v11 + 2.0 * v19 + v27) / 6.0);
-    const double v29 = theta + h_ * v19;
-    const double cos_v29 = cos(v29);
-    const double sin_v29 = sin(v29);
-    const double v30 = (cos_v29 * g - v27 * (v27 * v1)) * (sin_v29 * M);
-    const double v31 = (x + h_ * v16) * v2;
-    const double v32 = v4 - M * (cos_v29 * cos_v29);
-    const double v33 = (v30 - v31) / v32;
-    const double v34 = x_dot + h_ * ((v6 + 2.0 * v15 + 2.0 * v23 + v33) / 6.0);
-    const double v35 = v10 + 2.0 * v18 + 2.0 * v26 + (cos_v29 * v33 + g * sin_v29) * v9;
-    const double v36 = theta_dot + h_ * (v35 / 6.0);
+    const double g = p[2];
+    const double v5 = theta + h_ * (theta_dot / 2.0);
+    const double cos_v5 = cos(v5);
+    const double sin_v5 = sin(v5);
+    const double v6 = v3 - M * (cos_theta * cos_theta);
+    const double v7 = (cos_theta * g - theta_dot * (theta_dot * v1)) * (sin_theta * M);
+    const double v8 = (v7 - x * v2) / v6;
+    const double v9 = (cos_theta * v8 + g * sin_theta) * v4;
+    const double v10 = x_dot + h_ * (v8 / 2.0);
+    const double v11 = theta_dot + h_ * (v9 / 2.0);
+    const double v12 = theta + h_ * (v11 / 2.0);
+    const double cos_v12 = cos(v12);
+    const double sin_v12 = sin(v12);
+    const double v13 = v3 - M * (cos_v5 * cos_v5);
+    const double v14 = (cos_v5 * g - v11 * (v11 * v1)) * (sin_v5 * M);
+    const double v15 = (x + h_ * (x_dot / 2.0)) * v2;
+    const double v16 = (v14 - v15) / v13;
+    const double v17 = (cos_v5 * v16 + g * sin_v5) * v4;
+    const double v18 = x_dot + h_ * (v16 / 2.0);
+    const double v19 = theta_dot + h_ * (v17 / 2.0);
+    const double v20 = theta + h_ * v19;
+    const double cos_v20 = cos(v20);
+    const double sin_v20 = sin(v20);
+    const double v21 = v3 - M * (cos_v12 * cos_v12);
+    const double v22 = (cos_v12 * g - v19 * (v19 * v1)) * (sin_v12 * M);
+    const double v23 = (x + h_ * (v10 / 2.0)) * v2;
+    const double v24 = (v22 - v23) / v21;
+    const double v25 = (cos_v12 * v24 + g * sin_v12) * v4;
+    const double v26 = theta_dot + h_ * v25;
+    const double v27 = (x_dot + 2.0 * v10 + 2.0 * v18 + (x_dot + h_ * v24)) / 6.0;
+    const double v28 = x + h_ * v27;
+    const double v29 = theta + h_ * ((theta_dot + 2.0 * v11 + 2.0 * v19 + v26) / 6.0);
+    const double v30 = v3 - M * (cos_v20 * cos_v20);
+    const double v31 = (cos_v20 * g - v26 * (v26 * v1)) * (sin_v20 * M);
+    const double v32 = (x + h_ * v18) * v2;
+    const double v33 = (v31 - v32) / v30;
+    const double v34 = v9 + 2.0 * v17 + 2.0 * v25 + (cos_v20 * v33 + g * sin_v20) * v4;
+    const double v35 = x_dot + h_ * ((v8 + 2.0 * v16 + 2.0 * v24 + v33) / 6.0);
+    const double v36 = theta_dot + h_ * (v34 / 6.0);
     int status = ELASTIC_PENDULUM_OK;
-    if (!(isfinite(v25) && isfinite(v28) && isfinite(v34) && isfinite(v36) && isfinite(v5) &&
-        isfinite(v1) && isfinite(v14) && isfinite(v22) && isfinite(v32))) {
+    if (!(isfinite(v28) && isfinite(v29) && isfinite(v35) && isfinite(v36) && isfinite(v1) &&
+        isfinite(v6) && isfinite(v13) && isfinite(v21) && isfinite(v30))) {
         if (!(isfinite(x) && isfinite(theta) && isfinite(x_dot) && isfinite(theta_dot) &&
             isfinite(L) && isfinite(M) && isfinite(g) && isfinite(k) && isfinite(m) &&
             isfinite(h_)))
             status = ELASTIC_PENDULUM_BAD_INPUT;
         else
-            status = v5 == 0 || v1 == 0 || v14 == 0 || v22 == 0 || v32 == 0 ?
+            status = v1 == 0 || v6 == 0 || v13 == 0 || v21 == 0 || v30 == 0 ?
                 ELASTIC_PENDULUM_SINGULAR : ELASTIC_PENDULUM_OVERFLOW;
     }
-    q_next[0] = v25;
-    q_next[1] = v28;
-    u_next[0] = v34;
+    q_next[0] = v28;
+    q_next[1] = v29;
+    u_next[0] = v35;
     u_next[1] = v36;
     return status;
 }

@@ -12,8 +12,8 @@
  * defined, cos and sin are those of elastic_pendulum_sine.h instead: up to 1048576 rad, with
  * status 2 beyond, and an error of less than 2 units in the last place.
  */
-#ifndef ELASTIC_PENDULUM_H
-#define ELASTIC_PENDULUM_H
+#ifndef MECHANICS_elastic_pendulum_H
+#define MECHANICS_elastic_pendulum_H
 
 /* status
  *   0  every output is a number
@@ -87,36 +87,49 @@ extern "C" {
 int elastic_pendulum_forward_dynamics(const double q[2], const double u[2], const double p[5],
     double ud[2]);
 
-/* M of the equations M u' = f + B lambda, column by column. */
+/* M of the equations M u' = f + B lambda.
+ *   mass_matrix[i + 2 * j]: row i, column j */
 int elastic_pendulum_mass_matrix(const double q[2], const double u[2], const double p[5],
     double mass_matrix[4]);
 
-/* Right side f of the equations M u' = f + B lambda. */
+/* Right side f of the equations M u' = f + B lambda.
+ *   forcing[i]: row i of the equations */
 int elastic_pendulum_forcing(const double q[2], const double u[2], const double p[5],
     double forcing[2]);
 
-/* M u' - f - B lambda, and below it A u' - b of the constraints. */
+/* M u' - f - B lambda, and below it A u' - b of the constraints.
+ *   residual[i]: row i of the equations */
 int elastic_pendulum_residual(const double q[2], const double u[2], const double p[5],
     const double ud[2], double residual[2]);
 
-/* Generalized forces, conjugate to u, which added to the loads give u'. */
+/* Generalized forces, conjugate to u, which added to the loads give u'.
+ *   forces[i]: forces[i] * u[i] is a power in W */
 int elastic_pendulum_inverse_dynamics(const double q[2], const double u[2], const double p[5],
     const double ud[2], double forces[2]);
 
-/* Kinetic, potential and total energy, in J. */
+/* Kinetic, potential and total energy.
+ *   kinetic[0]: in J
+ *   potential[0]: in J
+ *   total[0]: in J */
 int elastic_pendulum_energy(const double q[2], const double u[2], const double p[5],
     double kinetic[1], double potential[1], double total[1]);
 
-/* Linear momentum in kg m/s, angular momentum about the origin in kg m^2/s
- * (inertial components), and the generalized momenta dT/du. */
+/* Momentum, angular momentum about the origin, and generalized momenta dT/du.
+ *   linear[i]: component i in the inertial frame, in kg m/s
+ *   angular[i]: component i in the inertial frame, in kg m^2/s
+ *   generalized[i]: generalized[i] * u[i] is an energy in J */
 int elastic_pendulum_momenta(const double q[2], const double u[2], const double p[5],
     double linear[3], double angular[3], double generalized[2]);
 
-/* Rates of the coordinates: q' = N u + n. */
+/* Rates of the coordinates: q' = N u + n.
+ *   qd[i]: rate of q[i], in the unit of q[i] per s */
 int elastic_pendulum_coordinate_rates(const double q[2], const double u[2], const double p[5],
     double qd[2]);
 
-/* Derivatives of u' by q, u, inputs and p, column by column. */
+/* Derivatives of u' by q, u, inputs and p.
+ *   ud_q[i + 2 * j]: derivative of ud[i] by q[j]
+ *   ud_u[i + 2 * j]: derivative of ud[i] by u[j]
+ *   ud_p[i + 2 * j]: derivative of ud[i] by p[j] */
 int elastic_pendulum_jacobians(const double q[2], const double u[2], const double p[5],
     double ud_q[4], double ud_u[4], double ud_p[10]);
 
@@ -132,9 +145,9 @@ int elastic_pendulum_reactions(const double q[2], const double u[2], const doubl
 /* What the forward dynamics use of the parameters only: once for many states. */
 int elastic_pendulum_prepare(const double p[5], double c[6]);
 
-/* The same accelerations with what the function above makes of p:
- * fewer operations. Quotients by a parameter are products with its reciprocal: off by at
- * most 1.5 units in the last place each, instead of 0.5. */
+/* The same accelerations with what the function above makes of p: fewer operations.
+ * Quotients by a parameter are products with its reciprocal: off by at most 1.5 units in
+ * the last place each, instead of 0.5. */
 int elastic_pendulum_forward_dynamics_prepared(const double q[2], const double u[2],
     const double c[6], double ud[2]);
 
@@ -142,4 +155,4 @@ int elastic_pendulum_forward_dynamics_prepared(const double q[2], const double u
 }
 #endif
 
-#endif /* ELASTIC_PENDULUM_H */
+#endif /* MECHANICS_elastic_pendulum_H */

@@ -10,8 +10,8 @@
  *      they, are given to the scalar function, which has sine and cosine of the C library
  *   2  in some state a value is not finite: the status of the scalar function says why
  */
-#ifndef ELASTIC_PENDULUM_BATCH_H
-#define ELASTIC_PENDULUM_BATCH_H
+#ifndef MECHANICS_elastic_pendulum_H_BATCH
+#define MECHANICS_elastic_pendulum_H_BATCH
 
 #include "elastic_pendulum.h"
 
@@ -28,11 +28,15 @@ extern "C" {
 int elastic_pendulum_forward_dynamics_batch(size_t count, size_t stride, const double *q,
     const double *u, const double *p, double *ud);
 
-/* Kinetic, potential and total energy, in J. */
+/* Kinetic, potential and total energy.
+ *   kinetic[0]: in J
+ *   potential[0]: in J
+ *   total[0]: in J */
 int elastic_pendulum_energy_batch(size_t count, size_t stride, const double *q, const double *u,
     const double *p, double *kinetic, double *potential, double *total);
 
-/* Rates of the coordinates: q' = N u + n. */
+/* Rates of the coordinates: q' = N u + n.
+ *   qd[i]: rate of q[i], in the unit of q[i] per s */
 int elastic_pendulum_coordinate_rates_batch(size_t count, size_t stride, const double *q,
     const double *u, const double *p, double *qd);
 
@@ -40,4 +44,4 @@ int elastic_pendulum_coordinate_rates_batch(size_t count, size_t stride, const d
 }
 #endif
 
-#endif /* ELASTIC_PENDULUM_BATCH_H */
+#endif /* MECHANICS_elastic_pendulum_H_BATCH */

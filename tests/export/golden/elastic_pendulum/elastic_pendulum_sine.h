@@ -3,8 +3,8 @@
  *
  * Valid up to 1048576 rad. mechanics_sin and mechanics_cos give no number beyond.
  */
-#ifndef ELASTIC_PENDULUM_SINE_H
-#define ELASTIC_PENDULUM_SINE_H
+#ifndef MECHANICS_elastic_pendulum_H_SINE
+#define MECHANICS_elastic_pendulum_H_SINE
 
 #include <math.h>
 #include <stdint.h>
@@ -84,4 +84,4 @@ static inline double mechanics_cos(double x)
     return mechanics_far(x) ? (double)NAN : cosine;
 }
 
-#endif /* ELASTIC_PENDULUM_SINE_H */
+#endif /* MECHANICS_elastic_pendulum_H_SINE */
