@@ -4,66 +4,26 @@
 
 A form that starts from the bodies needs no matrix. Where there are many unknowns and it takes fewer
 operations than elimination alone would of a full matrix, that is not even written out; otherwise
-both are, and counted.
+both are, and weighed.
 """
-
-from collections.abc import Iterator
-from contextlib import suppress
 
 import casadi as ca
 
-from mechanics.compiled.forms.members import (
-    RECURSIVE,
-    ROUNDINGS,
-    SPARSE,
-    Form,
-    digits_lost,
-    preferred,
-)
+from mechanics.compiled.forms.members import RECURSIVE, SPARSE, Form, preferred
 from mechanics.compiled.forms.system import System
+from mechanics.compiled.forms.weigh import FEW, lightest
 from mechanics.compiled.program import operations
-from mechanics.errors import ExpressionError, SingularError
-
-Written = tuple[Form, ca.SX]
-
-FEW = 6
-"""Unknowns up to which all forms are written out."""
 
 
-def chosen(system: System) -> Written:
-    """The form, and the graph of (u', lambda).
-
-    The cheapest whose backward error is below `ROUNDINGS`; where none is, the cheapest of those
-    that round best, to a decimal digit.
-    """
-    found = list(_from_bodies(system))
+def chosen(system: System) -> tuple[Form, ca.SX]:
+    """The form, and the graph of (u', lambda)."""
+    found = [(form, graph) for form in (RECURSIVE, SPARSE) for graph in form.ways(system)]
     n = len(system.equations.unknowns)
-    if found and n > FEW and operations(found[0][1]) < full(n) and _trusted(system, found[0]):
-        return found[0]
-    usual = preferred(system.equations)
-    found.append((usual, usual.solve(system)))
-    if len(found) == 1:
-        return found[0]
-    found.sort(key=lambda written: operations(written[1]))
-    errors = []
-    for written in found:
-        errors.append(system.error(written[1]))
-        if errors[-1] < ROUNDINGS:
-            return written
-    return min(zip(found, errors, strict=True), key=lambda pair: digits_lost(pair[1]))[0]
-
-
-def _from_bodies(system: System) -> Iterator[Written]:
-    """What can be written without K; what cannot is left to the other forms."""
-    for form in (RECURSIVE, SPARSE):
-        if not form.inapplicable(system.equations):
-            with suppress(ExpressionError, SingularError):
-                yield form, form.solve(system)
-
-
-def _trusted(system: System, written: Written) -> bool:
-    """Whether it rounds well, or K has not been written out, which trying it would need."""
-    return not system.equations.split or system.error(written[1]) < ROUNDINGS
+    if not found or n <= FEW or min(operations(graph) for _, graph in found) >= full(n):
+        usual = preferred(system.equations)
+        found.append((usual, usual.solve(system)))
+    best = lightest(system, [graph for _, graph in found])
+    return next(written for written in found if written[1] is best)
 
 
 def full(n: int) -> int:

@@ -16,7 +16,6 @@ Each solves K x = k, K = [[M, -B], [A, 0]], x = (u', lambda), and its graph is p
 from collections.abc import Callable, Iterator
 from contextlib import suppress
 from dataclasses import dataclass
-from math import ceil, inf, isfinite, log10
 
 import casadi as ca
 from sympy import Matrix
@@ -33,17 +32,19 @@ from mechanics.compiled.forms.fewest import nested_quotients
 from mechanics.compiled.forms.primitive import primitive
 from mechanics.compiled.forms.rearranged import MOST, trailing_minors
 from mechanics.compiled.forms.system import System, is_symmetric
+from mechanics.compiled.forms.weigh import ROUNDINGS, digits_lost
 from mechanics.compiled.program import operations
 from mechanics.equations import Equations
 from mechanics.errors import ExpressionError, InputError
 from mechanics.exact import TooLarge
 
-ROUNDINGS = 8.0
-"""Backward error that the form with the fewest operations may have, in roundings."""
-
 
 def _always(equations: Equations) -> str:
     return ""
+
+
+def _none(system: System) -> list[ca.SX]:
+    return []
 
 
 @dataclass(frozen=True)
@@ -59,15 +60,15 @@ class Form:
         Why a set of equations cannot be solved in this form; empty where it can.
     solve : callable
         From the system to the graph of x.
-    inapplicable : callable
-        As `unsuited`, as far as it can be told without trying.
+    ways : callable
+        Several such graphs, where the form has them without K; none where it does not apply.
     """
 
     name: str
     meaning: str
     unsuited: Callable[[Equations], str]
     solve: Callable[[System], ca.SX]
-    inapplicable: Callable[[Equations], str] = _always
+    ways: Callable[[System], list[ca.SX]] = _none
 
 
 def named_form(name: str, equations: Equations) -> Form:
@@ -164,13 +165,6 @@ def _fewest(system: System) -> ca.SX:
     return min(poor, key=lambda graph: (digits_lost(system.error(graph)), operations(graph)))
 
 
-def digits_lost(error: float) -> float:
-    """Decimal digits beyond the roundings that are allowed, in whole numbers."""
-    if not isfinite(error):
-        return inf
-    return ceil(log10(max(error / ROUNDINGS, 1.0)))
-
-
 def _candidates(system: System) -> Iterator[ca.SX]:
     """Quotients of a small system, the cheapest first; then elimination of nested entries."""
     equations = system.equations
@@ -219,11 +213,11 @@ FEWEST = Form("fewest", "nested polynomials, in quotients or eliminated", _nesta
 
 RECURSIVE = Form(
     "recursive", "bodies from leaves to root and back",
-    recursive.unsuited, recursive.solve, recursive.inapplicable,
+    recursive.unsuited, recursive.solve, recursive.ways,
 )  # fmt: skip
 SPARSE = Form(
     "sparse", "bodies and constraints, where few entries fill in",
-    sparse.unsuited, sparse.solve, sparse.inapplicable,
+    sparse.unsuited, sparse.solve, sparse.ways,
 )  # fmt: skip
 
 FORMS: tuple[Form, ...] = (

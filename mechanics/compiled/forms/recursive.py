@@ -5,20 +5,30 @@
 The accelerations that it is written in are eliminated from the leaves to the root, by which
 articulated inertias come about, and found again from the root to the leaves: the articulated-body
 algorithm (Featherstone, Rigid Body Dynamics Algorithms, 7.3), without the zeros, and with
-accelerations in place of joint coordinates wherever one unknown can stand for the other.
+accelerations in place of joint coordinates wherever one unknown can stand for the other. On the way
+back they are passed on in the components of the bodies, or in inertial ones, which rounds better.
 """
 
-from functools import cache
+from functools import lru_cache
 
 import casadi as ca
 
 from mechanics.compiled.forms.bodies.function import gauss_function
-from mechanics.compiled.forms.bodies.leaf_to_root import RULES, Rule, eliminated, values
+from mechanics.compiled.forms.bodies.leaf_to_root import WAYS, Way, eliminated, values
 from mechanics.compiled.forms.bodies.reading import Reading, scratch
 from mechanics.compiled.forms.system import System
+from mechanics.compiled.forms.weigh import lightest
 from mechanics.compiled.program import operations
 from mechanics.equations import Equations
 from mechanics.errors import ExpressionError, SingularError
+
+MORE = 1.25
+"""How many times the operations it may take to be on the safe side where errors are not tried."""
+
+
+def unsuited(equations: Equations) -> str:
+    """Why u' cannot be written so; empty where it can."""
+    return inapplicable(equations) or _failure(equations)
 
 
 def inapplicable(equations: Equations) -> str:
@@ -31,32 +41,40 @@ def inapplicable(equations: Equations) -> str:
     return ""
 
 
-def unsuited(equations: Equations) -> str:
-    """Why u' cannot be written so; empty where it can."""
-    return inapplicable(equations) or _failure(equations)
-
-
-@cache
+@lru_cache(maxsize=64)
 def _failure(equations: Equations) -> str:
     try:
-        solution(Reading(equations.scene, scratch(equations), equations.fixed))
+        _solved(Reading(equations.scene, scratch(equations), equations.fixed), WAYS[0])
     except (ExpressionError, SingularError) as error:
         return str(error)
     return ""
 
 
-def solution(reading: Reading) -> ca.SX:
-    """u' as a column, by the order of elimination that takes the fewest operations."""
-    return min((_solved(reading, rule) for rule in RULES), key=operations)
-
-
-def _solved(reading: Reading, rule: Rule) -> ca.SX:
-    scene, g = reading.scene, gauss_function(reading)
-    found = values(eliminated(g, [*scene.ud, *g.definitions], reading.nonzero, rule))
-    return ca.vertcat(*(found[symbol] for symbol in scene.ud))
+def ways(system: System) -> list[ca.SX]:
+    """u' as a column, in every way; none where there is no tree."""
+    equations = system.equations
+    if inapplicable(equations):
+        return []
+    reading = Reading(equations.scene, system.translate, equations.fixed)
+    try:
+        found = [(way, _solved(reading, way)) for way in WAYS]
+    except (ExpressionError, SingularError):
+        return []  # `unsuited` says why
+    if equations.split:
+        return [graph for _, graph in found]
+    # What cannot be tried is on the safe side, unless that costs a lot.
+    few = min(operations(graph) for _, graph in found)
+    safe = [x for way, x in found if way.inertial and operations(x) <= MORE * few]
+    return safe or [graph for _, graph in found]
 
 
 def solve(system: System) -> ca.SX:
     """u' of a system."""
-    equations = system.equations
-    return solution(Reading(equations.scene, system.translate, equations.fixed))
+    return lightest(system, ways(system))
+
+
+def _solved(reading: Reading, way: Way) -> ca.SX:
+    scene, g = reading.scene, gauss_function(reading, way)
+    unknowns = [*scene.ud, *g.definitions]
+    value = values(g, eliminated(g, unknowns, reading.nonzero, way.rule))
+    return ca.vertcat(*(value(symbol) for symbol in scene.ud))

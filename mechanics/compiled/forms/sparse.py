@@ -9,17 +9,17 @@ gone, so that its pivot -A Q^-1 A^T is less than zero. The rest of the order is 
 operations.
 """
 
-from functools import cache
+from functools import lru_cache
 
 import casadi as ca
 from sympy import Expr, S
 
 from mechanics.compiled.forms.bodies.function import gauss_function
 from mechanics.compiled.forms.bodies.gauss import Gauss
-from mechanics.compiled.forms.bodies.leaf_to_root import RULES, Rule, eliminated, values
+from mechanics.compiled.forms.bodies.leaf_to_root import WAYS, Way, eliminated, values
 from mechanics.compiled.forms.bodies.reading import Reading, scratch
 from mechanics.compiled.forms.system import System
-from mechanics.compiled.program import operations
+from mechanics.compiled.forms.weigh import lightest
 from mechanics.equations import Equations
 from mechanics.errors import ExpressionError, SingularError
 from mechanics.exact import canonical
@@ -27,6 +27,11 @@ from mechanics.kinematics import differentiate
 from mechanics.kinematics.constraints import constraint_rows
 from mechanics.scene import Scene
 from mechanics.scene.actions import unit_reactions
+
+
+def unsuited(equations: Equations) -> str:
+    """Why the constraints cannot be taken along; empty where they can."""
+    return inapplicable(equations) or _failure(equations)
 
 
 def inapplicable(equations: Equations) -> str:
@@ -38,41 +43,42 @@ def inapplicable(equations: Equations) -> str:
     return ""
 
 
-def unsuited(equations: Equations) -> str:
-    """Why the constraints cannot be taken along; empty where they can."""
-    return inapplicable(equations) or _failure(equations)
-
-
-@cache
+@lru_cache(maxsize=64)
 def _failure(equations: Equations) -> str:
+    reading = Reading(equations.scene, scratch(equations), equations.fixed)
     try:
-        if equations.multipliers:
-            signs(equations.scene)
-        _solution(equations, Reading(equations.scene, scratch(equations), equations.fixed))
+        _solved(equations, reading, WAYS[0])
     except (ExpressionError, SingularError) as error:
         return str(error)
     return ""
 
 
+def ways(system: System) -> list[ca.SX]:
+    """(u', lambda) as a column, in every way; none where nothing constrains."""
+    equations = system.equations
+    if inapplicable(equations):
+        return []
+    reading = Reading(equations.scene, system.translate, equations.fixed)
+    try:
+        return [_solved(equations, reading, way) for way in WAYS]
+    except (ExpressionError, SingularError):
+        return []  # `unsuited` says why
+
+
 def solve(system: System) -> ca.SX:
     """(u', lambda) of a system."""
-    equations = system.equations
-    return _solution(equations, Reading(equations.scene, system.translate, equations.fixed))
+    return lightest(system, ways(system))
 
 
-def _solution(equations: Equations, reading: Reading) -> ca.SX:
-    return min((_solved(equations, reading, rule) for rule in RULES), key=operations)
-
-
-def _solved(equations: Equations, reading: Reading, rule: Rule) -> ca.SX:
-    scene, g = reading.scene, gauss_function(reading)
+def _solved(equations: Equations, reading: Reading, way: Way) -> ca.SX:
+    scene, g = reading.scene, gauss_function(reading, way)
     names = [("multiplier", c.name) for c in scene.constraints]
     constrain(g, reading, names)
     unknowns = [*names, *scene.ud, *g.definitions]
-    found = values(eliminated(g, unknowns, reading.nonzero, rule, names))
-    column = [found[symbol] for symbol in scene.ud]
+    value = values(g, eliminated(g, unknowns, reading.nonzero, way.rule, names))
+    column = [value(symbol) for symbol in scene.ud]
     if equations.multipliers:
-        column += [s * found[name] for s, name in zip(signs(scene), names, strict=True)]
+        column += [s * value(name) for s, name in zip(signs(scene), names, strict=True)]
     return ca.vertcat(*column)
 
 
@@ -87,7 +93,7 @@ def constrain(g: Gauss, reading: Reading, names: list[tuple[str, str]]) -> None:
                 g.couple(name, symbol, -entry)
 
 
-@cache
+@lru_cache(maxsize=64)
 def signs(scene: Scene) -> tuple[int, ...]:
     """For each constraint 1 if its reaction acts along its gradient, -1 if against it.
 

@@ -3,15 +3,17 @@
 Half of the states are ordinary ones, half as wild as those of the residual checks.
 """
 
+from functools import lru_cache
+
 import casadi as ca
 import numpy as np
-from sympy import Add
+from sympy import Add, Symbol
 
 from mechanics.compiled.forms.order import Array, Order, pivot_order
 from mechanics.compiled.program import program, run
 from mechanics.compiled.quantities import Quantities
 from mechanics.compiled.sampling import DECADES, sample
-from mechanics.compiled.terms import extended_terms
+from mechanics.compiled.terms import ExtendedTerms, extended_terms
 from mechanics.equations import Equations
 from mechanics.exact import canonical
 
@@ -46,8 +48,15 @@ def largest_error(solution: ca.Function, equations: Equations, quantities: Quant
     symbols = [entry.symbol for group in entries for entry in group]
     columns = [*(column for group in states for column in group), *x]
     columns = list(np.broadcast_arrays(*columns, np.zeros(2 * TRIALS)))[:-1]
+    eps = float(np.finfo(float).eps)
+    return max(float(row.ratios(columns, eps).max()) for row in _rows(equations, tuple(symbols)))
+
+
+@lru_cache(maxsize=4)
+def _rows(equations: Equations, symbols: tuple[Symbol, ...]) -> list[ExtendedTerms]:
+    """Terms of K x - k, row by row, in normal form."""
     left, right = equations.system
-    largest = 0.0
+    found = []
     for i in range(left.rows):
         row = [
             term * x
@@ -56,11 +65,8 @@ def largest_error(solution: ca.Function, equations: Equations, quantities: Quant
             if term != 0
         ]
         row += [-term for term in Add.make_args(canonical(right[i])) if term != 0]
-        ratios = extended_terms(row, [*symbols, *equations.unknowns]).ratios(
-            columns, float(np.finfo(float).eps)
-        )
-        largest = max(largest, float(ratios.max()))
-    return largest
+        found.append(extended_terms(row, [*symbols, *equations.unknowns]))
+    return found
 
 
 def _states(quantities: Quantities) -> list[list[Array]]:

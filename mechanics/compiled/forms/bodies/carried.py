@@ -18,6 +18,7 @@ from sympy.physics.vector import Point, ReferenceFrame
 from mechanics.compiled.forms.bodies.affine import (
     PLANES,
     STILL,
+    Affine,
     Graphs,
     Vector,
     across,
@@ -59,15 +60,20 @@ class Carried:
         Where what carries something else gets an unknown of its own.
     gravity : tuple of SX
         Carried along, inertial components.
+    inertial : bool
+        Whether accelerations, once they are known, are passed on in inertial components: then what
+        is small along one body is not found from what is large along another.
     """
 
     reading: Reading
     turning: Turning
     g: Gauss
     gravity: Graphs
+    inertial: bool
     _legs: dict[Point, tuple[Point, tuple[Leg, ...]]] = field(default_factory=dict)
     _alphas: dict[tuple[ReferenceFrame, ReferenceFrame], Vector] = field(default_factory=dict)
     _points: dict[tuple[Point, ReferenceFrame], Vector] = field(default_factory=dict)
+    _steadies: dict[Point, Vector] = field(default_factory=dict)
 
     def alpha(self, frame: ReferenceFrame, within: ReferenceFrame | None = None) -> Vector:
         """Angular acceleration of a frame, in its own components or those of another."""
@@ -124,7 +130,38 @@ class Carried:
                 if within == home
                 else self._rotated(name, self.acceleration(point), home, within)
             )
+            if self.inertial and within != home:
+                self._found_inertially(name, point, within)
         return self._points[point, within]
+
+    def _found_inertially(self, name: Name, point: Point, within: ReferenceFrame) -> None:
+        rotation = self.turning.rotation(within, self.reading.scene.frame)
+        for k, entry in enumerate(turned(rotation, self._steady(point))):
+            if (*name, k) in self.g.definitions:
+                self.g.after[(*name, k)] = entry
+
+    def _steady(self, point: Point) -> Vector:
+        """Acceleration of a point, inertial components, in what is known after the elimination."""
+        frame = self.reading.scene.frame
+        if self.home(point) == frame:
+            return self.acceleration(point)
+        if point not in self._steadies:
+            before, legs = self.legs(point)
+            total = self._steady(before)
+            for leg in legs:
+                step = self._later(("step", point, leg.frame), self._leg(leg))
+                total = plus(total, turned(self.turning.rotation(frame, leg.frame), step))
+            self._steadies[point] = self._later(("steady", point), total)
+        return self._steadies[point]
+
+    def _later(self, name: Name, vector: Vector) -> Vector:
+        found = []
+        for k, entry in enumerate(vector):
+            if not (entry.known or entry.alias):
+                self.g.after[(*name, k)] = entry
+                entry = Affine({(*name, k): ca.SX(1)})
+            found.append(entry)
+        return tuple(found)
 
     def _stepped(self, point: Point) -> Vector:
         if point == self.reading.scene.origin:

@@ -10,16 +10,17 @@ from sympy.physics.vector import Dyadic
 from mechanics.compiled.forms.bodies.affine import Rotation, cross, rotated
 from mechanics.compiled.forms.bodies.carried import Carried
 from mechanics.compiled.forms.bodies.gauss import Gauss
+from mechanics.compiled.forms.bodies.leaf_to_root import Way
 from mechanics.compiled.forms.bodies.pulls import carried_gravity, pull
 from mechanics.compiled.forms.bodies.reading import Reading
 from mechanics.compiled.forms.bodies.turning import IDENTITY, Turning
 from mechanics.scene import RigidBody
 
 
-def gauss_function(reading: Reading) -> Gauss:
+def gauss_function(reading: Reading, way: Way) -> Gauss:
     """G of a scene, in u' and the accelerations that it takes to write it."""
-    scene, g = reading.scene, Gauss()
-    carried = Carried(reading, Turning(reading), g, carried_gravity(reading))
+    scene, g = reading.scene, Gauss(way.squared)
+    carried = Carried(reading, Turning(reading), g, carried_gravity(reading), way.inertial)
     for body in scene.bodies:
         mass = reading(scene.plain(body.mass, body.name))
         if not mass.is_zero():

@@ -61,13 +61,20 @@ class Gauss:
         Definitions that are rotations.
     squares, quadratic, linear : list, dict, dict
         The squares, Q by rows, and f.
+    squared : bool
+        Whether squares are kept as long as they are few; else they are added up in Q at once.
+    after : dict
+        Values that are found after the elimination, of unknowns and of others that these need: by
+        another way than that of their definitions.
     """
 
+    squared: bool = True
     definitions: dict[Unknown, Affine] = field(default_factory=dict)
     turns: dict[Unknown, Turn] = field(default_factory=dict)
     squares: list[Square] = field(default_factory=list)
     quadratic: dict[Unknown, Row] = field(default_factory=dict)
     linear: Row = field(default_factory=dict)
+    after: dict[Unknown, Affine] = field(default_factory=dict)
 
     def define(self, name: Unknown, value: Affine) -> Affine:
         """An unknown for a value that is more than one unknown or a number."""
@@ -81,6 +88,8 @@ class Gauss:
         """Add ``1/2 weight form^2``."""
         if not weight.is_zero() and not form.known:
             self.squares.append(Square(weight, form))
+            if not self.squared:
+                self.fold(self.squares)
 
     def add_product(self, weight: ca.SX, one: Affine, two: Affine) -> None:
         """Add ``weight one two``."""

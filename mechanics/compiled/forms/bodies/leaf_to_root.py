@@ -16,13 +16,8 @@ Rule = Callable[[str, int, int], tuple[int, ...]]
 """From the kind of a step, its cost and its age to what is least for the step to take next."""
 
 
-def cheapest(kind: str, cost: int, age: int) -> tuple[int, ...]:
-    """Whatever multiplies least."""
-    return (cost, age)
-
-
 def free_first(kind: str, cost: int, age: int) -> tuple[int, ...]:
-    """Free unknowns before those that are defined."""
+    """Free unknowns before those that are defined, and what multiplies least."""
     return (kind not in ("swap", "minimise"), cost, age)
 
 
@@ -31,7 +26,30 @@ def outermost(kind: str, cost: int, age: int) -> tuple[int, ...]:
     return (kind != "swap", age)
 
 
-RULES: tuple[Rule, ...] = (free_first, cheapest, outermost)
+@dataclass(frozen=True)
+class Way:
+    """How Gauss's function is written and minimised.
+
+    Attributes
+    ----------
+    rule : Rule
+    squared : bool
+        Whether squares are kept: see `Gauss`.
+    inertial : bool
+        Whether accelerations are found again in inertial components: see `Carried`.
+    """
+
+    rule: Rule
+    squared: bool
+    inertial: bool
+
+
+WAYS: tuple[Way, ...] = (
+    Way(free_first, squared=True, inertial=False),
+    Way(free_first, squared=True, inertial=True),
+    Way(outermost, squared=False, inertial=False),
+)
+"""Which is cheapest, and which rounds best, depends on the bodies."""
 
 
 @dataclass(frozen=True)
@@ -72,15 +90,32 @@ def eliminated(
     return solved
 
 
-def values(solved: Sequence[Solved]) -> dict[Unknown, ca.SX]:
-    """The value of every unknown: the last that was eliminated comes first."""
+def values(g: Gauss, solved: Sequence[Solved]) -> Callable[[Unknown], ca.SX]:
+    """What gives the value of an unknown, once those it depends on are known."""
+    formulas = {entry.unknown: entry for entry in solved}
+    formulas |= {unknown: Solved(unknown, value) for unknown, value in g.after.items()}
     found: dict[Unknown, ca.SX] = {}
-    for entry in reversed(solved):
-        total = entry.value.constant
-        for unknown, coefficient in entry.value.coefficients.items():
-            total = total + coefficient * found[unknown]
-        found[entry.unknown] = total if entry.divisor is None else total / entry.divisor
-    return found
+
+    def value(wanted: Unknown) -> ca.SX:
+        # An explicit stack: a chain is deeper than Python's recursion goes.
+        stack = [wanted]
+        while stack:
+            entry = formulas[stack[-1]]
+            missing = [z for z in entry.value.coefficients if z not in found]
+            if missing:
+                stack += missing
+            else:
+                found[stack.pop()] = _evaluated(entry, found)
+        return found[wanted]
+
+    return value
+
+
+def _evaluated(entry: Solved, found: dict[Unknown, ca.SX]) -> ca.SX:
+    total = entry.value.constant
+    for unknown, coefficient in entry.value.coefficients.items():
+        total = total + coefficient * found[unknown]
+    return total if entry.divisor is None else total / entry.divisor
 
 
 class _Work:
