@@ -144,8 +144,11 @@ def test_two_units_in_one_program_under_sanitizers(
 
 @pytest.mark.slow
 def test_fmpy_compiles_the_sources_by_their_build_description(
-    unit_of: Units, tmp_path: Path
+    unit_of: Units, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
+    # FMPy brings a cmake, which stands beside the interpreter.
+    beside = str(Path(sys.executable).parent)
+    monkeypatch.setenv("PATH", os.pathsep.join([beside, os.environ["PATH"]]))
     unit = tmp_path / "rocker.fmu"
     with zipfile.ZipFile(unit_of("rocker")) as full, zipfile.ZipFile(unit, "w") as bare:
         for name in full.namelist():
