@@ -5,6 +5,7 @@ checked like any other; here its tables are filled in.
 """
 
 import inspect
+import json
 import re
 from collections.abc import Sequence
 from typing import Any
@@ -93,10 +94,24 @@ def _typical(model: Model) -> dict[str, float]:
 def _literal(value: Any, indent: int = 0) -> str:
     """Python text of nested tuples and dictionaries, one entry a line where a line is too short."""
     if not isinstance(value, dict | tuple) or not value or indent + len(repr(value)) < LINE:
-        return repr(value)
+        return _quoted(value)
     space = " " * (indent + 4)
     if isinstance(value, dict):
-        rows = [f"{space}{key!r}: {_literal(each, indent + 4)},\n" for key, each in value.items()]
+        rows = [
+            f"{space}{_quoted(key)}: {_literal(each, indent + 4)},\n" for key, each in value.items()
+        ]
         return "{\n" + "".join(rows) + " " * indent + "}"
     rows = [f"{space}{_literal(each, indent + 4)},\n" for each in value]
     return "(\n" + "".join(rows) + " " * indent + ")"
+
+
+def _quoted(value: Any) -> str:
+    """``repr`` with double quotes, which a text of JSON has, too."""
+    if isinstance(value, str):
+        return json.dumps(value, ensure_ascii=False)
+    if isinstance(value, tuple):
+        inside = ", ".join(map(_quoted, value))
+        return f"({inside},)" if len(value) == 1 else f"({inside})"
+    if isinstance(value, dict):
+        return "{" + ", ".join(f"{_quoted(k)}: {_quoted(v)}" for k, v in value.items()) + "}"
+    return repr(value)

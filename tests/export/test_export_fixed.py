@@ -1,5 +1,6 @@
 """C of a fixed and restricted model: says what is fixed, holds nothing else, and tests itself."""
 
+import functools
 import json
 import re
 import subprocess
@@ -10,8 +11,11 @@ import pytest
 from mechanics.compiled import compile
 from mechanics.compiled.machine.native import find_compiler
 from mechanics.crosscheck import derive
-from mechanics.export import write_c
+from mechanics.export import write_c as write_and_prove
 from systems import elastic_pendulum
+
+# The proofs are tested with the evidence.
+write_c = functools.partial(write_and_prove, prove=False)
 
 STRICT = ["-std=c99", "-Wall", "-Wextra", "-Werror", "-pedantic"]
 
