@@ -3,9 +3,10 @@
     ratio = |lhs - rhs| / (eps * sum of the magnitudes of the terms)
 
 at many random states and parameters. All states are screened in extended precision with a bound of
-the error; those that may hold the largest ratio are evaluated again as Arb balls, so the reported
-maximum is an upper bound over all states. Where extended precision is missing, or no bound of its
-error is known, every state is evaluated in Arb.
+the error at each; those that may hold the largest ratio are evaluated again as Arb balls, so the
+reported maximum is an upper bound over all states. Where no bound is known, a state is evaluated in
+Arb. States at which an acceleration is no number have no ratio: `mechanics.compiled.finite` counts
+them, and says why.
 """
 
 from collections.abc import Sequence
@@ -40,7 +41,8 @@ class Residual:
     subject : str
         ``"kane: equation (6), double"``.
     max_eps : float
-        Upper bound of the ratio over all states; infinite where an acceleration is not finite.
+        Upper bound of the ratio over all states at which the accelerations are finite; infinite
+        where there is none.
     states : int
     worst : tuple of (str, float)
         The state, parameters and accelerations at the largest ratio.
@@ -124,16 +126,19 @@ def _residual(
     chosen = [symbols[i] for i in used]
     balls = ball_terms(terms, chosen)
     rows = columns[used]
-    extended = extended_terms(terms, chosen)
-    error = extended.error * (2.0**-52 / epsilon)
-    candidates = np.arange(columns.shape[1])
-    if np.isfinite(error):
-        ratios = extended.ratios(list(rows), epsilon)
-        # Elsewhere the true ratio is below that of the state with the largest one found.
-        candidates = np.flatnonzero(ratios >= ratios.max() - 2 * error)
+    numbers = np.flatnonzero(np.isfinite(rows).all(axis=0))
+    if not len(numbers):
+        return Residual(subject, inf, columns.shape[1], _state(symbols, columns[:, 0]), 0)
+    low, high = extended_terms(terms, chosen).bounds(list(rows[:, numbers]), epsilon)
+    # Elsewhere the true ratio is below the one at the state with the largest lower bound.
+    candidates = numbers[high >= low.max()]
     worst, largest = _largest(balls, rows, candidates, epsilon)
-    state = zip((s.name for s in symbols), map(float, columns[:, worst]), strict=True)
-    return Residual(subject, largest, columns.shape[1], tuple(state), len(candidates))
+    state = _state(symbols, columns[:, worst])
+    return Residual(subject, largest, columns.shape[1], state, len(candidates))
+
+
+def _state(symbols: Sequence[Symbol], column: Columns) -> tuple[tuple[str, float], ...]:
+    return tuple(zip((s.name for s in symbols), map(float, column), strict=True))
 
 
 def _largest(

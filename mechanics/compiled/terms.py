@@ -18,12 +18,16 @@ from flint import arb, fmpq
 from numpy.typing import NDArray
 from sympy import Expr, Symbol
 
+from mechanics.compiled.enclosed import UNIT, Near, enclosed, total
 from mechanics.compiled.program import Program, program, run
 from mechanics.compiled.quantities import DIGITS
 from mechanics.compiled.translate import Translator
 from mechanics.errors import ExpressionError
 
 Step = tuple[Callable[..., arb], tuple[int, ...]]
+
+CHUNK = 2048
+"""States at once, so that values stay near the processor."""
 
 BITS = 160
 """Working precision in Arb: enough for terms that cancel to the last bit of a double."""
@@ -133,13 +137,35 @@ class ExtendedTerms:
     code : Program
         From the symbols and the named constants to the terms.
     constants : tuple of numpy.longdouble
-    error : float
-        Bound of the error of a ratio, in units of 2**-52; infinite where none is known.
     """
 
     code: Program
     constants: tuple[np.longdouble, ...]
-    error: float
+
+    def bounds(
+        self, columns: Sequence[NDArray[np.float64]], epsilon: float
+    ) -> tuple[NDArray[np.longdouble], NDArray[np.longdouble]]:
+        """What the ratios at many states are not below, and not above."""
+        parts = range(0, len(columns[0]), CHUNK)
+        found = [self._bounds([c[i : i + CHUNK] for c in columns], epsilon) for i in parts]
+        low, high = zip(*found, strict=True)
+        return np.concatenate(low), np.concatenate(high)
+
+    def _bounds(
+        self, columns: Sequence[NDArray[np.float64]], epsilon: float
+    ) -> tuple[NDArray[np.longdouble], NDArray[np.longdouble]]:
+        rounded = [Near(number, UNIT * np.abs(number)) for number in self.constants]
+        (terms,) = enclosed(self.code, [columns, rounded])
+        filler = np.zeros(columns[0].shape, dtype=np.longdouble)
+        with np.errstate(all="ignore"):
+            residual = total(terms)
+            size = total([Near(np.abs(term.value), term.error) for term in terms])
+            least = np.maximum(np.abs(residual.value) - residual.error, 0)
+            most = np.abs(residual.value) + residual.error
+            low = least / ((size.value + size.error) * epsilon) * (1 - 8 * UNIT)
+            room = (size.value - size.error) * epsilon
+            high = np.where(room > 0, most / room * (1 + 8 * UNIT), np.inf)
+        return np.where(np.isfinite(low), low, 0) + filler, high + filler
 
     def ratios(
         self, columns: Sequence[NDArray[np.float64]], epsilon: float
@@ -162,30 +188,4 @@ def extended_terms(terms: Sequence[Expr], symbols: Sequence[Symbol]) -> Extended
     constants = ca.vertcat(*named.values()) if named else ca.SX(0, 1)
     code = program(ca.Function("terms", [given, constants], [ca.cse(graph)]))
     numbers = tuple(np.longdouble(str(constant.evalf(DIGITS))) for constant in named)
-    return ExtendedTerms(code, numbers, _error(terms, code))
-
-
-def _error(terms: Sequence[Expr], code: Program) -> float:
-    """Bound of the error of a ratio in extended precision, in units of 2**-52.
-
-    A product of powers, sines and cosines of symbols is as accurate as its factors: each operation
-    adds at most two units of the last place (four for sin and cos), relative to its term. Nothing
-    is known where a sum is hidden in a factor or an angle, or without an extended precision.
-    """
-    unit = float(np.finfo(np.longdouble).eps)
-    if unit > 2.0**-60 or not all(_simple(factor) for t in terms for factor in _factors(t)):
-        return float("inf")
-    return 4 * (code.operations + len(terms)) * unit / 2.0**-52
-
-
-def _factors(term: Expr) -> tuple[Expr, ...]:
-    factors: tuple[Expr, ...] = sympy.Mul.make_args(term)
-    return factors
-
-
-def _simple(factor: Expr) -> bool:
-    if isinstance(factor, sympy.Pow):
-        return factor.exp.is_Rational and _simple(factor.base)
-    if isinstance(factor, sympy.sin | sympy.cos):
-        return isinstance(factor.args[0], Symbol)
-    return isinstance(factor, Symbol | sympy.Rational | sympy.NumberSymbol)
+    return ExtendedTerms(code, numbers)

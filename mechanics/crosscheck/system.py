@@ -15,6 +15,7 @@ from mechanics.checks.ledger_motion import check_complete
 from mechanics.checks.reactions import check_multipliers, check_reactions
 from mechanics.checks.soundness import check_sound
 from mechanics.compiled import Model, compile, prove_compiled, residuals
+from mechanics.compiled.finite import not_finite
 from mechanics.crosscheck.motion import example_motion
 from mechanics.crosscheck.routes import named_routes
 from mechanics.crosscheck.small_motions import small_motions
@@ -109,6 +110,9 @@ def crosscheck(system: System | Scene, options: CrossCheck | None = None) -> Sys
     right = [entry.row for entry in published if entry.finding.verdict in shown]
     holding = [row for row in motions if row in right]
     measured = _residuals(scene, models, holding, options.states)
+    if measured:
+        lost = not_finite(tuple(models.values()), states=options.states)
+        findings += [entry.finding for entry in lost]
     stage("small motions")
     modes, remarks = small_motions(derived)
     if motions and scene.constraints:

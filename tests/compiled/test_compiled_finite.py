@@ -1,0 +1,78 @@
+"""Accelerations that are no numbers are found, and said to be so, with a cause that is shown here.
+
+A double pendulum of point masses: the form `explicit` squares products of masses and lengths.
+"""
+
+import numpy as np
+import pytest
+from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
+
+from mechanics import derive
+from mechanics.compiled import Model, residuals
+from mechanics.compiled import compile as compile_model
+from mechanics.compiled.finite import not_finite
+from mechanics.exact import Verdict
+from mechanics.scene import Particle, Scene, gravity, parameters, reaction
+
+a, b = dynamicsymbols("a b")
+m1, m2, l1, l2, g = parameters("m1 m2 l1 l2 g", units="kg kg m m m/s^2", typical="1 1 1 1 9.81")
+STATES = 20_000
+
+
+def double_pendulum() -> Scene:
+    """Two point masses on massless rods, absolute angles."""
+    ground, origin = ReferenceFrame("N"), Point("O")
+    upper = ground.orientnew("A", "Axis", (a, ground.z))
+    lower = ground.orientnew("B", "Axis", (b, ground.z))
+    first = origin.locatenew("P", -l1 * upper.y)
+    second = first.locatenew("Q", -l2 * lower.y)
+    return Scene(
+        "double pendulum",
+        ground,
+        origin,
+        coordinates=(a, b),
+        bodies=(Particle("first", first, m1), Particle("second", second, m2)),
+        loads=(gravity(-g * ground.y),),
+        reactions=(
+            reaction("S", at=first, on="first", by=None, along=upper.y),
+            reaction("T", at=second, on="second", by="first", along=lower.y),
+        ),
+    )
+
+
+@pytest.fixture(scope="module")
+def explicit() -> Model:
+    return compile_model(derive(double_pendulum(), "kane"), form="explicit")
+
+
+def test_an_overflow_on_the_way_is_a_finding_that_says_where_and_why(explicit: Model) -> None:
+    (lost,) = not_finite([explicit], states=STATES)
+    assert lost.subject == "kane: accelerations, single"
+    assert 0 < lost.lost < STATES / 50 and lost.states == STATES
+    finding = lost.finding
+    assert finding.verdict is Verdict.UNDECIDED
+    assert "overflow" in finding.evidence and "3.4e+38" in finding.evidence
+    # The state that is named is one, and another precision has numbers there.
+    state = dict(lost.state)
+    q, u = [state["a"], state["b"]], [state["a_dot"], state["b_dot"]]
+    p = [state[entry.name] for entry in explicit.quantities.p]
+    single, double = (
+        explicit.evaluate("forward_dynamics", kind, q=[q], u=[u], inputs=[[]], p=[p])["ud"]
+        for kind in (np.float32, np.float64)
+    )
+    assert not np.isfinite(single).all()
+    assert np.isfinite(double).all() and np.abs(double).max() < 3.4e38
+
+
+def test_the_form_that_is_chosen_survives() -> None:
+    models = [compile_model(derive(double_pendulum(), r)) for r in ("free_body", "kane")]
+    assert not_finite(models, states=STATES) == ()
+
+
+def test_residuals_are_those_of_the_states_that_have_numbers(explicit: Model) -> None:
+    scene = explicit.equations.scene
+    rows = [("(1)", *(explicit.equations.residual[0], 0 * m1))]
+    (found,) = residuals([explicit], rows, states=STATES, precisions=[np.float32])
+    assert np.isfinite(found.max_eps) and found.max_eps > 0
+    assert dict(found.worst).keys() >= {symbol.name for symbol in (*scene.q, *scene.ud)}
+    assert found.confirmed < STATES / 50
