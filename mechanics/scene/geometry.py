@@ -6,9 +6,11 @@ Only positions and orientations are read from the user's objects, never velociti
 can be set can contradict the position.
 """
 
+from collections.abc import Iterator
+from dataclasses import dataclass, field
 from itertools import pairwise
 
-from sympy import Matrix, zeros
+from sympy import Expr, Matrix
 from sympy.physics.vector import Point, ReferenceFrame, Vector
 
 from mechanics.errors import SceneError
@@ -66,19 +68,33 @@ def components(vector: Vector) -> tuple[tuple[ReferenceFrame, Matrix], ...]:
     return tuple((frame, Matrix(column).applyfunc(decimals)) for column, frame in vector.args)
 
 
-def in_root(root: ReferenceFrame, vector: Vector) -> Matrix:
-    """3 x 1 components of a vector in the root frame."""
-    total = zeros(3, 1)
-    for frame, column in components(vector):
-        total += rotation(root, frame) * column
-    return total
+@dataclass(frozen=True)
+class Placed:
+    """What places points and frames: the steps from the root, each told once.
 
+    A chain of n bodies has n steps, but positions of n terms.
+    """
 
-def rotation(root: ReferenceFrame, frame: ReferenceFrame) -> Matrix:
-    """3 x 3 matrix R along the whole path: v_root = R v_frame."""
-    path = frame_path(root, frame)
-    result = None
-    for parent, child in pairwise(path):
-        step = relative_rotation(parent, child)
-        result = step if result is None else result * step
-    return Matrix.eye(3) if result is None else result
+    root: ReferenceFrame
+    origin: Point
+    _told: set[Point | ReferenceFrame] = field(default_factory=set)
+
+    def point(self, point: Point) -> Iterator[Expr]:
+        """Components of the steps to a point, and what orients their frames."""
+        for parent, child in pairwise(point_path(self.origin, point)):
+            if child not in self._told:
+                self._told.add(child)
+                yield from self.vector(step_vector(parent, child))
+
+    def vector(self, vector: Vector) -> Iterator[Expr]:
+        """Components of a vector, and what orients their frames."""
+        for frame, column in components(vector):
+            yield from column
+            yield from self.frame(frame)
+
+    def frame(self, frame: ReferenceFrame) -> Iterator[Expr]:
+        """Entries of the rotations from the root to a frame."""
+        for parent, child in pairwise(frame_path(self.root, frame)):
+            if child not in self._told:
+                self._told.add(child)
+                yield from relative_rotation(parent, child)

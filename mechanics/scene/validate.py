@@ -18,7 +18,7 @@ from mechanics.exact import independent_rows
 from mechanics.scene.bodies import RigidBody
 from mechanics.scene.conditions import check_conditions
 from mechanics.scene.declared import scalar
-from mechanics.scene.geometry import frame_path, in_root, point_path, rotation
+from mechanics.scene.geometry import Placed, frame_path, point_path
 from mechanics.scene.loads import Force, Load
 from mechanics.scene.physical import check_bodies, check_loads
 from mechanics.scene.reactions import Reaction
@@ -67,13 +67,15 @@ def _bodies(scene: Scene) -> None:
 
 def _coordinates(scene: Scene) -> None:
     """Every coordinate moves a body, and every body is moved by a coordinate or an input."""
-    movers = set(scene.coordinates) | set(scene.inputs)
+    movers = {*scene.coordinates, *scene.inputs}
     used: set = set()
     for body in scene.bodies:
-        entries = list(in_root(scene.frame, body.centre.pos_from(scene.origin)))
+        # The whole path of each body: what moves the one that carries it moves it too.
+        placed = Placed(scene.frame, scene.origin)
+        entries = [*placed.point(body.centre)]
         if isinstance(body, RigidBody):
-            entries += list(rotation(scene.frame, body.frame))
-        moved = {mover for mover in movers if any(entry.has(mover) for entry in entries)}
+            entries += placed.frame(body.frame)
+        moved = movers & {function for e in entries for function in e.atoms(AppliedUndef)}
         if not moved:
             raise SceneError(
                 f"body {body.name}: no coordinate moves it: let its position or orientation"

@@ -19,7 +19,7 @@ from mechanics.errors import SceneError
 from mechanics.scene.bodies import Particle, RigidBody
 from mechanics.scene.conditions import Condition
 from mechanics.scene.declared import kind_of, scalar
-from mechanics.scene.geometry import in_root, rotation
+from mechanics.scene.geometry import Placed
 from mechanics.scene.loads import Load
 from mechanics.scene.reactions import Constraint, Reaction
 from mechanics.scene.symbols import DOTS, name_of
@@ -154,21 +154,22 @@ def _rate_names(scene: Scene) -> dict[str, str]:
 
 def typed_expressions(scene: Scene) -> Iterator[tuple[str, Expr]]:
     """(where it stands, expression) for everything declared, as it was typed."""
+    placed = Placed(scene.frame, scene.origin)
     for body in scene.bodies:
         where = f"body {body.name}"
         yield where, body.mass
-        yield from ((where, e) for e in in_root(scene.frame, body.centre.pos_from(scene.origin)))
+        yield from ((where, e) for e in placed.point(body.centre))
         if isinstance(body, RigidBody):
-            yield from ((where, e) for e in rotation(scene.frame, body.frame))
+            yield from ((where, e) for e in placed.frame(body.frame))
             yield from ((where, e) for e in inertia_entries(body))
     for kind, parts in (("load", scene.loads), ("reaction", scene.reactions)):
         for part in parts:
             for value in vars(part).values():
                 where = f"{kind} {part.name}"
                 if isinstance(value, Point):
-                    value = value.pos_from(scene.origin)
-                if isinstance(value, Vector):
-                    yield from ((where, e) for e in in_root(scene.frame, value))
+                    yield from ((where, e) for e in placed.point(value))
+                elif isinstance(value, Vector):
+                    yield from ((where, e) for e in placed.vector(value))
                 elif isinstance(value, Expr):
                     yield where, value
     yield from ((f"constraint {c.name}", c.expression) for c in scene.constraints)
