@@ -23,6 +23,7 @@ from mechanics.errors import CompilerError
 
 FROM_PYTHON = (1, 5)
 CALLS = 8
+UNITS = ((1e6, "ms"), (1e3, "us"), (1, "ns"))
 STREAMS = 7
 """Numbers that a state moves at one link: q1, u1, F read, two accelerations written (and, before
 that, read into the cache)."""
