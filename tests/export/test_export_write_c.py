@@ -61,13 +61,16 @@ def run(program: Path) -> subprocess.CompletedProcess:
     return subprocess.run([str(program)], capture_output=True, text=True, check=False)
 
 
-@pytest.mark.parametrize(("system", "route"), SYSTEMS)
-def test_c_is_clean_and_passes_its_test_under_sanitizers(
-    modelled, compiler: str, tmp_path: Path, system: str, route: str
-) -> None:
-    write_c(modelled(system, route), tmp_path / "c")
+@pytest.fixture(scope="module", params=SYSTEMS, ids=lambda pair: pair[0])
+def folder(request, modelled, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    place = tmp_path_factory.mktemp("c")
+    write_c(modelled(*request.param), place)
+    return place
+
+
+def test_c_is_clean_and_passes_its_test_under_sanitizers(folder: Path, compiler: str) -> None:
     for of in ("", "_batch"):
-        done = run(build(compiler, tmp_path / "c", *SANITIZED, of=of))
+        done = run(build(compiler, folder, *SANITIZED, of=of))
         assert done.returncode == 0, done.stdout + done.stderr
         assert done.stdout.endswith(f"{of}: 0 failures\n") and not done.stderr
 
