@@ -168,8 +168,9 @@ def compile(
     outputs : sequence of str, optional
         The functions to have, such as ``("forward_dynamics", "energy")``; by default all.
     reciprocals : bool
-        Whether several quotients by one divisor are products with its reciprocal: fewer divisions,
-        each product off by at most 1.5 units in the last place instead of 0.5.
+        Whether quotients by one divisor are gathered where they are added, and several are products
+        with its reciprocal: fewer divisions, each product off by at most 1.5 units in the last
+        place instead of 0.5.
 
     Raises
     ------

@@ -12,6 +12,7 @@ from functools import cached_property
 from sympy import Symbol
 
 from mechanics.compiled.c.status import WATCHED, with_watched
+from mechanics.compiled.gathered import gathered
 from mechanics.compiled.graphs import Graphs
 from mechanics.compiled.hoist import CONSTANTS, PREPARE, PREPARED, Hoisted, hoisted
 from mechanics.compiled.program import Program, program
@@ -31,7 +32,8 @@ class Programs:
     ----------
     graphs : Graphs
     reciprocals : bool
-        Whether several quotients by one divisor are products with its reciprocal.
+        Whether quotients by one divisor are gathered where they are added, and several are
+        products with its reciprocal.
     """
 
     def __init__(self, graphs: Graphs, reciprocals: bool = True) -> None:
@@ -49,7 +51,7 @@ class Programs:
         if name in PARTS:
             return self.hoisted.prepare if name == PREPARE else self.hoisted.prepared
         code = program(self._graphs[name])
-        return with_reciprocals(code) if self.reciprocals else code
+        return with_reciprocals(gathered(code)) if self.reciprocals else code
 
     @cached_property
     def hoisted(self) -> Hoisted:

@@ -26,14 +26,19 @@ def test_the_parts_one_after_the_other_are_the_whole(modelled, system: str, rout
     model = modelled(system, route)
     q, u, inputs, p = sample(model.quantities, 200, seed=4, decades=1.0).groups
     state = {"q": q, "u": u, "inputs": inputs}
-    for kind, rtol in ((np.float64, 1e-9), (np.float32, 0.05)):
+    truth = model.evaluate("forward_dynamics", p=p, **state)
+    for kind, rtol in ((np.float64, 1e-9), (np.float32, 1e-5)):
         c = model.evaluate("prepare", kind, p=p)["c"]
         assert c.shape == (200, len(model.programs.constants)) and c.dtype == kind
         found = model.evaluate("forward_dynamics_prepared", kind, c=c, **state)
         whole = model.evaluate("forward_dynamics", kind, p=p, **state)
-        for out, values in whole.items():
-            size = np.abs(values).max(axis=1, initial=0.0, keepdims=True)
-            assert np.all(np.abs(found[out] - values) <= rtol * size)
+        for out, values in truth.items():
+            if not values.size:
+                continue
+            size = np.abs(values).max(axis=1, initial=1e-30, keepdims=True)
+            errors = [np.quantile(np.abs(f[out] - values) / size, 0.9) for f in (found, whole)]
+            # Where a state is nearly singular both lose digits, not the same ones.
+            assert errors[0] <= 4 * errors[1] + rtol
 
 
 @by_system

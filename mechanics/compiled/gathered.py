@@ -1,0 +1,93 @@
+"""Quotients by one divisor that are added, as one quotient.
+
+    a x / d + b / d   ->   (a x + b) / d
+
+A division and a product less for each. Only what nothing else uses is gathered. Each of the terms
+loses one rounding, that of its own quotient, to that of the sum's; products are rounded before the
+division instead of after it.
+"""
+
+from collections import Counter
+from dataclasses import dataclass
+
+import casadi as ca
+
+from mechanics.compiled.program import Node, Program
+from mechanics.compiled.rewriting import Rewriting
+
+SUMS = (ca.OP_ADD, ca.OP_SUB)
+
+
+@dataclass(frozen=True)
+class _Fractions:
+    """By node the divisor of a fraction, and which of its operands are fractions themselves."""
+
+    divisor: dict[int, int]
+    inner: dict[int, tuple[int, ...]]
+
+
+def gathered(code: Program) -> Program:
+    """The program with sums of quotients by one divisor as quotients."""
+    found = _fractions(code)
+    tops, within = _marked(code, found)
+    if not within:
+        return code
+    new = Rewriting(code.nodes)
+    # A node within a fraction is rewritten as its numerator.
+    for k, node in enumerate(code.nodes):
+        if k not in within:
+            new.keep(k)
+            continue
+        if node.operation == ca.OP_DIV:
+            new.of[k] = new.of[node.operands[0]]
+        else:
+            new.keep(k)
+        if k in tops:
+            divisor = new.of[found.divisor[k]]
+            new.of[k] = new.add(Node(ca.OP_DIV, (new.of[k], divisor), None))
+    return new.program(code)
+
+
+def _fractions(code: Program) -> _Fractions:
+    """Quotients, products with one, and sums of two by the same divisor; each used once."""
+    uses = Counter(i for node in code.nodes if _computed(node) for i in node.operands)
+    uses.update(k for nodes in code.outputs for k in nodes)
+    found = _Fractions({}, {})
+
+    def fraction(i: int) -> int | None:
+        return found.divisor.get(i) if uses[i] == 1 else None
+
+    for k, node in enumerate(code.nodes):
+        if node.operation == ca.OP_DIV and code.nodes[node.operands[1]].constant is None:
+            found.divisor[k], found.inner[k] = node.operands[1], ()
+        elif node.operation == ca.OP_NEG and (of := fraction(node.operands[0])) is not None:
+            found.divisor[k], found.inner[k] = of, node.operands
+        elif node.operation in (ca.OP_MUL, *SUMS):
+            of, other = map(fraction, node.operands)
+            if node.operation in SUMS and of is not None and of == other:
+                found.divisor[k], found.inner[k] = of, node.operands
+            elif node.operation == ca.OP_MUL and other is None and of is not None:
+                found.divisor[k], found.inner[k] = of, node.operands[:1]
+            elif node.operation == ca.OP_MUL and of is None and other is not None:
+                found.divisor[k], found.inner[k] = other, node.operands[1:]
+    return found
+
+
+def _marked(code: Program, found: _Fractions) -> tuple[set[int], set[int]]:
+    """Sums that become quotients, and every node whose numerator is wanted for one."""
+    sums = {k for k in found.divisor if code.nodes[k].operation in SUMS}
+    tops: set[int] = set()
+    within: set[int] = set()
+    for k in sorted(sums, reverse=True):
+        if k in within:
+            continue
+        tops.add(k)
+        waiting = [k]
+        while waiting:
+            within.add(i := waiting.pop())
+            waiting += found.inner[i]
+    return tops, within
+
+
+def _computed(node: Node) -> bool:
+    return node.constant is None and node.operation != ca.OP_INPUT
