@@ -24,6 +24,8 @@ SCENE = rocker.scene()
         (lambda: mechanics.linearise(SCENE, {}), "linearise: Equations wanted, Scene found"),
         (lambda: mechanics.modes(SCENE), "modes: Linear wanted, Scene found: pass linearise("),
         (lambda: mechanics.write_c(SCENE, "c"), "write_c: Model wanted, Scene found"),
+        (lambda: mechanics.write_fmu(SCENE, "a.fmu"), "write_fmu: Model wanted, Scene found"),
+        (lambda: mechanics.Feedback(30.0), "Feedback: a function of t, q and u wanted, float"),
         (lambda: mechanics.crosscheck("a.py"), "crosscheck: System or Scene wanted, str found"),
         (lambda: mechanics.derive("a.py"), "derive: Scene wanted, str found"),
     ],

@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from pathlib import Path
 
 from mechanics.compiled import Model
-from mechanics.errors import InputError
+from mechanics.errors import InputError, wanted
 from mechanics.export.fmu import Start, write_unit
 from mechanics.simulate.domain import own_values
 from mechanics.simulate.exits import at_the_start
@@ -57,6 +57,7 @@ def write_fmu(
     CompilerError
         If the compiler refuses the code.
     """
+    wanted(model, Model, "write_fmu", "pass compile(derive(scene, route))")
     for name, value in (inputs or {}).items():
         if callable(value):
             raise InputError(

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from mechanics.errors import InputError
+from mechanics.errors import InputError, WrongKindError
 
 Array = NDArray[np.float64]
 
@@ -32,6 +32,13 @@ class Feedback:
     """
 
     law: Callable[[float, Array, Array], Any]
+
+    def __post_init__(self) -> None:
+        if not callable(self.law):
+            raise WrongKindError(
+                f"Feedback: a function of t, q and u wanted, {type(self.law).__name__} found: pass"
+                " lambda t, q, u: ..."
+            )
 
     def __call__(self, t: float, q: Array, u: Array) -> float:
         """The value of the input.
