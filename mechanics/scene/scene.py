@@ -132,11 +132,7 @@ class Scene:
         result = to_plain(expression, self._table, where or self.name)
         if not self.speeds:
             return result
-        second = {
-            plain_symbol(q, 2): self._second_rate(qd)
-            for q, qd in zip(self.coordinates, self.qd, strict=True)
-        }
-        return result.xreplace(second).xreplace(self.coordinate_rates)
+        return result.xreplace(self._second_rates).xreplace(self.coordinate_rates)
 
     def rates(self, expression: Expr) -> Expr:
         """The expression in plain symbols, with q' left as symbols of its own."""
@@ -202,6 +198,14 @@ class Scene:
     def _rotations(self) -> dict[ReferenceFrame, Matrix]:
         """Rotations of the frames that were asked for, each worked out once from its parent's."""
         return {self.frame: eye(3)}
+
+    @cached_property
+    def _second_rates(self) -> dict[Symbol, Expr]:
+        """q'' in q, q', u and u'."""
+        return {
+            plain_symbol(q, 2): self._second_rate(qd)
+            for q, qd in zip(self.coordinates, self.qd, strict=True)
+        }
 
     def _second_rate(self, qd: Symbol) -> Expr:
         rate = self.coordinate_rates[qd]

@@ -20,6 +20,11 @@ from mechanics.exact import canonical
 TRIALS = 64
 SEED = 2
 
+LOST = 1e8
+"""Roundings that a number counts for which single precision cannot give."""
+
+RANGE = float(np.finfo(np.float32).max)
+
 
 def chosen_pivots(system: ca.Function, quantities: Quantities) -> Order:
     """The order of elimination for a function that gives a square matrix and a column.
@@ -40,16 +45,26 @@ def chosen_pivots(system: ca.Function, quantities: Quantities) -> Order:
 def largest_error(solution: ca.Function, equations: Equations, quantities: Quantities) -> float:
     """Largest residual of a row of K x = k at the states that are tried, for a function x.
 
-    In units of epsilon times the sum of the magnitudes of the row's terms, in normal form.
+    In units of epsilon times the sum of the magnitudes of the row's terms, in normal form; at least
+    `LOST` where single precision has no number for what is in its range.
     """
-    states = _states(quantities)
-    (x,) = run(program(solution), states, np.float64)
+    states, code = _states(quantities), program(solution)
+    (x,) = run(code, states, np.float64)
     entries = (quantities.q, quantities.u, quantities.inputs, quantities.p)
     symbols = [entry.symbol for group in entries for entry in group]
     columns = [*(column for group in states for column in group), *x]
     columns = list(np.broadcast_arrays(*columns, np.zeros(2 * TRIALS)))[:-1]
     eps = float(np.finfo(float).eps)
-    return max(float(row.ratios(columns, eps).max()) for row in _rows(equations, tuple(symbols)))
+    error = max(float(row.ratios(columns, eps).max()) for row in _rows(equations, tuple(symbols)))
+    (single,) = run(code, states, np.float32)
+    return max(error, LOST) if _lost(single, x) else error
+
+
+def _lost(single: list[Array], double: list[Array]) -> bool:
+    """Whether a number of single precision is missing at a state where none is out of range."""
+    missing = np.any([~np.isfinite(np.broadcast_to(e, 2 * TRIALS)) for e in single], axis=0)
+    within = np.all([np.abs(np.broadcast_to(e, 2 * TRIALS)) < RANGE for e in double], axis=0)
+    return bool(np.any(missing & within))
 
 
 @lru_cache(maxsize=4)

@@ -91,6 +91,9 @@ class Carried:
         step = self.turning.step(frame)
         if step is None:
             return known(STILL)
+        spin = self.turning.declared(frame)
+        if spin is not None:
+            return self.reading.vector(rates(spin, self.reading.rates))
         gain = self.reading.vector(rates(step.own, self.reading.rates))
         swept = cross(self.turning.carried(frame), self.turning.own(frame))
         return plus(self.alpha(step.parent, frame), known(swept), gain)

@@ -14,13 +14,15 @@ from mechanics.compiled.forms.bodies.leaf_to_root import Way
 from mechanics.compiled.forms.bodies.pulls import carried_gravity, pull
 from mechanics.compiled.forms.bodies.reading import Reading
 from mechanics.compiled.forms.bodies.turning import IDENTITY, Turning
+from mechanics.kinematics.chain import Chain
 from mechanics.scene import RigidBody
 
 
 def gauss_function(reading: Reading, way: Way) -> Gauss:
     """G of a scene, in u' and the accelerations that it takes to write it."""
     scene, g = reading.scene, Gauss(way.squared)
-    carried = Carried(reading, Turning(reading), g, carried_gravity(reading), way.inertial)
+    turning = Turning(reading, Chain(scene))
+    carried = Carried(reading, turning, g, carried_gravity(reading), way.inertial)
     for body in scene.bodies:
         mass = reading(scene.plain(body.mass, body.name))
         if not mass.is_zero():

@@ -27,7 +27,7 @@ from mechanics.compiled.forms.bodies.affine import (
 )
 from mechanics.compiled.forms.bodies.reading import Reading
 from mechanics.exact import canonical
-from mechanics.kinematics.chain import axis_angle
+from mechanics.kinematics.chain import Chain, axis_angle
 from mechanics.scene.geometry import frame_path, relative_rotation
 from mechanics.scene.rates import rate, rates
 
@@ -61,10 +61,12 @@ class Turning:
     """Rotations and angular velocities of the frames of a scene; the tables only remember."""
 
     reading: Reading
+    chain: Chain
     _steps: dict[ReferenceFrame, Step] = field(default_factory=dict)
     _rotations: dict[tuple[ReferenceFrame, ReferenceFrame], Rotation] = field(default_factory=dict)
     _angles: dict[tuple[ReferenceFrame, ReferenceFrame], ca.SX] = field(default_factory=dict)
     _omegas: dict[ReferenceFrame, Graphs] = field(default_factory=dict)
+    _declared: dict[ReferenceFrame, Matrix | None] = field(default_factory=dict)
 
     def step(self, frame: ReferenceFrame) -> Step | None:
         """The step that leads to a frame; None for the inertial one."""
@@ -166,11 +168,29 @@ class Turning:
     def omega(self, frame: ReferenceFrame) -> Graphs:
         """Angular velocity of a frame, in its own components."""
         if frame not in self._omegas:
-            step = self.step(frame)
-            self._omegas[frame] = (
-                STILL if step is None else summed(self.carried(frame), self.own(frame))
-            )
+            spin = self.declared(frame)
+            if frame == self.reading.scene.frame:
+                self._omegas[frame] = STILL
+            elif spin is not None:
+                self._omegas[frame] = self.reading.column(spin)
+            else:
+                self._omegas[frame] = summed(self.carried(frame), self.own(frame))
         return self._omegas[frame]
+
+    def declared(self, frame: ReferenceFrame) -> Matrix | None:
+        """Angular velocity in the frame where the speeds were declared to be its components.
+
+        Euler's equations are regular where the rates of Euler's angles are not.
+        """
+        scene = self.reading.scene
+        if not scene.speeds or self.step(frame) is None:
+            return None
+        if frame not in self._declared:
+            omega = self.chain.frame(frame).omega.applyfunc(canonical)
+            slopes = omega.jacobian(list(scene.u))
+            constant = all(entry.is_number for entry in slopes) and not omega.has(*scene.q)
+            self._declared[frame] = omega if constant else None
+        return self._declared[frame]
 
     def carried(self, frame: ReferenceFrame) -> Graphs:
         """Angular velocity of the frame that it is oriented by, in its own components."""
