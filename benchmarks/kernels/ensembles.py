@@ -65,7 +65,7 @@ class Motions:
     p: Array
 
     @property
-    def named(self) -> dict[str, dict[str, Array]]:
+    def named(self) -> dict[str, Any]:
         """As `mechanics.ensemble` takes them."""
         known = self.model.quantities
         return {

@@ -13,17 +13,22 @@ from numpy.typing import ArrayLike, NDArray
 
 from mechanics.compiled.model import Model
 from mechanics.compiled.step import TABLEAUX
-from mechanics.errors import InputError
+from mechanics.errors import InputError, wanted
+from mechanics.simulate.ensembles.choice import best
 from mechanics.simulate.ensembles.library import ensemble_program
 from mechanics.simulate.ensembles.motions import Motions, read_motions
 from mechanics.simulate.ensembles.one_by_one import one_by_one
 from mechanics.simulate.ensembles.outcome import Ensemble
-from mechanics.simulate.ensembles.run import ADAPTIVE, FIXED, Run, adaptive, best, fixed
+from mechanics.simulate.ensembles.run import ADAPTIVE, FIXED, Run, adaptive, fixed
 
 Array = NDArray[np.float64]
 AUTO = "auto"
 TOLERANCE = 1e-9
 FINEST = 1e-15
+SHARE = 1e-3
+"""Of the tolerance, for the error of one step."""
+FINEST_STEP = 100 * float(np.finfo(float).eps)
+"""What sums of slopes can be told apart by; SciPy's limit, too."""
 BUDGET = 1_000_000
 """Steps that a motion may try."""
 
@@ -58,15 +63,17 @@ def ensemble(
     times : array, shape (N,), optional
         When states are wanted, in s: increasing from 0 to the duration. By default 0 and the end.
     tolerance : float
-        For adaptive methods: relative error of a step, and for DOP853 absolute too. 1e-9 unless
-        a step is given. For Taylor series the last term of a step is a thousandth of it.
+        For adaptive methods; 1e-9 unless a step is given. The error of one step, relative to each
+        entry of the state, is kept below a thousandth of it, so that a thousand steps stay within
+        it where the motion itself does not magnify errors. With ``method="dop853"`` it is the
+        relative and absolute error of a step, as in SciPy.
     step : float
         For fixed steps: their length in s, shortened so that steps end at the times.
     method : str
         Adaptive: ``"taylor"`` (series of an order that suits the tolerance; for equations without
         comparisons, magnitudes and roundings) or ``"dop853"``. With fixed steps: ``"rk4"``,
-        ``"rk5"``, ``"rk8"``. ``"auto"`` takes Taylor series where they exist, else DOP853; rk4 for
-        a step.
+        ``"rk5"``, ``"rk8"``. ``"auto"`` takes Taylor series where they exist and are the cheaper
+        ones by counted operations, else DOP853; rk4 for a step.
     threads : int
         On how many processors; the result is the same to the last bit.
     budget : int
@@ -81,6 +88,8 @@ def ensemble(
 
     Raises
     ------
+    WrongKindError
+        For what is no model.
     InputError
         For a name that does not exist, a value that is no number or out of range, arrays of
         different length, or initial values that no configuration satisfies.
@@ -89,6 +98,7 @@ def ensemble(
     ExpressionError
         If ``"taylor"`` is asked for and an operation has no series; it is named.
     """
+    wanted(model, Model, "ensemble", "pass compile(equations)")
     grid = _times(duration, times)
     name, by = _method(method, tolerance, step)
     _whole("threads", threads)
@@ -114,8 +124,11 @@ def _run(motions: Motions, name: str, by: float, budget: int, threads: int) -> R
         return one_by_one(motions, name, by, budget)
     if name in FIXED:
         return fixed(motions, TABLEAUX[FIXED.index(name)], by, threads)
-    chosen = best(ensemble_program(model)) if name == AUTO else name
-    return adaptive(motions, chosen, by, budget, threads)
+    share = by if name == "dop853" else by * SHARE
+    chosen = best(ensemble_program(model), share) if name == AUTO else name
+    if chosen == "dop853":
+        share = max(share, FINEST_STEP)
+    return adaptive(motions, chosen, share, budget, threads)
 
 
 def _times(duration: float, times: ArrayLike | None) -> Array:

@@ -27,7 +27,7 @@ ALIGNED = 64
 FUSED = "-ffp-contract=fast"
 
 _programs: WeakKeyDictionary[Model, Program] = WeakKeyDictionary()
-_libraries: WeakKeyDictionary[Model, dict[Hashable, ctypes.CDLL]] = WeakKeyDictionary()
+_libraries: WeakKeyDictionary[Model, dict[Hashable, "Library"]] = WeakKeyDictionary()
 
 
 def ensemble_program(model: Model) -> Program:
@@ -60,20 +60,35 @@ class Library:
 
     Parameters
     ----------
-    model : Model
-        With a compiler.
-    key : hashable
-        Of the method.
+    code : Program
+        y' from the state and from what is held.
+    moving : int
+        Entries of the state whose errors count: the first ones.
+    compiler : str
     source : callable
         Of the program, to C text that follows the arithmetic of lanes.
+
+    Raises
+    ------
+    CompilerError
+        If the compiler refuses the code; the message carries its words.
     """
 
-    def __init__(self, model: Model, key: Hashable, source: Callable[[Program], str]) -> None:
-        known = _libraries.setdefault(model, {})
-        if key not in known:
-            known[key] = _compiled(model, source)
-        self._library = known[key]
-        self._room = int(self._library.mechanics_room())
+    def __init__(
+        self, code: Program, moving: int, compiler: str, source: Callable[[Program], str]
+    ) -> None:
+        (_, size), (_, held) = code.inputs
+        whole = "\n".join([
+            text("lanes.h"),
+            f"enum {{ SIZE = {size}, HELD = {held}, MOVING = {moving} }};",
+            source(code),
+        ])  # fmt: skip
+        flags = f"{affordable(settings(compiler), code.operations)} {FUSED}"
+        library = load(whole, compiler, flags)
+        self._march = library.mechanics_march
+        self._march.restype = None
+        library.mechanics_room.restype = ctypes.c_int64
+        self._room = int(library.mechanics_room())
 
     def march(
         self, per_motion: Sequence[np.ndarray], call: Callable[..., None], threads: int
@@ -95,7 +110,7 @@ class Library:
             address = memory.ctypes.data
             rows = [at(array[first:last]) for array in per_motion]
             room = ctypes.c_void_p(address + -address % ALIGNED)
-            call(self._library.mechanics_march, ctypes.c_int64(last - first), rows, room)
+            call(self._march, ctypes.c_int64(last - first), rows, room)
 
         spans = [(a, b) for a, b in pairwise(bounds) if b > a]
         if len(spans) == 1:
@@ -111,16 +126,17 @@ def at(array: np.ndarray) -> ctypes.c_void_p:
     return ctypes.c_void_p(array.ctypes.data)
 
 
-def _compiled(model: Model, source: Callable[[Program], str]) -> ctypes.CDLL:
-    code, compiler = ensemble_program(model), model.compiler or ""
-    (_, size), (_, held) = code.inputs
-    whole = "\n".join([
-        text("lanes.h"),
-        f"enum {{ SIZE = {size}, HELD = {held}, MOVING = {size - timed(model)} }};",
-        source(code),
-    ])  # fmt: skip
-    flags = f"{affordable(settings(compiler), code.operations)} {FUSED}"
-    library = load(whole, compiler, flags)
-    library.mechanics_room.restype = ctypes.c_int64
-    library.mechanics_march.restype = None
-    return library
+def library(model: Model, key: Hashable, source: Callable[[Program], str]) -> Library:
+    """The method for a model that has a compiler, kept with it.
+
+    Parameters
+    ----------
+    key : hashable
+        Of the method.
+    """
+    known = _libraries.setdefault(model, {})
+    if key not in known:
+        code = ensemble_program(model)
+        moving = code.inputs[0][1] - timed(model)
+        known[key] = Library(code, moving, model.compiler or "", source)
+    return known[key]

@@ -50,6 +50,8 @@ class Series:
         not.
     waves : mapping of bool to (Series, Series)
         Sine and cosine, or by False their hyperbolic sisters.
+    multiple : (Series, Series) or None
+        Of a constant and a value, whose product it is.
     """
 
     name: str
@@ -60,6 +62,7 @@ class Series:
     slope: str = ""
     inverse: str = ""
     waves: dict[bool, tuple["Series", "Series"]] = field(default_factory=dict)
+    multiple: tuple["Series", "Series"] | None = None
 
 
 class Recurrences:
@@ -110,6 +113,13 @@ class Recurrences:
                 )
         self.rates = [values[k] for k in code.outputs[0]]
 
+    @property
+    def convolutions(self) -> float:
+        """How many sums of products there are at every order; that of a square is half of one."""
+        lines = " ".join(line for rule in self.rules for line in rule.above)
+        whole = sum(lines.count(f"{name}(") for name in ("product", "divided", "chained"))
+        return whole + lines.count("square(") / 2
+
     def number(self, value: float) -> Series:
         """A number."""
         return Series(f"all({literal(float(value), 'double')})", number=float(value))
@@ -138,9 +148,15 @@ class Recurrences:
         if a.constant and b.constant:
             return self._constant(both)
         if a.constant or b.constant:
-            return self._moving(both, both)
+            out = self._moving(both, both)
+            out.multiple = (a, b) if a.constant else (b, a)
+            return out
         if a is b:
             return self._moving(both, f"square({self._row(a)}, j)")
+        # A square in disguise costs half of a product.
+        for x, other in ((a, b), (b, a)):
+            if x.multiple and x.multiple[1] is other:
+                return self.product(x.multiple[0], self.product(other, other))
         return self._moving(both, f"product({self._row(a)}, {self._row(b)}, j)")
 
     def quotient(self, a: Series, b: Series) -> Series:

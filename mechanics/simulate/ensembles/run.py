@@ -4,19 +4,17 @@ import ctypes
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import partial
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from mechanics.compiled.program import Program
 from mechanics.compiled.step import TABLEAUX, Tableau
-from mechanics.errors import ExpressionError
 from mechanics.simulate.ensembles.explicit import dop853_source, fixed_source
-from mechanics.simulate.ensembles.library import Library, at, ensemble_program, timed
+from mechanics.simulate.ensembles.library import Library, at, library, timed
 from mechanics.simulate.ensembles.motions import Motions
 from mechanics.simulate.ensembles.outcome import CODES, Status
-from mechanics.simulate.ensembles.recurrences import Recurrences
 from mechanics.simulate.ensembles.taylor import order, taylor_source
 from mechanics.simulate.integrators.loop import plan
 
@@ -41,15 +39,6 @@ class Run:
     method: str
 
 
-def best(code: Program) -> str:
-    """Name of the adaptive method that is the fastest for a program."""
-    try:
-        Recurrences(code)
-    except ExpressionError:
-        return "dop853"
-    return "taylor"
-
-
 def adaptive(motions: Motions, name: str, tolerance: float, budget: int, threads: int) -> Run:
     """Every motion with steps of its own.
 
@@ -57,48 +46,85 @@ def adaptive(motions: Motions, name: str, tolerance: float, budget: int, threads
     ----------
     name : str
         One of `ADAPTIVE`.
+    tolerance : float
+        Error of a step.
     budget : int
         Steps that a motion may try.
     """
     sources: dict[str, Callable[[Program], str]]
     sources = {"taylor": taylor_source, "dop853": dop853_source}
-    count, found = len(motions), _room(motions)
-    status, reached, steps, tries = (np.zeros(count, dtype=np.int64) for _ in range(4))
-    degree = order(tolerance)
-
-    def call(march: Any, many: Any, rows: list[Any], room: Any) -> None:
-        march(
-            many, ctypes.c_int64(len(motions.times)), at(motions.times), *rows,
-            ctypes.c_double(tolerance), ctypes.c_int64(degree), ctypes.c_int64(budget), room,
-        )  # fmt: skip
-
-    library = Library(motions.model, name, sources[name])
-    arrays: list[Any] = [*_given(motions), found, status, reached, steps, tries]
-    library.march(arrays, call, threads)
-    words, cost = f"Taylor series of order {degree}", degree
+    method = library(motions.model, name, sources[name])
+    by = Control(tolerance, order(tolerance), budget)
+    found = integrated(method, *_given(motions), motions.times, by, threads)
+    words, cost = f"Taylor series of order {by.order}", by.order
     if name == "dop853":
         words, cost = "DOP853", STAGES
     return Run(
-        found[..., : motions.start.shape[1]], tuple(CODES[k] for k in status.tolist()), reached,
-        steps, tries * cost, f"{words}, tolerance {tolerance:g}",
+        found.states[..., : motions.start.shape[1]],
+        tuple(CODES[k] for k in found.status.tolist()), found.reached, found.steps,
+        found.tries * cost, f"{words}, error of a step {tolerance:.3g}",
     )  # fmt: skip
+
+
+class Control(NamedTuple):
+    """Error of a step, order of a series, and steps that a motion may try."""
+
+    tolerance: float
+    order: int
+    budget: int
+
+
+class Found(NamedTuple):
+    """States (batch, N, size), and a number a motion: status, samples reached, steps, tries."""
+
+    states: Array
+    status: Counts
+    reached: Counts
+    steps: Counts
+    tries: Counts
+
+
+def integrated(
+    method: Library, start: Array, held: Array, times: Array, by: Control, threads: int
+) -> Found:
+    """What an adaptive method finds.
+
+    Parameters
+    ----------
+    start, held : arrays, shapes (batch, size) and (batch, k)
+        Contiguous.
+    times : array, shape (N,)
+        Increasing from 0.
+    """
+    count, size = start.shape
+    numbers = (np.zeros(count, dtype=np.int64) for _ in range(4))
+    found = Found(np.full((count, len(times), size), np.nan), *numbers)
+
+    def call(march: Any, many: Any, rows: list[Any], room: Any) -> None:
+        march(
+            many, ctypes.c_int64(len(times)), at(times), *rows, ctypes.c_double(by.tolerance),
+            ctypes.c_int64(by.order), ctypes.c_int64(by.budget), room,
+        )  # fmt: skip
+
+    method.march([start, held, *found], call, threads)
+    return found
 
 
 def fixed(motions: Motions, tableau: Tableau, step: float, threads: int) -> Run:
     """All motions with the same steps, which end at the times."""
-    count, found = len(motions), _room(motions)
+    start, held = _given(motions)
+    found = np.full((len(motions), len(motions.times), start.shape[1]), np.nan)
     spans = plan(motions.times, step)
     counts = np.array([number for number, _ in spans], dtype=np.int64)
     lengths = np.array([length for _, length in spans])
-    reached = np.zeros(count, dtype=np.int64)
+    reached = np.zeros(len(motions), dtype=np.int64)
 
     def call(march: Any, many: Any, rows: list[Any], room: Any) -> None:
         samples = ctypes.c_int64(len(motions.times))
         march(many, samples, at(counts), at(lengths), *rows, room)
 
-    library = Library(motions.model, tableau.name, partial(fixed_source, tableau=tableau))
-    arrays: list[Any] = [*_given(motions), found, reached]
-    library.march(arrays, call, threads)
+    method = library(motions.model, tableau.name, partial(fixed_source, tableau=tableau))
+    method.march([start, held, found, reached], call, threads)
     ended = reached == len(motions.times)
     steps = np.concatenate([[0], np.cumsum(counts)])[np.maximum(reached - 1, 0)]
     return Run(
@@ -116,8 +142,3 @@ def _given(motions: Motions) -> tuple[Array, Array]:
         start = np.column_stack([start, inputs[:, at_time]])
         inputs = np.delete(inputs, at_time, axis=1)
     return np.ascontiguousarray(start), np.ascontiguousarray(np.hstack([inputs, motions.p]))
-
-
-def _room(motions: Motions) -> Array:
-    size = ensemble_program(motions.model).inputs[0][1]
-    return np.full((len(motions), len(motions.times), size), np.nan)

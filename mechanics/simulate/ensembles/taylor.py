@@ -1,11 +1,10 @@
 """Taylor's method over lanes as C: recurrences of the program, and steps around them.
 
-    order n = 2 - ln(e) / 2,   e the share of the state that the last terms may have
+    order n = 2 - ln(e) / 2,   e the share of the state that the last terms of a step may have
 
 What a step of order n costs grows with n^2, and what it reaches with e^(1/n): the least cost for a
 duration is at n = -ln(e) / 2 (Jorba and Zou, 2005); two more, because order 0, with its sines and
-its control of the step, has a cost of its own. The last term is kept below a thousandth of the
-tolerance, so that a thousand steps stay within it.
+its control of the step, has a cost of its own.
 """
 
 import math
@@ -15,15 +14,13 @@ from mechanics.compiled.program import Program
 from mechanics.simulate.ensembles.recurrences import Recurrences
 from mechanics.simulate.ensembles.text import text
 
-SHARE = 1e-3
-"""Of the tolerance, for one step."""
 HIGHEST = 25
 """Order for which memory is set aside."""
 
 
-def order(tolerance: float) -> int:
-    """Order of the series for a tolerance."""
-    return min(HIGHEST, math.ceil(-math.log(tolerance * SHARE) / 2) + 2)
+def order(share: float) -> int:
+    """Order of the series."""
+    return min(HIGHEST, math.ceil(-math.log(share) / 2) + 2)
 
 
 def taylor_source(code: Program) -> str:
@@ -42,7 +39,6 @@ def taylor_source(code: Program) -> str:
         sine_source("double"),
         text("series.h"),
         f"enum {{ TOP = {HIGHEST} }};",
-        f"#define SHARE {SHARE!r}",
         "typedef struct {",
         *(f"    {line}" for line in memory),
         "} Work;",
