@@ -69,6 +69,12 @@ def test_the_form_that_is_chosen_survives() -> None:
     assert not_finite(models, states=STATES) == ()
 
 
+def test_a_form_that_single_precision_cannot_follow_is_not_chosen(derived) -> None:
+    equations = derived("pendulum_chain", "moving_point")
+    assert not_finite([compile_model(equations, form="fewest")], states=STATES)
+    assert not_finite([compile_model(equations)], states=STATES) == ()
+
+
 def test_residuals_are_those_of_the_states_that_have_numbers(explicit: Model) -> None:
     scene = explicit.equations.scene
     rows = [("(1)", *(explicit.equations.residual[0], 0 * m1))]
