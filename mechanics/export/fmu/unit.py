@@ -109,7 +109,9 @@ def _rates(model: Model, known: Functions) -> Rates:
     function: ca.Function = known.graphs["rates"]
     given, wanted = np.zeros(function.numel_in(0)), np.zeros(function.numel_out(0))
     entries = {"given": tuple(f"v{i}" for i in range(len(given)))}
-    kernel = evaluator(function, program(function), entries, np.float64, model.compiler)
+    kernel = evaluator(
+        function, program(function), entries, np.float64, model.compiler, model.flags
+    )
     run = kernel.bound([given], [wanted])
 
     def rates(values: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -126,7 +128,7 @@ def _contents(model: Model, known: Functions, found: Variables, beyond: bool) ->
     conditions = scene.conditions if found.margins else ()
     name, title = identifier(scene.name), f"{scene.name}, derived by {model.equations.route}"
     fixed = "; ".join(f"{parameter} = {value}" for parameter, value in sorted(model.fixed.items()))
-    own = {entry.name: entry.read_text(encoding="utf-8") for entry in _texts()}
+    own = _texts()
     own["model.h"] = model_header(title, name, found, known)
     own["model.c"] = model_source(title, name, found, known)
     own["tables.c"] = tables_source(found, conditions, METHOD)
@@ -149,14 +151,11 @@ def _contents(model: Model, known: Functions, found: Variables, beyond: bool) ->
     return {file: text.encode("utf-8") for file, text in texts.items()}
 
 
-def _texts() -> list:
-    """The C that is the same for every unit."""
+def _texts() -> dict[str, str]:
+    """The C that is the same for every unit, by file name."""
     folder = files("mechanics.export.fmu") / "c"
-    return sorted((f for f in folder.iterdir() if f.name.endswith((".c", ".h"))), key=_by_name)
-
-
-def _by_name(entry: object) -> str:
-    return str(entry.name)  # type: ignore[attr-defined]
+    found = {f.name: f.read_text(encoding="utf-8") for f in folder.iterdir()}
+    return {name: found[name] for name in sorted(found) if name.endswith((".c", ".h"))}
 
 
 def _token(*texts: str) -> str:
