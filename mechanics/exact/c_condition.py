@@ -58,6 +58,8 @@ def joined(both: bool, left: Condition, right: Condition) -> Condition:
         return both
     if any(negation(part) in parts for part in parts if isinstance(part, Atom)):
         return not both
+    # a && (a || b)  ->  a
+    parts = {p for p in parts if not (isinstance(p, Joined) and p.parts & parts)}
     return Joined(both, frozenset(parts)) if len(parts) > 1 else next(iter(parts))
 
 

@@ -147,7 +147,7 @@ class Functions(Statements):
         if name == "isfinite" and len(given) == 1:
             value = self.value(given[0])
             if isinstance(value, Real):
-                return Truth(Atom("finite", (value.node,)))
+                return Truth(Atom("finite", (value.node,)), exact=False)
         elif name in FAR and len(given) == 1:
             angle = self.real(self.value(given[0]), FAR[name], node.coord)
             return Truth(Atom("far", (angle,)))

@@ -89,8 +89,6 @@ class Statements(Loops):
             if _is_skip(statement):
                 # What follows runs where this does not hold.
                 condition = negation(self.condition(self.value(statement.cond), statement.coord))
-                if condition is False:
-                    break
                 if condition is not True:
                     self.guards.append(Guard(condition, False))
             else:
@@ -155,7 +153,7 @@ class Statements(Loops):
             raise ExpressionError(f"{where}: the constant {variable.name} is changed")
         if not gathers and not self.is_own(variable):
             raise ExpressionError(f"{where}: {variable.name} is carried from lane to lane")
-        guards = self.guards[variable.guards :]
+        guards = [guard for guard in self.guards[variable.guards :] if guard.condition is not True]
         if guards and (variable.type.kind in REALS or not all(guard.both for guard in guards)):
             raise ExpressionError(f"{where}: {variable.name} is set under a condition only")
         variable.value = self.converted(value, variable.type, where)
@@ -177,20 +175,18 @@ class Statements(Loops):
             condition = joined(True, condition, guard.condition)
         if condition is not True and not outside:
             raise ExpressionError(f"{where}: {array.name}[{entry}] is set under a condition only")
-        before = [] if condition is True else array.entries.get(entry, [])
-        array.entries[entry] = [*before, Written(condition, self.real(value, array.kind, where))]
-        self.written = self.written or outside
+        written = Written(condition, self.real(value, array.kind, where))
+        if condition is not False:
+            before = [] if condition is True else array.entries.get(entry, [])
+            array.entries[entry] = [*before, written]
+            self.written = self.written or outside
 
     def _if(self, node: Any) -> None:
         condition = self.condition(self.value(node.cond), node.coord)
-        if isinstance(condition, bool):
-            taken = node.iftrue if condition else node.iffalse
-            if taken is not None:
-                self._block(c_ast.Compound([taken]))
-            return
         variables = [v for s in self.scopes for v in s.values() if isinstance(v, Variable)]
         before = [v.value for v in variables]
         ends: list[list[Value | None]] = []
+        # What is never run has to be known, too.
         for branch, holds in ((node.iftrue, condition), (node.iffalse, negation(condition))):
             for variable, value in zip(variables, before, strict=True):
                 variable.value = value
@@ -200,7 +196,9 @@ class Statements(Loops):
                 self.guards.pop()
             ends.append([v.value for v in variables])
         for variable, yes, no in zip(variables, *ends, strict=True):
-            if yes != no:
+            if isinstance(condition, bool):
+                variable.value = yes if condition else no
+            elif yes != no:
                 sides = (as_decision(side, node.coord) for side in (yes, no))
                 variable.value = of_decision(choice(condition, *sides))
 

@@ -21,9 +21,10 @@ class Real(NamedTuple):
 
 
 class Truth(NamedTuple):
-    """What a comparison gives."""
+    """What a comparison gives: 1 or 0, or for `isfinite` any other number than 0, or 0."""
 
     condition: Condition
+    exact: bool = True
 
 
 @dataclass(eq=False)
@@ -112,6 +113,8 @@ def as_decision(value: Value | None, where: Any) -> Decision:
     if isinstance(value, Choice):
         return value
     if isinstance(value, Truth):
+        if not value.exact:
+            raise ExpressionError(f"{where}: isfinite() gives 0 or any other number: compare it")
         return choice(value.condition, 1, 0)
     if isinstance(value, Whole) and value.known is not None:
         return value.known

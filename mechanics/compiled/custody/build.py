@@ -60,7 +60,10 @@ def compilers() -> tuple[str, ...]:
 
 @contextmanager
 def building(
-    texts: Mapping[str, str], files: Sequence[str], paths: Sequence[str]
+    texts: Mapping[str, str],
+    files: Sequence[str],
+    paths: Sequence[str],
+    settings: Sequence[Sequence[str]] = SETTINGS,
 ) -> Iterator[Callable[[], tuple[Built, ...]]]:
     """Begin to compile, by every compiler and setting at once; what is given waits for the ends.
 
@@ -72,6 +75,8 @@ def building(
         Those to compile and link.
     paths : sequence of str
         Of the compilers.
+    settings : sequence of sequence of str
+        What each of them is called with.
     """
     with TemporaryDirectory(prefix="mechanics-") as folder:
         at = Path(folder)
@@ -80,7 +85,7 @@ def building(
         long = sum(len(texts.get(file, "")) for file in files) > LONGEST
         running = []
         for number, path in enumerate(paths):
-            for place, setting in enumerate((("-O0",),) if long else SETTINGS):
+            for place, setting in enumerate((("-O0",),) if long else settings):
                 out = at / f"library{number}_{place}.so"
                 flags = (*STRICT, *setting)
                 command = [path, *flags, *(str(at / file) for file in files), "-o", str(out), "-lm"]

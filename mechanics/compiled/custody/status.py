@@ -62,6 +62,8 @@ def prove_status(text: Text, graph: Graph, known: Derived) -> Finding:
     point = _Point(text, graph, known)
     found = point.found()
     wanted = point.lanes() if text.kernel.lanes else point.scalar()
+    if found == wanted and text.kernel.lanes and (missed := point.not_far()):
+        return Finding(subject, Verdict.UNDECIDED, missed)
     if found == wanted:
         words = (
             f"the same decision about the same values; chance of error below 2^{point.log2_bound}"
@@ -159,12 +161,25 @@ class _Point:
         bad = choice(self._finite(at[k] for k in inputs), why, BAD_INPUT)
         return choice(self._finite(at[k] for k in values), OK, bad)
 
-    def lanes(self) -> Decision:
-        """What is specified for a function of many states."""
-        code, at = self.graph.written, self._program
+    def far(self) -> Condition:
+        """Whether an angle of the lane is too far for the inline sine."""
         far: Condition = False
         for angle in self._turned():
             far = joined(False, far, Atom("far", (angle,)))
+        return far
+
+    def not_far(self) -> str:
+        """Which output is not written once more where an angle is too far, if there is one."""
+        far = self.far()
+        for name, at in self.text.entries():
+            last = renamed(choice(self.text.program.outputs[at][-1].condition, 1, 0), self._named)
+            if far is not False and last != choice(far, 1, 0):
+                return f"{name} is not written by the library's sine exactly where one is too far"
+        return ""
+
+    def lanes(self) -> Decision:
+        """What is specified for a function of many states."""
+        code, at, far = self.graph.written, self._program, self.far()
         finite = self._finite(at[k] for k in looked_at(code))
         calm, turned = choice(finite, 0, WILD), choice(finite, FAR, FAR + WILD)
         return choice(far, turned, calm)
