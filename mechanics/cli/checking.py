@@ -189,5 +189,7 @@ def _explain(console: Console, finding: Finding) -> None:
     if finding.witness is not None:
         state = ", ".join(f"{symbol} = {value}" for symbol, value in finding.witness.state)
         console.print(f"  at {escape(state)}")
+        if solved := ", ".join(f"{name} = {value}" for name, value in finding.witness.solved):
+            console.print(f"  from which follow {escape(solved)}")
         console.print(f"  left  {escape(finding.witness.left)}")
         console.print(f"  right {escape(finding.witness.right)}")

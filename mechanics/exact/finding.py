@@ -29,11 +29,14 @@ class Witness:
         Name and exact decimal or rational value of each symbol.
     left, right : str
         Enclosures of the two sides there, as ``midpoint +/- radius``; they are disjoint.
+    solved : tuple of (str, str)
+        What follows from the state, as decimals: dependent quantities, accelerations, reactions.
     """
 
     state: tuple[tuple[str, str], ...]
     left: str
     right: str
+    solved: tuple[tuple[str, str], ...] = ()
 
 
 @dataclass(frozen=True)

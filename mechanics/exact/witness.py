@@ -9,6 +9,7 @@ import random
 from collections.abc import Callable, Sequence
 from typing import Any
 
+import sympy
 from flint import arb
 
 from mechanics.exact.arithmetic import Arithmetic
@@ -17,6 +18,7 @@ from mechanics.exact.finding import Witness
 from mechanics.exact.signals import Inadmissible
 
 STATES = 120
+DIGITS = 17
 ROUNDS = (((64, 128, 256, 512, 1024, 2048), 4), ((64, 256), 60))
 """Precisions, and at how many states where both sides are defined they are tried: many digits for
 differences that are tiny everywhere, many states for those that are zero where some sign is right.
@@ -63,8 +65,19 @@ def _at_state(
         apart = [(x, y) for x, y in finite if not x.overlaps(y)]
         if apart:
             x, y = max(apart, key=lambda pair: float(abs(pair[0] - pair[1]).mid()))
-            return Witness(state.items(), *_words(x, y)), True
+            return Witness(state.items(), *_words(x, y), _solved(a, state)), True
     return None, defined
+
+
+def _solved(a: BallArithmetic, state: State) -> tuple[tuple[str, str], ...]:
+    """What the experiment computed for symbols that the state does not hold."""
+    given = {name for name, _ in state.items()}
+    found = {
+        str(symbol): _ball(a, number).str(DIGITS, radius=False)
+        for symbol, number in a.memo.items()
+        if isinstance(symbol, sympy.Symbol) and not isinstance(symbol, sympy.Dummy)
+    }
+    return tuple(sorted((name, text) for name, text in found.items() if name not in given))
 
 
 def _ball(a: Arithmetic, number: Any) -> arb:

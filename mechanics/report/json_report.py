@@ -74,5 +74,10 @@ def _verdict(finding: Finding) -> dict[str, Any]:
         "error_bound": finding.error_bound,
         "witness": None
         if witness is None
-        else {"state": dict(witness.state), "left": witness.left, "right": witness.right},
+        else {
+            "state": dict(witness.state),
+            "solved": dict(witness.solved),
+            "left": witness.left,
+            "right": witness.right,
+        },
     }

@@ -36,6 +36,7 @@ def test_witness_and_bound(small: SystemResult) -> None:
     assert by_verdict["CERTIFIED"]["error_bound"] == 2.0**-100
     assert by_verdict["REFUTED"]["witness"] == {
         "state": {"x": "1/3", "m": "2.5"},
+        "solved": {},
         "left": "1.25 +/- 1e-30",
         "right": "-1.25 +/- 1e-30",
     }
