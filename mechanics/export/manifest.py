@@ -9,6 +9,7 @@ from typing import Any
 
 from mechanics.compiled import Model
 from mechanics.compiled.custody.kernel import Kernel
+from mechanics.compiled.reciprocals import divisions
 from mechanics.export.header import array_entries, used_arrays
 
 TOOLS = ("mechanics", "casadi", "sympy", "python-flint")
@@ -40,7 +41,9 @@ def manifest(
         "scene": model.equations.scene.name,
         "system": system,
         "route": model.equations.route,
+        "form": model.form if "forward_dynamics" in names else None,
         "prefix": prefix,
+        "reciprocals": model.programs.reciprocals,
         "fixed": {parameter: str(value) for parameter, value in sorted(model.fixed.items())},
         "arrays": {
             array: [
@@ -52,6 +55,7 @@ def manifest(
         "functions": {
             name: {
                 "operations": model.program(name).operations,
+                "divisions": divisions(model.program(name)),
                 "inputs": {group: size for group, size in model.program(name).inputs},
                 "outputs": {out: list(shape) for out, shape in model.program(name).shapes},
             }

@@ -127,6 +127,7 @@ def test_manifest_tells_what_was_written(modelled, tmp_path: Path) -> None:
     assert list(manifest["functions"]) == ["forward_dynamics", "energy"]
     count = manifest["functions"]["forward_dynamics"]["operations"]
     assert count == model.program("forward_dynamics").operations > 0
+    assert manifest["reciprocals"] and manifest["functions"]["forward_dynamics"]["divisions"] == 1
     assert {path.name for path in files} == {*manifest["files"], "manifest.json"}
     for name, digest in manifest["files"].items():
         assert hashlib.sha256((tmp_path / name).read_bytes()).hexdigest() == digest
