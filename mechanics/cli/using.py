@@ -119,13 +119,17 @@ def codegen(
         str | None,
         typer.Option(help="What files and functions begin with; the scene's name by default."),
     ] = None,
+    form: Annotated[
+        str, typer.Option(help="How forward dynamics is written: auto, recursive, sparse, ldl, ...")
+    ] = "auto",
 ) -> None:
     """Write the equations as C99: a folder that builds, tests and installs alone.
 
     It holds headers with the order and unit of every entry, self-tests, a CMake package, a
     pkg-config file, a Python loader and a manifest. Parameters that are fixed are no longer inputs;
     what a zero multiplies is left out. What an earlier call wrote into the folder is replaced;
-    files of others stay as they are.
+    files of others stay as they are. The form of forward dynamics is the one with the fewest
+    operations that rounds well, unless `--form` forces one; the manifest tells which.
 
     Examples
     --------
@@ -141,7 +145,7 @@ def codegen(
     fixed = assignments(fix or [], "--fix")
     asked = [name.strip() for name in outputs.split(",")] if outputs else None
     with Console(stderr=True).status("deriving"):
-        model = compile(derive(scene, route), fixed=fixed, outputs=asked)
+        model = compile(derive(scene, route), form=form, fixed=fixed, outputs=asked)
         built_in = None if system.endswith(".py") else system
         files = write_c(
             model, out, name=name, precision=precision, batch=batch, system=built_in

@@ -11,7 +11,7 @@ from mechanics.checks import laws
 from mechanics.checks.agreement import compare, compare_pairs, proof_pays, require_regular
 from mechanics.checks.energy import check_energy
 from mechanics.checks.ledger import QUANTITIES, check_row
-from mechanics.checks.ledger_motion import check_complete
+from mechanics.checks.ledger_motion import check_complete, gives
 from mechanics.checks.reactions import check_multipliers, check_reactions
 from mechanics.checks.soundness import check_sound
 from mechanics.compiled import Model, compile, prove_compiled, residuals
@@ -29,7 +29,7 @@ from mechanics.routes.kane_reactions import auxiliary_equations
 from mechanics.scene import Scene
 from mechanics.scene.declared import decimals
 from mechanics.scene.published import Published
-from mechanics.scene.quantities import EquationOfMotion
+from mechanics.scene.quantities import EquationOfMotion, ReactionValue
 from mechanics.scene.system import System
 
 DEFAULT_STATES = 100_000
@@ -98,7 +98,8 @@ def crosscheck(system: System | Scene, options: CrossCheck | None = None) -> Sys
     pairs = compare_pairs(derived)
     findings = [*pairs.values(), *_laws(scene, derived)]
     stage("published equations")
-    published = tuple(_ledger(scene, system.published, derived))
+    rows, skipped = _answerable(scene, system.published, derived)
+    published = tuple(_ledger(scene, rows, derived))
     motions = [row for row in system.published if isinstance(row.quantity, EquationOfMotion)]
     if motions:
         findings.append(check_complete(scene, motions, next(iter(derived.values()))))
@@ -115,9 +116,13 @@ def crosscheck(system: System | Scene, options: CrossCheck | None = None) -> Sys
         findings += [entry.finding for entry in lost]
     stage("small motions")
     modes, remarks = small_motions(derived)
+    remarks = (*skipped, *remarks)
     if motions and scene.constraints:
         remarks += ("Residuals are not measured off the constraint manifold.",)
-    remarks += (f"Compiled functions are evaluated by {_preferred(models).backend}.",)
+    remarks += (
+        _written(models),
+        f"Compiled functions are evaluated by {_preferred(models).backend}.",
+    )
     motion = None
     if options.motion:
         stage("simulating")
@@ -127,7 +132,13 @@ def crosscheck(system: System | Scene, options: CrossCheck | None = None) -> Sys
         name=system.name,
         scene=scene,
         routes={
-            name: RouteResult(equations, seconds[name], _operations(models[name]))
+            name: RouteResult(
+                equations,
+                seconds[name],
+                _operations(models[name]),
+                models[name].form,
+                models[name].program("forward_dynamics").operations,
+            )
             for name, equations in derived.items()
         },
         findings=tuple(findings),
@@ -177,6 +188,27 @@ def _laws(scene: Scene, derived: Mapping[str, Equations]) -> Iterator[Finding]:
                 yield check_multipliers(reference, equations)
 
 
+def _answerable(
+    scene: Scene, rows: Sequence[Published], derived: Mapping[str, Equations]
+) -> tuple[tuple[Published, ...], tuple[str, ...]]:
+    """Rows that the routes can answer, and remarks about the others.
+
+    A reaction that does not exist is answerable: by a refusal.
+    """
+    declared = {reaction.name for reaction in scene.reactions}
+    kept, remarks = [], []
+    for row in rows:
+        name = row.quantity.name if isinstance(row.quantity, ReactionValue) else ""
+        if name not in declared or any(gives(e, name) for e in derived.values()):
+            kept.append(row)
+        else:
+            remarks.append(
+                f"Row {row.tag} is not checked: no route that was asked for gives the reaction"
+                f" {name}; free_body does."
+            )
+    return tuple(kept), tuple(remarks)
+
+
 def _ledger(
     scene: Scene, rows: Sequence[Published], derived: Mapping[str, Equations]
 ) -> Iterator[LedgerResult]:
@@ -185,7 +217,11 @@ def _ledger(
     mechanical = derived.get("free_body", first)
     linear = next((e for e in derived.values() if e.conjugate), first)
     for row in rows:
-        if isinstance(row.quantity, QUANTITIES):
+        if isinstance(row.quantity, ReactionValue):
+            name = row.quantity.name
+            source = next((e for e in derived.values() if gives(e, name)), first)
+            yield LedgerResult(row, check_row(scene, row, source))
+        elif isinstance(row.quantity, QUANTITIES):
             yield LedgerResult(row, check_row(scene, row, mechanical))
         else:
             yield LedgerResult(row, check_linear_row(scene, row, linear))
@@ -206,6 +242,19 @@ def _graphs(models: Mapping[str, Model]) -> Iterator[Finding]:
 def _preferred(models: Mapping[str, Model]) -> Model:
     """The model that is simulated: Kane's has the fewest operations."""
     return models.get("kane", next(iter(models.values())))
+
+
+def _written(models: Mapping[str, Model]) -> str:
+    """In which form forward dynamics was compiled, route by route."""
+    routes: dict[tuple[int, str], list[str]] = {}
+    for name, model in models.items():
+        count = model.program("forward_dynamics").operations
+        routes.setdefault((count, model.form), []).append(name)
+    parts = [
+        f"{count} operations in the form {form} ({', '.join(names)})"
+        for (count, form), names in routes.items()
+    ]
+    return f"Forward dynamics takes {'; '.join(parts)}."
 
 
 def _operations(model: Model) -> int:

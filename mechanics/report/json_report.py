@@ -6,7 +6,8 @@ r"""Results as JSON, stable.
 | --- | --- |
 | name | name of the system |
 | ok | true when every finding and every published row is PROVED or CERTIFIED |
-| routes | by route: `seconds` of the derivation, `operations` after sharing |
+| routes | by route: `seconds` of the derivation, `operations` of M and f after sharing, `form` of
+  forward dynamics as it was compiled, and the operations of `forward_dynamics` in that form |
 | findings | list of `subject`, `verdict`, `evidence`, `error_bound`, `witness` |
 | published | list of `tag`, `label`, `verdict`, `evidence`, `error_bound`, `witness` |
 | compiled | list of `subject`, `max_eps`, `states` |
@@ -45,7 +46,12 @@ def _system(result: SystemResult) -> dict[str, Any]:
         "name": result.name,
         "ok": result.ok,
         "routes": {
-            name: {"seconds": route.seconds, "operations": route.operations}
+            name: {
+                "seconds": route.seconds,
+                "operations": route.operations,
+                "form": route.form,
+                "forward_dynamics": route.forward,
+            }
             for name, route in result.routes.items()
         },
         "findings": [
