@@ -85,10 +85,14 @@ def check_reaction(subject: str, name: str, sides: Sequence[Expr], equations: Eq
     Raises
     ------
     InputError
-        When the equations do not give the reaction.
+        When the scene has no such reaction, or the equations do not give it.
     """
     symbol = Symbol(name, real=True)
-    if symbol not in {*equations.multipliers, *dict(equations.reactions)}:
+    declared = [reaction.name for reaction in equations.scene.reactions]
+    if name not in declared:
+        known = f"they are {', '.join(declared)}" if declared else "it declares none"
+        raise InputError(f"{subject}: {equations.scene.name} has no reaction {name!r}: {known}")
+    if not gives(equations, name):
         raise InputError(
             f"{subject}: the equations of route {equations.route} do not give reaction {name}:"
             " pass those of free_body"
@@ -102,6 +106,14 @@ def check_reaction(subject: str, name: str, sides: Sequence[Expr], equations: Eq
         return [(a.value(side), a.value(symbol)) for side in sides]
 
     return decide_in(equations.scene, subject, experiment, symbols_of(sides))
+
+
+def gives(equations: Equations, name: str) -> bool:
+    """Whether equations tell a reaction: as a multiplier, or as one that was eliminated."""
+    symbol = Symbol(name, real=True)
+    if symbol in equations.multipliers:
+        return True
+    return equations.solve_reactions is not None and symbol in dict(equations.reactions)
 
 
 def put_motion(a: Arithmetic, equations: Equations) -> None:

@@ -168,7 +168,7 @@ def test_a_rounded_number_times_the_wrong_expression_is_refuted() -> None:
         (q.Position("C"), (x,), "1 entries typed for 3 derived"),
         (q.Position("C", "x"), (along_z(x),), "3 entries typed for 1 derived"),
         (q.Position("D", "x"), (x,), "no point 'D'"),
-        (q.ReactionValue("Q"), (N,), "do not give reaction Q"),
+        (q.ReactionValue("Q"), (N,), "has no reaction .Q.: they are"),
         (q.AngularMomentum(("carriage", "pendulum"), along="z"), (x,), "name the point"),
         (q.Position("C", "x"), (rounded("0.5") + x,), "is no rounded number times"),
     ],

@@ -13,7 +13,7 @@ from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols, inert
 
 from mechanics import compile, crosscheck, derive, simulate
 from mechanics.crosscheck import ROUTES, CrossCheck
-from mechanics.errors import SingularError
+from mechanics.errors import InputError, SingularError
 from mechanics.export import write_c
 from mechanics.routes.elimination import Row, solve_for
 from mechanics.scene import (
@@ -167,3 +167,18 @@ def test_a_reaction_that_no_row_holds_is_refused_by_name() -> None:
     tensions = [held.symbol for held in scene.reactions[:2]]
     with pytest.raises(SingularError, match=r"T1, T2.*holonomic"):
         solve_for([Row("left", scene.ud[0], {})], tensions)
+
+
+def test_rows_that_no_route_answers_are_left_out_with_a_remark() -> None:
+    found = crosscheck(SYSTEMS[0], CrossCheck(routes=("kane",), states=10))
+    assert found.ok and [entry.row.tag for entry in found.published] == ["(1)"]
+    left_out = [remark for remark in found.remarks if "is not checked" in remark]
+    assert [remark.split()[1] for remark in left_out] == ["(2)", "(3)"]
+    assert "T1; free_body does" in left_out[0]
+
+
+def test_a_reaction_that_does_not_exist_is_refused_whatever_the_route() -> None:
+    row = published("(4)", ReactionValue("Nx"), m1 * g, label="none")
+    for routes in ((), ("kane",)):
+        with pytest.raises(InputError, match=r"no reaction 'Nx': they are T1, T2, G1"):
+            crosscheck(System("atwood", atwood, (row,)), CrossCheck(routes=routes, states=10))
