@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from flint import arb
@@ -138,7 +139,8 @@ def computed(model: Model, points: Array, kind: type[np.floating]) -> Array:
     sizes = np.cumsum([len(getattr(known, group)) for group in GROUPS])
     with np.errstate(all="ignore"):
         parts = np.split(points.astype(kind), sizes[:-1], axis=1)
-    found = model.evaluate("forward_dynamics", kind, **dict(zip(GROUPS, parts, strict=True)))
+    given: dict[str, Any] = dict(zip(GROUPS, parts, strict=True))
+    found = model.evaluate("forward_dynamics", kind, **given)
     return np.hstack([found["ud"], found["multipliers"]]).astype(np.float64)
 
 
