@@ -11,15 +11,16 @@ from __future__ import annotations
 from itertools import pairwise
 from typing import TYPE_CHECKING
 
-from sympy import Expr, Matrix, eye
+from sympy import Expr, Matrix, Symbol, eye, sympify
 from sympy.core.function import AppliedUndef
 from sympy.physics.vector import Dyadic, Vector, dynamicsymbols
 
 from mechanics.errors import SceneError
 from mechanics.exact import canonical, is_zero
-from mechanics.scene.bodies import Particle, RigidBody
+from mechanics.scene.bodies import Body, Particle, RigidBody
 from mechanics.scene.geometry import frame_path, relative_rotation
 from mechanics.scene.loads import Damper, Force, Gravity, Spring, Torque, TorsionSpring
+from mechanics.scene.symbols import by_name
 from mechanics.scene.wellformed import inertia_entries
 
 if TYPE_CHECKING:
@@ -42,7 +43,26 @@ def check_bodies(scene: Scene) -> None:
             )
         if isinstance(body, RigidBody):
             _inertia(scene, body)
+        _typical(body)
     _orientations(scene)
+
+
+def _typical(body: Body) -> None:
+    """A mass that is declared positive has no typical value of zero: no motion would start."""
+    for symbol in massive(body):
+        typical = getattr(symbol, "typical", None)
+        if symbol.is_positive and typical is not None and typical <= 0:
+            raise SceneError(
+                f"body {body.name}: {symbol} of its mass or inertia is positive, but {typical} is"
+                " its typical value: give one above zero, or '-' for none"
+            )
+
+
+def massive(body: Body) -> list[Symbol]:
+    """Symbols of the mass and inertia of a body, in order of their names."""
+    entries = inertia_entries(body) if isinstance(body, RigidBody) else []
+    found = set().union(*(sympify(entry).free_symbols for entry in (body.mass, *entries)))
+    return sorted(found, key=by_name)
 
 
 def _inertia(scene: Scene, body: RigidBody) -> None:

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from mechanics.compiled.model import Model
 from mechanics.compiled.quantities import Quantities, Quantity
 from mechanics.errors import InputError, SingularError
+from mechanics.scene.physical import massive
 from mechanics.simulate.conservative import conservative
 from mechanics.simulate.consistent import consistent_coordinates, consistent_speeds
 from mechanics.simulate.constraints import periodic
@@ -117,11 +118,20 @@ def simulate_one(
     found = sample(start.moving, start.state, times, by, progress, watch)
     if found.time == 0.0:
         raise SingularError(
-            f"{name}: no motion starts from the initial values:"
-            f" {found.ending.value}: start from others"
+            f"{name}: no motion starts from the initial values: {_why_none(start, found.ending)}"
         )
     crossed = (*outside, *found.crossings)
     return trajectory(start, times, replace(found, crossings=crossed))
+
+
+def _why_none(start: Begin, ending: Ending) -> str:
+    """What to do: a mass that is zero makes every configuration singular."""
+    masses = {s.name for body in start.model.equations.scene.bodies for s in massive(body)}
+    named = zip(start.model.quantities.p, start.p, strict=True)
+    zeros = [entry.name for entry, value in named if value == 0 and entry.name in masses]
+    if zeros:
+        return f"{', '.join(zeros)} = 0, so that nothing resists: give it another value"
+    return f"{ending.value}: start from others"
 
 
 def trajectory(start: Begin, times: Array, found: Samples) -> Trajectory:
