@@ -29,8 +29,10 @@ from mechanics.export.evidence.chain import (
 )
 from mechanics.export.evidence.equations import FILE as EQUATIONS
 from mechanics.export.evidence.graphs import FILE as GRAPHS
+from mechanics.export.evidence.headers import prove_headers
 from mechanics.export.evidence.read import Folder, read_folder
 from mechanics.export.evidence.sines import prove_sines
+from mechanics.export.evidence.vectors import prove_vectors
 
 NO_SINES = "the text of the inline sine and cosine is proved by `mechanics verify`"
 
@@ -128,6 +130,8 @@ def chain(
         read: list[Read] = []
         found = tuple(second_step(evidence, read, report))
         steps.append(("graph = C text", found))
+        found = (*prove_headers(evidence), *prove_vectors(evidence.texts, evidence.graphs))
+        steps.append(("numbers in headers and self-tests", found))
         not_done = () if sines else (NO_SINES,)
         if sines and (found := tuple(prove_sines(evidence.texts, report))):
             steps.append(("inline sine and cosine = sine and cosine", found))

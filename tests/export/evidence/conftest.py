@@ -182,8 +182,9 @@ def reduced(evidence: Evidence, change: Edit, kept: list[Kernel]) -> Evidence:
 
 
 def _reduced(change: Edit, symbols: list[str]) -> str:
-    """A text without the functions that an edit has nothing to do with."""
-    text = change.text
+    """A text without the functions and choices that an edit has nothing to do with."""
+    text = re.sub(r"^#ifdef \w+_INLINE_SINE\n.*?^#endif\n", "", change.text, count=1,
+                  flags=re.MULTILINE | re.DOTALL)  # fmt: skip
     for name, begin, end in reversed(functions(text)):
         of = [name.removeprefix(symbol) for symbol in symbols if name.startswith(symbol)]
         if name != change.symbol and not {"", "_lanes", "_far"}.intersection(of):

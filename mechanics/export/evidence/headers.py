@@ -1,0 +1,68 @@
+"""The macros of the headers: sizes of arrays, statuses and flags, as the graphs have them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from mechanics.compiled.c.lanes import FAR, WILD
+from mechanics.compiled.custody.status import BAD_INPUT, OK, OVERFLOW, SINGULAR
+from mechanics.errors import ExpressionError
+from mechanics.exact import Finding, Verdict
+from mechanics.exact.c_text import preprocess
+from mechanics.export.evidence.chain import Evidence
+
+CODES = {
+    "OK": OK, "SINGULAR": SINGULAR, "OVERFLOW": OVERFLOW, "BAD_INPUT": BAD_INPUT,
+    "BATCH_FAR": FAR, "BATCH_NOT_FINITE": WILD,
+}  # fmt: skip
+SIZE = "_SIZE"
+
+
+def prove_headers(evidence: Evidence) -> Iterator[Finding]:
+    """Decide for each header whether its numbers are those of the graphs."""
+    headers = {name: text for name, text in evidence.texts.items() if name.endswith(".h")}
+    prefixes = {k.symbol.removesuffix("_batch").removesuffix(f"_{k.function}").upper()
+                for k in evidence.kernels}  # fmt: skip
+    wanted = _wanted(evidence)
+    for file, text in headers.items():
+        try:
+            macros = preprocess(text, file, headers).macros
+        except ExpressionError as error:
+            yield Finding(f"{file}: macros", Verdict.UNDECIDED, f"refused: {error}")
+            continue
+        # Longest first: the name of one library may begin that of another.
+        known = sorted(prefixes, key=len, reverse=True)
+        numbers = {name: body for name, body in macros.items() if body}
+        wrong = [
+            f"{name} is {body}{_instead(name, known, wanted)}"
+            for name, body in numbers.items()
+            if _value(name, known, wanted) != body
+        ]
+        if wrong:
+            yield Finding(f"{file}: macros", Verdict.UNDECIDED, f"refused: {', '.join(wrong)}")
+        elif numbers:
+            words = f"{len(numbers)} sizes and codes are those of the graphs"
+            yield Finding(f"{file}: macros", Verdict.PROVED, words)
+
+
+def _wanted(evidence: Evidence) -> dict[str, str]:
+    """Number of every macro, by the end of its name."""
+    found = {name: str(number) for name, number in CODES.items()}
+    sizes = {group: len(symbols) for group, symbols in evidence.known.symbols.items()}
+    for graph in evidence.graphs.values():
+        sizes |= dict(graph.written.inputs)
+        sizes |= {name: rows * columns for name, (rows, columns) in graph.written.shapes
+                  if columns == 1 and name not in sizes}  # fmt: skip
+    return found | {f"{name.upper()}{SIZE}": str(size) for name, size in sizes.items()}
+
+
+def _value(name: str, prefixes: list[str], wanted: dict[str, str]) -> str | None:
+    for prefix in prefixes:
+        if name.startswith(f"{prefix}_") and name.removeprefix(f"{prefix}_") in wanted:
+            return wanted[name.removeprefix(f"{prefix}_")]
+    return None
+
+
+def _instead(name: str, prefixes: list[str], wanted: dict[str, str]) -> str:
+    value = _value(name, prefixes, wanted)
+    return ", which is not known here" if value is None else f" instead of {value}"
