@@ -133,8 +133,8 @@ def build(target: Any, precision: str = next(iter(PREFIXES), ""), compiler: str 
         )
     here = Path(__file__).resolve().parent
     files = [str(here / file) for file in SOURCES[precision]]
-    options = ["-std=c99", "-fPIC", "-shared", "-ffp-contract=off", *shlex.split(flags)]
-    command = [found, *options, *files, "-o", str(target), "-lm"]
+    options = ["-std=c99", "-fPIC", "-shared", "-ffp-contract=off", "-fno-math-errno"]
+    command = [found, *options, *shlex.split(flags), *files, "-o", str(target), "-lm"]
     done = subprocess.run(command, capture_output=True, text=True, check=False)
     if done.returncode != 0:
         raise OSError(f"{found} refused {', '.join(SOURCES[precision])}: {done.stderr.strip()}")
