@@ -3,8 +3,9 @@
     entry k of state i = array[k * stride + i]            structure of arrays
 
 The body of the loop is straight-line code without a branch. Sines and cosines are computed in pairs
-by the inline text of `sine`; products that are added are one ``mechanics_fma``; what depends on
-shared inputs alone is computed before the loop. Every lane goes through the same operations, so the
+by the inline text of `sine`; products that are added are one ``mechanics_fma``, the factors of
+others are multiplied as they get ready; what depends on shared inputs alone is computed before the
+loop. Every lane goes through the same operations, so the
 result does not depend on where in the batch a state stands, nor on how long the vectors are.
 """
 
@@ -15,6 +16,7 @@ import casadi as ca
 import numpy as np
 
 from mechanics.compiled.c.flow import constant, looked_at, users
+from mechanics.compiled.c.latency import early_products
 from mechanics.compiled.c.names import Namer
 from mechanics.compiled.c.source import LINE, Entries, Text, expression, literal
 from mechanics.compiled.operations import ATOM, SIGN
@@ -58,7 +60,7 @@ def lanes_source(
     It returns `FAR` where an angle of some state is too large for the inline sine, or no number;
     with `checked`, plus `WILD` where a value that has to be finite may not be.
     """
-    writer = _Writer(code, entries, kind, name, shared)
+    writer = _Writer(early_products(code, shared), entries, kind, name, shared)
     unsigned = "uint32_t" if kind == "float" else "uint64_t"
     flags, result = [writer.far], f"{writer.far} != 0"
     if checked:
