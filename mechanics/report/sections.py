@@ -13,6 +13,7 @@ from mechanics.report.projection import View
 from mechanics.report.result import LedgerResult, Motion, RouteResult, SystemResult
 from mechanics.routes.elimination import multipliers_of
 from mechanics.scene import Scene
+from mechanics.scene.quantities import ReactionValue
 
 ROUTES = {
     "free_body": "Free bodies",
@@ -44,10 +45,21 @@ class Speed:
 
 @dataclass(frozen=True)
 class PublishedRow:
-    """A row of the ledger with its sides typeset."""
+    """A row of the ledger with its sides typeset, and where it stands on the page."""
 
+    anchor: str
     entry: LedgerResult
     equation: Markup
+
+
+@dataclass(frozen=True)
+class OpenRow:
+    """What is neither proved nor certified, and where on the page it stands."""
+
+    anchor: str
+    tag: str
+    words: str
+    verdict: Verdict
 
 
 @dataclass(frozen=True)
@@ -81,6 +93,7 @@ class Section:
     speeds: list[Speed]
     reactions: list[tuple[str, list[Line]]]
     published: list[PublishedRow]
+    open: list[OpenRow]
     doubtful: list[Finding]
     others: list[Finding]
     residuals: list[ResidualRow]
@@ -174,12 +187,32 @@ def reactions(result: SystemResult) -> list[tuple[str, list[Line]]]:
     return found
 
 
-def published_rows(result: SystemResult) -> list[PublishedRow]:
-    """The ledger, typeset."""
-    return [
-        PublishedRow(entry, typeset.ledger_row(entry.row.tag, entry.row.sides))
-        for entry in result.published
+def published_rows(result: SystemResult, number: int) -> list[PublishedRow]:
+    """The ledger, typeset; a reaction that is published as a value has its name before it."""
+    found = []
+    for i, entry in enumerate(result.published):
+        row, sides = entry.row, entry.row.sides
+        if isinstance(row.quantity, ReactionValue) and len(sides) == 1:
+            sides = (Symbol(row.quantity.name), *sides)
+        anchor = f"row-{number}-{i + 1}"
+        found.append(PublishedRow(anchor, entry, typeset.ledger_row(row.tag, sides)))
+    return found
+
+
+def open_rows(result: SystemResult, number: int) -> list[OpenRow]:
+    """What a reader has to look at: published rows that do not stand, then other statements."""
+    rows = [
+        OpenRow(row.anchor, row.entry.row.tag, row.entry.row.label, row.entry.finding.verdict)
+        for row in published_rows(result, number)
+        if not row.entry.finding.shown
     ]
+    others = [finding for finding in result.findings if not finding.shown]
+    pairs = {id(finding) for finding in result.pairs.values()}
+    for finding in others:
+        place = "pairs" if id(finding) in pairs else "others"
+        words = finding.subject.replace("_", " ")
+        rows.append(OpenRow(f"{place}-{number}", "", words, finding.verdict))
+    return rows
 
 
 def other_findings(result: SystemResult) -> list[Finding]:

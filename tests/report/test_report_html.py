@@ -164,3 +164,13 @@ def test_ratios_and_durations() -> None:
 def test_a_printed_bound_is_a_bound(bound: float, power: str) -> None:
     finding = Finding("a = b", Verdict.CERTIFIED, "", bound)
     assert f"<sup>{power}</sup>" in words.bound(finding)
+
+
+def test_what_does_not_stand_is_listed_first_and_linked(small: SystemResult) -> None:
+    page = to_html([small, small])
+    head = page.partition("</header>")[0]
+    anchors = re.findall(r'<li><a href="#((?:row|others|pairs)-[\d-]+)"', head)
+    wrong = [row for row in small.published if not row.finding.shown]
+    wrong += [finding for finding in small.findings if not finding.shown]
+    assert len(anchors) == 2 * len(wrong) > 0
+    assert all(f'id="{anchor}"' in page for anchor in anchors)
