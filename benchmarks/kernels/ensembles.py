@@ -27,10 +27,12 @@ from mechanics.simulate.integrators.rate import rate_program
 from systems import elastic_pendulum
 
 DURATION = 10.0
-TOLERANCES = (1e-6, 1e-9, 1e-12)
+TOLERANCES = (1e-6, 1e-8, 1e-9, 1e-12)
 STEPS = (1e-2, 2e-3)
-BATCHES = (4, 8, 16)
+BATCHES = (8, 16, 32)
 """States that heyoka integrates at a time."""
+FAST = {"fast_math": True, "force_avx512": True}
+"""Settings that make heyoka faster on some machines; it does without them unless asked."""
 SPREAD = 0.01
 FINEST = 1e-15
 
@@ -95,12 +97,12 @@ def ours(given: Motions, threads: int = 1, **setting: Any) -> Array:
 class OneByOne:
     """heyoka's adaptive Taylor integrator for one motion after the other."""
 
-    def __init__(self, given: Motions, tolerance: float) -> None:
+    def __init__(self, given: Motions, tolerance: float, **settings: bool) -> None:
         import heyoka as hy
 
         written = equations(rate_program(given.model), None)
         self._given = given
-        self._solver = hy.taylor_adaptive(written, given.start[0].copy(), tol=tolerance)
+        self._solver = hy.taylor_adaptive(written, given.start[0].copy(), tol=tolerance, **settings)
 
     def __call__(self) -> Array:
         solver, found = self._solver, np.empty_like(self._given.start)
@@ -116,7 +118,7 @@ class OneByOne:
 class InBatches:
     """heyoka's integrator for `size` motions at a time; what is left over is filled up."""
 
-    def __init__(self, given: Motions, tolerance: float, size: int) -> None:
+    def __init__(self, given: Motions, tolerance: float, size: int, **settings: bool) -> None:
         import heyoka as hy
 
         written = equations(rate_program(given.model), None)
@@ -125,7 +127,7 @@ class InBatches:
         self._start, self._p = (np.ascontiguousarray(a.T) for a in rows)
         self._count, self._size = len(given.start), size
         first = np.ascontiguousarray(self._start[:, :size])
-        self._solver = hy.taylor_adaptive_batch(written, first, tol=tolerance)
+        self._solver = hy.taylor_adaptive_batch(written, first, tol=tolerance, **settings)
 
     def __call__(self) -> Array:
         solver, found = self._solver, np.empty_like(self._start)
@@ -148,9 +150,11 @@ def contenders(given: Motions, tolerances: Sequence[float]) -> dict[str, Callabl
         found[f"ensemble, dop853{end}"] = partial(ours, given, method="dop853", tolerance=tolerance)
         if missing("heyoka"):
             continue
-        found[f"heyoka, one by one{end}"] = OneByOne(given, tolerance)
-        for size in BATCHES:
-            found[f"heyoka, batch of {size}{end}"] = InBatches(given, tolerance, size)
+        for words, settings in (("", {}), (", fast_math, 512 bit", FAST)):
+            found[f"heyoka{words}, one by one{end}"] = OneByOne(given, tolerance, **settings)
+            for size in BATCHES:
+                batch = InBatches(given, tolerance, size, **settings)
+                found[f"heyoka{words}, batch of {size}{end}"] = batch
     for step in STEPS:
         found[f"ensemble, rk4, h = {step:g} s"] = partial(ours, given, method="rk4", step=step)
         found[f"ensemble, rk8, h = {step:g} s"] = partial(ours, given, method="rk8", step=step)

@@ -10,6 +10,8 @@ a division as 10; series that do not fit into the first cache take twice as long
 1e-12 in a step DOP853 takes 2.3 times the steps, as the error to the power -1/9.
 """
 
+from functools import lru_cache
+
 import casadi as ca
 
 from mechanics.compiled.program import DIVISIONS, Program
@@ -22,6 +24,7 @@ CACHE, BYTES = 48 * 1024, 128
 MORE_STEPS, AT = 2.3, 1e-12
 
 
+@lru_cache(maxsize=64)
 def best(code: Program, share: float) -> str:
     """``"taylor"`` or ``"dop853"``.
 

@@ -5,6 +5,7 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import Any
 
 import casadi as ca
@@ -18,6 +19,7 @@ from mechanics.compiled.translate import Translator
 from mechanics.errors import InputError
 from mechanics.simulate.consistent import consistent_coordinates, consistent_speeds
 from mechanics.simulate.constraints import manifold, periodic
+from mechanics.simulate.manifold import Manifold
 from mechanics.simulate.values import (
     for_equations,
     read_initial,
@@ -193,11 +195,16 @@ def _consistent(motions: Motions, given: Mapping[str, Array]) -> Motions:
     model, scene = motions.model, motions.model.equations.scene
     start, n = motions.start.copy(), len(scene.q)
     names = [e.name for e in model.quantities.inputs]
+
+    @lru_cache(maxsize=1)
+    def closed_by(p: tuple[float, ...], inputs: tuple[float, ...]) -> Manifold:
+        held = dict(zip(names, inputs, strict=True))
+        held.pop("t", None)
+        return manifold(scene, model.numbers(p), held)
+
     for i in range(len(motions)):
         own = {name: float(np.broadcast_to(a, len(motions))[i]) for name, a in given.items()}
-        held = dict(zip(names, motions.inputs[i].tolist(), strict=True))
-        held.pop("t", None)
-        closed = manifold(scene, model.numbers(motions.p[i]), held)
+        closed = closed_by(tuple(motions.p[i].tolist()), tuple(motions.inputs[i].tolist()))
         q, u = read_initial(scene, own)
         start[i, :n], _ = consistent_coordinates(closed, 0.0, q, periodic(scene))
         start[i, n:] = consistent_speeds(closed, 0.0, start[i, :n], u)

@@ -81,8 +81,11 @@ class Recurrences:
         y'.
     once : list of str
         Lines that compute constants.
-    rows, constants, inverses : int
-        How many of these there are; the rows of the state come first.
+    rows, constants, inverses, sums : int
+        How many of these there are; the rows of the state come first. Sums of products are numbered
+        by ``@``: see `mechanics.simulate.ensembles.taylor`.
+    convolutions : float
+        The same, that of a square counted as half of one.
 
     Raises
     ------
@@ -95,6 +98,7 @@ class Recurrences:
         self.rules = [Rule([f"s[{k}][0] = y[{k}];"]) for k in range(size)]
         self.once: list[str] = []
         self.rows, self.constants, self.inverses = size, 0, 0
+        self.sums, self.convolutions = 0, 0.0
         self._count = 0
         state = [Series(f"s[{k}][j]", False, self.rules[k], row=f"s[{k}]") for k in range(size)]
         given = state, [Series(f"held[{k}]") for k in range(held)]
@@ -112,13 +116,6 @@ class Recurrences:
                     " another method"
                 )
         self.rates = [values[k] for k in code.outputs[0]]
-
-    @property
-    def convolutions(self) -> float:
-        """How many sums of products there are at every order; that of a square is half of one."""
-        lines = " ".join(line for rule in self.rules for line in rule.above)
-        whole = sum(lines.count(f"{name}(") for name in ("product", "divided", "chained"))
-        return whole + lines.count("square(") / 2
 
     def number(self, value: float) -> Series:
         """A number."""
@@ -152,12 +149,12 @@ class Recurrences:
             out.multiple = (a, b) if a.constant else (b, a)
             return out
         if a is b:
-            return self._moving(both, f"square({self._row(a)}, j)")
+            return self._moving(both, f"square({self._later(0.5)}, {self._row(a)}, j)")
         # A square in disguise costs half of a product.
         for x, other in ((a, b), (b, a)):
             if x.multiple and x.multiple[1] is other:
                 return self.product(x.multiple[0], self.product(other, other))
-        return self._moving(both, f"product({self._row(a)}, {self._row(b)}, j)")
+        return self._moving(both, f"product({self._later()}, {self._row(a)}, {self._row(b)}, j)")
 
     def quotient(self, a: Series, b: Series) -> Series:
         """A / b."""
@@ -169,7 +166,7 @@ class Recurrences:
             return self._moving(whole, whole)
         below = self._row(b)
         out = self._moving(f"mul({a.name}, {inverse})", "")
-        lower = f"divided({self._row(out)}, {below}, j)"
+        lower = f"divided({self._later()}, {self._row(out)}, {below}, j)"
         left = f"minus({lower})" if a.constant else f"sub({a.name}, {lower})"
         self._above(out, f"mul({inverse}, {left})")
         return out
@@ -191,7 +188,7 @@ class Recurrences:
         g = factor(out)
         lower = f"mul({slope}[j], {g.name})"
         if not g.constant:
-            lower = f"chained({slope}, {self._row(g)}, j)"
+            lower = f"chained({self._later()}, {slope}, {self._row(g)}, j)"
         self._above(out, f"mul(share, {lower})" if sign > 0 else f"minus(mul(share, {lower}))")
         return out
 
@@ -215,7 +212,7 @@ class Recurrences:
         odd, even = (Series(name, False, rule) for name in names)
         signs = "", "-" if circular else ""
         for out, other, sign in zip((odd, even), (even, odd), signs, strict=True):
-            lower = f"mul(share, chained({slope}, {self._row(other)}, j))"
+            lower = f"mul(share, chained({self._later()}, {slope}, {self._row(other)}, j))"
             line = f"minus({lower})" if sign else lower
             rule.above.append(f"const L {out.name} = {line};")
         return odd, even
@@ -254,6 +251,12 @@ class Recurrences:
         if not x.slope:
             x.slope = self._kept(x, f"mul(all(j), {x.name})")
         return x.slope
+
+    def _later(self, terms: float = 1.0) -> str:
+        """Stands for what the first of two orders sums for the second."""
+        self.convolutions += terms
+        self.sums += 1
+        return f"@{self.sums - 1}"
 
     def _kept(self, x: Series, text: str) -> str:
         row = f"s[{self.rows}]"

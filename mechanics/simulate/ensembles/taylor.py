@@ -8,6 +8,7 @@ its control of the step, has a cost of its own.
 """
 
 import math
+import re
 
 from mechanics.compiled.c.sine import sine_source
 from mechanics.compiled.program import Program
@@ -50,6 +51,11 @@ def taylor_source(code: Program) -> str:
     ])  # fmt: skip
 
 
+# The first of two orders leaves to the second what it has summed for it.
+_SUM = re.compile(r"(\w+)\(@(\d+),")
+_FIRST, _SECOND = r"\1_first(&later\2,", r"\1_second(later\2,"
+
+
 def _constants(rules: Recurrences) -> str:
     return "\n".join([
         "/* What depends on parameters only. */",
@@ -73,6 +79,8 @@ def _expand(rules: Recurrences) -> str:
     for k, rate in enumerate(rules.rates):
         value = "all(0.0)" if rate.constant else f"mul(part, {rate.name})"
         above.append(f"s[{k}][j + 1] = {value};")
+    share = "const L share = all(1.0 / j), part = mul(step, all(1.0 / (j + 1)));"
+    above = [share, "(void)share;", *above]
     return "\n".join([
         "static void expand(int order, const L *y, const L *held, const L *c, L step,",
         "                   L (*restrict s)[TOP + 1])",
@@ -85,9 +93,13 @@ def _expand(rules: Recurrences) -> str:
         *(f"        {line}" for line in first),
         "    }",
         "    for (int j = 1; j < order; ++j) {",
-        "        const L share = all(1.0 / j), part = mul(step, all(1.0 / (j + 1)));",
-        "        (void)share;",
-        *(f"        {line}" for line in above),
+        *(f"        L later{k};" for k in range(rules.sums)),
+        "        {",
+        *(f"            {_SUM.sub(_FIRST, line)}" for line in above),
+        "        }",
+        "        if (++j < order) {",
+        *(f"            {_SUM.sub(_SECOND, line)}" for line in above),
+        "        }",
         "    }",
         "}",
         "",
