@@ -20,9 +20,8 @@ TOP = """\
  * Self-test: {scene}.
  *
  * Expected values are enclosed with {bits} binary digits and rounded to the nearest {kind}. The
- * tolerance is {room} times what the roundings of the operations can add up to in this precision
- * (the radius of an enclosure with {digits} digits), rounded up to a power of two. Prints what
- * fails; exit code 0 or 1.
+ * tolerance is {room} times what the roundings of the operations can add up to in this precision,
+ * rounded up to a power of two. Prints what fails; exit code 0 or 1.
  */
 #include "{prefix}.h"
 
@@ -55,7 +54,7 @@ static int check_status(const char *what, int state, int status)
 def selftest(model: Model, part: Part, names: Sequence[str]) -> str:
     """Text of the self-test program."""
     top = TOP.format(
-        scene=comment(model.equations.scene.name), bits=BITS, room=ROOM, prefix=part.prefix,
+        scene=comment(model.equations.scene.name), bits=BITS[0], room=ROOM, prefix=part.prefix,
         ok=part.codes.ok, kind=part.kind, digits=part.digits, printed=part.printed,
         fabs=f"fabs{part.suffix}",
     )  # fmt: skip

@@ -1,7 +1,8 @@
 """Test vectors: states, the values that a function has there, and how far off a good one may be.
 
     expected = nearest number to the enclosure with 512 bits
-    tolerance = 4 * radius of the enclosure with 53 bits           rounded up to a power of two
+    tolerance = 4 * radius of the enclosure with 53 bits           rounded up to a power of two,
+        or, where that says nothing, 4 times what `mechanics.export.roundings` counts
 
 The values are not the model's own: the graph is walked in Arb balls. With the 53 bits of a double
 (24 of a float), the radius of a ball is what the roundings of these operations can add up to, so it
@@ -18,10 +19,12 @@ import numpy as np
 from flint import arb
 
 from mechanics.compiled import Model
+from mechanics.compiled.program import program
 from mechanics.compiled.quantities import Quantities, Quantity
 from mechanics.compiled.sampling import sample
 from mechanics.errors import SingularError
 from mechanics.exact.balls import Ball, BallArithmetic, State, ball, precision
+from mechanics.export.roundings import first_order
 
 COUNT = 5
 DRAWN = 60
@@ -29,7 +32,8 @@ DECADES = 1.0
 SEED = 3
 # Lengths of steps, in s.
 STEP = 1e-3, 5e-2
-BITS = 512
+BITS = 512, 4096
+"""Binary digits of the enclosures; the second where the first are not narrow enough."""
 ROOM = 4
 
 Inputs = tuple[tuple[float, ...], ...]
@@ -104,23 +108,40 @@ def _states(quantities: Quantities, groups: Sequence[str], shared: Sequence[str]
 
 def _vector(function: ca.Function, inputs: Inputs, digits: int) -> Vector | None:
     """The test vector at a state; None where the function is singular or all cancellation."""
-    # A state at which roundings may take half of the digits tests nothing.
-    vague = 2.0 ** -(digits // 2)
-    rough = _enclosed(function, inputs, digits)
-    radii = [[float(b.rad()) for b in output] for output in rough]
-    sizes = [max((abs(float(b.mid())) for b in output), default=0.0) for output in rough]
-    for output, size in zip(radii, sizes, strict=True):
-        if not all(isfinite(r) and r <= vague * size for r in output if r):
-            return None
-    fine = _enclosed(function, inputs, BITS)
-    return Vector(
-        inputs,
-        tuple(tuple(_nearest(b) for b in output) for output in fine),
-        tuple(tuple(_power_of_two(ROOM * r) for r in output) for output in radii),
-    )
+    radii = _radii(enclosed(function, inputs, digits))
+    for bits in BITS:
+        fine = enclosed(function, inputs, bits)
+        if not _clear(radii, fine, digits):
+            radii = first_order(program(function), inputs, digits)
+        if _clear(radii, fine, digits) and _narrow(fine, radii):
+            return Vector(
+                inputs,
+                tuple(tuple(_nearest(b) for b in output) for output in fine),
+                tuple(tuple(_power_of_two(ROOM * r) for r in output) for output in radii),
+            )
+    return None
 
 
-def _enclosed(function: ca.Function, inputs: Inputs, bits: int) -> list[list[arb]]:
+def _radii(balls: Sequence[Sequence[arb]]) -> list[list[float]]:
+    return [[float(b.rad()) for b in output] for output in balls]
+
+
+def _clear(radii: Sequence[Sequence[float]], fine: Sequence[Sequence[arb]], digits: int) -> bool:
+    """Whether roundings leave half of the digits: where they do not, nothing would be tested."""
+    for output, balls in zip(radii, fine, strict=True):
+        size = max((abs(float(b.mid())) for b in balls), default=0.0)
+        if not all(isfinite(r) and r <= 2.0 ** -(digits // 2) * size for r in output if r):
+            return False
+    return True
+
+
+def _narrow(fine: Sequence[Sequence[arb]], radii: Sequence[Sequence[float]]) -> bool:
+    """Whether enclosures are far narrower than what roundings may do."""
+    pairs = zip(_radii(fine), radii, strict=True)
+    return all(f <= 2.0**-20 * r for pair in pairs for f, r in zip(*pair, strict=True))
+
+
+def enclosed(function: ca.Function, inputs: Inputs, bits: int) -> list[list[arb]]:
     """Every output as balls."""
     with precision(bits):
         arguments = [[Ball(arb(value)) for value in group] for group in inputs]

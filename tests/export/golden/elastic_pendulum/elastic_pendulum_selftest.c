@@ -2,9 +2,8 @@
  * Self-test: pendulum on elastic support.
  *
  * Expected values are enclosed with 512 binary digits and rounded to the nearest double. The
- * tolerance is 4 times what the roundings of the operations can add up to in this precision
- * (the radius of an enclosure with 53 digits), rounded up to a power of two. Prints what
- * fails; exit code 0 or 1.
+ * tolerance is 4 times what the roundings of the operations can add up to in this precision,
+ * rounded up to a power of two. Prints what fails; exit code 0 or 1.
  */
 #include "elastic_pendulum.h"
 
