@@ -13,7 +13,7 @@ from mechanics.errors import MechanicsError
 from mechanics.exact import Finding, Verdict, Witness
 from mechanics.export import write_c
 from mechanics.extremes import extremes
-from mechanics.linear import linearise, modes
+from mechanics.linear import damped_modes, linearise, modes
 from mechanics.report.html import to_html
 from mechanics.report.json_report import to_json
 from mechanics.scene import (
@@ -56,6 +56,7 @@ __all__ = [
     "compile",
     "condition",
     "crosscheck",
+    "damped_modes",
     "damper",
     "derive",
     "ensemble",

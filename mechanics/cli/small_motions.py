@@ -9,7 +9,7 @@ from mechanics.cli.load import load
 from mechanics.cli.values import points
 from mechanics.crosscheck import derive
 from mechanics.errors import ExpressionError, InputError
-from mechanics.linear import Linear, linearise, numeric_modes, numeric_poles, stability
+from mechanics.linear import Linear, damped, damped_modes, linearise, numeric_modes, stability
 from mechanics.linear import modes as exact_modes
 
 SystemArgument = Annotated[str, typer.Argument(metavar="SYSTEM", help="A name or a .py file.")]
@@ -45,26 +45,41 @@ def linearize(system: SystemArgument, at: AtOption = None) -> None:
 def modes(system: SystemArgument, at: AtOption = None) -> None:
     """Print natural frequencies and shapes about an equilibrium, exact where they factor.
 
+    With damping: poles, frequencies, damping ratios and shapes at the typical values. A shape has a
+    size and a phase for each coordinate.
+
     Example: `mechanics modes two_mass_chain`
     """
     linear = _linear(system, at or [])
-    if not linear.undamped:
-        typer.echo("damped: poles at the typical values")
-        for pole in numeric_poles(linear):
-            typer.echo(f"s = {pole:.10g}")
-        return
+    typer.echo(f"shapes are of {', '.join(map(str, linear.coordinates))}")
+    if damped(linear):
+        typer.echo("damped: typical values")
+        for line in damped_modes(linear).words:
+            typer.echo(line)
+    elif not linear.undamped:
+        typer.echo("typical values, at which nothing damps")
+        _numeric(linear)
+    else:
+        _natural(linear)
+
+
+def _natural(linear: Linear) -> None:
     try:
         exact = exact_modes(linear)
     except ExpressionError as error:
         typer.echo(f"typical values ({error})")
-        numeric = numeric_modes(linear)
-        for i, value in enumerate(numeric.eigenvalues):
-            shape = ", ".join(f"{entry:.10g}" for entry in numeric.shapes[:, i])
-            typer.echo(f"omega_{i + 1}^2 = {value:.10g}   shape ({shape})")
+        _numeric(linear)
         return
     for i, value in enumerate(exact.eigenvalues):
         shape = ", ".join(str(entry) for entry in exact.shapes[:, i])
         typer.echo(f"omega_{i + 1}^2 = {value}   shape ({shape})")
+
+
+def _numeric(linear: Linear) -> None:
+    numeric = numeric_modes(linear)
+    for i, value in enumerate(numeric.eigenvalues):
+        shape = ", ".join(f"{entry:.10g}" for entry in numeric.shapes[:, i])
+        typer.echo(f"omega_{i + 1}^2 = {value:.10g}   shape ({shape})")
 
 
 def _linear(name: str, settings: list[str]) -> Linear:

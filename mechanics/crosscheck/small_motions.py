@@ -5,7 +5,7 @@ from typing import Any
 
 from mechanics.equations import Equations
 from mechanics.errors import MechanicsError
-from mechanics.linear import Linear, linearise, modes, numeric_modes, numeric_poles
+from mechanics.linear import Linear, damped, damped_modes, linearise, modes, numeric_modes
 from mechanics.report.result import Modes
 
 LARGEST_EXACT = 3
@@ -45,14 +45,11 @@ def _exact(linear: Linear) -> Modes:
 
 def _numeric(linear: Linear) -> tuple[tuple[Modes, ...], tuple[str, ...]]:
     try:
+        if damped(linear):
+            return (_damped(linear),), ()
         found = numeric_modes(linear)
     except MechanicsError as error:
-        try:
-            poles = numeric_poles(linear)
-        except MechanicsError as other:
-            return (), (f"No modes: {error}", f"No poles: {other}")
-        rows = tuple((rf"s_{{{i + 1}}}", None, f"{pole:.6g}") for i, pole in enumerate(poles))
-        return (Modes("Poles about q = 0, typical values", rows),), (f"No modes: {error}",)
+        return (), (f"No modes: {error}",)
     rows = tuple(
         (
             rf"\omega_{{{i + 1}}}^2",
@@ -62,3 +59,9 @@ def _numeric(linear: Linear) -> tuple[tuple[Modes, ...], tuple[str, ...]]:
         for i, value in enumerate(found.eigenvalues)
     )
     return (Modes("Natural modes about q = 0, typical values", rows),), ()
+
+
+def _damped(linear: Linear) -> Modes:
+    words = damped_modes(linear).words
+    rows = tuple((rf"s_{{{i + 1}}}", None, text) for i, text in enumerate(words))
+    return Modes("Damped modes about q = 0, typical values", rows)

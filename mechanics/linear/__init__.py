@@ -1,5 +1,6 @@
 """Linear equations about an equilibrium: modes, transfer functions, closed loops, stability."""
 
+from mechanics.linear.damped import DampedModes, damped_modes
 from mechanics.linear.dimensionless import Dimensionless, dimensionless
 from mechanics.linear.form import Linear
 from mechanics.linear.linearise import linearise
@@ -10,7 +11,7 @@ from mechanics.linear.modes import (
     characteristic_factors,
     modes,
 )
-from mechanics.linear.numeric import NumericModes, numeric_modes, numeric_poles, state_space
+from mechanics.linear.numeric import NumericModes, damped, numeric_modes, numeric_poles, state_space
 from mechanics.linear.stability import (
     Region,
     Stability,
@@ -26,8 +27,9 @@ from mechanics.linear.transfer import (
 )
 
 __all__ = [
-    "Convention", "Dimensionless", "Linear", "Modes", "NumericModes", "Region", "Stability",
-    "characteristic", "characteristic_factors", "characteristic_polynomial", "close_loop",
-    "conditions", "dimensionless", "linearise", "modes", "numeric_modes", "numeric_poles", "poles",
-    "stability", "stability_region", "state_space", "transfer_function",
+    "Convention", "DampedModes", "Dimensionless", "Linear", "Modes", "NumericModes", "Region",
+    "Stability", "characteristic", "characteristic_factors", "characteristic_polynomial",
+    "close_loop", "conditions", "damped", "damped_modes", "dimensionless", "linearise", "modes",
+    "numeric_modes", "numeric_poles", "poles", "stability", "stability_region", "state_space",
+    "transfer_function",
 ]  # fmt: skip

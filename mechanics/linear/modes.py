@@ -101,7 +101,7 @@ def _require_undamped(linear: Linear) -> None:
     if not linear.undamped:
         raise InputError(
             f"{linear.scene.name}: the linear equations are damped and have no natural modes"
-            " K a = omega^2 M a: use poles or numeric_poles"
+            " K a = omega^2 M a: use damped_modes or poles"
         )
 
 

@@ -71,6 +71,14 @@ def state_space(linear: Linear, values: Numbers | None = None) -> tuple[Array, A
     return a, np.vstack([np.zeros_like(drive), solved[:, 2 * n :]])
 
 
+def damped(linear: Linear, values: Numbers | None = None) -> bool:
+    """Whether a speed enters the equations at these values: C is not zero there."""
+    if linear.undamped:
+        return False
+    _, damping, _ = _numbers(linear, values, linear.mass, linear.damping, linear.stiffness)
+    return bool(damping.any())
+
+
 def numeric_modes(
     linear: Linear,
     values: Numbers | None = None,
@@ -81,11 +89,12 @@ def numeric_modes(
     Raises
     ------
     InputError
-        If the equations are damped.
+        If the equations are damped at these values.
     """
-    if not linear.undamped:
-        raise InputError(f"{linear.scene.name}: the linear equations are damped: use numeric_poles")
-    mass, stiffness = _numbers(linear, values, linear.mass, linear.stiffness)
+    matrices = (linear.mass, linear.damping, linear.stiffness)
+    mass, damping, stiffness = _numbers(linear, values, *matrices)
+    if damping.any():
+        raise InputError(f"{linear.scene.name}: the linear equations are damped: use damped_modes")
     if np.array_equal(mass, mass.T) and np.array_equal(stiffness, stiffness.T):
         found, shapes = scipy.linalg.eigh(stiffness, mass)
     else:
@@ -97,11 +106,11 @@ def numeric_modes(
         order = order[::-1]
         shapes = shapes / np.linalg.norm(shapes, axis=0)
     else:
-        shapes = shapes / _largest(shapes)
+        shapes = shapes / largest(shapes)
     return NumericModes(found[order], shapes[:, order], convention)
 
 
-def _largest(shapes: Array) -> Array:
+def largest(shapes: Array) -> Array:
     """Largest element of each column; of equals, up to rounding, the last as in `modes`."""
     sizes = np.abs(shapes)
     equals = sizes >= sizes.max(axis=0) * (1 - 1e-9)

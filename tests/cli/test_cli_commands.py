@@ -97,6 +97,13 @@ def test_linearize_and_modes(run: Any) -> None:
     assert "K = " in ran.out
 
 
+def test_damped_modes_have_frequencies_ratios_and_shapes(run: Any, pendulum: Any) -> None:
+    friction = ("parameters, reaction", "parameters, reaction, damper")
+    ran = run("modes", pendulum(friction, ("*LOADS", "damper('c', O, C, l / 10, along=N.x)")))
+    assert ran.code == 0
+    assert "damping ratio" in ran.out and "rad/s" in ran.out and "shape (1)" in ran.out
+
+
 @pytest.mark.parametrize("command", ["", *COMMANDS])
 def test_help_has_examples(run: Any, command: str) -> None:
     ran = run(*command.split(), "--help")
