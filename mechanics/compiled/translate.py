@@ -97,6 +97,10 @@ class Translator:
         rational = isinstance(number, sympy.Rational)
         return self._rational(number) if rational else self._constant(number)
 
+    def named(self, number: sympy.Expr) -> ca.SX:
+        """Return a number as a named constant."""
+        return self._constant(number)
+
     def _node(self, node: sympy.Basic) -> ca.SX:
         if isinstance(node, sympy.Rational):
             return self._rational(node)

@@ -15,12 +15,12 @@ import casadi as ca
 
 from mechanics.compiled.forms.bodies.function import gauss_function
 from mechanics.compiled.forms.bodies.leaf_to_root import WAYS, Way, eliminated, values
-from mechanics.compiled.forms.bodies.reading import Reading, scratch
+from mechanics.compiled.forms.bodies.reading import Reading
+from mechanics.compiled.forms.bodies.tried import Tried, tried
 from mechanics.compiled.forms.system import System
 from mechanics.compiled.forms.weigh import lightest
 from mechanics.compiled.program import operations
 from mechanics.equations import Equations
-from mechanics.errors import ExpressionError, SingularError
 
 MORE = 1.25
 """How many times the operations it may take to be on the safe side where errors are not tried."""
@@ -28,7 +28,7 @@ MORE = 1.25
 
 def unsuited(equations: Equations) -> str:
     """Why u' cannot be written so; empty where it can."""
-    return inapplicable(equations) or _failure(equations)
+    return inapplicable(equations) or _tried(equations).failure
 
 
 def inapplicable(equations: Equations) -> str:
@@ -41,13 +41,9 @@ def inapplicable(equations: Equations) -> str:
     return ""
 
 
-@lru_cache(maxsize=64)
-def _failure(equations: Equations) -> str:
-    try:
-        _solved(Reading(equations.scene, scratch(equations), equations.fixed), WAYS[0])
-    except (ExpressionError, SingularError) as error:
-        return str(error)
-    return ""
+@lru_cache(maxsize=16)
+def _tried(equations: Equations) -> Tried:
+    return tried(equations, _solved)
 
 
 def ways(system: System) -> list[ca.SX]:
@@ -55,17 +51,13 @@ def ways(system: System) -> list[ca.SX]:
     equations = system.equations
     if inapplicable(equations):
         return []
-    reading = Reading(equations.scene, system.translate, equations.fixed)
-    try:
-        found = [(way, _solved(reading, way)) for way in WAYS]
-    except (ExpressionError, SingularError):
-        return []  # `unsuited` says why
-    if equations.split:
-        return [graph for _, graph in found]
+    graphs = _tried(equations).graphs(system.translate)
+    if equations.split or not graphs:
+        return graphs
     # What cannot be tried is on the safe side, unless that costs a lot.
-    few = min(operations(graph) for _, graph in found)
-    safe = [x for way, x in found if way.inertial and operations(x) <= MORE * few]
-    return safe or [graph for _, graph in found]
+    counted = [(operations(graph), way, graph) for way, graph in zip(WAYS, graphs, strict=True)]
+    few = min(count for count, _, _ in counted)
+    return [x for count, way, x in counted if way.inertial and count <= MORE * few] or graphs
 
 
 def solve(system: System) -> ca.SX:

@@ -9,19 +9,20 @@ gone, so that its pivot -A Q^-1 A^T is less than zero. The rest of the order is 
 operations.
 """
 
-from functools import lru_cache
+from functools import lru_cache, partial
 
 import casadi as ca
 from sympy import Expr, S
 
 from mechanics.compiled.forms.bodies.function import gauss_function
 from mechanics.compiled.forms.bodies.gauss import Gauss
-from mechanics.compiled.forms.bodies.leaf_to_root import WAYS, Way, eliminated, values
-from mechanics.compiled.forms.bodies.reading import Reading, scratch
+from mechanics.compiled.forms.bodies.leaf_to_root import Way, eliminated, values
+from mechanics.compiled.forms.bodies.reading import Reading
+from mechanics.compiled.forms.bodies.tried import Tried, tried
 from mechanics.compiled.forms.system import System
 from mechanics.compiled.forms.weigh import lightest
 from mechanics.equations import Equations
-from mechanics.errors import ExpressionError, SingularError
+from mechanics.errors import ExpressionError
 from mechanics.exact import canonical
 from mechanics.kinematics import differentiate
 from mechanics.kinematics.constraints import constraint_rows
@@ -31,7 +32,7 @@ from mechanics.scene.actions import unit_reactions
 
 def unsuited(equations: Equations) -> str:
     """Why the constraints cannot be taken along; empty where they can."""
-    return inapplicable(equations) or _failure(equations)
+    return inapplicable(equations) or _tried(equations).failure
 
 
 def inapplicable(equations: Equations) -> str:
@@ -43,26 +44,15 @@ def inapplicable(equations: Equations) -> str:
     return ""
 
 
-@lru_cache(maxsize=64)
-def _failure(equations: Equations) -> str:
-    reading = Reading(equations.scene, scratch(equations), equations.fixed)
-    try:
-        _solved(equations, reading, WAYS[0])
-    except (ExpressionError, SingularError) as error:
-        return str(error)
-    return ""
+@lru_cache(maxsize=16)
+def _tried(equations: Equations) -> Tried:
+    return tried(equations, partial(_solved, equations))
 
 
 def ways(system: System) -> list[ca.SX]:
     """(u', lambda) as a column, in every way; none where nothing constrains."""
     equations = system.equations
-    if inapplicable(equations):
-        return []
-    reading = Reading(equations.scene, system.translate, equations.fixed)
-    try:
-        return [_solved(equations, reading, way) for way in WAYS]
-    except (ExpressionError, SingularError):
-        return []  # `unsuited` says why
+    return [] if inapplicable(equations) else _tried(equations).graphs(system.translate)
 
 
 def solve(system: System) -> ca.SX:

@@ -11,9 +11,7 @@ import casadi as ca
 from sympy import Expr, Symbol
 
 from mechanics.compiled.forms.bodies.affine import Affine, Vector
-from mechanics.compiled.quantities import input_symbols
 from mechanics.compiled.translate import Translator
-from mechanics.equations import Equations
 from mechanics.exact import collect_linear
 from mechanics.scene import Scene
 from mechanics.scene.rates import rate_table
@@ -79,10 +77,3 @@ class Reading:
         if any(graph.is_op(operation) for operation in (ca.OP_MUL, ca.OP_DIV)):
             return self.nonzero(graph.dep(0)) and self.nonzero(graph.dep(1))
         return False
-
-
-def scratch(equations: Equations) -> Translator:
-    """A translator over symbols of its own, to try what can be written."""
-    scene = equations.scene
-    state = (*scene.q, *scene.u, *scene.parameters, *input_symbols(equations))
-    return Translator({symbol: ca.SX.sym(symbol.name) for symbol in state})
