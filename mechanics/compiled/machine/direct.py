@@ -1,8 +1,9 @@
 """One state at a time from Python in less than a microsecond: an extension of CPython.
 
-ctypes converts every argument at every call, which takes longer than the function. `direct.c` reads
-the arrays where they are. It is compiled when it is first needed, by the compiler that makes the
-functions; where the headers of Python or NumPy are missing, or it is refused, ctypes stays.
+ctypes converts every argument at every call, which takes longer than the function. The C files in
+`extension` read the arrays where they are. They are compiled when they are first needed, by the
+compiler that makes the functions; where the headers of Python or NumPy are missing, or they are
+refused, ctypes stays.
 """
 
 import functools
@@ -21,6 +22,7 @@ from mechanics.compiled.machine.library import build
 from mechanics.errors import CompilerError
 
 NAME = "mechanics_direct"
+SOURCES = ("head.c", "caller.c", "bound.c", "module.c")
 FLAGS = ("-std=c11", "-O2", "-fPIC")
 # Symbols of Python itself are found in the process, which linkers elsewhere do not expect.
 LINKED = ("-undefined", "dynamic_lookup") if sys.platform == "darwin" else ()
@@ -41,14 +43,18 @@ def direct_calls(compiler: str) -> Direct:
     """
     if missing := _missing():
         return Direct(None, missing)
-    source = files("mechanics.compiled.machine").joinpath("direct.c").read_text(encoding="ascii")
     folders = dict.fromkeys([*_python(), *_numpy()])
+    flags = [*FLAGS, *(f"-I{folder}" for folder in folders)]
     try:
-        return Direct(
-            _loaded(build(source, compiler, [*FLAGS, *(f"-I{f}" for f in folders)], LINKED))
-        )
+        return Direct(_loaded(build(extension_source(), compiler, flags, LINKED)))
     except (CompilerError, ImportError) as error:
         return Direct(None, str(error).splitlines()[0])
+
+
+def extension_source() -> str:
+    """The C of the extension, its files one after the other."""
+    folder = files("mechanics.compiled.machine").joinpath("extension")
+    return "\n".join(folder.joinpath(name).read_text(encoding="ascii") for name in SOURCES)
 
 
 def _missing() -> str:

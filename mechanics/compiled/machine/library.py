@@ -9,6 +9,7 @@ import os
 import shutil
 import subprocess
 import tempfile
+import threading
 from collections.abc import Sequence
 from hashlib import sha256
 from pathlib import Path
@@ -17,6 +18,8 @@ from mechanics.errors import CompilerError
 
 # No contraction into fused operations and no reassociation: results are the same everywhere.
 FLAGS = ("-std=c99", "-fPIC", "-ffp-contract=off", "-fno-math-errno")
+# Threads that need the same library at the same time would write the same files.
+_BUILDING = threading.Lock()
 REMARKS = ".txt"
 """Ends the name of the file with what the compiler said, in place of the library's ending."""
 
@@ -65,10 +68,12 @@ def build(source: str, compiler: str, flags: Sequence[str], linked: Sequence[str
     name = sha256(f"{compiler} {flags} {linked}\n{source}".encode()).hexdigest()[:16]
     stem = Path(_folder().name) / name
     file, object_file, library = (stem.with_suffix(suffix) for suffix in (".c", ".o", ".so"))
-    file.write_text(source, encoding="ascii")
-    remarks = _run([compiler, *flags, "-c", str(file), "-o", str(object_file)])
-    stem.with_suffix(REMARKS).write_text(remarks, encoding="utf-8")
-    _run([compiler, "-shared", str(object_file), "-o", str(library), *linked])
+    with _BUILDING:
+        if not library.exists():
+            file.write_text(source, encoding="ascii")
+            remarks = _run([compiler, *flags, "-c", str(file), "-o", str(object_file)])
+            stem.with_suffix(REMARKS).write_text(remarks, encoding="utf-8")
+            _run([compiler, "-shared", str(object_file), "-o", str(library), *linked])
     return library
 
 

@@ -1,32 +1,12 @@
 /*
- * Compiled functions as callables of Python that touch arrays directly.
+ * Caller(address, inputs, outputs, checked, keep)(q, u, inputs, p) -> array, tuple, or None
  *
- *     Caller(address, inputs, outputs, checked, keep)(q, u, inputs, p) -> array, tuple, or None
- *     Bound(address, inputs, outputs, keep)()
- *
- * A kernel is void (*)(const double *const *, double *const *): pointers to the inputs and outputs
- * that have entries, in order. The interpreter's lock is released while it runs.
- *
- * Caller: each input is (size, default array or None), each output (rows, columns, dimensions,
- * asked). It gives new arrays for the outputs that are asked, a matrix column by column. It takes
+ * Each input is (size, default array or None), each output (rows, columns, dimensions, asked). It
+ * gives new arrays for the outputs that are asked, a matrix column by column. It takes
  * one-dimensional arrays of doubles, aligned, contiguous and in the machine's byte order, or None
  * for a default. Whatever else it gets, and where it is checked and a value is not finite, it gives
  * None: the way that explains is taken then.
- *
- * Bound: inputs and outputs are addresses; keep is what they belong to.
  */
-#define PY_SSIZE_T_CLEAN
-#define NPY_NO_DEPRECATED_API NPY_2_0_API_VERSION
-#include <Python.h>
-#include <structmember.h>
-#include <numpy/arrayobject.h>
-#include <math.h>
-
-#define MOST 12
-#define SCRATCH 256
-
-typedef void (*Kernel)(const double *const *, double *const *);
-
 typedef struct {
     npy_intp size;
     const double *standard;
@@ -235,98 +215,3 @@ static PyTypeObject CallerType = {
     .tp_vectorcall_offset = offsetof(Caller, vectorcall),
     .tp_members = caller_members,
 };
-
-typedef struct {
-    PyObject_HEAD
-    vectorcallfunc vectorcall;
-    Kernel kernel;
-    PyObject *keep;
-    const double *arg[MOST];
-    double *res[MOST];
-} Bound;
-
-static PyObject *bound_call(PyObject *object, PyObject *const *args, size_t nargsf, PyObject *names)
-{
-    Bound *self = (Bound *)object;
-    (void)args;
-    if (PyVectorcall_NARGS(nargsf) != 0 || names != NULL) {
-        PyErr_SetString(PyExc_TypeError, "no arguments expected: the arrays are bound");
-        return NULL;
-    }
-    Py_BEGIN_ALLOW_THREADS
-    self->kernel(self->arg, self->res);
-    Py_END_ALLOW_THREADS
-    Py_RETURN_NONE;
-}
-
-static int read_addresses(PyObject *addresses, void **into)
-{
-    if (PyTuple_GET_SIZE(addresses) > MOST) {
-        PyErr_Format(PyExc_ValueError, "at most %d inputs and outputs", MOST);
-        return -1;
-    }
-    for (Py_ssize_t i = 0; i < PyTuple_GET_SIZE(addresses); ++i) {
-        into[i] = PyLong_AsVoidPtr(PyTuple_GET_ITEM(addresses, i));
-        if (into[i] == NULL && PyErr_Occurred())
-            return -1;
-    }
-    return 0;
-}
-
-static PyObject *bound_new(PyTypeObject *type, PyObject *args, PyObject *names)
-{
-    unsigned long long address;
-    PyObject *inputs, *outputs, *keep;
-    (void)names;
-    if (!PyArg_ParseTuple(args, "KO!O!O", &address, &PyTuple_Type, &inputs, &PyTuple_Type, &outputs,
-            &keep))
-        return NULL;
-    Bound *self = (Bound *)type->tp_alloc(type, 0);
-    if (self == NULL)
-        return NULL;
-    self->vectorcall = bound_call;
-    self->kernel = (Kernel)(uintptr_t)address;
-    self->keep = Py_NewRef(keep);
-    if (read_addresses(inputs, (void **)self->arg) < 0
-        || read_addresses(outputs, (void **)self->res) < 0)
-        Py_CLEAR(self);
-    return (PyObject *)self;
-}
-
-static void bound_dealloc(Bound *self)
-{
-    Py_XDECREF(self->keep);
-    Py_TYPE(self)->tp_free((PyObject *)self);
-}
-
-static PyMemberDef bound_members[] = {
-    {"__vectorcalloffset__", T_PYSSIZET, offsetof(Bound, vectorcall), READONLY, NULL},
-    {NULL, 0, 0, 0, NULL},
-};
-
-static PyTypeObject BoundType = {
-    PyVarObject_HEAD_INIT(NULL, 0)
-    .tp_name = "mechanics_direct.Bound",
-    .tp_basicsize = sizeof(Bound),
-    .tp_flags = Py_TPFLAGS_DEFAULT | Py_TPFLAGS_HAVE_VECTORCALL,
-    .tp_new = bound_new,
-    .tp_dealloc = (destructor)bound_dealloc,
-    .tp_call = PyVectorcall_Call,
-    .tp_vectorcall_offset = offsetof(Bound, vectorcall),
-    .tp_members = bound_members,
-};
-
-static struct PyModuleDef module = {
-    PyModuleDef_HEAD_INIT, .m_name = "mechanics_direct", .m_size = -1,
-};
-
-PyMODINIT_FUNC PyInit_mechanics_direct(void)
-{
-    import_array();
-    PyObject *made = PyModule_Create(&module);
-    if (made == NULL)
-        return NULL;
-    if (PyModule_AddType(made, &CallerType) < 0 || PyModule_AddType(made, &BoundType) < 0)
-        Py_CLEAR(made);
-    return made;
-}
