@@ -62,7 +62,7 @@ def main() -> None:
     except Exception:
         # A defect of this program. Python's own exit code for it, 1, would read as a refutation.
         traceback.print_exc()
-        sys.exit(DEFECT)
+        raise SystemExit(DEFECT) from None
     else:
         sys.exit(code)
 

@@ -6,7 +6,7 @@ from typing import Any
 SCHEMA: dict[str, Any] = {
     "name": str,
     "ok": bool,
-    "routes": {"seconds": float, "operations": int},
+    "routes": {"seconds": float, "operations": int, "form": str, "forward_dynamics": int},
     "findings": {"subject": str, "verdict": str, "evidence": str, "error_bound": float,
                  "witness": dict},
     "published": {"tag": str, "label": str, "verdict": str, "evidence": str},
@@ -44,7 +44,7 @@ def test_a_wrong_row_is_exit_code_one_with_a_witness(run: Any, pendulum: Any) ->
     assert ran.code == 1
     (row,) = json.loads(ran.out)["systems"][0]["published"]
     assert row["verdict"] == "REFUTED"
-    assert set(row["witness"]) == {"state", "left", "right"}
+    assert set(row["witness"]) == {"state", "solved", "left", "right"}
     assert "theta" in row["witness"]["state"]
 
 
