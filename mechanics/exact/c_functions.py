@@ -100,7 +100,6 @@ class Functions(Statements):
                 f" {len(given)} are expected: {', '.join(p.name for p in given)}"
             )
         arrays: list[Array] = []
-        strides = {p.name: d.name for p, d in zip(given, known, strict=True) if p.kind == "size_t"}
         for place, (p, declaration) in enumerate(zip(given, known, strict=True)):
             kind = declared(declaration)
             expected = "int" if p.kind == "size_t" else p.kind
@@ -116,13 +115,10 @@ class Functions(Statements):
                     f" {'written' if p.output else 'read'}"
                 )
             if not kind.depth:
-                counter = Variable(declaration.name, kind, unknown(declaration.name))
+                counter = Variable(declaration.name, kind, unknown(p.name))
                 self.declare(declaration.name, counter, where)
                 continue
-            array = Array(
-                declaration.name, kind.kind, p.size, place, strides.get(p.stride, p.stride),
-                not p.output,
-            )  # fmt: skip
+            array = Array(declaration.name, kind.kind, p.size, place, p.stride, not p.output)
             self.declare(declaration.name, array, where)
             arrays.append(array)
         return arrays

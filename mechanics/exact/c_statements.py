@@ -186,15 +186,19 @@ class Statements(Loops):
         variables = [v for s in self.scopes for v in s.values() if isinstance(v, Variable)]
         before = [v.value for v in variables]
         ends: list[list[Value | None]] = []
+        written, outputs = self.written, False
         # What is never run has to be known, too.
         for branch, holds in ((node.iftrue, condition), (node.iffalse, negation(condition))):
             for variable, value in zip(variables, before, strict=True):
                 variable.value = value
+            self.written = written
             if branch is not None:
                 self.guards.append(Guard(holds, True))
                 self._block(c_ast.Compound([branch]))
                 self.guards.pop()
             ends.append([v.value for v in variables])
+            outputs = outputs or self.written
+        self.written = outputs
         for variable, yes, no in zip(variables, *ends, strict=True):
             if isinstance(condition, bool):
                 variable.value = yes if condition else no

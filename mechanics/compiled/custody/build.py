@@ -96,7 +96,9 @@ def building(
             for *_, process in running:
                 if process.poll() is None:
                     process.kill()
-                    process.communicate()
+                    process.wait()
+                if process.stderr is not None:
+                    process.stderr.close()
 
 
 def _started(command: Sequence[str]) -> subprocess.Popen[str]:

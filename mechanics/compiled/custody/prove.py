@@ -10,7 +10,7 @@ from mechanics.compiled.custody.code import Code, exact
 from mechanics.compiled.custody.constants import interpreted, literals
 from mechanics.compiled.custody.derived import Derived
 from mechanics.compiled.custody.graph import decide_entries, fix
-from mechanics.compiled.custody.kernel import Kernel
+from mechanics.compiled.custody.kernel import COUNT, Kernel
 from mechanics.compiled.custody.laws import Pair
 from mechanics.compiled.custody.text import Text, read_text
 from mechanics.compiled.hoist import CONSTANTS, PREPARE, PREPARED
@@ -131,6 +131,8 @@ def program_numbers(
 def _doubt(text: Text) -> str:
     """What the text does besides, where it should not."""
     found = text.program
+    if text.kernel.lanes and found.lanes != COUNT:
+        return f"refused: its loop ends at {found.lanes or 'one state'}, not at the number of lanes"
     if found.beyond:
         return f"refused: {found.beyond[0]} is read, beyond the end of the array"
     if found.late and not text.kernel.lanes:

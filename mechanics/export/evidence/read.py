@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from hashlib import sha256
 from pathlib import Path
 from typing import Any
 
+from mechanics.compiled.custody.code import Code
+from mechanics.compiled.custody.derived import Derived
 from mechanics.compiled.custody.kernel import Kernel
 from mechanics.errors import ExpressionError, InputError
 from mechanics.export.evidence import equations, graphs
@@ -18,6 +20,8 @@ from mechanics.export.folder import MANIFEST
 LARGEST_FILE = 64_000_000
 """Bytes; generated files are a thousandth of it."""
 KINDS = ("double", "float")
+NEEDED = (".c", ".h", ".json")
+"""Endings of files without which nothing can be shown."""
 
 
 @dataclass(frozen=True)
@@ -79,6 +83,8 @@ def read_folder(path: Path) -> Folder:
         if Path(name).name != name or name in ("", ".", ".."):
             raise InputError(f"{path / MANIFEST}: {name!r} is no name of a file in the folder")
         if not (path / name).is_file():
+            if name.endswith(NEEDED):
+                raise InputError(f"{path / name}: the manifest has it, the folder has it not")
             missing.append(name)
             continue
         raw = _bytes(path / name)
@@ -145,12 +151,24 @@ def _evidence(path: Path, manifest: Mapping[str, Any], texts: Mapping[str, str])
         known = equations.read_equations(_json(at, texts[equations.FILE]))
         at = path / graphs.FILE
         found, rates = graphs.read_graphs(_json(at, texts[graphs.FILE]))
+        _fit(known, [*(graph.code for graph in found.values()), *([rates] if rates else [])])
         at = path / MANIFEST
         kernels = tuple(_kernel(record) for record in manifest["kernels"])
     except ExpressionError as error:
         raise InputError(f"{at}: {error}") from None
     code = {name: text for name, text in texts.items() if name.endswith((".c", ".h"))}
     return Evidence(known, found, rates, kernels, code)
+
+
+def _fit(known: Derived, codes: Sequence[Code]) -> None:
+    """The graphs have the arrays of what was derived."""
+    for code in codes:
+        for group, size in code.inputs:
+            if len(known.symbols.get(group, ())) != size:
+                raise ExpressionError(
+                    f"{code.name}: its input {group} has {size} entries, what was"
+                    f" derived {len(known.symbols.get(group, ()))}"
+                )
 
 
 def _kernel(record: Any) -> Kernel:

@@ -15,8 +15,9 @@ from mechanics.compiled.custody.binary import Measured
 from mechanics.compiled.custody.build import building, compilers
 from mechanics.compiled.custody.derived import Derived, derived
 from mechanics.compiled.fixed import read_fixed
-from mechanics.compiled.graphs import Graphs
+from mechanics.compiled.graphs import STATE, Graphs
 from mechanics.equations import Equations
+from mechanics.errors import InputError
 from mechanics.exact import Finding, Verdict
 from mechanics.export.evidence.binaries import third_step
 from mechanics.export.evidence.chain import (
@@ -193,10 +194,32 @@ def verify(
 
 
 def derived_again(folder: Folder, equations: Equations) -> Derived:
-    """What was derived again, with the parameters fixed as the manifest says."""
-    names = tuple(folder.evidence.graphs)
-    table = read_fixed(equations.scene, folder.fixed)
-    return derived(Graphs(equations, fixed=table), names)
+    """What was derived again, with the parameters fixed as the manifest says.
+
+    Raises
+    ------
+    InputError
+        If the arrays have other entries: it is another scene.
+    """
+    scene, names = equations.scene, tuple(folder.evidence.graphs)
+    here = {symbol.name for group in folder.evidence.known.symbols.values() for symbol in group}
+    if not {symbol.name for symbol in (*scene.q, *scene.u)} <= here:
+        raise _other(folder, scene.name)
+    found = derived(Graphs(equations, fixed=read_fixed(scene, folder.fixed)), names)
+    for group in (*STATE, "ud", "multipliers"):
+        left, right = (
+            [symbol.name for symbol in one.symbols[group]] for one in (folder.evidence.known, found)
+        )
+        if left != right:
+            raise _other(folder, scene.name)
+    return found
+
+
+def _other(folder: Folder, name: str) -> InputError:
+    return InputError(
+        f"{folder.path}: it was made of another scene than {name!r}, {folder.manifest['scene']!r}:"
+        " the arrays have other entries"
+    )
 
 
 def unvouched(folder: Folder, equations: Equations | None) -> tuple[str, ...]:

@@ -210,3 +210,28 @@ def alike(evidence: Evidence) -> Callable[[Edit, str], bool]:
         return bool(findings) and all(f.verdict is Verdict.SUPPORTED for f in findings)
 
     return same
+
+
+class Judging:
+    """Judges other texts of single functions."""
+
+    def __init__(self, evidence: Evidence) -> None:
+        self.evidence = evidence
+
+    def function(self, file: str, symbol: str) -> tuple[str, str]:
+        """Text of a function, twice."""
+        text = self.evidence.texts[file]
+        ((begin, end),) = [(b, e) for name, b, e in functions(text) if name == symbol]
+        return text[begin:end], text[begin:end]
+
+    def __call__(self, file: str, symbol: str, new: str, old: str = "") -> list:
+        """Findings about the file with another text for a function."""
+        text = self.evidence.texts[file]
+        changed = text.replace(old or self.function(file, symbol)[0], new)
+        change = Edit("", file, symbol, changed)
+        return list(second_step(reduced(self.evidence, change, touched(self.evidence, change)), []))
+
+
+@pytest.fixture(scope="session")
+def judging(evidence: Evidence) -> Judging:
+    return Judging(evidence)

@@ -1,0 +1,172 @@
+"""`mechanics verify`: what passes, what is refuted, what is damaged."""
+
+import json
+import re
+import shutil
+from hashlib import sha256
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from mechanics import compile, derive, write_c
+from systems import elastic_pendulum
+
+NAME = "pendulum_on_elastic_support"
+
+
+@pytest.fixture(scope="module")
+def generated(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Two functions of the elastic pendulum."""
+    folder = tmp_path_factory.mktemp("generated") / "c"
+    outputs = ("forward_dynamics", "energy")
+    model = compile(derive(elastic_pendulum.scene()), fixed={"g": 9.81}, outputs=outputs)
+    write_c(model, folder, batch=False, system="elastic_pendulum", prove=False)
+    return folder
+
+
+@pytest.fixture
+def folder(generated: Path, tmp_path: Path) -> Path:
+    """A copy of it."""
+    shutil.copytree(generated, tmp_path / "c")
+    return tmp_path / "c"
+
+
+def rehash(folder: Path) -> None:
+    """The hashes of the files as they are, in the manifest."""
+    path = folder / "manifest.json"
+    content = json.loads(path.read_text(encoding="utf-8"))
+    for name in content["files"]:
+        content["files"][name] = sha256((folder / name).read_bytes()).hexdigest()
+    path.write_text(json.dumps(content), encoding="utf-8")
+
+
+def test_codegen_and_verify(run: Any, tmp_path: Path) -> None:
+    assert run("codegen", "elastic_pendulum", "-o", tmp_path / "c").code == 0
+    manifest = json.loads((tmp_path / "c" / "manifest.json").read_text(encoding="utf-8"))
+    steps = {step["step"]: step["findings"] for step in manifest["chain"]["steps"]}
+    assert "derived equations = graph" in steps and len(steps["graph = C text"]) >= 26
+    assert all(f["verdict"] in ("PROVED", "CERTIFIED") for f in steps["graph = C text"])
+    assert all(f["error_bound"] < 2.0**-80 for f in steps["graph = C text"]
+               if f["verdict"] == "CERTIFIED")  # fmt: skip
+    ran = run("verify", tmp_path / "c", "--json", tmp_path / "found.json")
+    assert ran.code == 0, ran.out + ran.err
+    assert "physics, derived again = graph" in ran.out and "not repeated" not in ran.out
+    found = json.loads((tmp_path / "found.json").read_text(encoding="utf-8"))
+    assert found["outcome"] == "SHOWN" and not found["changed"]
+
+
+def test_reformatted_code_passes_and_its_hash_is_told(run: Any, folder: Path) -> None:
+    path = folder / f"{NAME}.c"
+    text = re.sub(r"\bv(\d)", r"w_\1", path.read_text(encoding="utf-8")).replace("    ", "\t")
+    path.write_text(f"// other words\n{text}", encoding="utf-8")
+    ran = run("verify", folder, "--no-compile")
+    assert ran.code == 0, ran.out
+    assert f"changed {NAME}.c: its hash is another one, see what is shown" in ran.out
+    assert "the code was not compiled: that was not asked for" in ran.out
+
+
+def test_a_last_digit_is_refuted_whatever_the_hash(run: Any, folder: Path) -> None:
+    path = folder / f"{NAME}.c"
+    text = path.read_text(encoding="utf-8")
+    changed = re.sub(r"(0x1\.[\da-f]{12})([\da-f])p",
+                     lambda m: f"{m[1]}{int(m[2], 16) ^ 1:x}p", text, count=1)  # fmt: skip
+    assert changed != text
+    path.write_text(changed, encoding="utf-8")
+    rehash(folder)
+    ran = run("verify", folder)
+    assert ran.code == 1
+    assert "REFUTED" in ran.out and re.search(r"ud\[\d\]: the enclosures", ran.out)
+    assert "left" in ran.out and "theta = " in ran.out and "changed" not in ran.out
+
+
+def test_derived_equations_that_were_changed_are_refuted(run: Any, folder: Path) -> None:
+    path = folder / "equations.json"
+    text = path.read_text(encoding="utf-8")
+    path.write_text(text.replace('["number", "1/2"]', '["number", "1/4"]'), encoding="utf-8")
+    rehash(folder)
+    ran = run("verify", folder, "--no-compile")
+    assert ran.code == 1 and "derived, free_body" in ran.out
+
+
+def test_a_file_that_no_step_looks_at(run: Any, folder: Path) -> None:
+    (folder / "CMakeLists.txt").write_text("project(other)", encoding="utf-8")
+    ran = run("verify", folder, "--no-compile")
+    assert ran.code == 3 and "CMakeLists.txt: its hash is another one: no step looks" in ran.out
+    (folder / "CMakeLists.txt").unlink()
+    ran = run("verify", folder, "--no-compile")
+    assert ran.code == 3 and "missing CMakeLists.txt" in ran.out
+
+
+def test_another_scene_is_refuted(run: Any, folder: Path) -> None:
+    ran = run("verify", folder, "--scene", "rocker", "--no-compile")
+    assert ran.code == 2 and ran.err.count("\n") == 1 and "another scene" in ran.err
+
+
+def test_without_a_scene_the_physics_is_not_repeated(run: Any, folder: Path) -> None:
+    path = folder / "manifest.json"
+    content = json.loads(path.read_text(encoding="utf-8"))
+    path.write_text(json.dumps({**content, "system": None}), encoding="utf-8")
+    ran = run("verify", folder, "--no-compile")
+    assert ran.code == 0 and "the equations were not derived again" in ran.out
+    assert "give --scene" in ran.out
+
+
+def cut(path: Path) -> None:
+    path.write_bytes(path.read_bytes()[:100])
+
+
+def huge(path: Path) -> None:
+    with path.open("r+b") as file:
+        file.truncate(65_000_000)
+
+
+DAMAGE = [
+    ("manifest.json", cut, "it is no JSON"),
+    ("manifest.json", Path.unlink, "there is no such file"),
+    ("manifest.json", lambda p: p.write_text("[]"), "it has no 'files'"),
+    ("manifest.json", lambda p: p.write_text("[" * 100_000), "nested too deeply"),
+    ("equations.json", cut, "it is no JSON"),
+    ("equations.json", lambda p: p.write_text("{}"), "it is not what was derived"),
+    ("graphs.json", lambda p: p.write_text('{"nodes": 3}'), "it does not hold the graphs"),
+    ("graphs.json", Path.unlink, "the manifest has it, the folder has it not"),
+    (f"{NAME}.c", Path.unlink, "the manifest has it, the folder has it not"),
+    (f"{NAME}.c", lambda p: p.write_bytes(b"/* \xff\xfe */"), "it is no text in UTF-8"),
+    (f"{NAME}.h", huge, "it is larger than 64 MB"),
+]
+
+
+@pytest.mark.parametrize("row", range(len(DAMAGE)))
+def test_a_damaged_folder_is_one_line(run: Any, folder: Path, row: int) -> None:
+    name, damage, words = DAMAGE[row]
+    damage(folder / name)
+    ran = run("verify", folder)
+    assert ran.code == 2 and words in ran.err, ran.err
+    assert ran.err.count("\n") == 1 and name in ran.err and not ran.out
+
+
+def test_what_is_no_folder_is_one_line(run: Any, tmp_path: Path) -> None:
+    (tmp_path / "file").write_text("x", encoding="utf-8")
+    for place, words in ((tmp_path / "none", "does not exist"), (tmp_path / "file", "is a file"),
+                         (tmp_path, "manifest.json: there is no such file")):  # fmt: skip
+        ran = run("verify", place)
+        assert ran.code == 2 and words in ran.err and ran.err.count("\n") == 1
+
+
+NODES = [
+    ('["symbol", 0]', '["symbol", 999]', "no place among"),
+    ('["symbol", 0]', '["system", 0]', "no such operation"),
+    ('["number", "1/2"]', '["number", "__import__(1)"]', "a number is expected"),
+    ('["number", "1/2"]', '["sin", 0, 1, 2]', "no such operation"),
+    ('"positive"', '"purple"', "a name and a sign are expected"),
+]
+
+
+@pytest.mark.parametrize(("old", "new", "words"), NODES)
+def test_nothing_in_the_data_is_run(run: Any, folder: Path, old: str, new: str, words: str) -> None:
+    path = folder / "equations.json"
+    text = path.read_text(encoding="utf-8")
+    assert old in text
+    path.write_text(text.replace(old, new, 1), encoding="utf-8")
+    ran = run("verify", folder)
+    assert ran.code == 2 and words in ran.err and ran.err.count("\n") == 1

@@ -1,0 +1,130 @@
+"""What a slip of the hand changes in C is REFUTED: the output is named, and a state is shown.
+
+A sign, an index, the last digit of a constant, two arguments: in every function of one state and
+of many, in both precisions. What is written in another way passes.
+"""
+
+import re
+from collections.abc import Callable
+from fractions import Fraction
+
+import pytest
+from sympy import Integer, pi
+
+from mechanics.compiled.custody.code import Code
+from mechanics.compiled.custody.constants import Irrational, literals
+from mechanics.exact import Verdict
+from mechanics.exact.graph_angles import Node
+
+OUTPUT = re.compile(r"[a-z_]+\[\d+\]: ")
+KEPT = "coordinate_rates", "prepare"
+"""No operations in the first; the second is compared entry by entry with the program."""
+
+
+SLIPS: dict[str, tuple[str, str | Callable[[re.Match[str]], str]]] = {
+    "sign": (r"(= [^;\n]*\w) ([+-]) (?=[\w(])", lambda m: f"{m[1]} {'-' if m[2] == '+' else '+'} "),
+    "index": (r"(double|float) (L|M) = p\[\d\];", r"\1 \2 = p[2];"),
+    "last digit": (r"(0x1\.5+)[56]p", r"\g<1>4p"),
+    "operator": (r"(= [^;\n]*\w) \* (?=\w)", r"\1 + "),
+    "function": (r"\bsin(f?)\((?=theta)", r"cos\1("),
+    "output": (r"^( +)(\w+)\[0\] = (\w+);\n +\2\[1\] = (\w+);",
+               r"\1\2[0] = \4;\n\1\2[1] = \3;"),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("slip", SLIPS)
+@pytest.mark.parametrize("precision", ["", "_single"])
+def test_a_slip_is_refuted_in_every_function(evidence, judging, slip: str, precision: str) -> None:
+    file = f"name{precision}.c"
+    pattern, put = SLIPS[slip]
+    seen = 0
+    for kernel in evidence.kernels:
+        if kernel.file != file or kernel.function in KEPT:
+            continue
+        before, changed = judging.function(file, kernel.symbol)
+        changed = re.sub(pattern, put, before, count=1, flags=re.MULTILINE)
+        if changed == before:
+            continue
+        findings = judging(file, kernel.symbol, changed)
+        bad = [f for f in findings if f.verdict is Verdict.REFUTED]
+        assert bad, f"{kernel.symbol}: {[f.evidence for f in findings]}"
+        assert OUTPUT.match(bad[0].evidence) and bad[0].witness is not None
+        assert bad[0].witness.left != bad[0].witness.right and bad[0].witness.state
+        seen += 1
+    assert seen >= 3
+
+
+def test_swapped_arguments_are_refuted(judging) -> None:
+    for symbol in ("name_forward_dynamics", "name_residual", "name_energy"):
+        before, _ = judging.function("name.c", symbol)
+        swapped = re.sub(r"double q\[2\], const double u\[2\]", "double u[2], const double q[2]",
+                         before)  # fmt: skip
+        assert swapped != before
+        findings = judging("name.c", symbol, swapped)
+        assert any(f.verdict is Verdict.REFUTED and f.witness for f in findings)
+
+
+BATCH = [
+    ("1 * stride + i]", "i]", Verdict.REFUTED),
+    ("cos_theta * v7)", "sin_theta * v7)", Verdict.REFUTED),
+    ("&sin_theta, &cos_theta", "&cos_theta, &sin_theta", Verdict.REFUTED),
+    ("i < count", "i < stride", Verdict.UNDECIDED),
+    ("q[i]", "q[i + 1]", Verdict.UNDECIDED),
+    ("far |= mechanics_far(theta);", "", Verdict.UNDECIDED),
+    ("i += 256", "i += 255", Verdict.UNDECIDED),
+    ("if (flags & 1)", "if (flags & 2)", Verdict.UNDECIDED),
+    ("(flags & 1)", "(1)", Verdict.CERTIFIED),
+    ("stride, q + i, u + i, p, ud + i)", "stride, u + i, q + i, p, ud + i)", Verdict.REFUTED),
+    ("ud[k * stride + i] = ud_[k]", "ud[k * stride + i] = q_[k]", Verdict.REFUTED),
+]
+
+
+@pytest.mark.parametrize(("old", "new", "verdict"), BATCH)
+def test_functions_of_many_states(judging, evidence, old: str, new: str, verdict) -> None:
+    text = evidence.texts["name_batch.c"]
+    symbol = "name_forward_dynamics_batch"
+    first = text.index(f"int {symbol}_lanes")
+    part = text[first : text.index(f"int {symbol}(") + 900]
+    assert old in part
+    found = judging("name_batch.c", symbol, part.replace(old, new, 1), part)
+    verdicts = {finding.verdict for finding in found}
+    assert verdict in verdicts, [finding.evidence for finding in found]
+    assert verdict is Verdict.CERTIFIED or not all(finding.shown for finding in found)
+
+
+REWRITTEN = [
+    lambda text: re.sub(r"\n +", "\n\t", text),
+    lambda text: text.replace("(", "( ").replace(";", " ;  /* said again */\n"),
+    lambda text: re.sub(r"const (double|float) (\w+) = ", r"\1 const \2 =\n", text),
+    lambda text: re.sub(r"\bv(\d+)\b", r"other_name_\1", text),
+    lambda text: re.sub(r"= (\w+) \* (\w+);", r"= \2 * \1;", text),
+    lambda text: re.sub(r"= (\w+) \+ (\w+);", r"= (\2 + (\1));", text),
+    lambda text: text.replace("2.0", "2").replace("0x1p-1 *", "0.5 *"),
+]
+
+
+@pytest.mark.parametrize("how", range(len(REWRITTEN)))
+def test_what_is_written_in_another_way_passes(judging, evidence, how: int) -> None:
+    for kernel in evidence.kernels:
+        if kernel.file == "name.c":
+            before, _ = judging.function("name.c", kernel.symbol)
+            findings = judging("name.c", kernel.symbol, REWRITTEN[how](before))
+            assert findings and all(f.shown for f in findings), [f.evidence for f in findings]
+
+
+def code(*constants) -> Code:
+    """x times each constant: the first is 1/3, the second pi."""
+    nodes = [Node(45, (0, 0), None), Node(44, (), Fraction(1, 3)), Node(45, (1, 0), None)]
+    nodes += [Node(3, (0, 1), None), Node(3, (0, 2), None), Node(44, (), Fraction(5))]
+    return Code("f", tuple(nodes), ((3, 4),), (("x", 1),), (("y", (2, 1)),), constants)
+
+
+def test_a_literal_is_a_constant_only_to_its_last_digit() -> None:
+    table = literals(code(pi), "double")
+    third, circle = Fraction(1 / 3), Fraction(float(pi.evalf(30)))
+    assert table[third] == Fraction(1, 3) and table[-third] == Fraction(-1, 3)
+    assert table[circle] == Irrational(2, False) and table[-circle] == Irrational(2, True)
+    unit = Fraction(2) ** -54
+    assert third + unit not in table and third - unit not in table and Fraction(5) not in table
+    single = literals(code(Integer(3)), "float")
+    assert single[Fraction(11184811, 2**25)] == Fraction(1, 3) and third not in single
