@@ -1,8 +1,13 @@
 """Methods over lanes: against references, orders of convergence, energy, every operation."""
 
 import functools
+import platform
+import re
+import shutil
+import subprocess
 from collections.abc import Callable
 from dataclasses import replace
+from pathlib import Path
 
 import casadi as ca
 import numpy as np
@@ -12,7 +17,8 @@ from sympy import cos
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
 from mechanics.compiled import Model, compile
-from mechanics.compiled.machine.native import find_compiler
+from mechanics.compiled.machine.library import FLAGS, REMARKS, build, find_compiler
+from mechanics.compiled.machine.vectorised import TELL, loop_line, vectorised
 from mechanics.compiled.program import program
 from mechanics.crosscheck import derive
 from mechanics.errors import ExpressionError
@@ -20,7 +26,7 @@ from mechanics.scene import Particle, Scene, force, parameters
 from mechanics.simulate import Ensemble, Status, ensemble, simulate
 from mechanics.simulate.constraints import manifold
 from mechanics.simulate.ensembles.choice import best
-from mechanics.simulate.ensembles.explicit import dop853_source
+from mechanics.simulate.ensembles.explicit import RATE, dop853_source
 from mechanics.simulate.ensembles.library import Library, ensemble_program
 from mechanics.simulate.ensembles.recurrences import Recurrences
 from mechanics.simulate.ensembles.run import Control, integrated
@@ -285,3 +291,41 @@ def test_time_in_the_equations(method: str) -> None:
         exact = np.stack([5 * (1 - np.cos(3 * times)) / 9, 5 * np.sin(3 * times) / 3]) / mass
         assert np.allclose(states, exact.T, rtol=0, atol=1e-9)
     assert all(status is Status.FINISHED for status in found.status)
+
+
+@pytest.mark.parametrize("name", ["gcc", "clang"])
+def test_slopes_are_computed_in_vectors(name: str) -> None:
+    """The loop over lanes of the right-hand side, as the compiler tells."""
+    compiler = shutil.which(name)
+    if compiler is None:
+        pytest.skip(f"no {name} here")
+    code = ensemble_program(model_of("elastic_pendulum"))
+    method = Library(code, 4, compiler, dop853_source)
+    file = build(method.text, compiler, [*FLAGS, *method.flags.split(), TELL[name]], ["-lm"])
+    remarks = file.with_suffix(REMARKS).read_text(encoding="utf-8")
+    line = loop_line(method.text, f"{RATE}_lanes")
+    assert vectorised(remarks, compiler, line, 8, code).lanes > 1
+
+
+@pytest.mark.parametrize("name", ["gcc", "clang"])
+def test_series_are_computed_in_vectors(name: str, tmp_path: Path) -> None:
+    """No product of single numbers where coefficients are multiplied."""
+    compiler = shutil.which(name)
+    if compiler is None:
+        pytest.skip(f"no {name} here")
+    if platform.machine() != "x86_64":
+        pytest.skip("reads the instructions of x86_64")
+    method = Library(ensemble_program(model_of("elastic_pendulum")), 4, compiler, taylor_source)
+    source, assembly = tmp_path / "series.c", tmp_path / "series.s"
+    source.write_text(method.text + "\nvoid *mechanics_expand = (void *)expand;\n")
+    settings = [*FLAGS, *method.flags.split(), "-fno-inline-small-functions"]
+    subprocess.run(
+        [compiler, *settings, "-S", str(source), "-o", str(assembly)], check=True
+    )  # fmt: skip
+    lines = assembly.read_text().splitlines()
+    first = next(i for i, line in enumerate(lines) if line.startswith("expand:"))
+    last = next(i for i, line in enumerate(lines) if i > first and ".cfi_endproc" in line)
+    body = "\n".join(lines[first:last])
+    packed, single = (len(re.findall(rf"\tv?f?n?(?:mul|m(?:add|sub)\d*){kind}\b", body))
+                      for kind in ("pd", "sd"))  # fmt: skip
+    assert packed > 20 * max(1, single)

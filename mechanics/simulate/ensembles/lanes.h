@@ -1,9 +1,9 @@
 /* Arithmetic on LANES motions at once.
 
-   A value of all motions of a block is an L: a few of the widest vectors of the machine. Several of
-   them, so that the processor has work while one waits for its last operation. The vectors are an
-   extension that gcc and clang share; every lane goes through the same operations, so the result of
-   a motion does not depend on its neighbours. */
+   A value of all motions of a block is an L: two or more of the widest vectors of the machine, so
+   that the processor has work while one of them waits for its last operation. Vectors are an
+   extension of C that gcc and clang share. Every lane goes through the same operations, so the
+   result of a motion does not depend on its neighbours. */
 #include <math.h>
 #include <stddef.h>
 #include <stdint.h>

@@ -68,6 +68,11 @@ class Library:
     source : callable
         Of the program, to C text that follows the arithmetic of lanes.
 
+    Attributes
+    ----------
+    text, flags : str
+        What was compiled, and how.
+
     Raises
     ------
     CompilerError
@@ -78,13 +83,13 @@ class Library:
         self, code: Program, moving: int, compiler: str, source: Callable[[Program], str]
     ) -> None:
         (_, size), (_, held) = code.inputs
-        whole = "\n".join([
+        self.text = "\n".join([
             text("lanes.h"),
             f"enum {{ SIZE = {size}, HELD = {held}, MOVING = {moving} }};",
             source(code),
         ])  # fmt: skip
-        flags = f"{affordable(settings(compiler), code.operations)} {FUSED}"
-        library = load(whole, compiler, flags)
+        self.flags = f"{affordable(settings(compiler), code.operations)} {FUSED}"
+        library = load(self.text, compiler, self.flags)
         self._march = library.mechanics_march
         self._march.restype = None
         library.mechanics_room.restype = ctypes.c_int64

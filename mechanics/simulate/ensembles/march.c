@@ -7,8 +7,7 @@
                     inside   an entry of the state within the step
                     settle   last, with the lanes whose step was accepted
 
-   A lane whose motion has ended takes the next one; when there is none, its numbers stay where
-   they are. */
+   A lane whose motion has ended takes the next one. */
 enum { FINISHED, NOT_FINITE, STALLED, TOO_LONG };
 enum { IDLE = -1 };
 

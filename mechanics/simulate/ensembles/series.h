@@ -1,8 +1,8 @@
 /* Products of Taylor series, order by order:  (x y)_j = sum of x_i y_(j - i).
 
-   Two orders at a time, so that a coefficient that has been fetched serves both: the first of a pair
-   also sums what is known already of the second, its terms without x_j and y_j. What holds the newest
-   coefficients comes last: the rest need not wait for them. The first of a pair is odd. */
+   Two orders at a time, so that a coefficient that has been fetched serves both: the first of a
+   pair, which is odd, also sums what is known already of the second, its terms without x_j and y_j.
+   What holds the newest coefficients comes last: the rest need not wait for them. */
 static inline L known(L *later, const L *x, const L *y, int j)
 {
     L sum = all(0.0), next = sum;

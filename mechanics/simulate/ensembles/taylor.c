@@ -1,8 +1,8 @@
 /* Taylor's method:  y(t + h) = c_0 + c_1 (h/s) + ... + c_n (h/s)^n,   c_j = y^(j)(t) s^j / j!
 
-   The step is as long as the last two terms stay below the tolerance times the size of each entry of the
-   state, the largest of its first three terms (Jorba and Zou, Experimental Mathematics 14 (2005),
-   section 3). */
+   The step is as long as the last two terms stay below the tolerance times the size of each entry
+   of the state, the largest of its first three terms (Jorba and Zou, Experimental Mathematics 14
+   (2005), section 3). */
 enum { LONGEST = 40 }; /* log2 of how far a step may differ from the one before */
 
 static void enter(Block *b) { constants(b->held, b->work.constants); }
