@@ -159,6 +159,8 @@ def _derived(
         stage(f"deriving by {route.name}")
         start = perf_counter()
         derived[route.name] = route.derive(scene)
+        # M and f are written out when they are first read: they belong to the derivation.
+        _ = derived[route.name].system
         seconds[route.name] = perf_counter() - start
         require_regular(derived[route.name])
     return derived, seconds
