@@ -21,6 +21,10 @@ COUNTS = {"double": (6, 6), "float": (4, 3)}
 DIGITS = 60
 GRID = 400
 
+PIECES = {"double": (33, 20, 32, 53), "float": (24, 24, 24)}
+"""Bits of the pieces of pi/2. In double precision n has 20 bits, so that n times each of the first
+three is exact without fused operations, and the first two end where x and 1 do."""
+
 
 def sine_residue(z: mpf) -> mpf:
     """(r - sin r) / r^3."""
@@ -138,7 +142,8 @@ def coefficients(kind: str) -> tuple[tuple[str, ...], tuple[str, ...]]:
 def main() -> None:
     """Print the coefficients of `mechanics.compiled.c.sine`."""
     for kind in COUNTS:
-        for numbers in coefficients(kind):
+        cut = [rounded(piece, kind) for piece in pieces(PIECES[kind])]
+        for numbers in (*coefficients(kind), cut):
             print(kind, *numbers)
 
 

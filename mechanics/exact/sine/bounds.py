@@ -98,6 +98,8 @@ def _joined(cases: Sequence[Reduced]) -> list[Reduced]:
     ]
 
 
+_MINUTE, _WIDE = 64, 16
+"""Exponents from which on, and by which, intervals span several powers of 2."""
 _TINY = Fraction(1, 2**12)
 """Below, low matters beside r, and how large it is depends on n."""
 
@@ -114,13 +116,16 @@ def _intervals(kind: str, top: Fraction) -> Iterator[tuple[Fraction, Fraction]]:
     """Intervals from the smallest number to `top`, shorter where errors are larger."""
     if top > 1:
         raise ExpressionError(f"the reduced angle may be {float(top):.3g}")
-    for e in range(-1, SMALLEST[kind] - 1, -1):
+    for e in range(-1, -_MINUTE - 1, -1):
         parts = 128 if e > -3 else (16 if e > -12 else 1)
         start = Fraction(2) ** e
         for k in range(parts):
             a, b = start * (1 + Fraction(k, parts)), start * (1 + Fraction(k + 1, parts))
             if a < top:
                 yield a, min(b, top)
+    # There the sine is r: r^3 is small beside a unit in the last place of much smaller numbers.
+    for e in range(-_MINUTE, SMALLEST[kind], -_WIDE):
+        yield Fraction(2) ** max(e - _WIDE, SMALLEST[kind]), Fraction(2) ** e
 
 
 class _Difference:
