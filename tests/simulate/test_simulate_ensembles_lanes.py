@@ -209,6 +209,8 @@ def test_defined_parameters_follow_those_that_are_arrays() -> None:
         ({"times": "now"}, "times: 'now' found"),
         ({"threads": 0}, "threads: 0 found"),
         ({"budget": 1.5}, "budget: 1.5 found"),
+        ({"step": 1e-9}, "step 1e-09 s: 1e+09 steps are needed, and the budget is 1000000"),
+        ({"initial": [{"theta": 1.0}]}, "initial values: list found: give a mapping"),
     ],
 )
 def test_mistakes_are_told_in_a_line(given: dict[str, Any], words: str) -> None:

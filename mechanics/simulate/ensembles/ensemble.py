@@ -77,7 +77,7 @@ def ensemble(
     threads : int
         On how many processors; the result is the same to the last bit.
     budget : int
-        Steps that an adaptive method may try for one motion.
+        Steps that may be tried for one motion.
     beyond_domain : bool
         In a scene with conditions of validity: that they are not watched has to be accepted.
 
@@ -108,6 +108,11 @@ def ensemble(
         raise InputError(
             f"{scene.name}: it has conditions of validity, which an ensemble does not watch:"
             " simulate the motions one by one, or pass beyond_domain=True"
+        )
+    if name in FIXED and duration / by > budget:
+        raise InputError(
+            f"step {by:g} s: {duration / by:.2g} steps are needed, and the budget is {budget}: take"
+            " longer ones, or give a larger budget"
         )
     motions = read_motions(model, grid, initial or {}, parameters or {}, inputs or {})
     run = _run(motions, name, by, budget, min(threads, max(1, len(motions))))

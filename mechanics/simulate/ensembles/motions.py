@@ -94,6 +94,10 @@ def read_motions(
 
 
 def _numbers(kind: str, values: Given) -> dict[str, Array]:
+    if not isinstance(values, Mapping):
+        raise InputError(
+            f"{kind}s: {type(values).__name__} found: give a mapping of names to numbers or arrays"
+        )
     found = {}
     for name, value in values.items():
         if callable(value):
