@@ -38,11 +38,11 @@ def first_order(code: Program, inputs: Sequence[Sequence[float]], digits: int) -
     sizes = np.abs(values)
     sizes[[k for k, node in enumerate(code.nodes) if node.operation == ca.OP_INPUT]] = 0
     flat = [node for nodes in code.outputs for node in nodes]
-    sums = [
-        part * 2.0**-digits
-        for start in range(0, len(flat), TOGETHER)
-        for part in sizes @ np.abs(_backwards(code, slopes, flat[start : start + TOGETHER]))
-    ]
+    sums: list[float] = []
+    for start in range(0, len(flat), TOGETHER):
+        back = np.abs(_backwards(code, slopes, flat[start : start + TOGETHER]))
+        with np.errstate(all="ignore"):
+            sums += (2.0**-digits * (sizes @ back)).tolist()
     ends = np.cumsum([len(nodes) for nodes in code.outputs])
     return [list(part) for part in np.split(np.array(sums), ends[:-1])]
 
@@ -95,7 +95,9 @@ def _backwards(
     found = np.zeros((len(code.nodes), len(outputs)))
     for column, node in enumerate(outputs):
         found[node, column] += 1
-    for k in range(len(code.nodes) - 1, -1, -1):
-        for operand, slope in zip(code.nodes[k].operands, slopes.get(k, ()), strict=False):
-            found[operand] += slope * found[k]
+    # At a singular state a slope is infinite, and so is the sum, or no number.
+    with np.errstate(all="ignore"):
+        for k in range(len(code.nodes) - 1, -1, -1):
+            for operand, slope in zip(code.nodes[k].operands, slopes.get(k, ()), strict=False):
+                found[operand] += slope * found[k]
     return found
