@@ -177,7 +177,13 @@ def awkward() -> Model:
         "double M_PI m v1 p",
         units="N/m m/s^2 kg 1 1",
         typical="1 2 3 4 5",
-        meanings=("stiffness */ of\nwhat", "gravity /* down ??/", "mass\\", "", "plain"),
+        meanings=(
+            "stiffness */ of\nwhat",
+            "gravity /* down ??/",
+            "mass\\",
+            "@NAME@ '\"",
+            "plain; ${x}",
+        ),
     )
     ground, origin = ReferenceFrame("N"), Point("O")
     place = origin.locatenew("P", I * ground.x + y1 * ground.y)
@@ -197,6 +203,18 @@ def test_awkward_names_become_identifiers_and_comments_stay_closed(
     files = write_c(awkward(), tmp_path)
     assert files[0].name == "int_main_2.h"
     assert run(build(compiler, tmp_path, *SANITIZED)).returncode == 0
+
+
+def test_awkward_words_are_data_in_python_and_harmless_in_cmake(needed, tmp_path: Path) -> None:
+    model = awkward()
+    write_c(model, tmp_path / "c", precision="both")
+    tables: dict = {}
+    exec((tmp_path / "c" / "int_main_2_loader.py").read_text(encoding="utf-8"), tables)
+    for array in ("q", "u", "inputs", "p"):
+        entries = getattr(model.quantities, array)
+        assert tables["ARRAYS"][array] == tuple((e.name, e.unit, e.meaning) for e in entries)
+    command = [needed("cmake"), "-S", str(tmp_path / "c"), "-B", str(tmp_path / "b")]
+    assert subprocess.run(command, capture_output=True, check=False).returncode == 0
 
 
 def test_comment_is_one_line_that_closes_nothing() -> None:
