@@ -55,7 +55,7 @@ class Quantities:
     ----------
     q, u, ud, inputs, p, multipliers, reactions : tuple of Quantity
         Coordinates, speeds, their rates, inputs (with the rates of them that occur, and time if it
-        does), parameters, multipliers that stay, and all reactions that are known.
+        is in the scene), parameters, multipliers that stay, and all reactions that are known.
     definitions : mapping of Symbol to Expr
         Of the scene.
     """
@@ -185,11 +185,12 @@ def input_symbols(
 ) -> list[Symbol]:
     """Inputs in the scene's order, then their rates up to the highest that occurs, then time.
 
+    Time is there wherever the scene writes it, though it may cancel in the equations of a route.
     Energies and momenta hold the lower rates where the equations hold a higher one.
     """
     scene = equations.scene
     orders = range(1, len(DOTS))
-    given = {TIME, *(plain_symbol(f, k) for f in scene.inputs for k in orders)}
+    given = {plain_symbol(f, k) for f in scene.inputs for k in orders}
     used = _used(equations, given)
     for _, expression in reactions:
         used |= expression.free_symbols
@@ -198,7 +199,7 @@ def input_symbols(
                for f in scene.inputs}  # fmt: skip
     for order in orders:
         found += [plain_symbol(f, order) for f in scene.inputs if order <= highest[f]]
-    return found + ([TIME] if TIME in used else [])
+    return found + ([TIME] if scene.explicit_time else [])
 
 
 def _used(equations: Equations, given: set[Symbol]) -> set[Symbol]:

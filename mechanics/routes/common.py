@@ -9,7 +9,7 @@ from typing import Protocol
 
 from sympy import Expr, Matrix, S, Symbol, zeros
 
-from mechanics.exact import linear_equation
+from mechanics.exact import canonical, linear_equation
 from mechanics.scene import Scene
 
 
@@ -34,6 +34,14 @@ class System:
     mass: Matrix
     forcing: Matrix
     reaction_matrix: Matrix
+
+
+def tidied(scene: Scene, matrix: Matrix) -> Matrix:
+    """Entries of SymPy's methods in the normal form where time is explicit.
+
+    A frame that turns as Omega t leaves sin(Omega t)^2 + cos(Omega t)^2 all over them.
+    """
+    return matrix.applyfunc(canonical) if scene.explicit_time else matrix
 
 
 def assemble(scene: Scene, rows: Sequence[ForceBalance], kept: Sequence[Symbol]) -> System:

@@ -16,6 +16,7 @@ from mechanics.equations import Equations, Line, Step
 from mechanics.exact import collect_linear, independent_rows
 from mechanics.kinematics import chain
 from mechanics.kinematics.constraints import constraint_rows, velocity_forms
+from mechanics.routes.common import tidied
 from mechanics.routes.dynamic import Dynamic, dynamic_speeds
 from mechanics.routes.sympy_model import SympyModel, Velocities, build, force_at
 from mechanics.scene import Scene
@@ -32,7 +33,7 @@ def derive(scene: Scene) -> Equations:
         return _with_dependent_speeds(scene, dynamic, model, loads)
     method = _method(scene, dynamic, model, list(range(len(scene.u))))
     method.kanes_equations(list(model.bodies.values()), loads)
-    mass, forcing = dynamic.back(method.mass_matrix), dynamic.back(method.forcing)
+    mass, forcing = _matrices(scene, dynamic, method)
     return Equations(
         scene,
         "kane",
@@ -63,7 +64,8 @@ def derive_with_multipliers(scene: Scene) -> Equations:
     method = _method(scene, dynamic, model, list(range(len(scene.u))))
     method.kanes_equations(list(model.bodies.values()), loads)
     split = [collect_linear(entry, kept) for entry in dynamic.back(method.forcing)]
-    mass, forcing = dynamic.back(method.mass_matrix), Matrix([rest for _, rest in split])
+    mass = tidied(scene, dynamic.back(method.mass_matrix))
+    forcing = tidied(scene, Matrix([rest for _, rest in split]))
     columns = [coefficients for coefficients, _ in split]
     matrix, bias = constraint_rows(scene)
     return Equations(
@@ -89,7 +91,7 @@ def _with_dependent_speeds(
     method = _method(scene, dynamic, model, order, dependent)
     method.kanes_equations(list(model.bodies.values()), loads)
     free = len(order) - len(dependent)
-    mass, forcing = dynamic.back(method.mass_matrix), dynamic.back(method.forcing)
+    mass, forcing = _matrices(scene, dynamic, method)
     # SymPy orders the columns independent speeds first.
     back = [order.index(i) for i in range(len(order))]
     square, right = mass.extract(list(range(mass.rows)), back), forcing
@@ -108,6 +110,13 @@ def _with_dependent_speeds(
         explain=partial(_steps, scene),
         of_bodies=True,
     )
+
+
+def _matrices(scene: Scene, dynamic: Dynamic, method: KanesMethod) -> tuple[Matrix, Matrix]:
+    """M and f in plain symbols."""
+    found = (tidied(scene, dynamic.back(m)) for m in (method.mass_matrix, method.forcing))
+    mass, forcing = found
+    return mass, forcing
 
 
 def dependent_speeds(scene: Scene) -> list[int]:

@@ -17,6 +17,7 @@ from mechanics.equations import Equations, Line, Step
 from mechanics.exact import canonical
 from mechanics.kinematics import differentiate
 from mechanics.kinematics.motion import BodyMotion, inertia_matrix
+from mechanics.routes.common import tidied
 from mechanics.routes.dynamic import Dynamic, dynamic_rates
 from mechanics.scene import Scene
 from mechanics.scene.actions import load_actions
@@ -108,8 +109,8 @@ def _common_form(
     scene: Scene, method: LagrangesMethod, dynamic: Dynamic, kinetic: Expr, stored: Expr
 ) -> Equations:
     n, m = len(scene.q), len(scene.constraints)
-    mass = dynamic.back(method.mass_matrix[:, :n])
-    forcing = dynamic.back(method.forcing)
+    mass = tidied(scene, dynamic.back(method.mass_matrix[:, :n]))
+    forcing = tidied(scene, dynamic.back(method.forcing))
     names = tuple(Symbol(f"lambda{i + 1}", real=True) for i in range(m))
     matrix, bias, reactions = zeros(0, n), zeros(0, 1), zeros(n, 0)
     if m:

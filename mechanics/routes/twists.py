@@ -15,7 +15,7 @@ does no work on any of them, and the principle projected on it holds none of the
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
-from sympy import Expr, Matrix, S, Symbol, zeros
+from sympy import Expr, Matrix, Mul, S, Symbol, fraction, zeros
 from sympy.physics.vector import Point
 
 from mechanics.exact import canonical
@@ -104,6 +104,13 @@ def null_space(rows: Sequence[Sequence[Expr]], size: int) -> list[list[Expr]]:
     return basis
 
 
+def whole(vector: Sequence[Expr]) -> list[Expr]:
+    """A multiple of a vector without the divisors of its entries, which vanish at some states."""
+    divisors = dict.fromkeys(fraction(entry)[1] for entry in vector)
+    scale = Mul(*(divisor for divisor in divisors if not divisor.is_number))
+    return [canonical(entry * scale) for entry in vector] if scale != 1 else list(vector)
+
+
 def _simplest(
     work: Sequence[Sequence[Expr]], rows: Sequence[int], used: Sequence[int], size: int
 ) -> tuple[int, int] | None:
@@ -144,6 +151,7 @@ def _principle(
     none = zeros(3, 1)
     free = "whole system" if len(bodies) == len(scene.bodies) else " + ".join(bodies)
     if w == none:
+        v = Matrix(whole(v))
         words = f"{free}: linear momentum along {_words(scene, v)}"
         return Principle(bodies, point, none, none, v, words)
     square = w.dot(w)

@@ -9,8 +9,7 @@ from sympy import Add, Expr, Matrix, S, Symbol, sympify
 
 from mechanics.scene.scene import Scene
 from mechanics.scene.symbols import DOTS, plain_symbol
-
-TIME = Symbol("t")
+from mechanics.scene.symbols import TIME as TIME
 
 
 def rate_table(scene: Scene) -> dict[Symbol, Expr]:

@@ -23,7 +23,7 @@ from mechanics.scene.geometry import (
 )
 from mechanics.scene.loads import Load
 from mechanics.scene.reactions import Constraint, Reaction
-from mechanics.scene.symbols import by_name, plain_symbol, plain_table, to_plain
+from mechanics.scene.symbols import TIME, by_name, plain_symbol, plain_table, to_plain
 from mechanics.scene.validate import validate
 from mechanics.scene.wellformed import typed_expressions
 
@@ -116,11 +116,20 @@ class Scene:
     @cached_property
     def parameters(self) -> tuple[Symbol, ...]:
         """Free symbols that are no coordinate, speed or input, in order of their names."""
-        known = {*self.q, *self.qd, *self.u, *self.ud, *self._table.values(), Symbol("t")}
+        known = {*self.q, *self.qd, *self.u, *self.ud, *self._table.values(), TIME}
+        return tuple(sorted(self._symbols - known, key=by_name))
+
+    @cached_property
+    def explicit_time(self) -> bool:
+        """Whether time itself is written somewhere: a table that turns as Omega t, for example."""
+        return TIME in self._symbols
+
+    @cached_property
+    def _symbols(self) -> set[Symbol]:
         found: set[Symbol] = set()
         for expression in self._expressions():
             found |= expression.free_symbols
-        return tuple(sorted(found - known, key=by_name))
+        return found
 
     @cached_property
     def input_symbols(self) -> tuple[Symbol, ...]:

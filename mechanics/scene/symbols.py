@@ -13,6 +13,7 @@ from sympy.physics.vector import dynamicsymbols
 
 from mechanics.errors import SceneError
 
+TIME = Symbol("t")
 DOTS = ("", "_dot", "_ddot", "_dddot")
 NUMBER = re.compile(r"(\d+)")
 
