@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from mechanics.compiled.checked import checked
+from mechanics.compiled.direct_states import ManyStates
 from mechanics.compiled.fixed import read_fixed
 from mechanics.compiled.functions import Functions
 from mechanics.compiled.graphs import Graphs
@@ -38,6 +39,10 @@ class Model(Functions):
     def _one(self) -> OneState:
         return OneState(self)
 
+    @cached_property
+    def _states(self) -> ManyStates:
+        return ManyStates(self)
+
     def forward_dynamics(
         self, q: ArrayLike, u: ArrayLike, p: Any = None, *, inputs: Any = None,
         check: bool = True, out: Array | None = None, threads: int = 1,
@@ -52,6 +57,10 @@ class Model(Functions):
         """
         if out is None:
             found = self._one["forward_dynamics" if check else "unchecked"](q, u, inputs, p)
+            if found is not None:
+                return found
+        if threads == 1 and isinstance(q, np.ndarray) and q.ndim == 2:
+            found = self._states[check](q, u, inputs, p, out)
             if found is not None:
                 return found
         arrays = {"q": q, "u": u, "inputs": inputs, "p": p}

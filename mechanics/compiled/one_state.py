@@ -68,10 +68,10 @@ def _call(model: Functions, asked: Asked) -> Call:
     code, kernel = model.program(name), model.kernel(name)
     if not isinstance(kernel, NativeKernel) or kernel.extension is None:
         return _never
-    standards = dict(_standards(model))
+    known = dict(standards(model))
     return kernel.extension.Caller(
         kernel.address,
-        tuple((size, standards.get(group)) for group, size in code.inputs),
+        tuple((size, known.get(group)) for group, size in code.inputs),
         tuple(
             (rows, columns, 2 if out in MATRICES else 1, out in asked.outputs)
             for out, (rows, columns) in code.shapes
@@ -81,7 +81,7 @@ def _call(model: Functions, asked: Asked) -> Call:
     )
 
 
-def _standards(model: Functions) -> Iterator[tuple[str, np.ndarray]]:
+def standards(model: Functions) -> Iterator[tuple[str, np.ndarray]]:
     """Arrays that are used where none are given."""
     try:
         yield "p", model.typical

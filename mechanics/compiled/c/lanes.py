@@ -83,9 +83,9 @@ def lanes_source(
     ])  # fmt: skip
 
 
-def wrapped(text: str, indent: str) -> list[str]:
-    """Lines of at most `LINE` characters that break between arguments."""
-    glued = text.replace(", ", ",\0").replace(" ", "~").replace("\0", " ")
+def wrapped(text: str, indent: str, at: str = ", ") -> list[str]:
+    """Lines of at most `LINE` characters that break between arguments, or at another text."""
+    glued = text.replace(at, f"{at[:-1]}\0").replace(" ", "~").replace("\0", " ")
     lines = textwrap.wrap(
         glued, LINE, initial_indent=indent, subsequent_indent=indent + "    ",
         break_long_words=False, break_on_hyphens=False,

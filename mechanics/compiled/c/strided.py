@@ -2,8 +2,9 @@
 
     entry k of state i = array[i * state + k * entry]
 
-A block of each array is copied into a small local one, in which every entry has the states side by
-side, and the results are copied back: (batch, n) arrays are turned without a full copy.
+Where the states of every array are side by side and the entries of all equally far apart, the loop
+runs over the arrays themselves. Otherwise a block of each is copied into a small local array, in
+which they are, and the results are copied back: (batch, n) arrays are turned without a full copy.
 """
 
 from collections.abc import Sequence
@@ -42,6 +43,7 @@ def strided_source(code: Program, kind: str, name: str, shared: Sequence[str] = 
         "{",
         *(f"    {kind} {group}_[{size * lanes}];" for _, group, size in moving),
         *(f"    {kind} {out}_[{size * lanes}];" for out, size in asked),
+        *_side_by_side(code, name, shared),
         "    int found = 0;",
         f"    for (size_t i = 0; i < count; i += {lanes}) {{",
         f"        const size_t lanes = count - i < {lanes} ? count - i : {lanes};",
@@ -57,6 +59,23 @@ def strided_source(code: Program, kind: str, name: str, shared: Sequence[str] = 
         "}",
         "",
     ])  # fmt: skip
+
+
+def _side_by_side(code: Program, name: str, shared: Sequence[str]) -> list[str]:
+    """C that calls the batch function with the arrays themselves where it can read them."""
+    given = [(group, size) for group, size in code.inputs if size]
+    asked = [(out, rows * cols) for out, (rows, cols) in code.shapes if rows * cols]
+    moving = [(i, s) for i, (g, s) in enumerate((*given, *asked)) if g not in shared]
+    apart = [i for i, size in moving if size > 1]
+    stride = f"steps[{2 * apart[0] + 1}]" if apart else "1"
+    tests = [f"steps[{2 * i}] == 1" for i, _ in moving]
+    tests += [f"steps[{2 * i + 1}] == stride" for i in apart[1:]]
+    every = [f"arg[{i}]" for i in range(len(given))] + [f"res[{i}]" for i in range(len(asked))]
+    return [
+        f"    const ptrdiff_t stride = {stride};",
+        *wrapped(f"if (stride >= 0 && {' && '.join(tests)})", "    ", " "),
+        *wrapped(f"return {name}(count, (size_t)stride, {', '.join(every)});", _IN),
+    ]
 
 
 def block(code: Program, kind: str, shared: Sequence[str] = SHARED) -> int:

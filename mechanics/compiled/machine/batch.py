@@ -1,8 +1,7 @@
 """Programs over many states at once: the batch text, compiled for this machine, called by ctypes.
 
-Arrays of any strides are taken as they are. Where the states of every array are side by side and
-the entries equally far apart, the loop runs over them directly; otherwise blocks are copied into
-small local arrays on the way. The interpreter's lock is released, so chunks run on several threads.
+Arrays of any strides are taken as they are. The interpreter's lock is released, so chunks run on
+several threads.
 """
 
 import ctypes
@@ -71,9 +70,13 @@ class BatchKernel:
         remarks = library.with_suffix(REMARKS).read_text(encoding="utf-8")
         line = loop_line(self.source, f"{name}_lanes")
         self.vectorised = vectorised(remarks, compiler, line, np.dtype(kind).itemsize, code)
-        loaded = ctypes.CDLL(str(library))
-        self._direct, self._strided = getattr(loaded, name), getattr(loaded, f"{name}_strided")
-        self._direct.restype = self._strided.restype = ctypes.c_int
+        self._call = getattr(ctypes.CDLL(str(library)), f"{name}_strided")
+        self._call.restype = ctypes.c_int
+
+    @property
+    def address(self) -> int:
+        """Of the C function for arrays of any strides, valid while the kernel lives."""
+        return ctypes.cast(self._call, ctypes.c_void_p).value or 0
 
     def __call__(
         self, arguments: Sequence[Array], results: Sequence[Array], threads: int = 1
@@ -108,27 +111,15 @@ class BatchKernel:
     ) -> Callable[[], int]:
         """A call of the C function for the states from `first` on."""
         size = np.dtype(self._kind).itemsize
-        moving = [a for a, shared in given if not shared] + list(asked)
         inputs = [a.ctypes.data + (0 if s else first * a.strides[0]) for a, s in given]
         outputs = [a.ctypes.data + first * a.strides[0] for a in asked]
-        apart = {a.strides[1] for a in moving if a.shape[1] > 1}
-        if (
-            all(a.strides[0] == size for a in moving)
-            and len(apart) < 2
-            and min(apart, default=0) >= 0
-        ):
-            stride = next(iter(apart), size) // size
-            return functools.partial(
-                self._direct, ctypes.c_size_t(count), ctypes.c_size_t(stride),
-                *map(ctypes.c_void_p, (*inputs, *outputs)),
-            )  # fmt: skip
         steps = [
             stride // size
             for a in (*(a for a, _ in given), *asked)
             for stride in (a.strides if a.ndim == 2 else (0, size))
         ]
         return functools.partial(
-            self._strided,
+            self._call,
             ctypes.c_size_t(count),
             (ctypes.c_void_p * len(inputs))(*inputs),
             (ctypes.c_void_p * len(outputs))(*outputs),

@@ -22,14 +22,14 @@ from mechanics.compiled.machine.library import build
 from mechanics.errors import CompilerError
 
 NAME = "mechanics_direct"
-SOURCES = ("head.c", "caller.c", "bound.c", "module.c")
+SOURCES = ("head.c", "caller.c", "bound.c", "states.c", "module.c")
 FLAGS = ("-std=c11", "-O2", "-fPIC")
 # Symbols of Python itself are found in the process, which linkers elsewhere do not expect.
 LINKED = ("-undefined", "dynamic_lookup") if sys.platform == "darwin" else ()
 
 
 class Direct(NamedTuple):
-    """The extension with ``Caller`` and ``Bound``, or why there is none."""
+    """The extension with ``Caller``, ``Bound`` and ``States``, or why there is none."""
 
     module: Any
     why_not: str = ""

@@ -1,6 +1,6 @@
 /*
- * Compiled functions as callables of Python that touch arrays directly: head.c, caller.c, bound.c and
- * module.c, compiled as one.
+ * Compiled functions as callables of Python that touch arrays directly: head.c, caller.c, bound.c,
+ * states.c and module.c, compiled as one.
  *
  * A kernel is void (*)(const double *const *, double *const *): pointers to the inputs and outputs
  * that have entries, in order. The interpreter's lock is released while it runs.

@@ -8,7 +8,8 @@ PyMODINIT_FUNC PyInit_mechanics_direct(void)
     PyObject *made = PyModule_Create(&module);
     if (made == NULL)
         return NULL;
-    if (PyModule_AddType(made, &CallerType) < 0 || PyModule_AddType(made, &BoundType) < 0)
+    if (PyModule_AddType(made, &CallerType) < 0 || PyModule_AddType(made, &BoundType) < 0
+        || PyModule_AddType(made, &StatesType) < 0)
         Py_CLEAR(made);
     return made;
 }

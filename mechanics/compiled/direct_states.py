@@ -1,0 +1,50 @@
+"""Many states at once, with nothing between the arrays and the batch kernel.
+
+    model.forward_dynamics(q, u, p)        (batch, n) arrays of doubles, of any strides
+
+Whatever else is given (lists, fewer states, parameters of their own, a wrong shape), and whatever a
+check would refuse, is left to the way that converts, checks and explains.
+"""
+
+from typing import Any
+
+from mechanics.compiled.functions import Functions
+from mechanics.compiled.machine.direct import direct_calls
+from mechanics.compiled.many_states import MANY
+from mechanics.compiled.one_state import Call, standards
+
+DYNAMICS = "forward_dynamics"
+
+
+class ManyStates(dict[bool, Call]):
+    """Forward dynamics with a check and without, each made ready when it is first called."""
+
+    def __init__(self, model: Functions) -> None:
+        super().__init__()
+        self._model = model
+
+    def __missing__(self, checked: bool) -> Call:
+        def first(*arrays: Any) -> Any:
+            if len(arrays[0]) < MANY:
+                return None
+            self[checked] = _call(self._model, checked)
+            return self[checked](*arrays)
+
+        return first
+
+
+def _never(*arrays: Any) -> None:
+    """Where there is nothing faster."""
+
+
+def _call(model: Functions, checked: bool) -> Call:
+    code = model.program(DYNAMICS)
+    kernel = model.batch_kernel(DYNAMICS, checked=checked)
+    sizes = [rows * cols for _, (rows, cols) in code.shapes]
+    extension = None if model.compiler is None else direct_calls(model.compiler).module
+    # Multipliers are an output of their own.
+    if kernel is None or extension is None or any(sizes[1:]):
+        return _never
+    known = dict(standards(model))
+    inputs = tuple((size, group == "p", known.get(group)) for group, size in code.inputs)
+    return extension.States(kernel.address, inputs, sizes[0], MANY, checked, kernel)
