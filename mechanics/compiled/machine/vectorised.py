@@ -18,7 +18,14 @@ _BYTES = r":{line}:\d+: optimized:.* loop vectorized using (\d+) byte vectors"
 _WIDTH = r":{line}:\d+: remark: vectorized loop \(vectorization width: (\d+)"
 TELL = {"gcc": "-fopt-info-vec-optimized", "clang": "-Rpass=loop-vectorize"}
 """Settings that make the compilers tell."""
-SETTINGS = ("-O3 -march=native -mprefer-vector-width=512", "-O3 -march=native", "-O3")
+# gcc calls the sines of a long loop unless it is let make them inline, and calls end vectors.
+_GROWTH = "--param=large-function-growth=1000000 --param=inline-unit-growth=1000000"
+SETTINGS = (
+    f"-O3 -march=native -mprefer-vector-width=512 {_GROWTH}",
+    "-O3 -march=native -mprefer-vector-width=512",
+    "-O3 -march=native",
+    "-O3",
+)
 """For this machine; the first that the compiler knows is taken."""
 INLINE = ("sin", "cos", "sqrt", "fabs")
 """Functions that have a vector form."""
