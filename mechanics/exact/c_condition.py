@@ -8,7 +8,7 @@ condition are mostly equal. An integer that depends on conditions is a tree of c
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from typing import Any
 
@@ -123,3 +123,19 @@ def _renamed(condition: Condition, name: Callable[[Atom], Condition]) -> Conditi
     for part in condition.parts:
         result = joined(condition.both, result, _renamed(part, name))
     return result
+
+
+def atoms(decision: Decision) -> Iterator[Atom]:
+    """Every statement that a decision is about, without its negation."""
+    if isinstance(decision, Choice):
+        yield from _atoms(decision.condition)
+        yield from atoms(decision.yes)
+        yield from atoms(decision.no)
+
+
+def _atoms(condition: Condition) -> Iterator[Atom]:
+    if isinstance(condition, Atom):
+        yield Atom(condition.relation, condition.operands)
+    elif not isinstance(condition, bool):
+        for part in condition.parts:
+            yield from _atoms(part)

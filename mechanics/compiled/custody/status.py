@@ -28,7 +28,16 @@ from mechanics.compiled.custody.prove import Graph, program_numbers
 from mechanics.compiled.custody.text import Text
 from mechanics.errors import SingularError
 from mechanics.exact import Finding, Inadmissible, Verdict
-from mechanics.exact.c_condition import Atom, Choice, Condition, Decision, choice, joined, renamed
+from mechanics.exact.c_condition import (
+    Atom,
+    Choice,
+    Condition,
+    Decision,
+    atoms,
+    choice,
+    joined,
+    renamed,
+)  # fmt: skip
 from mechanics.exact.field import FieldArithmetic
 from mechanics.exact.field_size import Memory
 from mechanics.exact.primes import pooled_prime
@@ -206,33 +215,18 @@ def difference(found: Decision | None, wanted: Decision) -> str:
     """Words for two decisions that are not the same."""
     if found is None:
         return "refused: it returns nothing, a status is specified"
-    atoms = sorted({*_atoms(found), *_atoms(wanted)}, key=str)
+    known = sorted({*atoms(found), *atoms(wanted)}, key=str)
     source = random.Random(1)
     for _ in range(400):
         share = source.random()
-        truth = {atom: source.random() < share for atom in atoms}
+        truth = {atom: source.random() < share for atom in known}
         left, right = _value(found, truth), _value(wanted, truth)
         if left != right:
             return (
-                f"with some {sum(truth.values())} of {len(atoms)} conditions true, {left} is"
+                f"with some {sum(truth.values())} of {len(known)} conditions true, {left} is"
                 f" returned where {right} is specified"
             )
     return "the status is decided in another way than specified"
-
-
-def _atoms(decision: Decision) -> Iterable[Atom]:
-    if isinstance(decision, Choice):
-        yield from _parts(decision.condition)
-        yield from _atoms(decision.yes)
-        yield from _atoms(decision.no)
-
-
-def _parts(condition: Condition) -> Iterable[Atom]:
-    if isinstance(condition, Atom):
-        yield Atom(condition.relation, condition.operands)
-    elif not isinstance(condition, bool):
-        for part in condition.parts:
-            yield from _parts(part)
 
 
 def _value(decision: Decision, truth: Mapping[Atom, bool]) -> int:

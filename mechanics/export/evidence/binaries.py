@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from mechanics.compiled.custody.binary import Measured, compare, truth
+from mechanics.compiled.custody.binary import Measured, compare
 from mechanics.compiled.custody.build import Built
+from mechanics.compiled.custody.truth import truth
 from mechanics.exact import Finding
 from mechanics.export.evidence.chain import Evidence, Read, Report, silent
 

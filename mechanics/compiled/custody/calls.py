@@ -1,0 +1,75 @@
+"""Calls of a compiled function at many states: one by one, or as the lanes of a batch."""
+
+from __future__ import annotations
+
+import ctypes
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from mechanics.compiled.custody.states import TYPES
+from mechanics.compiled.custody.truth import Truth
+
+LANES = 300
+"""Of a call of many states: more than a block, and no multiple of a vector."""
+PAD = 3
+MARK = 12345
+"""What stands where nothing may be written."""
+
+Array = NDArray[np.floating]
+
+
+def _pointer(array: Array, offset: int = 0) -> ctypes.c_void_p:
+    return ctypes.c_void_p(array.ctypes.data + offset * array.itemsize)
+
+
+def one_by_one(known: Truth, function: Any) -> tuple[Array, Any, str]:
+    """Values and statuses, a call a state."""
+    text, count = known.text, len(known.given.stratum)
+    kind = TYPES[text.kernel.kind]
+    outs = [np.zeros((count, size), kind) for _, size in text.outputs]
+    ins = [np.ascontiguousarray(known.given.columns[name]) for name, _ in text.groups]
+    function.restype = ctypes.c_int if text.program.status is not None else None
+    statuses = np.zeros(count, dtype=np.int64)
+    for i in range(count):
+        given = [_pointer(array, i * array.shape[1]) for array in (*ins, *outs)]
+        result = function(*given)
+        statuses[i] = result if result is not None else 0
+    values = np.concatenate(outs, axis=1) if outs else np.zeros((count, 0))
+    return values, statuses if text.program.status is not None else None, ""
+
+
+def lanes(known: Truth, function: Any) -> tuple[Array, Any, str]:
+    """Values by one call: unaligned, in several blocks; equal lanes have to be equal."""
+    text, count = known.text, len(known.given.stratum)
+    kind, stride = TYPES[text.kernel.kind], LANES + PAD
+    order = np.arange(LANES) % count
+    arguments: list[Any] = [ctypes.c_size_t(LANES), ctypes.c_size_t(stride)]
+    kept = []
+    for name, size in text.groups:
+        column = known.given.columns[name]
+        if name in (text.kernel.shared or ()):
+            array = np.ascontiguousarray(column[0])
+            arguments.append(_pointer(array))
+        else:
+            array = np.zeros(1 + size * stride, kind)
+            array[1:].reshape(size, stride)[:, :LANES] = column[order].T
+            arguments.append(_pointer(array, 1))
+        kept.append(array)
+    outs = [np.full(1 + size * stride, MARK, kind) for _, size in text.outputs]
+    arguments += [_pointer(array, 1) for array in outs]
+    function.restype = ctypes.c_int
+    flags = function(*arguments)
+    tables = [array[1:].reshape(-1, stride) for array in outs]
+    if any((t[:, LANES:] != MARK).any() for t in tables) or any(a[0] != MARK for a in outs):
+        return np.zeros((0, 0)), None, "it writes beyond its lanes"
+    table = np.concatenate([t[:, :LANES] for t in tables]).T
+    first = table[:count]
+    if not np.array_equal(table, first[order], equal_nan=True):
+        return table, None, "a lane has another value where it stands elsewhere in the batch"
+    if known.statuses is not None and text.program.status is not None:
+        wanted = int(np.bitwise_or.reduce(known.statuses))
+        if flags != wanted:
+            return table, None, f"it returns {flags}, the text says {wanted}"
+    return first, None, ""
