@@ -173,6 +173,14 @@ def test_a_budget_ends_a_motion() -> None:
 
 
 @needs_compiler
+def test_columns_by_name() -> None:
+    found = run(starts(3), METHODS[0])
+    assert np.array_equal(found["theta"], found.states[:, :, 1]) and found["x_dot"].shape == (3, 3)
+    with pytest.raises(InputError, match="'phi': the coordinates and speeds are x, theta, x_dot"):
+        found["phi"]
+
+
+@needs_compiler
 def test_defined_parameters_follow_those_that_are_arrays() -> None:
     """The rocker's moments of inertia are defined by its masses and lengths."""
     model = compile(derive(rocker.scene(), "free_body"))

@@ -6,6 +6,8 @@ from enum import Enum
 import numpy as np
 from numpy.typing import NDArray
 
+from mechanics.errors import InputError
+
 
 class Status(Enum):
     """How a motion ended; the value says it."""
@@ -57,6 +59,8 @@ class Ensemble:
 
     def __getitem__(self, name: str) -> NDArray[np.float64]:
         """One coordinate or speed of all motions, shape (batch, N)."""
+        if name not in self.names:
+            raise InputError(f"{name!r}: the coordinates and speeds are {', '.join(self.names)}")
         return self.states[..., self.names.index(name)]
 
     @property
