@@ -115,16 +115,6 @@ def test_a_binary_of_another_text_is_refuted(gcc: str, body: str, old: str, new:
     assert finding.verdict is Verdict.REFUTED and finding.witness is not None
 
 
-REORDERED = ("-O2", "-fno-signed-zeros", "-fno-trapping-math", "-fassociative-math")
-"""What -ffast-math does to sums; that itself would change the mode of the whole process."""
-
-
-def test_sums_that_a_compiler_reorders_are_seen(gcc: str) -> None:
-    read, source = text("y[0] = ((x[0] + 1e20) - 1e20) * x[1];")
-    done = binary(source, gcc, *REORDERED)
-    assert compare(truth(read, SYMBOLS), done)[0].verdict is Verdict.REFUTED
-
-
 def test_what_does_not_compile_is_undecided(gcc: str) -> None:
     read, source = text("y[0] = x[0];")
     finding, measured = compare(truth(read, SYMBOLS), binary(source + "}", gcc))
