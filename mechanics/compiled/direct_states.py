@@ -16,19 +16,22 @@ from mechanics.compiled.one_state import Call, standards
 DYNAMICS = "forward_dynamics"
 
 
-class ManyStates(dict[bool, Call]):
-    """Forward dynamics with a check and without, each made ready when it is first called."""
+class ManyStates(dict[tuple[bool, bool], Call]):
+    """Forward dynamics, each variant made ready when it is first called.
+
+    With a check or without, and with one array of inputs for all states or one for each.
+    """
 
     def __init__(self, model: Functions) -> None:
         super().__init__()
         self._model = model
 
-    def __missing__(self, checked: bool) -> Call:
+    def __missing__(self, variant: tuple[bool, bool]) -> Call:
         def first(*arrays: Any) -> Any:
             if len(arrays[0]) < MANY:
                 return None
-            self[checked] = _call(self._model, checked)
-            return self[checked](*arrays)
+            self[variant] = _call(self._model, *variant)
+            return self[variant](*arrays)
 
         return first
 
@@ -37,14 +40,15 @@ def _never(*arrays: Any) -> None:
     """Where there is nothing faster."""
 
 
-def _call(model: Functions, checked: bool) -> Call:
+def _call(model: Functions, checked: bool, one_input: bool) -> Call:
     code = model.program(DYNAMICS)
-    kernel = model.batch_kernel(DYNAMICS, checked=checked)
+    shared = ("p", "inputs") if one_input else ("p",)
+    kernel = model.batch_kernel(DYNAMICS, shared=shared, checked=checked)
     sizes = [rows * cols for _, (rows, cols) in code.shapes]
     extension = None if model.compiler is None else direct_calls(model.compiler).module
     # Multipliers are an output of their own.
     if kernel is None or extension is None or any(sizes[1:]):
         return _never
     known = dict(standards(model))
-    inputs = tuple((size, group == "p", known.get(group)) for group, size in code.inputs)
+    inputs = tuple((size, group in shared, known.get(group)) for group, size in code.inputs)
     return extension.States(kernel.address, inputs, sizes[0], MANY, checked, kernel)

@@ -60,7 +60,7 @@ class Model(Functions):
             if found is not None:
                 return found
         if threads == 1 and isinstance(q, np.ndarray) and q.ndim == 2:
-            found = self._states[check](q, u, inputs, p, out)
+            found = self._states[check, np.ndim(inputs) == 1](q, u, inputs, p, out)
             if found is not None:
                 return found
         arrays = {"q": q, "u": u, "inputs": inputs, "p": p}

@@ -166,6 +166,18 @@ def test_parameters_of_their_own_for_every_state(pendulum: Model) -> None:
     np.testing.assert_allclose(found[::40], single, rtol=1e-13)
 
 
+@pytest.mark.parametrize("check", [True, False])
+def test_inputs_of_all_states_or_of_each(modelled, compiler: str, check: bool) -> None:
+    model = modelled("rocker", "moving_point")
+    given = states(model, COUNT)
+    q, u, inputs = given["q"], given["u"], given.get("inputs", np.zeros((COUNT, 0)))
+    each_one = model.forward_dynamics(q, u, inputs=np.tile(inputs[:1], (COUNT, 1)), check=check)
+    shared = model.forward_dynamics(q, u, inputs=inputs[0], check=check)
+    by_list = model.forward_dynamics(q.tolist(), u, inputs=inputs[0].tolist(), check=check)
+    np.testing.assert_allclose(shared, each_one, rtol=1e-12, atol=1e-12)
+    assert_array_equal(by_list, shared)
+
+
 def test_threads_take_parts(pendulum: Model) -> None:
     q, u = np.random.default_rng(0).uniform(-1, 1, (2, 5 * COUNT, 2))
     expected = pendulum.forward_dynamics(q, u)
