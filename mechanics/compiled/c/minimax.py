@@ -3,103 +3,103 @@
     sin r = r - r^3 P(z)                 P minimises the relative error of the sine
     cos r = 1 - z / 2 + z^2 Q(z)         Q minimises the relative error of the cosine
 
-by Remez' exchange in 60 digits. The coefficients that stand in `sine` are these, rounded to the
-precision; run ``python -m mechanics.compiled.c.minimax`` to see them again.
+by Remez' exchange with `DIGITS` bits. The coefficients that stand in `sine` are these, rounded to
+the precision; run ``python -m mechanics.compiled.c.minimax`` to see them again.
 """
 
 from collections.abc import Callable, Sequence
+from fractions import Fraction
 
-import mpmath
 import numpy as np
-from mpmath import mp, mpf
+from flint import arb, arb_mat
 
-REACHES = {"double": mpf("0.7855"), "float": mpf("0.83")}
+from mechanics.exact.balls import precision
+from mechanics.exact.c_literal import rounded as nearest
+
+REACHES = {"double": "0.7855", "float": "0.83"}
 """Largest |r|: pi/4 = 0.785398... and what rounding of 2/pi adds, times the largest |x|."""
 COUNTS = {"double": (6, 6), "float": (4, 3)}
 """Number of coefficients of P and of Q."""
-
-DIGITS = 60
-GRID = 400
-
 PIECES = {"double": (33, 20, 32, 53), "float": (24, 24, 24)}
 """Bits of the pieces of pi/2. In double precision n has 20 bits, so that n times each of the first
 three is exact without fused operations, and the first two end where x and 1 do."""
 
+DIGITS = 400
+GRID = 400
 
-def sine_residue(z: mpf) -> mpf:
+
+def sine_residue(r: arb) -> arb:
     """(r - sin r) / r^3."""
-    if z < mpf("1e-6"):
-        return mpf(1) / 6 - z / 120 + z**2 / 5040 - z**3 / 362880 + z**4 / 39916800
-    r = mpmath.sqrt(z)
-    return (r - mpmath.sin(r)) / r**3
+    return (r - r.sin()) / r**3
 
 
-def cosine_residue(z: mpf) -> mpf:
-    """(cos r - 1 + z / 2) / z^2."""
-    if z < mpf("1e-6"):
-        return mpf(1) / 24 - z / 720 + z**2 / 40320 - z**3 / 3628800 + z**4 / 479001600
-    return (mpmath.cos(mpmath.sqrt(z)) - 1 + z / 2) / z**2
+def cosine_residue(r: arb) -> arb:
+    """(cos r - 1 + r^2 / 2) / r^4."""
+    return (r.cos() - 1 + r**2 / 2) / r**4
 
 
-def sine_weight(z: mpf) -> mpf:
+def sine_weight(r: arb) -> arb:
     """What an error of P means for the sine, relative."""
-    r = mpmath.sqrt(z)
-    return z / (mpmath.sin(r) / r if r else mpf(1))
+    return r**3 / r.sin()
 
 
-def cosine_weight(z: mpf) -> mpf:
+def cosine_weight(r: arb) -> arb:
     """What an error of Q means for the cosine, relative."""
-    return z**2 / mpmath.cos(mpmath.sqrt(z))
+    return r**4 / r.cos()
 
 
 def remez(
-    function: Callable[[mpf], mpf], weight: Callable[[mpf], mpf], count: int, reach: mpf
-) -> tuple[list[mpf], mpf]:
-    """Coefficients of the polynomial that minimises the largest weighted error, and that error.
+    function: Callable[[arb], arb], weight: Callable[[arb], arb], count: int, reach: str
+) -> list[arb]:
+    """Coefficients of the polynomial in r^2 that minimises the largest weighted error.
 
     Parameters
     ----------
     function, weight : callable
-        Of z in [0, reach^2].
+        Of r in [0, reach].
     count : int
         Number of coefficients.
-    reach : mpf
+    reach : str
         Largest |r|.
     """
-    with mp.workdps(DIGITS):
-        # The weight vanishes at zero, where no error is seen: the grid starts above.
-        top = reach**2
-        grid = [top * (1 - mpmath.cos(mp.pi * (k + 1) / GRID)) / 2 for k in range(GRID)]
-        values = [function(z) for z in grid]
-        weights = [weight(z) for z in grid]
-        places = [round((k + 0.5) * GRID / (count + 1)) - 1 for k in range(count + 1)]
-        for _ in range(30):
-            coefficients, level = _levelled(grid, values, weights, places)
-            errors = [
-                w * (mpmath.polyval(coefficients[::-1], z) - f)
-                for z, f, w in zip(grid, values, weights, strict=True)
-            ]
-            found = _extrema(errors, count + 1)
-            if found == places:
-                break
-            places = found
-        return coefficients, abs(level)
+    # The weight vanishes at zero, where no error is seen: the grid starts above.
+    top = arb(reach) ** 2
+    grid = [top * (1 - arb.cos_pi(arb(k + 1) / GRID)) / 2 for k in range(GRID)]
+    values, weights = ([f(z.sqrt()) for z in grid] for f in (function, weight))
+    places = [round((k + 0.5) * GRID / (count + 1)) - 1 for k in range(count + 1)]
+    while True:
+        found = _levelled(grid, values, weights, places)
+        errors = [
+            float(w * (_horner(found, z) - f))
+            for z, f, w in zip(grid, values, weights, strict=True)
+        ]
+        exchanged = _extrema(errors, count + 1)
+        if exchanged == places:
+            return found
+        places = exchanged
+
+
+def _horner(coefficients: Sequence[arb], z: arb) -> arb:
+    total = arb(0)
+    for coefficient in reversed(coefficients):
+        total = total * z + coefficient
+    return total
 
 
 def _levelled(
-    grid: Sequence[mpf], values: Sequence[mpf], weights: Sequence[mpf], places: Sequence[int]
-) -> tuple[list[mpf], mpf]:
+    grid: Sequence[arb], values: Sequence[arb], weights: Sequence[arb], places: Sequence[int]
+) -> list[arb]:
     """The polynomial whose weighted errors at the places are equal and alternate."""
     count = len(places) - 1
     rows = [
         [*(grid[k] ** j for j in range(count)), (-1) ** i / weights[k]]
         for i, k in enumerate(places)
     ]
-    solution = mpmath.lu_solve(mpmath.matrix(rows), mpmath.matrix([values[k] for k in places]))
-    return list(solution)[:count], solution[count]
+    solution = arb_mat(rows).solve(arb_mat([[values[k]] for k in places]))
+    return [entry.mid() for entry in solution.entries()][:count]
 
 
-def _extrema(errors: Sequence[mpf], count: int) -> list[int]:
+def _extrema(errors: Sequence[float], count: int) -> list[int]:
     """Places of the largest errors of alternating sign, one for each run of a sign."""
     best: list[int] = []
     for k, error in enumerate(errors):
@@ -113,37 +113,45 @@ def _extrema(errors: Sequence[mpf], count: int) -> list[int]:
     return best
 
 
-def pieces(bits: Sequence[int]) -> list[mpf]:
+def pieces(kind: str) -> tuple[str, ...]:
     """pi/2 cut into numbers of so many bits each, from the top; the last one is rounded."""
-    with mp.workdps(DIGITS):
-        rest, found = mp.pi / 2, []
-        for place, size in enumerate(bits):
-            unit = mpf(2) ** (int(mpmath.floor(mpmath.log(rest, 2))) + 1 - size)
-            last = place == len(bits) - 1
-            found.append((mpmath.nint if last else mpmath.floor)(rest / unit) * unit)
-            rest -= found[-1]
-        return found
+    with precision(DIGITS):
+        rest = _fraction(arb.pi() / 2)
+    found: list[str] = []
+    for size in PIECES[kind]:
+        unit = Fraction(2) ** (int(np.frexp(float(rest))[1]) - size)
+        last = len(found) == len(PIECES[kind]) - 1
+        piece = round(rest / unit) * unit if last else rest // unit * unit
+        found.append(_written(piece, kind))
+        rest -= piece
+    return tuple(found)
 
 
-def rounded(number: mpf, kind: str) -> str:
+def _fraction(number: arb) -> Fraction:
+    mantissa, exponent = (int(part) for part in number.mid().man_exp())
+    return mantissa * Fraction(2) ** exponent
+
+
+def _written(number: Fraction, kind: str) -> str:
     """The hexadecimal C literal, without suffix, of the nearest number of a precision."""
-    value = float(number) if kind == "double" else float(np.float32(float(number)))
-    mantissa, exponent = value.hex().split("p")
+    mantissa, exponent = float(nearest(number, kind)).hex().split("p")
     return f"{mantissa.rstrip('0').rstrip('.')}p{exponent}"
 
 
 def coefficients(kind: str) -> tuple[tuple[str, ...], tuple[str, ...]]:
     """P and Q of a precision, ``"double"`` or ``"float"``."""
-    p, _ = remez(sine_residue, sine_weight, COUNTS[kind][0], REACHES[kind])
-    q, _ = remez(cosine_residue, cosine_weight, COUNTS[kind][1], REACHES[kind])
-    return tuple(rounded(c, kind) for c in p), tuple(rounded(c, kind) for c in q)
+    p, q = COUNTS[kind]
+    with precision(DIGITS):
+        sine = remez(sine_residue, sine_weight, p, REACHES[kind])
+        cosine = remez(cosine_residue, cosine_weight, q, REACHES[kind])
+    first, second = (tuple(_written(_fraction(c), kind) for c in found) for found in (sine, cosine))
+    return first, second
 
 
 def main() -> None:
-    """Print the coefficients of `mechanics.compiled.c.sine`."""
+    """Print the numbers of `mechanics.compiled.c.sine`."""
     for kind in COUNTS:
-        cut = [rounded(piece, kind) for piece in pieces(PIECES[kind])]
-        for numbers in (*coefficients(kind), cut):
+        for numbers in (*coefficients(kind), pieces(kind)):
             print(kind, *numbers)
 
 
