@@ -7,6 +7,7 @@ from typing import Any, Self
 from sympy import Symbol
 
 from mechanics.errors import SceneError
+from mechanics.scene.unit_names import dimension_of_unit
 
 
 class Parameter(Symbol):
@@ -70,8 +71,8 @@ def parameters(
     Raises
     ------
     SceneError
-        When the numbers of names, units, typical values or meanings differ, or a value is no
-        number.
+        When the numbers of names, units, typical values or meanings differ, a unit is not known,
+        or a value is no number.
     """
     split = names.split()
     if not split:
@@ -93,6 +94,8 @@ def parameters(
         strict=True,
     )
     sign = {"positive": True} if positive else {"real": True}
+    for name, unit in zip(split, units.split(), strict=False):
+        dimension_of_unit(unit, f"parameter {name}")
     return tuple(
         Parameter(name, unit, meaning, _number(name, value), **sign)
         for name, unit, value, meaning in rows

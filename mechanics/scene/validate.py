@@ -23,6 +23,7 @@ from mechanics.scene.loads import Force, Load
 from mechanics.scene.physical import check_bodies, check_loads
 from mechanics.scene.reactions import Reaction
 from mechanics.scene.symbols import name_of, plain_symbol
+from mechanics.scene.units import check_units
 from mechanics.scene.wellformed import check_names, check_symbols, check_types
 
 if TYPE_CHECKING:
@@ -53,6 +54,7 @@ def validate(scene: Scene) -> None:
     check_loads(scene)
     _given(scene)
     check_conditions(scene)
+    check_units(scene)
 
 
 def _bodies(scene: Scene) -> None:

@@ -1,0 +1,117 @@
+"""Units of parameters, and whether what is declared with them has the dimension that it must have.
+
+    mass kg,   inertia kg m^2,   place m,   field m/s^2,   force N,   torque N m,
+    spring N/m,   torsion spring N m/rad,   damper N s/m
+
+Angles have no dimension. Where a unit is not stated, or a coordinate enters, nothing is known and
+nothing is said: published equations are therefore not checked.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from itertools import pairwise
+from typing import TYPE_CHECKING
+
+from sympy import Add, Expr, Mul, Pow, sympify
+from sympy.physics.vector import Vector
+
+from mechanics.errors import SceneError
+from mechanics.scene.bodies import RigidBody
+from mechanics.scene.geometry import components, point_path, step_vector
+from mechanics.scene.loads import Damper, Force, Gravity, Spring, Torque, TorsionSpring
+from mechanics.scene.unit_names import Dimension, dimension_of_unit, words
+from mechanics.scene.wellformed import inertia_entries
+
+if TYPE_CHECKING:
+    from mechanics.scene.scene import Scene
+
+
+def check_units(scene: Scene) -> None:
+    """Refuse declarations whose dimension is known and wrong.
+
+    Raises
+    ------
+    SceneError
+        Names what is declared, its expression, and the unit that it must have.
+    """
+    for where, expression, unit in _declared(scene):
+        found = dimension(scene, expression, where)
+        if found is not None and found != dimension_of_unit(unit, where):
+            raise SceneError(
+                f"{where}: {expression} has the unit {words(found)}, not {unit}: correct the"
+                " expression, or the units of its parameters"
+            )
+
+
+def dimension(scene: Scene, expression: Expr, where: str) -> Dimension | None:
+    """Dimension of an expression in parameters; None where it is not known.
+
+    Raises
+    ------
+    SceneError
+        For a sum of terms of different dimensions.
+    """
+    if expression in scene.definitions and not getattr(expression, "unit", ""):
+        return dimension(scene, sympify(scene.definitions[expression]), where)
+    if expression.is_Symbol:
+        return dimension_of_unit(getattr(expression, "unit", ""), where)
+    if isinstance(expression, Pow) and expression.exp.is_Rational:
+        base = dimension(scene, expression.base, where)
+        return None if base is None else tuple(expression.exp * entry for entry in base)
+    if isinstance(expression, Mul):
+        factors = [
+            dimension(scene, factor, where) for factor in expression.args if not factor.is_number
+        ]
+        if not factors or any(factor is None for factor in factors):
+            return None
+        return tuple(Add(*column) for column in zip(*(f for f in factors if f), strict=True))
+    if isinstance(expression, Add):
+        return _sum(scene, expression, where)
+    return None
+
+
+def _sum(scene: Scene, expression: Add, where: str) -> Dimension | None:
+    known: Dimension | None = None
+    for term in expression.args:
+        found = dimension(scene, term, where)
+        if found is not None and known is not None and found != known:
+            raise SceneError(
+                f"{where}: {expression} adds {words(known)} and {words(found)}: correct it, or the"
+                " units of its parameters"
+            )
+        known = found or known
+    return known
+
+
+def _declared(scene: Scene) -> Iterator[tuple[str, Expr, str]]:
+    """What is declared, its expression, and the unit that it must have."""
+    for body in scene.bodies:
+        where = f"body {body.name}"
+        yield f"{where}, mass", sympify(body.mass), "kg"
+        if isinstance(body, RigidBody):
+            for entry in inertia_entries(body):
+                yield f"{where}, inertia", sympify(entry), "kg*m^2"
+        path = point_path(scene.origin, body.centre)
+        for parent, child in pairwise(path):
+            yield from _entries(f"point {child.name}", step_vector(parent, child), "m")
+    for load in scene.loads:
+        where = f"load {load.name}"
+        if isinstance(load, Gravity):
+            yield from _entries(where, load.field, "m/s^2")
+        elif isinstance(load, Spring):
+            yield f"{where}, stiffness", sympify(load.stiffness), "N/m"
+            yield f"{where}, length", sympify(load.length), "m"
+        elif isinstance(load, Damper):
+            yield f"{where}, coefficient", sympify(load.coefficient), "N*s/m"
+        elif isinstance(load, TorsionSpring):
+            yield f"{where}, stiffness", sympify(load.stiffness), "N*m/rad"
+        elif isinstance(load, Force):
+            yield from _entries(where, load.vector, "N")
+        elif isinstance(load, Torque):
+            yield from _entries(where, load.vector, "N*m")
+
+
+def _entries(where: str, vector: Vector, unit: str) -> Iterator[tuple[str, Expr, str]]:
+    for _, column in components(vector):
+        yield from ((where, entry, unit) for entry in column if entry != 0)
