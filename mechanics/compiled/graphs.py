@@ -18,7 +18,7 @@ import casadi as ca
 import sympy
 
 from mechanics.compiled.fixed import Fixed, fix
-from mechanics.compiled.forms import Form, System, chosen, named_form
+from mechanics.compiled.forms import Form, System, named_form, written
 from mechanics.compiled.forms.order import Order
 from mechanics.compiled.forms.trial import chosen_pivots, largest_error
 from mechanics.compiled.mechanical import Totals, totals
@@ -191,10 +191,6 @@ class Graphs(Mapping[str, ca.Function]):
         return System(self.equations, self._translate, self._choose, self._error)
 
     @property
-    def _system(self) -> tuple[ca.SX, ca.SX]:
-        return self._linear.graphs
-
-    @property
     def form(self) -> Form:
         """How forward dynamics is written."""
         return self._written[0]
@@ -206,10 +202,7 @@ class Graphs(Mapping[str, ca.Function]):
 
     @cached_property
     def _written(self) -> tuple[Form, ca.SX]:
-        if self._named == "auto":
-            return chosen(self._linear)
-        form = named_form(self._named, self.equations)
-        return form, form.solve(self._linear)
+        return written(self._named, self._linear)
 
     @property
     def pivots(self) -> Order:
@@ -232,14 +225,14 @@ class Graphs(Mapping[str, ca.Function]):
         return {"ud": self._solution[:n, 0], "multipliers": self._solution[n:, 0]}
 
     def _residual(self) -> dict[str, ca.SX]:
-        left, right = self._system
+        left, right = self._linear.graphs
         unknowns = ca.vertcat(self._columns["ud"], self._columns["multipliers"])
         return {"residual": left @ unknowns - right}
 
     def _inverse_dynamics(self) -> dict[str, ca.SX]:
         wanted = self._columns["ud"]
         if self._linear.symmetric:
-            left, right = self._system
+            left, right = self._linear.graphs
             return {"forces": left @ wanted - right}
         kinetic = self._translate(self._totals.kinetic)
         inertia = ca.jacobian(ca.jacobian(kinetic, self._columns["u"]).T, self._columns["u"])
@@ -274,7 +267,7 @@ class Graphs(Mapping[str, ca.Function]):
 
     def _jacobians(self) -> dict[str, ca.SX]:
         """The factors of K serve every column; differentiating through them costs twice as much."""
-        left, right = self._system
+        left, right = self._linear.graphs
         held, solution = ca.SX.sym("x", left.shape[1]), self._linear.solve(right)
         state = ca.vertcat(*(self._columns[group] for group in STATE))
         slopes = ca.jacobian(right - left @ held, state)

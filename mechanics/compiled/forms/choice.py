@@ -9,10 +9,24 @@ both are, and weighed.
 
 import casadi as ca
 
-from mechanics.compiled.forms.members import RECURSIVE, SPARSE, Form, preferred
+from mechanics.compiled.forms.members import RECURSIVE, SPARSE, Form, named_form, preferred
 from mechanics.compiled.forms.system import System
 from mechanics.compiled.forms.weigh import FEW, lightest
 from mechanics.compiled.program import operations
+
+
+def written(name: str, system: System) -> tuple[Form, ca.SX]:
+    """The form of that name, or the one to choose for ``"auto"``; the graph of (u', lambda).
+
+    Raises
+    ------
+    InputError
+        If there is no such form, or the equations have no such one.
+    """
+    if name == "auto":
+        return chosen(system)
+    form = named_form(name, system.equations)
+    return form, form.solve(system)
 
 
 def chosen(system: System) -> tuple[Form, ca.SX]:
