@@ -2,9 +2,9 @@
 
     a x / d + b / d   ->   (a x + b) / d
 
-A division and a product less for each. Only what nothing else uses is gathered. Each of the terms
-loses one rounding, that of its own quotient, to that of the sum's; products are rounded before the
-division instead of after it.
+A division less for each. Only what nothing else uses is gathered. The terms share the rounding of
+the quotient instead of having one each; products come before the division instead of after it, and
+have to be normal numbers as every other value.
 """
 
 from collections import Counter
