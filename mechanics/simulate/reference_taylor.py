@@ -164,7 +164,7 @@ def solve(
     keep = math.ceil(digits * math.log2(10))
     while len(found) < len(wanted):
         left = max(1, wanted[-1] - t)
-        coefficients, step, reach = _expanded(taylor, state, min(step, left), left, order, keep)
+        coefficients, step, reach = _expanded(taylor, state, step, left, order, keep)
         if steps == TRIAL and (needed := wanted[-1] // max(t // steps, 1)) > STEPS:
             raise OverBudget(_too_many(needed, wanted[-1] / 2**bits))
         while len(found) < len(wanted) and wanted[len(found)] - t <= reach:
@@ -188,8 +188,8 @@ def _expanded(
 ) -> tuple[list[list[int]], int, int]:
     """Coefficients, the step they are scaled with, and how far they reach.
 
-    A polynomial that reaches beyond the time that is `left`, as that of a body at rest does, is
-    scaled with it.
+    A polynomial that reaches far beyond the time that is `left`, as that of a body at rest does, is
+    not scaled to its reach.
     """
     while True:
         coefficients = taylor.expand(state, step, order)
@@ -199,9 +199,9 @@ def _expanded(
             raise SingularError("no step is small enough: the motion is singular there")
         if LEAST <= stretch <= MOST:
             return coefficients, step, reach
-        if stretch > MOST and step == left:
+        if stretch > MOST and step >= left:
             return coefficients, step, step
-        step = min(reach, step << 8, left)
+        step = min(reach, step << 8)
 
 
 def _stretch(coefficients: Sequence[Sequence[int]], order: int, keep: int) -> float:
