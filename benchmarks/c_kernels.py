@@ -5,7 +5,6 @@ numbers is one operation, a sign in front of anything but a number is one, a cal
 numbers only is worked out by the compiler and counts nothing; array subscripts count nothing.
 """
 
-import re
 from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -13,10 +12,12 @@ from fractions import Fraction
 from pathlib import Path
 
 import sympy
-from pycparser import CParser, c_ast
+from pycparser import c_ast
 from sympy import Expr, Symbol
 
 from mechanics.errors import ExpressionError
+from mechanics.exact.c_literal import literal
+from mechanics.exact.c_parse import parse
 
 FOLDER = Path(__file__).parent / "kernels"
 FUNCTIONS = {"sin": sympy.sin, "cos": sympy.cos, "sqrt": sympy.sqrt}
@@ -61,14 +62,8 @@ def read(source: str, symbols: Mapping[str, Sequence[Symbol]]) -> dict[str, CKer
     ExpressionError
         For anything but declarations of constants and assignments.
     """
-    text = re.sub(r"/\*.*?\*/", " ", source, flags=re.DOTALL)
-    text = "\n".join(line for line in text.splitlines() if not line.startswith("#"))
-    tree = CParser().parse(text)
-    return {
-        node.decl.name: _Reading(node, symbols).kernel
-        for node in tree.ext
-        if isinstance(node, c_ast.FuncDef)
-    }
+    functions = parse(source).functions
+    return {name: _Reading(node, symbols).kernel for name, node in functions.items()}
 
 
 class _Reading:
@@ -94,8 +89,9 @@ class _Reading:
 
     def _value(self, node: c_ast.Node) -> Expr:
         if isinstance(node, c_ast.Constant):
-            number = float.fromhex(node.value) if "x" in node.value else node.value
-            return sympy.Rational(Fraction(number))
+            # What is typed in decimals is meant to be exact: 9.81 is 981/100.
+            number = literal(node.value).value if "x" in node.value else Fraction(node.value)
+            return sympy.Rational(number.numerator, number.denominator)
         if isinstance(node, c_ast.ID):
             return self._values[node.name]
         if isinstance(node, c_ast.ArrayRef):

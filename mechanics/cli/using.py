@@ -1,5 +1,6 @@
 """`mechanics simulate` and `mechanics codegen`: what compiled equations are used for."""
 
+import json
 from pathlib import Path
 from typing import Annotated
 
@@ -12,7 +13,9 @@ from mechanics.cli.progress import working
 from mechanics.cli.values import assignments, points, sorted_out
 from mechanics.compiled import compile
 from mechanics.crosscheck import derive
+from mechanics.exact import Verdict
 from mechanics.export import write_c
+from mechanics.export.folder import MANIFEST
 from mechanics.simulate import Ending, write_plot, write_table
 from mechanics.simulate.files import SUFFIXES, writable
 from mechanics.trade.accurate import simulate as run
@@ -152,3 +155,17 @@ def codegen(
         )  # fmt: skip
     for path in files:
         typer.echo(str(path))
+    _told(out)
+
+
+def _told(folder: Path) -> None:
+    """Whatever is not shown about the code: exit code 1 if it is REFUTED, else 3."""
+    content = json.loads((folder / MANIFEST).read_text(encoding="utf-8"))
+    found = [finding for step in content["chain"]["steps"] for finding in step["findings"]]
+    bad = [f for f in found if f["verdict"] in (Verdict.REFUTED.name, Verdict.UNDECIDED.name)]
+    for finding in bad:
+        words = f"{finding['verdict']} {finding['subject']}: {finding['evidence']}"
+        Console(stderr=True, soft_wrap=True).print(escape(words))
+    if bad:
+        refuted = any(finding["verdict"] == Verdict.REFUTED.name for finding in bad)
+        raise typer.Exit(1 if refuted else 3)
