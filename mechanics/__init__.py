@@ -7,6 +7,7 @@ scene --> routes --> Equations --> checks --> report
 
 from mechanics.compiled import Model, compile
 from mechanics.crosscheck import ROUTES, CrossCheck, crosscheck, derive
+from mechanics.crosscheck.check import check
 from mechanics.crosscheck.fmu import write_fmu
 from mechanics.equations import Equations
 from mechanics.errors import MechanicsError
@@ -53,6 +54,7 @@ __all__ = [
     "System",
     "Verdict",
     "Witness",
+    "check",
     "compile",
     "condition",
     "crosscheck",

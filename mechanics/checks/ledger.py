@@ -12,6 +12,7 @@ from sympy import Expr, Float, Matrix, sympify
 from sympy.matrices import MatrixBase
 
 from mechanics.checks.ledger_compare import equal, rounded
+from mechanics.checks.ledger_energy import ENERGIES, energy_pairs
 from mechanics.checks.ledger_momenta import DERIVED, derived
 from mechanics.checks.ledger_motion import check_equation, check_reaction
 from mechanics.equations import Equations
@@ -19,9 +20,11 @@ from mechanics.errors import InputError
 from mechanics.exact import Finding
 from mechanics.scene import Scene
 from mechanics.scene.published import Published, Quantity
-from mechanics.scene.quantities import EquationOfMotion, ReactionValue
+from mechanics.scene.quantities import EquationOfMotion, Identity, ReactionValue
 
-QUANTITIES: tuple[type[Quantity], ...] = (*DERIVED, EquationOfMotion, ReactionValue)
+QUANTITIES: tuple[type[Quantity], ...] = (
+    *DERIVED, *ENERGIES, EquationOfMotion, ReactionValue, Identity,
+)  # fmt: skip
 """What this ledger can check; rows about other quantities belong to other checks."""
 
 
@@ -61,6 +64,12 @@ def check_row(scene: Scene, row: Published, equations: Equations | None = None) 
         if isinstance(quantity, ReactionValue):
             return check_reaction(subject, quantity.name, _enough(sides, 1, subject), equations)
         return check_equation(subject, _enough(sides, 2, subject), equations)
+    if isinstance(quantity, Identity):
+        first, *others = _enough(sides, 2, subject)
+        ones = [entry for _ in others for entry in _entries(first)]
+        return equal(scene, subject, ones, [entry for side in others for entry in _entries(side)])
+    if isinstance(quantity, ENERGIES):
+        return equal(scene, subject, *energy_pairs(scene, quantity, sides, subject))
     targets = derived(scene, quantity)
     _enough(sides, len(targets), subject)
     # The last target is what every further side has to be.

@@ -16,6 +16,7 @@ from mechanics.cli import (
     deriving,
     extremes,
     fmu,
+    persons,
     small_motions,
     trading,
     using,
@@ -37,6 +38,7 @@ app = typer.Typer(
 )
 app.command("systems")(checking.systems)
 app.command("crosscheck")(checking.crosscheck)
+app.command("check")(persons.check)
 app.command("derive")(deriving.derive)
 app.command("simulate")(using.simulate)
 app.command("codegen")(using.codegen)

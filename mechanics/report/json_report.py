@@ -55,10 +55,10 @@ def _system(result: SystemResult) -> dict[str, Any]:
             for name, route in result.routes.items()
         },
         "findings": [
-            {"subject": finding.subject, **_verdict(finding)} for finding in result.findings
+            {"subject": finding.subject, **verdict_json(finding)} for finding in result.findings
         ],
         "published": [
-            {"tag": entry.row.tag, "label": entry.row.label, **_verdict(entry.finding)}
+            {"tag": entry.row.tag, "label": entry.row.label, **verdict_json(entry.finding)}
             for entry in result.published
         ],
         "compiled": [
@@ -72,7 +72,8 @@ def _system(result: SystemResult) -> dict[str, Any]:
     }
 
 
-def _verdict(finding: Finding) -> dict[str, Any]:
+def verdict_json(finding: Finding) -> dict[str, Any]:
+    """`verdict`, `evidence`, `error_bound` and `witness` of a finding."""
     witness = finding.witness
     return {
         "verdict": finding.verdict.name,

@@ -158,3 +158,33 @@ class Inertia(Quantity):
 
     body: Part | Composite
     about: tuple[Expr, Expr] | None = None
+
+
+@dataclass(frozen=True)
+class KineticEnergy(Quantity):
+    """Kinetic energy of all bodies, in J."""
+
+
+@dataclass(frozen=True)
+class PotentialEnergy(Quantity):
+    """Potential energy of the conservative loads, in J, up to a constant."""
+
+
+@dataclass(frozen=True)
+class TotalEnergy(Quantity):
+    """Kinetic and potential energy together, in J, up to a constant."""
+
+
+@dataclass(frozen=True)
+class Lagrangian(Quantity):
+    """Kinetic less potential energy, in J, up to a constant."""
+
+
+@dataclass(frozen=True)
+class MassMatrix(Quantity):
+    """Second derivatives of the kinetic energy by the speeds, in their order in the scene."""
+
+
+@dataclass(frozen=True)
+class Identity(Quantity):
+    """Sides that are equal at every state of the scene: a definition, a kinematic relation."""

@@ -1,0 +1,78 @@
+"""Rows about energies, and the mass matrix that the kinetic energy has.
+
+    T = sum (m v . v + omega . I omega) / 2        M_ij = d2T / du_i du_j
+
+A potential energy is known up to a constant, so what is compared are the derivatives by the
+coordinates, and for the sum and the difference of both energies those by the speeds too.
+"""
+
+from collections.abc import Sequence
+
+from sympy import Add, Expr, Matrix, Rational
+from sympy.matrices import MatrixBase
+
+from mechanics.errors import InputError
+from mechanics.kinematics import differentiate
+from mechanics.kinematics.motion import inertia_matrix
+from mechanics.scene import Scene
+from mechanics.scene import quantities as q
+from mechanics.scene.potential import potential
+from mechanics.scene.published import Quantity
+
+ENERGIES = (q.KineticEnergy, q.PotentialEnergy, q.TotalEnergy, q.Lagrangian, q.MassMatrix)
+
+
+def kinetic_energy(scene: Scene) -> Expr:
+    """Kinetic energy of all bodies in q and u, in J."""
+    terms = []
+    for motion in differentiate.body_motions(scene):
+        velocity = motion.centre.velocity
+        terms.append(motion.body.mass * velocity.dot(velocity))
+        if motion.turns:
+            omega = motion.angular_velocity
+            spin = inertia_matrix(scene, motion.body, motion.rotation) * omega
+            terms.append(omega.dot(spin))
+    return Rational(1, 2) * Add(*terms)
+
+
+def energy_pairs(
+    scene: Scene, quantity: Quantity, sides: Sequence[Expr | MatrixBase], subject: str
+) -> tuple[list[Expr], list[Expr]]:
+    """Entries of the typed sides, and what they have to be.
+
+    Raises
+    ------
+    InputError
+        When a mass matrix has not as many rows and columns as there are speeds, or an energy is a
+        matrix.
+    """
+    if isinstance(quantity, q.MassMatrix):
+        return _mass_matrix(scene, sides, subject)
+    if any(isinstance(side, MatrixBase) for side in sides):
+        raise InputError(f"{subject}: an energy is no matrix")
+    if isinstance(quantity, q.KineticEnergy):
+        return list(sides), [kinetic_energy(scene)] * len(sides)
+    if isinstance(quantity, q.PotentialEnergy):
+        derived = potential(scene)
+        # What moves it has to be left out of it, too.
+        by = (*scene.q, *scene.u)
+    else:
+        sign = 1 if isinstance(quantity, q.TotalEnergy) else -1
+        derived = kinetic_energy(scene) + sign * potential(scene)
+        by = (*scene.q, *scene.u)
+    lefts = [side.diff(symbol) for side in sides for symbol in by]
+    return lefts, [derived.diff(symbol) for symbol in by] * len(sides)
+
+
+def _mass_matrix(
+    scene: Scene, sides: Sequence[Expr | MatrixBase], subject: str
+) -> tuple[list[Expr], list[Expr]]:
+    size = len(scene.u)
+    for side in sides:
+        if not isinstance(side, MatrixBase) or side.shape != (size, size):
+            raise InputError(
+                f"{subject}: a mass matrix of {scene.name} has {size} rows and {size} columns"
+            )
+    energy = kinetic_energy(scene)
+    target = Matrix(size, size, lambda i, j: energy.diff(scene.u[i], scene.u[j]))
+    return [entry for side in sides for entry in side], list(target) * len(sides)

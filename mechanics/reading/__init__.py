@@ -1,0 +1,1 @@
+"""Reading a person's equations: LaTeX, text, SymPy's objects, code."""

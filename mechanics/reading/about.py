@@ -1,0 +1,47 @@
+"""What a person may say that an equation is about."""
+
+from collections.abc import Callable
+
+from mechanics.errors import InputError
+from mechanics.scene.published import Quantity
+from mechanics.scene.quantities import (
+    EquationOfMotion,
+    Identity,
+    KineticEnergy,
+    Lagrangian,
+    MassMatrix,
+    PotentialEnergy,
+    TotalEnergy,
+)
+
+QUANTITIES: dict[str, Callable[[], Quantity]] = {
+    "equation of motion": EquationOfMotion,
+    "kinetic energy": KineticEnergy,
+    "potential energy": PotentialEnergy,
+    "energy": TotalEnergy,
+    "Lagrangian": Lagrangian,
+    "mass matrix": MassMatrix,
+    "identity": Identity,
+}
+"""By the words of a person."""
+
+ENERGY_NAMES: dict[str, str] = {
+    **dict.fromkeys(("T", "KE", "E_k", "E_kin", "E_K", "T_kin", "Ek", "Ekin"), "kinetic energy"),
+    **dict.fromkeys(("V", "U", "PE", "E_p", "E_pot", "Ep", "Epot", "Pi"), "potential energy"),
+    **dict.fromkeys(("E", "E_tot", "Etot", "H"), "energy"),
+    **dict.fromkeys(("L", "Lagrangian", "Lag"), "Lagrangian"),
+}
+"""Names that mean an energy, where the scene has no such name and the line does not say more."""
+
+
+def named_quantity(words: str) -> Quantity:
+    """The quantity that words name.
+
+    Raises
+    ------
+    InputError
+        For other words.
+    """
+    if words not in QUANTITIES:
+        raise InputError(f"about {words!r}: it can be {', '.join(QUANTITIES)}")
+    return QUANTITIES[words]()

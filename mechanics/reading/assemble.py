@@ -1,0 +1,313 @@
+"""Lines as statements: names matched, definitions put in, and what each line is about.
+
+T = ...   with T unknown     the person's own definition, put in below
+N1 = ...                     a reaction along the motion
+... x'' ...                  an equation of motion
+T = ..., V = ..., L = ...    energies, where the scene has no such names
+"""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+
+from sympy import Expr, S
+from sympy.matrices import MatrixBase
+
+from mechanics.reading.about import ENERGY_NAMES, QUANTITIES, named_quantity
+from mechanics.reading.build import Builder, Value
+from mechanics.reading.guess import guess
+from mechanics.reading.lines import Line, Unread
+from mechanics.reading.names import Match, Naming, Vocabulary
+from mechanics.reading.place import Refused, line_and_column, located
+from mechanics.reading.statement import Statement
+from mechanics.reading.tree import Name, Node, names
+from mechanics.scene import Scene
+from mechanics.scene.published import Quantity, published
+from mechanics.scene.quantities import EquationOfMotion, Identity, MassMatrix, ReactionValue
+from mechanics.scene.symbols import plain_symbol
+
+Read = Callable[[Naming], Sequence[Line | Unread]]
+
+
+@dataclass(frozen=True)
+class Reading:
+    """What was read.
+
+    Attributes
+    ----------
+    statements : tuple of Statement
+    names : tuple of Match
+        What each name of the person was taken for.
+    remarks : tuple of str
+        Definitions of the person, and what else was made of the text.
+    """
+
+    statements: tuple[Statement, ...]
+    names: tuple[Match, ...]
+    remarks: tuple[str, ...]
+
+
+def assemble(
+    scene: Scene, read: Read, text: str, origin: str, given: dict[str, str], about: str | None
+) -> Reading:
+    """Statements of a text.
+
+    Parameters
+    ----------
+    scene : Scene
+    read : callable
+        Makes lines, given how names are to be understood.
+    text, origin : str
+        The text, and what messages call it.
+    given : dict of str to str
+        The person's names, and what they mean in the scene.
+    about : str or None
+        What every line is about, where the person says so.
+    """
+    words = {name: meaning for name, meaning in given.items() if meaning in QUANTITIES}
+    plain = {name: meaning for name, meaning in given.items() if meaning not in QUANTITIES}
+    naming = Naming(Vocabulary(scene), plain)
+    lines = read(naming)
+    guessed = guess(naming, _used(lines), _own(lines, naming))
+    if guessed:
+        naming = replace(naming, guessed=guessed)
+        lines = read(naming)
+    work = _Assembly(scene, naming, text, origin, words, about, _needed(lines))
+    for line in lines:
+        work.add(line)
+    matches = naming.matches(name.name for name in _used(lines))
+    return Reading(tuple(work.statements), matches, tuple(work.remarks))
+
+
+def _used(lines: Sequence[Line | Unread]) -> list[Name]:
+    return [
+        n for line in lines if isinstance(line, Line) for side in line.sides for n in names(side)
+    ]
+
+
+def _own(lines: Sequence[Line | Unread], naming: Naming) -> list[str]:
+    """Names that lines define: a name that nothing explains, alone on the left."""
+    return [
+        line.sides[0].name
+        for line in lines
+        if isinstance(line, Line) and _defines(line, naming) and isinstance(line.sides[0], Name)
+    ]
+
+
+def _defines(line: Line, naming: Naming) -> bool:
+    left = line.sides[0]
+    return (
+        len(line.sides) > 1
+        and isinstance(left, Name)
+        and left.order == 0
+        and not naming.knows(left.name)
+    )
+
+
+def _needed(lines: Sequence[Line | Unread]) -> frozenset[str]:
+    """Names that lines use which are no definitions of energies themselves."""
+    found: set[str] = set()
+    for line in lines:
+        if isinstance(line, Line):
+            left = line.sides[0]
+            if not (isinstance(left, Name) and left.name in ENERGY_NAMES and len(line.sides) > 1):
+                found |= {name.name for side in line.sides for name in names(side)}
+    return frozenset(found)
+
+
+class _Assembly:
+    """Goes through the lines in order; definitions hold for those that follow."""
+
+    def __init__(
+        self, scene: Scene, naming: Naming, text: str, origin: str,
+        words: dict[str, str], about: str | None, needed: frozenset[str],
+    ) -> None:  # fmt: skip
+        self.needed = needed
+        self.scene, self.naming, self.text, self.origin = scene, naming, text, origin
+        self.words, self.about = words, about
+        self.defined: dict[str, Value] = {}
+        self.vague: dict[str, list[str]] = {}
+        self.statements: list[Statement] = []
+        self.remarks: list[str] = []
+
+    def add(self, line: Line | Unread) -> None:
+        """Take one line."""
+        number, _ = line_and_column(self.text, line.at)
+        place = f"{self.origin}, line {number}"
+        tag = line.tag or str(len(self.statements) + 1)
+        if isinstance(line, Unread):
+            self.statements.append(Statement(None, line.source, tag, place, doubt=line.words))
+            return
+        try:
+            self._line(line, tag, place)
+        except Refused as reason:
+            doubt = located(self.text, reason.at, reason.words, self.origin)
+            self.statements.append(Statement(None, line.source, tag, place, line.notes, doubt))
+
+    def _line(self, line: Line, tag: str, place: str) -> None:
+        builder = Builder(self.naming, self.defined, self.vague)
+        left = line.sides[0]
+        told = self.about is not None or (isinstance(left, Name) and left.name in self.words)
+        if not told and isinstance(left, Name) and _defines(line, self.naming):
+            sides = self._known_first(builder, line)
+            energy = None
+            if left.name not in (*self.defined, *self.needed):
+                energy = ENERGY_NAMES.get(left.name) if _scalar(sides) else None
+            if energy is not None:
+                self._energy(line, tag, place, energy, sides, builder.unknown)
+                self.defined.setdefault(left.name, sides[0])
+                return
+            self._define(line, left.name, sides, builder.unknown, tag, place)
+            return
+        sides = tuple(builder(side) for side in line.sides)
+        energy = self._means_energy(left, sides) if self.about is None else None
+        if energy is not None:
+            builder.unknown = [name for name in builder.unknown if not _is_named(left, name)]
+            self._energy(line, tag, place, energy, sides[1:], builder.unknown)
+            return
+        if any(isinstance(side, MatrixBase) for side in sides):
+            self._matrices(line, tag, place, sides, builder.unknown)
+            return
+        self._scalars(line, tag, place, sides, builder.unknown)
+
+    def _means_energy(self, left: Node, sides: tuple[Value, ...]) -> str | None:
+        """The energy that the name on the left means, though the scene has such a name."""
+        if not isinstance(left, Name) or left.order or len(sides) < 2:
+            return None
+        if left.name in self.words:
+            return self.words[left.name]
+        found = self.naming.lookup(left.name)
+        if found is None or found[0] in self.naming.vocabulary.reactions or not _scalar(sides):
+            return None
+        moving = {*self.scene.u, *self.scene.qd}
+        if found[0] in self.naming.vocabulary.constants and sides[1].free_symbols & moving:
+            # A length has no speeds in it, so this L is the Lagrangian.
+            return ENERGY_NAMES.get(left.name)
+        return None
+
+    def _energy(
+        self, line: Line, tag: str, place: str, energy: str, sides: tuple[Value, ...],
+        unknown: list[str],
+    ) -> None:  # fmt: skip
+        left = line.sides[0]
+        note = f"{left.name} on the left is read as the {energy}" if isinstance(left, Name) else ""
+        self._keep(line, tag, place, named_quantity(energy), sides, unknown, note)
+
+    def _known_first(self, builder: Builder, line: Line) -> tuple[Value, ...]:
+        """The sides of a definition, one without names that nothing explains first."""
+        built: list[tuple[bool, Value]] = []
+        for side in line.sides[1:]:
+            before = len(builder.unknown)
+            value = builder(side)
+            built.append((len(builder.unknown) > before, value))
+        return tuple(value for _, value in sorted(built, key=lambda pair: pair[0]))
+
+    def _define(
+        self, line: Line, name: str, sides: tuple[Value, ...], unknown: list[str], tag: str,
+        place: str,
+    ) -> None:  # fmt: skip
+        """Keep a definition; further sides of it have to be equal to the first."""
+        self.remarks.append(f"{name} is taken as defined by: {line.source}")
+        if name not in self.defined:
+            self.defined[name] = sides[0]
+            self.vague[name] = [n for n in unknown if _holds(sides[0], n)]
+        else:
+            sides = (self.defined[name], *sides)
+        if len(sides) > 1:
+            self._keep(line, tag, place, Identity(), sides, unknown, f"{name} as defined")
+
+    def _matrices(
+        self, line: Line, tag: str, place: str, sides: tuple[Value, ...], unknown: list[str]
+    ) -> None:
+        """A matrix alone is the mass matrix; an equation of matrices is one for each entry."""
+        shapes = {side.shape for side in sides if isinstance(side, MatrixBase)}
+        if len(shapes) > 1 or any(s != 0 for s in sides if not isinstance(s, MatrixBase)):
+            raise Refused(line.at, "the sides are matrices of different shapes")
+        rows, columns = shapes.pop()
+        if len(sides) == 1 and self.about is None and rows == columns > 1:
+            note = "a square matrix alone is read as the mass matrix"
+            self._keep(line, tag, place, MassMatrix(), sides, unknown, note)
+            return
+        if self.about is not None:
+            quantity = named_quantity(self.about)
+            if isinstance(quantity, MassMatrix):
+                self._keep(line, tag, place, quantity, sides, unknown)
+                return
+        for i in range(rows * columns):
+            parts = tuple(s[i] if isinstance(s, MatrixBase) else S.Zero for s in sides)
+            if len(set(parts)) > 1 or len(parts) == 1:
+                self._scalars(line, f"{tag} row {i + 1}", place, parts, unknown)
+
+    def _scalars(
+        self, line: Line, tag: str, place: str, sides: tuple[Expr, ...], unknown: list[str]
+    ) -> None:
+        if self.about is not None:
+            self._asked(line, tag, place, sides, unknown)
+            return
+        quantity, sides, note = self._kind(sides)
+        self._keep(line, tag, place, quantity, sides, unknown, note)
+
+    def _asked(
+        self, line: Line, tag: str, place: str, sides: tuple[Expr, ...], unknown: list[str]
+    ) -> None:
+        quantity = named_quantity(self.about or "")
+        if isinstance(quantity, EquationOfMotion) and len(sides) == 1:
+            sides = (*sides, S.Zero)
+        elif not isinstance(quantity, EquationOfMotion | Identity) and len(sides) > 1:
+            sides = sides[1:] if isinstance(line.sides[0], Name) else sides
+        self._keep(line, tag, place, quantity, sides, unknown)
+
+    def _kind(self, sides: tuple[Expr, ...]) -> tuple[Quantity, tuple[Expr, ...], str]:
+        """What scalar sides are about."""
+        scene = self.scene
+        plain = [scene.plain(side) for side in sides]
+        symbols = set().union(*(side.free_symbols for side in plain))
+        second = {plain_symbol(q, 2) for q in scene.coordinates}
+        moving = bool(symbols & {*scene.ud, *second})
+        reactions = [r.symbol for r in scene.reactions if r.symbol in symbols]
+        if len(sides) > 1 and sides[0] in reactions:
+            return ReactionValue(str(sides[0])), sides[1:], ""
+        if moving and len(sides) == 1:
+            return EquationOfMotion(), (*sides, S.Zero), "one side only: it is taken to be zero"
+        if moving:
+            return EquationOfMotion(), sides, ""
+        if reactions and len(sides) == 2:
+            for symbol in reactions:
+                slope = (sides[0] - sides[1]).diff(symbol)
+                if slope.is_number and slope != 0:
+                    solved = symbol - (sides[0] - sides[1]) / slope
+                    return ReactionValue(symbol.name), (solved,), f"solved for {symbol}"
+        return Identity(), sides, ""
+
+    def _keep(
+        self, line: Line, tag: str, place: str, quantity: Quantity, sides: tuple[Value, ...],
+        unknown: list[str], note: str = "",
+    ) -> None:  # fmt: skip
+        doubt = ""
+        if unknown:
+            doubt = unexplained(self.scene, unknown)
+        elif isinstance(quantity, Identity) and len(sides) == 1:
+            doubt = "an expression without an equals sign: say what it is about"
+        notes = (*line.notes, note) if note else line.notes
+        row = published(tag, quantity, *sides, label=line.source)
+        self.statements.append(Statement(row, line.source, tag, place, notes, doubt))
+
+
+def _is_named(node: Node, name: str) -> bool:
+    return isinstance(node, Name) and node.name == name
+
+
+def _holds(side: Value, name: str) -> bool:
+    """Whether a side holds a name that nothing explains, with or without primes."""
+    return any(symbol.name.rstrip("'") == name for symbol in side.free_symbols)
+
+
+def _scalar(sides: Sequence[Value]) -> bool:
+    return not any(isinstance(side, MatrixBase) for side in sides)
+
+
+def unexplained(scene: Scene, unknown: Sequence[str]) -> str:
+    """Why a statement with names that nothing explains has no verdict."""
+    missing = ", ".join(dict.fromkeys(unknown))
+    vocabulary = Vocabulary(scene)
+    known = ", ".join([*vocabulary.functions, *vocabulary.constants])
+    return f"{missing}: the scene has no such name: say what it means; the names are {known}"

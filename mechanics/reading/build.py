@@ -1,0 +1,137 @@
+"""A tree as an expression in the scene's plain symbols.
+
+    Rate(e) -> sum_s (de/ds) s'        Name(x, order 2) -> x_ddot
+
+A name that the person defines ("with T = ...") stands for its definition. A name that nothing
+explains stays, as a symbol that the scene does not have, so that the verdict can name it.
+"""
+
+from collections.abc import Mapping, Sequence
+from functools import reduce
+from operator import mul
+from typing import Any
+
+from sympy import Expr, I, Matrix, Rational, S, Symbol, nan, oo, zoo
+from sympy.matrices import MatrixBase
+from sympy.matrices.exceptions import ShapeError
+
+from mechanics.reading.functions import FUNCTIONS
+from mechanics.reading.names import Naming
+from mechanics.reading.place import Refused
+from mechanics.reading.tree import Call, Name, Node, Number, Power, Product, Rate, Sum, Table
+from mechanics.scene.rates import coordinate_rate_table, rate
+
+Value = Any
+"""An expression, or a matrix of them."""
+
+
+class Builder:
+    """Builds expressions; `unknown` are the names that stood for nothing."""
+
+    def __init__(
+        self, naming: Naming, defined: Mapping[str, Value], vague: Mapping[str, Sequence[str]]
+    ) -> None:
+        self.naming, self.defined, self.vague = naming, defined, vague
+        self.unknown: list[str] = []
+
+    def __call__(self, node: Node) -> Value:
+        """The expression of a tree.
+
+        Raises
+        ------
+        Refused
+            For what has no finite real value, or no meaning.
+        """
+        value = self._value(node)
+        entries = list(value) if isinstance(value, MatrixBase) else [value]
+        for entry in entries:
+            if entry.has(nan, oo, -oo, zoo, I) or entry.is_real is False:
+                raise Refused(node.at, f"this has no finite real value: {str(entry)[:40]}")
+        return value
+
+    def _value(self, node: Node) -> Any:
+        match node:
+            case Number(value=value):
+                return Rational(value.numerator, value.denominator)
+            case Name():
+                return self._name(node)
+            case Sum(terms=terms):
+                return self._sum(node, [self._value(term) for term in terms])
+            case Product(factors=factors):
+                return self._product(node, [self._value(factor) for factor in factors])
+            case Power(base=base, exponent=exponent):
+                return self._power(node, self._value(base), self._value(exponent))
+            case Call(function="pi"):
+                return S.Pi
+            case Call(function=function, arguments=arguments):
+                return self._call(node, function, [self._value(x) for x in arguments])
+            case Rate(of=inner, order=order):
+                return self._rate(self._value(inner), order)
+            case Table(rows=rows):
+                return Matrix([[self._scalar(node, self._value(c)) for c in row] for row in rows])
+        raise Refused(node.at, "this is not known here")
+
+    def _name(self, node: Name) -> Any:
+        if node.name in self.defined:
+            value: Any = self.defined[node.name]
+            self.unknown += self.vague.get(node.name, ())
+            return self._rate(value, node.order) if node.order else value
+        try:
+            symbol = self.naming.symbol(node.name, node.order)
+        except KeyError as error:
+            raise Refused(node.at, str(error.args[0])) from None
+        if symbol is None:
+            self.unknown.append(node.name)
+            dots = "'" * node.order
+            return Symbol(node.name + dots, real=True)
+        return symbol
+
+    def _rate(self, value: Any, order: int) -> Any:
+        table = coordinate_rate_table(self.naming.vocabulary.scene)
+        for _ in range(order):
+            if isinstance(value, MatrixBase):
+                value = value.applyfunc(lambda entry: rate(entry, table))
+            else:
+                value = rate(value, table)
+        return value
+
+    def _sum(self, node: Node, terms: list[Any]) -> Any:
+        if any(isinstance(term, MatrixBase) for term in terms):
+            # A zero beside a matrix is the zero matrix.
+            kept = [t for t in terms if isinstance(t, MatrixBase) or t != 0]
+            if not all(isinstance(t, MatrixBase) and t.shape == kept[0].shape for t in kept):
+                raise Refused(node.at, "matrices of different shapes are added")
+            return reduce(lambda a, b: a + b, kept)
+        return sum(terms, S.Zero)
+
+    def _product(self, node: Node, factors: list[Any]) -> Any:
+        if not any(isinstance(factor, MatrixBase) for factor in factors):
+            return reduce(mul, factors, S.One)
+        try:
+            return reduce(mul, factors)
+        except ShapeError:
+            raise Refused(node.at, "matrices of these shapes cannot be multiplied") from None
+
+    def _power(self, node: Node, base: Any, exponent: Any) -> Any:
+        exponent = self._scalar(node, exponent)
+        if isinstance(base, MatrixBase):
+            if exponent == -1 and base.rows == base.cols <= 3:
+                return base.inv(method="ADJ")
+            raise Refused(node.at, "a power of a matrix is not known here")
+        if base == 0 and exponent.is_negative:
+            raise Refused(node.at, "a division by zero")
+        return base**exponent
+
+    def _call(self, node: Node, function: str, arguments: list[Any]) -> Any:
+        if function == "transpose":
+            (only,) = arguments
+            return only.T if isinstance(only, MatrixBase) else only
+        _, _, make = FUNCTIONS[function]
+        return make(*(self._scalar(node, argument) for argument in arguments))
+
+    def _scalar(self, node: Node, value: Any) -> Expr:
+        if isinstance(value, MatrixBase):
+            if value.shape == (1, 1):
+                return value[0, 0]
+            raise Refused(node.at, "a matrix stands where a number belongs")
+        return value

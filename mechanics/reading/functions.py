@@ -1,0 +1,45 @@
+"""The functions that a text may call, by every name that people give them."""
+
+from collections.abc import Callable
+from typing import Any
+
+import sympy
+from sympy import Abs, Max, Min, Rational
+
+Made = Callable[..., Any]
+
+
+def _one(function: Any) -> tuple[int, int, Made]:
+    return 1, 1, function
+
+
+def _logarithm(*arguments: Any) -> Any:
+    return sympy.log(*arguments)
+
+
+_ALIASES: dict[Any, str] = {
+    sympy.sin: "sin", sympy.cos: "cos", sympy.tan: "tan tg", sympy.cot: "cot ctg",
+    sympy.sec: "sec", sympy.csc: "csc cosec",
+    sympy.asin: "asin arcsin", sympy.acos: "acos arccos", sympy.atan: "atan arctan",
+    sympy.sinh: "sinh", sympy.cosh: "cosh", sympy.tanh: "tanh", sympy.coth: "coth",
+    sympy.asinh: "asinh arcsinh arsinh", sympy.acosh: "acosh arccosh arcosh",
+    sympy.atanh: "atanh arctanh artanh",
+    sympy.exp: "exp", sympy.log: "ln log", sympy.sqrt: "sqrt",
+    Abs: "abs Abs fabs absolute", sympy.sign: "sign sgn",
+}  # fmt: skip
+
+FUNCTIONS: dict[str, tuple[int, int, Made]] = {
+    **{name: _one(f) for f, names in _ALIASES.items() for name in names.split()},
+    "atan2": (2, 2, sympy.atan2),
+    "arctan2": (2, 2, sympy.atan2),
+    "max": (1, 6, Max), "Max": (1, 6, Max), "maximum": (2, 2, Max), "fmax": (2, 2, Max),
+    "min": (1, 6, Min), "Min": (1, 6, Min), "minimum": (2, 2, Min), "fmin": (2, 2, Min),
+}  # fmt: skip
+"""Least and largest number of arguments, and what makes the expression."""
+
+CONSTANTS: dict[str, Any] = {"pi": sympy.pi, "half": Rational(1, 2)}
+
+INVERSES: dict[str, str] = {
+    "sin": "asin", "cos": "acos", "tan": "atan", "sinh": "asinh", "cosh": "acosh", "tanh": "atanh",
+}  # fmt: skip
+"""What sin^{-1} means."""

@@ -1,0 +1,139 @@
+"""The best guess at what a name means that the scene does not have.
+
+    theta -> q1    the only coordinate that is left        m_c -> m0    the same first letter
+
+A guess is made only where one choice is left; every guess is reported, and the person can name
+another.
+"""
+
+import re
+from collections.abc import Callable, Iterable, Sequence
+
+from sympy import cos, sin
+
+from mechanics.reading.names import Match, Naming, key
+from mechanics.reading.tree import Name
+from mechanics.scene import Scene
+
+NUMBER = re.compile(r"(\d+)$")
+BY_UNIT: tuple[tuple[str, str], ...] = (
+    ("mM", "kg"), ("lLrRabdh", "m"), ("g", "m/s^2"), ("IJ", "kg*m^2"), ("kKc", "N/m"),
+    ("bcd", "N*s/m"),
+)  # fmt: skip
+"""First letters that are used for quantities of a unit."""
+
+Rule = tuple[Callable[[str, str], bool], str]
+
+
+def guess(naming: Naming, used: Iterable[Name], defined: Iterable[str]) -> tuple[Match, ...]:
+    """Matches for the names that nothing explains.
+
+    Parameters
+    ----------
+    naming : Naming
+    used : iterable of Name
+        Every name of the text.
+    defined : iterable of str
+        Names that the text defines itself.
+    """
+    own = {key(name) for name in defined}
+    moving: set[str] = set()
+    still: set[str] = set()
+    taken: set[str] = set()
+    for name in used:
+        found = naming.lookup(name.name)
+        if found is not None:
+            taken.add(found[0])
+        elif key(name.name) not in own and name.name != "t":
+            (moving if name.order or name.bracket else still).add(name.name)
+    still -= moving
+    vocabulary = naming.vocabulary
+    scene = vocabulary.scene
+    inputs = {symbol.name for symbol in scene.input_symbols}
+    free = [name for name in vocabulary.functions if name not in taken]
+    coordinates = [name for name in free if name not in inputs]
+    found_moving = _pairs(sorted(moving), coordinates, _moving_rules(scene))
+    rest = [c for c in coordinates if c not in {match.meaning for match in found_moving}]
+    constants = [name for name in vocabulary.constants if name not in taken]
+    held = {symbol.name for symbol in scene.parameters}
+    constants = [name for name in constants if name in held]
+    left = [name for name in free if name in inputs] + constants
+    found_still = _pairs(sorted(still), left + rest, _still_rules(scene, inputs))
+    missing = sorted(moving - {match.name for match in found_moving})
+    found_inputs = _pairs(
+        missing,
+        [n for n in free if n in inputs and n not in {m.meaning for m in found_still}],
+        [(lambda name, other: True, "the only input that is left")],
+    )
+    return (*found_moving, *found_still, *found_inputs)
+
+
+def _pairs(names: Sequence[str], targets: Sequence[str], rules: Sequence[Rule]) -> list[Match]:
+    """Pairs of which each rule leaves one choice on both sides, rule by rule."""
+    found: list[Match] = []
+    open_names, open_targets = list(names), list(targets)
+    for fits, why in rules:
+        choices = {n: [t for t in open_targets if fits(n, t)] for n in open_names}
+        for name, fitting in choices.items():
+            if len(fitting) != 1:
+                continue
+            rivals = [n for n, others in choices.items() if fitting[0] in others]
+            if rivals == [name]:
+                found.append(Match(name, fitting[0], why))
+                open_names.remove(name)
+                open_targets.remove(fitting[0])
+    return found
+
+
+def _moving_rules(scene: Scene) -> list[Rule]:
+    angles = {symbol.name for symbol in angular(scene)}
+
+    def kind(name: str, target: str) -> bool:
+        return (name[0] in "xyzsr" and len(key(name)) <= 2) != (target in angles)
+
+    return [
+        (_same_letters, "the same but for capitals"),
+        (lambda n, t: kind(n, t) and _same_number(n, t), "an angle or not, the same number"),
+        (kind, "the only coordinate of its kind that is left"),
+        (lambda n, t: True, "the only coordinate that is left"),
+    ]
+
+
+def _still_rules(scene: Scene, inputs: set[str]) -> list[Rule]:
+    units = {symbol.name: getattr(symbol, "unit", "") for symbol in scene.parameters}
+
+    def unit(name: str, target: str) -> bool:
+        return any(name[0] in letters and units.get(target) == u for letters, u in BY_UNIT)
+
+    def force(name: str, target: str) -> bool:
+        return target in inputs and (name[0] in "FfuUQ" or name.startswith("tau"))
+
+    return [
+        (_same_letters, "the same but for capitals"),
+        (lambda n, t: unit(n, t) and _same_number(n, t), "the same unit and number"),
+        (unit, "the only quantity of its unit that is left"),
+        (force, "the only input that is left"),
+        (lambda n, t: n[0] == t[0], "the same first letter"),
+    ]
+
+
+def angular(scene: Scene) -> set:
+    """Coordinates that are angles: those whose sine or cosine places or turns a body."""
+    found = set()
+    for body in scene.bodies:
+        matrices = [scene.position(body.centre)]
+        if hasattr(body, "frame"):
+            matrices.append(scene.rotation(body.frame))
+        for matrix in matrices:
+            for function in matrix.atoms(sin, cos):
+                found |= function.free_symbols & set(scene.q)
+    return found
+
+
+def _same_letters(name: str, target: str) -> bool:
+    return key(name).lower() == key(target).lower()
+
+
+def _same_number(name: str, target: str) -> bool:
+    one, two = NUMBER.search(name), NUMBER.search(target)
+    return bool(one and two and one[1] == two[1])

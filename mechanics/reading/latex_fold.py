@@ -1,0 +1,208 @@
+r"""Items side by side, put together: signs, implied products, functions and their arguments.
+
+sum:      term +- term ...
+term:     factor factor ... / factor          the slash takes the next factor only
+function: \sin^2 2 \theta \cos \theta         numbers and then one factor are the argument
+"""
+
+from fractions import Fraction
+
+from mechanics.reading.functions import FUNCTIONS, INVERSES
+from mechanics.reading.latex_items import Item, rate_of
+from mechanics.reading.names import Naming
+from mechanics.reading.place import Refused
+from mechanics.reading.tree import (
+    Call,
+    Name,
+    Node,
+    Number,
+    Power,
+    Product,
+    constant,
+    inverse,
+    negative,
+    product,
+    total,
+)
+
+
+class Fold:
+    """Puts items together; how it read what can be read in two ways is noted."""
+
+    def __init__(self, naming: Naming, notes: list[str]) -> None:
+        self.naming, self.notes = naming, notes
+
+    def __call__(self, items: list[Item], at: int) -> Node:
+        """One node for all items.
+
+        Raises
+        ------
+        Refused
+            When there is nothing, or something is missing.
+        """
+        if not items:
+            raise Refused(at, "an expression is missing here")
+        terms: list[Node] = []
+        i = 0
+        while i < len(items):
+            minus, start = False, items[i].at
+            while i < len(items) and items[i].kind == "sign":
+                minus ^= items[i].text == "-"
+                i += 1
+            end = i
+            while end < len(items) and not self._ends(items, i, end):
+                end += 1
+            term = self._term(items[i:end], start)
+            terms.append(negative(term) if minus else term)
+            i = end
+        return total(items[0].at, terms)
+
+    def _ends(self, items: list[Item], begin: int, i: int) -> bool:
+        """Whether a term ends before item i: at a sign that does not follow an operator."""
+        after = i > begin and items[i - 1].kind in ("times", "slash")
+        return items[i].kind == "sign" and not after
+
+    def _term(self, items: list[Item], at: int) -> Node:
+        if not items:
+            raise Refused(at, "a term is missing here")
+        factors: list[Node] = []
+        queue = list(items)
+        divide = operator = False
+        while queue:
+            item = queue.pop(0)
+            if item.kind in ("times", "slash"):
+                if operator or not factors:
+                    raise Refused(item.at, "a factor is missing here")
+                operator, divide = True, item.kind == "slash"
+                continue
+            factor = self._factor(item, queue, factors, operator)
+            if divide:
+                factor = inverse(factor)
+                if queue and queue[0].kind not in ("times", "slash", "sign"):
+                    self.notes.append("a / b c is read as (a / b) c")
+            factors.append(factor)
+            operator = divide = False
+        if operator:
+            raise Refused(items[-1].at, "a factor is missing behind this")
+        return product(at, factors)
+
+    def _factor(self, item: Item, queue: list[Item], before: list[Node], operator: bool) -> Node:
+        """The factor that begins with an item; what belongs to it leaves the queue."""
+        if item.kind == "sign":
+            if not queue:
+                raise Refused(item.at, "a factor is missing behind this sign")
+            factor = self._factor(queue.pop(0), queue, before, True)
+            return negative(factor) if item.text == "-" else factor
+        if item.kind == "function":
+            return self._function(item, queue)
+        if item.kind == "rate":
+            if not queue:
+                raise Refused(item.at, "what is differentiated is missing")
+            rest, queue[:] = list(queue), []
+            return rate_of(self._term(rest, item.at), item.order, item.at)
+        node = item.node
+        if node is None:
+            raise Refused(item.at, "an operand is missing here")
+        if item.kind == "bracket" and len(item.arguments) > 1:
+            raise Refused(item.at, "a comma is out of place here")
+        if isinstance(node, Number) and before and not operator and isinstance(before[-1], Number):
+            raise Refused(item.at, "two numbers side by side: write \\cdot between them")
+        if isinstance(node, Name) and queue and _is_time(queue[0]):
+            return self._of_time(node, queue)
+        return node
+
+    def _of_time(self, node: Name, queue: list[Item]) -> Node:
+        """A name before ``(t)``: a function of time, or a product if the scene says so."""
+        if self.naming.knows("t"):
+            return node
+        if self.naming.is_function(node.name) is False:
+            self.notes.append(f"{node.name}(t) is read as a product: {node.name} is a constant")
+            return node
+        bracket = queue.pop(0)
+        self.notes.append(f"{node.name}(t) is read as a function of time, not as a product")
+        named = Name(node.at, node.name, node.order, True)
+        return Power(node.at, named, bracket.power) if bracket.power is not None else named
+
+    def _function(self, item: Item, queue: list[Item]) -> Node:
+        """A function, its power and its argument."""
+        name, power = item.text, item.power
+        if not queue:
+            raise Refused(item.at, f"the argument of {name} is missing")
+        arguments: tuple[Node, ...]
+        if queue[0].kind == "bracket":
+            bracket = queue.pop(0)
+            arguments = bracket.arguments
+            if bracket.power is not None:
+                self.notes.append(f"{name}(...)^n is read as the power of {name}(...)")
+                if power is not None:
+                    raise Refused(item.at, f"two exponents of {name}")
+                power = bracket.power
+        else:
+            arguments = (self._argument(item, queue),)
+        if power is not None and constant(power) == -1:
+            if name not in INVERSES:
+                raise Refused(item.at, f"{name}^{{-1}} can be read in two ways")
+            self.notes.append(f"{name}^(-1) is read as the inverse function")
+            name, power = INVERSES[name], None
+        least, most, _ = FUNCTIONS[name]
+        if not least <= len(arguments) <= most:
+            raise Refused(item.at, f"{name} with {len(arguments)} arguments")
+        called = Call(item.at, name, arguments)
+        return called if power is None else Power(item.at, called, power)
+
+    def _argument(self, item: Item, queue: list[Item]) -> Node:
+        r"""Numbers and then one factor: ``\sin 2 \theta x`` is sin(2 theta) x."""
+        factors: list[Node] = []
+        if queue[0].kind == "sign":
+            sign = queue.pop(0)
+            factors.append(Number(sign.at, Fraction(-1 if sign.text == "-" else 1)))
+        while queue:
+            head = queue[0]
+            if head.kind == "function":
+                raise Refused(head.at, f"the argument of {item.text}: write brackets around it")
+            if head.kind in ("sign", "slash", "rate") or (head.kind == "bracket" and factors):
+                break
+            queue.pop(0)
+            if head.kind == "times":
+                continue
+            node = self._factor(head, queue, factors, True)
+            factors.append(node)
+            if constant(node) is None and not _is_pi(node):
+                break
+        if not factors or (
+            len(factors) == 1
+            and factors[0].at != item.at
+            and not queue
+            and isinstance(factors[0], Number)
+            and factors[0].value in (-1,)
+        ):
+            raise Refused(item.at, f"the argument of {item.text} is missing")
+        self._doubt(item, factors, queue)
+        return product(factors[0].at, factors)
+
+    def _doubt(self, item: Item, factors: list[Node], queue: list[Item]) -> None:
+        """Note where the argument could go on: behind a name that is no coordinate."""
+        last = factors[-1]
+        if not isinstance(last, Name) or not queue or self.naming.is_function(last.name):
+            return
+        head = queue[0]
+        if head.kind == "node" and isinstance(head.node, Name):
+            self.notes.append(
+                f"\\{item.text} {last.name} {head.node.name} is read as"
+                f" {item.text}({last.name}) {head.node.name}"
+            )
+
+
+def _is_pi(node: Node) -> bool:
+    return isinstance(node, Call) and node.function == "pi"
+
+
+def _is_time(item: Item) -> bool:
+    """Whether an item is ``(t)``."""
+    if item.kind != "bracket" or len(item.arguments) != 1:
+        return False
+    inside = item.arguments[0]
+    return isinstance(inside, Name) and inside.name == "t" and inside.order == 0
+
+
+__all__ = ["Fold", "Product"]

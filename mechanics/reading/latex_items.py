@@ -1,0 +1,354 @@
+r"""From the tree of the LaTeX grammar to items that stand side by side.
+
+M \ddot{\theta}^{2} \sin \theta    ->    M, theta'' squared, function sine, theta
+"""
+
+import re
+from collections.abc import Callable
+from dataclasses import dataclass
+from fractions import Fraction
+
+from lark import Token, Tree
+
+from mechanics.reading.functions import FUNCTIONS
+from mechanics.reading.names import GREEK, Naming
+from mechanics.reading.place import Refused
+from mechanics.reading.tree import (
+    Call,
+    Name,
+    Node,
+    Number,
+    Power,
+    Rate,
+    Table,
+    constant,
+    inverse,
+    product,
+)
+
+DEEPEST_BRACKETS = 40
+ORDERS = {"dot": 1, "ddot": 2, "dddot": 3}
+PER_TIME = re.compile(
+    r"(?:d|\\(?:mathrm|text|rm)\s*\{\s*d\s*\})\s*t\s*(?:\^\s*\{?\s*([1-3])\s*\}?)?\s*"
+)
+COMMAND = re.compile(r"\\([A-Za-z]+)")
+
+
+@dataclass(frozen=True)
+class Item:
+    r"""One of the things that stand side by side.
+
+    Attributes
+    ----------
+    kind : str
+        ``"node"``, ``"bracket"``, ``"function"``, ``"rate"`` (d/dt), ``"sign"``, ``"times"``,
+        ``"slash"``.
+    at : int
+    node : Node or None
+    text : str
+        Of a sign, or the name of a function.
+    power : Node or None
+        Of a function: the square of ``\sin^2``; of a bracket.
+    arguments : tuple of Node
+        What commas separate in a bracket.
+    order : int
+        Of ``d/dt``.
+    """
+
+    kind: str
+    at: int
+    node: Node | None = None
+    text: str = ""
+    power: Node | None = None
+    arguments: tuple[Node, ...] = ()
+    order: int = 0
+
+
+Fold = Callable[[list[Item], int], Node]
+
+
+def bare(text: str) -> str:
+    r"""A subscript or command as part of a name: ``_{C_{1}}`` gives ``C1``."""
+    words = COMMAND.sub(lambda m: "" if m[1] in _FONTS else f" {_letter(m[1])} ", text)
+    return re.sub(r"[^A-Za-z0-9]", "", words.replace("'", "prime"))
+
+
+_FONTS = ("mathrm", "text", "textrm", "rm", "mathbf", "mathit", "operatorname")
+
+
+def _letter(command: str) -> str:
+    name = command.removeprefix("var")
+    return {"ell": "l"}.get(command, name if name in GREEK else command)
+
+
+class Items:
+    """Reads trees of the grammar; `fold` puts items together."""
+
+    def __init__(self, text: str, naming: Naming, fold: Fold, notes: list[str]) -> None:
+        self.text, self.naming, self.fold, self.notes = text, naming, fold, notes
+        self.depth = 0
+
+    def of(self, pieces: list[Tree | Token]) -> list[Item]:
+        """The items of pieces that stand side by side."""
+        found: list[Item] = []
+        for piece in pieces:
+            if isinstance(piece, Token):
+                kind = {"SIGN": "sign", "TIMES": "times", "SLASH": "slash"}.get(piece.type)
+                if piece.type == "TAG":
+                    continue
+                if kind is None:
+                    raise Refused(piece.start_pos, f"{piece.value!r} is out of place here")
+                text = "-" if piece.value == "\u2212" else str(piece.value)
+                found.append(Item(kind, piece.start_pos, text=text))
+            else:
+                found += self._scripted(piece)
+        return found
+
+    def group(self, tree: Tree, at: int) -> Node:
+        """What stands in a bracket or argument, as one node."""
+        (node,) = self._separated(tree, at, 1)
+        return node
+
+    def _separated(self, tree: Tree, at: int, most: int = 3) -> list[Node]:
+        """What stands between the commas of a bracket."""
+        self.depth += 1
+        if self.depth > DEEPEST_BRACKETS:
+            raise Refused(at, f"brackets nested too deeply: {DEEPEST_BRACKETS} are the limit")
+        parts: list[list[Tree | Token]] = [[]]
+        for piece in _pieces(tree):
+            if isinstance(piece, Token) and piece.type == "COMMA" and len(parts) < most:
+                parts.append([])
+            else:
+                parts[-1].append(piece)
+        nodes = [self.fold(self.of(part), at) for part in parts]
+        self.depth -= 1
+        return nodes
+
+    def _scripted(self, tree: Tree) -> list[Item]:
+        base, *scripts = tree.children
+        at = base.start_pos if isinstance(base, Token) else _start(base, tree)
+        sub, primes, power = self._scripts(scripts)
+        *before, last = self._base(base, sub, at)
+        if primes:
+            if not isinstance(last.node, Name):
+                raise Refused(at, "a prime belongs behind a name")
+            order = last.node.order + primes
+            last = Item("node", at, Name(at, last.node.name, order))
+        if power is not None:
+            last = self._raised(last, power)
+        return [*before, last]
+
+    def _scripts(self, scripts: list[Tree | Token]) -> tuple[str, int, Node | None]:
+        sub, primes, power = "", 0, None
+        for script in scripts:
+            if isinstance(script, Token) and script.type == "PRIME":
+                primes += len(script.value)
+            elif isinstance(script, Token):
+                sub += bare(script.value[1:])
+            else:
+                (inside,) = script.children
+                where = inside.start_pos if isinstance(inside, Token) else _start(inside, script)
+                if isinstance(inside, Token) and inside.type == "SUPC":
+                    if "circ" in inside.value:
+                        raise Refused(where, "degrees are not known here: write radians")
+                    primes += inside.value.count("prime") + inside.value.count("'")
+                elif power is not None:
+                    raise Refused(where, "two exponents")
+                elif isinstance(inside, Token):
+                    power = self._single(inside.value[-1], where)
+                else:
+                    power = self.group(inside, where)
+        return sub, primes, power
+
+    def _single(self, character: str, at: int) -> Node:
+        return Number(at, Fraction(character)) if character.isdigit() else Name(at, character)
+
+    def _raised(self, item: Item, power: Node) -> Item:
+        if item.kind == "function":
+            return Item("function", item.at, text=item.text, power=power)
+        if item.node is None:
+            raise Refused(item.at, "this cannot have an exponent")
+        euler = isinstance(item.node, Name) and item.node.name == "e"
+        if euler and not self.naming.knows("e"):
+            return Item("node", item.at, Call(item.at, "exp", (power,)))
+        raised = Power(item.at, item.node, power)
+        if item.kind == "bracket":
+            return Item("bracket", item.at, raised, power=power, arguments=(item.node,))
+        return Item("node", item.at, raised)
+
+    def _base(self, base: Tree | Token, sub: str, at: int) -> list[Item]:
+        if isinstance(base, Token):
+            return self._token(base, sub, at)
+        match base.data:
+            case "accent" | "short_accent":
+                return [self._accent(base, sub, at)]
+            case "style":
+                inside = self.of(_pieces(base.children[1]))
+                if sub and len(inside) == 1 and isinstance(inside[0].node, Name):
+                    return [self._name(inside[0].node.name, sub, at)]
+                items = inside
+            case "fraction" | "half_fraction" | "short_fraction":
+                items = [self._fraction(base, at)]
+            case "root":
+                items = [Item("node", at, self._root(base, at))]
+            case "matrix":
+                items = [Item("node", at, self._matrix(base, at))]
+            case _:
+                items = [self._bracket(base, at)]
+        if sub:
+            raise Refused(at, f"the subscript {sub} belongs behind a name")
+        return items
+
+    def _bracket(self, base: Tree, at: int) -> Item:
+        inner = next(c for c in base.children if isinstance(c, Tree))
+        left = base.children[0]
+        if isinstance(left, Token) and left.type == "LEFT" and left.value.endswith(("|", "vert")):
+            return Item("node", at, Call(at, "abs", (self.group(inner, at),)))
+        pieces = _pieces(inner)
+        nodes = self._separated(inner, at)
+        node = nodes[0]
+        kind = "bracket" if base.data == "leftright" else "node"
+        if isinstance(node, Table) and len(pieces) == 1:
+            kind = "node"
+        return Item(kind, at, node, arguments=tuple(nodes))
+
+    def _token(self, token: Token, sub: str, at: int) -> list[Item]:
+        text = token.value
+        if token.type == "NUMBER":
+            if sub:
+                raise Refused(at, f"the subscript {sub} belongs behind a name")
+            return [Item("node", at, Number(at, Fraction(text)))]
+        if token.type == "WORD":
+            return self._word(text, sub, at)
+        if token.type == "FONT":
+            inside = text[text.index("{") + 1 : -1].replace(" ", "")
+            if inside in FUNCTIONS and not self.naming.knows(inside):
+                return [Item("function", at, text=inside)]
+            return [self._name(inside, sub, at)]
+        if token.type == "BARRED":
+            (mark,) = re.match(r"\\(\w+?)(?=[^a-z]|$)", text).groups()  # type: ignore[union-attr]
+            mark = {"overline": "bar", "widehat": "hat", "widetilde": "tilde"}.get(mark, mark)
+            inside = bare(text[len(mark) + 1 :]) if f"\\{mark}" in text else bare(text[1:])
+            return [self._name(inside + mark, sub, at)]
+        command = text[1:]
+        if command in FUNCTIONS and not sub:
+            return [Item("function", at, text=command)]
+        letter = _letter(command)
+        if letter not in GREEK and letter != "l":
+            raise Refused(at, f"the command {text} is not known here")
+        if letter == "pi" and not sub and not self.naming.knows("pi"):
+            return [Item("node", at, Call(at, "pi", ()))]
+        return [self._name(letter, sub, at)]
+
+    def _name(self, name: str, sub: str, at: int) -> Item:
+        return Item("node", at, Name(at, f"{name}_{sub}" if sub else name))
+
+    def _word(self, word: str, sub: str, at: int) -> list[Item]:
+        """A run of letters: one name of the scene, a function, or a product of letters."""
+        whole = f"{word}_{sub}" if sub else word
+        if len(word) == 1 or self.naming.knows(whole):
+            return [self._name(word, sub, at)]
+        if word in FUNCTIONS and not sub:
+            self.notes.append(f"{word} is read as the function, not as a product of letters")
+            return [Item("function", at, text=word)]
+        letters = " ".join((*word[:-1], whole[len(word) - 1 :]))
+        self.notes.append(f"{whole} is read as the product {letters}")
+        before = [self._name(letter, "", at + i) for i, letter in enumerate(word[:-1])]
+        return [*before, self._name(word[-1], sub, at + len(word) - 1)]
+
+    def _accent(self, base: Tree, sub: str, at: int) -> Item:
+        mark = base.children[0]
+        order = ORDERS[re.match(r"\\(d+ot)", mark.value)[1]]  # type: ignore[index]
+        if base.data == "short_accent":
+            node: Node = Name(at, mark.value[-1])
+        else:
+            node = self.group(base.children[1], at)
+        if not isinstance(node, Name):
+            if sub:
+                raise Refused(at, f"the subscript {sub} belongs behind a name")
+            return Item("node", at, Rate(at, node, order))
+        name = f"{node.name}_{sub}" if sub else node.name
+        return Item("node", at, Name(at, name, node.order + order))
+
+    def _fraction(self, base: Tree, at: int) -> Item:
+        if base.data == "short_fraction":
+            over, under = re.findall(r"\d", base.children[0].value)
+            ratio = [Number(at, Fraction(over)), inverse(Number(at, Fraction(under)))]
+            return Item("node", at, product(at, [*ratio]))
+        if base.data == "half_fraction":
+            token, below = base.children
+            over_node: Node = Number(at, Fraction(token.value[-1]))
+            return Item("node", at, product(at, [over_node, inverse(self.group(below, at))]))
+        _, above, below = base.children
+        per_time = PER_TIME.fullmatch(self._slice(below))
+        if per_time and not self.naming.knows("t"):
+            rate = self._rate(above, int(per_time[1] or 1), at)
+            if rate is not None:
+                return rate
+        parts = [self.group(above, at), inverse(self.group(below, at))]
+        return Item("node", at, product(at, parts))
+
+    def _rate(self, above: Tree, order: int, at: int) -> Item | None:
+        """d/dt, d^2/dt^2, or dx/dt; None for a fraction whose numerator has no d."""
+        items = self.of(_pieces(above))
+        if not items:
+            return None
+        first, *rest = items
+        d, power = first.node, 1
+        if isinstance(d, Power):
+            power = int(constant(d.exponent) or 0)
+            d = d.base
+        if not (isinstance(d, Name) and d.name == "d" and d.order == 0):
+            return None
+        if power != order:
+            raise Refused(at, f"d^{power} over dt^{order}")
+        if not rest:
+            return Item("rate", at, order=order)
+        return Item("node", at, rate_of(self.fold(rest, at), order, at))
+
+    def _root(self, base: Tree, at: int) -> Node:
+        *degree, radicand = base.children[1:]
+        index = self.group(degree[0], at) if degree else Number(at, Fraction(2))
+        return Power(at, self.group(radicand, at), inverse(index))
+
+    def _matrix(self, base: Tree, at: int) -> Node:
+        table = base.children[1]
+        rows = [r.children for r in table.children if isinstance(r, Tree)]
+        kept = [[c for c in row if isinstance(c, Tree)] for row in rows]
+        kept = [row for row in kept if any(cell.children for cell in row)]
+        return Table(at, tuple(tuple(self.group(cell, at) for cell in row) for row in kept))
+
+    def _slice(self, tree: Tree) -> str:
+        """The text of a tree; empty for an empty one."""
+        return "" if tree.meta.empty else self.text[tree.meta.start_pos : tree.meta.end_pos]
+
+
+def rate_of(node: Node, order: int, at: int) -> Node:
+    """The time derivative of a node; a name gets dots."""
+    if isinstance(node, Name):
+        return Name(at, node.name, node.order + order)
+    return Rate(at, node, order)
+
+
+def _pieces(tree: Tree) -> list[Tree | Token]:
+    """What stands in an argument or bracket; a single command is one piece."""
+    if tree.data == "argument":
+        return [Tree("scripted", [_alone(tree)], tree.meta)]
+    return list(tree.children)
+
+
+def _alone(tree: Tree) -> Tree | Token:
+    first = tree.children[0]
+    if isinstance(first, Token) and first.type == "ACCENT":
+        return Tree("accent", list(tree.children), tree.meta)
+    if isinstance(first, Token) and first.type in ("ACCENT1", "FRAC2"):
+        data = "short_accent" if first.type == "ACCENT1" else "short_fraction"
+        return Tree(data, list(tree.children), tree.meta)
+    return first
+
+
+def _start(tree: Tree, outer: Tree) -> int:
+    for candidate in (tree, outer):
+        if not candidate.meta.empty:
+            return int(candidate.meta.start_pos)
+    return 0

@@ -1,0 +1,40 @@
+"""Lines of a text: equations with one side or more, each with the place where it stands."""
+
+from dataclasses import dataclass
+
+from mechanics.reading.tree import Node
+
+
+@dataclass(frozen=True)
+class Line:
+    """One equation or expression as a person wrote it.
+
+    Attributes
+    ----------
+    sides : tuple of Node
+        One or more.
+    tag : str
+        ``"(6)"``, or empty.
+    at : int
+        Where it begins in the text.
+    source : str
+        The text of it.
+    notes : tuple of str
+        How what can be read in two ways was read.
+    """
+
+    sides: tuple[Node, ...]
+    tag: str
+    at: int
+    source: str
+    notes: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True)
+class Unread:
+    """A part of a text that cannot be read; `words` is one line with its place."""
+
+    source: str
+    words: str
+    at: int
+    tag: str = ""

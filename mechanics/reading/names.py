@@ -1,0 +1,222 @@
+r"""Names of a person and names of the scene.
+
+    \theta_1, theta1, theta_1    ->    q1        given by the person, or the best guess, reported
+
+Two names are the same when they agree without underscores and braces. A name that the scene does
+not have is matched where one choice only is left.
+"""
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field
+from functools import cached_property
+
+from sympy import Expr, Symbol
+from sympy.physics.vector import dynamicsymbols
+
+from mechanics.errors import InputError
+from mechanics.scene import Scene
+from mechanics.scene.rates import TIME
+from mechanics.scene.symbols import DOTS, by_name, plain_symbol
+
+LETTERS = (
+    "alpha beta gamma delta epsilon zeta eta theta iota kappa lambda mu nu xi pi rho sigma tau"
+    " upsilon phi chi psi omega Gamma Delta Theta Lambda Xi Pi Sigma Upsilon Phi Psi Omega"
+)
+GREEK = frozenset(LETTERS.split())
+
+
+def key(name: str) -> str:
+    """What two names have in common when they are the same."""
+    return name.replace("_", "")
+
+
+@dataclass(frozen=True)
+class Match:
+    """What a name of the person stands for.
+
+    Attributes
+    ----------
+    name : str
+        The person's.
+    meaning : str
+        The scene's.
+    why : str
+        ``"same name"``, ``"as given"``, or how it was guessed.
+    """
+
+    name: str
+    meaning: str
+    why: str
+
+    @property
+    def guessed(self) -> bool:
+        """Whether it is neither given nor the same name."""
+        return self.why not in ("same name", "as given")
+
+
+@dataclass(frozen=True, eq=False)
+class Vocabulary:
+    """The names of a scene.
+
+    Attributes
+    ----------
+    scene : Scene
+    """
+
+    scene: Scene
+    _found: dict[str, tuple[Symbol, int]] = field(default_factory=dict)
+
+    @cached_property
+    def functions(self) -> dict[str, Symbol]:
+        """Coordinates, declared speeds and inputs by name, as plain symbols."""
+        scene = self.scene
+        speeds = tuple(u for u, _ in scene.speeds)
+        return {
+            plain_symbol(f).name: plain_symbol(f)
+            for f in (*scene.coordinates, *speeds, *scene.inputs)
+        }
+
+    @cached_property
+    def constants(self) -> dict[str, Symbol]:
+        """Parameters, what definitions use, and reactions, by name."""
+        found: set[Symbol] = set(self.scene.parameters)
+        for symbol, value in self.scene.definitions.items():
+            found |= {symbol, *value.free_symbols}
+        found |= {reaction.symbol for reaction in self.scene.reactions}
+        moving = {s for f in self.functions for s in self.rates(f)}
+        return {symbol.name: symbol for symbol in sorted(found - moving, key=by_name)}
+
+    @cached_property
+    def reactions(self) -> frozenset[str]:
+        """Names of the reactions."""
+        return frozenset(reaction.name for reaction in self.scene.reactions)
+
+    def rates(self, function: str) -> list[Symbol]:
+        """A function of time and its derivatives, as plain symbols."""
+        return [Symbol(function + dots, real=True) for dots in DOTS]
+
+    @cached_property
+    def by_key(self) -> dict[str, tuple[str, int]]:
+        """Name of the scene and order of the derivative, for every key that is in use."""
+        found: dict[str, tuple[str, int]] = {}
+        for name in self.constants:
+            found.setdefault(key(name), (name, 0))
+        for name in self.functions:
+            for order, dots in enumerate(DOTS):
+                found.setdefault(key(name + dots), (name, order))
+        return found
+
+    def lookup(self, name: str) -> tuple[str, int] | None:
+        """Scene's name and order that a person's name stands for, if it is the same name."""
+        return self.by_key.get(key(name)) or self._rate(name)
+
+    def _rate(self, name: str) -> tuple[str, int] | None:
+        """``thetadd``, ``dtheta``, ``theta_dd``, ``D2x``: other ways to write a rate."""
+        for order, ends, starts in ((2, ("dd", "2dot"), ("dd", "d2")), (1, ("d",), ("d",))):
+            bare = key(name)
+            for end in ends:
+                if order == 1 and name.endswith("_" + end):
+                    continue  # theta_d is rather a desired angle
+                base = self.by_key.get(bare.removesuffix(end)) if bare.endswith(end) else None
+                if base and base[0] in self.functions and base[1] == 0:
+                    return base[0], order
+            for start in starts:
+                base = self.by_key.get(bare.removeprefix(start)) if bare.startswith(start) else None
+                if base and base[0] in self.functions and base[1] == 0:
+                    return base[0], order
+        return None
+
+
+@dataclass(frozen=True, eq=False)
+class Naming:
+    """What every name of a person stands for.
+
+    Attributes
+    ----------
+    vocabulary : Vocabulary
+    given : mapping of str to str
+        By the person: name to name of the scene, which may carry ``_dot``.
+    guessed : tuple of Match
+    """
+
+    vocabulary: Vocabulary
+    given: Mapping[str, str] = field(default_factory=dict)
+    guessed: tuple[Match, ...] = ()
+
+    def __post_init__(self) -> None:
+        for name, target in self.given.items():
+            if target != "t" and self.vocabulary.lookup(target) is None:
+                scene = self.vocabulary.scene
+                known = ", ".join([*self.vocabulary.functions, *self.vocabulary.constants])
+                raise InputError(
+                    f"name {name}={target}: {scene.name} has no {target!r}: its names are {known}"
+                )
+
+    @cached_property
+    def _given(self) -> dict[str, str]:
+        return {key(name): target for name, target in self.given.items()}
+
+    @cached_property
+    def _guessed(self) -> dict[str, str]:
+        return {key(match.name): match.meaning for match in self.guessed}
+
+    def lookup(self, name: str) -> tuple[str, int] | None:
+        """Scene's name and order of the derivative, or None for a name that nothing explains."""
+        for table in (self._given, self._guessed):
+            if key(name) in table:
+                return self.vocabulary.lookup(table[key(name)])
+        # A name that the person gave away is no longer the scene's.
+        return self.vocabulary.lookup(name)
+
+    def knows(self, name: str) -> bool:
+        """Whether a name stands for something."""
+        return self.lookup(name) is not None
+
+    def is_function(self, name: str) -> bool | None:
+        """Whether it is a function of time; None where it is unknown."""
+        found = self.lookup(name)
+        return None if found is None else found[0] in self.vocabulary.functions
+
+    def symbol(self, name: str, order: int) -> Symbol | None:
+        """The plain symbol of a name with so many dots.
+
+        Raises
+        ------
+        KeyError
+            When nothing determines a derivative of that order.
+        """
+        if name == "t" and order == 0 and not self.knows("t"):
+            return TIME
+        found = self.lookup(name)
+        if found is None:
+            return None
+        base, more = found
+        if base in self.vocabulary.constants:
+            if order:
+                raise KeyError(f"{name} is {base} of the scene, which has no rate")
+            return self.vocabulary.constants[base]
+        if order + more >= len(DOTS):
+            raise KeyError(f"a derivative of order {order + more} of {base} is not known")
+        return Symbol(base + DOTS[order + more], real=True)
+
+    def matches(self, used: Iterable[str]) -> tuple[Match, ...]:
+        """What the names stand for, once each, in order."""
+        found: dict[str, Match] = {}
+        for name in used:
+            target = self.lookup(name)
+            if name in found or target is None:
+                continue
+            meaning = target[0] + DOTS[target[1]]
+            why = "same name"
+            for match in self.guessed:
+                if key(match.name) == key(name):
+                    why = match.why
+            if key(name) in self._given:
+                why = "as given"
+            found[name] = Match(name, meaning, why)
+        return tuple(found.values())
+
+    @property
+    def time(self) -> Expr:
+        """Time as the scene writes it."""
+        return dynamicsymbols._t

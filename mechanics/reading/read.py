@@ -1,0 +1,93 @@
+"""A text or file as statements: which notation it is in, and who reads it.
+
+backslashes, ^{...}, $    ->    LaTeX            anything else    ->    text
+"""
+
+import re
+from collections.abc import Callable, Mapping, Sequence
+from pathlib import Path
+
+from mechanics.errors import InputError
+from mechanics.reading.about import QUANTITIES
+from mechanics.reading.assemble import Reading, assemble
+from mechanics.reading.latex import read_latex
+from mechanics.reading.lines import Line, Unread
+from mechanics.reading.names import Naming
+from mechanics.reading.place import LARGEST_TEXT
+from mechanics.reading.text import read_text
+from mechanics.scene import Scene
+
+Reader = Callable[[str, Naming, str], Sequence[Line | Unread]]
+
+NOTATIONS: dict[str, Reader] = {"latex": read_latex, "text": read_text}
+SUFFIXES: dict[str, str] = {".tex": "latex", ".m": "text", ".sympy": "text"}
+LATEX = re.compile(r"\\[A-Za-z]{2,}|\\\\|[\^_]\s*\{|\$")
+
+
+def notation_of(text: str) -> str:
+    """``"latex"`` or ``"text"``."""
+    return "latex" if LATEX.search(text) else "text"
+
+
+def read_source(
+    scene: Scene,
+    text: str,
+    *,
+    names: Mapping[str, str] | None = None,
+    notation: str | None = None,
+    about: str | None = None,
+    origin: str = "",
+) -> Reading:
+    """Statements of a text in LaTeX, or in SymPy's or MATLAB's notation.
+
+    Parameters
+    ----------
+    scene : Scene
+    text : str
+    names : mapping of str to str, optional
+        What names of the text mean: names of the scene (``{"phi": "theta", "w": "theta_dot"}``),
+        or quantities (``{"T": "kinetic energy"}``).
+    notation : str, optional
+        ``"latex"`` or ``"text"``; found out when not given.
+    about : str, optional
+        What every equation is about; found out when not given.
+    origin : str
+        What messages call the text.
+
+    Raises
+    ------
+    InputError
+        When nothing in the text can be read, by line and column.
+    """
+    if notation is not None and notation not in NOTATIONS:
+        raise InputError(f"notation {notation!r}: it can be {', '.join(NOTATIONS)}")
+    if about is not None and about not in QUANTITIES:
+        raise InputError(f"about {about!r}: it can be {', '.join(QUANTITIES)}")
+    chosen = notation or notation_of(text[:LARGEST_TEXT])
+    title = origin or ("LaTeX" if chosen == "latex" else "text")
+    reader = NOTATIONS[chosen]
+    found = assemble(
+        scene, lambda naming: reader(text, naming, title), text, title, dict(names or {}), about
+    )
+    if not found.statements and not found.remarks:
+        raise InputError(f"{title}, line 1, column 1: there is no equation in it")
+    if all(statement.row is None for statement in found.statements) and found.statements:
+        raise InputError(found.statements[0].doubt)
+    return found
+
+
+def read_file(scene: Scene, path: Path, **options: object) -> Reading:
+    """`read_source` of a file; the suffix may tell the notation."""
+    try:
+        data = path.read_bytes()
+    except OSError as error:
+        raise InputError(f"file {path}: it cannot be read: {error.strerror}") from None
+    try:
+        text = data.decode("utf-8")
+    except UnicodeDecodeError as error:
+        line = data.count(b"\n", 0, error.start) + 1
+        column = error.start - (data.rfind(b"\n", 0, error.start) + 1) + 1
+        raise InputError(f"{path}, line {line}, column {column}: this is no UTF-8 text") from None
+    settings = {"notation": SUFFIXES.get(path.suffix), "origin": str(path)}
+    given = {name: value for name, value in options.items() if value is not None}
+    return read_source(scene, text, **{**settings, **given})  # type: ignore[arg-type]

@@ -1,0 +1,37 @@
+"""A statement of a person about a scene: a row of the ledger, with what it was read from.
+
+source -> row.sides, in the scene's plain symbols; row.quantity is what it is about
+"""
+
+from dataclasses import dataclass
+
+from mechanics.scene.published import Published
+
+
+@dataclass(frozen=True)
+class Statement:
+    """One thing that a person claims.
+
+    Attributes
+    ----------
+    row : Published or None
+        What the ledger checks; None for what could not be read.
+    source : str
+        As it was written.
+    tag : str
+        The number that it has in its source, ``"(6)"``, or its place among the others, ``"1"``.
+    place : str
+        ``file, line 3``, where it has one.
+    notes : tuple of str
+        How what can be read in two ways was read, and what was added.
+    doubt : str
+        Why it has no verdict, one line: it could not be read, or holds a name that nothing
+        explains. Empty otherwise.
+    """
+
+    row: Published | None
+    source: str
+    tag: str
+    place: str = ""
+    notes: tuple[str, ...] = ()
+    doubt: str = ""

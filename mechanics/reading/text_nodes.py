@@ -1,0 +1,257 @@
+"""From the tree of the text grammar to nodes: sums, products, calls, derivatives.
+
+x.diff(t, 2), Derivative(x(t), (t, 2)), diff(x, t, t), x''    ->    x with two dots
+"""
+
+import unicodedata
+from fractions import Fraction
+
+from lark import Tree
+
+from mechanics.reading.functions import FUNCTIONS
+from mechanics.reading.latex_items import rate_of
+from mechanics.reading.names import Naming
+from mechanics.reading.place import Refused
+from mechanics.reading.tree import (
+    Call,
+    Name,
+    Node,
+    Number,
+    Power,
+    Product,
+    Sum,
+    Table,
+    constant,
+    inverse,
+    negative,
+)
+
+DEEPEST = 300
+"""Nesting of the parser's tree; that of brackets is limited by the nodes themselves."""
+DERIVATIVES = ("Derivative", "diff", "D")
+RATIONALS = ("Rational", "Integer", "Float", "S", "sympify", "Symbol")
+MATRICES = ("Matrix", "ImmutableMatrix", "array", "vertcat", "asarray")
+DOTS = {"\u0307": 1, "\u0308": 2}
+
+
+class Nodes:
+    """Makes nodes of the parser's trees."""
+
+    def __init__(self, naming: Naming, offset: int, notes: list[str]) -> None:
+        self.naming, self.offset, self.notes = naming, offset, notes
+        self.depth = 0
+
+    def sides(self, statement: Tree) -> tuple[Node, ...]:
+        """The sides of a statement."""
+        children = list(statement.children)
+        for child in children:
+            if child.data == "equation":
+                # A name that holds an equation, as ``eq1 = Eq(...)``, says nothing itself.
+                children = list(child.children)
+        return tuple(self.node(child) for child in children)
+
+    def node(self, tree: Tree) -> Node:
+        """The node of a tree."""
+        self.depth += 1
+        if self.depth > DEEPEST:
+            raise Refused(self._at(tree), "nested too deeply")
+        result: Node = getattr(self, tree.data)(tree, self._at(tree))
+        self.depth -= 1
+        return result
+
+    def _at(self, tree: Tree) -> int:
+        return self.offset + (0 if tree.meta.empty else int(tree.meta.start_pos))
+
+    def add(self, tree: Tree, at: int) -> Node:
+        """A sum; long ones are walked, not recursed into."""
+        terms: list[Node] = []
+        while isinstance(tree, Tree) and tree.data == "add":
+            left, sign, right = tree.children
+            term = self.node(right)
+            terms.append(term if sign == "+" else negative(term))
+            tree = left
+        terms.append(self.node(tree))
+        return Sum(at, tuple(reversed(terms)))
+
+    def multiply(self, tree: Tree, at: int) -> Node:
+        """A product or quotient, likewise."""
+        factors: list[Node] = []
+        while isinstance(tree, Tree) and tree.data == "multiply":
+            left, sign, right = tree.children
+            factor = self.node(right)
+            factors.append(inverse(factor) if "/" in sign else factor)
+            tree = left
+        factors.append(self.node(tree))
+        return Product(at, tuple(reversed(factors)))
+
+    def signed(self, tree: Tree, at: int) -> Node:
+        """A factor with a sign."""
+        sign, factor = tree.children
+        node = self.node(factor)
+        return node if sign == "+" else negative(node)
+
+    def power(self, tree: Tree, at: int) -> Node:
+        """base ** exponent."""
+        base, _, exponent = tree.children
+        return Power(at, self.node(base), self.node(exponent))
+
+    def superscripted(self, tree: Tree, at: int) -> Node:
+        """A square or cube in Unicode."""
+        base, mark = tree.children
+        return Power(at, self.node(base), Number(at, Fraction(2 if mark == "\u00b2" else 3)))
+
+    def number(self, tree: Tree, at: int) -> Node:
+        """A number, exactly as it is typed."""
+        text = str(tree.children[0])
+        mantissa, _, exponent = text.lower().partition("e")
+        if exponent and abs(int(exponent)) > 300:
+            raise Refused(at, "the exponent of this number is too large")
+        return Number(
+            at,
+            Fraction(mantissa + "0" if "." in mantissa else mantissa)
+            * Fraction(10) ** int(exponent or 0),
+        )
+
+    def scaled(self, tree: Tree, at: int) -> Node:
+        """A number before a name: ``2x``."""
+        number, name = tree.children
+        first = self.number(Tree("number", [number], tree.meta), at)
+        self.notes.append(f"{number} {name} is read as a product")
+        return Product(at, (first, self._named(str(name), at + len(number))))
+
+    def name(self, tree: Tree, at: int) -> Node:
+        """A name."""
+        return self._named(str(tree.children[0]), at)
+
+    def _named(self, text: str, at: int) -> Node:
+        name, order = plain(text)
+        if name == "pi" and not self.naming.knows("pi"):
+            return Call(at, "pi", ())
+        if name in FUNCTIONS and not self.naming.knows(name):
+            raise Refused(at, f"the argument of {name} is missing")
+        return Name(at, name, order)
+
+    def bracket(self, tree: Tree, at: int) -> Node:
+        """A bracket around one expression."""
+        if len(tree.children) != 1:
+            raise Refused(at, "a comma is out of place here")
+        return self.node(tree.children[0])
+
+    def primed(self, tree: Tree, at: int) -> Node:
+        """A name with primes; behind anything else MATLAB means the transpose."""
+        node = self.node(tree.children[0])
+        if isinstance(node, Name):
+            if self.naming.is_function(node.name) is False:
+                raise Refused(at, f"{node.name}' is the rate of a constant")
+            return Name(at, node.name, node.order + len(tree.children[1]))
+        return Call(at, "transpose", (node,))
+
+    def transposed(self, tree: Tree, at: int) -> Node:
+        """A transposed matrix."""
+        return Call(at, "transpose", (self.node(tree.children[0]),))
+
+    def matrix(self, tree: Tree, at: int) -> Node:
+        """A matrix of MATLAB, or a list of lists."""
+        if not tree.children:
+            raise Refused(at, "an empty matrix")
+        (rows,) = tree.children
+        cells = [[self.node(cell) for cell in row.children] for row in rows.children]
+        if len(cells) == 1 and all(isinstance(cell, Table) for cell in cells[0]):
+            inner = [cell for cell in cells[0] if isinstance(cell, Table)]
+            if all(len(table.rows) == 1 for table in inner):
+                return Table(at, tuple(table.rows[0] for table in inner))
+        return Table(at, tuple(tuple(row) for row in cells))
+
+    def differentiated(self, tree: Tree, at: int) -> Node:
+        """``x.diff(t, 2)`` and ``x.dt()``."""
+        inner, _, *rest = tree.children
+        arguments = list(rest[0].children) if rest else []
+        return self._derivative(self.node(inner), arguments, at)
+
+    def _derivative(self, node: Node, by: list[Tree], at: int) -> Node:
+        order = 0
+        for tree in by:
+            pair = tree.children if tree.data == "bracket" else [tree]
+            parts = [self.node(part) for part in pair]
+            if len(parts) == 1 and constant(parts[0]) is not None and order:
+                order += int(constant(parts[0]) or 0) - 1
+                continue
+            if not (isinstance(parts[0], Name) and parts[0].name in ("t", "_t")):
+                raise Refused(at, "a derivative is by the time t")
+            order += int(constant(parts[1]) or 0) if len(parts) == 2 else 1
+        order = order if by else 1
+        if not 1 <= order <= 3:
+            raise Refused(at, f"a derivative of order {order}: 1, 2 or 3 can be taken")
+        return rate_of(node, order, at)
+
+    def call(self, tree: Tree, at: int) -> Node:
+        """A function of the whitelist, a function of time, or a product."""
+        token, *rest = tree.children
+        name, order = plain(str(token))
+        given = list(rest[0].children) if rest else []
+        if name in FUNCTIONS and not self.naming.knows(name):
+            least, most, _ = FUNCTIONS[name]
+            if not least <= len(given) <= most:
+                raise Refused(at, f"{name} with {len(given)} arguments")
+            return Call(at, name, tuple(self.node(part) for part in given))
+        if name in DERIVATIVES and given:
+            return self._derivative(self.node(given[0]), given[1:], at)
+        if name in RATIONALS and given:
+            return self._rational(name, given, at)
+        if name in MATRICES and len(given) == 1:
+            return self._column(self.node(given[0]), name)
+        if len(given) != 1:
+            raise Refused(at, f"the function {name} is not known here")
+        return self._applied(name, order, given[0], at)
+
+    def _applied(self, name: str, order: int, given: Tree, at: int) -> Node:
+        inside = self.node(given)
+        of_time = isinstance(inside, Name) and inside.name in ("t", "_t") and not inside.order
+        moving = self.naming.is_function(name)
+        if of_time and moving is not False and not self.naming.knows("t"):
+            return Name(at, name, order, True)
+        if moving is None:
+            raise Refused(at, f"the function {name} is not known here")
+        self.notes.append(f"{name}(...) is read as a product: {name} is no function")
+        return Product(at, (Name(at, name, order), inside))
+
+    def _rational(self, name: str, given: list[Tree], at: int) -> Node:
+        parts = [self.node(part) for part in given]
+        values = [constant(part) for part in parts]
+        if len(parts) == 1:
+            return parts[0]
+        if len(parts) != 2 or None in values or not values[1]:
+            raise Refused(at, f"{name} takes two numbers")
+        return Product(at, (parts[0], inverse(parts[1])))
+
+    def _column(self, node: Node, name: str) -> Node:
+        """A plain list given to Matrix is a column."""
+        if (
+            isinstance(node, Table)
+            and len(node.rows) == 1
+            and name in ("Matrix", "ImmutableMatrix")
+        ):
+            return Table(node.at, tuple((cell,) for cell in node.rows[0]))
+        return node
+
+
+def plain(text: str) -> tuple[str, int]:
+    """A name without its module and its dots, Greek letters by name."""
+    _, _, name = text.rpartition(".")
+    decomposed = unicodedata.normalize("NFD", name)
+    order = sum(DOTS.get(character, 0) for character in decomposed)
+    letters = "".join(_latin(c) for c in decomposed if c not in DOTS)
+    return letters, order
+
+
+def _latin(character: str) -> str:
+    if ord(character) < 128:
+        return character
+    words = unicodedata.name(character, "").split()
+    # GREEK SMALL LETTER THETA, GREEK CAPITAL LETTER DELTA
+    if words[:1] == ["GREEK"] and "LETTER" in words:
+        spelled = words[words.index("LETTER") + 1].lower().replace("lamda", "lambda")
+        return spelled.capitalize() if "CAPITAL" in words else spelled
+    if unicodedata.category(character) == "No":
+        return str(unicodedata.digit(character, "")) or character
+    return character

@@ -1,0 +1,51 @@
+"""A text before it is parsed: comments and continued lines blanked, place by place.
+
+    [a -b; c d]  % mass matrix        ->        [a,-b; c d]
+
+A blank between two entries of a MATLAB matrix becomes the comma that it stands for; no character
+moves, so that messages name the right place.
+"""
+
+import re
+
+COMMENT = re.compile(r"[%#][^\n]*|\.\.\.[^\n]*\n|\\[ \t]*\r?\n")
+ENDS = re.compile(r"[\w)\]'.\u0307\u0308\u00b2\u00b3]")
+STARTS = re.compile(r"[\w(\[.]")
+
+
+def prepared(text: str) -> str:
+    """The text with blanks for comments and for ends of lines inside round brackets."""
+    text = COMMENT.sub(lambda m: " " * len(m[0]), text)
+    out = list(text)
+    open_brackets: list[str] = []
+    for i, character in enumerate(text):
+        if character in "([":
+            open_brackets.append(character)
+        elif character in ")]" and open_brackets:
+            open_brackets.pop()
+        elif character == "\n" and open_brackets and _blank(text, i, open_brackets):
+            out[i] = " "
+        elif character in " \t" and open_brackets[-1:] == ["["] and _between(text, i):
+            out[i] = ","
+    return "".join(out)
+
+
+def _blank(text: str, i: int, open_brackets: list[str]) -> bool:
+    """Whether the end of a line means nothing: in round brackets, or beside a comma."""
+    if open_brackets[-1] == "(":
+        return True
+    before, after = text[:i].rstrip()[-1:], text[i:].lstrip()[:1]
+    return before in ",[;(" or after in ",]" or len(open_brackets) > 1
+
+
+def _between(text: str, i: int) -> bool:
+    """Whether a blank stands between two entries of a matrix."""
+    if i == 0 or not ENDS.fullmatch(text[i - 1]):
+        return False
+    rest = text[i:].lstrip(" \t")
+    if not rest:
+        return False
+    if rest[0] in "+-":
+        # MATLAB: [a -b] has two entries, [a - b] one.
+        return len(rest) > 1 and rest[1] not in " \t"
+    return bool(STARTS.fullmatch(rest[0]))
