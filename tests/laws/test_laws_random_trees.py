@@ -11,7 +11,9 @@ from mechanics.checks import laws
 from mechanics.checks.agreement import compare_pairs
 from mechanics.checks.energy import check_energy
 from mechanics.checks.reactions import check_reactions
+from mechanics.compiled import compile, prove_graph
 from mechanics.crosscheck import derive_with
+from mechanics.routes import free_body
 from mechanics.routes.kane_reactions import auxiliary_equations
 from mechanics.scene import (
     RigidBody,
@@ -106,3 +108,11 @@ def test_random_trees(links: tuple[Link, ...]) -> None:
     findings += [check_energy(routes["moving_point"]), laws.check_mass_matrix(routes["kane"])]
     findings += check_reactions(routes["free_body"], auxiliary_equations(scene))
     assert not [finding for finding in findings if not finding.shown]
+
+
+@settings(max_examples=8, deadline=None)
+@given(trees())
+def test_forward_dynamics_from_the_bodies_is_what_was_derived(links: tuple[Link, ...]) -> None:
+    model = compile(free_body.derive(build(links)), form="recursive", compiler=None)
+    finding = prove_graph("forward_dynamics", model.casadi, try_normal=False)
+    assert finding.shown, finding
