@@ -2,7 +2,6 @@
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 from flint import arb
@@ -134,14 +133,18 @@ def _sensitivity(found: Enclosed) -> float:
 
 
 def computed(model: Model, points: Array, kind: type[np.floating]) -> Array:
-    """u' and multipliers of a compiled model, N x n, as doubles."""
+    """u' and multipliers of a compiled model, N x n, as doubles.
+
+    By the function of one state, whose operations are those of its form; that of many states has
+    sines of its own, which are proved apart.
+    """
     known = model.quantities
     sizes = np.cumsum([len(getattr(known, group)) for group in GROUPS])
     with np.errstate(all="ignore"):
         parts = np.split(points.astype(kind), sizes[:-1], axis=1)
-    given: dict[str, Any] = dict(zip(GROUPS, parts, strict=True))
-    found = model.evaluate("forward_dynamics", kind, **given)
-    return np.hstack([found["ud"], found["multipliers"]]).astype(np.float64)
+    cells = [np.ascontiguousarray(part) for part in parts]
+    found = model.kernel("forward_dynamics", kind)(cells, len(points))
+    return np.hstack(found).astype(np.float64)
 
 
 def representable(points: Array, kind: type[np.floating]) -> NDArray[np.bool_]:

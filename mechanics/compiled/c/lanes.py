@@ -16,7 +16,6 @@ import casadi as ca
 import numpy as np
 
 from mechanics.compiled.c.flow import constant, looked_at, users
-from mechanics.compiled.c.latency import early_products
 from mechanics.compiled.c.names import Namer
 from mechanics.compiled.c.source import LINE, Entries, Text, expression, literal
 from mechanics.compiled.operations import ATOM, SIGN
@@ -60,7 +59,7 @@ def lanes_source(
     It returns `FAR` where an angle of some state is too large for the inline sine, or no number;
     with `checked`, plus `WILD` where a value that has to be finite may not be.
     """
-    writer = _Writer(early_products(code, shared), entries, kind, name, shared)
+    writer = _Writer(code, entries, kind, name, shared)
     unsigned = "uint32_t" if kind == "float" else "uint64_t"
     flags, result = [writer.far], f"{writer.far} != 0"
     if checked:
