@@ -12,6 +12,7 @@ from mechanics.equations import Equations
 from systems import pendulum_chain
 
 Array = NDArray[np.float64]
+SHORT = 5
 
 
 @dataclass(frozen=True, eq=False)
@@ -59,8 +60,9 @@ class Case:
 
 @cache
 def equations(links: int) -> Equations:
-    """Equations of motion by free bodies, the quickest of the routes."""
-    return derive(pendulum_chain.scene(links), "free_body")
+    """Equations of motion: of short chains those that take the fewest operations, else by free
+    bodies, the quickest of the routes."""
+    return derive(pendulum_chain.scene(links), "kane" if links <= SHORT else "free_body")
 
 
 @cache
