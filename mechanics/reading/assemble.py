@@ -15,6 +15,7 @@ from sympy.matrices import MatrixBase
 from mechanics.reading.about import ENERGY_NAMES, QUANTITIES, named_quantity
 from mechanics.reading.build import Builder, Value
 from mechanics.reading.guess import guess
+from mechanics.reading.kind import kind_of
 from mechanics.reading.lines import Line, Unread
 from mechanics.reading.names import Match, Naming, Vocabulary
 from mechanics.reading.place import Refused, line_and_column, located
@@ -22,8 +23,7 @@ from mechanics.reading.statement import Statement
 from mechanics.reading.tree import Name, Node, names
 from mechanics.scene import Scene
 from mechanics.scene.published import Quantity, published
-from mechanics.scene.quantities import EquationOfMotion, Identity, MassMatrix, ReactionValue
-from mechanics.scene.symbols import plain_symbol
+from mechanics.scene.quantities import EquationOfMotion, Identity, MassMatrix
 
 Read = Callable[[Naming], Sequence[Line | Unread]]
 
@@ -243,7 +243,7 @@ class _Assembly:
         if self.about is not None:
             self._asked(line, tag, place, sides, unknown)
             return
-        quantity, sides, note = self._kind(sides)
+        quantity, sides, note = kind_of(self.scene, sides)
         self._keep(line, tag, place, quantity, sides, unknown, note)
 
     def _asked(
@@ -255,28 +255,6 @@ class _Assembly:
         elif not isinstance(quantity, EquationOfMotion | Identity) and len(sides) > 1:
             sides = sides[1:] if isinstance(line.sides[0], Name) else sides
         self._keep(line, tag, place, quantity, sides, unknown)
-
-    def _kind(self, sides: tuple[Expr, ...]) -> tuple[Quantity, tuple[Expr, ...], str]:
-        """What scalar sides are about."""
-        scene = self.scene
-        plain = [scene.plain(side) for side in sides]
-        symbols = set().union(*(side.free_symbols for side in plain))
-        second = {plain_symbol(q, 2) for q in scene.coordinates}
-        moving = bool(symbols & {*scene.ud, *second})
-        reactions = [r.symbol for r in scene.reactions if r.symbol in symbols]
-        if len(sides) > 1 and sides[0] in reactions:
-            return ReactionValue(str(sides[0])), sides[1:], ""
-        if moving and len(sides) == 1:
-            return EquationOfMotion(), (*sides, S.Zero), "one side only: it is taken to be zero"
-        if moving:
-            return EquationOfMotion(), sides, ""
-        if reactions and len(sides) == 2:
-            for symbol in reactions:
-                slope = (sides[0] - sides[1]).diff(symbol)
-                if slope.is_number and slope != 0:
-                    solved = symbol - (sides[0] - sides[1]) / slope
-                    return ReactionValue(symbol.name), (solved,), f"solved for {symbol}"
-        return Identity(), sides, ""
 
     def _keep(
         self, line: Line, tag: str, place: str, quantity: Quantity, sides: tuple[Value, ...],

@@ -11,18 +11,40 @@ from functools import reduce
 from operator import mul
 from typing import Any
 
-from sympy import Expr, I, Matrix, Rational, S, Symbol, nan, oo, zoo
+from sympy import Expr, I, Integer, Matrix, Rational, S, Symbol, nan, oo, zoo
 from sympy.matrices import MatrixBase
 from sympy.matrices.exceptions import ShapeError
 
 from mechanics.reading.functions import FUNCTIONS
 from mechanics.reading.names import Naming
 from mechanics.reading.place import Refused
-from mechanics.reading.tree import Call, Name, Node, Number, Power, Product, Rate, Sum, Table
+from mechanics.reading.tree import (
+    LARGEST,
+    LARGEST_EXPONENT,
+    Call,
+    Name,
+    Node,
+    Number,
+    Power,
+    Product,
+    Rate,
+    Sum,
+    Table,
+)
 from mechanics.scene.rates import coordinate_rate_table, rate
 
 Value = Any
 """An expression, or a matrix of them."""
+
+
+def _small(base: Expr, exponent: Expr) -> bool:
+    """Whether a power can be carried out: what is left when symbols have cancelled counts."""
+    if not exponent.is_Rational:
+        return not exponent.atoms(Integer) or bool(abs(exponent.n(5)) <= LARGEST_EXPONENT)
+    if abs(exponent.p) > LARGEST_EXPONENT * exponent.q or exponent.q > LARGEST_EXPONENT:
+        return False
+    bits = max((max(abs(n.p), n.q).bit_length() for n in base.atoms(Rational)), default=1)
+    return bool(bits * abs(exponent.p) <= 2 * LARGEST)
 
 
 class Builder:
@@ -120,6 +142,8 @@ class Builder:
             raise Refused(node.at, "a power of a matrix is not known here")
         if base == 0 and exponent.is_negative:
             raise Refused(node.at, "a division by zero")
+        if exponent.is_number and not _small(base, exponent):
+            raise Refused(node.at, f"the exponent is too large: {LARGEST_EXPONENT} is the limit")
         return base**exponent
 
     def _call(self, node: Node, function: str, arguments: list[Any]) -> Any:

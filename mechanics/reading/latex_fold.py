@@ -8,7 +8,7 @@ function: \sin^2 2 \theta \cos \theta         numbers and then one factor are th
 from fractions import Fraction
 
 from mechanics.reading.functions import FUNCTIONS, INVERSES
-from mechanics.reading.latex_items import Item, rate_of
+from mechanics.reading.latex_item import Item, rate_of
 from mechanics.reading.names import Naming
 from mechanics.reading.place import Refused
 from mechanics.reading.tree import (
@@ -17,7 +17,6 @@ from mechanics.reading.tree import (
     Node,
     Number,
     Power,
-    Product,
     constant,
     inverse,
     negative,
@@ -203,6 +202,3 @@ def _is_time(item: Item) -> bool:
         return False
     inside = item.arguments[0]
     return isinstance(inside, Name) and inside.name == "t" and inside.order == 0
-
-
-__all__ = ["Fold", "Product"]

@@ -5,12 +5,12 @@ M \ddot{\theta}^{2} \sin \theta    ->    M, theta'' squared, function sine, thet
 
 import re
 from collections.abc import Callable
-from dataclasses import dataclass
 from fractions import Fraction
 
 from lark import Token, Tree
 
 from mechanics.reading.functions import FUNCTIONS
+from mechanics.reading.latex_item import Item, bare, letter_of, rate_of
 from mechanics.reading.names import GREEK, Naming
 from mechanics.reading.place import Refused
 from mechanics.reading.tree import (
@@ -26,59 +26,13 @@ from mechanics.reading.tree import (
     product,
 )
 
+Fold = Callable[[list[Item], int], Node]
+
 DEEPEST_BRACKETS = 40
 ORDERS = {"dot": 1, "ddot": 2, "dddot": 3}
 PER_TIME = re.compile(
     r"(?:d|\\(?:mathrm|text|rm)\s*\{\s*d\s*\})\s*t\s*(?:\^\s*\{?\s*([1-3])\s*\}?)?\s*"
 )
-COMMAND = re.compile(r"\\([A-Za-z]+)")
-
-
-@dataclass(frozen=True)
-class Item:
-    r"""One of the things that stand side by side.
-
-    Attributes
-    ----------
-    kind : str
-        ``"node"``, ``"bracket"``, ``"function"``, ``"rate"`` (d/dt), ``"sign"``, ``"times"``,
-        ``"slash"``.
-    at : int
-    node : Node or None
-    text : str
-        Of a sign, or the name of a function.
-    power : Node or None
-        Of a function: the square of ``\sin^2``; of a bracket.
-    arguments : tuple of Node
-        What commas separate in a bracket.
-    order : int
-        Of ``d/dt``.
-    """
-
-    kind: str
-    at: int
-    node: Node | None = None
-    text: str = ""
-    power: Node | None = None
-    arguments: tuple[Node, ...] = ()
-    order: int = 0
-
-
-Fold = Callable[[list[Item], int], Node]
-
-
-def bare(text: str) -> str:
-    r"""A subscript or command as part of a name: ``_{C_{1}}`` gives ``C1``."""
-    words = COMMAND.sub(lambda m: "" if m[1] in _FONTS else f" {_letter(m[1])} ", text)
-    return re.sub(r"[^A-Za-z0-9]", "", words.replace("'", "prime"))
-
-
-_FONTS = ("mathrm", "text", "textrm", "rm", "mathbf", "mathit", "operatorname")
-
-
-def _letter(command: str) -> str:
-    name = command.removeprefix("var")
-    return {"ell": "l"}.get(command, name if name in GREEK else command)
 
 
 class Items:
@@ -233,7 +187,7 @@ class Items:
         command = text[1:]
         if command in FUNCTIONS and not sub:
             return [Item("function", at, text=command)]
-        letter = _letter(command)
+        letter = letter_of(command)
         if letter not in GREEK and letter != "l":
             raise Refused(at, f"the command {text} is not known here")
         if letter == "pi" and not sub and not self.naming.knows("pi"):
@@ -321,13 +275,6 @@ class Items:
     def _slice(self, tree: Tree) -> str:
         """The text of a tree; empty for an empty one."""
         return "" if tree.meta.empty else self.text[tree.meta.start_pos : tree.meta.end_pos]
-
-
-def rate_of(node: Node, order: int, at: int) -> Node:
-    """The time derivative of a node; a name gets dots."""
-    if isinstance(node, Name):
-        return Name(at, node.name, node.order + order)
-    return Rate(at, node, order)
 
 
 def _pieces(tree: Tree) -> list[Tree | Token]:

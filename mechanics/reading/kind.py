@@ -1,0 +1,35 @@
+"""What scalar sides are about, told by what they hold.
+
+x''            an equation of motion
+N1 = ...       a reaction along the motion
+neither        an identity
+"""
+
+from sympy import Expr, S
+
+from mechanics.scene import Scene
+from mechanics.scene.published import Quantity
+from mechanics.scene.quantities import EquationOfMotion, Identity, ReactionValue
+from mechanics.scene.symbols import plain_symbol
+
+
+def kind_of(scene: Scene, sides: tuple[Expr, ...]) -> tuple[Quantity, tuple[Expr, ...], str]:
+    """The quantity, the sides that its rows have, and a note on what was added."""
+    plain = [scene.plain(side) for side in sides]
+    symbols = set().union(*(side.free_symbols for side in plain))
+    second = {plain_symbol(q, 2) for q in scene.coordinates}
+    moving = bool(symbols & {*scene.ud, *second})
+    reactions = [r.symbol for r in scene.reactions if r.symbol in symbols]
+    if len(sides) > 1 and sides[0] in reactions:
+        return ReactionValue(str(sides[0])), sides[1:], ""
+    if moving and len(sides) == 1:
+        return EquationOfMotion(), (*sides, S.Zero), "one side only: it is taken to be zero"
+    if moving:
+        return EquationOfMotion(), sides, ""
+    if reactions and len(sides) == 2:
+        for symbol in reactions:
+            slope = (sides[0] - sides[1]).diff(symbol)
+            if slope.is_number and slope != 0:
+                solved = symbol - (sides[0] - sides[1]) / slope
+                return ReactionValue(symbol.name), (solved,), f"solved for {symbol}"
+    return Identity(), sides, ""

@@ -1,0 +1,64 @@
+r"""One of the things that stand side by side in LaTeX, and the letters of names.
+
+M \ddot{\theta}^{2} \sin \theta    ->    node M, node theta'' squared, function sin, node theta
+"""
+
+import re
+from dataclasses import dataclass
+
+from mechanics.reading.names import GREEK
+from mechanics.reading.tree import Name, Node, Rate
+
+COMMAND = re.compile(r"\\([A-Za-z]+)")
+
+
+@dataclass(frozen=True)
+class Item:
+    r"""One of the things that stand side by side.
+
+    Attributes
+    ----------
+    kind : str
+        ``"node"``, ``"bracket"``, ``"function"``, ``"rate"`` (d/dt), ``"sign"``, ``"times"``,
+        ``"slash"``.
+    at : int
+    node : Node or None
+    text : str
+        Of a sign, or the name of a function.
+    power : Node or None
+        Of a function: the square of ``\sin^2``; of a bracket.
+    arguments : tuple of Node
+        What commas separate in a bracket.
+    order : int
+        Of ``d/dt``.
+    """
+
+    kind: str
+    at: int
+    node: Node | None = None
+    text: str = ""
+    power: Node | None = None
+    arguments: tuple[Node, ...] = ()
+    order: int = 0
+
+
+def bare(text: str) -> str:
+    r"""A subscript or command as part of a name: ``_{C_{1}}`` gives ``C1``."""
+    words = COMMAND.sub(lambda m: "" if m[1] in _FONTS else f" {letter_of(m[1])} ", text)
+    return re.sub(r"[^A-Za-z0-9]", "", words.replace("'", "prime"))
+
+
+_FONTS = ("mathrm", "text", "textrm", "rm", "mathbf", "mathit", "operatorname")
+
+
+def letter_of(command: str) -> str:
+    """The name of a letter that a command prints: ``varphi`` gives ``phi``."""
+    name = command.removeprefix("var")
+    return {"ell": "l"}.get(command, name if name in GREEK else command)
+
+
+def rate_of(node: Node, order: int, at: int) -> Node:
+    """The time derivative of a node; a name gets dots."""
+    if isinstance(node, Name):
+        return Name(at, node.name, node.order + order)
+    return Rate(at, node, order)
