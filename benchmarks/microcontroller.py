@@ -21,7 +21,7 @@ from pathlib import Path
 
 from mechanics.cli.load import load
 from mechanics.compiled import Model, compile
-from mechanics.compiled.hoist import PREPARE
+from mechanics.compiled.programs.hoist import PREPARE
 from mechanics.crosscheck import derive
 from mechanics.errors import CompilerError
 from mechanics.export import write_c

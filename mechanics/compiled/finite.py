@@ -15,9 +15,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from mechanics.compiled.model import Model
+from mechanics.compiled.programs.trace import trace
 from mechanics.compiled.residuals import NAMES, PRECISIONS, SEED
 from mechanics.compiled.sampling import States, sample
-from mechanics.compiled.trace import trace
 from mechanics.exact import Finding, Verdict
 
 UNDERFLOW = "underflow: a product is below {tiny:.1e}, the smallest normal number, and divided by"

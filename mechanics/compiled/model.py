@@ -12,16 +12,16 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from mechanics.compiled.checked import checked
-from mechanics.compiled.direct_states import ManyStates
+from mechanics.compiled.calls.checked import checked
+from mechanics.compiled.calls.direct_states import ManyStates
+from mechanics.compiled.calls.functions import Functions
+from mechanics.compiled.calls.many_states import look_at, written
+from mechanics.compiled.calls.one_state import CALLS, OneState
 from mechanics.compiled.fixed import read_fixed
-from mechanics.compiled.functions import Functions
 from mechanics.compiled.graphs import Graphs
 from mechanics.compiled.machine.evaluator import FLAGS
 from mechanics.compiled.machine.native import find_compiler
-from mechanics.compiled.many_states import look_at, written
-from mechanics.compiled.one_state import CALLS, OneState
-from mechanics.compiled.programs import Programs
+from mechanics.compiled.programs.of_model import Programs
 from mechanics.equations import Equations
 from mechanics.errors import wanted
 

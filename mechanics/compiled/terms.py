@@ -18,8 +18,8 @@ from flint import arb, fmpq
 from numpy.typing import NDArray
 from sympy import Expr, Symbol
 
-from mechanics.compiled.enclosed import UNIT, Near, enclosed, total
-from mechanics.compiled.program import Program, program, run
+from mechanics.compiled.programs.enclosed import UNIT, Near, enclosed, total
+from mechanics.compiled.programs.program import Program, program, run
 from mechanics.compiled.quantities import DIGITS
 from mechanics.compiled.translate import Translator
 from mechanics.errors import ExpressionError

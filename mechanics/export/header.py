@@ -7,12 +7,12 @@ from mechanics.compiled.c.sine import LIMIT
 from mechanics.compiled.c.source import signature
 from mechanics.compiled.c.status import Codes
 from mechanics.compiled.graphs import STATE
-from mechanics.compiled.hoist import CONSTANTS
-from mechanics.compiled.operations import ATOM, OPERATIONS
-from mechanics.compiled.program import program
-from mechanics.compiled.programs import PARTS
+from mechanics.compiled.programs.hoist import CONSTANTS
+from mechanics.compiled.programs.of_model import PARTS
+from mechanics.compiled.programs.operations import ATOM, OPERATIONS
+from mechanics.compiled.programs.program import program
+from mechanics.compiled.programs.reciprocals import divisions
 from mechanics.compiled.quantities import Quantity
-from mechanics.compiled.reciprocals import divisions
 from mechanics.errors import ValueMissingError
 from mechanics.export.functions import about
 from mechanics.export.precision import Part

@@ -9,7 +9,7 @@ from typing import Any
 
 from mechanics.compiled import Model
 from mechanics.compiled.custody.kernel import Kernel
-from mechanics.compiled.reciprocals import divisions
+from mechanics.compiled.programs.reciprocals import divisions
 from mechanics.export.header import array_entries, used_arrays
 
 TOOLS = ("mechanics", "casadi", "sympy", "python-flint")

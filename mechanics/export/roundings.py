@@ -14,8 +14,8 @@ import casadi as ca
 import numpy as np
 from numpy.typing import NDArray
 
-from mechanics.compiled.operations import OPERATIONS, unknown
-from mechanics.compiled.program import Program
+from mechanics.compiled.programs.operations import OPERATIONS, unknown
+from mechanics.compiled.programs.program import Program
 
 TOGETHER = 64
 """Outputs that are followed backwards at a time."""

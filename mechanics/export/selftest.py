@@ -9,8 +9,8 @@ from collections.abc import Iterator, Mapping, Sequence
 
 from mechanics.compiled import Model
 from mechanics.compiled.c.source import LINE, literal
-from mechanics.compiled.hoist import CONSTANTS, PREPARE, PREPARED
-from mechanics.compiled.programs import PARTS, WHOLE
+from mechanics.compiled.programs.hoist import CONSTANTS, PREPARE, PREPARED
+from mechanics.compiled.programs.of_model import PARTS, WHOLE
 from mechanics.export.header import comment
 from mechanics.export.precision import Part
 from mechanics.export.vectors import BITS, ROOM, Vector, vectors

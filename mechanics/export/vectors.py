@@ -19,7 +19,7 @@ import numpy as np
 from flint import arb
 
 from mechanics.compiled import Model
-from mechanics.compiled.program import program
+from mechanics.compiled.programs.program import program
 from mechanics.compiled.quantities import Quantities, Quantity
 from mechanics.compiled.sampling import sample
 from mechanics.errors import SingularError

@@ -5,8 +5,8 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 
 from mechanics.compiled import Model
-from mechanics.compiled.describe import describe
-from mechanics.compiled.trace import trace
+from mechanics.compiled.programs.describe import describe
+from mechanics.compiled.programs.trace import trace
 from mechanics.extremes.axes import Axis
 from mechanics.extremes.cause import CAUSES, Cause
 from mechanics.extremes.result import PRECISIONS, Array, End, Figures, Reach, Visited

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from mechanics.compiled.trace import Events
+from mechanics.compiled.programs.trace import Events
 from mechanics.extremes.cause import Cause
 from mechanics.extremes.measure import Errors
 from mechanics.extremes.result import PRECISIONS, STABLE, tolerance

@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 
 from mechanics.compiled import Model
-from mechanics.compiled.trace import trace
+from mechanics.compiled.programs.trace import trace
 from mechanics.extremes.cause import CAUSES
 from mechanics.extremes.judge import Case, cause
 from mechanics.extremes.measure import LOST, measure

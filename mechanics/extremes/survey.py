@@ -8,7 +8,7 @@ from flint import arb
 from numpy.typing import NDArray
 
 from mechanics.compiled import Model
-from mechanics.compiled.trace import trace
+from mechanics.compiled.programs.trace import trace
 from mechanics.extremes.cause import CAUSES
 from mechanics.extremes.judge import Case, cause
 from mechanics.extremes.measure import LOST, Errors, measure

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from scipy.integrate import LSODA
 
 from mechanics.compiled.machine.evaluator import evaluator
-from mechanics.compiled.program import program
+from mechanics.compiled.programs.program import program
 from mechanics.simulate.integrators.problem import Problem
 from mechanics.simulate.integrators.rate import rate_entries, rate_function
 

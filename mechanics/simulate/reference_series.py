@@ -16,7 +16,7 @@ from operator import mul
 import casadi as ca
 from flint import arb
 
-from mechanics.compiled.program import Program
+from mechanics.compiled.programs.program import Program
 from mechanics.errors import SingularError
 from mechanics.exact.balls import precision
 from mechanics.simulate.reference_native import Line, Op, Recurrence, reciprocal

@@ -20,7 +20,7 @@ import sympy
 from mechanics.compiled.forms.members import ELIMINATION, LDL, PRIMITIVE
 from mechanics.compiled.graphs import Graphs
 from mechanics.compiled.model import Model
-from mechanics.compiled.program import Program, program
+from mechanics.compiled.programs.program import Program, program
 from mechanics.errors import SingularError
 from mechanics.simulate.integrators.problem import OverBudget, Problem
 from mechanics.simulate.integrators.rate import motion_graphs

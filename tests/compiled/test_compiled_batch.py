@@ -11,9 +11,9 @@ from numpy.testing import assert_array_equal
 from mechanics.compiled import Model, compile
 from mechanics.compiled.c.lanes import FAR, WILD
 from mechanics.compiled.c.sine import LIMIT
+from mechanics.compiled.calls.many_states import MANY
 from mechanics.compiled.machine.batch import BatchKernel
-from mechanics.compiled.many_states import MANY
-from mechanics.compiled.program import program, run
+from mechanics.compiled.programs.program import program, run
 from mechanics.errors import InputError, SingularError
 
 SYSTEMS = [

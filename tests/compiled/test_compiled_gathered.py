@@ -9,9 +9,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from mechanics.compiled.gathered import gathered
-from mechanics.compiled.program import Program, program, run
-from mechanics.compiled.reciprocals import divisions
+from mechanics.compiled.programs.gathered import gathered
+from mechanics.compiled.programs.program import Program, program, run
+from mechanics.compiled.programs.reciprocals import divisions
 
 x, y, z, d, e = (ca.SX.sym(name) for name in "xyzde")
 

@@ -5,9 +5,9 @@ import numpy as np
 import pytest
 
 from mechanics.compiled import compile
-from mechanics.compiled.hoist import hoisted
-from mechanics.compiled.program import Program, program, run
-from mechanics.compiled.reciprocals import divisions
+from mechanics.compiled.programs.hoist import hoisted
+from mechanics.compiled.programs.program import Program, program, run
+from mechanics.compiled.programs.reciprocals import divisions
 from mechanics.compiled.sampling import sample
 
 SYSTEMS = [

@@ -17,10 +17,10 @@ import pytest
 from numpy.testing import assert_array_equal
 
 from mechanics.compiled import Model, compile
+from mechanics.compiled.calls.one_state import CALLS
 from mechanics.compiled.machine import direct
 from mechanics.compiled.machine.direct import direct_calls
 from mechanics.compiled.machine.library import load
-from mechanics.compiled.one_state import CALLS
 from mechanics.compiled.sampling import sample
 from mechanics.errors import InputError, MechanicsError, RangeError, SingularError
 

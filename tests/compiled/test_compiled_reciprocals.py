@@ -9,8 +9,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from mechanics.compiled import compile
-from mechanics.compiled.program import Program, program, run
-from mechanics.compiled.reciprocals import ROUNDING, divisions, with_reciprocals
+from mechanics.compiled.programs.program import Program, program, run
+from mechanics.compiled.programs.reciprocals import ROUNDING, divisions, with_reciprocals
 
 x, y, d = ca.SX.sym("x"), ca.SX.sym("y"), ca.SX.sym("d")
 

@@ -15,7 +15,7 @@ from mechanics.compiled import compile
 from mechanics.compiled.c.schedule import CALLS, LEAST, scheduled
 from mechanics.compiled.c.source import function_source
 from mechanics.compiled.machine.library import FLAGS
-from mechanics.compiled.program import Program, program, run
+from mechanics.compiled.programs.program import Program, program, run
 from mechanics.routes.free_body import derive
 from systems import pendulum_chain
 

@@ -11,8 +11,8 @@ from mechanics.compiled.c.source import function_source, literal
 from mechanics.compiled.machine import native
 from mechanics.compiled.machine.native import NativeKernel, library_source
 from mechanics.compiled.machine.virtual import NumpyKernel, VirtualKernel
-from mechanics.compiled.operations import OPERATIONS
-from mechanics.compiled.program import program
+from mechanics.compiled.programs.operations import OPERATIONS
+from mechanics.compiled.programs.program import program
 from mechanics.errors import CompilerError, ExpressionError
 
 ENTRIES = {"s": ("x", "lambda", "I", "y1")}

@@ -8,7 +8,7 @@ import pytest
 
 from mechanics.cli.load import load
 from mechanics.compiled import compile as compile_model
-from mechanics.compiled.program import program, run
+from mechanics.compiled.programs.program import program, run
 from mechanics.crosscheck import derive
 from mechanics.export.roundings import first_order
 from mechanics.export.vectors import ROOM, enclosed, vectors

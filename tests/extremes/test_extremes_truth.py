@@ -6,8 +6,8 @@ import pytest
 from flint import arb
 
 from mechanics.compiled import compile
-from mechanics.compiled.describe import describe
-from mechanics.compiled.trace import trace
+from mechanics.compiled.programs.describe import describe
+from mechanics.compiled.programs.trace import trace
 from mechanics.exact.balls import precision
 from mechanics.extremes.measure import measure, spacing
 from mechanics.extremes.survey import GROUPS, computed

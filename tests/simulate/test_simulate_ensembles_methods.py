@@ -19,7 +19,7 @@ from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 from mechanics.compiled import Model, compile
 from mechanics.compiled.machine.library import FLAGS, REMARKS, build, find_compiler
 from mechanics.compiled.machine.vectorised import TELL, loop_line, vectorised
-from mechanics.compiled.program import program
+from mechanics.compiled.programs.program import program
 from mechanics.crosscheck import derive
 from mechanics.errors import ExpressionError
 from mechanics.scene import Particle, Scene, force, parameters

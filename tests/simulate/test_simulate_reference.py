@@ -16,7 +16,7 @@ from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
 from mechanics.compiled.machine.native import find_compiler
 from mechanics.compiled.model import compile
-from mechanics.compiled.program import program
+from mechanics.compiled.programs.program import program
 from mechanics.errors import ExpressionError, InputError, SingularError
 from mechanics.routes import kane
 from mechanics.scene import Particle, Scene, force, gravity, parameters, reaction

@@ -10,7 +10,7 @@ from collections.abc import Sequence
 
 from mechanics.compiled.c.lanes import FAR, SHARED, arguments, lanes_source, wrapped
 from mechanics.compiled.c.source import Entries
-from mechanics.compiled.program import Program
+from mechanics.compiled.programs.program import Program
 
 BLOCK = 256
 """States in a block: few enough to stay in the first cache between two looks at them."""

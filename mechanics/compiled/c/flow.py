@@ -5,7 +5,7 @@ from collections.abc import Sequence
 import casadi as ca
 
 from mechanics.compiled.c.status import watched
-from mechanics.compiled.program import Program
+from mechanics.compiled.programs.program import Program
 
 OUTPUT = -1
 """Stands for the outputs among the users of a node."""

@@ -18,8 +18,8 @@ import numpy as np
 from mechanics.compiled.c.flow import constant, looked_at, users
 from mechanics.compiled.c.names import Namer
 from mechanics.compiled.c.source import LINE, Entries, Text, expression, literal
-from mechanics.compiled.operations import ATOM, SIGN
-from mechanics.compiled.program import Node, Program
+from mechanics.compiled.programs.operations import ATOM, SIGN
+from mechanics.compiled.programs.program import Node, Program
 
 SHARED = ("p",)
 """Inputs that all states of a batch have in common, unless told otherwise."""

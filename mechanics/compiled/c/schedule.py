@@ -16,8 +16,8 @@ from dataclasses import replace
 
 import casadi as ca
 
-from mechanics.compiled.operations import ATOM, OPERATIONS
-from mechanics.compiled.program import Program
+from mechanics.compiled.programs.operations import ATOM, OPERATIONS
+from mechanics.compiled.programs.program import Program
 
 LEAST = 3
 """Different arguments of calls from which on the order matters."""

@@ -19,8 +19,8 @@ import numpy as np
 from mechanics.compiled.c.names import Namer
 from mechanics.compiled.c.schedule import scheduled
 from mechanics.compiled.c.status import Codes, status_lines, watched
-from mechanics.compiled.operations import ATOM, OPERATIONS, PRODUCT, SIGN, SUM, unknown
-from mechanics.compiled.program import Program
+from mechanics.compiled.programs.operations import ATOM, OPERATIONS, PRODUCT, SIGN, SUM, unknown
+from mechanics.compiled.programs.program import Program
 
 LINE = 100
 WIDTH = 64

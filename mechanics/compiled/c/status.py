@@ -13,7 +13,7 @@ from dataclasses import dataclass, replace
 
 import casadi as ca
 
-from mechanics.compiled.program import Program
+from mechanics.compiled.programs.program import Program
 
 LINE = 100
 WATCHED = "_watched"

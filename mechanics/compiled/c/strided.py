@@ -10,7 +10,7 @@ which they are, and the results are copied back: (batch, n) arrays are turned wi
 from collections.abc import Sequence
 
 from mechanics.compiled.c.lanes import SHARED, wrapped
-from mechanics.compiled.program import Program
+from mechanics.compiled.programs.program import Program
 
 LOCAL = 24_576
 """Bytes that the local arrays may have, about: half of a usual first cache."""

@@ -17,7 +17,7 @@ from typing import Any
 import casadi as ca
 from sympy import Expr, Rational, Symbol
 
-from mechanics.compiled.program import Program, program
+from mechanics.compiled.programs.program import Program, program
 from mechanics.errors import ExpressionError
 from mechanics.exact import Arithmetic, Number
 from mechanics.exact.graph import evaluated

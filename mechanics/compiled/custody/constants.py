@@ -17,7 +17,7 @@ import casadi as ca
 import numpy as np
 
 from mechanics.compiled.custody.code import Code
-from mechanics.compiled.operations import OPERATIONS
+from mechanics.compiled.programs.operations import OPERATIONS
 from mechanics.exact.c_literal import rounded
 from mechanics.exact.graph_angles import Node
 

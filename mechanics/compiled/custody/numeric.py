@@ -18,7 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from mechanics.compiled.c.sine import LIMIT
-from mechanics.compiled.operations import OPERATIONS
+from mechanics.compiled.programs.operations import OPERATIONS
 from mechanics.exact.c_condition import Atom, Choice, Condition, Decision
 from mechanics.exact.graph_angles import Node
 

@@ -13,8 +13,8 @@ from mechanics.compiled.custody.graph import decide_entries, fix
 from mechanics.compiled.custody.kernel import COUNT, Kernel
 from mechanics.compiled.custody.laws import Pair
 from mechanics.compiled.custody.text import Text, read_text
-from mechanics.compiled.hoist import CONSTANTS, PREPARE, PREPARED
-from mechanics.compiled.program import Program
+from mechanics.compiled.programs.hoist import CONSTANTS, PREPARE, PREPARED
+from mechanics.compiled.programs.program import Program
 from mechanics.errors import ExpressionError
 from mechanics.exact import Arithmetic, Finding, Verdict
 from mechanics.exact.c_parse import Source

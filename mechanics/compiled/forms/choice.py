@@ -12,7 +12,7 @@ import casadi as ca
 from mechanics.compiled.forms.members import RECURSIVE, SPARSE, Form, named_form, preferred
 from mechanics.compiled.forms.system import System
 from mechanics.compiled.forms.weigh import FEW, lightest
-from mechanics.compiled.program import operations
+from mechanics.compiled.programs.program import operations
 
 
 def written(name: str, system: System) -> tuple[Form, ca.SX]:

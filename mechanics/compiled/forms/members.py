@@ -33,7 +33,7 @@ from mechanics.compiled.forms.primitive import primitive
 from mechanics.compiled.forms.rearranged import MOST, trailing_minors
 from mechanics.compiled.forms.system import System, is_symmetric
 from mechanics.compiled.forms.weigh import ROUNDINGS, digits_lost
-from mechanics.compiled.program import operations
+from mechanics.compiled.programs.program import operations
 from mechanics.equations import Equations
 from mechanics.errors import ExpressionError, InputError
 from mechanics.exact import TooLarge

@@ -19,7 +19,7 @@ from mechanics.compiled.forms.bodies.reading import Reading
 from mechanics.compiled.forms.bodies.tried import Tried, tried
 from mechanics.compiled.forms.system import System
 from mechanics.compiled.forms.weigh import lightest
-from mechanics.compiled.program import operations
+from mechanics.compiled.programs.program import operations
 from mechanics.equations import Equations
 
 MORE = 1.25

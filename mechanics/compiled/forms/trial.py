@@ -10,7 +10,7 @@ import numpy as np
 from sympy import Add, Symbol
 
 from mechanics.compiled.forms.order import Array, Order, pivot_order
-from mechanics.compiled.program import program, run
+from mechanics.compiled.programs.program import program, run
 from mechanics.compiled.quantities import Quantities
 from mechanics.compiled.sampling import DECADES, sample
 from mechanics.compiled.terms import ExtendedTerms, extended_terms

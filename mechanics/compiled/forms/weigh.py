@@ -12,7 +12,7 @@ from math import ceil, inf, isfinite, log10
 import casadi as ca
 
 from mechanics.compiled.forms.system import System
-from mechanics.compiled.program import operations
+from mechanics.compiled.programs.program import operations
 
 ROUNDINGS = 8.0
 """Backward error that no form is blamed for, in roundings."""

@@ -19,7 +19,7 @@ from mechanics.compiled.c.source import Entries, function_source, signature
 from mechanics.compiled.c.strided import strided_source
 from mechanics.compiled.machine.library import FLAGS, REMARKS, build
 from mechanics.compiled.machine.vectorised import TELL, family, loop_line, settings, vectorised
-from mechanics.compiled.program import Program
+from mechanics.compiled.programs.program import Program
 
 Array = NDArray[np.floating]
 PREFIX = "mechanics_"

@@ -10,7 +10,7 @@ import numpy as np
 from mechanics.compiled.c.source import Entries
 from mechanics.compiled.machine.native import NativeKernel
 from mechanics.compiled.machine.virtual import NumpyKernel, VirtualKernel
-from mechanics.compiled.program import Program
+from mechanics.compiled.programs.program import Program
 
 Kernel = NativeKernel | VirtualKernel | NumpyKernel
 

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from mechanics.compiled.c.source import Entries, function_source, signature
 from mechanics.compiled.machine.direct import direct_calls
 from mechanics.compiled.machine.library import FLAGS, find_compiler, load
-from mechanics.compiled.program import Program
+from mechanics.compiled.programs.program import Program
 
 Array = NDArray[np.floating]
 

@@ -10,8 +10,8 @@ import subprocess
 from dataclasses import dataclass
 from pathlib import Path
 
-from mechanics.compiled.operations import ATOM, OPERATIONS
-from mechanics.compiled.program import Program
+from mechanics.compiled.programs.operations import ATOM, OPERATIONS
+from mechanics.compiled.programs.program import Program
 from mechanics.errors import CompilerError
 
 _BYTES = r":{line}:\d+: optimized:.* loop vectorized using (\d+) byte vectors"

@@ -8,7 +8,7 @@ import casadi as ca
 import numpy as np
 from numpy.typing import NDArray
 
-from mechanics.compiled.program import Program, run
+from mechanics.compiled.programs.program import Program, run
 
 Array = NDArray[np.floating]
 

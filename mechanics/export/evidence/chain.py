@@ -17,8 +17,8 @@ from mechanics.compiled.custody.kernel import Kernel
 from mechanics.compiled.custody.prove import Graph, is_prepared, prove_text
 from mechanics.compiled.custody.status import prove_status
 from mechanics.compiled.custody.text import Text
-from mechanics.compiled.hoist import PREPARE
-from mechanics.compiled.programs import PARTS
+from mechanics.compiled.programs.hoist import PREPARE
+from mechanics.compiled.programs.of_model import PARTS
 from mechanics.errors import ExpressionError, InputError
 from mechanics.exact import Finding, Verdict
 from mechanics.exact.c_parse import Source

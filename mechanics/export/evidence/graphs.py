@@ -21,9 +21,9 @@ import casadi as ca
 
 from mechanics.compiled.custody.code import Code
 from mechanics.compiled.custody.prove import Graph
-from mechanics.compiled.operations import OPERATIONS
-from mechanics.compiled.program import Node as ProgramNode
-from mechanics.compiled.program import Program
+from mechanics.compiled.programs.operations import OPERATIONS
+from mechanics.compiled.programs.program import Node as ProgramNode
+from mechanics.compiled.programs.program import Program
 from mechanics.errors import ExpressionError
 from mechanics.exact.graph_angles import Node
 from mechanics.export.evidence.equations import lines

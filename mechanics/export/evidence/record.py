@@ -13,7 +13,7 @@ from mechanics.compiled.custody.derived import derived
 from mechanics.compiled.custody.graph import STEP
 from mechanics.compiled.custody.kernel import Kernel
 from mechanics.compiled.custody.prove import Graph
-from mechanics.compiled.programs import PARTS, WHOLE
+from mechanics.compiled.programs.of_model import PARTS, WHOLE
 from mechanics.exact import Finding
 from mechanics.export.evidence.chain import Evidence
 from mechanics.export.evidence.equations import FILE as EQUATIONS

@@ -9,7 +9,7 @@ from collections.abc import Sequence
 
 from mechanics.compiled.c.source import function_source
 from mechanics.compiled.c.status import Codes
-from mechanics.compiled.program import Program, program
+from mechanics.compiled.programs.program import Program, program
 from mechanics.export.fmu.functions import Functions
 from mechanics.export.fmu.variables import Variable, Variables
 from mechanics.export.header import comment

@@ -17,7 +17,7 @@ from mechanics.compiled.custody.code import exact
 from mechanics.compiled.custody.derived import Derived
 from mechanics.compiled.custody.kernel import Kernel
 from mechanics.compiled.custody.prove import Graph, prove_text
-from mechanics.compiled.program import program
+from mechanics.compiled.programs.program import program
 from mechanics.exact import Finding
 from mechanics.exact.c_parse import Source, parse
 from mechanics.export.fmu.functions import CLOCK, STEP_SIZE, Functions, functions

@@ -23,7 +23,7 @@ from mechanics.compiled import Model
 from mechanics.compiled.c.names import identifier
 from mechanics.compiled.machine.evaluator import evaluator
 from mechanics.compiled.machine.native import affordable
-from mechanics.compiled.program import program
+from mechanics.compiled.programs.program import program
 from mechanics.compiled.step import TABLEAUX
 from mechanics.errors import InputError
 from mechanics.export.fmu.binary import OPTIONS, Platform, compiled_library, this_platform

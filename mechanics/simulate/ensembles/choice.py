@@ -14,7 +14,7 @@ from functools import lru_cache
 
 import casadi as ca
 
-from mechanics.compiled.program import DIVISIONS, Program
+from mechanics.compiled.programs.program import DIVISIONS, Program
 from mechanics.errors import ExpressionError
 from mechanics.simulate.ensembles.recurrences import Recurrences
 from mechanics.simulate.ensembles.taylor import order

@@ -15,7 +15,7 @@ from scipy.integrate import DOP853
 from mechanics.compiled.c.batch import batch_source
 from mechanics.compiled.c.sine import sine_source
 from mechanics.compiled.c.source import function_source, literal, signature
-from mechanics.compiled.program import Program
+from mechanics.compiled.programs.program import Program
 from mechanics.compiled.step import Tableau
 from mechanics.simulate.ensembles.text import text
 

@@ -17,7 +17,7 @@ from mechanics.compiled.machine.library import load
 from mechanics.compiled.machine.native import affordable
 from mechanics.compiled.machine.vectorised import settings
 from mechanics.compiled.model import Model
-from mechanics.compiled.program import Program, program
+from mechanics.compiled.programs.program import Program, program
 from mechanics.simulate.ensembles.text import text
 from mechanics.simulate.integrators.rate import rate_function
 

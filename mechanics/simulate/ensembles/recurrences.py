@@ -14,7 +14,7 @@ from functools import reduce
 import casadi as ca
 
 from mechanics.compiled.c.source import literal
-from mechanics.compiled.program import Program
+from mechanics.compiled.programs.program import Program
 from mechanics.errors import ExpressionError
 from mechanics.simulate.reference_operations import OPERATIONS, Function, operation_name
 

@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from mechanics.compiled.program import Program
+from mechanics.compiled.programs.program import Program
 from mechanics.compiled.step import TABLEAUX, Tableau
 from mechanics.simulate.ensembles.explicit import dop853_source, fixed_source
 from mechanics.simulate.ensembles.library import Library, at, library, timed

@@ -11,7 +11,7 @@ import math
 import re
 
 from mechanics.compiled.c.sine import sine_source
-from mechanics.compiled.program import Program
+from mechanics.compiled.programs.program import Program
 from mechanics.simulate.ensembles.recurrences import Recurrences
 from mechanics.simulate.ensembles.text import text
 

@@ -13,7 +13,7 @@ import numpy as np
 from mechanics.compiled.c.source import function_source, signature
 from mechanics.compiled.machine.native import affordable, load
 from mechanics.compiled.model import Model
-from mechanics.compiled.program import Program
+from mechanics.compiled.programs.program import Program
 from mechanics.simulate.integrators.loop import NOT_FINITE, plan, stopped
 from mechanics.simulate.integrators.problem import Outcome, Problem, Setting
 from mechanics.simulate.integrators.rate import rate_entries

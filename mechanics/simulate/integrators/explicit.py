@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from mechanics.compiled.machine.evaluator import evaluator
 from mechanics.compiled.model import Model
-from mechanics.compiled.program import Program, program
+from mechanics.compiled.programs.program import Program, program
 from mechanics.compiled.step import TABLEAUX, Rate, Tableau, runge_kutta
 from mechanics.simulate.integrators.compiled_loop import call_inner, compiled_march
 from mechanics.simulate.integrators.loop import march, refused

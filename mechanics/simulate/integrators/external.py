@@ -14,7 +14,7 @@ import casadi as ca
 
 from mechanics.compiled.machine.native import affordable, load
 from mechanics.compiled.model import Model
-from mechanics.compiled.program import program
+from mechanics.compiled.programs.program import program
 from mechanics.simulate.integrators.rate import jacobian_function, rate_function
 
 COUNTED = """

@@ -18,7 +18,7 @@ from numpy.polynomial.legendre import leggauss
 from numpy.typing import NDArray
 
 from mechanics.compiled.c.source import literal
-from mechanics.compiled.program import program
+from mechanics.compiled.programs.program import program
 from mechanics.simulate.integrators.compiled_loop import call_inner, compiled_march
 from mechanics.simulate.integrators.loop import refused
 from mechanics.simulate.integrators.problem import Integrator, Outcome, Problem, Setting

@@ -15,7 +15,7 @@ import casadi as ca
 import numpy as np
 
 from mechanics.compiled.model import Model
-from mechanics.compiled.program import Program
+from mechanics.compiled.programs.program import Program
 from mechanics.simulate.integrators.loop import stopped
 from mechanics.simulate.integrators.problem import Integrator, Outcome, Problem, Setting
 from mechanics.simulate.integrators.rate import rate_program

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from mechanics.compiled.graphs import Graphs
 from mechanics.compiled.machine.evaluator import evaluator
 from mechanics.compiled.model import Model
-from mechanics.compiled.program import Program, program
+from mechanics.compiled.programs.program import Program, program
 from mechanics.simulate.integrators.problem import OverBudget, Problem
 
 Array = NDArray[np.float64]

@@ -15,8 +15,8 @@ import casadi as ca
 import numpy as np
 from numpy.typing import NDArray
 
-from mechanics.compiled.operations import OPERATIONS, unknown
-from mechanics.compiled.program import Node, Program
+from mechanics.compiled.programs.operations import OPERATIONS, unknown
+from mechanics.compiled.programs.program import Node, Program
 
 CHUNK = 4096
 PRODUCTS = frozenset({ca.OP_MUL, ca.OP_SQ, ca.OP_TWICE})

@@ -18,8 +18,8 @@ from typing import Any, NamedTuple
 import casadi as ca
 import numpy as np
 
-from mechanics.compiled.operations import OPERATIONS, unknown
-from mechanics.compiled.program import Program
+from mechanics.compiled.programs.operations import OPERATIONS, unknown
+from mechanics.compiled.programs.program import Program
 
 UNIT = np.finfo(np.longdouble).eps
 LEAST = np.finfo(np.longdouble).tiny

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from mechanics.compiled.c.status import WATCHED, watched
-from mechanics.compiled.program import Program
+from mechanics.compiled.programs.program import Program
 from mechanics.errors import InputError, MechanicsError, RangeError, SingularError
 
 Array = NDArray[np.floating]

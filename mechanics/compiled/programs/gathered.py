@@ -12,8 +12,8 @@ from dataclasses import dataclass
 
 import casadi as ca
 
-from mechanics.compiled.program import Node, Program
-from mechanics.compiled.rewriting import Rewriting
+from mechanics.compiled.programs.program import Node, Program
+from mechanics.compiled.programs.rewriting import Rewriting
 
 SUMS = (ca.OP_ADD, ca.OP_SUB)
 

@@ -8,10 +8,10 @@ check would refuse, is left to the way that converts, checks and explains.
 
 from typing import Any
 
-from mechanics.compiled.functions import Functions
+from mechanics.compiled.calls.functions import Functions
+from mechanics.compiled.calls.many_states import MANY
+from mechanics.compiled.calls.one_state import Call, standards
 from mechanics.compiled.machine.direct import direct_calls
-from mechanics.compiled.many_states import MANY
-from mechanics.compiled.one_state import Call, standards
 
 DYNAMICS = "forward_dynamics"
 

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from mechanics.compiled.graphs import MATRICES
 from mechanics.compiled.machine.batch import BatchKernel
-from mechanics.compiled.program import Program
+from mechanics.compiled.programs.program import Program
 from mechanics.errors import InputError
 
 Array = NDArray[np.floating]

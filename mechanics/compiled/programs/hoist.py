@@ -5,7 +5,7 @@
 
 The operations of both are those of the function, in its order, so the same roundings; but for what
 the function divides by: where that depends on parameters only, c holds the reciprocal, and the
-quotient becomes a product (`mechanics.compiled.reciprocals` has the bound of its error).
+quotient becomes a product (`mechanics.compiled.programs.reciprocals` has the bound of its error).
 """
 
 from collections.abc import Iterable, Mapping, Sequence
@@ -13,8 +13,8 @@ from dataclasses import dataclass, replace
 
 import casadi as ca
 
-from mechanics.compiled.program import Node, Program
-from mechanics.compiled.rewriting import Rewriting
+from mechanics.compiled.programs.program import Node, Program
+from mechanics.compiled.programs.rewriting import Rewriting
 
 PARAMETERS, CONSTANTS = "p", "c"
 PREPARE, PREPARED = "prepare", "_prepared"

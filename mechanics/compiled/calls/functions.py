@@ -12,16 +12,16 @@ from numpy.typing import ArrayLike, NDArray
 from sympy import Expr, Symbol
 
 from mechanics.compiled.c.lanes import SHARED
-from mechanics.compiled.given import given_array, named_parameters
+from mechanics.compiled.calls.given import given_array, named_parameters
+from mechanics.compiled.calls.many_states import MANY, look_at, run, shared, written
 from mechanics.compiled.graphs import MATRICES, Graphs
 from mechanics.compiled.machine.batch import BatchKernel
 from mechanics.compiled.machine.buffer import Buffer
 from mechanics.compiled.machine.direct import direct_calls
 from mechanics.compiled.machine.evaluator import FLAGS, Kernel, evaluator
 from mechanics.compiled.machine.native import LONG
-from mechanics.compiled.many_states import MANY, look_at, run, shared, written
-from mechanics.compiled.program import Program
-from mechanics.compiled.programs import Programs
+from mechanics.compiled.programs.of_model import Programs
+from mechanics.compiled.programs.program import Program
 from mechanics.compiled.quantities import DIGITS, Quantities
 from mechanics.equations import Equations
 from mechanics.errors import InputError
@@ -94,7 +94,7 @@ class Functions:
         return np.array(self.quantities.typical, dtype=float)
 
     def program(self, name: str) -> Program:
-        """Instructions of a function, or of a part of it; see `mechanics.compiled.programs`."""
+        """Instructions of a function, or of a part of it; see `compiled.programs.of_model`."""
         return self.programs[name]
 
     @property

@@ -12,12 +12,12 @@ from functools import cached_property
 from sympy import Symbol
 
 from mechanics.compiled.c.status import WATCHED, with_watched
-from mechanics.compiled.gathered import gathered
 from mechanics.compiled.graphs import Graphs
-from mechanics.compiled.hoist import CONSTANTS, PREPARE, PREPARED, Hoisted, hoisted
-from mechanics.compiled.program import Program, program
+from mechanics.compiled.programs.gathered import gathered
+from mechanics.compiled.programs.hoist import CONSTANTS, PREPARE, PREPARED, Hoisted, hoisted
+from mechanics.compiled.programs.program import Program, program
+from mechanics.compiled.programs.reciprocals import with_reciprocals
 from mechanics.compiled.quantities import Quantity
-from mechanics.compiled.reciprocals import with_reciprocals
 
 WHOLE = "forward_dynamics"
 """The function that is there in two parts, too."""

@@ -5,8 +5,8 @@ from collections.abc import Mapping
 import casadi as ca
 
 from mechanics.compiled.c.source import Text, expression
-from mechanics.compiled.operations import ATOM, SIGN
-from mechanics.compiled.program import Program
+from mechanics.compiled.programs.operations import ATOM, SIGN
+from mechanics.compiled.programs.program import Program
 
 DEPTH = 4
 """Operations that are written out one inside the other; what is deeper is left out."""

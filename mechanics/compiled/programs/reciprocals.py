@@ -13,8 +13,8 @@ from collections import Counter
 
 import casadi as ca
 
-from mechanics.compiled.program import Node, Program
-from mechanics.compiled.rewriting import Rewriting
+from mechanics.compiled.programs.program import Node, Program
+from mechanics.compiled.programs.rewriting import Rewriting
 
 ROUNDING = 2
 """Roundings of x (1 / d), at most, in units of u; a quotient has one."""

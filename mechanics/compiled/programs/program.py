@@ -13,7 +13,7 @@ from typing import Any, NamedTuple
 import casadi as ca
 import numpy as np
 
-from mechanics.compiled.operations import OPERATIONS, unknown
+from mechanics.compiled.programs.operations import OPERATIONS, unknown
 
 
 class Node(NamedTuple):

@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from mechanics.compiled.c.status import WATCHED
-from mechanics.compiled.functions import Functions
+from mechanics.compiled.calls.functions import Functions
 from mechanics.compiled.graphs import MATRICES
 from mechanics.compiled.machine.native import NativeKernel
 from mechanics.errors import ValueMissingError

@@ -5,7 +5,7 @@ from dataclasses import replace
 
 import casadi as ca
 
-from mechanics.compiled.program import Node, Program
+from mechanics.compiled.programs.program import Node, Program
 
 
 class Rewriting:
