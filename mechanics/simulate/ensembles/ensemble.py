@@ -20,6 +20,7 @@ from mechanics.simulate.ensembles.motions import Motions, read_motions
 from mechanics.simulate.ensembles.one_by_one import one_by_one
 from mechanics.simulate.ensembles.outcome import Ensemble
 from mechanics.simulate.ensembles.run import ADAPTIVE, FIXED, Run, adaptive, fixed
+from mechanics.simulate.integrators.loop import plan
 
 Array = NDArray[np.float64]
 AUTO = "auto"
@@ -109,10 +110,11 @@ def ensemble(
             f"{scene.name}: it has conditions of validity, which an ensemble does not watch:"
             " simulate the motions one by one, or pass beyond_domain=True"
         )
-    if name in FIXED and duration / by > budget:
+    needed = sum(count for count, _ in plan(grid, by)) if name in FIXED else 0
+    if needed > budget:
         raise InputError(
-            f"step {by:g} s: {duration / by:.2g} steps are needed, and the budget is {budget}: take"
-            " longer ones, or give a larger budget"
+            f"step {by:g} s: {needed:.2g} steps are needed, and the budget is {budget}: take"
+            " longer ones or fewer times, or give a larger budget"
         )
     motions = read_motions(model, grid, initial or {}, parameters or {}, inputs or {})
     run = _run(motions, name, by, budget, min(threads, max(1, len(motions))))

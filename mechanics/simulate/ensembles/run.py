@@ -8,6 +8,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.integrate import DOP853
 
 from mechanics.compiled.programs.program import Program
 from mechanics.compiled.step import TABLEAUX, Tableau
@@ -23,7 +24,7 @@ Counts = NDArray[np.int64]
 ADAPTIVE = ("taylor", "dop853")
 FIXED = tuple(tableau.name.lower() for tableau in TABLEAUX)
 """Names of the methods."""
-STAGES = 12
+STAGES = DOP853.n_stages
 """Evaluations that a step of DOP853 takes."""
 
 

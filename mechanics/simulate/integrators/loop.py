@@ -32,7 +32,7 @@ def refused(problem: Problem, setting: Setting, stages: int) -> str:
     moved = [name for name in problem.varying if name != "t"]
     if moved:
         return f"inputs are held over a step, and {', '.join(moved)} is a function of time"
-    needed = stages * float(problem.times[-1]) / step
+    needed = stages * sum(count for count, _ in plan(problem.times, step))
     if needed > problem.budget:
         return f"{needed:.2g} evaluations are needed, {problem.budget:.2g} allowed"
     return ""
