@@ -35,6 +35,10 @@ def check(
         str | None,
         typer.Option(help="What all of them are: 'kinetic energy', 'mass matrix', ..."),
     ] = None,
+    convention: Annotated[
+        list[str] | None,
+        typer.Option(help="How you count otherwise: 'other vertical', 'half-length', ..."),
+    ] = None,
     json_file: Annotated[
         str | None, typer.Option("--json", metavar="FILE|-", help="Write JSON; - for the screen.")
     ] = None,
@@ -56,7 +60,10 @@ def check(
         _writable(Path(str(json_file)))
     scene = load(system).scene()
     parts = [sys.stdin.read() if file == "-" else Path(file) for file in files]
-    found = run(scene, parts, names=_names(name or []), notation=notation, about=about)
+    found = run(
+        scene, parts, names=_names(name or []), notation=notation, about=about,
+        convention=convention or (),
+    )  # fmt: skip
     if json_file == "-":
         sys.stdout.write(json.dumps(to_json(found), indent=2, ensure_ascii=False) + "\n")
     else:

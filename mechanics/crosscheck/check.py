@@ -4,18 +4,18 @@ statements  --ledger-->  PROVED, CERTIFIED, REFUTED with a witness, UNDECIDED
 """
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
-from pathlib import Path
 from typing import Any
 
 from mechanics.checks.ledger import check_row
+from mechanics.crosscheck.readers import read
+from mechanics.crosscheck.right_if import declared, right_if
 from mechanics.crosscheck.routes import derive
 from mechanics.equations import Equations
 from mechanics.errors import ExpressionError, InputError, SceneError, wanted
 from mechanics.exact import Finding, Verdict
 from mechanics.reading.names import Match
-from mechanics.reading.read import Reading, read_file, read_source
 from mechanics.reading.statement import Statement
 from mechanics.scene import Scene
 from mechanics.scene.system import System
@@ -86,6 +86,7 @@ def check(
     names: Mapping[str, str] | None = None,
     notation: str | None = None,
     about: str | None = None,
+    convention: Sequence[str] | str = (),
 ) -> Check:
     """Check a person's equations of motion, energies, reactions or mass matrix.
 
@@ -93,15 +94,23 @@ def check(
     ----------
     scene : Scene, System or Equations
         What they are about; equations that were derived already save that time.
-    equations : str, Path, or a sequence of them
-        LaTeX, or text in SymPy's or MATLAB's notation.
+    equations : str, Path, SymPy object, function, or a sequence of them
+        LaTeX, or text in SymPy's or MATLAB's notation, or the path of a file with such a text, or
+        with C (``.c``); an expression, equation, matrix, `KanesMethod`, `LagrangesMethod` or
+        `System` of SymPy's; a CasADi `Function`; a Python function on numbers and NumPy arrays,
+        which is traced.
     names : mapping of str to str, optional
-        The person's names and the scene's: ``{"phi": "theta", "w": "theta_dot"}``. What is not
+        The person's names and the scene's: ``{"phi": "theta", "w": "theta_dot"}``; for an argument
+        of code that is a vector, several: ``{"state": "x x_dot theta theta_dot"}``. What is not
         given is the same name, or the best guess, which the result tells.
     notation : str, optional
-        ``"latex"`` or ``"text"``, where that is not plain.
+        ``"latex"``, ``"text"`` or ``"c"``, where that is not plain.
     about : str, optional
         What they are, where that is not plain: ``"kinetic energy"``, ``"mass matrix"``, ...
+    convention : str or sequence of str
+        How the person counts otherwise than the scene: ``"other vertical"``, ``"half-length"``, ...
+        Without it, equations that would be right under such a change are REFUTED, and the result
+        says under which change.
 
     Returns
     -------
@@ -117,27 +126,40 @@ def check(
         truth = scene
     else:
         truth = derived(scene.scene() if isinstance(scene, System) else scene)
-    options = {"names": names, "notation": notation, "about": about}
-    readings = [_read(truth.scene, part, options) for part in _parts(equations)]
-    judged = tuple(
-        Judged(statement, _judge(truth, statement))
-        for reading in readings
-        for statement in reading.statements
-    )
+    parts = equations if isinstance(equations, list | tuple) else [equations]
+    readings = [read(truth.scene, part, names, notation, about) for part in parts]
+    statements = [statement for reading in readings for statement in reading.statements]
+    names_of = declared([convention] if isinstance(convention, str) else convention)
+    judged, told = _judged(truth, statements, names_of)
     matches = {match.name: match for reading in readings for match in reading.names}
     remarks = tuple(dict.fromkeys(r for reading in readings for r in reading.remarks))
-    return Check(truth.scene, judged, tuple(matches.values()), remarks)
+    return Check(truth.scene, judged, tuple(matches.values()), (*remarks, *told))
 
 
-def _parts(equations: Any) -> Sequence[Any]:
-    return equations if isinstance(equations, list | tuple) else [equations]
-
-
-def _read(scene: Scene, equations: Any, options: Mapping[str, Any]) -> Reading:
-    if isinstance(equations, Path):
-        return read_file(scene, equations, **options)
-    wanted(equations, str, "check", "pass LaTeX, text or a Path")
-    return read_source(scene, equations, **options)
+def _judged(
+    truth: Equations, statements: Sequence[Statement], names: Sequence[str]
+) -> tuple[tuple[Judged, ...], tuple[str, ...]]:
+    """Verdicts; under a declared convention, or beside a refutation the one that would help."""
+    findings = [_judge(truth, statement) for statement in statements]
+    refuted = any(finding.verdict is Verdict.REFUTED for finding in findings)
+    if not refuted and not names:
+        return tuple(map(Judged, statements, findings)), ()
+    claimed = [k for k, s in enumerate(statements) if s.row is not None and not s.doubt]
+    found = right_if(truth, [statements[k] for k in claimed], names)
+    if found is None:
+        words = f"the equations are not right under {', '.join(names)}"
+        return tuple(map(Judged, statements, findings)), (words,) if names else ()
+    change, others = found
+    words = " and ".join(convention.words for convention in change)
+    if names:
+        for k, finding in zip(claimed, others, strict=True):
+            findings[k] = replace(finding, evidence=f"{finding.evidence}, where {words}")
+        return tuple(map(Judged, statements, findings)), (f"convention: {words}",)
+    entries = [
+        Judged(s, f, (words,) if f.verdict is Verdict.REFUTED else ())
+        for s, f in zip(statements, findings, strict=True)
+    ]
+    return tuple(entries), ()
 
 
 def _judge(truth: Equations, statement: Statement) -> Finding:

@@ -33,6 +33,9 @@ from mechanics.reading.tree import (
 )
 from mechanics.scene.rates import coordinate_rate_table, rate
 
+LARGEST_NUMBER = 1000
+"""What a function may be taken of, where that is a number."""
+
 Value = Any
 """An expression, or a matrix of them."""
 
@@ -151,7 +154,10 @@ class Builder:
             (only,) = arguments
             return only.T if isinstance(only, MatrixBase) else only
         _, _, make = FUNCTIONS[function]
-        return make(*(self._scalar(node, argument) for argument in arguments))
+        numbers = [self._scalar(node, argument) for argument in arguments]
+        if any(n.is_number and n.is_finite and abs(n.n(5)) > LARGEST_NUMBER for n in numbers):
+            raise Refused(node.at, f"{function} of a number that is too large")
+        return make(*numbers)
 
     def _scalar(self, node: Node, value: Any) -> Expr:
         if isinstance(value, MatrixBase):

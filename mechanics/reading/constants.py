@@ -3,8 +3,8 @@
     9.8 -> 49/5        1.3333333333333333 -> 4/3        6.283185307179586 -> 2 pi
 
 A short decimal is what was typed. A long one was computed before the code was read: it stands for
-the simplest fraction, or multiple of pi, within 4 units in the last place, and is listed; else it is
-the dyadic number that it is.
+the simplest fraction, or multiple of pi, within 4 units in the last place, and is listed; else it
+is the dyadic number that it is.
 """
 
 from fractions import Fraction

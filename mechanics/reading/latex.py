@@ -9,6 +9,7 @@ with = or with a sign goes on from the one before.
 
 import re
 from collections.abc import Iterator
+from functools import lru_cache
 
 from lark import Token, Tree
 from lark.exceptions import UnexpectedCharacters, UnexpectedEOF, UnexpectedInput, UnexpectedToken
@@ -18,7 +19,7 @@ from mechanics.reading.latex_grammar import PARSER
 from mechanics.reading.latex_items import Items
 from mechanics.reading.lines import Line, Unread
 from mechanics.reading.names import Naming
-from mechanics.reading.place import Refused, bounded, located
+from mechanics.reading.place import Refused, bounded, bounded_mathematics, located, refusal
 
 Pieces = list[Tree | Token]
 
@@ -51,6 +52,10 @@ def read_latex(text: str, naming: Naming, origin: str = "LaTeX") -> list[Line | 
     bounded(text, origin)
     found: list[Line | Unread] = []
     spans, prose = _blocks(text)
+    try:
+        bounded_mathematics(sum(end - start for start, end in spans), 0)
+    except Refused as reason:
+        raise refusal(text, reason, origin) from None
     for start, end in spans:
         try:
             lines = _block(text[start:end], start, naming)
@@ -79,9 +84,15 @@ def _blocks(text: str) -> tuple[list[tuple[int, int]], bool]:
     return [(a, b) for a, b in kept if text[a:b].strip()], bool(prose) and not whole
 
 
+@lru_cache(maxsize=64)
+def _tree(text: str) -> Tree:
+    """A text is read again when a name in it was guessed."""
+    return PARSER.parse(text)
+
+
 def _block(text: str, offset: int, naming: Naming) -> list[Line | Unread]:
     try:
-        tree = PARSER.parse(text)
+        tree = _tree(text)
     except UnexpectedInput as error:
         raise _unexpected(error, text, offset) from None
     found: list[Line | Unread] = []

@@ -6,7 +6,10 @@ file pendulum.tex, line 3, column 14: ...
 from mechanics.errors import InputError
 
 LARGEST_TEXT = 100_000
-"""Characters; a page of equations has three thousand."""
+"""Characters of a document with its prose; a page has three thousand."""
+
+LARGEST_MATHEMATICS = 15_000
+"""Characters of equations: what is parsed within two seconds."""
 
 
 class Refused(Exception):
@@ -32,6 +35,21 @@ def located(text: str, at: int, words: str, origin: str) -> str:
 def refusal(text: str, reason: Refused, origin: str) -> InputError:
     """The error of a text that cannot be read."""
     return InputError(located(text, reason.at, reason.words, origin))
+
+
+def bounded_mathematics(length: int, at: int) -> None:
+    """Refuse more equations than can be parsed at once.
+
+    Raises
+    ------
+    Refused
+        Naming the limit.
+    """
+    if length > LARGEST_MATHEMATICS:
+        raise Refused(
+            at,
+            f"{length} characters of equations: {LARGEST_MATHEMATICS} are the limit: split them",
+        )
 
 
 def bounded(text: str, origin: str) -> str:

@@ -78,16 +78,26 @@ def read_source(
 
 def read_file(scene: Scene, path: Path, **options: object) -> Reading:
     """`read_source` of a file; the suffix may tell the notation."""
+    settings = {"notation": SUFFIXES.get(path.suffix), "origin": str(path)}
+    given = {name: value for name, value in options.items() if value is not None}
+    return read_source(scene, decoded(path), **{**settings, **given})  # type: ignore[arg-type]
+
+
+def decoded(path: Path) -> str:
+    """The text of a file.
+
+    Raises
+    ------
+    InputError
+        When it cannot be read, or is no UTF-8; by line and column.
+    """
     try:
         data = path.read_bytes()
     except OSError as error:
         raise InputError(f"file {path}: it cannot be read: {error.strerror}") from None
     try:
-        text = data.decode("utf-8")
+        return data.decode("utf-8")
     except UnicodeDecodeError as error:
         line = data.count(b"\n", 0, error.start) + 1
         column = error.start - (data.rfind(b"\n", 0, error.start) + 1) + 1
         raise InputError(f"{path}, line {line}, column {column}: this is no UTF-8 text") from None
-    settings = {"notation": SUFFIXES.get(path.suffix), "origin": str(path)}
-    given = {name: value for name, value in options.items() if value is not None}
-    return read_source(scene, text, **{**settings, **given})  # type: ignore[arg-type]

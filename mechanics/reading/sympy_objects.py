@@ -1,7 +1,7 @@
 """SymPy's own objects: expressions, equations, matrices, KanesMethod, LagrangesMethod, System.
 
-    x(t), Derivative(x(t), t), x_dot        are matched by name with the scene's x, x_dot, x_dot
-    KanesMethod: M u' = f, with u solved for q'       LagrangesMethod: its equations, one a row
+x(t), Derivative(x(t), t), x_dot        are matched by name with the scene's x, x_dot, x_dot
+KanesMethod: M u' = f, with u solved for q'       LagrangesMethod: its equations, one a row
 """
 
 from collections.abc import Mapping, Sequence

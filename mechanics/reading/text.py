@@ -6,12 +6,14 @@ A whitelist grammar makes a tree; no text is ever evaluated.
 """
 
 import re
+from functools import lru_cache
 
+from lark import Tree
 from lark.exceptions import UnexpectedCharacters, UnexpectedInput, UnexpectedToken
 
 from mechanics.reading.lines import Line, Unread
 from mechanics.reading.names import Naming
-from mechanics.reading.place import Refused, bounded, located
+from mechanics.reading.place import Refused, bounded, bounded_mathematics, located, refusal
 from mechanics.reading.text_grammar import PARSER
 from mechanics.reading.text_nodes import Nodes
 from mechanics.reading.text_prepare import prepared
@@ -36,6 +38,10 @@ def read_text(text: str, naming: Naming, origin: str = "text") -> list[Line | Un
         When the text is too long.
     """
     bounded(text, origin)
+    try:
+        bounded_mathematics(len(text), 0)
+    except Refused as reason:
+        raise refusal(text, reason, origin) from None
     clean = prepared(text)
     try:
         return _lines(clean, text, 0, naming)
@@ -57,9 +63,15 @@ def read_text(text: str, naming: Naming, origin: str = "text") -> list[Line | Un
     return found
 
 
+@lru_cache(maxsize=64)
+def _tree(text: str) -> Tree:
+    """A text is read again when a name in it was guessed."""
+    return PARSER.parse(text)
+
+
 def _lines(clean: str, text: str, offset: int, naming: Naming) -> list[Line | Unread]:
     try:
-        tree = PARSER.parse(clean)
+        tree = _tree(clean)
     except UnexpectedInput as error:
         raise _unexpected(error, clean, offset) from None
     found: list[Line | Unread] = []

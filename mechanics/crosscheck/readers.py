@@ -1,0 +1,61 @@
+"""Whatever a person has, as statements: text, files, SymPy's objects, code."""
+
+from collections.abc import Mapping
+from pathlib import Path
+from types import ModuleType
+from typing import Any
+
+import casadi
+
+from mechanics.errors import WrongKindError
+from mechanics.reading.assemble import Reading
+from mechanics.reading.code import read_c, read_casadi, read_function
+from mechanics.reading.read import decoded, read_file, read_source
+from mechanics.reading.sympy_objects import is_sympy, read_sympy
+from mechanics.scene import Scene
+
+
+def read(
+    scene: Scene,
+    thing: Any,
+    names: Mapping[str, str] | None,
+    notation: str | None,
+    about: str | None,
+    function: str | None = None,
+) -> Reading:
+    """Statements of one thing.
+
+    Parameters
+    ----------
+    scene : Scene
+    thing : str, Path, SymPy object, CasADi Function or callable
+    names, notation, about
+        As for `mechanics.check`.
+    function : str, optional
+        Which function of a C file.
+
+    Raises
+    ------
+    InputError
+        When it cannot be read.
+    WrongKindError
+        For another kind of thing.
+    """
+    if isinstance(thing, Path):
+        if thing.suffix in (".c", ".h"):
+            return read_c(scene, decoded(thing), function, names, about, str(thing))
+        return read_file(scene, thing, names=names, notation=notation, about=about)
+    if isinstance(thing, str):
+        if notation == "c":
+            return read_c(scene, thing, function, names, about)
+        return read_source(scene, thing, names=names, notation=notation, about=about)
+    if isinstance(thing, casadi.Function):
+        return read_casadi(scene, thing, names, about)
+    if is_sympy(thing):
+        return read_sympy(scene, thing, names, about)
+    if isinstance(thing, ModuleType) or not callable(thing):
+        raise WrongKindError(
+            f"check: {type(thing).__name__} found: pass LaTeX, text, a Path, a SymPy object, a"
+            " CasADi Function or a Python function"
+        )
+    return read_function(scene, thing, names, about)

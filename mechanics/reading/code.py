@@ -1,0 +1,188 @@
+"""Code that computes equations: Python functions, CasADi functions, C source.
+
+    arguments -> symbols of the scene,   code -> formulas,   outputs -> rows of the ledger
+
+The code itself is read, so that its own formulas are judged, for all values of its arguments.
+"""
+
+import inspect
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
+from typing import Any
+
+import casadi
+from sympy import Expr, Matrix
+
+from mechanics.errors import ExpressionError, InputError
+from mechanics.exact.c_functions import lower
+from mechanics.exact.c_parse import parse
+from mechanics.exact.c_program import Parameter
+from mechanics.exact.graph import evaluated
+from mechanics.reading.about import QUANTITIES
+from mechanics.reading.arguments import Arguments, arguments_of
+from mechanics.reading.assemble import Reading
+from mechanics.reading.c_wrapper import WRAPPER, wrapped
+from mechanics.reading.guess import guess
+from mechanics.reading.names import Naming, Vocabulary
+from mechanics.reading.outputs import claims, in_order, statement
+from mechanics.reading.place import bounded
+from mechanics.reading.tracing import Outputs, trace
+from mechanics.reading.tree import Name
+from mechanics.reading.written import Written
+from mechanics.scene import Scene
+
+Run = Callable[[Arguments], Outputs]
+
+
+def read_function(
+    scene: Scene,
+    function: Callable[..., Any],
+    names: Mapping[str, str] | None = None,
+    about: str | None = None,
+) -> Reading:
+    """Statements of a Python function on numbers and NumPy arrays, by tracing it.
+
+    Parameters
+    ----------
+    scene : Scene
+    function : callable
+    names : mapping of str to str, optional
+        What arguments are: ``{"state": "x x_dot theta theta_dot", "force": "F"}``.
+    about : str, optional
+        What it returns, where that is not plain.
+
+    Raises
+    ------
+    InputError
+        When an argument is unexplained, or the code hides a formula.
+    """
+    title = getattr(function, "__name__", type(function).__name__)
+    try:
+        signature = inspect.signature(function)
+    except (TypeError, ValueError):
+        raise InputError(f"function {title}: its arguments are not known") from None
+    wanted: list[str] = []
+    for name, parameter in signature.parameters.items():
+        if parameter.kind in (parameter.VAR_POSITIONAL, parameter.VAR_KEYWORD):
+            continue
+        if parameter.kind is parameter.POSITIONAL_ONLY:
+            raise InputError(f"function {title}: argument {name} has no name")
+        if parameter.default is parameter.empty or name in (names or {}):
+            wanted.append(name)
+    return _read(
+        scene, title, wanted, dict.fromkeys(wanted), lambda given: trace(function, given.values),
+        names, about,
+    )  # fmt: skip
+
+
+def read_casadi(
+    scene: Scene,
+    function: casadi.Function,
+    names: Mapping[str, str] | None = None,
+    about: str | None = None,
+) -> Reading:
+    """Statements of a CasADi function; arguments as for `read_function`, by their names."""
+    function = function if function.is_a("SXFunction") else function.expand()
+    wanted = [function.name_in(i) for i in range(function.n_in())]
+    sizes = {name: function.numel_in(i) for i, name in enumerate(wanted)}
+
+    def run(given: Arguments) -> Outputs:
+        a = Written()
+        numbers = a.graph(function, [_entries(given.values[name]) for name in wanted])
+        shapes = [function.size_out(i) for i in range(function.n_out())]
+        # CasADi counts entries column by column.
+        values = [Matrix(c, r, n).T for (r, c), n in zip(shapes, numbers, strict=True)]
+        return Outputs(tuple(values), tuple(a.notes))
+
+    return _read(scene, function.name(), wanted, sizes, run, names, about)
+
+
+def read_c(
+    scene: Scene,
+    text: str,
+    function: str | None = None,
+    names: Mapping[str, str] | None = None,
+    about: str | None = None,
+    origin: str = "code.c",
+) -> Reading:
+    """Statements of a C function: numbers and arrays as arguments, what it writes as outputs.
+
+    Parameters
+    ----------
+    text : str
+    function : str, optional
+        Its name; the last function of the file when not given.
+
+    Raises
+    ------
+    InputError
+        For C that is not known here, by file and line.
+    """
+    bounded(text, origin)
+    try:
+        call = wrapped(parse(text, origin), text, function)
+        wanted = list(call.inputs)
+
+        def run(given: Arguments) -> Outputs:
+            sizes = {name: len(_entries(given.values[name])) for name in wanted}
+            return _c_outputs(call.source(sizes), origin, wanted, given, call.size)
+
+        return _read(scene, call.name, wanted, call.inputs, run, names, about)
+    except ExpressionError as error:
+        raise InputError(" ".join(str(error).split())) from None
+
+
+def _c_outputs(
+    text: str, origin: str, wanted: Sequence[str], given: Arguments, size: int
+) -> Outputs:
+    source = parse(text, origin)
+    entries = [_entries(given.values[name]) for name in wanted]
+    parameters = [
+        *(
+            Parameter(name, "double", len(group))
+            for name, group in zip(wanted, entries, strict=True)
+        ),
+        Parameter("outputs", "double", size, output=True),
+    ]
+    program = lower(source, WRAPPER, parameters)
+    if program.beyond:
+        raise InputError(f"{origin}: {program.beyond[0]} is read beyond the end of the array")
+    a = Written()
+    numbers = evaluated(a, program.nodes, entries)
+    found: list[Expr] = []
+    place = len(wanted)
+    for entry in range(size):
+        if (place, entry) not in program.outputs:
+            raise InputError(f"{origin}: output {entry} is not written")
+        first, *later = program.outputs[place, entry]
+        if first.condition is not True or later:
+            raise InputError(f"{origin}: output {entry} is written under a condition only")
+        found.append(numbers[first.node])
+    return Outputs((Matrix(found),), tuple(a.notes))
+
+
+def _read(
+    scene: Scene, title: str, wanted: Sequence[str], sizes: Mapping[str, int | None], run: Run,
+    names: Mapping[str, str] | None, about: str | None,
+) -> Reading:  # fmt: skip
+    given = {n: m for n, m in (names or {}).items() if m not in QUANTITIES}
+    naming = Naming(Vocabulary(scene))
+    open_names = [Name(0, n) for n in wanted if n not in given and sizes.get(n) in (None, 1)]
+    naming = replace(naming, guessed=guess(naming, open_names, ()))
+    arguments = arguments_of(naming, wanted, sizes, given)
+    outputs = run(arguments)
+    told = set(arguments.state) and any(
+        m.why == "as given" for m in arguments.matches if len(m.meaning.split()) > 1
+    )
+    if arguments.state and not told and not in_order(scene, outputs.values, arguments.state):
+        other = arguments_of(naming, wanted, sizes, given, interleaved=True)
+        again = run(other)
+        if in_order(scene, again.values, other.state):
+            arguments, outputs = other, again
+    found = claims(scene, outputs.values, arguments.state, about, title)
+    statements = tuple(statement(claim, title, outputs.notes) for claim in found)
+    return Reading(statements, arguments.matches, ())
+
+
+def _entries(value: Any) -> list[Expr]:
+    return list(value) if isinstance(value, tuple) else [value]

@@ -1,0 +1,98 @@
+"""What the outputs of code claim.
+
+as many as speeds            the accelerations               u'_k = output k
+as many as entries of state  the rate of the state           q' = output, u' = output
+with u' among the arguments  residuals                       0 = output k
+a square matrix              the mass matrix                 with a vector beside it: M u' = f
+"""
+
+from collections.abc import Sequence
+
+from sympy import Expr, Matrix, S
+
+from mechanics.errors import InputError
+from mechanics.reading.about import named_quantity
+from mechanics.reading.statement import Statement
+from mechanics.scene import Scene
+from mechanics.scene.published import Quantity, published
+from mechanics.scene.quantities import EquationOfMotion, Identity, MassMatrix
+from mechanics.scene.rates import rate_table
+
+Claim = tuple[str, Quantity, tuple[Expr | Matrix, ...]]
+
+
+def claims(
+    scene: Scene, values: Sequence[Matrix], state: Sequence[Expr], about: str | None, title: str
+) -> list[Claim]:
+    """Rows of the ledger for outputs; `state` are the entries of a state vector, if there is one.
+
+    Raises
+    ------
+    InputError
+        When the number of outputs fits nothing.
+    """
+    if about is not None:
+        return _asked(values, about)
+    size = len(scene.u)
+    if len(values) == 2 and values[0].shape == (size, size) and len(values[1]) == size > 1:
+        ud = Matrix(scene.ud)
+        rows = zip(values[0] * ud, values[1], strict=True)
+        return [
+            (f"row {i}", EquationOfMotion(), (left, right))
+            for i, (left, right) in enumerate(rows, 1)
+        ]
+    if len(values) == 1 and values[0].shape == (size, size) and size > 1:
+        return [("mass matrix", MassMatrix(), (values[0],))]
+    entries = [entry for value in values for entry in value]
+    held = set().union(*(entry.free_symbols for entry in entries))
+    if held & set(scene.ud):
+        return [
+            (f"residual {i}", EquationOfMotion(), (entry, S.Zero))
+            for i, entry in enumerate(entries, 1)
+        ]
+    if len(entries) == size:
+        return [_rate_of(scene, u, value) for u, value in zip(scene.u, entries, strict=True)]
+    both = tuple(state) or (*scene.q, *scene.u)
+    if len(entries) == len(both):
+        return [_rate_of(scene, symbol, value) for symbol, value in zip(both, entries, strict=True)]
+    raise InputError(
+        f"{title} returns {len(entries)} numbers: {scene.name} has {size} accelerations and"
+        f" {len(both)} rates of the state: say about= what they are"
+    )
+
+
+def _rate_of(scene: Scene, symbol: Expr, value: Expr) -> Claim:
+    rate = rate_table(scene)[symbol]
+    if symbol in scene.u:
+        return str(rate), EquationOfMotion(), (rate, value)
+    return f"{symbol}_dot", Identity(), (rate, value)
+
+
+def _asked(values: Sequence[Matrix], about: str) -> list[Claim]:
+    quantity = named_quantity(about)
+    if isinstance(quantity, MassMatrix):
+        return [("mass matrix", quantity, (value,)) for value in values]
+    found: list[Claim] = []
+    for value in values:
+        for entry in value:
+            sides = (entry, S.Zero) if isinstance(quantity, EquationOfMotion) else (entry,)
+            found.append((f"output {len(found) + 1}", quantity, sides))
+    return found
+
+
+def in_order(scene: Scene, values: Sequence[Matrix], state: Sequence[Expr]) -> bool:
+    """Whether the rates of the coordinates are where a state of this order has them."""
+    entries = [entry for value in values for entry in value]
+    if len(entries) != len(state):
+        return True
+    table = rate_table(scene)
+    pairs = zip(state, entries, strict=True)
+    return all(table[s] == entry for s, entry in pairs if s in scene.q)
+
+
+def statement(claim: Claim, title: str, notes: tuple[str, ...]) -> Statement:
+    """A claim as a statement; constants that were read stand in its notes."""
+    tag, quantity, sides = claim
+    source = f"{title}: {tag}"
+    row = published(tag, quantity, *sides, label=source)
+    return Statement(row, source, tag, notes=notes)

@@ -1,0 +1,230 @@
+"""Numbers that remember how they were made: a Python function called with them shows its formula.
+
+    f(Traced(x)) -> Traced(formula in x)        if x > 0:  -> both ways, one after the other
+
+A comparison that code decides upon asks the explorer, which goes through all decisions by calling
+the function again.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from fractions import Fraction
+from typing import Any
+
+import numpy as np
+import sympy
+from sympy import Expr
+from sympy.logic.boolalg import Boolean, BooleanFalse, BooleanTrue
+
+from mechanics.errors import InputError
+from mechanics.reading.constants import constant_of
+
+MOST_PATHS = 64
+MOST_DECISIONS = 200
+
+
+class TooManyPathsError(InputError):
+    """A function decides more often than all ways through it can be followed."""
+
+
+@dataclass
+class Explorer:
+    """The decisions of one call: those that are set beforehand, then `True` for every new one."""
+
+    prefix: tuple[bool, ...] = ()
+    taken: list[tuple[Boolean, bool]] = field(default_factory=list)
+    notes: list[str] = field(default_factory=list)
+
+    def decide(self, condition: Boolean) -> bool:
+        """Which way to go at a condition."""
+        if isinstance(condition, BooleanTrue | BooleanFalse):
+            return bool(condition)
+        for known, answer in self.taken:
+            if known == condition:
+                return answer
+            if known == sympy.Not(condition):
+                return not answer
+        if len(self.taken) >= MOST_DECISIONS:
+            raise TooManyPathsError("the function decides too often to be followed")
+        at = len(self.taken)
+        answer = self.prefix[at] if at < len(self.prefix) else True
+        self.taken.append((condition, answer))
+        return answer
+
+
+class Condition:
+    """A comparison of traced numbers."""
+
+    def __init__(self, condition: Boolean, explorer: Explorer) -> None:
+        self.condition, self.explorer = condition, explorer
+
+    def __bool__(self) -> bool:
+        return self.explorer.decide(self.condition)
+
+    def __and__(self, other: Any) -> bool:
+        return bool(self) and bool(other)
+
+    def __or__(self, other: Any) -> bool:
+        return bool(self) or bool(other)
+
+    def __invert__(self) -> bool:
+        return not bool(self)
+
+    __rand__, __ror__ = __and__, __or__
+
+
+class Traced:
+    """A number with its formula."""
+
+    __array_priority__ = 1000.0
+
+    def __init__(self, expr: Expr, explorer: Explorer) -> None:
+        self.expr, self.explorer = expr, explorer
+
+    def new(self, expr: Expr) -> Traced:
+        """Another number of the same call."""
+        return Traced(expr, self.explorer)
+
+    def _both(self, other: Any, operation: Callable[[Expr, Expr], Any]) -> Any:
+        if isinstance(other, np.ndarray):
+            # NumPy goes through the entries and comes back here for each.
+            return NotImplemented
+        value = expression_of(other, self.explorer)
+        return NotImplemented if value is None else self.new(operation(self.expr, value))
+
+    def __add__(self, other: Any) -> Any:
+        return self._both(other, lambda a, b: a + b)
+
+    def __sub__(self, other: Any) -> Any:
+        return self._both(other, lambda a, b: a - b)
+
+    def __rsub__(self, other: Any) -> Any:
+        return self._both(other, lambda a, b: b - a)
+
+    def __mul__(self, other: Any) -> Any:
+        return self._both(other, lambda a, b: a * b)
+
+    def __truediv__(self, other: Any) -> Any:
+        return self._both(other, _quotient)
+
+    def __rtruediv__(self, other: Any) -> Any:
+        return self._both(other, lambda a, b: _quotient(b, a))
+
+    def __pow__(self, other: Any) -> Any:
+        return self._both(other, _power)
+
+    def __rpow__(self, other: Any) -> Any:
+        return self._both(other, lambda a, b: _power(b, a))
+
+    def __neg__(self) -> Traced:
+        return self.new(-self.expr)
+
+    def __pos__(self) -> Traced:
+        return self
+
+    def __abs__(self) -> Traced:
+        return self.new(sympy.Abs(self.expr))
+
+    __radd__, __rmul__ = __add__, __mul__
+
+    def _compare(self, other: Any, relation: Any) -> Any:
+        value = expression_of(other, self.explorer)
+        if value is None:
+            return NotImplemented
+        return Condition(relation(self.expr - value, 0), self.explorer)
+
+    def __lt__(self, other: Any) -> Any:
+        return self._compare(other, sympy.StrictLessThan)
+
+    def __le__(self, other: Any) -> Any:
+        return self._compare(other, sympy.LessThan)
+
+    def __gt__(self, other: Any) -> Any:
+        return self._compare(other, sympy.StrictGreaterThan)
+
+    def __ge__(self, other: Any) -> Any:
+        return self._compare(other, sympy.GreaterThan)
+
+    def __eq__(self, other: object) -> Any:
+        return self._compare(other, sympy.Equality)
+
+    def __ne__(self, other: object) -> Any:
+        return self._compare(other, sympy.Unequality)
+
+    __hash__ = None  # type: ignore[assignment]
+
+    def __bool__(self) -> bool:
+        return self.explorer.decide(sympy.Unequality(self.expr, 0))
+
+    def __float__(self) -> float:
+        raise TypeError("a traced number has no value: float(), int() and the like hide a formula")
+
+    __int__ = __index__ = __float__
+
+    def item(self) -> Traced:
+        """Itself, as of an array with one entry."""
+        return self
+
+    def arctan2(self, other: Any) -> Traced:
+        """The angle of (other, self)."""
+        value = expression_of(other, self.explorer)
+        return self.new(sympy.atan2(self.expr, value))
+
+
+def _quotient(a: Expr, b: Expr) -> Expr:
+    if b == 0:
+        raise ZeroDivisionError("division by zero")
+    return a / b
+
+
+def _power(a: Expr, b: Expr) -> Expr:
+    if b.is_number and abs(b.n(5)) > 64:
+        raise InputError(f"the exponent {b} is too large: 64 is the limit")
+    return a**b
+
+
+def expression_of(value: Any, explorer: Explorer) -> Expr | None:
+    """The formula of a number, traced or not; None for what is no number."""
+    if isinstance(value, Traced):
+        return value.expr
+    if isinstance(value, np.ndarray) and value.shape == ():
+        return expression_of(value.item(), explorer)
+    if isinstance(value, bool | np.bool_):
+        return sympy.Integer(int(value))
+    if isinstance(value, int | np.integer):
+        return sympy.Integer(int(value))
+    if isinstance(value, Fraction):
+        return sympy.Rational(value.numerator, value.denominator)
+    if isinstance(value, float | np.floating):
+        number, note = constant_of(float(value))
+        if note and note not in explorer.notes:
+            explorer.notes.append(note)
+        return number
+    if isinstance(value, Condition):
+        return sympy.Integer(int(bool(value)))
+    return None
+
+
+def _method(name: str, function: Callable[[Expr], Expr]) -> None:
+    """NumPy's functions call the method of that name on every entry."""
+
+    def apply(self: Traced) -> Traced:
+        return self.new(function(self.expr))
+
+    apply.__name__, apply.__doc__ = name, f"{name} of the number."
+    setattr(Traced, name, apply)
+
+
+ELEMENTARY: dict[str, Callable[[Expr], Expr]] = {
+    "sin": sympy.sin, "cos": sympy.cos, "tan": sympy.tan, "arcsin": sympy.asin,
+    "arccos": sympy.acos, "arctan": sympy.atan, "sinh": sympy.sinh, "cosh": sympy.cosh,
+    "tanh": sympy.tanh, "arcsinh": sympy.asinh, "arccosh": sympy.acosh, "arctanh": sympy.atanh,
+    "exp": sympy.exp, "log": sympy.log, "sqrt": sympy.sqrt, "fabs": sympy.Abs, "sign": sympy.sign,
+    "conjugate": lambda x: x,
+    "radians": lambda x: x * sympy.pi / 180, "deg2rad": lambda x: x * sympy.pi / 180,
+}  # fmt: skip
+
+for _name, _function in ELEMENTARY.items():
+    _method(_name, _function)

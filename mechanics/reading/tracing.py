@@ -1,0 +1,162 @@
+"""A Python function followed along all its ways: ``trace(function, arguments) -> formulas``.
+
+    call with (True, True, ...), then with each decision turned, the last one first
+
+The ways are put together as cases of the conditions they were taken under.
+"""
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from sympy import Expr, Matrix, Piecewise
+from sympy.logic.boolalg import Boolean
+
+from mechanics.errors import InputError, MechanicsError
+from mechanics.reading.stand_ins import copy_of
+from mechanics.reading.traced import MOST_PATHS, Explorer, Traced, expression_of
+
+Given = Mapping[str, Expr | Sequence[Expr]]
+
+
+@dataclass(frozen=True)
+class Outputs:
+    """What code computes.
+
+    Attributes
+    ----------
+    values : tuple of Matrix
+        One for each thing that it returns; numbers are 1 x 1.
+    notes : tuple of str
+        Constants that were computed before the code was read, and ways that end in an error.
+    """
+
+    values: tuple[Matrix, ...]
+    notes: tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class _Way:
+    conditions: tuple[tuple[Boolean, bool], ...]
+    values: tuple[Matrix, ...] | None
+
+
+def trace(function: Callable[..., Any], given: Given) -> Outputs:
+    """The formulas of a Python function.
+
+    Parameters
+    ----------
+    function : callable
+        On numbers and NumPy arrays. A copy of it is called.
+    given : mapping of str to Expr or sequence of Expr
+        For each argument its symbol, or those of its entries.
+
+    Raises
+    ------
+    InputError
+        When its code hides a formula: by ``float()``, by what is compiled, by too many decisions.
+    """
+    copied = copy_of(function)
+    notes: list[str] = []
+    ways: list[_Way] = []
+    prefix: tuple[bool, ...] | None = ()
+    while prefix is not None:
+        if len(ways) == MOST_PATHS:
+            raise InputError(f"{_title(function)} has more than {MOST_PATHS} ways through it")
+        explorer = Explorer(prefix, notes=notes)
+        values = _called(copied, given, explorer, _title(function))
+        taken = tuple(explorer.taken)
+        ways.append(_Way(taken, values))
+        prefix = _next([answer for _, answer in taken])
+    defined = [way for way in ways if way.values is not None]
+    if not defined:
+        raise InputError(f"{_title(function)} ends in an error whatever its arguments are")
+    if len(defined) < len(ways):
+        notes.append("ways that end in an error are left out")
+    shapes = {tuple(value.shape for value in way.values or ()) for way in defined}
+    if len(shapes) > 1:
+        raise InputError(f"{_title(function)} returns arrays of different shapes")
+    return Outputs(_joined(defined, 0), tuple(notes))
+
+
+def _title(function: Callable[..., Any]) -> str:
+    return f"function {getattr(function, '__name__', type(function).__name__)}"
+
+
+def _next(answers: list[bool]) -> tuple[bool, ...] | None:
+    """The next way: the last decision that was yes becomes no."""
+    while answers and not answers[-1]:
+        answers.pop()
+    return (*answers[:-1], False) if answers else None
+
+
+def _called(
+    function: Callable[..., Any], given: Given, explorer: Explorer, title: str
+) -> tuple[Matrix, ...] | None:
+    arguments = {name: _argument(value, explorer) for name, value in given.items()}
+    try:
+        result = function(**arguments)
+    except MechanicsError:
+        raise
+    except (ValueError, ZeroDivisionError, AssertionError, FloatingPointError) as error:
+        if explorer.taken:
+            return None
+        raise InputError(f"{title}: {type(error).__name__}: {error}") from None
+    except Exception as error:
+        words = " ".join(str(error).split())
+        raise InputError(f"{title} cannot be traced: {type(error).__name__}: {words}") from None
+    return tuple(_matrix(part, explorer, title) for part in _parts(result))
+
+
+def _argument(value: Expr | Sequence[Expr], explorer: Explorer) -> Any:
+    if isinstance(value, Expr):
+        return Traced(value, explorer)
+    found = np.empty(len(value), dtype=object)
+    found[:] = [Traced(entry, explorer) for entry in value]
+    return found
+
+
+def _parts(result: Any) -> list[Any]:
+    """Things that are returned; numbers side by side are one array."""
+    if isinstance(result, dict):
+        result = tuple(result.values())
+    if isinstance(result, tuple | list) and any(_is_array(part) for part in result):
+        return list(result)
+    return [result]
+
+
+def _is_array(part: Any) -> bool:
+    return isinstance(part, np.ndarray | list | tuple) and np.ndim(part) > 0
+
+
+def _matrix(part: Any, explorer: Explorer, title: str) -> Matrix:
+    array = np.asarray(part, dtype=object)
+    if array.ndim > 2 or array.size == 0:
+        raise InputError(f"{title} returns an array of shape {array.shape}: vectors and matrices")
+    entries = [expression_of(entry, explorer) for entry in array.flat]
+    if any(entry is None for entry in entries):
+        raise InputError(f"{title} returns {type(part).__name__}: numbers and arrays are known")
+    rows = array.shape[0] if array.ndim else 1
+    return Matrix(rows, len(entries) // rows, entries)
+
+
+def _joined(ways: list[_Way], depth: int) -> tuple[Matrix, ...]:
+    """Ways as cases of the decision at a depth."""
+    first = ways[0]
+    if len(ways) == 1 or len(first.conditions) <= depth:
+        return first.values or ()
+    condition = first.conditions[depth][0]
+    yes = [way for way in ways if way.conditions[depth][1]]
+    no = [way for way in ways if not way.conditions[depth][1]]
+    if not (yes and no):
+        return _joined(ways, depth + 1)
+    pairs = zip(_joined(yes, depth + 1), _joined(no, depth + 1), strict=True)
+    return tuple(
+        Matrix(*a.shape, [_case(condition, x, y) for x, y in zip(a, b, strict=True)])
+        for a, b in pairs
+    )
+
+
+def _case(condition: Boolean, yes: Expr, no: Expr) -> Expr:
+    return yes if yes == no else Piecewise((yes, condition), (no, True))

@@ -1,0 +1,70 @@
+"""Equations that are right under another convention, and only there."""
+
+import pytest
+
+import mechanics
+from mechanics.crosscheck.check import derived
+from mechanics.errors import InputError
+from systems import elastic_pendulum, pendulum_chain
+
+PENDULUM = derived(elastic_pendulum.scene())
+CART = derived(pendulum_chain.scene(1))
+CLOCKWISE = (
+    "(m0 + m1)*q0'' + m1*l0*(q1''*cos(q1) - q1'^2*sin(q1)) = F\n"
+    "l0*q1'' + q0''*cos(q1) - g*sin(q1) = 0"
+)
+
+
+def about_the_pivot(inertia: str, arm: str) -> str:
+    return f"M*{arm}*x''*cos(theta) + M*{inertia}*theta'' + M*g*{arm}*sin(theta) = 0"
+
+
+@pytest.mark.parametrize(
+    ("scene", "text", "words", "declared"),
+    [
+        (CART, CLOCKWISE, "q1 is counted the other way round", "other sign of angles"),
+        (
+            PENDULUM, about_the_pivot("4*L^2/3", "L"), "L is half of the scene's L", "half-length",
+        ),
+        (
+            PENDULUM, about_the_pivot("L^2/4", "L/2"), "every rod is a point mass", "point mass",
+        ),
+        (
+            PENDULUM, about_the_pivot("L^2/3", "L/2").replace("+ M*g", "- M*g").replace(
+                "x''", "(-x'')"
+            ),
+            "theta is counted from the other vertical", "other vertical",
+        ),
+    ],
+)  # fmt: skip
+def test_right_if(scene, text: str, words: str, declared: str) -> None:
+    found = mechanics.check(scene, text)
+    assert {entry.finding.verdict.name for entry in found.judged} == {"REFUTED"}
+    assert all(words in entry.right_if[0] for entry in found.judged)
+    assert mechanics.check(scene, text, convention=declared).ok
+    assert not mechanics.check(scene, text, convention="other sign of displacements").ok
+
+
+def test_no_convention_helps_what_is_wrong() -> None:
+    for text in (
+        about_the_pivot("L^2/5", "L/2"),
+        about_the_pivot("L^2/3", "L/2").replace("sin", "cos"),
+        CLOCKWISE.replace("F", "2*F"),
+    ):
+        found = mechanics.check(CART if "m0" in text else PENDULUM, text)
+        assert {entry.finding.verdict.name for entry in found.judged} == {"REFUTED"}
+        assert all(entry.right_if == () for entry in found.judged)
+
+
+def test_a_change_of_one_equation_alone_is_none() -> None:
+    """The second row counts the angle clockwise, the first counterclockwise."""
+    first, second = CLOCKWISE.split("\n")
+    right = first.replace("(q1''*cos(q1) - q1'^2*sin(q1))", "(-q1''*cos(q1) + q1'^2*sin(q1))")
+    found = mechanics.check(CART, f"{right}\n{second}")
+    assert [entry.finding.verdict.name for entry in found.judged] == ["PROVED", "REFUTED"]
+    assert all(entry.right_if == () for entry in found.judged)
+
+
+def test_an_unknown_convention_is_refused() -> None:
+    with pytest.raises(InputError, match="it can be other vertical, other sign of angles"):
+        mechanics.check(CART, CLOCKWISE, convention="upside down")

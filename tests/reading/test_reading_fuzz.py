@@ -1,0 +1,81 @@
+"""Any text gives statements or one line with a place: no traceback, no hang, nothing is run."""
+
+import re
+import time
+
+import pytest
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+
+from mechanics.errors import InputError
+from mechanics.reading.read import read_source
+from systems import elastic_pendulum
+
+SCENE = elastic_pendulum.scene()
+PLACE = re.compile(r"line \d+, column \d+: |has no|it can be")
+LATEX_WORDS = r"""
+\frac \dot \ddot { } ( ) [ ] ^ _ \left( \right) \left[ \right] \sin \cos \theta x M L & \\ = + -
+/ \cdot 2 3 0 . , d t f(t) ' \tag{1} \begin{matrix} \end{matrix} \sqrt \bar \text{and} $ \prime
+\mathrm{d} \operatorname{sign} \begin{array}{rr} \end{array} \{ \} | \pi e
+"""
+TEXT_WORDS = r"""
+x theta M L 2 0 0.5 1e3 ( ) [ ] , ; = == + - * / ** ^ .diff(t) .diff( ' sin( cos( Eq( Rational(
+x(t) Derivative( t xdd log( sqrt( . .T ... % # : \ diff( é ² θ
+"""
+LATEX = st.lists(st.sampled_from(LATEX_WORDS.split()), max_size=40).map(" ".join)
+TEXT = st.lists(st.sampled_from([*TEXT_WORDS.split(), "\n", " "]), max_size=40).map("".join)
+
+
+def assert_read_or_refused(text: str, notation: str) -> None:
+    start = time.process_time()
+    try:
+        found = read_source(SCENE, text, notation=notation)
+    except InputError as error:
+        assert "\n" not in str(error)
+        assert PLACE.search(str(error))
+    else:
+        for statement in found.statements:
+            assert statement.row is not None or PLACE.search(statement.doubt)
+            assert "\n" not in statement.doubt
+    # A hang would not come back at all; this is far above what any input takes.
+    assert time.process_time() - start < 60
+
+
+FUZZ = settings(
+    max_examples=150, deadline=None, suppress_health_check=list(HealthCheck), derandomize=True
+)
+
+
+@FUZZ
+@given(LATEX)
+def test_latex_of_its_own_words(text: str) -> None:
+    assert_read_or_refused(text, "latex")
+
+
+@FUZZ
+@given(TEXT)
+def test_text_of_its_own_words(text: str) -> None:
+    assert_read_or_refused(text, "text")
+
+
+@FUZZ
+@given(st.text(max_size=60), st.sampled_from(["latex", "text"]))
+def test_any_text(text: str, notation: str) -> None:
+    assert_read_or_refused(text, notation)
+
+
+@pytest.mark.parametrize("notation", ["latex", "text"])
+@pytest.mark.parametrize(
+    "text",
+    [
+        "(" * 40_000, "{" * 40_000, "-" * 40_000, "x^" * 20_000 + "2", "x**" * 20_000 + "2",
+        "\\dot" * 20_000 + "x", "\\sqrt" * 20_000 + "2", "'" * 50_000, "x" + "'" * 50_000,
+        "1" * 90_000, "x+" * 40_000 + "x", "x*" * 45_000 + "x", "\\\\" * 40_000, "=" * 50_000,
+        "\\begin{matrix}" * 5_000, "\\left(" * 10_000, "((x+1)**60)**60 = 0", "_{" * 30_000,
+        "x_" + "{a" * 20_000, "sin(" * 20_000, "[" * 40_000, "f(t)" * 20_000, "$" * 50_001,
+        "2**(x-x+10**9)", "x**(2**(x-x+64))**64", "sqrt(2)**sqrt(2)**sqrt(10**30)",
+        "10**64*10**64*10**64*10**64", "exp(exp(exp(exp(64))))", "\\text{" * 10_000, "\x00" * 100,
+    ],
+)  # fmt: skip
+def test_large_and_deep_inputs(text: str, notation: str) -> None:
+    assert_read_or_refused(text, notation)
