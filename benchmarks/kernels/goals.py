@@ -51,14 +51,16 @@ class Heat:
 
 GENERATED, LANES = c_loops.generated(), lanes.generated()
 HAND, CASADI = c_loops.by_hand(), c_loops.casadi()
-HAND_LANES, HEYOKA, HEYOKA_CONSTANT = lanes.by_hand(), lanes.heyoka(), lanes.heyoka(constant=True)
+HAND_LANES, HEYOKA, HEYOKA_OURS = lanes.by_hand(), lanes.heyoka(), lanes.heyoka("auto")
+HEYOKA_CONSTANT = lanes.heyoka("auto", constant=True)
 RECURSIVE = c_loops.casadi("recursive", ARTICULATED)
 PINOCCHIO, MUJOCO = robots.pinocchio(), robots.mujoco()
 
 HEATS: tuple[Heat, ...] = (
     Heat(
         1, 2048,
-        (GENERATED, HAND, CASADI, LANES, HAND_LANES, HEYOKA, HEYOKA_CONSTANT, PINOCCHIO, MUJOCO),
+        (GENERATED, HAND, CASADI, LANES, HAND_LANES, HEYOKA, HEYOKA_OURS, HEYOKA_CONSTANT,
+         PINOCCHIO, MUJOCO),
         (
             Goal("one state in C, one link", GENERATED.name, HAND.name, 1.0),
             Goal("2048 states, one link", LANES.name, HAND_LANES.name, 1.1),
@@ -68,16 +70,18 @@ HEATS: tuple[Heat, ...] = (
     ),
     Heat(
         5, 2048,
-        (GENERATED, CASADI, LANES, HAND_LANES, HEYOKA, HEYOKA_CONSTANT, PINOCCHIO, MUJOCO),
+        (GENERATED, CASADI, LANES, HAND_LANES, HEYOKA, HEYOKA_OURS, HEYOKA_CONSTANT,
+         PINOCCHIO, MUJOCO),
         (
             Goal("2048 states, five links", LANES.name, HAND_LANES.name, 1.1),
             Goal("2048 states, five links", LANES.name, HEYOKA.name, 1 / 2),
+            Goal("2048 states, five links", LANES.name, HEYOKA_OURS.name, 1 / 2),
             Goal("2048 states, five links", LANES.name, CASADI.name, 1 / 10),
         ),
     ),
     Heat(
         1, 1_000_000,
-        (LANES, HAND_LANES, HEYOKA, HEYOKA_CONSTANT),
+        (LANES, HAND_LANES, HEYOKA, HEYOKA_OURS, HEYOKA_CONSTANT),
         (Goal("1e6 states from memory, one link", LANES.name, HEYOKA.name, 1 / 2.5),),
     ),
     *(

@@ -71,17 +71,18 @@ def _lap(case: Case, text: str, function: str) -> Lap:
     return Lap(lambda: library.passes(*given), case.count, lambda: found, together)
 
 
-def heyoka(constant: bool = False) -> Contender:
+def heyoka(form: str = "ldl", constant: bool = False) -> Contender:
     """Heyoka's compiled function with fast_math.
 
-    Its parameters stand beside every state, as its calls want them; where they are `constant`, they
-    are numbers in the code, which favours it.
+    Its expressions are those of a form: L D L^T is what one would write down for it, ``"auto"`` is
+    our own shortest text. Its parameters stand beside every state, as its calls want them; where
+    they are `constant`, they are numbers in the code, which favours it.
     """
 
     def prepare(case: Case) -> Lap:
         import heyoka as hy
 
-        code = case.model.program("forward_dynamics")
+        code = model(case.links, form).program("forward_dynamics")
         rows = {
             f"{name}{k}": row
             for name, array in zip(("q", "u", "inputs"), (case.q, case.u, case.inputs), strict=True)
@@ -98,7 +99,8 @@ def heyoka(constant: bool = False) -> Contender:
         more = {} if constant else {"pars": np.repeat(case.p[:, None], case.count, axis=1)}
         return Lap(lambda: function(states, outputs=found, **more), case.count, lambda: found)
 
-    name = "heyoka, fast_math, parameters constant" if constant else "heyoka, fast_math"
+    name = "heyoka, fast_math" + (", our text" if form == "auto" else "")
+    name += ", parameters constant" if constant else ""
     return Contender(name, lambda: missing("heyoka"), prepare)
 
 
