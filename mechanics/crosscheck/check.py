@@ -9,6 +9,7 @@ from functools import lru_cache
 from typing import Any
 
 from mechanics.checks.ledger import check_row
+from mechanics.crosscheck.cases import check_cases
 from mechanics.crosscheck.readers import read
 from mechanics.crosscheck.right_if import declared, right_if
 from mechanics.crosscheck.routes import derive
@@ -167,6 +168,10 @@ def _judge(truth: Equations, statement: Statement) -> Finding:
     if statement.doubt or statement.row is None:
         return Finding(subject, Verdict.UNDECIDED, statement.doubt)
     try:
-        return check_row(truth.scene, statement.row, truth)
+        found = check_row(truth.scene, statement.row, truth)
+        if found.verdict is Verdict.UNDECIDED:
+            by_cases = check_cases(truth, statement.row)
+            found = found if by_cases is None else by_cases
+        return found
     except (InputError, SceneError, ExpressionError) as error:
         return Finding(subject, Verdict.UNDECIDED, str(error))

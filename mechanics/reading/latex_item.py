@@ -6,6 +6,8 @@ M \ddot{\theta}^{2} \sin \theta    ->    node M, node theta'' squared, function 
 import re
 from dataclasses import dataclass
 
+from lark import Token, Tree
+
 from mechanics.reading.names import GREEK
 from mechanics.reading.tree import Name, Node, Rate
 
@@ -62,3 +64,28 @@ def rate_of(node: Node, order: int, at: int) -> Node:
     if isinstance(node, Name):
         return Name(at, node.name, node.order + order)
     return Rate(at, node, order)
+
+
+def pieces_of(tree: Tree) -> list[Tree | Token]:
+    """What stands in an argument or bracket; a single command is one piece."""
+    if tree.data == "argument":
+        return [Tree("scripted", [_alone(tree)], tree.meta)]
+    return list(tree.children)
+
+
+def _alone(tree: Tree) -> Tree | Token:
+    first = tree.children[0]
+    if isinstance(first, Token) and first.type == "ACCENT":
+        return Tree("accent", list(tree.children), tree.meta)
+    if isinstance(first, Token) and first.type in ("ACCENT1", "FRAC2"):
+        data = "short_accent" if first.type == "ACCENT1" else "short_fraction"
+        return Tree(data, list(tree.children), tree.meta)
+    return first
+
+
+def start_of(tree: Tree, outer: Tree) -> int:
+    """Where a tree begins in the text; an empty one where the outer one does."""
+    for candidate in (tree, outer):
+        if not candidate.meta.empty:
+            return int(candidate.meta.start_pos)
+    return 0

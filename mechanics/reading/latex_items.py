@@ -10,7 +10,14 @@ from fractions import Fraction
 from lark import Token, Tree
 
 from mechanics.reading.functions import FUNCTIONS
-from mechanics.reading.latex_item import Item, bare, letter_of, rate_of
+from mechanics.reading.latex_item import (
+    Item,
+    bare,
+    letter_of,
+    pieces_of,
+    rate_of,
+    start_of,
+)
 from mechanics.reading.names import GREEK, Naming
 from mechanics.reading.place import Refused
 from mechanics.reading.tree import (
@@ -69,7 +76,7 @@ class Items:
         if self.depth > DEEPEST_BRACKETS:
             raise Refused(at, f"brackets nested too deeply: {DEEPEST_BRACKETS} are the limit")
         parts: list[list[Tree | Token]] = [[]]
-        for piece in _pieces(tree):
+        for piece in pieces_of(tree):
             if isinstance(piece, Token) and piece.type == "COMMA" and len(parts) < most:
                 parts.append([])
             else:
@@ -80,7 +87,7 @@ class Items:
 
     def _scripted(self, tree: Tree) -> list[Item]:
         base, *scripts = tree.children
-        at = base.start_pos if isinstance(base, Token) else _start(base, tree)
+        at = base.start_pos if isinstance(base, Token) else start_of(base, tree)
         sub, primes, power = self._scripts(scripts)
         *before, last = self._base(base, sub, at)
         if primes:
@@ -101,7 +108,7 @@ class Items:
                 sub += bare(script.value[1:])
             else:
                 (inside,) = script.children
-                where = inside.start_pos if isinstance(inside, Token) else _start(inside, script)
+                where = inside.start_pos if isinstance(inside, Token) else start_of(inside, script)
                 if isinstance(inside, Token) and inside.type == "SUPC":
                     if "circ" in inside.value:
                         raise Refused(where, "degrees are not known here: write radians")
@@ -137,7 +144,7 @@ class Items:
             case "accent" | "short_accent":
                 return [self._accent(base, sub, at)]
             case "style":
-                inside = self.of(_pieces(base.children[1]))
+                inside = self.of(pieces_of(base.children[1]))
                 if sub and len(inside) == 1 and isinstance(inside[0].node, Name):
                     return [self._name(inside[0].node.name, sub, at)]
                 items = inside
@@ -158,7 +165,7 @@ class Items:
         left = base.children[0]
         if isinstance(left, Token) and left.type == "LEFT" and left.value.endswith(("|", "vert")):
             return Item("node", at, Call(at, "abs", (self.group(inner, at),)))
-        pieces = _pieces(inner)
+        pieces = pieces_of(inner)
         nodes = self._separated(inner, at)
         node = nodes[0]
         kind = "bracket" if base.data == "leftright" else "node"
@@ -231,8 +238,8 @@ class Items:
             return Item("node", at, product(at, [*ratio]))
         if base.data == "half_fraction":
             token, below = base.children
-            over_node: Node = Number(at, Fraction(token.value[-1]))
-            return Item("node", at, product(at, [over_node, inverse(self.group(below, at))]))
+            half: list[Node] = [Number(at, Fraction(token.value[-1]))]
+            return Item("node", at, product(at, [*half, inverse(self.group(below, at))]))
         _, above, below = base.children
         per_time = PER_TIME.fullmatch(self._slice(below))
         if per_time and not self.naming.knows("t"):
@@ -244,7 +251,7 @@ class Items:
 
     def _rate(self, above: Tree, order: int, at: int) -> Item | None:
         """d/dt, d^2/dt^2, or dx/dt; None for a fraction whose numerator has no d."""
-        items = self.of(_pieces(above))
+        items = self.of(pieces_of(above))
         if not items:
             return None
         first, *rest = items
@@ -275,27 +282,3 @@ class Items:
     def _slice(self, tree: Tree) -> str:
         """The text of a tree; empty for an empty one."""
         return "" if tree.meta.empty else self.text[tree.meta.start_pos : tree.meta.end_pos]
-
-
-def _pieces(tree: Tree) -> list[Tree | Token]:
-    """What stands in an argument or bracket; a single command is one piece."""
-    if tree.data == "argument":
-        return [Tree("scripted", [_alone(tree)], tree.meta)]
-    return list(tree.children)
-
-
-def _alone(tree: Tree) -> Tree | Token:
-    first = tree.children[0]
-    if isinstance(first, Token) and first.type == "ACCENT":
-        return Tree("accent", list(tree.children), tree.meta)
-    if isinstance(first, Token) and first.type in ("ACCENT1", "FRAC2"):
-        data = "short_accent" if first.type == "ACCENT1" else "short_fraction"
-        return Tree(data, list(tree.children), tree.meta)
-    return first
-
-
-def _start(tree: Tree, outer: Tree) -> int:
-    for candidate in (tree, outer):
-        if not candidate.meta.empty:
-            return int(candidate.meta.start_pos)
-    return 0

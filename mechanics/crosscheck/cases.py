@@ -1,0 +1,120 @@
+"""A side that is told by cases: each case where its condition holds.
+
+    if q > 1: ...        q = 1 + s, s > 0        and the typed formula of that case
+
+A case of a function that is hardly ever entered would not be met by random states.
+"""
+
+from collections.abc import Callable, Iterator
+from dataclasses import replace
+
+from sympy import Dummy, Expr, Piecewise, S, Symbol
+from sympy.core.relational import Ge, Gt, Le, Lt, Relational
+from sympy.logic.boolalg import And, Boolean, Not
+
+from mechanics.checks.ledger_compare import ordered
+from mechanics.checks.ledger_motion import put_motion
+from mechanics.equations import Equations
+from mechanics.errors import ExpressionError
+from mechanics.exact import Arithmetic, Finding, Verdict, collect_linear, decide
+from mechanics.scene.published import Published
+from mechanics.scene.quantities import EquationOfMotion, Identity
+
+Pairs = list[tuple]
+Region = dict[Symbol, Expr]
+
+
+def check_cases(truth: Equations, row: Published) -> Finding | None:
+    """The finding of a row with cases, from its cases one by one; None where that is no help.
+
+    Parameters
+    ----------
+    truth : Equations
+    row : Published
+        About an equation of motion, in a scene without constraints.
+    """
+    kinds = (EquationOfMotion, Identity)
+    if truth.scene.constraints or not isinstance(row.quantity, kinds):
+        return None
+    if not any(side.has(Piecewise) for side in row.sides):
+        return None
+    findings = []
+    for conditions, sides in _cases(row.sides, ()):
+        region = _region(conditions)
+        if region is None:
+            return None
+        case = replace(row, sides=sides)
+        finding = decide(f"{row.tag} {row.label}", _in_region(truth, case, region))
+        if not finding.shown:
+            words = " and ".join(str(condition) for condition in conditions)
+            return replace(finding, evidence=f"{finding.evidence}, where {words}")
+        findings.append(finding)
+    worst = [f for f in findings if f.verdict is Verdict.CERTIFIED] or findings
+    bound = max((f.error_bound or 0.0 for f in worst), default=0.0)
+    words = f"{worst[0].evidence}, in each of {len(findings)} cases"
+    return replace(worst[0], evidence=words, error_bound=bound or None)
+
+
+def _cases(
+    sides: tuple[Expr, ...], known: tuple[Boolean, ...]
+) -> Iterator[tuple[tuple[Boolean, ...], tuple[Expr, ...]]]:
+    """Sides without cases, each with the conditions under which they hold."""
+    found = next((p for side in sides for p in side.atoms(Piecewise)), None)
+    if found is None:
+        yield known, sides
+        return
+    before: tuple[Boolean, ...] = ()
+    for value, condition in found.args:
+        here = before if condition == S.true else (*before, condition)
+        table = {found: value}
+        yield from _cases(tuple(side.xreplace(table) for side in sides), (*known, *here))
+        before = (*before, Not(condition))
+
+
+def _region(conditions: tuple[Boolean, ...]) -> Region | None:
+    """Symbols in terms of positive ones such that conditions hold; None where none are found.
+
+    Each condition has to be linear in a symbol that the ones before leave free.
+    """
+    region: Region = {}
+    for condition in conditions:
+        parts = condition.args if isinstance(condition, And) else (condition,)
+        for part in parts:
+            if not isinstance(part, Relational) or not isinstance(part, Gt | Ge | Lt | Le):
+                return None
+            rest = (part.gts - part.lts).xreplace(region)
+            solved = _solved(rest, region)
+            if solved is None:
+                return None
+            symbol, value = solved
+            region = {s: e.xreplace({symbol: value}) for s, e in region.items()}
+            region[symbol] = value
+    return region
+
+
+def _solved(positive: Expr, region: Region) -> tuple[Symbol, Expr] | None:
+    """A symbol that makes an expression equal to a positive one."""
+    for symbol in sorted(positive.free_symbols - region.keys(), key=str):
+        if isinstance(symbol, Dummy) or symbol.is_positive:
+            continue
+        try:
+            (slope,), rest = collect_linear(positive, (symbol,))
+        except ExpressionError:
+            continue
+        if slope.is_number and slope != 0:
+            more = Dummy(f"beyond_{symbol}", positive=True)
+            return symbol, (more - rest) / slope
+    return None
+
+
+def _in_region(truth: Equations, row: Published, region: Region) -> Callable[[Arithmetic], Pairs]:
+    def experiment(a: Arithmetic) -> Pairs:
+        for symbol, value in region.items():
+            a.assign(symbol, a.value(value))
+        for symbol, expression in ordered(truth.scene.definitions):
+            a.assign(symbol, a.value(expression))
+        put_motion(a, truth)
+        first, *others = row.sides
+        return [(a.value(first), a.value(side)) for side in others]
+
+    return experiment
