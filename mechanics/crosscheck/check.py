@@ -9,6 +9,7 @@ from functools import lru_cache
 from typing import Any
 
 from mechanics.checks.ledger import check_row
+from mechanics.crosscheck.black_box import check_box
 from mechanics.crosscheck.cases import check_cases
 from mechanics.crosscheck.readers import read
 from mechanics.crosscheck.right_if import declared, right_if
@@ -16,6 +17,7 @@ from mechanics.crosscheck.routes import derive
 from mechanics.equations import Equations
 from mechanics.errors import ExpressionError, InputError, SceneError, wanted
 from mechanics.exact import Finding, Verdict
+from mechanics.reading.black_box import BlackBox
 from mechanics.reading.names import Match
 from mechanics.reading.statement import Statement
 from mechanics.scene import Scene
@@ -99,7 +101,7 @@ def check(
         LaTeX, or text in SymPy's or MATLAB's notation, or the path of a file with such a text, or
         with C (``.c``); an expression, equation, matrix, `KanesMethod`, `LagrangesMethod` or
         `System` of SymPy's; a CasADi `Function`; a Python function on numbers and NumPy arrays,
-        which is traced.
+        which is traced; a `BlackBox`, which is only called.
     names : mapping of str to str, optional
         The person's names and the scene's: ``{"phi": "theta", "w": "theta_dot"}``; for an argument
         of code that is a vector, several: ``{"state": "x x_dot theta theta_dot"}``. What is not
@@ -127,6 +129,9 @@ def check(
         truth = scene
     else:
         truth = derived(scene.scene() if isinstance(scene, System) else scene)
+    if isinstance(equations, BlackBox):
+        entries, boxed = check_box(truth, equations, names)
+        return Check(truth.scene, tuple(Judged(s, f) for s, f in entries), boxed, ())
     parts = equations if isinstance(equations, list | tuple) else [equations]
     readings = [read(truth.scene, part, names, notation, about) for part in parts]
     statements = [statement for reading in readings for statement in reading.statements]

@@ -1,0 +1,133 @@
+"""A black box beside compiled equations: numbers only, so SUPPORTED at most.
+
+|box(state) - engine(state)| <= 1e-9 (1 + |engine|)    at every random state    SUPPORTED
+                              > 1e-6 (1 + |engine|)    at some state            REFUTED there
+"""
+
+import random
+from collections.abc import Mapping
+from fractions import Fraction
+from typing import Any
+
+import numpy as np
+
+from mechanics.compiled import Model, compile
+from mechanics.equations import Equations
+from mechanics.errors import InputError, SingularError
+from mechanics.exact import Finding, Verdict, Witness
+from mechanics.reading.black_box import BlackBox, Box, entries, match_box
+from mechanics.reading.names import Match
+from mechanics.reading.statement import Statement
+from mechanics.scene.published import published
+
+STATES = 200
+CLOSE, APART = 1e-9, 1e-6
+"""Relative; a box may differentiate numerically, and rounds in its own way."""
+
+State = dict[str, float]
+
+
+def check_box(
+    truth: Equations, box: BlackBox, names: Mapping[str, str] | None = None, seed: int = 0
+) -> tuple[list[tuple[Statement, Finding]], tuple[Match, ...]]:
+    """Statements of a black box with their findings, and what its arguments were taken for.
+
+    Parameters
+    ----------
+    truth : Equations
+    box : BlackBox
+    names : mapping of str to str, optional
+    seed : int
+        Of the states.
+
+    Raises
+    ------
+    InputError
+        When it fails at every state, or what it is given or gives is unexplained.
+    """
+    scene = truth.scene
+    if scene.constraints or scene.definitions:
+        raise InputError(
+            f"black box {box.title}: {scene.name} has constraints or definitions: pass code that"
+            " can be read"
+        )
+    model = compile(truth, compiler=None)
+    source = random.Random(seed)
+    first = match_box(scene, box, names, len(scene.u))
+    states = [_state(truth, box, source) for _ in range(STATES)]
+    outcomes = [(state, out) for state in states if (out := _called(first, state)) is not None]
+    if not outcomes:
+        raise InputError(f"black box {box.title}: it fails at each of {STATES} states")
+    ready = match_box(scene, box, names, len(outcomes[0][1]))
+    found = []
+    for k, (tag, quantity, (rate, _)) in enumerate(ready.claims):
+        label = f"{box.title}: {tag}"
+        row = published(tag, quantity, rate, ready.outputs[k], label=label)
+        finding = _judged(truth, model, label, str(rate), k, outcomes)
+        found.append((Statement(row, label, tag), finding))
+    return found, ready.arguments.matches
+
+
+def _state(truth: Equations, box: BlackBox, source: random.Random) -> State:
+    """A random state, of numbers with few digits."""
+    scene = truth.scene
+    state = {
+        symbol.name: source.randrange(-128, 128) / 64
+        for symbol in (*scene.q, *scene.u, *scene.input_symbols)
+    }
+    for symbol in scene.parameters:
+        state[symbol.name] = source.randrange(32, 128) / 64
+    return {**state, **{name: float(value) for name, value in box.values.items()}, "t": 0.0}
+
+
+def _called(ready: Box, state: State) -> np.ndarray | None:
+    """What the box returns at a state; None where it fails or returns no finite numbers."""
+    arguments: dict[str, Any] = {}
+    for name, value in ready.arguments.values.items():
+        numbers = [state[str(symbol)] for symbol in entries(value)]
+        arguments[name] = np.array(numbers) if isinstance(value, tuple) else numbers[0]
+    try:
+        result = np.asarray(ready.box.function(**arguments), dtype=float).reshape(-1)
+    except (ArithmeticError, ValueError, TypeError, AssertionError):
+        return None
+    return result if np.all(np.isfinite(result)) else None
+
+
+def _judged(
+    truth: Equations, model: Model, label: str, rate: str, k: int,
+    outcomes: list[tuple[State, np.ndarray]],
+) -> Finding:  # fmt: skip
+    worst, at = -1.0, None
+    for state, outputs in outcomes:
+        value = _engine(truth, model, rate, state)
+        if value is None:
+            continue
+        error = abs(float(outputs[k]) - value) / (1 + abs(value))
+        if error > worst:
+            worst, at = error, (state, float(outputs[k]), value)
+    if at is None:
+        return Finding(label, Verdict.UNDECIDED, "the engine's own equations are singular there")
+    words = f"largest difference {worst:.1e} of 1 + the value, at {len(outcomes)} states"
+    if worst <= CLOSE:
+        return Finding(label, Verdict.SUPPORTED, f"{words}; the code itself was not read")
+    if worst <= APART:
+        return Finding(label, Verdict.UNDECIDED, f"{words}: more than rounding, less than an error")
+    state, given, value = at
+    shown = tuple(sorted((name, str(Fraction(v))) for name, v in state.items() if name != "t"))
+    return Finding(label, Verdict.REFUTED, words, witness=Witness(shown, repr(given), repr(value)))
+
+
+def _engine(truth: Equations, model: Model, rate: str, state: State) -> float | None:
+    """A rate of the state as the engine has it."""
+    scene = truth.scene
+    q, u = ([state[s.name] for s in group] for group in (scene.q, scene.u))
+    given = {s.name: state[s.name] for s in scene.parameters}
+    inputs = [state[s.name] for s in scene.input_symbols]
+    names = [s.name for s in scene.ud]
+    if rate not in names:
+        return state.get(rate)
+    try:
+        accelerations = model.forward_dynamics(q, u, given, inputs=inputs or None)
+    except SingularError:
+        return None
+    return float(np.asarray(accelerations).reshape(-1)[names.index(rate)])

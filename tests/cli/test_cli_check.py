@@ -1,0 +1,76 @@
+"""`mechanics check`: what it prints, its JSON and its exit codes."""
+
+import json
+from pathlib import Path
+
+import pytest
+from typer.testing import CliRunner
+
+from mechanics.cli.app import app
+
+SEVEN = (
+    r"M \frac{L}{2} \ddot{x} \cos \theta+M \frac{L^{2}}{3} \ddot{\theta}"
+    r"+M g \frac{L}{2} \sin \theta=0 \tag{7}"
+)
+
+
+def run(*arguments: str, text: str | None = None):
+    return CliRunner().invoke(app, ["check", *arguments], input=text)
+
+
+def test_right_equations_exit_with_zero(tmp_path: Path) -> None:
+    file = tmp_path / "seven.tex"
+    file.write_text(SEVEN)
+    result = run("elastic_pendulum", str(file))
+    assert result.exit_code == 0
+    assert result.stdout.startswith("PROVED  (7)")
+
+
+def test_wrong_equations_exit_with_one_and_show_a_state(tmp_path: Path) -> None:
+    file = tmp_path / "seven.tex"
+    file.write_text(SEVEN.replace("{3}", "{12}"))
+    result = run("elastic_pendulum", str(file))
+    assert result.exit_code == 1
+    assert "REFUTED  (7)" in result.stdout
+    assert "at L = " in result.stdout
+
+
+def test_json_has_everything(tmp_path: Path) -> None:
+    file = tmp_path / "seven.tex"
+    file.write_text(SEVEN.replace(r"\theta", r"\phi").replace("{3}", "{4}"))
+    result = run("elastic_pendulum", str(file), "--name", "phi=theta", "--json", "-")
+    assert result.exit_code == 1
+    found = json.loads(result.stdout)
+    assert (found["verdict"], found["ok"]) == ("REFUTED", False)
+    (statement,) = found["statements"]
+    assert statement["tag"] == "(7)"
+    assert statement["about"] == "EquationOfMotion"
+    assert statement["witness"]["left"] != statement["witness"]["right"]
+    assert statement["right_if"] == ["every rod is a point mass at its mass centre"]
+    assert found["names"]["phi"] == {"meaning": "theta", "why": "as given"}
+    declared = run(
+        "elastic_pendulum", str(file), "--name", "phi=theta", "--convention", "point mass"
+    )
+    assert declared.exit_code == 0
+
+
+def test_doubt_exits_with_three() -> None:
+    result = run("elastic_pendulum", "-", text="x = unknown_thing*k")
+    assert result.exit_code == 3
+    assert "unknown_thing: the scene has no such name" in " ".join(result.stdout.split())
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        (("elastic_pendulum", "no_such_file.tex"), "file no_such_file.tex: it cannot be read"),
+        (("elastic_pendulum", "-", "--name", "phi"), "write mine=the scene's"),
+        (("elastic_pendulum", "-", "--name", "phi=psi"), "has no 'psi': its names are"),
+        (("elastic_pendulum", "-", "--about", "love"), "it can be equation of motion"),
+        (("elastic_pendulum", "-", "--notation", "word"), "it can be latex, text"),
+        (("elastic_pendulum", "-", "--convention", "x"), "it can be other vertical"),
+    ],
+)
+def test_bad_input_is_an_input_error(arguments: tuple[str, ...], words: str) -> None:
+    result = run(*arguments, text="x = k")
+    assert words in str(result.exception)
