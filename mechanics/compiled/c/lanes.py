@@ -138,7 +138,8 @@ class _Writer:
     def check(self) -> str:
         """Add to the loop whether values are finite; the name of the flag."""
         flag = self._namer.local("wild")
-        values = [self._texts[k].code for k in looked_at(self._code)]
+        texts = [self._texts[k] for k in looked_at(self._code)]
+        values = [t.code if t.level == ATOM else f"({t.code})" for t in texts]
         # A sum is finite only where its terms are.
         total, limit = (
             " + ".join(dict.fromkeys(values)) or "0",

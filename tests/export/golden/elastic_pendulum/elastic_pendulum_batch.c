@@ -39,7 +39,7 @@ static inline int elastic_pendulum_forward_dynamics_batch_lanes(size_t count, si
         const double v8 = mechanics_fma(g, sin_theta, cos_theta * v7);
         ud[i] = v7;
         ud[1 * stride + i] = v8 * v9;
-        wild |= !(fabs(v7 + v8 * v9 + v6 + v1) <= 0x1.fffffffffffffp+1023);
+        wild |= !(fabs(v7 + (v8 * v9) + v6 + v1) <= 0x1.fffffffffffffp+1023);
     }
     return (far != 0) | (wild != 0) << 1;
 }
@@ -120,7 +120,7 @@ static inline int elastic_pendulum_energy_batch_lanes(size_t count, size_t strid
         kinetic[i] = v11;
         potential[i] = v13;
         total[i] = v11 + v13;
-        wild |= !(fabs(v11 + v13 + v11 + v13) <= 0x1.fffffffffffffp+1023);
+        wild |= !(fabs(v11 + v13 + (v11 + v13)) <= 0x1.fffffffffffffp+1023);
     }
     return (far != 0) | (wild != 0) << 1;
 }
