@@ -27,7 +27,7 @@ SCENE = rocker.scene()
         (lambda: mechanics.write_fmu(SCENE, "a.fmu"), "write_fmu: Model wanted, Scene found"),
         (lambda: mechanics.Feedback(30.0), "Feedback: a function of t, q and u wanted, float"),
         (lambda: mechanics.crosscheck("a.py"), "crosscheck: System or Scene wanted, str found"),
-        (lambda: mechanics.check("a.py", ""), "check: Scene or System or Equations wanted, str found"),
+        (lambda: mechanics.check("a.py", ""), "check: Scene or System or Equations wanted, str"),
         (lambda: mechanics.check(SCENE, 3), "check: int found: pass LaTeX, text, a Path, a SymPy"),
         (lambda: mechanics.derive("a.py"), "derive: Scene wanted, str found"),
     ],

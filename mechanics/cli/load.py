@@ -55,9 +55,7 @@ def load(text: str) -> System:
 
 
 def _from_file(path: Path) -> System:
-    if not path.is_file():
-        raise InputError(f"file {path}: there is no such file")
-    module = _module(path)
+    module = run_file(path)
     scene = getattr(module, "scene", None)
     if not callable(scene):
         raise InputError(f"file {path}: it has no function scene() that returns a Scene")
@@ -67,8 +65,16 @@ def _from_file(path: Path) -> System:
     return System(path.stem, partial(_checked, scene, path), tuple(rows))
 
 
-def _module(path: Path) -> ModuleType:
-    """Run a person's file; whatever it raises becomes one line that names the place."""
+def run_file(path: Path) -> ModuleType:
+    """Run a person's file; whatever it raises becomes one line that names the place.
+
+    Raises
+    ------
+    InputError
+        When there is no such file, it is no Python, or it fails.
+    """
+    if not path.is_file():
+        raise InputError(f"file {path}: there is no such file")
     try:
         ast.parse(path.read_text(encoding="utf-8"), str(path))
     except (SyntaxError, UnicodeDecodeError, ValueError) as error:

@@ -3,14 +3,14 @@
 import json
 import sys
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Any
 
 import typer
 from rich.console import Console
 from rich.markup import escape
 
 from mechanics.cli.checking import STYLES, _writable
-from mechanics.cli.load import load
+from mechanics.cli.load import load, run_file
 from mechanics.crosscheck.check import Check, Judged
 from mechanics.crosscheck.check import check as run
 from mechanics.crosscheck.check_json import to_json
@@ -22,7 +22,7 @@ def check(
     system: Annotated[str, typer.Argument(metavar="SYSTEM", help="A name or a .py file.")],
     files: Annotated[
         list[str],
-        typer.Argument(metavar="FILE...", help="LaTeX, text, or - for standard input."),
+        typer.Argument(metavar="FILE...", help="LaTeX, text, C, file.py:function, or -."),
     ],
     name: Annotated[
         list[str] | None,
@@ -55,11 +55,13 @@ def check(
     `mechanics check elastic_pendulum equations.tex`
 
     `mechanics check rocker mine.txt --name phi=theta --json -`
+
+    `mechanics check elastic_pendulum simulator.py:rate --name 'state=x theta x_dot theta_dot'`
     """
     if json_file not in (None, "-"):
         _writable(Path(str(json_file)))
     scene = load(system).scene()
-    parts = [sys.stdin.read() if file == "-" else Path(file) for file in files]
+    parts = [_part(file) for file in files]
     found = run(
         scene, parts, names=_names(name or []), notation=notation, about=about,
         convention=convention or (),
@@ -74,6 +76,21 @@ def check(
     if found.verdict is Verdict.REFUTED:
         raise typer.Exit(1)
     raise typer.Exit(0 if found.ok else 3)
+
+
+def _part(file: str) -> Any:
+    """A text, the path of a file, or a function of a person's own Python file, which is run."""
+    if file == "-":
+        return sys.stdin.read()
+    path, colon, name = file.rpartition(":")
+    if not (colon and path.endswith(".py")):
+        if file.endswith(".py"):
+            raise InputError(f"file {file}: name the function to check: {file}:function")
+        return Path(file)
+    function = getattr(run_file(Path(path)), name, None)
+    if function is None:
+        raise InputError(f"file {path}: it has no {name}")
+    return function
 
 
 def _names(entries: list[str]) -> dict[str, str]:

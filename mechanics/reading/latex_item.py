@@ -11,6 +11,7 @@ from lark import Token, Tree
 from mechanics.reading.names import GREEK
 from mechanics.reading.tree import Name, Node, Rate
 
+ACCENTED = re.compile(r"\\(dot|ddot)\s*\{\s*([A-Za-z0-9]*)\s*\}")
 COMMAND = re.compile(r"\\([A-Za-z]+)")
 
 
@@ -46,6 +47,8 @@ class Item:
 
 def bare(text: str) -> str:
     r"""A subscript or command as part of a name: ``_{C_{1}}`` gives ``C1``."""
+    # SymPy prints the symbol theta_ddot as \theta_{\dot{d}}.
+    text = ACCENTED.sub(r"\2\1", text)
     words = COMMAND.sub(lambda m: "" if m[1] in _FONTS else f" {letter_of(m[1])} ", text)
     return re.sub(r"[^A-Za-z0-9]", "", words.replace("'", "prime"))
 

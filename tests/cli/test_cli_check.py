@@ -54,6 +54,16 @@ def test_json_has_everything(tmp_path: Path) -> None:
     assert declared.exit_code == 0
 
 
+def test_a_function_of_a_python_file(tmp_path: Path) -> None:
+    file = tmp_path / "mine.py"
+    file.write_text("def a(y, M, m, k):\n    return [-2 * k * y[0] / (M + m), 0 * m]\n")
+    result = run("elastic_pendulum", f"{file}:a", "--name", "y=x theta x_dot theta_dot")
+    assert result.exit_code == 1
+    assert "REFUTED  x_ddot  a: x_ddot" in result.stdout
+    assert "name the function to check" in str(run("elastic_pendulum", str(file)).exception)
+    assert "it has no b" in str(run("elastic_pendulum", f"{file}:b").exception)
+
+
 def test_doubt_exits_with_three() -> None:
     result = run("elastic_pendulum", "-", text="x = unknown_thing*k")
     assert result.exit_code == 3
