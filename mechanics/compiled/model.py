@@ -54,6 +54,9 @@ class Model(Functions):
         on they are computed by vectors, with sines and cosines of their own, in `threads` parts at
         a time: results differ by a few units in the last place from those of single states. They
         are written to `out`, if that is given; arrays are not copied, whatever their strides.
+
+        Arrays of float64 take the shortest way, half a microsecond for one state; lists, other
+        types, parameters by name and `out` take 30 us more. Threads pay from 1e5 states on.
         """
         if out is None:
             found = self._one["forward_dynamics" if check else "unchecked"](q, u, inputs, p)
@@ -91,7 +94,7 @@ class Model(Functions):
             if not check or not met:
                 return found
         code, scene = self.program(name), self.equations.scene.name
-        look_at(code, out or {}, count, np.float64)
+        look_at(code, out or {}, count, np.float64, threads)
         looked = checked(scene, code, self.entries, given, self.evaluate)
         return found if several else written(looked, out or {})
 

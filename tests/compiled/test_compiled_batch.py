@@ -15,6 +15,8 @@ from mechanics.compiled.calls.many_states import MANY
 from mechanics.compiled.machine.batch import BatchKernel
 from mechanics.compiled.programs.program import program, run
 from mechanics.errors import InputError, SingularError
+from mechanics.routes import kane
+from systems import rocker
 
 SYSTEMS = [
     ("elastic_pendulum", "kane"), ("rocker", "moving_point"), ("two_mass_chain", "free_body"),
@@ -303,3 +305,11 @@ def test_calls_release_the_lock(pendulum: Model) -> None:
     # With the lock held, this thread would have stood still until the call was over.
     assert steps > 20
     assert running.result() == 0
+
+
+@pytest.mark.parametrize("threads", [0, -3, 1.5])
+def test_a_number_of_threads_that_is_none_is_refused(threads: float) -> None:
+    model = compile(kane.derive(rocker.scene()), compiler=None)
+    states = np.zeros((4, 1))
+    with pytest.raises(InputError, match="threads: .* found: a whole number from 1 on"):
+        model.forward_dynamics(states, states, inputs=np.zeros((4, 1)), threads=threads)

@@ -202,7 +202,7 @@ class Functions:
     ) -> tuple[dict[str, Array], int]:
         """Every output, and what the batch kernel has met; with `checked`, it looks for more."""
         code, out, met = self.program(name), out or {}, 0
-        look_at(code, out, count, kind)
+        look_at(code, out, count, kind, threads)
         many = self._many(name, kind, given, count, checked)
         if many is None or count is None:
             cells = [np.ascontiguousarray(np.atleast_2d(array)) for array in given.values()]

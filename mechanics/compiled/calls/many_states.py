@@ -83,15 +83,22 @@ def _writable(target: Array, inputs: Sequence[Array]) -> bool:
 
 
 def look_at(
-    code: Program, out: Mapping[str, Array], count: int | None, kind: type[np.floating]
+    code: Program,
+    out: Mapping[str, Array],
+    count: int | None,
+    kind: type[np.floating],
+    threads: int,
 ) -> None:
-    """Compare arrays for results with what they have to be.
+    """Compare arrays for results, and the number of threads, with what they have to be.
 
     Raises
     ------
     InputError
-        If one has another shape or type, cannot be written to, or there is no such output.
+        If an array has another shape or type, cannot be written to, or there is no such output; for
+        a number of threads that is none.
     """
+    if not isinstance(threads, int) or threads < 1:
+        raise InputError(f"threads: {threads!r} found: a whole number from 1 on is needed")
     shapes = {name: shape if name in MATRICES else shape[:1] for name, shape in code.shapes}
     for name, array in out.items():
         if name not in shapes:

@@ -18,6 +18,7 @@ from flint import arb
 from mechanics.compiled.custody.build import Built
 from mechanics.compiled.custody.calls import lanes, one_by_one
 from mechanics.compiled.custody.states import STRATA, TYPES
+from mechanics.compiled.custody.status import OK
 from mechanics.compiled.custody.truth import BITS, Truth, doubtful
 from mechanics.exact import Finding, Verdict, Witness
 from mechanics.exact.balls import precision
@@ -79,9 +80,11 @@ def compare(known: Truth, built: Built) -> tuple[Finding, Measured | None]:
                 size = float(known.sizes[i, k])
                 if normal:
                     ulp_terms = max(ulp_terms, error / _last(size, kind))
-    wrong = _wrong_status(subject, known, statuses)
+    wrong = _wrong_status(subject, known, statuses) or _no_number(subject, known, results, statuses)
     if wrong is not None:
         return wrong, None
+    if known.doubt:
+        return Finding(subject, Verdict.UNDECIDED, known.doubt), None
     count = len(known.given.stratum) if statuses is not None else 0
     measured = Measured(symbol, built.words, len(known.exact), ulp, ulp_terms, count)
     words = (
@@ -123,4 +126,17 @@ def _wrong_status(subject: str, known: Truth, statuses: Any) -> Finding | None:
     found, wanted = int(statuses[i]), int(known.statuses[i])
     witness = Witness(_state(known, i), str(wanted), str(found))
     words = f"the status is {found}, the text says {wanted} ({STRATA[known.given.stratum[i]]})"
+    return Finding(subject, Verdict.REFUTED, words, witness=witness)
+
+
+def _no_number(subject: str, known: Truth, results: Any, statuses: Any) -> Finding | None:
+    """A state at which the status says that all is well, and a value is no number."""
+    if statuses is None or not results.size:
+        return None
+    wild = (statuses == OK) & ~np.isfinite(results).all(axis=1)
+    if not wild.any():
+        return None
+    i = int(np.flatnonzero(wild)[0])
+    witness = Witness(_state(known, i), f"status {OK}", str(results[i].tolist()))
+    words = f"the status is {OK}, and a value is no number ({STRATA[known.given.stratum[i]]})"
     return Finding(subject, Verdict.REFUTED, words, witness=witness)
