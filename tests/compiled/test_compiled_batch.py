@@ -311,5 +311,5 @@ def test_calls_release_the_lock(pendulum: Model) -> None:
 def test_a_number_of_threads_that_is_none_is_refused(threads: float) -> None:
     model = compile(kane.derive(rocker.scene()), compiler=None)
     states = np.zeros((4, 1))
-    with pytest.raises(InputError, match="threads: .* found: a whole number from 1 on"):
+    with pytest.raises(InputError, match=r"threads: .* found: a whole number from 1 on"):
         model.forward_dynamics(states, states, inputs=np.zeros((4, 1)), threads=threads)
