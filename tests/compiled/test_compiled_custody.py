@@ -19,6 +19,8 @@ from mechanics.compiled.custody.rounding import RoundedArithmetic
 from mechanics.compiled.custody.states import FINITE, states
 from mechanics.compiled.custody.text import Text, read_text
 from mechanics.compiled.custody.truth import truth
+from mechanics.compiled.programs.program import Node as ProgramNode
+from mechanics.compiled.programs.program import Program
 from mechanics.exact import Verdict
 from mechanics.exact.balls import precision
 from mechanics.exact.c_parse import parse
@@ -75,6 +77,26 @@ int f(const {kind} x[2], {kind} y[1])
     return read_text(kernel, parse(source, "f.c"), NOTHING, (("x", 2),), (("y", 1),)), source
 
 
+def written(read: Text) -> Program:
+    """The text itself, as what it was printed from."""
+    nodes = tuple(
+        ProgramNode(n.op, n.operands, None if n.constant is None else float(n.constant))
+        for n in read.program.nodes
+    )
+    (entry,) = read.entries()
+    outputs = ((read.program.outputs[entry[1]][0].node,),)
+    return Program("f", nodes, outputs, (("x", 2),), (("y", (1, 1)),))
+
+
+@pytest.mark.parametrize("vain", ["(x[0] + 0x1p200) - 0x1p200", "x[0] * 0x1p600 * 0x1p-600",
+                                  "x[0] * 0x1p-600 * 0x1p-600 * 0x1p600 * 0x1p600"])  # fmt: skip
+def test_a_text_that_is_right_over_the_real_numbers_only(gcc: str, vain: str) -> None:
+    plain, _ = text("y[0] = x[0];")
+    read, source = text(f"y[0] = {vain};")
+    finding, _ = compare(truth(read, SYMBOLS, written(plain)), binary(source, gcc))
+    assert not finding.shown and "of the graph" in finding.evidence
+
+
 def binary(source: str, compiler: str, *flags: str) -> Built:
     with building({"f.c": source}, ["f.c"], [compiler], [flags]) as collected:
         return collected()[0]
@@ -95,7 +117,7 @@ def test_a_binary_is_within_what_roundings_can_give(gcc: str, body: str, kind: s
         body = body.replace("sin(", "sinf(").replace("sqrt(", "sqrtf(").replace("exp(", "expf(")
         body = body.replace("tanh(", "tanhf(").replace(".0", ".0f")
     read, source = text(body, kind)
-    finding, measured = compare(truth(read, SYMBOLS), binary(source, gcc, "-O2"))
+    finding, measured = compare(truth(read, SYMBOLS, written(read)), binary(source, gcc, "-O2"))
     assert finding.verdict is Verdict.SUPPORTED, finding
     assert measured is not None and measured.states > 20 and measured.ulp_terms < 4
 
@@ -111,13 +133,13 @@ WRONG = [
 @pytest.mark.parametrize(("body", "old", "new"), WRONG)
 def test_a_binary_of_another_text_is_refuted(gcc: str, body: str, old: str, new: str) -> None:
     read, source = text(body)
-    finding, _ = compare(truth(read, SYMBOLS), binary(source.replace(old, new), gcc))
+    finding, _ = compare(truth(read, SYMBOLS, written(read)), binary(source.replace(old, new), gcc))
     assert finding.verdict is Verdict.REFUTED and finding.witness is not None
 
 
 def test_what_does_not_compile_is_undecided(gcc: str) -> None:
     read, source = text("y[0] = x[0];")
-    finding, measured = compare(truth(read, SYMBOLS), binary(source + "}", gcc))
+    finding, measured = compare(truth(read, SYMBOLS, written(read)), binary(source + "}", gcc))
     assert finding.verdict is Verdict.UNDECIDED and "error" in finding.evidence
     assert measured is None
 

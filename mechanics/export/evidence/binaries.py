@@ -36,7 +36,8 @@ def third_step(
     measured: list[Measured] = []
     for one in read:
         report(f"{one.kernel.symbol}: text = binary")
-        known = truth(one.text, evidence.known.symbols)
+        written = evidence.graphs[one.kernel.function].written
+        known = truth(one.text, evidence.known.symbols, written)
         for library in libraries:
             finding, figures = compare(known, library)
             findings.append(finding)

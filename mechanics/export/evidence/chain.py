@@ -8,7 +8,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from mechanics.compiled.custody.code import Code
 from mechanics.compiled.custody.derived import Derived
@@ -18,7 +18,7 @@ from mechanics.compiled.custody.prove import Graph, is_prepared, prove_text
 from mechanics.compiled.custody.status import prove_status
 from mechanics.compiled.custody.text import Text
 from mechanics.compiled.programs.hoist import PREPARE
-from mechanics.compiled.programs.of_model import PARTS
+from mechanics.compiled.programs.of_model import PARTS, WHOLE
 from mechanics.errors import ExpressionError, InputError
 from mechanics.exact import Finding, Verdict
 from mechanics.exact.c_parse import Source
@@ -71,20 +71,24 @@ def silent(words: str) -> None:
 
 def first_step(evidence: Evidence, known: Derived, report: Report = silent) -> Iterator[Finding]:
     """Decide for each graph whether it is what was derived."""
-    codes = {name: g.code for name, g in evidence.graphs.items() if name not in PARTS}
-    for name, graph in evidence.graphs.items():
-        if name in PARTS:
-            # Parts of a function: their text is compared with the graph of the whole.
-            codes.setdefault(graph.code.name, graph.code)
+    codes = [(name, name, g.code) for name, g in evidence.graphs.items() if name not in PARTS]
+    whole = [code for name, _, code in codes if name == WHOLE]
+    for name in PARTS:
+        # Their text is compared with the graph of the whole, which has to be the one above.
+        if name in evidence.graphs and evidence.graphs[name].code not in whole:
+            whole.append(evidence.graphs[name].code)
+            codes.append((f"{WHOLE} of {name}", WHOLE, whole[-1]))
     if evidence.rates is not None:
-        codes[RATES] = evidence.rates
-    for name, code in codes.items():
-        report(f"{name}: equations = graph")
+        codes.append((RATES, RATES, evidence.rates))
+    for title, name, code in codes:
+        report(f"{title}: equations = graph")
         small = len(code.nodes) <= SMALL
         try:
-            yield prove_derived(name, code, known, evidence.rates, try_normal=small)
+            found = prove_derived(name, code, known, evidence.rates, try_normal=small)
         except (ExpressionError, InputError, KeyError) as error:
-            yield Finding(f"compiled {name} = derived", Verdict.UNDECIDED, f"refused: {error}")
+            words = f"refused: {error}"
+            found = Finding(f"compiled {title} = derived", Verdict.UNDECIDED, words)
+        yield found if title == name else replace(found, subject=f"{found.subject}, for {title}")
 
 
 def second_step(evidence: Evidence, read: list[Read], report: Report = silent) -> Iterator[Finding]:
