@@ -87,7 +87,7 @@ def arguments_of(
             values[name], why = TIME, "the time"
         elif naming.knows(name) and sizes.get(name) in (None, 1):
             symbol = naming.symbol(name, 0)
-            values[name], why = symbol, "same name"
+            values[name], why = symbol, naming.matches([name])[0].why
         else:
             values[name], why, k = _group(naming, name, sizes.get(name), groups, used)
             used.add(k)

@@ -111,6 +111,7 @@ def _still_rules(scene: Scene, inputs: set[str]) -> list[Rule]:
     return [
         (_same_letters, "the same but for capitals"),
         (lambda n, t: unit(n, t) and _same_number(n, t), "the same unit and number"),
+        (lambda n, t: unit(n, t) and _initials(n, t), "the same unit, its letters in order"),
         (unit, "the only quantity of its unit that is left"),
         (force, "the only input that is left"),
         (lambda n, t: n[0] == t[0], "the same first letter"),
@@ -132,6 +133,12 @@ def angular(scene: Scene) -> set:
 
 def _same_letters(name: str, target: str) -> bool:
     return key(name).lower() == key(target).lower()
+
+
+def _initials(name: str, target: str) -> bool:
+    """Whether the letters of the scene's name stand in the person's in this order: masscart, mc."""
+    rest = iter(key(name).lower())
+    return len(key(target)) > 1 and all(letter in rest for letter in key(target).lower())
 
 
 def _same_number(name: str, target: str) -> bool:

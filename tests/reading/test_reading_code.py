@@ -23,10 +23,9 @@ from sympy.physics.mechanics import (
 import mechanics
 from mechanics.crosscheck.check import derived
 from mechanics.errors import InputError
-from systems import elastic_pendulum, pendulum_chain
+from systems import elastic_pendulum
 
 PENDULUM = derived(elastic_pendulum.scene())
-CART = derived(pendulum_chain.scene(1))
 
 
 def judged(scene, thing, **options) -> list[str]:
@@ -65,19 +64,6 @@ def interleaved(t, y, M, m, L, k, g, wrong=False):
     ]  # fmt: skip
 
 
-def gymnasium_cart_pole(state, force, masscart, masspole, length, gravity):
-    """The formulas of Gymnasium's CartPole-v1, whose pole is a rod of half-length `length`."""
-    _, _, theta, theta_dot = state
-    costheta, sintheta = np.cos(theta), np.sin(theta)
-    total_mass, polemass_length = masspole + masscart, masspole * length
-    temp = (force + polemass_length * np.square(theta_dot) * sintheta) / total_mass
-    thetaacc = (gravity * sintheta - costheta * temp) / (
-        length * (4.0 / 3.0 - masspole * np.square(costheta) / total_mass)
-    )
-    xacc = temp - polemass_length * thetaacc * costheta / total_mass
-    return np.array([xacc, thetaacc])
-
-
 def test_a_python_function_is_proved_and_its_folded_constants_are_listed() -> None:
     found = mechanics.check(PENDULUM, by_solving)
     assert [entry.finding.verdict.name for entry in found.judged] == ["PROVED"] * 4
@@ -94,15 +80,6 @@ def test_branches_are_followed_and_an_interleaved_state_is_seen() -> None:
         "PROVED", "REFUTED", "PROVED", "REFUTED",
     ]  # fmt: skip
     assert found.names[1].meaning == "x x_dot theta theta_dot"
-
-
-def test_gymnasium_cart_pole() -> None:
-    names = {
-        "state": "q0 q0_dot q1 q1_dot", "force": "F", "masscart": "m0", "masspole": "m1",
-        "length": "l0", "gravity": "g",
-    }  # fmt: skip
-    # The chain has a point mass where Gymnasium has a rod, and counts the angle the other way.
-    assert judged(CART, gymnasium_cart_pole, names=names) == ["REFUTED", "REFUTED"]
 
 
 def casadi_function(factor: int) -> ca.Function:
