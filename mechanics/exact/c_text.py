@@ -21,6 +21,10 @@ PRAGMAS = ("omp simd", "GCC ivdep", "clang loop vectorize(assume_safety)", "STDC
 """They promise what is proved (lanes are independent) or ask for what is assumed."""
 
 
+MOST_EXPANSIONS = 20_000
+"""Macros that stand in macros: forty lines of them can ask for a trillion."""
+
+
 @dataclass
 class _Reader:
     """One pass over a file and what it includes."""
@@ -30,6 +34,7 @@ class _Reader:
     asked: set[str] = field(default_factory=set)
     out: list[str] = field(default_factory=list)
     open_files: tuple[str, ...] = ()
+    expansions: int = 0
 
     def file(self, text: str, file: str) -> None:
         """Append the text of a file."""
@@ -118,6 +123,11 @@ class _Reader:
             if text in ("#", "##"):
                 raise ExpressionError(f"{where}: {text} is not known here")
             if kind == "name" and text in self.macros and text not in inside:
+                self.expansions += 1
+                if self.expansions > MOST_EXPANSIONS:
+                    raise ExpressionError(
+                        f"{where}: more than {MOST_EXPANSIONS} macros are used: write a function"
+                    )
                 body = self.expanded(self.macros[text], where, (*inside, text))
                 result += [" ", " ".join(body), " "]
             else:

@@ -18,6 +18,7 @@ from mechanics.exact.c_functions import lower
 from mechanics.exact.c_parse import parse
 from mechanics.exact.c_program import Parameter
 from mechanics.exact.graph import evaluated
+from mechanics.exact.graph_angles import Node
 from mechanics.reading.about import QUANTITIES
 from mechanics.reading.arguments import Arguments, arguments_of
 from mechanics.reading.assemble import Reading
@@ -30,6 +31,12 @@ from mechanics.reading.tracing import Outputs, trace
 from mechanics.reading.tree import Name
 from mechanics.reading.written import Written
 from mechanics.scene import Scene
+
+LARGEST_C = 30_000
+"""Characters of a C file."""
+
+LARGEST_FORMULA = 300_000
+"""Operations of one output, written out without sharing."""
 
 Run = Callable[[Arguments], Outputs]
 
@@ -119,6 +126,8 @@ def read_c(
         For C that is not known here, by file and line.
     """
     bounded(text, origin)
+    if len(text) > LARGEST_C:
+        raise InputError(f"{origin}, line 1, column 1: {len(text)} characters: {LARGEST_C} at most")
     try:
         call = wrapped(parse(text, origin), text, function)
         wanted = list(call.inputs)
@@ -130,6 +139,8 @@ def read_c(
         return _read(scene, call.name, wanted, call.inputs, run, names, about)
     except ExpressionError as error:
         raise InputError(" ".join(str(error).split())) from None
+    except RecursionError:
+        raise InputError(f"{origin}: its expressions are nested too deeply") from None
 
 
 def _c_outputs(
@@ -146,7 +157,8 @@ def _c_outputs(
     ]
     program = lower(source, WRAPPER, parameters)
     if program.beyond:
-        raise InputError(f"{origin}: {program.beyond[0]} is read beyond the end of the array")
+        raise InputError(f"{program.beyond[0]} is read beyond the end of the array")
+    bounded_code(program.nodes, origin)
     a = Written()
     numbers = evaluated(a, program.nodes, entries)
     found: list[Expr] = []
@@ -182,6 +194,21 @@ def _read(
     found = claims(scene, outputs.values, arguments.state, about, title)
     statements = tuple(statement(claim, title, outputs.notes) for claim in found)
     return Reading(statements, arguments.matches, ())
+
+
+def bounded_code(nodes: Sequence[Node], origin: str) -> None:
+    """Refuse code whose formulas, written out, are larger than can be looked at.
+
+    Raises
+    ------
+    InputError
+    """
+    sizes: list[int] = []
+    for node in nodes:
+        inner = () if node.op == casadi.OP_INPUT else node.operands
+        sizes.append(min(1 + sum(sizes[i] for i in inner), LARGEST_FORMULA + 1))
+    if max(sizes, default=0) > LARGEST_FORMULA:
+        raise InputError(f"{origin}: its formulas have more than {LARGEST_FORMULA} operations")
 
 
 def _entries(value: Any) -> list[Expr]:

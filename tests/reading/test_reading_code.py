@@ -129,13 +129,28 @@ def test_c_source(tmp_path) -> None:
         ("", "there is no function in it"),
         ("double f(double x) { while (1) {} return x; }", "code.c:1"),
         ("double f(double x) { return g(x); }", "the call g() is not known here"),
-        ("void f(const double *x, double *y) { y[0] = x[9]; }", "line"),
+        ("void f(const double *x, double *y) { y[0] = x[9]; }", "x[9] is read beyond the end"),
         ("(" * 20000, "code.c"),
+        ("double f(double x) { return " + "1+" * 7000 + "1; }", "nested too deeply"),
+        ("double f(double x) { return " + "-" * 5000 + "x; }", "nested too deeply"),
+        (
+            "\n".join(f"#define A{i} A{i + 1} A{i + 1}" for i in range(40))
+            + "\ndouble f(double x) { return A0; }",
+            "more than 20000 macros",
+        ),
+        (
+            "double f(double x) { double y = x; " + "y = y*y + y; " * 200 + "return y; }",
+            "more than 300000 operations",
+        ),
+        ("double f(double x) { for (int i = 0; i < 99999999; i++) x = x*x; return x; }", "loop"),
+        ("double f(double x) { return x*1e999; }", "beyond the largest double"),
+        (" " * 40_000, "30000 at most"),
     ],
 )
 def test_c_that_is_not_known(text: str, words: str) -> None:
-    with pytest.raises(InputError) as caught:
-        mechanics.check(PENDULUM, text, notation="c", names={"x": "x theta x_dot theta_dot"})
+    names = {"x": "x theta x_dot theta_dot"} if "const double *x" in text else {"x": "x"}
+    with pytest.raises(InputError, match=re.escape(words)) as caught:
+        mechanics.check(PENDULUM, text, notation="c", names=names)
     assert "\n" not in str(caught.value)
 
 
