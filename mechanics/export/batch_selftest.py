@@ -5,15 +5,15 @@ State i has vector i modulo their number, so neighbours differ; there are more s
 block, the last vector is not full, and no array is aligned. What lies beside the states must stay.
 """
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 
-from mechanics.compiled import Model
 from mechanics.compiled.c.batch import BLOCK
 from mechanics.compiled.c.lanes import SHARED
+from mechanics.compiled.programs.program import Program
 from mechanics.export.header import comment
 from mechanics.export.precision import Part
 from mechanics.export.selftest import table, wrapped
-from mechanics.export.vectors import Vector, vectors
+from mechanics.export.vectors import Vector
 
 COUNT = BLOCK + 5
 """States: a whole block and a few."""
@@ -62,17 +62,22 @@ static int check(const char *what, int size, int vectors, const {kind} *got, con
 """
 
 
-def batch_selftest(model: Model, part: Part, names: Sequence[str]) -> str:
-    """Text of the program."""
+def batch_selftest(
+    scene: str,
+    part: Part,
+    names: Sequence[str],
+    program: Callable[[str], Program],
+    states: Callable[[str], Sequence[Vector]],
+) -> str:
+    """Text of the program; arguments as for `mechanics.export.selftest.selftest`."""
     top = TOP.format(
-        scene=comment(model.equations.scene.name), prefix=part.prefix, kind=part.kind,
+        scene=comment(scene), prefix=part.prefix, kind=part.kind,
         count=COUNT, stride=STRIDE, printed=part.printed,
         fabs=f"fabs{part.suffix}",
     )  # fmt: skip
     tests = []
     for name in names:
-        states = vectors(model, name, part.digits, SHARED)
-        tests.append("\n".join(_test(model, part, name, states)) + "\n")
+        tests.append("\n".join(_test(program(name), part, name, states(name))) + "\n")
     calls = [f"    failures += test_{name}();" for name in names]
     end = [
         "int main(void)", "{", "    int failures = 0;", *calls,
@@ -82,8 +87,8 @@ def batch_selftest(model: Model, part: Part, names: Sequence[str]) -> str:
     return "\n".join([top, *tests, *end])
 
 
-def _test(model: Model, part: Part, name: str, states: Sequence[Vector]) -> Iterator[str]:
-    code, count = model.program(name), len(states)
+def _test(code: Program, part: Part, name: str, states: Sequence[Vector]) -> Iterator[str]:
+    count = len(states)
     given = [(i, group, size) for i, (group, size) in enumerate(code.inputs) if size]
     asked = [(i, out, rows * cols) for i, (out, (rows, cols)) in enumerate(code.shapes)]
     asked = [each for each in asked if each[2]]

@@ -7,11 +7,12 @@ checked like any other; here its tables are filled in.
 import inspect
 import json
 import re
-from collections.abc import Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 from mechanics.compiled import Model
 from mechanics.compiled.graphs import MATRICES
+from mechanics.compiled.programs.program import Program
 from mechanics.errors import ValueMissingError
 from mechanics.export import loader_template
 from mechanics.export.header import array_entries, used_arrays
@@ -39,7 +40,40 @@ def loader(
     many : sequence of str
         Those that are there for many states, too.
     """
-    tables = _tables(model, name, parts, names)
+    arrays = {
+        array: tuple((e.name, e.unit, e.meaning) for e in array_entries(model, array))
+        for array in used_arrays(model, names)
+    }
+    return loader_text(arrays, _typical(model), model.program, name, parts, names, many)
+
+
+def loader_text(
+    arrays: Mapping[str, Any],
+    typical: Mapping[str, float],
+    program: Callable[[str], Program],
+    name: str,
+    parts: Sequence[Part],
+    names: Sequence[str],
+    many: Sequence[str],
+) -> str:
+    """Text of the module from what it needs of a model; other arguments as for `loader`.
+
+    Parameters
+    ----------
+    arrays : mapping
+        Name, unit and meaning of the entries of each array.
+    typical : mapping of str to float
+        Parameters.
+    program : callable
+        Gives the program of a function.
+    """
+    tables: dict[str, Any] = {
+        "NAME": name,
+        "PREFIXES": {part.precision: part.prefix for part in parts},
+        "ARRAYS": arrays,
+        "TYPICAL": typical,
+        "FUNCTIONS": _functions(program, names),
+    }
     tables["BATCH"] = tuple(many)
     ends = ("", "_batch") if many else ("",)
     tables["SOURCES"] = {
@@ -58,24 +92,15 @@ def loader(
     return _TABLES.sub(lambda found: f"# What was generated.\n{written}{found[3]}", text)
 
 
-def _tables(model: Model, name: str, parts: Sequence[Part], names: Sequence[str]) -> dict[str, Any]:
+def _functions(program: Callable[[str], Program], names: Sequence[str]) -> dict[str, Any]:
     functions = {}
     for function in names:
-        code = model.program(function)
+        code = program(function)
         functions[function] = (
             tuple((group, size) for group, size in code.inputs if size),
             tuple((out, _shape(out, shape)) for out, shape in code.shapes if 0 not in shape),
         )
-    return {
-        "NAME": name,
-        "PREFIXES": {part.precision: part.prefix for part in parts},
-        "ARRAYS": {
-            array: tuple((e.name, e.unit, e.meaning) for e in array_entries(model, array))
-            for array in used_arrays(model, names)
-        },
-        "TYPICAL": _typical(model),
-        "FUNCTIONS": functions,
-    }
+    return functions
 
 
 def _shape(output: str, shape: tuple[int, int]) -> tuple[int, ...]:

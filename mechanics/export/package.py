@@ -10,25 +10,24 @@ from collections.abc import Sequence
 from importlib.metadata import PackageNotFoundError, version
 from importlib.resources import files
 
-from mechanics.compiled import Model
 from mechanics.export.header import comment
 from mechanics.export.precision import Part, choices
 
 
-def build_files(model: Model, name: str, parts: Sequence[Part], batch: bool) -> dict[str, str]:
+def build_files(scene: str, name: str, parts: Sequence[Part], batch: bool) -> dict[str, str]:
     """Text by name of file.
 
     Parameters
     ----------
-    name : str
-        Of the library.
+    scene, name : str
+        Names of the scene and of the library.
     parts : sequence of Part
         The precisions that are written.
     batch : bool
         Whether there are functions of many states.
     """
     words = {
-        "TITLE": title(model),
+        "TITLE": title(scene),
         "NAME": name,
         "MACRO": name.upper(),
         "VERSION": package_version(),
@@ -43,9 +42,9 @@ def build_files(model: Model, name: str, parts: Sequence[Part], batch: bool) -> 
     return files | ({"vectorised.cmake": _filled("vectorised.cmake", words)} if batch else {})
 
 
-def title(model: Model) -> str:
+def title(scene: str) -> str:
     """One line of plain characters that says what was generated."""
-    text = comment(f"Equations of motion: {model.equations.scene.name}")
+    text = comment(f"Equations of motion: {scene}")
     return re.sub(r"[^\w ,.:()-]", "_", text, flags=re.ASCII)
 
 

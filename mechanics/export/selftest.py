@@ -5,15 +5,15 @@ Inputs, expected values and tolerances are hexadecimal floats, so no digit is lo
 """
 
 import textwrap
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 
-from mechanics.compiled import Model
 from mechanics.compiled.c.source import LINE, literal
 from mechanics.compiled.programs.hoist import CONSTANTS, PREPARE, PREPARED
 from mechanics.compiled.programs.of_model import PARTS, WHOLE
+from mechanics.compiled.programs.program import Program
 from mechanics.export.header import comment
 from mechanics.export.precision import Part
-from mechanics.export.vectors import BITS, ROOM, Vector, vectors
+from mechanics.export.vectors import BITS, ROOM, Vector
 
 TOP = """\
 /*
@@ -51,10 +51,27 @@ static int check_status(const char *what, int state, int status)
 """
 
 
-def selftest(model: Model, part: Part, names: Sequence[str]) -> str:
-    """Text of the self-test program."""
+def selftest(
+    scene: str,
+    part: Part,
+    names: Sequence[str],
+    program: Callable[[str], Program],
+    states: Callable[[str], Sequence[Vector]],
+) -> str:
+    """Text of the self-test program.
+
+    Parameters
+    ----------
+    scene : str
+        Its name.
+    part : Part
+    names : sequence of str
+        Functions.
+    program, states : callables
+        Give the program of a function and its test vectors.
+    """
     top = TOP.format(
-        scene=comment(model.equations.scene.name), bits=BITS[0], room=ROOM, prefix=part.prefix,
+        scene=comment(scene), bits=BITS[0], room=ROOM, prefix=part.prefix,
         ok=part.codes.ok, kind=part.kind, digits=part.digits, printed=part.printed,
         fabs=f"fabs{part.suffix}",
     )  # fmt: skip
@@ -63,8 +80,7 @@ def selftest(model: Model, part: Part, names: Sequence[str]) -> str:
     wholes = [name for name in names if name not in PARTS]
     tested = wholes if len(wholes) == len(names) else dict.fromkeys([*wholes, WHOLE])
     for name in tested:
-        states = vectors(model, name, part.digits)
-        parts.append("\n".join(_test(model, part, name, names, states)) + "\n")
+        parts.append("\n".join(_test(program, part, name, names, states(name))) + "\n")
     parts += ["int main(void)", "{", "    int failures = 0;"]
     parts += [f"    failures += test_{name}();" for name in tested]
     parts.append(f'    printf("{part.prefix}: %d failures\\n", failures);')
@@ -72,9 +88,10 @@ def selftest(model: Model, part: Part, names: Sequence[str]) -> str:
 
 
 def _test(
-    model: Model, part: Part, name: str, names: Sequence[str], states: Sequence[Vector]
-) -> Iterator[str]:
-    code = model.program(name)
+    program: Callable[[str], Program], part: Part, name: str, names: Sequence[str],
+    states: Sequence[Vector],
+) -> Iterator[str]:  # fmt: skip
+    code = program(name)
     sizes = [rows * cols for _, (rows, cols) in code.shapes]
     count = len(states)
     yield f"static int test_{name}(void)"
@@ -97,7 +114,7 @@ def _test(
     if name in names:
         yield from _call(part, name, arguments, outs)
     if name == WHOLE and PREPARE in names:
-        size = len(model.programs.constants)
+        ((_, (size, _)),) = program(PREPARE).shapes
         yield f"        {part.kind} {CONSTANTS}[{size}];"
         yield from _call(part, PREPARE, {"p": arguments["p"]}, [(CONSTANTS, size)], False)
         yield from _call(part, f"{name}{PREPARED}", {**arguments, "p": CONSTANTS}, outs)

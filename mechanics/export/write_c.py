@@ -22,6 +22,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from mechanics.compiled import Model
+from mechanics.compiled.c.lanes import SHARED
 from mechanics.compiled.c.source import function_source, signature
 from mechanics.errors import wanted
 from mechanics.export.batch import batch_header, batch_implementation, batched
@@ -37,6 +38,7 @@ from mechanics.export.precision import Part, named_parts
 from mechanics.export.prefix import chosen_prefix
 from mechanics.export.selftest import selftest
 from mechanics.export.sine import inline_choice, sine_header
+from mechanics.export.vectors import vectors
 
 
 def write_c(
@@ -98,7 +100,7 @@ def write_c(
     files: dict[str, str] = {}
     for part in parts:
         files |= _sources(model, part, names, many)
-    files |= build_files(model, prefix, parts, bool(many))
+    files |= build_files(model.equations.scene.name, prefix, parts, bool(many))
     files[f"{prefix}_loader.py"] = loader(model, prefix, parts, names, many)
     code = {file: text for file, text in files.items() if file.endswith((".c", ".h"))}
     evidence = evidence_of(model, parts, names, many, code)
@@ -112,17 +114,26 @@ def write_c(
 
 def _sources(model: Model, part: Part, names: Sequence[str], many: Sequence[str]) -> dict[str, str]:
     """C of one precision, by name of file."""
+    scene = model.equations.scene.name
     files = {
         f"{part.prefix}.h": header(model, part, names),
         f"{part.prefix}.c": implementation(model, part, names),
         f"{part.prefix}_sine.h": sine_header(part),
-        f"{part.prefix}_selftest.c": selftest(model, part, names),
+        f"{part.prefix}_selftest.c": selftest(
+            scene, part, names, model.program, lambda name: vectors(model, name, part.digits)
+        ),
     }
     if many:
         files |= {
             f"{part.prefix}_batch.h": batch_header(model, part, many),
             f"{part.prefix}_batch.c": batch_implementation(model, part, many),
-            f"{part.prefix}_batch_selftest.c": batch_selftest(model, part, many),
+            f"{part.prefix}_batch_selftest.c": batch_selftest(
+                scene,
+                part,
+                many,
+                model.program,
+                lambda name: vectors(model, name, part.digits, SHARED),
+            ),
         }
     return files
 

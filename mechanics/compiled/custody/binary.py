@@ -80,7 +80,9 @@ def compare(known: Truth, built: Built) -> tuple[Finding, Measured | None]:
                 size = float(known.sizes[i, k])
                 if normal:
                     ulp_terms = max(ulp_terms, error / _last(size, kind))
-    wrong = _wrong_status(subject, known, statuses) or _no_number(subject, known, results, statuses)
+    wrong = _wrong_status(subject, known, statuses)
+    if wrong is None:
+        wrong = _no_number(subject, known, results, statuses)
     if wrong is not None:
         return wrong, None
     if known.doubt:

@@ -31,6 +31,7 @@ from mechanics.export.evidence.chain import (
 from mechanics.export.evidence.equations import FILE as EQUATIONS
 from mechanics.export.evidence.graphs import FILE as GRAPHS
 from mechanics.export.evidence.headers import prove_headers
+from mechanics.export.evidence.listing import prove_files
 from mechanics.export.evidence.read import Folder, read_folder
 from mechanics.export.evidence.sines import prove_sines
 from mechanics.export.evidence.vectors import prove_vectors
@@ -187,6 +188,8 @@ def verify(
     folder = folder if isinstance(folder, Folder) else read_folder(Path(folder))
     again = derived_again(folder, equations) if equations is not None else None
     found = chain(folder.evidence, again, measure, report=report)
+    files = tuple(prove_files(folder))
+    found = replace(found, steps=(*found.steps, ("files of the folder", files)))
     if equations is None:
         words = "the equations were not derived again: no scene is known for this folder"
         found = replace(found, not_done=(words, *found.not_done))

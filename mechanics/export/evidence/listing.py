@@ -1,0 +1,188 @@
+"""The files of a folder: each is looked at by a step, or is what `write_c` writes, or is named.
+
+    functions of the graphs x precisions = kernels of the manifest
+    build files, loader, self-tests = their text, made once more from graphs and tables
+
+What a build may find besides, such as a math.h beside the files, is named.
+"""
+
+from __future__ import annotations
+
+import ast
+import re
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from functools import partial
+from typing import Any
+
+from mechanics.compiled.c.lanes import SHARED
+from mechanics.compiled.custody.kernel import Kernel
+from mechanics.errors import ExpressionError
+from mechanics.exact import Finding, Verdict
+from mechanics.exact.c_literal import literal
+from mechanics.export.batch import batched
+from mechanics.export.batch_selftest import batch_selftest
+from mechanics.export.evidence.read import Folder
+from mechanics.export.folder import MANIFEST
+from mechanics.export.loader import loader_text
+from mechanics.export.package import build_files
+from mechanics.export.precision import Part, named_parts
+from mechanics.export.selftest import selftest
+from mechanics.export.vectors import Vector
+
+BUILT = (".c", ".h", ".s", ".cc", ".cpp", ".cxx", ".hpp", ".hh", ".inc", ".cmake", ".in", ".py")
+CMAKE = ("cmakelists.txt", "cmakepresets.json", "cmakeuserpresets.json", "toolchain.txt")
+TABLE = r"    static const \w+ {name}\[\d+\]\[\d+\] = \{{\n(.*?)\n    \}};"
+ODD = (KeyError, TypeError, ValueError, IndexError, AttributeError, SyntaxError, ExpressionError)
+"""What reading a text raises that is not as it was written."""
+
+
+def prove_files(folder: Folder) -> Iterator[Finding]:
+    """Decide about what stands in a folder, and what the manifest says of it."""
+    prefix = str(folder.manifest.get("prefix"))
+    parts = [one for one in named_parts(prefix, "both") if f"{one.prefix}.c" in folder.texts]
+    for path in sorted(folder.path.iterdir()):
+        name = path.name.lower()
+        listed = path.name in folder.texts or path.name == MANIFEST
+        if not listed and not path.is_dir() and (name.endswith(BUILT) or name in CMAKE):
+            yield _odd(path.name, "the manifest has it not, and a build may read it")
+    yield from _kernels(folder, parts)
+    yield from _texts(folder, prefix, parts)
+
+
+def _odd(name: str, words: str) -> Finding:
+    return Finding(name, Verdict.UNDECIDED, f"refused: {words}")
+
+
+def _many(folder: Folder, part: Part) -> tuple[str, ...]:
+    there = f"{part.prefix}_batch.c" in folder.texts
+    return batched(tuple(folder.evidence.graphs)) if there else ()
+
+
+def _kernels(folder: Folder, parts: Sequence[Part]) -> Iterator[Finding]:
+    """Whether every function of the graphs is a kernel, and every C file holds some."""
+    names, given = tuple(folder.evidence.graphs), folder.evidence.kernels
+    wanted: list[Kernel] = []
+    for part in parts:
+        own, kind = part.prefix, part.kind
+        wanted += [Kernel(n, f"{own}_{n}", f"{own}.c", kind) for n in names]
+        batch = f"{own}_batch.c"
+        many = _many(folder, part)
+        wanted += [Kernel(n, f"{own}_{n}_batch", batch, kind, SHARED) for n in many]
+    for kernel in wanted:
+        if kernel not in given:
+            yield _odd(f"{kernel.file}: {kernel.symbol}", "the manifest has it not as a kernel")
+    for kernel in given:
+        if kernel not in wanted:
+            yield _odd(f"{kernel.file}: {kernel.symbol}", "it is none of the functions of graphs")
+    if not wanted:
+        yield _odd(str(folder.path.name), "it holds no function that is known")
+
+
+def _texts(folder: Folder, prefix: str, parts: Sequence[Part]) -> Iterator[Finding]:
+    """Whether files that no other step looks at are what is written."""
+    scene, graphs = str(folder.manifest["scene"]), folder.evidence.graphs
+    looked = {kernel.file for kernel in folder.evidence.kernels}
+    many = tuple(dict.fromkeys(name for part in parts for name in _many(folder, part)))
+    looked |= {f"{part.prefix}{end}.h" for part in parts for end in ("", "_batch", "_sine")}
+    made: list[Callable[[], dict[str, str]]] = []
+    made += [lambda: build_files(scene, prefix, parts, bool(many))] if parts else []
+    made += (
+        [lambda: {f"{prefix}_loader.py": _loader(folder, prefix, parts, many)}] if graphs else []
+    )
+    for part in parts:
+        made.append(partial(_selftests, folder, scene, part))
+    wanted: dict[str, str] = {}
+    for make in made:
+        try:
+            wanted |= make()
+        except ODD as error:
+            yield _odd("folder", f"what is written cannot be made again: {error}")
+    for name, text in wanted.items():
+        if name not in folder.texts:
+            yield _odd(name, "there is no such file, or the manifest has it not")
+        elif folder.texts[name] != text:
+            yield _odd(name, "not shown: it differs from what this version writes for the graphs")
+        else:
+            yield Finding(name, Verdict.PROVED, "what is written for these graphs")
+    for name in folder.texts:
+        if name not in wanted and name not in looked and name.lower().endswith((*BUILT, ".txt")):
+            yield _odd(name, "no step looks at it")
+
+
+def _selftests(folder: Folder, scene: str, part: Part) -> dict[str, str]:
+    graphs, own = folder.evidence.graphs, part.prefix
+    names, many = tuple(graphs), _many(folder, part)
+
+    def again(file: str, write: Any, tested: Sequence[str]) -> dict[str, str]:
+        text = folder.texts.get(file, "")
+        return {file: write(scene, part, tested, lambda name: graphs[name].written,
+                            lambda name: _states(text, name, folder))}  # fmt: skip
+
+    found = again(f"{own}_selftest.c", selftest, names)
+    return found | (again(f"{own}_batch_selftest.c", batch_selftest, many) if many else {})
+
+
+def _states(text: str, name: str, folder: Folder) -> list[Vector]:
+    """The test vectors of a function, from the tables of a self-test."""
+    code = folder.evidence.graphs[name].written
+    start = text.find(f"static int test_{name}(void)\n")
+    if start < 0:
+        raise ExpressionError(f"there is no test of {name}")
+    body = text[start : text.index("\n}\n", start)]
+    given = [_table(body, f"{group}_in") if size else [()] for group, size in code.inputs]
+    asked = [name for name, _ in code.shapes]
+    sizes = [rows * columns for _, (rows, columns) in code.shapes]
+    both = [
+        [
+            _table(body, f"{out}_{end}") if size else [()]
+            for out, size in zip(asked, sizes, strict=True)
+        ]
+        for end in ("expected", "tolerance")
+    ]
+    count = max(len(rows) for rows in (*given, *both[0]))
+    rows = [
+        [
+            tuple(table[i] if len(table) > 1 else table[0] for table in tables)
+            for tables in (given, *both)
+        ]
+        for i in range(count)
+    ]
+    return [Vector(*row) for row in rows]
+
+
+def _table(body: str, name: str) -> list[tuple[float, ...]]:
+    found = re.search(TABLE.format(name=name), body, re.DOTALL)
+    if found is None:
+        raise ExpressionError(f"there is no table {name}")
+    return [
+        tuple(_number(word.strip()) for word in row.split(",") if word.strip())
+        for row in re.findall(r"\{([^{}]*)\}", found[1])
+    ]
+
+
+def _number(word: str) -> float:
+    size = float(literal(word.removeprefix("-")).value)
+    return -size if word.startswith("-") else size
+
+
+def _loader(folder: Folder, prefix: str, parts: Sequence[Part], many: Sequence[str]) -> str:
+    """The loader once more; only the typical parameters are those that stand there."""
+    arrays = {
+        name: tuple((e["name"], e["unit"], e["meaning"]) for e in entries)
+        for name, entries in folder.manifest["arrays"].items()
+    }
+    typical = _typical(folder.texts.get(f"{prefix}_loader.py", ""))
+    if typical and list(typical) != [name for name, *_ in arrays.get("p", ())]:
+        raise ExpressionError("the loader has typical values of other parameters")
+    graphs = folder.evidence.graphs
+    return loader_text(
+        arrays, typical, lambda name: graphs[name].written, prefix, parts, tuple(graphs), many
+    )
+
+
+def _typical(text: str) -> Mapping[str, float]:
+    for node in ast.parse(text).body:
+        if isinstance(node, ast.Assign) and ast.unparse(node.targets[0]) == "TYPICAL":
+            found = ast.literal_eval(node.value)
+            return {str(name): float(value) for name, value in found.items()}
+    raise ExpressionError("the loader has no typical values")
