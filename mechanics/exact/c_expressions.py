@@ -23,7 +23,6 @@ from mechanics.exact.c_values import (
     INTEGERS,
     Address,
     Array,
-    Choice,
     Pointer,
     Real,
     Truth,
@@ -33,6 +32,7 @@ from mechanics.exact.c_values import (
     as_decision,
     compared,
     of_decision,
+    words,
 )
 from mechanics.exact.c_whole import Whole, divided, plus, times, whole
 
@@ -70,6 +70,10 @@ class Expressions:
 
     def call(self, node: Any) -> Value | None:
         """Value of a function call; a subclass knows the functions."""
+        raise NotImplementedError
+
+    def unwritten(self, *nodes: Any) -> None:
+        """Refuse expressions that may write; a subclass knows the functions."""
         raise NotImplementedError
 
     def value(self, node: Any) -> Value:
@@ -115,7 +119,7 @@ class Expressions:
             if rounded(exact, kind) != exact:
                 raise ExpressionError(f"{where}: no {kind} holds the integer {value.known}")
             return self.writer.number(exact, kind)
-        raise ExpressionError(f"{where}: a {kind} is expected, {_words(value)} found")
+        raise ExpressionError(f"{where}: a {kind} is expected, {words(value)} found")
 
     def element(self, node: Any) -> Pointer:
         """The place in an array that ``a[i]`` names."""
@@ -201,7 +205,7 @@ class Expressions:
             if constant is not None:
                 return Real(self.writer.number(-constant, value.kind), value.kind)
             return Real(self.writer.add(casadi.OP_NEG, (value.node,), value.kind), value.kind)
-        raise ExpressionError(f"{node.coord}: {node.op} of {_words(value)} is not known here")
+        raise ExpressionError(f"{node.coord}: {node.op} of {words(value)} is not known here")
 
     def condition(self, value: Value, where: Any) -> Condition:
         """A value that decides; a real number does by being zero or not."""
@@ -211,6 +215,11 @@ class Expressions:
         return as_condition(value, where)
 
     def _binary(self, node: Any) -> Value:
+        if node.op in ("&&", "||"):
+            self.unwritten(node.right)
+        elif not isinstance(node.right, c_ast.Constant):
+            # C may begin with either side.
+            self.unwritten(node.left, node.right)
         left, right = self.value(node.left), self.value(node.right)
         return self.combined(node.op, left, right, node.coord)
 
@@ -225,10 +234,9 @@ class Expressions:
             return Pointer(left.array, plus(left.offset, right, 1 if op == "+" else -1))
         kinds = {side.kind for side in (left, right) if isinstance(side, Real)}
         if not kinds and op in INTEGERS:
-            one, two = as_decision(left, where), as_decision(right, where)
-            return of_decision(compared(op, one, two))
+            return of_decision(compared(op, as_decision(left, where), as_decision(right, where)))
         if not kinds:
-            raise ExpressionError(f"{where}: {_words(left)} {op} {_words(right)} is not known here")
+            raise ExpressionError(f"{where}: {words(left)} {op} {words(right)} is not known here")
         if len(kinds) > 1:
             raise ExpressionError(f"{where}: a float stands beside a double: precisions are mixed")
         (kind,) = kinds
@@ -244,6 +252,7 @@ class Expressions:
         raise ExpressionError(f"{where}: {op} of real numbers is not known here")
 
     def _ternary(self, node: Any) -> Value:
+        self.unwritten(node.iftrue, node.iffalse)
         yes, no = self.value(node.iftrue), self.value(node.iffalse)
         if isinstance(node.cond, c_ast.BinaryOp) and node.cond.op == "<":
             sides = self.value(node.cond.left), self.value(node.cond.right)
@@ -252,8 +261,7 @@ class Expressions:
         condition = self.condition(self.value(node.cond), node.coord)
         kinds = {side.kind for side in (yes, no) if isinstance(side, Real)}
         if not kinds:
-            decisions = (as_decision(side, node.coord) for side in (yes, no))
-            return of_decision(choice(condition, *decisions))
+            return of_decision(choice(condition, *(as_decision(s, node.coord) for s in (yes, no))))
         kind = kinds.pop()
         x, y = (self.real(side, kind, node.coord) for side in (yes, no))
         return Real(select(self.writer, condition, x, y, kind, node.coord), kind)
@@ -272,7 +280,7 @@ class Expressions:
         if kind.depth == 0 and kind.kind == "int" and isinstance(value, Whole):
             return value
         raise ExpressionError(
-            f"{node.coord}: a cast of {_words(value)} to {kind.words} is not known here"
+            f"{node.coord}: a cast of {words(value)} to {kind.words} is not known here"
         )
 
 
@@ -290,11 +298,3 @@ def _integer(op: str, left: Whole, right: Whole, where: Any) -> Value:
     if x is None or y is None or op not in INTEGERS:
         raise ExpressionError(f"{where}: {left} {op} {right} is not known here")
     return whole(int(INTEGERS[op](x, y)))
-
-
-def _words(value: Value | None) -> str:
-    names = {
-        Whole: "an integer", Choice: "an integer", Truth: "a comparison", Pointer: "an array",
-        Address: "an address", Real: "a number",
-    }  # fmt: skip
-    return names.get(type(value), "nothing")

@@ -163,6 +163,18 @@ class Functions(Statements):
             return self._own(self.source.functions[name], given, node.coord)
         raise ExpressionError(f"{node.coord}: the call {name}() is not known here")
 
+    def unwritten(self, *nodes: Any) -> None:
+        """Refuse calls that write where C may leave them out, or reorder them."""
+        for node in nodes:
+            name = getattr(node.name, "name", "") if isinstance(node, c_ast.FuncCall) else ""
+            if name in SINCOS or (name in self.source.functions and self._writes(name)):
+                raise ExpressionError(f"{node.coord}: {name}() may write, inside an expression")
+            self.unwritten(*(child for _, child in node.children()))
+
+    def _writes(self, name: str) -> bool:
+        kinds = [declared(p) for p in parameters(self.source.functions[name].decl.type)]
+        return any(kind.depth and not kind.constant for kind in kinds)
+
     def _sincos(self, node: Any, kind: str) -> None:
         angle, *targets = node.args.exprs
         x = self.real(self.value(angle), kind, node.coord)

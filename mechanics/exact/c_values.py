@@ -146,3 +146,12 @@ INTEGERS: dict[str, Callable[[int, int], int]] = {
     "==": int.__eq__, "!=": int.__ne__, "|": int.__or__,
     "&": int.__and__, "<<": int.__lshift__,
 }  # fmt: skip
+
+
+def words(value: Value | None) -> str:
+    """What a value is, for messages."""
+    names = {
+        Whole: "an integer", Choice: "an integer", Truth: "a comparison", Pointer: "an array",
+        Address: "an address", Real: "a number",
+    }  # fmt: skip
+    return names.get(type(value), "nothing")

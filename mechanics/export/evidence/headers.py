@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
+
+from pycparser import c_generator
 
 from mechanics.compiled.c.lanes import FAR, WILD
 from mechanics.compiled.custody.status import BAD_INPUT, OK, OVERFLOW, SINGULAR
 from mechanics.errors import ExpressionError
 from mechanics.exact import Finding, Verdict
+from mechanics.exact.c_parse import parse
 from mechanics.exact.c_text import preprocess
 from mechanics.export.evidence.chain import Evidence
 
@@ -24,7 +28,11 @@ def prove_headers(evidence: Evidence) -> Iterator[Finding]:
     prefixes = {k.symbol.removesuffix("_batch").removesuffix(f"_{k.function}").upper()
                 for k in evidence.kernels}  # fmt: skip
     wanted = _wanted(evidence)
+    yield from _prototypes(evidence, headers)
     for file, text in headers.items():
+        if wrong := _documented(evidence, text):
+            words = f"refused: {', '.join(wrong)}"
+            yield Finding(f"{file}: comments", Verdict.UNDECIDED, words)
         try:
             macros = preprocess(text, file, headers).macros
         except ExpressionError as error:
@@ -43,6 +51,34 @@ def prove_headers(evidence: Evidence) -> Iterator[Finding]:
         elif numbers:
             words = f"{len(numbers)} sizes and codes are those of the graphs"
             yield Finding(f"{file}: macros", Verdict.PROVED, words)
+
+
+def _prototypes(evidence: Evidence, headers: dict[str, str]) -> Iterator[Finding]:
+    """Every declaration of a kernel says what its definition says: names, types, order, sizes."""
+    write = c_generator.CGenerator().visit
+    for file in dict.fromkeys(kernel.file for kernel in evidence.kernels):
+        try:
+            source = parse(evidence.texts.get(file, ""), file, headers)
+        except ExpressionError:
+            continue  # told where it is read
+        for name, node in source.functions.items():
+            texts = {write(p.type) for p in source.prototypes[name]}
+            if len(texts) > 1:
+                words = f"it is declared as {' and as '.join(sorted(texts))}"
+                yield Finding(f"{node.coord.file}: {name}", Verdict.REFUTED, words)
+
+
+DOCUMENTED = re.compile(r"^ \*   (\w+)\[(\d+)\]  (\S+)", re.MULTILINE)
+
+
+def _documented(evidence: Evidence, text: str) -> list[str]:
+    """Entries of arrays that comments give another name than the graphs do."""
+    wrong = []
+    for group, index, name in DOCUMENTED.findall(text):
+        symbols = evidence.known.symbols.get(group, ())
+        if symbols and (int(index) >= len(symbols) or symbols[int(index)].name != name):
+            wrong.append(f"{group}[{index}] is called {name}")
+    return wrong
 
 
 def _wanted(evidence: Evidence) -> dict[str, str]:

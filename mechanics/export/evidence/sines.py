@@ -6,7 +6,9 @@ taken for the sine and the cosine.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Mapping
+from itertools import combinations
 from typing import Any
 
 from pycparser import c_generator
@@ -16,6 +18,7 @@ from mechanics.exact import Finding, Verdict
 from mechanics.exact.c_parse import parse
 from mechanics.exact.sine.proof import verify_sine
 from mechanics.export.evidence.chain import Report, silent
+from mechanics.export.evidence.texts import GUARD
 
 SUFFIX = {"double": "", "float": "f"}
 
@@ -30,15 +33,60 @@ static inline {kind} mechanics_{name}{f}({kind} x)
 """One of the two, and no number where the angle is too large."""
 
 
+USED = re.compile(r"\bmechanics_(?:sincos|sin|cos|far|fma)(f?)\b")
+
+
 def prove_sines(texts: Mapping[str, str], report: Report = silent) -> Iterator[Finding]:
     """Decide for each header with an inline sine whether it is sine and cosine."""
     headers = {name: text for name, text in texts.items() if name.endswith(".h")}
-    for name, text in headers.items():
-        for kind, f in SUFFIX.items():
-            if f" mechanics_sincos{f}(" in text:
-                report(f"{name}: mechanics_sincos{f} = sine and cosine")
+    used = {f for text in texts.values() for f in USED.findall(text.replace("\\\n", ""))}
+    for kind, f in SUFFIX.items():
+        own = f"mechanics_sincos{f}"
+        seen = False
+        for name, text in headers.items():
+            try:
+                functions = parse(text, name, headers).functions
+            except ExpressionError as error:
+                if USED.search(text):
+                    yield Finding(f"{name}: {own}", Verdict.UNDECIDED, f"refused: {error}")
+                continue
+            if stray := _stray(name, text, kind, headers):
+                yield Finding(f"{name}: {own}", Verdict.UNDECIDED, f"refused: {stray}")
+            if own in functions and str(functions[own].coord.file) == name:
+                seen = True
+                report(f"{name}: {own} = sine and cosine")
                 yield verify_sine(text, kind, file=name, includes=headers)
                 yield from _singles(name, text, kind, headers)
+        if f in used and not seen:
+            words = "refused: it is used, and no header defines it"
+            yield Finding(own, Verdict.UNDECIDED, words)
+
+
+FMA = "__FMA__", "__ARM_FEATURE_FMA", "FP_FAST_FMA", "FP_FAST_FMAF"
+
+
+def _stray(file: str, text: str, kind: str, headers: Mapping[str, str]) -> str:
+    """What a header has that the proof does not see; empty if there is nothing."""
+    f = SUFFIX[kind]
+    plain, fused = (parse(text, file, headers, d) for d in ({}, {"__FMA__": "1"}))
+    names = [n for n in plain.functions if str(plain.functions[n].coord.file) == file]
+    stand_in = [n for n in names if USED.fullmatch(n) and n.endswith("f") == (f == "f")]
+    stand_in = [n for n in stand_in if n not in ("mechanics_sincosf", "mechanics_sincos")]
+    if stand_in and f"mechanics_sincos{f}" not in names:
+        return f"{stand_in[0]} stands without mechanics_sincos{f}"
+    if not names:
+        return ""
+    guards = set(GUARD.findall(text))
+    for source in (plain, fused):
+        if other := set(source.asked) - set(FMA) - guards - {"__cplusplus"}:
+            return f"a condition asks for {', '.join(sorted(other))}"
+    read = [{n: _words(node) for n, node in source.functions.items()} for source in (plain, fused)]
+    for count in range(1, len(FMA) + 1):
+        for chosen in combinations(FMA, count):
+            functions = parse(text, file, headers, dict.fromkeys(chosen, "1")).functions
+            if {n: _words(node) for n, node in functions.items()} not in read:
+                return f"with {' and '.join(chosen)} it reads otherwise"
+    return ""
 
 
 def _singles(

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Mapping, Sequence
+from itertools import combinations
 from typing import Any
 
 from pycparser import c_generator
@@ -11,17 +13,20 @@ from mechanics.compiled.custody.kernel import Kernel
 from mechanics.errors import ExpressionError
 from mechanics.exact.c_library import FAR, FUNCTIONS, FUSED, SINCOS
 from mechanics.exact.c_parse import Source, linked, parse
+from mechanics.exact.c_text import preprocess
 
-COMPILERS: tuple[tuple[str, Mapping[str, str]], ...] = (
-    ("gcc", {"__GNUC__": "12", "__FMA__": "1"}),
-    ("clang", {"__GNUC__": "4", "__clang__": "1", "__FMA__": "1"}),
-    ("gcc for ARM", {"__GNUC__": "12", "__ARM_FEATURE_FMA": "1"}),
-    ("a fast fma", {"FP_FAST_FMA": "1", "FP_FAST_FMAF": "1"}),
-)
-"""What compilers define, of the names that conditions in a text ask for."""
+ASKED = frozenset({
+    "__GNUC__", "__clang__", "__FMA__", "__ARM_FEATURE_FMA", "FP_FAST_FMA", "FP_FAST_FMAF",
+})  # fmt: skip
+"""Names of compilers that conditions in generated code ask for."""
+CHOICE = "_INLINE_SINE"
+"""Ends the name that whoever builds the folder may define."""
+GUARD = re.compile(r"^#ifndef (\w+)\n#define \1$", re.MULTILINE)
 
 STAND_IN = frozenset({*FAR, *FUNCTIONS, *FUSED, *SINCOS})
 """Functions that are known by name, whatever their text: it is checked on its own."""
+
+KNOWN = STAND_IN | {"isfinite", "NAN", "INFINITY"}
 
 
 def sources(
@@ -39,26 +44,45 @@ def sources(
     files = list(kinds)
     headers = {name: text for name, text in texts.items() if name.endswith(".h")}
     found: dict[tuple[str, str], Source | ExpressionError] = {}
-    choices: list[tuple[str, Mapping[str, str]]] = [("", {})]
-    for title, defined in choices:
+    for title, defined in _readings(files, texts, headers):
         parsed = {file: _parsed(file, texts, headers, defined) for file in files}
         for file in files:
             same = [parsed[other] for other in files if kinds[other] == kinds[file]]
             one = _linked(parsed[file], same)
             if not title or not _same(one, found[file, ""]):
                 found[file, title] = one
-        if not title:
-            choices += _configurations([one for one in parsed.values() if isinstance(one, Source)])
     return found
 
 
-def _configurations(parsed: Sequence[Source]) -> list[tuple[str, Mapping[str, str]]]:
-    """What may be defined, of the names that conditions ask for and the text does not define."""
-    asked = {name for one in parsed for name in set(one.asked) - set(one.macros)} - {"__cplusplus"}
-    compilers = {name for _, names in COMPILERS for name in names}
-    found = [(title, names) for title, names in COMPILERS if asked & set(names)]
-    # A choice of whoever builds the folder.
-    return found + [(name, {name: "1"}) for name in sorted(asked - compilers)]
+def _readings(
+    files: Sequence[str], texts: Mapping[str, str], headers: Mapping[str, str]
+) -> list[tuple[str, Mapping[str, str]]]:
+    """Every combination of the names that are asked for, once for each text that comes of it."""
+    guards = {name for text in headers.values() for name in GUARD.findall(text)}
+    asked: dict[str, set[str]] = {file: set() for file in files if file in texts}
+    seen: dict[tuple[str, frozenset[str]], str] = {}
+    for file, names in asked.items():
+        waiting = [frozenset[str]()]
+        while waiting:
+            given = waiting.pop()
+            if (file, given) in seen:
+                continue
+            try:
+                read = preprocess(texts[file], file, headers, dict.fromkeys(given, "1"))
+            except ExpressionError as error:
+                seen[file, given] = str(error)
+                continue
+            seen[file, given] = read.text
+            names |= {n for n in read.asked if n in ASKED or n.endswith(CHOICE)} - guards
+            waiting += [frozenset(c) for n in range(len(names) + 1)
+                        for c in combinations(sorted(names), n)]  # fmt: skip
+    found: dict[tuple[str, ...], frozenset[str]] = {}
+    every = sorted(set().union(*asked.values()))
+    for count in range(len(every) + 1):
+        for chosen in map(frozenset, combinations(every, count)):
+            key = tuple(seen.get((f, chosen & names), "") for f, names in asked.items())
+            found.setdefault(key, chosen)
+    return [(" and ".join(sorted(c)), dict.fromkeys(c, "1")) for c in found.values()]
 
 
 def _parsed(
@@ -67,9 +91,27 @@ def _parsed(
     if file not in texts:
         return ExpressionError(f"{file}: there is no such file")
     try:
-        return parse(texts[file], file, headers, defined)
+        source = parse(texts[file], file, headers, defined)
+        _own_names(source, headers)
+        return source
     except ExpressionError as error:
         return error
+
+
+def _own_names(source: Source, headers: Mapping[str, str]) -> None:
+    """Refuse other names in conditions, and what gives a known name another meaning."""
+    guards = {name for text in headers.values() for name in GUARD.findall(text)}
+    for name in set(source.asked) - guards - ASKED - {"__cplusplus"}:
+        if not name.endswith(CHOICE):
+            raise ExpressionError(f"{source.file}: a condition asks for {name}, unknown here")
+    for name in sorted(KNOWN & set(source.macros)):
+        if source.macros[name] != f"mechanics_{name}" or source.macros[name] not in FUNCTIONS:
+            raise ExpressionError(f"{source.file}: macro {name} gives a known name a new meaning")
+    for name in sorted(KNOWN & set(source.prototypes)):
+        for node in source.prototypes[name]:
+            where = str(node.coord.file)
+            if not name.startswith("mechanics_") or not where.endswith("_sine.h"):
+                raise ExpressionError(f"{node.coord}: {name} is known, and declared anew")
 
 
 def _linked(

@@ -1,0 +1,77 @@
+"""Texts that were changed with care, so that a careless reader takes them for their graph."""
+
+from dataclasses import replace
+
+import pytest
+
+from mechanics.exact import Verdict
+from mechanics.export.evidence.chain import second_step
+from mechanics.export.evidence.headers import prove_headers
+from mechanics.export.evidence.sines import prove_sines
+from mechanics.export.evidence.vectors import prove_vectors
+
+PUT = "static int put(double *o, double v)\n{\n    *o = v;\n    return 1;\n}\n\n"
+OUTPUT = "    ud[0] = v5;\n"
+STORED = (
+    "    double w[1];\n    w[0] = -v5;\n    const int z = %s;\n    (void)z;\n    ud[0] = w[0];\n"
+)
+WRONG = "static double %s(double x)\n{\n    return x;\n}\n\n"
+
+BODIES = {
+    "and": (PUT, STORED % "(x < .05 || x > .0501) && put(w, v5)"),
+    "or": (PUT, STORED % "(x > .05 && x < .0501) || put(w, v5)"),
+    "choice": (PUT, STORED % "x < .05 ? put(w, v5) : 0"),
+    "stand-in": (WRONG % "mechanics_sin", OUTPUT),
+    "library": (WRONG % "sin", OUTPUT),
+    "macro": ("#define isfinite fabs\n", OUTPUT),
+    "two names": (
+        "",
+        "#if defined(__GNUC__) && defined(NDEBUG)\n    ud[0] = -v5;\n#else\n" + OUTPUT + "#endif\n",
+    ),
+    "one and not the other": (
+        "",
+        "#if defined(__GNUC__) && !defined(__FMA__)\n    ud[0] = -v5;\n#else\n"
+        + OUTPUT
+        + "#endif\n",
+    ),
+}
+
+
+@pytest.mark.parametrize("attack", BODIES)
+def test_a_text_that_only_seems_to_be_its_graph_is_not_shown(evidence, attack: str) -> None:
+    before, body = BODIES[attack]
+    text, begin = evidence.texts["name.c"], "int name_forward_dynamics("
+    assert begin in text and OUTPUT in text
+    text = text.replace(OUTPUT, body, 1).replace(begin, before + begin, 1)
+    kernels = tuple(k for k in evidence.kernels if k.symbol == "name_forward_dynamics")
+    changed = replace(evidence, kernels=kernels, texts=evidence.texts | {"name.c": text})
+    verdicts = {f.verdict for f in second_step(changed, []) if "forward_dynamics =" in f.subject}
+    assert verdicts & {Verdict.REFUTED, Verdict.UNDECIDED}
+
+
+def test_a_sine_that_is_used_has_to_be_defined() -> None:
+    (found,) = prove_sines({"name.c": "double f(double x)\n{\n    return mechanics_sin(x);\n}\n"})
+    assert found.verdict is Verdict.UNDECIDED
+
+
+HEADERS = {
+    "order": ("const double q[2], const double u[2]", "const double u[2], const double q[2]"),
+    "size": ("const double p[5]", "const double p[3]"),
+    "comment": ("q[0]  x ", "q[0]  theta "),
+}
+
+
+@pytest.mark.parametrize("attack", HEADERS)
+def test_headers_say_what_the_code_does(evidence, attack: str) -> None:
+    old, new = HEADERS[attack]
+    text = evidence.texts["name.h"]
+    assert old in text
+    assert all(f.shown for f in prove_headers(evidence))
+    changed = replace(evidence, texts=evidence.texts | {"name.h": text.replace(old, new, 1)})
+    assert not all(f.shown for f in prove_headers(changed))
+
+
+def test_code_behind_an_enum_is_seen(evidence) -> None:
+    text = "enum { COUNT = 1 }; int main(void) { return 0; } +\n"
+    (found,) = prove_vectors({"name_selftest.c": text}, evidence.graphs)
+    assert found.verdict is Verdict.UNDECIDED
