@@ -13,6 +13,7 @@ from mechanics.errors import ExpressionError
 from mechanics.exact import Finding, Verdict
 from mechanics.exact.c_parse import parse
 from mechanics.exact.c_text import preprocess
+from mechanics.exact.c_types import parameters
 from mechanics.export.evidence.chain import Evidence
 
 CODES = {
@@ -41,6 +42,8 @@ def prove_headers(evidence: Evidence) -> Iterator[Finding]:
         # Longest first: the name of one library may begin that of another.
         known = sorted(prefixes, key=len, reverse=True)
         numbers = {name: body for name, body in macros.items() if body}
+        if missing := _missing(evidence, file, headers, numbers):
+            yield Finding(f"{file}: sizes", Verdict.REFUTED, f"missing: {', '.join(missing)}")
         wrong = [
             f"{name} is {body}{_instead(name, known, wanted)}"
             for name, body in numbers.items()
@@ -66,6 +69,26 @@ def _prototypes(evidence: Evidence, headers: dict[str, str]) -> Iterator[Finding
             if len(texts) > 1:
                 words = f"it is declared as {' and as '.join(sorted(texts))}"
                 yield Finding(f"{node.coord.file}: {name}", Verdict.REFUTED, words)
+
+
+def _missing(
+    evidence: Evidence, file: str, headers: dict[str, str], numbers: dict[str, str]
+) -> list[str]:
+    """Sizes of arguments of the kernels that a header declares, and does not give."""
+    try:
+        source = parse(headers[file], file, headers)
+    except ExpressionError:
+        return []  # told where it is read
+    needed = []
+    for kernel in evidence.kernels:
+        ends = f"_{kernel.function}"
+        for node in source.prototypes.get(kernel.symbol, ()) if not kernel.lanes else ():
+            prefix = kernel.symbol.removesuffix(ends).upper()
+            needed += [
+                f"{prefix}_{p.name.upper()}{SIZE}"
+                for p in parameters(node.type) if p.name in evidence.known.symbols
+            ]  # fmt: skip
+    return sorted(set(needed) - set(numbers))
 
 
 DOCUMENTED = re.compile(r"^ \*   (\w+)\[(\d+)\]  (\S+)", re.MULTILINE)

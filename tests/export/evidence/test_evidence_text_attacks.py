@@ -57,6 +57,7 @@ def test_a_sine_that_is_used_has_to_be_defined() -> None:
 HEADERS = {
     "order": ("const double q[2], const double u[2]", "const double u[2], const double q[2]"),
     "size": ("const double p[5]", "const double p[3]"),
+    "no size": ("#define NAME_P_SIZE 5\n", ""),
     "comment": ("q[0]  x ", "q[0]  theta "),
 }
 
