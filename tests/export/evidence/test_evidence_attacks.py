@@ -139,4 +139,4 @@ def test_code_that_is_right_over_the_real_numbers_only(
     found = verify(attacked(honest, tmp_path / "c", attack))
     assert found.outcome is not Outcome.SHOWN
     bad = [f for _, findings in found.chain.steps for f in findings if not f.shown]
-    assert bad and all("forward_dynamics" in finding.subject for finding in bad)
+    assert any("of the graph" in finding.evidence for finding in bad), bad
