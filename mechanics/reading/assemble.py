@@ -20,10 +20,13 @@ from mechanics.reading.lines import Line, Unread
 from mechanics.reading.names import Match, Naming, Vocabulary
 from mechanics.reading.place import Refused, line_and_column, located
 from mechanics.reading.statement import Statement
-from mechanics.reading.tree import Name, Node, names
+from mechanics.reading.tree import Name, Node, names, weight
 from mechanics.scene import Scene
 from mechanics.scene.published import Quantity, published
 from mechanics.scene.quantities import EquationOfMotion, Identity, MassMatrix
+
+LARGEST_WEIGHT = 50_000
+"""Of a line with its definitions put in; a definition that doubles makes a million in twenty."""
 
 Read = Callable[[Naming], Sequence[Line | Unread]]
 
@@ -125,6 +128,7 @@ class _Assembly:
         self.scene, self.naming, self.text, self.origin = scene, naming, text, origin
         self.words, self.about = words, about
         self.defined: dict[str, Value] = {}
+        self.weights: dict[str, int] = {}
         self.vague: dict[str, list[str]] = {}
         self.statements: list[Statement] = []
         self.remarks: list[str] = []
@@ -144,6 +148,9 @@ class _Assembly:
             self.statements.append(Statement(None, line.source, tag, place, line.notes, doubt))
 
     def _line(self, line: Line, tag: str, place: str) -> None:
+        size = max(weight(side, self.weights) for side in line.sides)
+        if size > LARGEST_WEIGHT:
+            raise Refused(line.at, "too large with the definitions above put in")
         builder = Builder(self.naming, self.defined, self.vague)
         left = line.sides[0]
         told = self.about is not None or (isinstance(left, Name) and left.name in self.words)
@@ -155,6 +162,7 @@ class _Assembly:
             if energy is not None:
                 self._energy(line, tag, place, energy, sides, builder.unknown)
                 self.defined.setdefault(left.name, sides[0])
+                self.weights.setdefault(left.name, size)
                 return
             self._define(line, left.name, sides, builder.unknown, tag, place)
             return
@@ -209,7 +217,8 @@ class _Assembly:
         self.remarks.append(f"{name} is taken as defined by: {line.source}")
         if name not in self.defined:
             self.defined[name] = sides[0]
-            self.vague[name] = [n for n in unknown if _holds(sides[0], n)]
+            self.weights[name] = max(weight(side, self.weights) for side in line.sides[1:])
+            self.vague[name] = [n for n in dict.fromkeys(unknown) if _holds(sides[0], n)]
         else:
             sides = (self.defined[name], *sides)
         if len(sides) > 1:

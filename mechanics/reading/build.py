@@ -70,7 +70,8 @@ class Builder:
         value = self._value(node)
         entries = list(value) if isinstance(value, MatrixBase) else [value]
         for entry in entries:
-            if entry.has(nan, oo, -oo, zoo, I) or entry.is_real is False:
+            # SymPy's is_real differentiates large expressions for minutes: numbers only.
+            if entry.has(nan, oo, -oo, zoo, I) or (entry.is_number and entry.is_real is False):
                 raise Refused(node.at, f"this has no finite real value: {str(entry)[:40]}")
         return value
 
@@ -147,7 +148,13 @@ class Builder:
             raise Refused(node.at, "a division by zero")
         if exponent.is_number and not _small(base, exponent):
             raise Refused(node.at, f"the exponent is too large: {LARGEST_EXPONENT} is the limit")
-        return base**exponent
+        return self._real(node, base**exponent)
+
+    def _real(self, node: Node, value: Any) -> Any:
+        """A value, unless it is a number that is not real."""
+        if value.is_number and value.is_real is False:
+            raise Refused(node.at, f"this has no finite real value: {str(value)[:40]}")
+        return value
 
     def _call(self, node: Node, function: str, arguments: list[Any]) -> Any:
         if function == "transpose":
@@ -157,7 +164,7 @@ class Builder:
         numbers = [self._scalar(node, argument) for argument in arguments]
         if any(n.is_number and n.is_finite and abs(n.n(5)) > LARGEST_NUMBER for n in numbers):
             raise Refused(node.at, f"{function} of a number that is too large")
-        return make(*numbers)
+        return self._real(node, make(*numbers))
 
     def _scalar(self, node: Node, value: Any) -> Expr:
         if isinstance(value, MatrixBase):

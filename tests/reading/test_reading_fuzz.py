@@ -74,7 +74,10 @@ def test_any_text(text: str, notation: str) -> None:
         "\\begin{matrix}" * 5_000, "\\left(" * 10_000, "((x+1)**60)**60 = 0", "_{" * 30_000,
         "x_" + "{a" * 20_000, "sin(" * 20_000, "[" * 40_000, "f(t)" * 20_000, "$" * 50_001,
         "2**(x-x+10**9)", "x**(2**(x-x+64))**64", "sqrt(2)**sqrt(2)**sqrt(10**30)",
-        "10**64*10**64*10**64*10**64", "exp(exp(exp(exp(64))))", "\\text{" * 10_000, "\x00" * 100,
+        "10**64*10**64*10**64*10**64", "exp(exp(exp(exp(64))))", "\\text{" * 10_000,
+        "\n".join(f"a{i} = a{i - 1}*a{i - 1} + a{i - 1}" for i in range(1, 300)),
+        "a0 = x + L\n" + "\n".join(f"a{i} = a{i - 1}**60" for i in range(1, 9)) + "\na8'' = 0",
+        "\x00" * 100,
     ],
 )  # fmt: skip
 def test_large_and_deep_inputs(text: str, notation: str) -> None:
