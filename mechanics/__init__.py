@@ -15,7 +15,7 @@ from mechanics.exact import Finding, Verdict, Witness
 from mechanics.export import write_c
 from mechanics.extremes import extremes
 from mechanics.linear import damped_modes, linearise, modes
-from mechanics.reading.black_box import BlackBox
+from mechanics.reading.code.black_box import BlackBox
 from mechanics.report.html import to_html
 from mechanics.report.json_report import to_json
 from mechanics.scene import (

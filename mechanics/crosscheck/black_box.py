@@ -15,7 +15,7 @@ from mechanics.compiled import Model, compile
 from mechanics.equations import Equations
 from mechanics.errors import InputError, SingularError
 from mechanics.exact import Finding, Verdict, Witness
-from mechanics.reading.black_box import BlackBox, Box, entries, match_box
+from mechanics.reading.code.black_box import BlackBox, Box, entries, match_box
 from mechanics.reading.names import Match
 from mechanics.reading.statement import Statement
 from mechanics.scene.published import published

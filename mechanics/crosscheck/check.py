@@ -17,7 +17,7 @@ from mechanics.crosscheck.routes import derive
 from mechanics.equations import Equations
 from mechanics.errors import ExpressionError, InputError, SceneError, wanted
 from mechanics.exact import Finding, Verdict
-from mechanics.reading.black_box import BlackBox
+from mechanics.reading.code.black_box import BlackBox
 from mechanics.reading.names import Match
 from mechanics.reading.statement import Statement
 from mechanics.scene import Scene

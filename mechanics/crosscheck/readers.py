@@ -9,9 +9,9 @@ import casadi
 
 from mechanics.errors import WrongKindError
 from mechanics.reading.assemble import Reading
-from mechanics.reading.code import read_c, read_casadi, read_function
+from mechanics.reading.code.read import read_c, read_casadi, read_function
+from mechanics.reading.code.sympy_objects import is_sympy, read_sympy
 from mechanics.reading.read import decoded, read_file, read_source
-from mechanics.reading.sympy_objects import is_sympy, read_sympy
 from mechanics.scene import Scene
 
 

@@ -10,11 +10,11 @@ from pathlib import Path
 from mechanics.errors import InputError
 from mechanics.reading.about import QUANTITIES
 from mechanics.reading.assemble import Reading, assemble
-from mechanics.reading.latex import read_latex
+from mechanics.reading.latex.read import read_latex
 from mechanics.reading.lines import Line, Unread
 from mechanics.reading.names import Naming
 from mechanics.reading.place import LARGEST_TEXT
-from mechanics.reading.text import read_text
+from mechanics.reading.text.read import read_text
 from mechanics.scene import Scene
 
 Reader = Callable[[str, Naming, str], Sequence[Line | Unread]]

@@ -10,10 +10,10 @@ from sympy import Symbol, cos, pi, sin
 
 from mechanics.errors import ExpressionError
 from mechanics.exact import decide
-from mechanics.exact.c_functions import lower
-from mechanics.exact.c_literal import literal
-from mechanics.exact.c_parse import parse
-from mechanics.exact.c_program import CProgram, Parameter
+from mechanics.exact.c.functions import lower
+from mechanics.exact.c.literal import literal
+from mechanics.exact.c.parse import parse
+from mechanics.exact.c.program import CProgram, Parameter
 from mechanics.exact.graph import evaluated
 
 X = [Symbol("x0", real=True), Symbol("x1", real=True)]

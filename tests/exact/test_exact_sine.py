@@ -11,7 +11,7 @@ from flint import arb
 from mechanics.compiled.c.sine import LIMIT, sine_source
 from mechanics.errors import ExpressionError
 from mechanics.exact.balls import precision
-from mechanics.exact.c_parse import parse
+from mechanics.exact.c.parse import parse
 from mechanics.exact.finding import Finding, Verdict
 from mechanics.exact.sine import MOST, verify_sine
 from mechanics.exact.sine.affine import Affine, AffineForms, half_pi, half_unit

@@ -18,7 +18,7 @@ import numpy as np
 
 from mechanics.compiled.custody.code import Code
 from mechanics.compiled.programs.operations import OPERATIONS
-from mechanics.exact.c_literal import rounded
+from mechanics.exact.c.literal import rounded
 from mechanics.exact.graph_angles import Node
 
 DIGITS = 40

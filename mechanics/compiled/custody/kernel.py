@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from mechanics.exact.c_functions import lower
-from mechanics.exact.c_parse import Source
-from mechanics.exact.c_program import CProgram, Parameter
+from mechanics.exact.c.functions import lower
+from mechanics.exact.c.parse import Source
+from mechanics.exact.c.program import CProgram, Parameter
 
 COUNT, STRIDE = "count", "stride"
 """The first arguments of a function of many states."""

@@ -17,7 +17,7 @@ from mechanics.compiled.programs.hoist import CONSTANTS, PREPARE, PREPARED
 from mechanics.compiled.programs.program import Program
 from mechanics.errors import ExpressionError
 from mechanics.exact import Arithmetic, Finding, Verdict
-from mechanics.exact.c_parse import Source
+from mechanics.exact.c.parse import Source
 from mechanics.exact.graph import evaluated
 
 SMALL = 80

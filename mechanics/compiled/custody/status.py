@@ -28,7 +28,7 @@ from mechanics.compiled.custody.prove import Graph, program_numbers
 from mechanics.compiled.custody.text import Text
 from mechanics.errors import SingularError
 from mechanics.exact import Finding, Inadmissible, Verdict
-from mechanics.exact.c_condition import (
+from mechanics.exact.c.condition import (
     Atom,
     Choice,
     Condition,

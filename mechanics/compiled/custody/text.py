@@ -18,8 +18,8 @@ from mechanics.compiled.custody.constants import interpreted, literals
 from mechanics.compiled.custody.kernel import Kernel, lowered
 from mechanics.errors import ExpressionError
 from mechanics.exact import Arithmetic
-from mechanics.exact.c_parse import Source
-from mechanics.exact.c_program import CProgram
+from mechanics.exact.c.parse import Source
+from mechanics.exact.c.program import CProgram
 from mechanics.exact.graph import evaluated
 from mechanics.exact.graph_angles import Node
 

@@ -18,7 +18,7 @@ from mechanics.compiled.custody.states import FINITE, STRATA, TYPES, States, sta
 from mechanics.compiled.custody.text import Text
 from mechanics.compiled.programs.program import Program
 from mechanics.exact.balls import Ball, BallArithmetic, State, precision
-from mechanics.exact.c_condition import atoms
+from mechanics.exact.c.condition import atoms
 from mechanics.exact.graph import evaluated
 from mechanics.exact.graph_angles import Node
 

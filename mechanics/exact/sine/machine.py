@@ -8,8 +8,8 @@ from typing import Any
 
 import numpy as np
 
-from mechanics.exact.c_literal import rounded
-from mechanics.exact.c_parse import Source
+from mechanics.exact.c.literal import rounded
+from mechanics.exact.c.parse import Source
 from mechanics.exact.sine.walk import Domain, Function
 
 _CODES = {"double": ("<d", "<Q"), "float": ("<f", "<I")}

@@ -20,8 +20,8 @@ from pycparser import c_ast, c_generator
 
 from mechanics.errors import ExpressionError
 from mechanics.exact.balls import precision
-from mechanics.exact.c_literal import literal
-from mechanics.exact.c_parse import Source, parse
+from mechanics.exact.c.literal import literal
+from mechanics.exact.c.parse import Source, parse
 from mechanics.exact.finding import Finding, Verdict, Witness
 from mechanics.exact.sine.affine import SMALLEST
 from mechanics.exact.sine.bounds import Largest, largest_errors

@@ -13,7 +13,7 @@ from fractions import Fraction
 from typing import Any, NamedTuple
 
 from mechanics.errors import ExpressionError
-from mechanics.exact.c_parse import Source
+from mechanics.exact.c.parse import Source
 from mechanics.exact.sine.affine import BITS
 from mechanics.exact.sine.machine import Machine
 from mechanics.exact.sine.walk import Domain, Function

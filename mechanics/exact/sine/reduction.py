@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from mechanics.errors import ExpressionError
-from mechanics.exact.c_parse import Source
+from mechanics.exact.c.parse import Source
 from mechanics.exact.sine.affine import BITS, Affine, AffineForms, half_pi
 from mechanics.exact.sine.walk import Function
 

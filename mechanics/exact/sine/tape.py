@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from typing import Any, NamedTuple
 
-from mechanics.exact.c_parse import Source
+from mechanics.exact.c.parse import Source
 from mechanics.exact.sine.walk import Domain, Function
 
 

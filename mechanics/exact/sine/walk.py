@@ -17,8 +17,8 @@ from typing import Any, NamedTuple
 from pycparser import c_ast
 
 from mechanics.errors import ExpressionError
-from mechanics.exact.c_literal import literal
-from mechanics.exact.c_parse import Source
+from mechanics.exact.c.literal import literal
+from mechanics.exact.c.parse import Source
 
 FLOATS = ("float", "double")
 BITS = {"int": 32, "unsigned int": 32, "uint32_t": 32, "uint64_t": 64}

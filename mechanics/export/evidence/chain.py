@@ -21,7 +21,7 @@ from mechanics.compiled.programs.hoist import PREPARE
 from mechanics.compiled.programs.of_model import PARTS, WHOLE
 from mechanics.errors import ExpressionError, InputError
 from mechanics.exact import Finding, Verdict
-from mechanics.exact.c_parse import Source
+from mechanics.exact.c.parse import Source
 from mechanics.export.evidence.graphs import RATES
 from mechanics.export.evidence.texts import not_named, sources
 

@@ -11,9 +11,9 @@ from mechanics.compiled.c.lanes import FAR, WILD
 from mechanics.compiled.custody.status import BAD_INPUT, OK, OVERFLOW, SINGULAR
 from mechanics.errors import ExpressionError
 from mechanics.exact import Finding, Verdict
-from mechanics.exact.c_parse import parse
-from mechanics.exact.c_text import preprocess
-from mechanics.exact.c_types import parameters
+from mechanics.exact.c.parse import parse
+from mechanics.exact.c.text import preprocess
+from mechanics.exact.c.types import parameters
 from mechanics.export.evidence.chain import Evidence
 
 CODES = {

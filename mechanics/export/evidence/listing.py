@@ -18,7 +18,7 @@ from mechanics.compiled.c.lanes import SHARED
 from mechanics.compiled.custody.kernel import Kernel
 from mechanics.errors import ExpressionError
 from mechanics.exact import Finding, Verdict
-from mechanics.exact.c_literal import literal
+from mechanics.exact.c.literal import literal
 from mechanics.export.batch import batched
 from mechanics.export.batch_selftest import batch_selftest
 from mechanics.export.evidence.read import Folder

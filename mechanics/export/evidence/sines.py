@@ -15,7 +15,7 @@ from pycparser import c_generator
 
 from mechanics.errors import ExpressionError
 from mechanics.exact import Finding, Verdict
-from mechanics.exact.c_parse import parse
+from mechanics.exact.c.parse import parse
 from mechanics.exact.sine.proof import verify_sine
 from mechanics.export.evidence.chain import Report, silent
 from mechanics.export.evidence.texts import GUARD

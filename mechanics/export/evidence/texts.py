@@ -11,9 +11,9 @@ from pycparser import c_generator
 
 from mechanics.compiled.custody.kernel import Kernel
 from mechanics.errors import ExpressionError
-from mechanics.exact.c_library import FAR, FUNCTIONS, FUSED, SINCOS
-from mechanics.exact.c_parse import Source, linked, parse
-from mechanics.exact.c_text import preprocess
+from mechanics.exact.c.library import FAR, FUNCTIONS, FUSED, SINCOS
+from mechanics.exact.c.parse import Source, linked, parse
+from mechanics.exact.c.text import preprocess
 
 ASKED = frozenset({
     "__GNUC__", "__clang__", "__FMA__", "__ARM_FEATURE_FMA", "FP_FAST_FMA", "FP_FAST_FMAF",

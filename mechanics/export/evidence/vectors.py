@@ -24,8 +24,8 @@ from mechanics.compiled.custody.states import TYPES
 from mechanics.errors import ExpressionError
 from mechanics.exact import Finding, Verdict, Witness
 from mechanics.exact.balls import Ball, BallArithmetic, State, precision
-from mechanics.exact.c_literal import literal
-from mechanics.exact.c_parse import parse
+from mechanics.exact.c.literal import literal
+from mechanics.exact.c.parse import parse
 from mechanics.exact.graph import evaluated
 
 BITS = 320

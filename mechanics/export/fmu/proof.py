@@ -19,7 +19,7 @@ from mechanics.compiled.custody.kernel import Kernel
 from mechanics.compiled.custody.prove import Graph, prove_text
 from mechanics.compiled.programs.program import program
 from mechanics.exact import Finding
-from mechanics.exact.c_parse import Source, parse
+from mechanics.exact.c.parse import Source, parse
 from mechanics.export.fmu.functions import CLOCK, STEP_SIZE, Functions, functions
 from mechanics.export.fmu.model_text import symbol
 

@@ -12,7 +12,7 @@ import pytest
 from mechanics.compiled.custody.build import building
 from mechanics.compiled.custody.kernel import Kernel
 from mechanics.exact import Verdict
-from mechanics.exact.c_tokens import tokens
+from mechanics.exact.c.tokens import tokens
 from mechanics.export.evidence.binaries import third_step
 from mechanics.export.evidence.chain import Evidence, Read, second_step
 from mechanics.export.evidence.read import read_folder

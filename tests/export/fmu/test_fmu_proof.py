@@ -11,7 +11,7 @@ from sympy import Symbol
 
 from mechanics.compiled import Model
 from mechanics.exact import Verdict, decide
-from mechanics.exact.c_parse import parse
+from mechanics.exact.c.parse import parse
 from mechanics.export.fmu.functions import functions
 from mechanics.export.fmu.proof import prove_functions, prove_unit
 from systems import ALL

@@ -11,7 +11,7 @@ from sympy import Expr, Piecewise, Rational
 
 from mechanics.errors import ExpressionError
 from mechanics.exact.arithmetic import Arithmetic, Number, Term
-from mechanics.reading.constants import constant_from
+from mechanics.reading.code.constants import constant_from
 
 FUNCTIONS = {
     "log": sympy.log, "asin": sympy.asin, "acos": sympy.acos, "atan": sympy.atan,

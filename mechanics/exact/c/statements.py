@@ -15,11 +15,11 @@ from typing import Any
 from pycparser import c_ast
 
 from mechanics.errors import ExpressionError
-from mechanics.exact.c_condition import Condition, choice, joined, negation
-from mechanics.exact.c_loops import Guard, Loops
-from mechanics.exact.c_program import Written
-from mechanics.exact.c_types import REALS, Type, declared
-from mechanics.exact.c_values import (
+from mechanics.exact.c.condition import Condition, choice, joined, negation
+from mechanics.exact.c.loops import Guard, Loops
+from mechanics.exact.c.program import Written
+from mechanics.exact.c.types import REALS, Type, declared
+from mechanics.exact.c.values import (
     Array,
     Pointer,
     Real,
@@ -28,7 +28,7 @@ from mechanics.exact.c_values import (
     as_decision,
     of_decision,
 )
-from mechanics.exact.c_whole import Whole, whole
+from mechanics.exact.c.whole import Whole, whole
 
 
 class Statements(Loops):

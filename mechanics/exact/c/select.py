@@ -12,9 +12,9 @@ from typing import Any
 import casadi
 
 from mechanics.errors import ExpressionError
-from mechanics.exact.c_condition import Atom, Condition, negation
-from mechanics.exact.c_library import RELATIONS, TRUTHS
-from mechanics.exact.c_program import Writer
+from mechanics.exact.c.condition import Atom, Condition, negation
+from mechanics.exact.c.library import RELATIONS, TRUTHS
+from mechanics.exact.c.program import Writer
 from mechanics.exact.graph_angles import Node
 
 

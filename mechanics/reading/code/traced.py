@@ -19,7 +19,7 @@ from sympy import Expr
 from sympy.logic.boolalg import Boolean, BooleanFalse, BooleanTrue
 
 from mechanics.errors import InputError
-from mechanics.reading.constants import constant_of
+from mechanics.reading.code.constants import constant_of
 
 MOST_PATHS = 64
 MOST_DECISIONS = 200

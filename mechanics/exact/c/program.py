@@ -14,7 +14,7 @@ from typing import NamedTuple
 
 import casadi
 
-from mechanics.exact.c_condition import Condition, Decision
+from mechanics.exact.c.condition import Condition, Decision
 from mechanics.exact.graph_angles import Node
 
 

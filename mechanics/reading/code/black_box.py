@@ -11,9 +11,9 @@ from typing import Any
 from sympy import Dummy, Expr, Matrix
 
 from mechanics.errors import InputError
-from mechanics.reading.arguments import Arguments, arguments_of
+from mechanics.reading.code.arguments import Arguments, arguments_of
+from mechanics.reading.code.outputs import Claim, claims
 from mechanics.reading.names import Naming, Vocabulary
-from mechanics.reading.outputs import Claim, claims
 from mechanics.scene import Scene
 
 

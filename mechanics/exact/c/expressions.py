@@ -13,13 +13,13 @@ import casadi
 from pycparser import c_ast
 
 from mechanics.errors import ExpressionError
-from mechanics.exact.c_condition import Atom, Condition, choice, joined, negation
-from mechanics.exact.c_library import ARITHMETIC
-from mechanics.exact.c_literal import literal, rounded
-from mechanics.exact.c_program import BEYOND, Writer
-from mechanics.exact.c_select import select
-from mechanics.exact.c_types import REALS, declared
-from mechanics.exact.c_values import (
+from mechanics.exact.c.condition import Atom, Condition, choice, joined, negation
+from mechanics.exact.c.library import ARITHMETIC
+from mechanics.exact.c.literal import literal, rounded
+from mechanics.exact.c.program import BEYOND, Writer
+from mechanics.exact.c.select import select
+from mechanics.exact.c.types import REALS, declared
+from mechanics.exact.c.values import (
     INTEGERS,
     Address,
     Array,
@@ -34,7 +34,7 @@ from mechanics.exact.c_values import (
     of_decision,
     words,
 )
-from mechanics.exact.c_whole import Whole, divided, plus, times, whole
+from mechanics.exact.c.whole import Whole, divided, plus, times, whole
 
 
 class Expressions:

@@ -14,22 +14,22 @@ import casadi
 from sympy import Expr, Matrix
 
 from mechanics.errors import ExpressionError, InputError
-from mechanics.exact.c_functions import lower
-from mechanics.exact.c_parse import parse
-from mechanics.exact.c_program import Parameter
+from mechanics.exact.c.functions import lower
+from mechanics.exact.c.parse import parse
+from mechanics.exact.c.program import Parameter
 from mechanics.exact.graph import evaluated
 from mechanics.exact.graph_angles import Node
 from mechanics.reading.about import QUANTITIES
-from mechanics.reading.arguments import Arguments, arguments_of
 from mechanics.reading.assemble import Reading
-from mechanics.reading.c_wrapper import WRAPPER, wrapped
+from mechanics.reading.code.arguments import Arguments, arguments_of
+from mechanics.reading.code.c_wrapper import WRAPPER, wrapped
+from mechanics.reading.code.outputs import claims, in_order, statement
+from mechanics.reading.code.tracing import Outputs, trace
+from mechanics.reading.code.written import Written
 from mechanics.reading.guess import guess
 from mechanics.reading.names import Naming, Vocabulary
-from mechanics.reading.outputs import claims, in_order, statement
 from mechanics.reading.place import bounded
-from mechanics.reading.tracing import Outputs, trace
 from mechanics.reading.tree import Name
-from mechanics.reading.written import Written
 from mechanics.scene import Scene
 
 LARGEST_C = 30_000

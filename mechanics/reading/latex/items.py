@@ -10,7 +10,7 @@ from fractions import Fraction
 from lark import Token, Tree
 
 from mechanics.reading.functions import FUNCTIONS
-from mechanics.reading.latex_item import (
+from mechanics.reading.latex.item import (
     Item,
     bare,
     letter_of,

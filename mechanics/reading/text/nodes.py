@@ -9,7 +9,7 @@ from fractions import Fraction
 from lark import Tree
 
 from mechanics.reading.functions import FUNCTIONS
-from mechanics.reading.latex_item import rate_of
+from mechanics.reading.latex.item import rate_of
 from mechanics.reading.names import Naming
 from mechanics.reading.place import Refused
 from mechanics.reading.tree import (

@@ -17,11 +17,11 @@ from typing import Any, NamedTuple
 from pycparser import c_ast
 
 from mechanics.errors import ExpressionError
-from mechanics.exact.c_condition import Condition
-from mechanics.exact.c_expressions import Expressions
-from mechanics.exact.c_types import Type, declared
-from mechanics.exact.c_values import Variable
-from mechanics.exact.c_whole import Whole, plus, unknown, whole
+from mechanics.exact.c.condition import Condition
+from mechanics.exact.c.expressions import Expressions
+from mechanics.exact.c.types import Type, declared
+from mechanics.exact.c.values import Variable
+from mechanics.exact.c.whole import Whole, plus, unknown, whole
 
 MOST_TURNS = 4096
 """Of a loop with constant bounds."""

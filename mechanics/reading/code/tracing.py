@@ -14,8 +14,8 @@ from sympy import Expr, Matrix, Piecewise
 from sympy.logic.boolalg import Boolean
 
 from mechanics.errors import InputError, MechanicsError
-from mechanics.reading.stand_ins import copy_of
-from mechanics.reading.traced import MOST_PATHS, Explorer, Traced, expression_of
+from mechanics.reading.code.stand_ins import copy_of
+from mechanics.reading.code.traced import MOST_PATHS, Explorer, Traced, expression_of
 
 Given = Mapping[str, Expr | Sequence[Expr]]
 

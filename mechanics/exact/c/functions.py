@@ -15,13 +15,13 @@ import casadi
 from pycparser import c_ast
 
 from mechanics.errors import ExpressionError
-from mechanics.exact.c_condition import Atom
-from mechanics.exact.c_library import FAR, FUNCTIONS, FUSED, SINCOS
-from mechanics.exact.c_parse import Source
-from mechanics.exact.c_program import CProgram, Parameter
-from mechanics.exact.c_statements import Statements
-from mechanics.exact.c_types import declared, parameters, signature
-from mechanics.exact.c_values import (
+from mechanics.exact.c.condition import Atom
+from mechanics.exact.c.library import FAR, FUNCTIONS, FUSED, SINCOS
+from mechanics.exact.c.parse import Source
+from mechanics.exact.c.program import CProgram, Parameter
+from mechanics.exact.c.statements import Statements
+from mechanics.exact.c.types import declared, parameters, signature
+from mechanics.exact.c.values import (
     Address,
     Array,
     Pointer,
@@ -31,7 +31,7 @@ from mechanics.exact.c_values import (
     Variable,
     as_decision,
 )
-from mechanics.exact.c_whole import unknown
+from mechanics.exact.c.whole import unknown
 
 DEEPEST = 8
 """Calls of own functions inside each other."""

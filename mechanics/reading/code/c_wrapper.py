@@ -13,8 +13,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 from mechanics.errors import ExpressionError, InputError
-from mechanics.exact.c_parse import Source
-from mechanics.exact.c_types import declared, parameters
+from mechanics.exact.c.parse import Source
+from mechanics.exact.c.types import declared, parameters
 
 WRAPPER = "mechanics_wrapper_of_a_function"
 LARGEST_ARRAY = 64

@@ -15,7 +15,7 @@ import numpy as np
 import sympy
 
 from mechanics.errors import InputError
-from mechanics.reading.traced import ELEMENTARY, Explorer, Traced, expression_of
+from mechanics.reading.code.traced import ELEMENTARY, Explorer, Traced, expression_of
 
 ALIASES = {
     "asin": "arcsin", "acos": "arccos", "atan": "arctan", "asinh": "arcsinh", "acosh": "arccosh",

@@ -8,7 +8,7 @@ function: \sin^2 2 \theta \cos \theta         numbers and then one factor are th
 from fractions import Fraction
 
 from mechanics.reading.functions import FUNCTIONS, INVERSES
-from mechanics.reading.latex_item import Item, rate_of
+from mechanics.reading.latex.item import Item, rate_of
 from mechanics.reading.names import Naming
 from mechanics.reading.place import Refused
 from mechanics.reading.tree import (

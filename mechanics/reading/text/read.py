@@ -14,9 +14,9 @@ from lark.exceptions import UnexpectedCharacters, UnexpectedInput, UnexpectedTok
 from mechanics.reading.lines import Line, Unread
 from mechanics.reading.names import Naming
 from mechanics.reading.place import Refused, bounded, bounded_mathematics, located, refusal
-from mechanics.reading.text_grammar import PARSER
-from mechanics.reading.text_nodes import Nodes
-from mechanics.reading.text_prepare import prepared
+from mechanics.reading.text.grammar import PARSER
+from mechanics.reading.text.nodes import Nodes
+from mechanics.reading.text.prepare import prepared
 
 TAG = re.compile(r"[%#]\s*(\([\w.']{1,12}\))")
 

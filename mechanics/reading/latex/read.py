@@ -14,9 +14,9 @@ from functools import lru_cache
 from lark import Token, Tree
 from lark.exceptions import UnexpectedCharacters, UnexpectedEOF, UnexpectedInput, UnexpectedToken
 
-from mechanics.reading.latex_fold import Fold
-from mechanics.reading.latex_grammar import PARSER
-from mechanics.reading.latex_items import Items
+from mechanics.reading.latex.fold import Fold
+from mechanics.reading.latex.grammar import PARSER
+from mechanics.reading.latex.items import Items
 from mechanics.reading.lines import Line, Unread
 from mechanics.reading.names import Naming
 from mechanics.reading.place import Refused, bounded, bounded_mathematics, located, refusal

@@ -1,0 +1,1 @@
+"""C text as arithmetic: parsed by pycparser, evaluated over any numbers."""

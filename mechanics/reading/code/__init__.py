@@ -1,0 +1,1 @@
+"""Code and objects of other programs, as statements: Python, CasADi, C, SymPy."""

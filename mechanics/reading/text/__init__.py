@@ -1,0 +1,1 @@
+"""Plain text in the notation of SymPy or MATLAB, as trees."""
