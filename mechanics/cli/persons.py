@@ -11,11 +11,12 @@ from rich.markup import escape
 
 from mechanics.cli.checking import STYLES, _writable
 from mechanics.cli.load import load, run_file
-from mechanics.crosscheck.check import Check, Judged
 from mechanics.crosscheck.check import check as run
 from mechanics.crosscheck.check_json import to_json
 from mechanics.errors import InputError
 from mechanics.exact import Verdict
+from mechanics.report.answer.check import Check
+from mechanics.report.answer.judged import Judged
 
 
 def check(

@@ -4,7 +4,7 @@ statements  --ledger-->  PROVED, CERTIFIED, REFUTED with a witness, UNDECIDED
 """
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import lru_cache
 from typing import Any
 
@@ -18,62 +18,11 @@ from mechanics.equations import Equations
 from mechanics.errors import ExpressionError, InputError, SceneError, wanted
 from mechanics.exact import Finding, Verdict
 from mechanics.reading.code.black_box import BlackBox
-from mechanics.reading.names import Match
 from mechanics.reading.statement import Statement
+from mechanics.report.answer.check import Check
+from mechanics.report.answer.judged import Judged
 from mechanics.scene import Scene
 from mechanics.scene.system import System
-
-
-@dataclass(frozen=True)
-class Judged:
-    """A statement and its verdict.
-
-    Attributes
-    ----------
-    statement : Statement
-    finding : Finding
-    right_if : tuple of str
-        Changes of convention under which a refuted statement is right.
-    """
-
-    statement: Statement
-    finding: Finding
-    right_if: tuple[str, ...] = ()
-
-
-@dataclass(frozen=True)
-class Check:
-    """What became of a person's equations.
-
-    Attributes
-    ----------
-    scene : Scene
-    judged : tuple of Judged
-        One for each statement, in order.
-    names : tuple of Match
-        What each name was taken for.
-    remarks : tuple of str
-    """
-
-    scene: Scene
-    judged: tuple[Judged, ...]
-    names: tuple[Match, ...]
-    remarks: tuple[str, ...]
-
-    @property
-    def verdict(self) -> Verdict:
-        """The worst verdict of all."""
-        order = (Verdict.REFUTED, Verdict.UNDECIDED, Verdict.SUPPORTED, Verdict.CERTIFIED)
-        found = {entry.finding.verdict for entry in self.judged}
-        for verdict in order:
-            if verdict in found:
-                return verdict
-        return Verdict.PROVED if found else Verdict.UNDECIDED
-
-    @property
-    def ok(self) -> bool:
-        """Whether everything is PROVED or CERTIFIED, and there is something."""
-        return self.verdict in (Verdict.PROVED, Verdict.CERTIFIED)
 
 
 @lru_cache(maxsize=8)
@@ -131,7 +80,7 @@ def check(
         truth = derived(scene.scene() if isinstance(scene, System) else scene)
     if isinstance(equations, BlackBox):
         entries, boxed = check_box(truth, equations, names)
-        return Check(truth.scene, tuple(Judged(s, f) for s, f in entries), boxed, ())
+        return Check(truth.scene, tuple(Judged(s, f) for s, f in entries), boxed, (), truth)
     parts = equations if isinstance(equations, list | tuple) else [equations]
     readings = [read(truth.scene, part, names, notation, about) for part in parts]
     statements = [statement for reading in readings for statement in reading.statements]
@@ -139,7 +88,7 @@ def check(
     judged, told = _judged(truth, statements, names_of)
     matches = {match.name: match for reading in readings for match in reading.names}
     remarks = tuple(dict.fromkeys(r for reading in readings for r in reading.remarks))
-    return Check(truth.scene, judged, tuple(matches.values()), (*remarks, *told))
+    return Check(truth.scene, judged, tuple(matches.values()), (*remarks, *told), truth)
 
 
 def _judged(

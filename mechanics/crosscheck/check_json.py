@@ -14,7 +14,8 @@ r"""What became of a person's equations, as JSON, stable.
 
 from typing import Any
 
-from mechanics.crosscheck.check import Check, Judged
+from mechanics.report.answer.check import Check
+from mechanics.report.answer.judged import Judged
 from mechanics.report.json_report import verdict_json
 
 

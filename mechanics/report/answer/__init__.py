@@ -1,0 +1,1 @@
+"""The answer to a person who asked whether equations are right: on a terminal, as a page."""
