@@ -78,7 +78,7 @@ def batch_implementation(model: Model, part: Part, names: Sequence[str]) -> str:
     lines = [
         f"/* {comment(model.equations.scene.name)}: many states at once. */", "",
         f'#include "{part.prefix}_batch.h"', f'#include "{part.prefix}_sine.h"', "",
-        "#include <math.h>",
+        "#include <math.h>", "", part.careful.rstrip(),
     ]  # fmt: skip
     written = ["\n".join(lines) + "\n"]
     for name in names:

@@ -49,8 +49,9 @@ def header(model: Model, part: Part, names: Sequence[str]) -> str:
  * Matrices are stored column by column. All inputs are read before the first output is written,
  * so an output may be the same array as an input of its size.
  *
- * Every function returns a status, and writes its outputs whatever it is. Nothing traps. Do not
- * compile with -ffast-math: it takes the check for infinity away.
+ * Every function returns a status, and writes its outputs whatever it is. Nothing traps. The C
+ * files refuse -ffast-math, which takes the check for infinity away; what is shown of them does not
+ * hold with it. {part.macro}_ALLOW_FAST_MATH compiles them all the same.
  *
 {library_calls(model, part, names)}{shared_divisors(model, names)}{fixed_values(model)} */
 #ifndef {guard}

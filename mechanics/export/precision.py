@@ -15,6 +15,14 @@ from mechanics.errors import InputError
 PRECISIONS = {"double": ("double",), "single": ("single",), "both": ("double", "single")}
 """What may be asked for, and what is then written."""
 
+CAREFUL = """\
+#if !defined({macro}_ALLOW_FAST_MATH) && (defined(__FAST_MATH__) || defined(_M_FP_FAST) || \\
+    defined(__ASSOCIATIVE_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__))
+#error "fast-math takes the statuses and the inline sine away: {macro}_ALLOW_FAST_MATH allows it"
+#endif
+"""
+"""With -ffinite-math-only, isfinite(x) is 1; associative sums round no angle to its quadrant."""
+
 
 @dataclass(frozen=True)
 class Part:
@@ -60,6 +68,11 @@ class Part:
         """Names of the statuses."""
         names = ("OK", "SINGULAR", "OVERFLOW", "BAD_INPUT")
         return Codes(*(f"{self.macro}_{name}" for name in names))
+
+    @property
+    def careful(self) -> str:
+        """Lines of a C file that refuse compilers which take infinities for impossible."""
+        return CAREFUL.format(macro=self.macro)
 
 
 def named_parts(name: str, precision: str) -> tuple[Part, ...]:

@@ -143,7 +143,7 @@ def implementation(model: Model, part: Part, names: Sequence[str]) -> str:
     scene = comment(f"{model.equations.scene.name}, derived by {model.equations.route}")
     written = [
         f"/* {scene} */", "", f'#include "{part.prefix}.h"', "", "#include <math.h>", "",
-        inline_choice(part),
+        part.careful, inline_choice(part),
     ]  # fmt: skip
     for name in names:
         code = model.program(name)

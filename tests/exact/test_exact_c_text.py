@@ -73,6 +73,17 @@ def test_functions_and_macros_of_the_file_are_read() -> None:
     assert len(program.nodes) == 6 and not program.status
 
 
+def test_an_error_that_compilers_may_meet_changes_no_text() -> None:
+    """What is under the condition but is no #error counts."""
+    error = '#if defined(__FAST_MATH__) || __FINITE_MATH_ONLY__\n#error "no"\n#endif'
+    source = parse(f"{error}\n{HEAD} {{ y[0] = x[0]; }}", "f.c")
+    assert "f" in source.functions and not source.asked
+    with pytest.raises(ExpressionError, match="__FINITE_MATH_ONLY__ in #if is not known"):
+        read("y[0] = x[0];", error.replace("#endif", "#define sin cos\n#endif"))
+    with pytest.raises(ExpressionError, match=r"f\.c:1: #error \"no\" is not known here"):
+        parse('#error "no"\n', "f.c")
+
+
 REFUSED = [
     ("y[0] = 1.0f * x[0];", "a float stands beside a double"),
     ("float s = x[0]; y[0] = x[0];", "a double stands where a float"),

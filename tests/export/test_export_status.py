@@ -112,3 +112,27 @@ def test_an_infinity_that_a_quotient_hides_is_told(modelled, compiler, tmp_path:
     status, outs = library("forward_dynamics", **(given | {"p": values, "q": np.zeros(2)}))
     assert status == OVERFLOW, outs
     assert watched(model.program("forward_dynamics")).divisors
+
+
+CARELESS = ["-ffast-math", "-Ofast", "-ffinite-math-only"]
+
+
+@pytest.mark.parametrize("flag", CARELESS)
+def test_compilers_that_take_infinities_for_impossible_are_refused(
+    modelled, compiler, tmp_path: Path, flag: str
+) -> None:
+    write_c(modelled("elastic_pendulum", "kane"), tmp_path, name="system")
+    for file in ("system.c", "system_batch.c"):
+        command = [
+            compiler,
+            "-std=c99",
+            flag,
+            "-c",
+            str(tmp_path / file),
+            "-o",
+            str(tmp_path / "o"),
+        ]
+        done = subprocess.run(command, capture_output=True, text=True, check=False)
+        assert done.returncode != 0 and "SYSTEM_ALLOW_FAST_MATH allows it" in done.stderr
+        done = subprocess.run([*command, "-DSYSTEM_ALLOW_FAST_MATH"], check=False)
+        assert done.returncode == 0

@@ -3,12 +3,14 @@
     text  --tokens-->  directives resolved  --macros-->  text with the same lines
 
 Nothing is compiled and nothing is guessed: of the preprocessor there is what generated code has,
-object-like macros, includes, conditions on names. Everything else is refused by name.
+object-like macros, includes, conditions on names. Everything else is refused by name. An ``#if`` of
+which nothing depends but an ``#error`` is passed over: either a compiler refuses the file there, or
+the text goes on the same.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
 from mechanics.errors import ExpressionError
@@ -44,7 +46,7 @@ class _Reader:
         self.out.append(f'\n# 1 "{file}"\n')
         # One entry a condition: whether its branch is taken, and whether one has been.
         branches: list[list[bool]] = []
-        for number, line in enumerate(lines(tokens(text, file)), 1):
+        for number, line in enumerate(_without_errors(lines(tokens(text, file))), 1):
             solid = [token for token in line if token[0] != "space"]
             where = f"{file}:{number}"
             if solid and solid[0][1] == "#":
@@ -133,6 +135,24 @@ class _Reader:
             else:
                 result.append(text)
         return result
+
+
+def _without_errors(text: Sequence[Line]) -> list[Line]:
+    """The lines, with ``#if`` ``#error`` ``#endif`` left empty: they change no text."""
+    found = list(text)
+    starts = [
+        (i, _directive(line)) for i, line in enumerate(text) if any(k != "space" for k, _ in line)
+    ]
+    for (i, first), (j, second), (k, third) in zip(starts, starts[1:], starts[2:], strict=False):
+        if first in ("if", "ifdef", "ifndef") and second == "error" and third == "endif":
+            found[i], found[j], found[k] = [], [], []
+    return found
+
+
+def _directive(line: Line) -> str:
+    """The word after #, if the line is a directive."""
+    solid = [text for kind, text in line if kind != "space"]
+    return solid[1] if len(solid) > 1 and solid[0] == "#" else ""
 
 
 @dataclass

@@ -4,6 +4,11 @@
 
 #include <math.h>
 
+#if !defined(ELASTIC_PENDULUM_ALLOW_FAST_MATH) && (defined(__FAST_MATH__) || defined(_M_FP_FAST) || \
+    defined(__ASSOCIATIVE_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__))
+#error "fast-math takes the statuses and the inline sine away: ELASTIC_PENDULUM_ALLOW_FAST_MATH allows it"
+#endif
+
 #ifdef ELASTIC_PENDULUM_INLINE_SINE
 #include "elastic_pendulum_sine.h"
 #define sin mechanics_sin

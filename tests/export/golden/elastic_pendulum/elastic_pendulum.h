@@ -5,8 +5,9 @@
  * Matrices are stored column by column. All inputs are read before the first output is written,
  * so an output may be the same array as an input of its size.
  *
- * Every function returns a status, and writes its outputs whatever it is. Nothing traps. Do not
- * compile with -ffast-math: it takes the check for infinity away.
+ * Every function returns a status, and writes its outputs whatever it is. Nothing traps. The C
+ * files refuse -ffast-math, which takes the check for infinity away; what is shown of them does not
+ * hold with it. ELASTIC_PENDULUM_ALLOW_FAST_MATH compiles them all the same.
  *
  * Of the C library they call cos, sin. With the macro ELASTIC_PENDULUM_INLINE_SINE
  * defined, cos and sin are those of elastic_pendulum_sine.h instead: up to 1048576 rad, with

@@ -5,6 +5,11 @@
 
 #include <math.h>
 
+#if !defined(ELASTIC_PENDULUM_ALLOW_FAST_MATH) && (defined(__FAST_MATH__) || defined(_M_FP_FAST) || \
+    defined(__ASSOCIATIVE_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__))
+#error "fast-math takes the statuses and the inline sine away: ELASTIC_PENDULUM_ALLOW_FAST_MATH allows it"
+#endif
+
 static inline int elastic_pendulum_forward_dynamics_batch_lanes(size_t count, size_t stride,
     const double *restrict q, const double *restrict u, const double *restrict p,
     double *restrict ud)
