@@ -14,7 +14,7 @@ from mechanics.compiled.c.lanes import FAR, SHARED, WILD, arguments, wrapped
 from mechanics.compiled.c.sine import LIMIT
 from mechanics.export.functions import about
 from mechanics.export.header import comment
-from mechanics.export.precision import Part
+from mechanics.export.precision import Part, careful
 
 BATCHED = ("forward_dynamics", "coordinate_rates", "energy")
 """Functions that ensembles of motions need. Others are long, and compilers take long for them."""
@@ -78,7 +78,7 @@ def batch_implementation(model: Model, part: Part, names: Sequence[str]) -> str:
     lines = [
         f"/* {comment(model.equations.scene.name)}: many states at once. */", "",
         f'#include "{part.prefix}_batch.h"', f'#include "{part.prefix}_sine.h"', "",
-        "#include <math.h>", "", part.careful.rstrip(),
+        "#include <math.h>", "", careful(part.macro).rstrip(),
     ]  # fmt: skip
     written = ["\n".join(lines) + "\n"]
     for name in names:

@@ -69,10 +69,16 @@ class Part:
         names = ("OK", "SINGULAR", "OVERFLOW", "BAD_INPUT")
         return Codes(*(f"{self.macro}_{name}" for name in names))
 
-    @property
-    def careful(self) -> str:
-        """Lines of a C file that refuse compilers which take infinities for impossible."""
-        return CAREFUL.format(macro=self.macro)
+
+def careful(macro: str) -> str:
+    """Lines of a C file that refuse compilers which take infinities for impossible.
+
+    Parameters
+    ----------
+    macro : str
+        What the name of the macro that allows them begins with.
+    """
+    return CAREFUL.format(macro=macro)
 
 
 def named_parts(name: str, precision: str) -> tuple[Part, ...]:

@@ -34,7 +34,7 @@ from mechanics.export.header import comment, header
 from mechanics.export.loader import loader
 from mechanics.export.manifest import manifest
 from mechanics.export.package import build_files
-from mechanics.export.precision import Part, named_parts
+from mechanics.export.precision import Part, careful, named_parts
 from mechanics.export.prefix import chosen_prefix
 from mechanics.export.selftest import selftest
 from mechanics.export.sine import inline_choice, sine_header
@@ -143,7 +143,7 @@ def implementation(model: Model, part: Part, names: Sequence[str]) -> str:
     scene = comment(f"{model.equations.scene.name}, derived by {model.equations.route}")
     written = [
         f"/* {scene} */", "", f'#include "{part.prefix}.h"', "", "#include <math.h>", "",
-        part.careful, inline_choice(part),
+        careful(part.macro), inline_choice(part),
     ]  # fmt: skip
     for name in names:
         code = model.program(name)

@@ -13,6 +13,7 @@ from mechanics.compiled.programs.program import Program, program
 from mechanics.export.fmu.functions import Functions
 from mechanics.export.fmu.variables import Variable, Variables
 from mechanics.export.header import comment
+from mechanics.export.precision import careful
 
 CODES = Codes("MODEL_OK", "MODEL_SINGULAR", "MODEL_OVERFLOW", "MODEL_BAD_INPUT")
 
@@ -76,7 +77,10 @@ def _rows(array: str, variables: Sequence[Variable]) -> list[str]:
 
 def model_source(title: str, identifier: str, variables: Variables, known: Functions) -> str:
     """Text of model.c."""
-    parts = [f'/* {comment(title)}. */\n#include "model.h"\n\n#include <math.h>\n']
+    parts = [
+        f'/* {comment(title)}. */\n#include "model.h"\n\n#include <math.h>\n',
+        careful("MODEL"),
+    ]
     given = tuple(variable.name for variable in variables.given)
     for name, function in known.graphs.items():
         code = program(function)
