@@ -50,7 +50,8 @@ def verify(
     A file whose hash differs is named; C that is only formatted anew is shown all the same.
 
     Exit code: 0 when all is shown, 1 when something is REFUTED, 3 when something is UNDECIDED, a
-    file is missing, or one that no step looks at was changed, 2 for bad input.
+    file is missing, or one that no step looks at was changed, 2 for bad input: a file that cannot
+    be read, or no manifest.json, equations.json or graphs.json to compare the others with.
 
     Examples
     --------

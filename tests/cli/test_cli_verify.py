@@ -98,6 +98,14 @@ def test_a_file_that_no_step_looks_at(run: Any, folder: Path) -> None:
     assert ran.code == 3 and "missing CMakeLists.txt" in ran.out
 
 
+@pytest.mark.parametrize("ending", [".c", ".h", "_sine.h", "_selftest.c", "_loader.py"])
+def test_a_missing_file_leaves_the_rest_to_be_judged(run: Any, folder: Path, ending: str) -> None:
+    (folder / f"{NAME}{ending}").unlink()
+    ran = run("verify", folder)
+    assert ran.code == 3 and f"missing {NAME}{ending}" in ran.out, ran.err
+    assert "derived equations = graph: 2 " in ran.out and "REFUTED" not in ran.out
+
+
 def test_another_scene_is_refuted(run: Any, folder: Path) -> None:
     ran = run("verify", folder, "--scene", "rocker", "--no-compile")
     assert ran.code == 2 and ran.err.count("\n") == 1 and "another scene" in ran.err
@@ -130,7 +138,6 @@ DAMAGE = [
     ("equations.json", lambda p: p.write_text("{}"), "it is not what was derived"),
     ("graphs.json", lambda p: p.write_text('{"nodes": 3}'), "it does not hold the graphs"),
     ("graphs.json", Path.unlink, "the manifest has it, the folder has it not"),
-    (f"{NAME}.c", Path.unlink, "the manifest has it, the folder has it not"),
     (f"{NAME}.c", lambda p: p.write_bytes(b"/* \xff\xfe */"), "it is no text in UTF-8"),
     (f"{NAME}.h", huge, "it is larger than 64 MB"),
 ]

@@ -87,8 +87,10 @@ def test_from_the_bodies_it_is_what_every_route_derived(system: Any, route: str)
     model = forced(equations, form.name)
     assert model.form == form.name
     assert certified(model) is Verdict.CERTIFIED
-    with pytest.raises(InputError, match=f"form '{other.name}': .*: choose another, or 'auto'$"):
+    with pytest.raises(InputError, match=f"form '{other.name}': .*, or 'auto'$") as refused:
         compile(equations, form=other.name)
+    among = str(refused.value).rpartition("choose among ")[2]
+    assert form.name in among and other.name not in among
 
 
 @pytest.mark.parametrize("joints", ["z", "xy", "xYz", "Xyz", "zXyx"])

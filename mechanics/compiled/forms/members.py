@@ -77,12 +77,13 @@ def named_form(name: str, equations: Equations) -> Form:
     Raises
     ------
     InputError
-        If there is no such form, or the equations have no such one.
+        If there is no such form, or the equations have no such one; it names those that they have.
     """
     for form in FORMS:
         if form.name == name:
             if why := form.unsuited(equations):
-                raise InputError(f"form {name!r}: {why}: choose another, or 'auto'")
+                suited = ", ".join(f.name for f in FORMS if not f.unsuited(equations))
+                raise InputError(f"form {name!r}: {why}: choose among {suited}, or 'auto'")
             return form
     raise InputError(f"form {name!r}: the forms are auto, {', '.join(f.name for f in FORMS)}")
 

@@ -20,8 +20,8 @@ from mechanics.export.folder import MANIFEST
 LARGEST_FILE = 64_000_000
 """Bytes; generated files are a thousandth of it."""
 KINDS = ("double", "float")
-NEEDED = (".c", ".h", ".json")
-"""Endings of files without which nothing can be shown."""
+NEEDED = (equations.FILE, graphs.FILE)
+"""Files without which there is nothing to compare the others with."""
 
 
 @dataclass(frozen=True)
@@ -83,7 +83,7 @@ def read_folder(path: Path) -> Folder:
         if Path(name).name != name or name in ("", ".", ".."):
             raise InputError(f"{path / MANIFEST}: {name!r} is no name of a file in the folder")
         if not (path / name).is_file():
-            if name.endswith(NEEDED):
+            if name in NEEDED:
                 raise InputError(f"{path / name}: the manifest has it, the folder has it not")
             missing.append(name)
             continue
