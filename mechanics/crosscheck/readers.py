@@ -11,7 +11,7 @@ from mechanics.errors import WrongKindError
 from mechanics.reading.assemble import Reading
 from mechanics.reading.code.read import read_c, read_casadi, read_function
 from mechanics.reading.code.sympy_objects import is_sympy, read_sympy
-from mechanics.reading.read import decoded, read_file, read_source
+from mechanics.reading.read import decoded, file_text, read_file, read_source
 from mechanics.scene import Scene
 
 
@@ -28,7 +28,7 @@ def read(
     Parameters
     ----------
     scene : Scene
-    thing : str, Path, SymPy object, CasADi Function or callable
+    thing : str, bytes, Path, SymPy object, CasADi Function or callable
     names, notation, about
         As for `mechanics.check`.
     function : str, optional
@@ -43,8 +43,10 @@ def read(
     """
     if isinstance(thing, Path):
         if thing.suffix in (".c", ".h"):
-            return read_c(scene, decoded(thing), function, names, about, str(thing))
+            return read_c(scene, file_text(thing), function, names, about, str(thing))
         return read_file(scene, thing, names=names, notation=notation, about=about)
+    if isinstance(thing, bytes):
+        thing = decoded(thing, "bytes")
     if isinstance(thing, str):
         if notation == "c":
             return read_c(scene, thing, function, names, about)

@@ -80,10 +80,10 @@ def read_file(scene: Scene, path: Path, **options: object) -> Reading:
     """`read_source` of a file; the suffix may tell the notation."""
     settings = {"notation": SUFFIXES.get(path.suffix), "origin": str(path)}
     given = {name: value for name, value in options.items() if value is not None}
-    return read_source(scene, decoded(path), **{**settings, **given})  # type: ignore[arg-type]
+    return read_source(scene, file_text(path), **{**settings, **given})  # type: ignore[arg-type]
 
 
-def decoded(path: Path) -> str:
+def file_text(path: Path) -> str:
     """The text of a file.
 
     Raises
@@ -92,12 +92,27 @@ def decoded(path: Path) -> str:
         When it cannot be read, or is no UTF-8; by line and column.
     """
     try:
-        data = path.read_bytes()
+        # Not all of it: a file may have no end, as /dev/zero.
+        with path.open("rb") as file:
+            data = file.read(4 * LARGEST_TEXT + 1)
     except OSError as error:
         raise InputError(f"file {path}: it cannot be read: {error.strerror}") from None
+    return decoded(data, str(path))
+
+
+def decoded(data: bytes, origin: str) -> str:
+    """Bytes as text.
+
+    Raises
+    ------
+    InputError
+        When they are too many, or no UTF-8; by line and column.
+    """
+    if len(data) > 4 * LARGEST_TEXT:
+        raise InputError(f"{origin}, line 1, column 1: more than {4 * LARGEST_TEXT} bytes")
     try:
         return data.decode("utf-8")
     except UnicodeDecodeError as error:
         line = data.count(b"\n", 0, error.start) + 1
         column = error.start - (data.rfind(b"\n", 0, error.start) + 1) + 1
-        raise InputError(f"{path}, line {line}, column {column}: this is no UTF-8 text") from None
+        raise InputError(f"{origin}, line {line}, column {column}: no UTF-8 text") from None

@@ -127,7 +127,7 @@ def test_c_source(tmp_path) -> None:
     [
         ("int f(", "no C"),
         ("", "there is no function in it"),
-        ("double f(double x) { while (1) {} return x; }", "code.c:1"),
+        ("double f(double x) { while (1) {} return x; }", "code.c, line 1, column 22"),
         ("double f(double x) { return g(x); }", "the call g() is not known here"),
         ("void f(const double *x, double *y) { y[0] = x[9]; }", "x[9] is read beyond the end"),
         ("(" * 20000, "code.c"),

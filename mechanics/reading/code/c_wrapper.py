@@ -37,6 +37,8 @@ class Call:
         Number of outputs.
     result : bool
         Whether it returns a number.
+    coord : str
+        Where it begins: file, line and column.
     """
 
     name: str
@@ -45,6 +47,7 @@ class Call:
     arguments: tuple[str, ...]
     size: int
     result: bool
+    coord: str
 
     def source(self, sizes: Mapping[str, int]) -> str:
         """The file with the wrapper below."""
@@ -97,7 +100,7 @@ def wrapped(source: Source, text: str, name: str | None) -> Call:
             size += entries
     if not 0 < size <= LARGEST_ARRAY:
         raise InputError(f"{source.file}: {chosen} has {size} outputs")
-    return Call(chosen, text, inputs, tuple(arguments), size, result)
+    return Call(chosen, text, inputs, tuple(arguments), size, result, str(function.decl.coord))
 
 
 def _returned(function: object) -> str:

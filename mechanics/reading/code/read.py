@@ -22,6 +22,7 @@ from mechanics.exact.graph_angles import Node
 from mechanics.reading.about import QUANTITIES
 from mechanics.reading.assemble import Reading
 from mechanics.reading.code.arguments import Arguments, arguments_of
+from mechanics.reading.code.c_place import placed
 from mechanics.reading.code.c_wrapper import WRAPPER, wrapped
 from mechanics.reading.code.outputs import claims, in_order, statement
 from mechanics.reading.code.tracing import Outputs, trace
@@ -123,24 +124,26 @@ def read_c(
     Raises
     ------
     InputError
-        For C that is not known here, by file and line.
+        For C that is not known here, by line and column.
     """
     bounded(text, origin)
     if len(text) > LARGEST_C:
         raise InputError(f"{origin}, line 1, column 1: {len(text)} characters: {LARGEST_C} at most")
+    coord = ""
     try:
         call = wrapped(parse(text, origin), text, function)
-        wanted = list(call.inputs)
+        coord, wanted = call.coord, list(call.inputs)
 
         def run(given: Arguments) -> Outputs:
             sizes = {name: len(_entries(given.values[name])) for name in wanted}
             return _c_outputs(call.source(sizes), origin, wanted, given, call.size)
 
         return _read(scene, call.name, wanted, call.inputs, run, names, about)
-    except ExpressionError as error:
-        raise InputError(" ".join(str(error).split())) from None
+    except (ExpressionError, InputError) as error:
+        raise InputError(placed(text, str(error), origin, coord)) from None
     except RecursionError:
-        raise InputError(f"{origin}: its expressions are nested too deeply") from None
+        words = "its expressions are nested too deeply"
+        raise InputError(placed(text, words, origin, coord)) from None
 
 
 def _c_outputs(

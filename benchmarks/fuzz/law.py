@@ -1,0 +1,132 @@
+"""The law that every input keeps, and what it costs.
+
+    bytes  ->  a Check, or a MechanicsError of one line with "line N, column M"
+
+Reading takes less than 2 s and 500 MB; a verdict, that of a wrong equation with its blame
+included, less than `LONGEST_VERDICT`. Nothing that the bytes say is run.
+"""
+
+import re
+import resource
+import traceback
+from collections.abc import Callable
+from dataclasses import dataclass
+from time import process_time
+from typing import Any
+
+from mechanics.crosscheck.check import Check, check
+from mechanics.crosscheck.readers import read
+from mechanics.equations import Equations
+from mechanics.errors import MechanicsError
+
+LONGEST_READING = 2.0
+LONGEST_VERDICT = 20.0
+"""Seconds of the processor."""
+
+LARGEST_MEMORY = 500.0
+"""Megabytes."""
+
+PLACE = re.compile(r"line \d+, column \d+: ")
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """What became of an input.
+
+    Attributes
+    ----------
+    kind : str
+        The worst verdict, or ``"refused"``.
+    broken : str
+        How it breaks the law; empty where it does not.
+    reading, verdict : float
+        Seconds of the processor.
+    memory : float
+        Megabytes that the process grew by.
+    """
+
+    kind: str
+    broken: str
+    reading: float
+    verdict: float
+    memory: float
+
+
+def outcome(truth: Equations, notation: str, data: bytes, *, judge: bool = True) -> Outcome:
+    """Read an input, and judge it; time and memory are measured, not judged.
+
+    Parameters
+    ----------
+    truth : Equations
+        Of the scene that the input is about.
+    notation : str
+        ``"latex"``, ``"text"`` or ``"c"``.
+    data : bytes
+    judge : bool
+        False to read only.
+    """
+    before = memory()
+    _, broken, reading = _timed(lambda: read(truth.scene, data, None, notation, None))
+    kind, verdict = "read", 0.0
+    if judge and not broken:
+        found, broken, verdict = _timed(lambda: check(truth, data, notation=notation))
+        kind = found.verdict.name if isinstance(found, Check) else "refused"
+        broken = broken or (_doubts(found) if isinstance(found, Check) else "")
+    return Outcome(kind, broken, reading, verdict, memory() - before)
+
+
+def over(found: Outcome) -> str:
+    """Which limit an outcome is beyond; empty where none."""
+    if found.reading > LONGEST_READING:
+        return f"reading took {found.reading:.1f} s"
+    if found.memory > LARGEST_MEMORY:
+        return f"{found.memory:.0f} MB"
+    if found.verdict > LONGEST_VERDICT:
+        return f"the verdict took {found.verdict:.1f} s"
+    return ""
+
+
+def memory() -> float:
+    """Most megabytes that this process had."""
+    return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024
+
+
+def _timed(act: Callable[[], Any]) -> tuple[Any, str, float]:
+    """What an act returns, how it breaks the law, and its seconds."""
+    start = process_time()
+    found, broken = None, ""
+    try:
+        found = act()
+    except MechanicsError as error:
+        broken = _line(str(error))
+    except Exception as error:
+        if isinstance(error, KeyboardInterrupt):
+            raise
+        broken = f"{type(error).__name__} {_origin(error)}"
+    return found, broken, process_time() - start
+
+
+def _line(words: str) -> str:
+    if len(words.splitlines()) != 1:
+        return "an error of more than one line"
+    if not PLACE.search(words):
+        return f"an error without a place: {re.sub(r'[0-9]+', '0', words)[:60]}"
+    return ""
+
+
+def _doubts(found: Check) -> str:
+    """A statement that could not be read says where, in one line."""
+    for entry in found.judged:
+        doubt = entry.statement.doubt
+        if len(doubt.splitlines()) > 1:
+            return "a doubt of more than one line"
+        if entry.statement.row is None and not PLACE.search(doubt):
+            return f"a doubt without a place: {doubt[:60]}"
+    return ""
+
+
+def _origin(error: BaseException) -> str:
+    """The last line of ours that an error came through."""
+    frames = [f for f in traceback.extract_tb(error.__traceback__) if "mechanics" in f.filename]
+    last = frames[-1] if frames else None
+    return f"at {last.filename.rpartition('mechanics/')[2]}, {last.name}" if last else ""
