@@ -7,16 +7,13 @@ from typing import Annotated, Any
 
 import typer
 from rich.console import Console
-from rich.markup import escape
 
-from mechanics.cli.checking import STYLES, _writable
+from mechanics.cli.checking import _writable
 from mechanics.cli.load import load, run_file
 from mechanics.crosscheck.check import check as run
 from mechanics.crosscheck.check_json import to_json
 from mechanics.errors import InputError
 from mechanics.exact import Verdict
-from mechanics.report.answer.check import Check
-from mechanics.report.answer.judged import Judged
 
 
 def check(
@@ -43,13 +40,17 @@ def check(
     json_file: Annotated[
         str | None, typer.Option("--json", metavar="FILE|-", help="Write JSON; - for the screen.")
     ] = None,
+    quiet: Annotated[
+        bool, typer.Option("--quiet", "-q", help="Print nothing: the exit code tells.")
+    ] = False,
 ) -> None:
     """Check your own equations of motion, energies, reactions or mass matrix.
 
-    Each equation gets a verdict, a wrong one a state at which its sides differ. Names are matched
-    to those of the scene; what was matched how is printed. Rows may be scaled, combined and
-    swapped. Exit code: 0 when all is PROVED or CERTIFIED, 1 when something is REFUTED, 3 when
-    something is in doubt, 2 for bad input.
+    Each equation gets a verdict; a wrong one the smallest change that makes it right, the
+    differences term by term, and a state at which its sides differ. Names are matched to those of
+    the scene; what was guessed is printed. Rows may be scaled, combined and swapped. Exit code: 0
+    when all is PROVED or CERTIFIED, 1 when something is REFUTED, 3 when something is in doubt, 2
+    for bad input.
 
     Examples
     --------
@@ -67,13 +68,14 @@ def check(
         scene, parts, names=_names(name or []), notation=notation, about=about,
         convention=convention or (),
     )  # fmt: skip
-    if json_file == "-":
-        sys.stdout.write(json.dumps(to_json(found), indent=2, ensure_ascii=False) + "\n")
-    else:
-        if json_file is not None:
-            text = json.dumps(to_json(found), indent=2, ensure_ascii=False) + "\n"
+    if json_file is not None:
+        text = json.dumps(to_json(found), indent=2, ensure_ascii=False) + "\n"
+        if json_file == "-":
+            sys.stdout.write(text)
+        else:
             Path(json_file).write_text(text, encoding="utf-8")
-        _show(Console(), found)
+    if json_file != "-" and not quiet:
+        Console(highlight=False, emoji=False).print(found)
     if found.verdict is Verdict.REFUTED:
         raise typer.Exit(1)
     raise typer.Exit(0 if found.ok else 3)
@@ -104,34 +106,3 @@ def _names(entries: list[str]) -> dict[str, str]:
             raise InputError(f"--name {entry!r}: {mine} is given twice")
         found[mine] = theirs
     return found
-
-
-def _show(console: Console, found: Check) -> None:
-    for entry in found.judged:
-        _one(console, entry)
-    given = [f"{m.name} = {m.meaning}" for m in found.names if m.why == "as given"]
-    if given:
-        console.print(escape("names as given: " + ", ".join(given)), style="dim")
-    for match in found.names:
-        if match.guessed:
-            console.print(escape(f"{match.name} is read as {match.meaning}: {match.why}"))
-    for remark in found.remarks:
-        console.print(escape(remark), style="dim")
-
-
-def _one(console: Console, entry: Judged) -> None:
-    finding, statement = entry.finding, entry.statement
-    style = STYLES[finding.verdict]
-    source = statement.source if len(statement.source) <= 160 else statement.source[:157] + "..."
-    console.print(f"[{style}]{finding.verdict.name}[/]  {escape(statement.tag)}  {escape(source)}")
-    if finding.verdict is not Verdict.PROVED:
-        console.print(f"    {escape(finding.evidence)}")
-    if finding.witness is not None:
-        state = ", ".join(f"{name} = {value}" for name, value in finding.witness.state)
-        console.print(f"    at {escape(state)}", style="dim")
-        console.print(f"    left  {escape(finding.witness.left)}", style="dim")
-        console.print(f"    right {escape(finding.witness.right)}", style="dim")
-    for words in entry.right_if:
-        console.print(f"    [yellow]right if[/] {escape(words)}")
-    for note in statement.notes:
-        console.print(f"    {escape(note)}", style="dim")

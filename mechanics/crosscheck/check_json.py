@@ -6,14 +6,29 @@ r"""What became of a person's equations, as JSON, stable.
 | --- | --- |
 | verdict | the worst of all |
 | statements | list of `tag`, `source`, `place`, `about`, `verdict`, `evidence`, `error_bound`,
-  `witness`, `right_if`, `notes` |
+  `witness`, `right_if`, `blame`, `notes` |
 | names | by the person's name: `meaning` in the scene, and `why` |
 
 `witness` is as in `mechanics.report.json_report`; `about` is null where a line could not be read.
+`blame` is null where a statement is not refuted or that was not asked for; else
+
+    {"differences": [...], "repairs": [...], "explanations": [sentence], "searched": sentence}
+
+| key | what it is |
+| --- | --- |
+| differences | list of `group`, `written`, `right`, and `origin`, a list of sentences |
+| repairs | the smallest changes, all equally small, the likeliest first: list of `edits`, the whole
+  statement as `repaired`, and its `verdict`, `evidence`, `error_bound` |
+| edits | list of `mistake`, a word of `mechanics.blame.result.Mistake`, its `sentence`, `written`,
+  `right`, and `span`: where it stands in `source`, `[from, to]`, or null |
+
+Formulas are in the person's own notation. `written` is empty for a missing term, `right` for one
+too many. Keys are only ever added.
 """
 
 from typing import Any
 
+from mechanics.blame.result import Blame, Edit, Repair
 from mechanics.report.answer.check import Check
 from mechanics.report.answer.judged import Judged
 from mechanics.report.json_report import verdict_json
@@ -40,5 +55,43 @@ def _statement(entry: Judged) -> dict[str, Any]:
         "about": None if statement.row is None else type(statement.row.quantity).__name__,
         **verdict_json(entry.finding),
         "right_if": list(entry.right_if),
+        "blame": None if entry.blame is None else _blame(entry.blame),
         "notes": list(statement.notes),
+    }
+
+
+def _blame(blame: Blame) -> dict[str, Any]:
+    return {
+        "differences": [
+            {
+                "group": row.group,
+                "written": row.written,
+                "right": row.right,
+                "origin": list(row.origin),
+            }
+            for row in blame.differences
+        ],
+        "repairs": [_repair(repair) for repair in blame.repairs],
+        "explanations": list(blame.explanations),
+        "searched": blame.searched,
+    }
+
+
+def _repair(repair: Repair) -> dict[str, Any]:
+    verdict = verdict_json(repair.finding)
+    del verdict["witness"]  # what is right has none
+    return {
+        "edits": [_edit(edit) for edit in repair.edits],
+        "repaired": repair.repaired,
+        **verdict,
+    }
+
+
+def _edit(edit: Edit) -> dict[str, Any]:
+    return {
+        "mistake": edit.mistake.name,
+        "sentence": edit.mistake.value,
+        "written": edit.written,
+        "right": edit.right,
+        "span": None if edit.span is None else list(edit.span),
     }

@@ -1,15 +1,23 @@
-"""What became of all of a person's equations."""
+"""What became of all of a person's equations, to be printed, shown in a notebook, or asked.
 
+print(check)    ->    REFUTED  (7)  ...  write 3 for 12: the factor is wrong
+"""
+
+from collections import Counter
 from dataclasses import dataclass
+
+from rich.console import Group
 
 from mechanics.equations import Equations
 from mechanics.exact import Verdict
 from mechanics.reading.names import Match
 from mechanics.report.answer.judged import Judged
+from mechanics.report.answer.notebook import notebook
+from mechanics.report.answer.terminal import answer, plain
 from mechanics.scene import Scene
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Check:
     """What became of a person's equations.
 
@@ -45,3 +53,17 @@ class Check:
     def ok(self) -> bool:
         """Whether everything is PROVED or CERTIFIED, and there is something."""
         return self.verdict in (Verdict.PROVED, Verdict.CERTIFIED)
+
+    def __rich__(self) -> Group:
+        return answer(self.judged, self.names, self.remarks)
+
+    def __str__(self) -> str:
+        return plain(self.__rich__())
+
+    def __repr__(self) -> str:
+        counts = Counter(entry.finding.verdict for entry in self.judged)
+        words = ", ".join(f"{counts[v]} {v.name}" for v in Verdict if counts[v])
+        return f"<Check of {self.scene.name}: {words or 'nothing was checked'}>"
+
+    def _repr_html_(self) -> str:
+        return notebook(self.__rich__())

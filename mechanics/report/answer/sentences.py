@@ -1,0 +1,43 @@
+r"""What has to be changed, in words.
+
+write \frac{L^{2}}{3} for \frac{L^{2}}{12}: the factor is wrong
+"""
+
+from mechanics.blame.result import Edit
+from mechanics.reading.statement import Statement
+from mechanics.scene.quantities import EquationOfMotion, Identity, ReactionValue
+
+
+def order(edit: Edit) -> tuple[tuple[str, str], ...]:
+    """What to do as words and formulas: ``("write", right), ("for", written)``."""
+    if not edit.written:
+        return (("add", edit.right),)
+    if not edit.right:
+        return (("leave out", edit.written),)
+    return (("write", edit.right), ("for", edit.written))
+
+
+def about(statement: Statement) -> str:
+    """What a statement is about, where that is not plain from its look: ``"kinetic energy"``."""
+    if statement.row is None:
+        return ""
+    quantity = statement.row.quantity
+    if isinstance(quantity, EquationOfMotion | Identity):
+        return ""
+    if isinstance(quantity, ReactionValue):
+        return f"reaction {quantity.name}"
+    name = type(quantity).__name__
+    return "".join(f" {c.lower()}" if c.isupper() else c for c in name).strip()
+
+
+def place(statement: Statement) -> str:
+    """Where it stands; a text without a name is not named."""
+    return statement.place.removeprefix("text, ").removeprefix("LaTeX, ")
+
+
+def sides(statement: Statement) -> tuple[str, str]:
+    """What the two values of a witness are: of both sides, or of what is written and derived."""
+    row = statement.row
+    if row is not None and isinstance(row.quantity, EquationOfMotion | Identity):
+        return "left", "right"
+    return "written", "derived"

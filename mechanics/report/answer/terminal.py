@@ -1,0 +1,174 @@
+r"""The answer as lines: verdict, source, what to write instead, differences, a state.
+
+REFUTED  (7)
+    M \frac{L^{2}}{12} \ddot{\theta}+M g \frac{L}{2} \sin \theta=0
+                  ^^
+    write 3 for 12: the factor is wrong
+"""
+
+from collections.abc import Iterable, Iterator, Sequence
+from io import StringIO
+
+from rich.cells import cell_len
+from rich.console import Console, Group, RenderableType
+from rich.text import Text
+
+from mechanics.blame.result import Blame, Edit, Repair
+from mechanics.exact import Finding, Verdict
+from mechanics.reading.names import Match
+from mechanics.report.answer.differences import Differences
+from mechanics.report.answer.judged import Judged
+from mechanics.report.answer.lines import Hanging, below, line
+from mechanics.report.answer.marks import pieces, printable, shortened
+from mechanics.report.answer.sentences import about, order, place, sides
+from mechanics.report.answer.source import Source
+from mechanics.report.answer.witness import short_value, short_values
+
+STYLES = {
+    Verdict.PROVED: "bold green",
+    Verdict.CERTIFIED: "bold green",
+    Verdict.SUPPORTED: "bold yellow",
+    Verdict.UNDECIDED: "bold yellow",
+    Verdict.REFUTED: "bold red",
+}
+PLAIN_WIDTH = 80
+
+
+def plain(answer: RenderableType, width: int = PLAIN_WIDTH) -> str:
+    """An answer as text without colour."""
+    file = StringIO()
+    console = Console(file=file, width=width, color_system=None, highlight=False, emoji=False)
+    console.print(answer)
+    return "\n".join(line.rstrip() for line in file.getvalue().splitlines())
+
+
+def answer(
+    judged: Sequence[Judged], names: Sequence[Match] = (), remarks: Sequence[str] = ()
+) -> Group:
+    """What became of statements, for `rich.console.Console.print`.
+
+    Parameters
+    ----------
+    judged : sequence of Judged
+    names : sequence of Match
+        What names were taken for; those that are the same are not told.
+    remarks : sequence of str
+    """
+    parts: list[RenderableType] = []
+    apart = False
+    for entry in judged:
+        made = list(one(entry))
+        if parts and (len(made) > 1 or apart):
+            parts.append("")
+        parts, apart = parts + made, len(made) > 1
+    last: list[RenderableType] = [
+        *_names(names),
+        *(Hanging(line(words, "dim")) for words in remarks),
+    ]
+    if len(judged) > 1:
+        last.insert(0, Hanging(_counted(judged)))
+    if apart and last:
+        parts.append("")
+    return Group(*parts, *last)
+
+
+def one(entry: Judged) -> Iterator[RenderableType]:
+    """Everything about one statement."""
+    statement, finding, blame = entry.statement, entry.finding, entry.blame
+    repairs = blame.repairs if blame is not None else ()
+    edits = repairs[0].edits if repairs else ()
+    head, source = _head(entry), printable(statement.source)
+    if not edits and cell_len(head.plain + source) + 2 <= PLAIN_WIDTH:
+        yield head.append(f"  {source}" if source else "")
+    else:
+        yield head
+        yield _source(statement.source, edits)
+    if finding.verdict not in (Verdict.PROVED, Verdict.REFUTED):
+        yield below(line(finding.evidence))
+    if blame is not None:
+        yield from _blame(blame, statement.source)
+    yield from (below(line(words, "yellow", "right if ")) for words in entry.right_if)
+    yield from _state(entry)
+    yield from (below(line(note, "dim")) for note in statement.notes)
+
+
+def _head(entry: Judged) -> Text:
+    statement, verdict = entry.statement, entry.finding.verdict
+    details = [words for words in (about(statement), place(statement)) if words]
+    tag = f"  {printable(statement.tag)}"
+    words = printable("".join(f"  {words}" for words in details))
+    return Text.assemble((verdict.name, STYLES[verdict]), (tag, "bold"), (words, "dim"))
+
+
+def _source(source: str, edits: Sequence[Edit]) -> Source:
+    return Source(shortened(pieces(source, edits)))
+
+
+def _blame(blame: Blame, source: str) -> Iterator[RenderableType]:
+    for n, repair in enumerate(blame.repairs):
+        yield from _repair(repair, source, first=n == 0)
+    if blame.searched:
+        yield below(line(blame.searched))
+    if blame.differences:
+        yield from ("", Differences(blame.differences), "")
+    for words in blame.explanations:
+        yield below(line(words, "yellow", "because: "))
+
+
+def _repair(repair: Repair, source: str, *, first: bool) -> Iterator[RenderableType]:
+    for n, edit in enumerate(repair.edits):
+        lead = "and " if n else "" if first else "or "
+        yield below(_edit(edit, lead))
+    if not first and any(_ambiguous(edit, source) for edit in repair.edits):
+        yield _source(source, repair.edits)
+    verdict = repair.finding.verdict.name
+    yield below(line(f"then {verdict}: {repair.repaired}", "dim"))
+
+
+def _ambiguous(edit: Edit, source: str) -> bool:
+    """Whether the words alone do not say where an edit belongs."""
+    return edit.span is not None and (not edit.written or source.count(edit.written) > 1)
+
+
+def _edit(edit: Edit, lead: str) -> Text:
+    text = Text(lead)
+    for word, formula in order(edit):
+        style = "bold green" if word in ("write", "add") else "bold red"
+        text.append(f"{word} ").append(printable(formula), style).append(" ")
+    text.right_crop(1)
+    return text.append(f": {edit.mistake.value}")
+
+
+def _state(entry: Judged) -> Iterator[RenderableType]:
+    """The state of a witness with what follows from it, and both values there."""
+    finding: Finding = entry.finding
+    if finding.witness is None:
+        return
+    witness = finding.witness
+    yield below(line(finding.evidence, "dim"))
+    yield below(line(f"at {_listed(witness.state)}", "dim"))
+    if witness.solved:
+        short = [(name, short_value(value)) for name, value in witness.solved]
+        yield below(line(f"from which follow {_listed(short)}", "dim"))
+    left, right = short_values(witness.left, witness.right)
+    first, second = sides(entry.statement)
+    yield below(line(f"{first} = {left}, {second} = {right}"))
+
+
+def _listed(values: Iterable[tuple[str, str]]) -> str:
+    return ", ".join(f"{name}={value}" for name, value in values)
+
+
+def _names(names: Sequence[Match]) -> Iterator[RenderableType]:
+    given = [(m.name, m.meaning) for m in names if m.why == "as given"]
+    if given:
+        yield Hanging(line(f"names as given: {_listed(given)}", "dim"))
+    for match in names:
+        if match.guessed:
+            yield Hanging(line(f"{match.name} is read as {match.meaning}: {match.why}"))
+
+
+def _counted(judged: Sequence[Judged]) -> Text:
+    counts = [(v, sum(e.finding.verdict is v for e in judged)) for v in Verdict]
+    parts = [Text(f"{count} {v.name}", STYLES[v]) for v, count in counts if count]
+    return Text(", ").join(parts)

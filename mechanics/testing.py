@@ -1,0 +1,77 @@
+"""A person's equations in a test suite: what is wrong fails, and says which term.
+
+from mechanics.testing import assert_equivalent
+from systems import elastic_pendulum
+
+def test_my_simulator():
+    names = {"state": "x theta x_dot theta_dot"}
+    assert_equivalent(my_right_hand_side, elastic_pendulum.scene(), names=names)
+"""
+
+from typing import Any
+
+from mechanics.crosscheck.check import check
+from mechanics.equations import Equations
+from mechanics.errors import InputError
+from mechanics.exact import Verdict
+from mechanics.scene import Scene
+from mechanics.scene.system import System
+
+__all__ = ["assert_equivalent"]
+
+SHOWN = (Verdict.PROVED, Verdict.CERTIFIED)
+
+
+def assert_equivalent(
+    equations: Any,
+    scene: Scene | System | Equations,
+    *,
+    allow_supported: bool = False,
+    **options: Any,
+) -> None:
+    """Fail unless equations are shown to be those of a scene.
+
+    Parameters
+    ----------
+    equations : str, Path, SymPy object, function, BlackBox, or a sequence of them
+        As for `mechanics.check`.
+    scene : Scene, System or Equations
+    allow_supported : bool
+        Whether SUPPORTED is enough, which is the most that a `BlackBox` can reach: numbers only.
+    **options
+        As for `mechanics.check`: ``names``, ``notation``, ``about``, ``convention``, ``blame``.
+
+    Raises
+    ------
+    AssertionError
+        When something is refuted, with the wrong term and a state where the sides differ; and, in
+        other words, when something is neither shown nor refuted. The text is what
+        `mechanics check` prints.
+    InputError
+        When nothing can be read, or there is nothing to check.
+
+    Examples
+    --------
+    >>> from mechanics.testing import assert_equivalent
+    >>> from systems import elastic_pendulum
+    >>> assert_equivalent("(M + m)*x'' + 2*k*x + M*L/2*(theta''*cos(theta)"
+    ...                   " - theta'^2*sin(theta)) = 0", elastic_pendulum.scene())
+    """
+    __tracebackhide__ = True
+    found = check(scene, equations, **options)
+    if not found.judged:
+        raise InputError(
+            f"assert_equivalent: there is nothing to check: {'; '.join(found.remarks)}"
+        )
+    if found.verdict is Verdict.REFUTED:
+        raise AssertionError(f"the equations are not those of {found.scene.name}\n\n{found}")
+    if found.verdict in SHOWN or (allow_supported and found.verdict is Verdict.SUPPORTED):
+        return
+    if found.verdict is Verdict.SUPPORTED:
+        words = (
+            f"only numbers say that the equations are those of {found.scene.name}:"
+            " pass allow_supported=True if that is enough"
+        )
+    else:
+        words = f"it is undecided whether the equations are those of {found.scene.name}"
+    raise AssertionError(f"{words}\n\n{found}")
