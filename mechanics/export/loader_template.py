@@ -12,7 +12,9 @@ with matrices column by column. Calls release the lock of the interpreter: use t
 
 The functions in `BATCH` are there for many states, too: `system.NAME_batch` takes a row of numbers,
 one a state, for each entry of q, u and inputs, and gives such rows. A NumPy array of shape
-(entries, states), contiguous and of the right type, is read where it stands.
+(entries, states), contiguous and of the right type, is read where it stands. Where the function of
+one state raises `StatusError`, that of many goes on: `found.status` has a number for each state,
+the place of its word in `STATUS`, and 0 where all is well.
 """
 
 import array
@@ -46,10 +48,13 @@ BATCH: tuple[str, ...] = ()  # functions of many states
 # End of what was generated.
 
 STATUS = ("ok", "singular", "overflow", "bad input")
+NOT_FINITE = 2  # part of what functions of many states return
 TYPES = {"double": (ctypes.c_double, "d"), "single": (ctypes.c_float, "f")}
-FLAGS = "-O3"
+FLAGS = "-O3"  # for every machine of this kind
+NATIVE = "-O3"  # for this machine only
 if platform.machine() in ("x86_64", "AMD64"):
-    FLAGS = "-O3 -march=native -mprefer-vector-width=512"
+    NATIVE = "-O3 -march=native -mprefer-vector-width=512"
+SHOWN = 60  # letters of what is given, in a message
 
 
 class StatusError(ArithmeticError):
@@ -63,7 +68,8 @@ class StatusError(ArithmeticError):
 def load(library: Any = None, precision: str = next(iter(PREFIXES), ""), **how: str) -> "System":
     """The functions, from a shared library that is named, or is built now and kept for this run.
 
-    `precision` is a key of `PREFIXES`; `compiler` and `flags` are those of `build`.
+    `precision` is a key of `PREFIXES`; `compiler` and `flags` are those of `build`, with all
+    instructions of this machine unless told otherwise.
     """
     if precision not in PREFIXES:
         raise ValueError(f"precision {precision!r}: this folder has {', '.join(PREFIXES)}")
@@ -71,6 +77,7 @@ def load(library: Any = None, precision: str = next(iter(PREFIXES), ""), **how: 
         return System(Path(library), precision)
     # Vanishes with the object that holds it.
     folder = tempfile.TemporaryDirectory(prefix=f"{NAME}-")
+    how = {"flags": NATIVE, **how}
     return System(build(Path(folder.name) / f"{NAME}.so", precision, **how), precision, folder)
 
 
@@ -100,17 +107,28 @@ class System:
     def __init__(self, path: Path, precision: str, keep: Any = None) -> None:
         self._library, self._keep = ctypes.CDLL(str(path)), keep
         for name in FUNCTIONS:
-            function = getattr(self._library, f"{PREFIXES[precision]}_{name}")
+            function = self._found(f"{PREFIXES[precision]}_{name}")
             setattr(self, name, _method(name, function, *TYPES[precision]))
         for name in BATCH:
-            function = getattr(self._library, f"{PREFIXES[precision]}_{name}_batch")
-            setattr(self, f"{name}_batch", _batch(name, function, *TYPES[precision]))
+            one = self._found(f"{PREFIXES[precision]}_{name}")
+            many = self._found(f"{PREFIXES[precision]}_{name}_batch")
+            setattr(self, f"{name}_batch", _batch(name, one, many, *TYPES[precision]))
+
+    def _found(self, symbol: str) -> Any:
+        try:
+            function = getattr(self._library, symbol)
+        except AttributeError:
+            path = self._library._name
+            raise OSError(
+                f"{path} has no {symbol}: build it from the files of this folder"
+            ) from None
+        function.restype = ctypes.c_int
+        return function
 
 
 def _method(name: str, function: Any, real: Any, code: str) -> Any:
     inputs, outputs = FUNCTIONS[name]
-    made: Any = namedtuple(name, [out for out, _ in outputs])  # type: ignore[misc]
-    function.restype = ctypes.c_int
+    made = _results(name, [out for out, _ in outputs])
 
     def call(*arrays: Any, **named: Any) -> Any:
         given = _sorted_out(name, inputs, arrays, named)
@@ -130,40 +148,71 @@ def _method(name: str, function: Any, real: Any, code: str) -> Any:
     return call
 
 
-def _batch(name: str, function: Any, real: Any, code: str) -> Any:
+def _batch(name: str, one: Any, many: Any, real: Any, code: str) -> Any:
     inputs, outputs = FUNCTIONS[name]
-    made: Any = namedtuple(f"{name}_batch", [out for out, _ in outputs])  # type: ignore[misc]
-    function.restype = ctypes.c_int
+    made = _results(f"{name}_batch", [*(out for out, _ in outputs), "status"])
 
     def call(*arrays: Any, **named: Any) -> Any:
         given = _sorted_out(name, inputs, arrays, named)
-        counts = {len(row) for g, _ in inputs if g != "p" for row in given.get(g, ())}
-        if len(counts) != 1:
-            raise ValueError(f"{name}_batch: rows of {sorted(counts)} states: give as many in each")
-        (count,) = counts
-        groups = [
-            _given(g, n, given.get(g), real) if g == "p" else _rows(g, n, given.get(g, ()), real)
-            for g, n in inputs
-        ]
+        rows = {g: _rows(g, n, given.get(g), real) for g, n in inputs if g != "p"}
+        counts = {g: len(rows[g]) // n for g, n in inputs if g in rows}
+        if len(set(counts.values())) != 1:
+            words = ", ".join(f"{n} in {g}" for g, n in counts.items())
+            raise ValueError(f"{name}_batch: {words}: give as many states in each")
+        count = next(iter(counts.values()))
+        groups = [rows[g] if g in rows else _given(g, n, given.get(g), real) for g, n in inputs]
         results = [(real * (math.prod(shape) * count))() for _, shape in outputs]
         size = ctypes.c_size_t(count)
-        function(size, size, *groups, *results)
+        found = many(size, size, *(_address(group, real) for group in groups), *results)
+        status = array.array("i", bytes(4 * count))
+        if found & NOT_FINITE:
+            for i in range(count):
+                state = [
+                    (real * n)(*(group[i::count] if g in rows else group))
+                    for (g, n), group in zip(inputs, groups, strict=True)
+                ]
+                status[i] = one(*state, *((real * math.prod(shape))() for _, shape in outputs))
         if numpy is None:
-            return made(*(array.array(code, result) for result in results))
-        return made(*(numpy.frombuffer(result, real).reshape(-1, count) for result in results))
+            return made(*(array.array(code, result) for result in results), status)
+        shaped = (
+            numpy.frombuffer(result, real).reshape(math.prod(shape), count)
+            for result, (_, shape) in zip(results, outputs, strict=True)
+        )
+        return made(*shaped, numpy.frombuffer(status, numpy.intc))
 
     call.__name__ = f"{name}_batch"
     call.__doc__ = f"{name} at many states: a row of numbers, one a state, for each entry."
     return call
 
 
+def _results(name: str, fields: list[str]) -> Any:
+    return namedtuple(name, fields)
+
+
 def _rows(group: str, size: int, value: Any, real: Any) -> Any:
-    if len(value) != size:
-        raise ValueError(f"{group} has {len(value)} rows: {size} are needed")
-    if numpy is None:
-        return (real * (size * len(value[0])))(*(number for row in value for number in row))
+    """Entry after entry, each at all states."""
+    if numpy is not None and isinstance(value, numpy.ndarray) and value.ndim == 2:
+        _counted(group, size, value, "rows")
+        if value.dtype.kind not in "biuf":
+            raise TypeError(f"{group} is an array of {value.dtype}: give an array of numbers")
+        return numpy.ascontiguousarray(value, real).ravel()
+    names, rows = [name for name, _, _ in ARRAYS[group]], _listed(group, size, value, "rows")
+    flat: list[float] = []
+    for name, row in zip(names, rows, strict=True):
+        if isinstance(row, (str, bytes)) or not hasattr(row, "__len__"):
+            found = f"{name} of {group} is {_shown(row)}"
+            raise TypeError(f"{found}: give a row of numbers, one a state")
+        if len(row) != len(rows[0]):
+            words = f"{len(rows[0])} states in {names[0]}, {len(row)} in {name}"
+            raise ValueError(f"{group} has {words}: give as many in each")
+        flat += [_number(group, name, number) for number in row]
+    return (real * len(flat))(*flat)
+
+
+def _address(group: Any, real: Any) -> Any:
     # The result holds the array.
-    return numpy.ascontiguousarray(value, real).ctypes.data_as(ctypes.POINTER(real))
+    is_array = numpy is not None and isinstance(group, numpy.ndarray)
+    return group.ctypes.data_as(ctypes.POINTER(real)) if is_array else group
 
 
 def _sorted_out(name: str, inputs: Any, arrays: tuple, named: dict[str, Any]) -> dict[str, Any]:
@@ -176,6 +225,13 @@ def _sorted_out(name: str, inputs: Any, arrays: tuple, named: dict[str, Any]) ->
 
 
 def _given(group: str, size: int, value: Any, real: Any) -> Any:
+    listed = _listed(group, size, value, "entries")
+    names = (name for name, _, _ in ARRAYS[group])
+    return (real * size)(*(_number(group, *one) for one in zip(names, listed, strict=True)))
+
+
+def _listed(group: str, size: int, value: Any, what: str) -> list[Any]:
+    """What is given for each entry, in order."""
     names = [name for name, _, _ in ARRAYS[group]]
     if value is None or hasattr(value, "keys"):
         known = (TYPICAL if group == "p" else {}) | dict(value or {})
@@ -183,11 +239,30 @@ def _given(group: str, size: int, value: Any, real: Any) -> Any:
             raise ValueError(f"{group} has no {wrong[0]!r}: it has {', '.join(names)}")
         if missing := [name for name in names if name not in known]:
             raise ValueError(f"{group} lacks {', '.join(missing)}")
-        value = [known[name] for name in names]
-    numbers = [float(number) for number in value]
-    if len(numbers) != size:
-        raise ValueError(f"{group} has {len(numbers)} entries: {', '.join(names)} are {size}")
-    return (real * size)(*numbers)
+        return [known[name] for name in names]
+    if isinstance(value, (str, bytes)) or not hasattr(value, "__len__"):
+        wanted = f"{size} {what}, {', '.join(names)}"
+        raise TypeError(f"{group} is {_shown(value)}: give {wanted}, or names with values")
+    _counted(group, size, value, what)
+    return list(value)
+
+
+def _counted(group: str, size: int, value: Any, what: str) -> None:
+    if len(value) != size:
+        names = ", ".join(name for name, _, _ in ARRAYS[group])
+        raise ValueError(f"{group} has {len(value)} {what}: {names} are {size}")
+
+
+def _number(group: str, name: str, value: Any) -> float:
+    try:
+        return float(value)
+    except (TypeError, ValueError):
+        raise TypeError(f"{name} of {group} is {_shown(value)}: give a number") from None
+
+
+def _shown(value: Any) -> str:
+    words = " ".join(repr(value).split())
+    return words if len(words) <= SHOWN else f"{words[:SHOWN]}..."
 
 
 def _shaped(result: Any, shape: tuple[int, ...], code: str) -> Any:

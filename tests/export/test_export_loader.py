@@ -28,6 +28,8 @@ system = load()
 found = system.forward_dynamics([0.1, 0.2], [0.3, 0.4])
 print(*found.ud, type(found.ud).__name__)
 print(*system.jacobians([0.1, 0.2], [0.3, 0.4]).ud_p.{flat})
+many = system.forward_dynamics_batch([[0.1, 0.1], [0.2, 1e999]], [[0.3] * 2, [0.4] * 2])
+print(*many.status)
 """
 
 
@@ -68,7 +70,8 @@ def test_it_works_without_mechanics(model: Model, folder: Path, numpy: bool) -> 
     text = ALONE.format(folder=str(folder), without=without, flat=flat)
     done = subprocess.run([sys.executable, "-c", text], capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr
-    first, second = (line.split() for line in done.stdout.splitlines())
+    first, second, status = (line.split() for line in done.stdout.splitlines())
+    assert status == ["0", "3"]
     assert first.pop() == ("ndarray" if numpy else "array")
     state = {"q": [0.1, 0.2], "u": [0.3, 0.4]}
     assert np.allclose([*map(float, first)], model.forward_dynamics(**state), rtol=1e-13)
@@ -141,6 +144,79 @@ def test_wrong_arguments_are_named(system) -> None:
         system.forward_dynamics([0, 0], [0, 0], x=1)
     with pytest.raises(TypeError, match="'q' is unknown or given twice"):
         system.forward_dynamics([0, 0], [0, 0], q=[0, 0])
+
+
+WRONG = [
+    ({"q": 5.0}, r"q is 5\.0: give 2 entries, x, theta, or names with values"),
+    ({"q": "ab"}, r"q is 'ab': give 2 entries"),
+    ({"q": [1.0, "a"]}, r"theta of q is 'a': give a number"),
+    ({"q": [[1.0, 2.0], [3.0, 4.0]]}, r"x of q is \[1\.0, 2\.0\]: give a number"),
+    ({"q": {"x": None, "theta": 1}}, r"x of q is None: give a number"),
+    ({"q": [0, 0], "u": [0, 0], "p": {"L": 1j}}, r"L of p is 1j: give a number"),
+    ({"q": [object() for _ in range(90)]}, r"q has 90 entries: x, theta are 2"),
+]
+
+
+@pytest.mark.parametrize(("given", "words"), WRONG)
+def test_what_is_no_number_is_named(system, given: dict, words: str) -> None:
+    with pytest.raises((TypeError, ValueError), match=f"^{words}") as caught:
+        system.forward_dynamics(**given)
+    assert "\n" not in str(caught.value)
+
+
+ROWS = np.ones((2, 3))
+WRONG_ROWS = [
+    ({"q": [1.0, 2.0], "u": ROWS}, r"x of q is 1\.0: give a row of numbers, one a state"),
+    ({"q": [[1, 2], [3]], "u": ROWS}, r"q has 2 states in x, 1 in theta: give as many in each"),
+    ({"q": [[1, 2], [3, "a"]], "u": ROWS}, r"theta of q is 'a': give a number"),
+    ({"q": ROWS}, r"u lacks x_dot, theta_dot"),
+    ({"q": 3, "u": ROWS}, r"q is 3: give 2 rows, x, theta, or names with values"),
+    ({"q": ROWS.T, "u": ROWS}, r"q has 3 rows: x, theta are 2"),
+    ({"q": ROWS, "u": ROWS[:, :2]}, r"forward_dynamics_batch: 3 in q, 2 in u: give as many states"),
+    ({"q": ROWS * 1j, "u": ROWS}, r"q is an array of complex128: give an array of numbers"),
+    ({"q": ROWS, "u": ROWS, "p": ROWS}, r"p has 2 entries: L, M, g, k, m are 5"),
+]
+
+
+@pytest.mark.parametrize(("given", "words"), WRONG_ROWS)
+def test_wrong_rows_are_named(system, given: dict, words: str) -> None:
+    with pytest.raises((TypeError, ValueError), match=f"^{words}") as caught:
+        system.forward_dynamics_batch(**given)
+    assert "\n" not in str(caught.value)
+
+
+def test_many_states_have_a_status_each(loader: ModuleType, system) -> None:
+    """As the function of one state: the rest of a batch is as it is without the bad ones."""
+    q = np.array([[0.1, 0.2, np.nan, 0.4, 0.5], [0.3, 1e300, 0.3, 0.2, np.inf]])
+    u = np.array([[0.0, 0.1, 0.2, 0.3, 0.4], [0.1, 0.2, 0.3, 1e200, 0.0]])
+    found = system.forward_dynamics_batch(q, u)
+    assert [loader.STATUS[i] for i in found.status] == [
+        "ok", "ok", "bad input", "overflow", "bad input"]  # fmt: skip
+    for i in (0, 1):
+        one = system.forward_dynamics(q[:, i], u[:, i]).ud
+        assert np.allclose(found.ud[:, i], one, rtol=1e-12)
+    names = {"theta": q[1].tolist(), "x": q[0].tolist()}
+    listed = system.forward_dynamics_batch(q=names, u=u.tolist())
+    assert np.array_equal(listed.status, found.status)
+    assert np.array_equal(listed.ud, found.ud, equal_nan=True)
+    assert not system.forward_dynamics_batch(q[:, :2], u[:, :2]).status.any()
+    none = system.forward_dynamics_batch(q[:, :0], u[:, :0])
+    assert none.ud.shape == (2, 0) and none.status.shape == (0,)
+    singular = system.forward_dynamics_batch(q[:, :2], u[:, :2], [0.0] * 5).status
+    assert [loader.STATUS[i] for i in singular] == ["singular"] * 2
+
+
+def test_a_library_without_the_functions_is_named(
+    loader: ModuleType, system, tmp_path: Path
+) -> None:
+    (tmp_path / "a.c").write_text("int other(void) { return 0; }\n", encoding="utf-8")
+    target = str(tmp_path / "a.so")
+    command = [str(find_compiler()), "-shared", "-fPIC", str(tmp_path / "a.c"), "-o", target]
+    subprocess.run(command, check=True)
+    with pytest.raises(
+        OSError, match=r"a\.so has no pendulum_\w+: build it from the files of this"
+    ):
+        loader.load(target)
 
 
 def test_what_hinders_a_build_is_told(loader: ModuleType, monkeypatch, tmp_path: Path) -> None:

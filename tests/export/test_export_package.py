@@ -153,6 +153,17 @@ def test_options_choose_precision_and_flags(folders: Path, tmp_path: Path, run) 
     assert "rocker_single_selftest" in run(["ctest", "--test-dir", tmp_path])
 
 
+def test_a_library_is_for_every_machine_unless_asked_otherwise(
+    folders: Path, tmp_path: Path, run
+) -> None:
+    for options, machine in (([], False), (["-DROCKER_NATIVE=ON"], True)):
+        build = tmp_path / str(machine)
+        more = ["-DCMAKE_EXPORT_COMPILE_COMMANDS=ON", "-DROCKER_PRECISION=double", *options]
+        run(["cmake", "-S", folders / "rocker", "-B", build, *more])
+        commands = (build / "compile_commands.json").read_text(encoding="utf-8")
+        assert "rocker_batch.c" in commands and ("-march=native" in commands) is machine
+
+
 def test_a_precision_that_is_not_there_is_refused(modelled, tmp_path: Path, needed) -> None:
     write_c(modelled("rocker", "kane"), tmp_path / "c", name="rocker", functions=["energy"])
     command = [needed("cmake"), "-S", str(tmp_path / "c"), "-B", str(tmp_path / "b")]

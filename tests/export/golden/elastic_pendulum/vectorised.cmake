@@ -38,6 +38,6 @@ if(fast)
 endif()
 if(slow)
   string(REPLACE ";" ", " words "${slow}")
-  message(WARNING "${file}: NOT vectorised: ${words}. They are right, and slow: let the compiler use "
-    "every instruction of this machine (-DELASTIC_PENDULUM_NATIVE=ON), or take another compiler.")
+  message(STATUS "${file}: NOT vectorised: ${words}. They are right, and slow: choose a processor, as with "
+    "-DELASTIC_PENDULUM_FLAGS=-march=x86-64-v3, or the one that builds them, with -DELASTIC_PENDULUM_NATIVE=ON.")
 endif()
