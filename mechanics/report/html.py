@@ -6,16 +6,13 @@ phone, and prints.
 
 from collections.abc import Sequence
 
-from jinja2 import Environment, PackageLoader, StrictUndefined
 from markupsafe import Markup
 
-from mechanics.exact import Verdict
-from mechanics.report import charts, typeset, words
+from mechanics.report import words
 from mechanics.report.drawing import drawing
-from mechanics.report.notation import latex_name, svg_name
+from mechanics.report.environment import environment
 from mechanics.report.result import SystemResult
 from mechanics.report.sections import (
-    ROUTES,
     Section,
     matrix,
     motion_charts,
@@ -42,31 +39,7 @@ def to_html(results: Sequence[SystemResult]) -> str:
     str
         A whole page.
     """
-    environment = Environment(
-        loader=PackageLoader("mechanics.report"),
-        autoescape=True,
-        trim_blocks=True,
-        lstrip_blocks=True,
-        undefined=StrictUndefined,
-    )
-    environment.globals.update(
-        Markup=Markup,
-        ROUTES=ROUTES,
-        Verdict=Verdict,
-        bar=lambda share: Markup(charts.bar(share)),
-        bound=words.bound,
-        chip=words.chip,
-        count=words.count,
-        duration=words.duration,
-        equation=typeset.equation,
-        inline=typeset.inline,
-        prose=typeset.prose,
-        ratio=words.ratio,
-        tag=typeset.tag,
-        symbol=lambda name: typeset.maths(latex_name(name)),
-        svg_name=lambda name: Markup(svg_name(name)),
-    )
-    page = environment.get_template("page.html")
+    page = environment().get_template("page.html")
     return page.render(
         sections=[_section(n, result) for n, result in enumerate(results, start=1)],
         tally=words.tally(f for result in results for f in words.all_findings(result)),

@@ -1,0 +1,38 @@
+"""What the templates of all pages know: verdicts as chips, equations as MathML, words."""
+
+from jinja2 import Environment, PackageLoader, StrictUndefined
+from markupsafe import Markup
+
+from mechanics.exact import Verdict
+from mechanics.report import charts, typeset, words
+from mechanics.report.notation import latex_name, svg_name
+from mechanics.report.sections import ROUTES
+
+
+def environment() -> Environment:
+    """An environment of Jinja that escapes everything and leaves no name undefined."""
+    made = Environment(
+        loader=PackageLoader("mechanics.report"),
+        autoescape=True,
+        trim_blocks=True,
+        lstrip_blocks=True,
+        undefined=StrictUndefined,
+    )
+    made.globals.update(
+        Markup=Markup,
+        ROUTES=ROUTES,
+        Verdict=Verdict,
+        bar=lambda share: Markup(charts.bar(share)),
+        bound=words.bound,
+        chip=words.chip,
+        count=words.count,
+        duration=words.duration,
+        equation=typeset.equation,
+        inline=typeset.inline,
+        prose=typeset.prose,
+        ratio=words.ratio,
+        tag=typeset.tag,
+        symbol=lambda name: typeset.maths(latex_name(name)),
+        svg_name=lambda name: Markup(svg_name(name)),
+    )
+    return made
