@@ -7,7 +7,7 @@ T = ..., V = ..., L = ...    energies, where the scene has no such names
 """
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from sympy import Expr, S
 from sympy.matrices import MatrixBase
@@ -17,10 +17,11 @@ from mechanics.reading.build import Builder, Value
 from mechanics.reading.guess import guess
 from mechanics.reading.kind import kind_of
 from mechanics.reading.lines import Line, Unread
-from mechanics.reading.names import Match, Naming, Vocabulary
+from mechanics.reading.names import Naming, Vocabulary, unexplained
 from mechanics.reading.place import Refused, line_and_column, located
-from mechanics.reading.statement import Statement
+from mechanics.reading.statement import Reading, Statement
 from mechanics.reading.tree import Name, Node, names, weight
+from mechanics.reading.written import Written
 from mechanics.scene import Scene
 from mechanics.scene.published import Quantity, published
 from mechanics.scene.quantities import EquationOfMotion, Identity, MassMatrix
@@ -31,27 +32,10 @@ LARGEST_WEIGHT = 50_000
 Read = Callable[[Naming], Sequence[Line | Unread]]
 
 
-@dataclass(frozen=True)
-class Reading:
-    """What was read.
-
-    Attributes
-    ----------
-    statements : tuple of Statement
-    names : tuple of Match
-        What each name of the person was taken for.
-    remarks : tuple of str
-        Definitions of the person, and what else was made of the text.
-    """
-
-    statements: tuple[Statement, ...]
-    names: tuple[Match, ...]
-    remarks: tuple[str, ...]
-
-
 def assemble(
-    scene: Scene, read: Read, text: str, origin: str, given: dict[str, str], about: str | None
-) -> Reading:
+    scene: Scene, read: Read, text: str, origin: str, given: dict[str, str], about: str | None,
+    notation: str = "text",
+) -> Reading:  # fmt: skip
     """Statements of a text.
 
     Parameters
@@ -65,6 +49,8 @@ def assemble(
         The person's names, and what they mean in the scene.
     about : str or None
         What every line is about, where the person says so.
+    notation : str
+        In which the text is.
     """
     words = {name: meaning for name, meaning in given.items() if meaning in QUANTITIES}
     plain = {name: meaning for name, meaning in given.items() if meaning not in QUANTITIES}
@@ -74,7 +60,7 @@ def assemble(
     if guessed:
         naming = replace(naming, guessed=guessed)
         lines = read(naming)
-    work = _Assembly(scene, naming, text, origin, words, about, _needed(lines))
+    work = _Assembly(scene, naming, text, origin, words, about, _needed(lines), notation)
     for line in lines:
         work.add(line)
     matches = naming.matches(name.name for name in _used(lines))
@@ -122,12 +108,13 @@ class _Assembly:
 
     def __init__(
         self, scene: Scene, naming: Naming, text: str, origin: str,
-        words: dict[str, str], about: str | None, needed: frozenset[str],
+        words: dict[str, str], about: str | None, needed: frozenset[str], notation: str,
     ) -> None:  # fmt: skip
-        self.needed = needed
+        self.needed, self.notation = needed, notation
         self.scene, self.naming, self.text, self.origin = scene, naming, text, origin
         self.words, self.about = words, about
         self.defined: dict[str, Value] = {}
+        self.trees: dict[str, Node] = {}
         self.weights: dict[str, int] = {}
         self.vague: dict[str, list[str]] = {}
         self.statements: list[Statement] = []
@@ -162,6 +149,7 @@ class _Assembly:
             if energy is not None:
                 self._energy(line, tag, place, energy, sides, builder.unknown)
                 self.defined.setdefault(left.name, sides[0])
+                self.trees.setdefault(left.name, self._first)
                 self.weights.setdefault(left.name, size)
                 return
             self._define(line, left.name, sides, builder.unknown, tag, place)
@@ -202,12 +190,14 @@ class _Assembly:
 
     def _known_first(self, builder: Builder, line: Line) -> tuple[Value, ...]:
         """The sides of a definition, one without names that nothing explains first."""
-        built: list[tuple[bool, Value]] = []
+        built: list[tuple[bool, Value, Node]] = []
         for side in line.sides[1:]:
             before = len(builder.unknown)
             value = builder(side)
-            built.append((len(builder.unknown) > before, value))
-        return tuple(value for _, value in sorted(built, key=lambda pair: pair[0]))
+            built.append((len(builder.unknown) > before, value, side))
+        built.sort(key=lambda entry: entry[0])
+        self._first = built[0][2]
+        return tuple(value for _, value, _ in built)
 
     def _define(
         self, line: Line, name: str, sides: tuple[Value, ...], unknown: list[str], tag: str,
@@ -217,6 +207,7 @@ class _Assembly:
         self.remarks.append(f"{name} is taken as defined by: {line.source}")
         if name not in self.defined:
             self.defined[name] = sides[0]
+            self.trees[name] = self._first
             self.weights[name] = max(weight(side, self.weights) for side in line.sides[1:])
             self.vague[name] = [n for n in dict.fromkeys(unknown) if _holds(sides[0], n)]
         else:
@@ -276,7 +267,9 @@ class _Assembly:
             doubt = "an expression without an equals sign: say what it is about"
         notes = (*line.notes, note) if note else line.notes
         row = published(tag, quantity, *sides, label=line.source)
-        self.statements.append(Statement(row, line.source, tag, place, notes, doubt))
+        trees = tuple(self.trees.items())
+        written = Written(line.sides, trees, self.naming, self.notation, self.text)
+        self.statements.append(Statement(row, line.source, tag, place, notes, doubt, written))
 
 
 def _is_named(node: Node, name: str) -> bool:
@@ -290,11 +283,3 @@ def _holds(side: Value, name: str) -> bool:
 
 def _scalar(sides: Sequence[Value]) -> bool:
     return not any(isinstance(side, MatrixBase) for side in sides)
-
-
-def unexplained(scene: Scene, unknown: Sequence[str]) -> str:
-    """Why a statement with names that nothing explains has no verdict."""
-    missing = ", ".join(dict.fromkeys(unknown))
-    vocabulary = Vocabulary(scene)
-    known = ", ".join([*vocabulary.functions, *vocabulary.constants])
-    return f"{missing}: the scene has no such name: say what it means; the names are {known}"

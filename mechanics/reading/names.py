@@ -6,7 +6,7 @@ Two names are the same when they agree without underscores and braces. A name th
 not have is matched where one choice only is left.
 """
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 
@@ -220,3 +220,11 @@ class Naming:
     def time(self) -> Expr:
         """Time as the scene writes it."""
         return dynamicsymbols._t
+
+
+def unexplained(scene: Scene, unknown: Sequence[str]) -> str:
+    """Why a statement with names that nothing explains has no verdict."""
+    missing = ", ".join(dict.fromkeys(unknown))
+    vocabulary = Vocabulary(scene)
+    known = ", ".join([*vocabulary.functions, *vocabulary.constants])
+    return f"{missing}: the scene has no such name: say what it means; the names are {known}"

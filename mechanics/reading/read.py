@@ -67,8 +67,9 @@ def read_source(
     title = origin or ("LaTeX" if chosen == "latex" else "text")
     reader = NOTATIONS[chosen]
     found = assemble(
-        scene, lambda naming: reader(text, naming, title), text, title, dict(names or {}), about
-    )
+        scene, lambda naming: reader(text, naming, title), text, title, dict(names or {}), about,
+        chosen,
+    )  # fmt: skip
     if not found.statements and not found.remarks:
         raise InputError(f"{title}, line 1, column 1: there is no equation in it")
     if all(statement.row is None for statement in found.statements) and found.statements:

@@ -5,6 +5,8 @@ source -> row.sides, in the scene's plain symbols; row.quantity is what it is ab
 
 from dataclasses import dataclass
 
+from mechanics.reading.names import Match
+from mechanics.reading.written import Written
 from mechanics.scene.published import Published
 
 
@@ -27,6 +29,8 @@ class Statement:
     doubt : str
         Why it has no verdict, one line: it could not be read, or holds a name that nothing
         explains. Empty otherwise.
+    written : Written or None
+        The trees of what was written, where it was read from a text.
     """
 
     row: Published | None
@@ -35,3 +39,22 @@ class Statement:
     place: str = ""
     notes: tuple[str, ...] = ()
     doubt: str = ""
+    written: Written | None = None
+
+
+@dataclass(frozen=True)
+class Reading:
+    """What was read.
+
+    Attributes
+    ----------
+    statements : tuple of Statement
+    names : tuple of Match
+        What each name of the person was taken for.
+    remarks : tuple of str
+        Definitions of the person, and what else was made of the text.
+    """
+
+    statements: tuple[Statement, ...]
+    names: tuple[Match, ...]
+    remarks: tuple[str, ...]

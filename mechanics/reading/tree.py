@@ -27,11 +27,14 @@ class Node:
     ----------
     at : int
         Where it begins in the text.
+    end : int
+        Where it ends there, without the brackets around it; -1 where that is not known.
     size, depth : int
         See the module.
     """
 
     at: int
+    end: int = field(init=False, default=-1, compare=False)
     size: int = field(init=False, default=1, compare=False)
     depth: int = field(init=False, default=1, compare=False)
 
@@ -41,6 +44,7 @@ class Node:
             raise Refused(self.at, "too large: powers and products are limited to degree 2048")
         if depth > DEEPEST:
             raise Refused(self.at, f"nested too deeply: {DEEPEST} levels are the limit")
+        object.__setattr__(self, "end", max((part.end for part in parts), default=self.end))
         object.__setattr__(self, "size", max(1, size))
         object.__setattr__(self, "depth", depth)
 
@@ -143,6 +147,26 @@ class Table(Node):
         self._limit(max((cell.size for cell in cells), default=1), cells)
 
 
+def ended(node: Node, end: int) -> Node:
+    """The node, which a parser has just made, with the place where it ends."""
+    object.__setattr__(node, "end", end)
+    return node
+
+
+def parts(node: Node) -> tuple[Node, ...]:
+    """What a node is made of, in order."""
+    match node:
+        case Sum(terms=inner) | Product(factors=inner) | Call(arguments=inner):
+            return inner
+        case Power(base=base, exponent=exponent):
+            return base, exponent
+        case Rate(of=of):
+            return (of,)
+        case Table(rows=rows):
+            return tuple(cell for row in rows for cell in row)
+    return ()
+
+
 def constant(node: Node) -> Fraction | None:
     """The rational number that a node is, if it is one without further ado."""
     if isinstance(node, Number):
@@ -210,16 +234,4 @@ def names(node: Node) -> list[Name]:
     """Every name in a tree, in order."""
     if isinstance(node, Name):
         return [node]
-    parts: tuple[Node, ...]
-    match node:
-        case Sum(terms=parts) | Product(factors=parts) | Call(arguments=parts):
-            pass
-        case Power(base=base, exponent=exponent):
-            parts = (base, exponent)
-        case Rate(of=inner):
-            parts = (inner,)
-        case Table(rows=rows):
-            parts = tuple(cell for row in rows for cell in row)
-        case _:
-            parts = ()
-    return [name for part in parts for name in names(part)]
+    return [name for part in parts(node) for name in names(part)]

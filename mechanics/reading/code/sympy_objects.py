@@ -16,11 +16,10 @@ from sympy.physics.vector import dynamicsymbols
 
 from mechanics.errors import WrongKindError
 from mechanics.reading.about import QUANTITIES, named_quantity
-from mechanics.reading.assemble import Reading, unexplained
 from mechanics.reading.guess import guess
 from mechanics.reading.kind import kind_of
-from mechanics.reading.names import Naming, Vocabulary
-from mechanics.reading.statement import Statement
+from mechanics.reading.names import Naming, Vocabulary, unexplained
+from mechanics.reading.statement import Reading, Statement
 from mechanics.reading.tree import Name
 from mechanics.scene import Scene
 from mechanics.scene.declared import decimals

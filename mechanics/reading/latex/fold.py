@@ -18,6 +18,7 @@ from mechanics.reading.tree import (
     Number,
     Power,
     constant,
+    ended,
     inverse,
     negative,
     product,
@@ -83,7 +84,8 @@ class Fold:
             operator = divide = False
         if operator:
             raise Refused(items[-1].at, "a factor is missing behind this")
-        return product(at, factors)
+        node = product(items[0].at, factors)
+        return node if len(factors) == 1 else ended(node, max(node.end, items[-1].end))
 
     def _factor(self, item: Item, queue: list[Item], before: list[Node], operator: bool) -> Node:
         """The factor that begins with an item; what belongs to it leaves the queue."""
@@ -120,7 +122,9 @@ class Fold:
         bracket = queue.pop(0)
         self.notes.append(f"{node.name}(t) is read as a function of time, not as a product")
         named = Name(node.at, node.name, node.order, True)
-        return Power(node.at, named, bracket.power) if bracket.power is not None else named
+        if bracket.power is not None:
+            return ended(Power(node.at, named, bracket.power), bracket.end)
+        return ended(named, bracket.end)
 
     def _function(self, item: Item, queue: list[Item]) -> Node:
         """A function, its power and its argument."""
@@ -128,8 +132,10 @@ class Fold:
         if not queue:
             raise Refused(item.at, f"the argument of {name} is missing")
         arguments: tuple[Node, ...]
+        end = -1
         if queue[0].kind == "bracket":
             bracket = queue.pop(0)
+            end = bracket.end
             arguments = bracket.arguments
             if bracket.power is not None:
                 self.notes.append(f"{name}(...)^n is read as the power of {name}(...)")
@@ -147,7 +153,10 @@ class Fold:
         if not least <= len(arguments) <= most:
             raise Refused(item.at, f"{name} with {len(arguments)} arguments")
         called = Call(item.at, name, arguments)
-        return called if power is None else Power(item.at, called, power)
+        end = max(end, called.end)
+        if power is None:
+            return ended(called, end)
+        return ended(Power(item.at, ended(called, -1), power), end)
 
     def _argument(self, item: Item, queue: list[Item]) -> Node:
         r"""Numbers and then one factor: ``\sin 2 \theta x`` is sin(2 theta) x."""

@@ -34,6 +34,8 @@ class Item:
         What commas separate in a bracket.
     order : int
         Of ``d/dt``.
+    end : int
+        Where it ends, its brackets included; -1 where that does not matter.
     """
 
     kind: str
@@ -43,6 +45,7 @@ class Item:
     power: Node | None = None
     arguments: tuple[Node, ...] = ()
     order: int = 0
+    end: int = -1
 
 
 def bare(text: str) -> str:
@@ -92,3 +95,10 @@ def start_of(tree: Tree, outer: Tree) -> int:
         if not candidate.meta.empty:
             return int(candidate.meta.start_pos)
     return 0
+
+
+def end_of(base: Tree | Token, scripts: list[Tree | Token]) -> int:
+    """Where a base with its subscripts and primes ends, before its power."""
+    ends = [base.end_pos if isinstance(base, Token) else base.meta.end_pos]
+    ends += [script.end_pos for script in scripts if isinstance(script, Token)]
+    return max(int(end or 0) for end in ends)

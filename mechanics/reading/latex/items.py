@@ -5,6 +5,7 @@ M \ddot{\theta}^{2} \sin \theta    ->    M, theta'' squared, function sine, thet
 
 import re
 from collections.abc import Callable
+from dataclasses import replace
 from fractions import Fraction
 
 from lark import Token, Tree
@@ -13,6 +14,7 @@ from mechanics.reading.functions import FUNCTIONS
 from mechanics.reading.latex.item import (
     Item,
     bare,
+    end_of,
     letter_of,
     pieces_of,
     rate_of,
@@ -29,6 +31,7 @@ from mechanics.reading.tree import (
     Rate,
     Table,
     constant,
+    ended,
     inverse,
     product,
 )
@@ -36,6 +39,10 @@ from mechanics.reading.tree import (
 Fold = Callable[[list[Item], int], Node]
 
 DEEPEST_BRACKETS = 40
+SPANNED = (
+    "accent", "short_accent", "fraction", "half_fraction", "short_fraction", "root", "matrix",
+)  # fmt: skip
+"""What a node is made of as a whole; of a bracket the node is what stands inside."""
 ORDERS = {"dot": 1, "ddot": 2, "dddot": 3}
 PER_TIME = re.compile(
     r"(?:d|\\(?:mathrm|text|rm)\s*\{\s*d\s*\})\s*t\s*(?:\^\s*\{?\s*([1-3])\s*\}?)?\s*"
@@ -90,14 +97,19 @@ class Items:
         at = base.start_pos if isinstance(base, Token) else start_of(base, tree)
         sub, primes, power = self._scripts(scripts)
         *before, last = self._base(base, sub, at)
+        if last.node is not None and (isinstance(base, Token) or base.data in SPANNED):
+            ended(last.node, end_of(base, scripts))
         if primes:
             if not isinstance(last.node, Name):
                 raise Refused(at, "a prime belongs behind a name")
             order = last.node.order + primes
-            last = Item("node", at, Name(at, last.node.name, order))
+            last = Item("node", at, ended(Name(at, last.node.name, order), end_of(base, scripts)))
+        end = int(tree.meta.end_pos)
         if power is not None:
             last = self._raised(last, power)
-        return [*before, last]
+            if last.node is not None:
+                ended(last.node, end)
+        return [*before, replace(last, end=end)]
 
     def _scripts(self, scripts: list[Tree | Token]) -> tuple[str, int, Node | None]:
         sub, primes, power = "", 0, None
@@ -116,13 +128,14 @@ class Items:
                 elif power is not None:
                     raise Refused(where, "two exponents")
                 elif isinstance(inside, Token):
-                    power = self._single(inside.value[-1], where)
+                    power = self._single(inside.value[-1], int(inside.end_pos or 1) - 1)
                 else:
                     power = self.group(inside, where)
         return sub, primes, power
 
     def _single(self, character: str, at: int) -> Node:
-        return Number(at, Fraction(character)) if character.isdigit() else Name(at, character)
+        found = Number(at, Fraction(character)) if character.isdigit() else Name(at, character)
+        return ended(found, at + 1)
 
     def _raised(self, item: Item, power: Node) -> Item:
         if item.kind == "function":
@@ -215,6 +228,8 @@ class Items:
         letters = " ".join((*word[:-1], whole[len(word) - 1 :]))
         self.notes.append(f"{whole} is read as the product {letters}")
         before = [self._name(letter, "", at + i) for i, letter in enumerate(word[:-1])]
+        for i, item in enumerate(before):
+            ended(item.node, at + i + 1)  # type: ignore[arg-type]
         return [*before, self._name(word[-1], sub, at + len(word) - 1)]
 
     def _accent(self, base: Tree, sub: str, at: int) -> Item:

@@ -22,6 +22,7 @@ from mechanics.reading.tree import (
     Sum,
     Table,
     constant,
+    ended,
     inverse,
     negative,
 )
@@ -57,6 +58,8 @@ class Nodes:
             raise Refused(self._at(tree), "nested too deeply")
         result: Node = getattr(self, tree.data)(tree, self._at(tree))
         self.depth -= 1
+        if tree.data != "bracket" and not tree.meta.empty:
+            ended(result, self.offset + int(tree.meta.end_pos))
         return result
 
     def _at(self, tree: Tree) -> int:
@@ -117,7 +120,9 @@ class Nodes:
         number, name = tree.children
         first = self.number(Tree("number", [number], tree.meta), at)
         self.notes.append(f"{number} {name} is read as a product")
-        return Product(at, (first, self._named(str(name), at + len(number))))
+        second = self._named(str(name), at + len(number))
+        ended(first, at + len(number))
+        return Product(at, (first, ended(second, second.at + len(name))))
 
     def name(self, tree: Tree, at: int) -> Node:
         """A name."""
