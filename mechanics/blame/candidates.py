@@ -1,0 +1,89 @@
+"""Right equations that a person may have meant, as terms, each piece by piece.
+
+adj(M) (M u' - f) = det(M) u' - adj(M) f        where one acceleration stands alone
+"""
+
+from collections.abc import Iterator
+from functools import lru_cache
+
+from sympy import Matrix, Symbol
+
+from mechanics.blame.nearest import Candidate
+from mechanics.blame.pieces import Kind, Piece, merged
+from mechanics.blame.rows import Row, free_rows, generalized_rows, moving_rows
+from mechanics.blame.terms import terms_of
+from mechanics.equations import Equations
+from mechanics.exact import TooLarge, collect_linear
+
+LARGEST_SOLVED = 3
+"""Number of speeds up to which equations are solved for an acceleration, by Cramer's rule."""
+
+
+@lru_cache(maxsize=16)
+def implicit(truth: Equations) -> tuple[Candidate, ...]:
+    """Equations of the routes, in several accelerations and without eliminated reactions.
+
+    The route's own rows come last: they have no pieces, only their sum.
+    """
+    scene = truth.scene
+    rows = [*generalized_rows(scene), *_sums(generalized_rows(scene))]
+    rows += [row for _, row in moving_rows(scene)]
+    return tuple(found for row in rows if (found := _candidate(_free(row, truth))) is not None)
+
+
+@lru_cache(maxsize=16)
+def with_reactions(truth: Equations) -> tuple[Candidate, ...]:
+    """Free-body equations, where reactions stand as symbols."""
+    return tuple(found for row in free_rows(truth.scene) if (found := _candidate(row)) is not None)
+
+
+@lru_cache(maxsize=64)
+def solved(truth: Equations, acceleration: Symbol) -> tuple[Candidate, ...]:
+    """The equation solved for one acceleration; nothing where there are too many, or constraints.
+
+    A body of one freedom needs no solving.
+    """
+    scene = truth.scene
+    size = len(scene.u)
+    if scene.constraints or not 1 < size <= LARGEST_SOLVED:
+        return ()
+    rows = [_free(row, truth) for row in generalized_rows(scene)]
+    mass = Matrix([collect_linear(row.value, scene.ud)[0] for row in rows])
+    index = scene.ud.index(acceleration)
+    cofactors = [mass.cofactor(i, index) for i in range(size)]
+    pieces = merged((cofactors[i], piece) for i, row in enumerate(rows) for piece in row.pieces)
+    found = _candidate(Row(f"solved for {acceleration.name}", pieces))
+    return () if found is None else (found,)
+
+
+def _sums(rows: tuple[Row, ...]) -> Iterator[Row]:
+    """Sums and differences of two equations: those of angles counted otherwise."""
+    for i, one in enumerate(rows):
+        for two in rows[i + 1 :]:
+            for sign, word in ((1, "plus"), (-1, "less")):
+                weighted = [(1, piece) for piece in one.pieces]
+                weighted += [(sign, piece) for piece in two.pieces]
+                yield Row(f"{one.words} {word} {two.words}", merged(weighted))
+
+
+def _free(row: Row, truth: Equations) -> Row:
+    """A row with the reactions that its friction depends on written out."""
+    pressing = {
+        symbol
+        for piece in row.pieces
+        if piece.origin.kind is Kind.LOAD
+        for symbol in piece.value.free_symbols
+    }
+    if not pressing & {reaction.symbol for reaction in truth.scene.reactions}:
+        return row
+    table = dict(truth.reactions)
+    return Row(row.words, tuple(Piece(p.origin, p.value.xreplace(table)) for p in row.pieces))
+
+
+def _candidate(row: Row) -> Candidate | None:
+    try:
+        terms = terms_of([piece.value for piece in row.pieces], cleared=True)
+    except TooLarge:
+        return None
+    pairs = zip((piece.origin for piece in row.pieces), terms, strict=True)
+    return Candidate(row.words, tuple((origin, part) for origin, part in pairs if part))

@@ -1,0 +1,129 @@
+"""Where in the derivation the terms of a right equation come from.
+
+    right = sum of pieces        a piece is named for a term that it holds with a factor not zero
+
+What is claimed was added up: the pieces sum to the right equation, and that vanishes along the
+motion. A right equation that is none of those that are known by their pieces is taken apart in a
+field: c G = A gives the factors of the free-body equations in it.
+"""
+
+from collections.abc import Iterable, Mapping
+from functools import lru_cache
+
+from sympy import Expr, S, Symbol
+
+from mechanics.blame.groups import grouped
+from mechanics.blame.pieces import Kind, Origin, Piece, momenta
+from mechanics.blame.terms import Monomial, Terms, terms_of, written
+from mechanics.checks.ledger_compare import ordered
+from mechanics.checks.ledger_motion import put_motion
+from mechanics.equations import Equations
+from mechanics.errors import ExpressionError
+from mechanics.exact import Arithmetic, Number, TooLarge, collect_linear
+from mechanics.exact.field_trial import Answer, trial
+from mechanics.kinematics.manifold import settle
+
+QUICK = -40.0
+"""Bound, as a power of two, of the chance that a claim is wrong."""
+
+
+def origins_of(
+    pieces: Iterable[tuple[Origin, Terms]], monomials: Iterable[Monomial]
+) -> tuple[str, ...]:
+    """Words for the pieces that hold any of the terms."""
+    wanted = set(monomials)
+    return tuple(dict.fromkeys(origin.words for origin, terms in pieces if wanted & terms.keys()))
+
+
+def holds(truth: Equations, right: Terms) -> bool:
+    """Whether an equation vanishes along the motion, at a point of a field."""
+    value = written(right)
+
+    def experiment(a: Arithmetic) -> list[tuple[Number, Number]]:
+        _set(truth, a)
+        put_motion(a, truth)
+        return [(a.value(value), a.rational(0))]
+
+    return trial(experiment, QUICK, None).answer is Answer.ZERO
+
+
+def origins_in_field(truth: Equations, right: Expr) -> dict[str, tuple[str, ...]]:
+    """Words by group for a right equation, linear in accelerations and reactions.
+
+    Returns
+    -------
+    dict of str to tuple of str
+        Empty where the equation cannot be taken apart.
+    """
+    try:
+        basis = _basis(truth)
+        target, _ = collect_linear(right, _unknowns(truth))
+        parts = _parts(truth)
+    except (ExpressionError, TooLarge):
+        return {}
+    size = len(basis)
+    if size != len(target):
+        return {}
+    found: dict[str, dict[str, None]] = {}
+
+    def experiment(a: Arithmetic) -> list[tuple[Number, Number]]:
+        _set(truth, a)
+        columns = [[a.value(row[j]) for row in basis] for j in range(size)]
+        factors = a.solve(columns, [a.value(entry) for entry in target])
+        found.clear()
+        for (group, words), held in parts.items():
+            sum_ = a.rational(0)
+            for index, expression in held:
+                sum_ = sum_ + factors[index] * a.value(expression)
+            if not a.is_zero(sum_):
+                found.setdefault(group, {})[words] = None
+        return [(a.rational(0), a.rational(0))]
+
+    if trial(experiment, QUICK, None).answer is not Answer.ZERO:
+        return {}
+    return {group: tuple(words) for group, words in found.items()}
+
+
+def _set(truth: Equations, a: Arithmetic) -> None:
+    """A point where constraints and definitions hold."""
+    settle(truth.scene, a)
+    for symbol, expression in ordered(truth.scene.definitions):
+        a.assign(symbol, a.value(expression))
+
+
+def _unknowns(truth: Equations) -> tuple[Symbol, ...]:
+    scene = truth.scene
+    return (*scene.ud, *(reaction.symbol for reaction in scene.reactions))
+
+
+@lru_cache(maxsize=16)
+def pieces_of_all(truth: Equations) -> tuple[tuple[Piece, ...], ...]:
+    """Free-body equations piece by piece, and the constraints, differentiated down to u'."""
+    scene = truth.scene
+    rows = [momentum.pieces for momentum in momenta(scene)]
+    for index, constraint in enumerate(scene.constraints):
+        ud = zip(truth.constraint_matrix[index, :], scene.ud, strict=True)
+        value = sum((c * s for c, s in ud), S.Zero) - truth.constraint_bias[index]
+        rows.append((Piece(Origin(Kind.CONSTRAINT, "", constraint.name), value),))
+    return tuple(rows)
+
+
+@lru_cache(maxsize=16)
+def _basis(truth: Equations) -> tuple[tuple[Expr, ...], ...]:
+    """Factors of the unknowns in each of these equations."""
+    return tuple(
+        tuple(collect_linear(sum((p.value for p in pieces), S.Zero), _unknowns(truth))[0])
+        for pieces in pieces_of_all(truth)
+    )
+
+
+@lru_cache(maxsize=16)
+def _parts(truth: Equations) -> Mapping[tuple[str, str], tuple[tuple[int, Expr], ...]]:
+    """For each group and origin: which equation holds what of it."""
+    found: dict[tuple[str, str], list[tuple[int, Expr]]] = {}
+    for index, pieces in enumerate(pieces_of_all(truth)):
+        terms = terms_of([piece.value for piece in pieces])
+        for piece, part in zip(pieces, terms, strict=True):
+            for group, own in grouped(truth.scene, part).items():
+                found.setdefault((group, piece.origin.words), []).append((index, written(own)))
+    return {key: tuple(held) for key, held in found.items()}
