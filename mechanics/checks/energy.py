@@ -13,13 +13,14 @@ from sympy import Add, Expr, S, Symbol
 from mechanics.checks.agreement import Pairs, proof_pays, solve
 from mechanics.checks.laws import power_of
 from mechanics.equations import Equations
+from mechanics.errors import InputError
 from mechanics.exact import Arithmetic, Finding, collect_linear, decide
 from mechanics.kinematics import differentiate
 from mechanics.kinematics.constraints import velocity_forms
 from mechanics.kinematics.manifold import settle
 from mechanics.kinematics.motion import BodyMotion, inertia_matrix
 from mechanics.scene import Scene
-from mechanics.scene.actions import carrier_of, load_actions, unit_reactions
+from mechanics.scene.actions import carrier_of, frictions, load_actions, unit_reactions
 from mechanics.scene.loads import CONSERVATIVE, Load, Spring
 from mechanics.scene.potential import load_potential
 from mechanics.scene.rates import rate, rate_table, rates
@@ -34,9 +35,17 @@ def check_energy(equations: Equations, support: Equations | None = None) -> Find
     equations : Equations
         Of the route in question.
     support : Equations, optional
-        Of a route that gives reactions: needed where a support moves in a prescribed way.
+        Of a route that gives reactions: needed where a support moves in a prescribed way, and for
+        friction where the route in question does not tell what presses.
+
+    Raises
+    ------
+    InputError
+        When a load depends on a reaction that neither tells.
     """
     scene = equations.scene
+    values = (dict(support.reactions) if support is not None else {}) | dict(equations.reactions)
+    pressing = _pressing(scene, values)
     motions = {m.body.name: m for m in differentiate.body_motions(scene)}
     table = rate_table(scene)
     stored = [load for load in scene.loads if _stores(scene, load)]
@@ -62,14 +71,26 @@ def check_energy(equations: Equations, support: Equations | None = None) -> Find
             known |= dict(zip(support.unknowns, solve(a, support), strict=True)) | known
         for symbol, number in known.items():
             a.assign(symbol, number)
+        for symbol in pressing:
+            a.assign(symbol, a.value(values[symbol]))
         total = a.value(power)
-        values = dict(support.reactions) if support is not None else {}
         for symbol, left in driving.items():
             total = total + a.value(values.get(symbol, symbol)) * a.value(left)
         return [(a.value(growth), total)]
 
     subject = f"{equations.route}: rate of energy = power of the loads"
     return decide(subject, experiment, try_normal=proof_pays(scene))
+
+
+def _pressing(scene: Scene, values: Mapping[Symbol, Expr]) -> list[Symbol]:
+    """The reactions that friction depends on."""
+    found = [Symbol(load.normal, real=True) for load in frictions(scene)]
+    if lost := [symbol.name for symbol in found if symbol not in values]:
+        raise InputError(
+            f"{scene.name}: friction depends on {', '.join(lost)}, which these equations do not"
+            " tell: pass those of free_body as support="
+        )
+    return found
 
 
 def _stores(scene: Scene, load: Load) -> bool:

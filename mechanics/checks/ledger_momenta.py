@@ -15,10 +15,11 @@ from sympy import Expr, Matrix, zeros
 
 from mechanics.errors import InputError
 from mechanics.kinematics import differentiate
+from mechanics.kinematics.momenta import generalized_momenta, momentum_symbols
 from mechanics.kinematics.motion import BodyMotion, PointMotion, inertia_matrix
 from mechanics.scene import Scene
 from mechanics.scene import quantities as q
-from mechanics.scene.actions import Action, applied_actions, moment, unit_reactions
+from mechanics.scene.actions import Action, acting_reactions, applied_actions, moment
 from mechanics.scene.places import direction, point_named
 from mechanics.scene.published import Quantity
 from mechanics.scene.rates import rate_table, rates
@@ -98,7 +99,7 @@ def _total(scene: Scene, bodies: q.Names, effect: Callable[[Action], Matrix]) ->
     for action in applied_actions(scene):
         if action.body in inside:
             total += effect(action)
-    for symbol, pair in unit_reactions(scene).items():
+    for symbol, pair in acting_reactions(scene).items():
         for action in pair:
             if action.body in inside:
                 total += symbol * effect(action)
@@ -140,6 +141,16 @@ def _position(scene: Scene, quantity: q.Position) -> Sides:
     return (end - scene.position(point_named(scene, quantity.of)),)
 
 
+def _generalized(scene: Scene, quantity: q.GeneralizedMomentum) -> Sides:
+    by_name = {c.name: p for p, c in momentum_symbols(scene).items()}
+    if quantity.coordinate not in by_name:
+        raise InputError(
+            f"{scene.name}: there is no momentum of {quantity.coordinate!r}: the coordinates are"
+            f" {', '.join(by_name)}"
+        )
+    return (generalized_momenta(scene)[by_name[quantity.coordinate]],)
+
+
 def _centroid(quantity: q.Centroid) -> Matrix:
     return Matrix([*(integrated_centroid(quantity.body) - Matrix(quantity.origin)), 0])
 
@@ -150,6 +161,7 @@ DERIVED: dict[type[Quantity], Callable[[Scene, Any], Sides]] = {
         differentiate.point_motion(s, point_named(s, x.point)).velocity,
     ),
     q.Momentum: lambda s, x: (momentum(s, x.bodies),),
+    q.GeneralizedMomentum: _generalized,
     q.RateOfMomentum: lambda s, x: (_rate(s, momentum(s, x.bodies)),),
     q.AngularMomentum: lambda s, x: (angular_momentum(s, x.bodies, x.about),),
     q.RateOfAngularMomentum: lambda s, x: (

@@ -16,8 +16,9 @@ from mechanics.checks.agreement import solve
 from mechanics.checks.ledger_compare import decide_in, equal, symbols_of
 from mechanics.equations import Equations
 from mechanics.errors import InputError
-from mechanics.exact import Arithmetic, Finding, Number, Verdict, decide
+from mechanics.exact import Arithmetic, Finding, Number, Verdict, decide, slope
 from mechanics.scene import Scene
+from mechanics.scene.actions import frictions
 from mechanics.scene.published import Published
 from mechanics.scene.quantities import EquationOfMotion
 from mechanics.scene.rates import TIME, rate_table
@@ -28,7 +29,7 @@ Pairs = list[tuple[Number, Number]]
 def check_equation(subject: str, sides: Sequence[Expr], equations: Equations) -> Finding:
     """Whether a typed equation of motion holds, and says something, along the motion."""
     scene = equations.scene
-    if strange := _strange(scene, sides):
+    if strange := _strange(scene, sides) or _untold(equations, sides):
         return Finding(subject, Verdict.UNDECIDED, strange)
     rates = gradient(scene, sides)
     static = equal(scene, subject, rates, [S.Zero] * len(rates))
@@ -74,6 +75,16 @@ def _strange(scene: Scene, sides: Sequence[Expr]) -> str:
     )
 
 
+def _untold(equations: Equations, sides: Sequence[Expr]) -> str:
+    """Names the reactions in an equation that the route does not give values to."""
+    held = {reaction.name for reaction in equations.scene.reactions}
+    held &= {symbol.name for symbol in symbols_of(sides)}
+    names = sorted(name for name in held if not gives(equations, name))
+    if not names:
+        return ""
+    return f"route {equations.route} does not give {', '.join(names)}: take those of free_body"
+
+
 def _bent(scene: Scene, rates: Sequence[Expr]) -> bool:
     """Whether an equation is not linear in the accelerations: its gradient depends on them."""
     return any(rate.free_symbols & set(scene.ud) for rate in rates)
@@ -117,17 +128,23 @@ def gives(equations: Equations, name: str) -> bool:
 
 
 def put_motion(a: Arithmetic, equations: Equations) -> None:
-    """Let u', the multipliers and the reactions stand for their values along the motion."""
+    """Let u', the multipliers and the reactions stand for their values along the motion.
+
+    A reaction that friction depends on presses there: other states are no motion of the scene.
+    """
     for symbol, number in zip(equations.unknowns, solve(a, equations), strict=True):
         a.assign(symbol, number)
     for symbol, expression in equations.reactions:
         a.assign(symbol, a.value(expression))
+    for load in frictions(equations.scene):
+        if gives(equations, load.normal):
+            a.require_positive(a.value(Symbol(load.normal, real=True)))
 
 
 def gradient(scene: Scene, sides: Sequence[Expr]) -> list[Expr]:
-    """d(left - right)/du'."""
+    """d(left - right)/du', where signs keep their values."""
     residual = sides[0] - sides[1]
-    return [residual.diff(symbol) for symbol in scene.ud]
+    return [slope(residual, symbol) for symbol in scene.ud]
 
 
 def check_complete(scene: Scene, rows: Sequence[Published], equations: Equations) -> Finding:

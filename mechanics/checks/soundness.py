@@ -10,6 +10,7 @@ from dataclasses import dataclass
 
 from sympy import Add, Expr, Matrix, S, Symbol
 
+from mechanics.checks.sliding import check_sliding
 from mechanics.errors import ExpressionError, SceneError
 from mechanics.exact import collect_linear, generic_rank, independent_rows, is_zero
 from mechanics.kinematics.chain import body_motions
@@ -62,6 +63,7 @@ def check_sound(scene: Scene) -> None:
     matrix, _ = constraint_rows(scene)
     _redundant(scene, matrix)
     _torsion(scene, motions)
+    check_sliding(scene, motions)
     _scalar_inertias(scene, motions, directions)
     freedoms = _freedoms(scene, motions, reactions, directions)
     powers = _powers(scene, freedoms, tuple(reactions))

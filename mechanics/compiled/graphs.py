@@ -7,7 +7,7 @@
 
 The inverse dynamics are the generalized forces, conjugate to u, which have to be added to the loads
 to get u'; with M_T from the kinetic energy this holds whatever the rows of a route are. Where the
-rows are conjugate and nothing is constrained, it is M u' - f.
+rows are conjugate and nothing is constrained, it is M u' - f. Friction would change with them.
 """
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
@@ -27,6 +27,7 @@ from mechanics.compiled.step import RK4, runge_kutta
 from mechanics.compiled.translate import Translator
 from mechanics.equations import Equations
 from mechanics.errors import InputError
+from mechanics.scene.actions import frictions
 from mechanics.scene.rates import TIME
 
 STATE = ("q", "u", "inputs", "p")
@@ -179,6 +180,8 @@ class Graphs(Mapping[str, ca.Function]):
             "jacobians": ((), self._jacobians),
             "step": (("h",), self._step),
         }
+        if frictions(self.equations.scene):
+            del found["inverse_dynamics"]
         if self.equations.solve_reactions is not None:
             found["reactions"] = ((), self._reactions)
         return found

@@ -10,6 +10,7 @@ from time import perf_counter
 from mechanics.checks import laws
 from mechanics.checks.agreement import compare, compare_pairs, proof_pays, require_regular
 from mechanics.checks.energy import check_energy
+from mechanics.checks.friction import check_friction
 from mechanics.checks.ledger import QUANTITIES, check_row
 from mechanics.checks.ledger_motion import check_complete, gives
 from mechanics.checks.reactions import check_multipliers, check_reactions
@@ -27,6 +28,7 @@ from mechanics.report.result import LedgerResult, ResidualResult, RouteResult, S
 from mechanics.routes import free_body, kane
 from mechanics.routes.kane_reactions import auxiliary_equations
 from mechanics.scene import Scene
+from mechanics.scene.actions import frictions
 from mechanics.scene.declared import decimals
 from mechanics.scene.published import Published
 from mechanics.scene.quantities import EquationOfMotion, ReactionValue
@@ -171,9 +173,10 @@ def _laws(scene: Scene, derived: Mapping[str, Equations]) -> Iterator[Finding]:
     yield from laws.check_potentials(scene)
     yield from laws.check_dampers(scene)
     yield from laws.check_ideal(scene)
+    yield from check_friction(scene)
     support = derived.get("free_body")
-    if support is None and scene.inputs:
-        # A support that moves in a prescribed way does work through its reactions.
+    if support is None and (scene.inputs or frictions(scene)):
+        # A support that moves in a prescribed way does work through its reactions, friction by one.
         support = free_body.derive(scene)
     for equations in derived.values():
         yield check_energy(equations, support)

@@ -7,6 +7,7 @@ from mechanics.exact.decimals import decimal_matches, enclose
 from mechanics.exact.finding import Finding, Verdict, Witness
 from mechanics.exact.independence import generic_rank, independent_rows
 from mechanics.exact.signals import Inadmissible, SingularHere, TooLarge
+from mechanics.exact.slope import slope
 
 __all__ = [
     "Arithmetic",
@@ -29,4 +30,5 @@ __all__ = [
     "linear_equation",
     "prove_equal",
     "prove_zero",
+    "slope",
 ]

@@ -14,7 +14,7 @@ the deviations that they admit to first order.
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
-from sympy import Expr, Matrix, Symbol, eye, sympify
+from sympy import Abs, Expr, Matrix, Symbol, eye, sign, sympify
 
 from mechanics.equations import Equations
 from mechanics.errors import InputError, wanted
@@ -143,6 +143,7 @@ def _expand(equations: Equations, rest: Rest) -> Linear:
             f"{scene.name}: the forces depend on time itself, so that nothing is an equilibrium:"
             " declare what changes as an input"
         )
+    _smooth(equations, rest)
     kinematic = inverse(rest.gradient([scene.coordinate_rates[qd] for qd in scene.qd], scene.u))
     constraint = equations.constraint_matrix.applyfunc(rest.of)
     if constraint.rows:
@@ -177,6 +178,17 @@ def _expand(equations: Equations, rest: Rest) -> Linear:
         reach=reach,
         conjugate=conjugate,
     )
+
+
+def _smooth(equations: Equations, rest: Rest) -> None:
+    """Refuse a point at which a load jumps, as friction does at rest."""
+    for entry in equations.forcing:
+        for kink in sorted(sympify(entry).atoms(sign, Abs), key=str):
+            if is_zero(rest.of(kink.args[0])) is not False:
+                raise InputError(
+                    f"{equations.scene.name}: {kink} has no slope at the operating point: nothing"
+                    " is linear there; linearise a scene without the friction that it comes from"
+                )
 
 
 def _static(equations: Equations, rest: Rest, left: Matrix, still: Matrix) -> Matrix:

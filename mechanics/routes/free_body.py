@@ -21,7 +21,7 @@ from mechanics.routes.common import assemble
 from mechanics.routes.elimination import Row, eliminate, solved_reactions
 from mechanics.routes.free_body_steps import derivation_steps
 from mechanics.scene import RigidBody, Scene
-from mechanics.scene.actions import Action, applied_actions, by_body, moment, unit_reactions
+from mechanics.scene.actions import Action, acting_reactions, applied_actions, by_body, moment
 from mechanics.scene.geometry import components
 from mechanics.scene.rates import rate_table, rates
 from mechanics.scene.topology import Tree, multipliers, tree
@@ -72,7 +72,7 @@ def free_body_rows(
 ) -> tuple[FreeBodyRow, ...]:
     """Momentum equations of every isolated body, in tree order."""
     applied = applied_actions(scene)
-    reactions = unit_reactions(scene)
+    reactions = acting_reactions(scene)
     units = [action for pair in reactions.values() for action in pair]
     directions = used_directions(tuple(motions.values()), (*applied, *units))
     loads = by_body(applied)

@@ -3,7 +3,8 @@
     F_r + F_r* = 0,    F_r = sum v_r . F + omega_r . T,    F_r* = - sum m a . v_r + ...
 
 A scene with constraints is derived twice: with dependent speeds (`derive`), and without constraints
-but with the reactions that maintain them as unknown loads (`derive_with_multipliers`).
+but with the reactions that maintain them as unknown loads (`derive_with_multipliers`). Friction
+enters with the reaction that presses as an unknown, which an auxiliary speed gives.
 """
 
 from collections.abc import Sequence
@@ -18,9 +19,17 @@ from mechanics.kinematics import chain
 from mechanics.kinematics.constraints import constraint_rows, velocity_forms
 from mechanics.routes.common import tidied
 from mechanics.routes.dynamic import Dynamic, dynamic_speeds
+from mechanics.routes.kane_reactions import auxiliary_equations
+from mechanics.routes.pressing import pressed, pressing
 from mechanics.routes.sympy_model import SympyModel, Velocities, build, force_at
 from mechanics.scene import Scene
-from mechanics.scene.actions import Action, applied_actions, unit_reactions
+from mechanics.scene.actions import (
+    Action,
+    applied_actions,
+    frictions,
+    load_actions,
+    unit_reactions,
+)
 from mechanics.scene.topology import multipliers
 
 
@@ -28,12 +37,15 @@ def derive(scene: Scene) -> Equations:
     """Equations of motion by Kane's method; dependent speeds where there are constraints."""
     dynamic = dynamic_speeds(scene)
     model = build(scene, dynamic)
-    loads = _loads(scene, model, dynamic, applied_actions(scene))
+    rubbing = [action for load in frictions(scene) for action in load_actions(scene, load)]
+    loads = _loads(scene, model, dynamic, (*applied_actions(scene), *rubbing))
     if scene.constraints:
         return _with_dependent_speeds(scene, dynamic, model, loads)
     method = _method(scene, dynamic, model, list(range(len(scene.u))))
     method.kanes_equations(list(model.bodies.values()), loads)
     mass, forcing = _matrices(scene, dynamic, method)
+    if rubbing:
+        return _with_friction(scene, mass, forcing)
     return Equations(
         scene,
         "kane",
@@ -78,6 +90,24 @@ def derive_with_multipliers(scene: Scene) -> Equations:
         matrix,
         bias,
         conjugate=True,
+        explain=partial(_steps, scene),
+        of_bodies=True,
+    )
+
+
+def _with_friction(scene: Scene, mass: Matrix, forcing: Matrix) -> Equations:
+    """The forces hold the reactions that press; auxiliary speeds give these."""
+    contact = pressed(scene, auxiliary_equations(scene, pressing(scene)))
+    return Equations(
+        scene,
+        "kane",
+        *contact.put_into(mass, forcing),
+        (),
+        zeros(len(scene.u), 0),
+        zeros(0, len(scene.u)),
+        zeros(0, 1),
+        conjugate=False,
+        solve_reactions=partial(contact.solve, scene.ud),
         explain=partial(_steps, scene),
         of_bodies=True,
     )

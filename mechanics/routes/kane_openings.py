@@ -16,7 +16,7 @@ from mechanics.errors import SingularError
 from mechanics.exact import generic_rank
 from mechanics.kinematics.manifold import on_the_manifold
 from mechanics.scene import Scene
-from mechanics.scene.actions import Action, unit_reactions
+from mechanics.scene.actions import Action, acting_reactions
 from mechanics.scene.reactions import Reaction
 from mechanics.scene.topology import GROUND, Tree, loop_reactions, tree
 
@@ -61,7 +61,7 @@ def openings(scene: Scene, sought: Sequence[Reaction]) -> tuple[Opening, ...]:
 
 def _open_loops(scene: Scene, sought: Sequence[Reaction], found: dict[str, Opening]) -> None:
     """Add the missing openings, such that their equations determine every reaction."""
-    units = unit_reactions(scene)
+    units = acting_reactions(scene)
     columns = [units[reaction.symbol] for reaction in sought]
     rows = [[opening.power(pair) for pair in columns] for opening in found.values()]
     closed = on_the_manifold(scene)

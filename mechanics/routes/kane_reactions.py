@@ -27,13 +27,21 @@ from mechanics.routes.sympy_model import (
     inertia_dyadic,
 )
 from mechanics.scene import RigidBody, Scene
-from mechanics.scene.actions import Action, applied_actions, unit_reactions
+from mechanics.scene.actions import Action, acting_reactions, applied_actions
 from mechanics.scene.reactions import Reaction
 from mechanics.scene.topology import multipliers
 
 
-def auxiliary_equations(scene: Scene) -> tuple[tuple[Symbol, Expr], ...]:
+def auxiliary_equations(
+    scene: Scene, wanted: Sequence[Symbol] = ()
+) -> tuple[tuple[Symbol, Expr], ...]:
     """For each reaction that is no multiplier, an equation ``expression = 0`` that holds it.
+
+    Parameters
+    ----------
+    scene : Scene
+    wanted : sequence of Symbol
+        Reactions; all for none.
 
     Returns
     -------
@@ -41,7 +49,8 @@ def auxiliary_equations(scene: Scene) -> tuple[tuple[Symbol, Expr], ...]:
         In q, u, u' and the reactions, plain symbols.
     """
     kept = multipliers(scene)
-    sought = [reaction for reaction in scene.reactions if reaction.symbol not in kept]
+    asked = wanted or [reaction.symbol for reaction in scene.reactions]
+    sought = [r for r in scene.reactions if r.symbol in asked and r.symbol not in kept]
     if not sought:
         return ()
     dynamic = dynamic_speeds(scene)
@@ -91,7 +100,7 @@ def _actions(scene: Scene) -> list[Action]:
     """Applied loads, and every reaction as a load of unknown size."""
     unknown = [
         Action(a.name, a.body, a.at, symbol * a.force, symbol * a.couple)
-        for symbol, pair in unit_reactions(scene).items()
+        for symbol, pair in acting_reactions(scene).items()
         for a in pair
     ]
     return [*applied_actions(scene), *unknown]

@@ -7,8 +7,12 @@ are not q', the result is carried over by q' = N u + n:
 
     N^T M N u' = N^T (f - M (N' u + n')) + N^T A^T lambda
 
-so that the rows stay power-conjugate to u.
+so that the rows stay power-conjugate to u. Friction enters with the reaction that presses as an
+unknown, which the equation of an opened joint gives.
 """
+
+from dataclasses import replace
+from functools import partial
 
 from sympy import Add, Expr, Matrix, Rational, Symbol, zeros
 from sympy.physics.mechanics import LagrangesMethod, Point, ReferenceFrame
@@ -19,8 +23,10 @@ from mechanics.kinematics import differentiate
 from mechanics.kinematics.motion import BodyMotion, inertia_matrix
 from mechanics.routes.common import tidied
 from mechanics.routes.dynamic import Dynamic, dynamic_rates
+from mechanics.routes.lagrange_openings import opened_equations
+from mechanics.routes.pressing import pressed, pressing
 from mechanics.scene import Scene
-from mechanics.scene.actions import load_actions
+from mechanics.scene.actions import frictions, load_actions
 from mechanics.scene.loads import CONSERVATIVE
 from mechanics.scene.potential import potential
 from mechanics.scene.rates import rate, rate_table
@@ -47,7 +53,22 @@ def derive(scene: Scene) -> Equations:
         nonhol_coneqs=[expression for expression, of_position in constraints if not of_position],
     )
     method.form_lagranges_equations()
-    return _common_form(scene, method, dynamic, kinetic, stored)
+    equations = _common_form(scene, method, dynamic, kinetic, stored)
+    return _with_friction(equations) if frictions(scene) else equations
+
+
+def _with_friction(equations: Equations) -> Equations:
+    """The forces hold the reactions that press, which the equations of opened joints give."""
+    scene = equations.scene
+    contact = pressed(scene, opened_equations(scene, pressing(scene)))
+    mass, forcing = contact.put_into(equations.mass, equations.forcing)
+    return replace(
+        equations,
+        mass=mass,
+        forcing=forcing,
+        conjugate=False,
+        solve_reactions=partial(contact.solve, scene.ud),
+    )
 
 
 def kinetic_energy(scene: Scene, motions: dict[str, BodyMotion]) -> Expr:

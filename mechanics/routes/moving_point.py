@@ -29,7 +29,7 @@ from mechanics.routes.elimination import Row, Solved, solve_for
 from mechanics.routes.moving_point_steps import derivation_steps
 from mechanics.routes.twists import Principle, principles
 from mechanics.scene import Scene
-from mechanics.scene.actions import Action, applied_actions, by_body, moment, unit_reactions
+from mechanics.scene.actions import Action, acting_reactions, applied_actions, by_body, moment
 from mechanics.scene.rates import rate_table, rates
 from mechanics.scene.topology import loop_reactions, multipliers, tree
 
@@ -68,7 +68,7 @@ def candidates(scene: Scene) -> Iterator[Balance]:
     chain = Chain(scene)
     motions = {motion.body.name: motion for motion in body_motions(scene, chain)}
     loads = by_body(applied_actions(scene))
-    reactions = unit_reactions(scene)
+    reactions = acting_reactions(scene)
     every = [action for group in loads.values() for action in group]
     every += [action for pair in reactions.values() for action in pair]
     directions = used_directions(tuple(motions.values()), every)

@@ -3,6 +3,7 @@
 from mechanics.scene.bodies import Body, Particle, RigidBody
 from mechanics.scene.conditions import Condition, condition
 from mechanics.scene.loads import (
+    Coulomb,
     Damper,
     Force,
     Gravity,
@@ -10,6 +11,7 @@ from mechanics.scene.loads import (
     Spring,
     Torque,
     TorsionSpring,
+    coulomb,
     damper,
     force,
     gravity,
@@ -32,6 +34,7 @@ __all__ = [
     "Body",
     "Condition",
     "Constraint",
+    "Coulomb",
     "Damper",
     "Force",
     "Gravity",
@@ -45,6 +48,7 @@ __all__ = [
     "Torque",
     "TorsionSpring",
     "condition",
+    "coulomb",
     "damper",
     "force",
     "gravity",

@@ -2,16 +2,26 @@
 
 spring    tension = k (d - l),  d = along . (r_2 - r_1)  or  |r_2 - r_1|
 damper    tension = c d'
+friction  -mu N sign(v) along the direction of sliding, N the reaction that presses
 """
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
-from sympy import Abs, Expr, Matrix, Symbol, sqrt, zeros
+from sympy import Abs, Expr, Matrix, S, Symbol, sign, sqrt, zeros
 from sympy.physics.vector import Point
 
 from mechanics.errors import SceneError
-from mechanics.scene.loads import Damper, Force, Gravity, Load, Spring, Torque, TorsionSpring
+from mechanics.scene.loads import (
+    Coulomb,
+    Damper,
+    Force,
+    Gravity,
+    Load,
+    Spring,
+    Torque,
+    TorsionSpring,
+)
 from mechanics.scene.rates import rate, rate_table
 from mechanics.scene.scene import Scene
 
@@ -39,15 +49,16 @@ class Action:
 
 
 def applied_actions(scene: Scene) -> tuple[Action, ...]:
-    """Every load of the scene as actions on bodies."""
+    """Every load that depends on no reaction, as actions on bodies; see `acting_reactions`."""
     found: list[Action] = []
     for load in scene.loads:
-        found += load_actions(scene, load)
+        if not isinstance(load, Coulomb):
+            found += load_actions(scene, load)
     return tuple(found)
 
 
 def load_actions(scene: Scene, load: Load) -> list[Action]:
-    """One load as actions on bodies.
+    """One load as actions on bodies; friction with the symbol of the reaction that presses.
 
     Raises
     ------
@@ -88,6 +99,8 @@ def load_actions(scene: Scene, load: Load) -> list[Action]:
         if carrier is None:
             raise SceneError(f"force {load.name}: it acts on the ground, where it does nothing")
         return _pair(load.name, carrier, load.by, at, force, none)
+    if isinstance(load, Coulomb):
+        return _friction(scene, load)
     if isinstance(load, Torque):
         couple = scene.vector(load.vector, load.name)
     elif isinstance(load, TorsionSpring):
@@ -111,6 +124,36 @@ def unit_reactions(scene: Scene) -> dict[Symbol, list[Action]]:
             pair = _pair(reaction.name, reaction.on, reaction.by, at, along, none)
         table[reaction.symbol] = pair
     return table
+
+
+def acting_reactions(scene: Scene) -> dict[Symbol, list[Action]]:
+    """For each reaction the actions of a unit of it, with the friction that it brings.
+
+    A pressing reaction with friction is one force that leans against the sliding.
+    """
+    table = unit_reactions(scene)
+    for load in frictions(scene):
+        symbol = Symbol(load.normal, real=True)
+        table[symbol] = [
+            replace(unit, force=unit.force + rubbing.force.xreplace({symbol: S.One}))
+            for unit, rubbing in zip(table[symbol], _friction(scene, load), strict=True)
+        ]
+    return table
+
+
+def frictions(scene: Scene) -> tuple[Coulomb, ...]:
+    """The loads that depend on reactions."""
+    return tuple(load for load in scene.loads if isinstance(load, Coulomb))
+
+
+def _friction(scene: Scene, load: Coulomb) -> list[Action]:
+    """-mu N sign(v) on the body that the reaction N acts on, the opposite on the other."""
+    normal = scene.reaction(load.normal)
+    pressing = normal.symbol * scene.plain(load.coefficient, load.name)
+    size = -pressing * sign(scene.plain(load.sliding, load.name))
+    force = size * scene.vector(load.along, load.name)
+    at = scene.position(normal.at)
+    return _pair(load.name, normal.on, normal.by, at, force, zeros(3, 1))
 
 
 def elongation(scene: Scene, load: Spring | Damper) -> tuple[Expr, Matrix]:

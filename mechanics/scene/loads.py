@@ -1,4 +1,4 @@
-"""Loads: gravity, springs, dampers, applied forces and torques.
+"""Loads: gravity, springs, dampers, applied forces and torques, friction.
 
 A load acts on bodies at points. A conservative load is declared once; each route lowers it in its
 own way, as a force (`mechanics.scene.actions`) or as a potential (`mechanics.scene.potential`).
@@ -116,7 +116,36 @@ class TorsionSpring:
     by: str | None = None
 
 
-Load = Gravity | Spring | Damper | Force | Torque | TorsionSpring
+@dataclass(frozen=True)
+class Coulomb:
+    """Dry friction of a body that slides: -coefficient * normal * sign(sliding) along `along`.
+
+    It depends on a reaction, and so on the accelerations. It acts on the bodies that the reaction
+    acts on and at its point, and holds while the reaction presses: the scene says so by a condition
+    on it. At rest the sign is zero; sticking is not modelled.
+
+    Parameters
+    ----------
+    name : str
+    normal : str
+        Name of the reaction that presses the surfaces together where it is positive.
+    along : Vector
+        Unit direction of sliding; the body that the reaction acts on feels the friction along it.
+    sliding : Expr
+        Velocity of that body against the other one at the point of contact, along `along`, in m/s.
+        It is checked against the motion.
+    coefficient : Expr
+        mu, without a unit.
+    """
+
+    name: str
+    normal: str
+    along: Vector
+    sliding: Expr
+    coefficient: Expr
+
+
+Load = Gravity | Spring | Damper | Force | Torque | TorsionSpring | Coulomb
 CONSERVATIVE = (Gravity, Spring, TorsionSpring)
 
 
@@ -176,3 +205,10 @@ def torsion_spring(
     turn = scalar(angle, f"load {name}: the angle")
     k = scalar(stiffness, f"load {name}: the stiffness")
     return TorsionSpring(name, turn, axis, k, on, by)
+
+
+def coulomb(name: str, normal: str, along: Vector, sliding: Expr, coefficient: Expr) -> Coulomb:
+    """See `Coulomb`."""
+    speed = scalar(sliding, f"load {name}: the sliding velocity")
+    mu = scalar(coefficient, f"load {name}: the coefficient")
+    return Coulomb(name, normal, along, speed, mu)

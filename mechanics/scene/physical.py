@@ -19,7 +19,7 @@ from mechanics.errors import SceneError
 from mechanics.exact import canonical, is_zero
 from mechanics.scene.bodies import Body, Particle, RigidBody
 from mechanics.scene.geometry import frame_path, relative_rotation
-from mechanics.scene.loads import Damper, Force, Gravity, Spring, Torque, TorsionSpring
+from mechanics.scene.loads import Coulomb, Damper, Force, Gravity, Spring, Torque, TorsionSpring
 from mechanics.scene.symbols import by_name
 from mechanics.scene.wellformed import inertia_entries
 
@@ -115,12 +115,17 @@ def check_loads(scene: Scene) -> None:
         _unit(scene, f"reaction {reaction.name}", reaction.along)
     for load in scene.loads:
         where = f"load {load.name}"
-        if not isinstance(load, Gravity) and load.on is not None and load.on == load.by:
-            raise SceneError(f"{where}: body {load.on!r} acts on itself")
+        on, by = getattr(load, "on", None), getattr(load, "by", None)
+        if on is not None and on == by:
+            raise SceneError(f"{where}: body {on!r} acts on itself")
         if isinstance(load, Gravity):
             _fixed(scene, where, load.field)
         elif isinstance(load, Spring | Damper):
             _line(scene, where, load)
+        elif isinstance(load, Coulomb):
+            _unit(scene, where, load.along)
+            given = (load.coefficient, load.sliding)
+            _no_accelerations(scene, where, [scene.plain(entry, where) for entry in given])
         elif isinstance(load, TorsionSpring):
             _unit(scene, where, load.axis)
             _constant(scene, where, load.stiffness)

@@ -188,6 +188,16 @@ class Scene:
             f" {', '.join(body.name for body in self.bodies)}"
         )
 
+    def reaction(self, name: str) -> Reaction:
+        """The reaction of that name."""
+        for reaction in self.reactions:
+            if reaction.name == name:
+                return reaction
+        declared = ", ".join(reaction.name for reaction in self.reactions) or "none"
+        raise SceneError(
+            f"{self.name}: there is no reaction {name!r}: the reactions are {declared}"
+        )
+
     @property
     def degrees_of_freedom(self) -> int:
         """Number of independent speeds."""

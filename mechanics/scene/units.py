@@ -1,7 +1,7 @@
 """Units of parameters, and whether what is declared with them has the dimension that it must have.
 
     mass kg,   inertia kg m^2,   place m,   field m/s^2,   force N,   torque N m,
-    spring N/m,   torsion spring N m/rad,   damper N s/m
+    spring N/m,   torsion spring N m/rad,   damper N s/m,   friction 1
 
 Angles have no dimension. Where a unit is not stated, or a coordinate enters, nothing is known and
 nothing is said: published equations are therefore not checked.
@@ -19,7 +19,7 @@ from sympy.physics.vector import Vector
 from mechanics.errors import SceneError
 from mechanics.scene.bodies import RigidBody
 from mechanics.scene.geometry import components, point_path, step_vector
-from mechanics.scene.loads import Damper, Force, Gravity, Spring, Torque, TorsionSpring
+from mechanics.scene.loads import Coulomb, Damper, Force, Gravity, Spring, Torque, TorsionSpring
 from mechanics.scene.unit_names import Dimension, dimension_of_unit, words
 from mechanics.scene.wellformed import inertia_entries
 
@@ -104,6 +104,9 @@ def _declared(scene: Scene) -> Iterator[tuple[str, Expr, str]]:
             yield f"{where}, length", sympify(load.length), "m"
         elif isinstance(load, Damper):
             yield f"{where}, coefficient", sympify(load.coefficient), "N*s/m"
+        elif isinstance(load, Coulomb):
+            yield f"{where}, coefficient", sympify(load.coefficient), "1"
+            yield f"{where}, sliding velocity", sympify(load.sliding), "m/s"
         elif isinstance(load, TorsionSpring):
             yield f"{where}, stiffness", sympify(load.stiffness), "N*m/rad"
         elif isinstance(load, Force):

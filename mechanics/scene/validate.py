@@ -17,6 +17,7 @@ from mechanics.errors import SceneError
 from mechanics.exact import independent_rows
 from mechanics.scene.bodies import RigidBody
 from mechanics.scene.conditions import check_conditions
+from mechanics.scene.contacts import check_contacts
 from mechanics.scene.declared import scalar
 from mechanics.scene.geometry import Placed, frame_path, point_path
 from mechanics.scene.loads import Force, Load
@@ -54,6 +55,7 @@ def validate(scene: Scene) -> None:
     check_loads(scene)
     _given(scene)
     check_conditions(scene)
+    check_contacts(scene)
     check_units(scene)
 
 

@@ -11,11 +11,12 @@ A law gives, by output, pairs of numbers that have to be equal: the graph's, and
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
+from functools import partial
 
 from sympy import Add, Dummy, Expr, Matrix, S
 
 from mechanics.compiled.custody.derived import Derived
-from mechanics.exact import Arithmetic, Number
+from mechanics.exact import Arithmetic, Number, slope
 
 Pair = tuple[str, Number, Number]
 """Name of an entry, and two numbers."""
@@ -110,9 +111,9 @@ def _jacobians(a: Arithmetic, outputs: Outputs, known: Derived) -> Iterator[Pair
     n = len(known.symbols["ud"])
     for group in STATE:
         for k, symbol in enumerate(known.symbols[group]):
-            change = left.diff(symbol)
+            change = left.applyfunc(partial(slope, symbol=symbol))
             rest = [
-                a.value(right[i].diff(symbol)) - _row(a, change, i, solution)
+                a.value(slope(right[i], symbol)) - _row(a, change, i, solution)
                 for i in range(left.rows)
             ]
             derivative = a.solve(rows, rest)

@@ -21,6 +21,7 @@ from mechanics.compiled.forms.system import System
 from mechanics.compiled.forms.weigh import lightest
 from mechanics.compiled.programs.program import operations
 from mechanics.equations import Equations
+from mechanics.scene.actions import frictions
 
 MORE = 1.25
 """How many times the operations it may take to be on the safe side where errors are not tried."""
@@ -38,6 +39,9 @@ def inapplicable(equations: Equations) -> str:
     if equations.scene.constraints:
         named = ", ".join(constraint.name for constraint in equations.scene.constraints)
         return f"the bodies are no tree, for {named} constrains them"
+    if rubbing := frictions(equations.scene):
+        named = ", ".join(load.name for load in rubbing)
+        return f"{named} depends on a reaction, which Gauss's function does not hold"
     return ""
 
 
