@@ -121,6 +121,8 @@ def _parts(result: Any) -> list[Any]:
     """Things that are returned; numbers side by side are one array."""
     if isinstance(result, dict):
         result = tuple(result.values())
+    if isinstance(result, list) and result and all(isinstance(part, list) for part in result):
+        return [result]  # rows of one matrix
     if isinstance(result, tuple | list) and any(_is_array(part) for part in result):
         return list(result)
     return [result]

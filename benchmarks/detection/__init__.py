@@ -1,0 +1,1 @@
+"""How good `mechanics.check` is: mutants of right equations, and right ones written otherwise."""

@@ -1,0 +1,1 @@
+"""Statements written in every form that `mechanics.check` reads."""

@@ -1,0 +1,216 @@
+"""Code: Python functions on NumPy, C functions, CasADi functions.
+
+def residual(theta, theta_dot, ...):       double acc(const double *q, ...)       Function(acc, ...)
+    return M*x_ddot + ... - f              { return ...; }
+
+A function returns a residual, all accelerations, an energy or the mass matrix; its arguments are
+numbers, or vectors of coordinates, speeds, accelerations, inputs and parameters.
+"""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from math import prod
+from random import Random
+
+import casadi
+import numpy as np
+from sympy import Symbol
+
+from benchmarks.detection.forms.plain import Notation, Plain
+from benchmarks.detection.forms.spelling import Written, quotient
+from benchmarks.detection.rows import Row, Subject
+from benchmarks.detection.tree import Tree, negative, symbol, symbols, total
+
+Groups = tuple[tuple[str, tuple[Symbol, ...]], ...]
+
+
+@dataclass(frozen=True)
+class Program:
+    """What a function returns, and what it is given.
+
+    Attributes
+    ----------
+    outputs : tuple of Tree
+    place : int
+        Of the statement among those that are read.
+    about : str or None
+    groups : tuple of (str, symbols)
+        Arguments that are vectors; empty where every argument is a number.
+    scalars : tuple of Symbol
+    columns : int
+        Of the matrix that is returned; 0 for numbers side by side.
+    """
+
+    outputs: tuple[Tree, ...]
+    place: int
+    about: str | None
+    groups: Groups
+    scalars: tuple[Symbol, ...]
+    columns: int = 0
+
+    @property
+    def options(self) -> dict[str, object]:
+        """For `mechanics.check`."""
+        names = {name: " ".join(s.name for s in group) for name, group in self.groups}
+        return {"about": self.about} | ({"names": names} if names else {})
+
+
+def program(
+    about: Subject, row: Row, trees: tuple[Tree, ...], source: Random
+) -> Program | None:
+    """A function for a statement; None for one that functions do not claim."""
+    scene = about.scene
+    moving = set(scene.ud) & set().union(*map(symbols, row.trees))
+    if row.equation and not moving:
+        return None
+    outputs, place, words, columns = trees, 0, str(row.about), 0
+    if row.about == "mass matrix":
+        columns = len(scene.u)
+    elif row.about == "acceleration" and trees[0] == row.trees[0] and _explicit(about):
+        place = scene.ud.index(trees[0].value)
+        outputs = tuple(trees[1] if i == place else t for i, t in enumerate(_explicit(about)))
+        words = ""
+    elif row.equation:
+        outputs, words = (total(trees[0], negative(trees[1])),), "equation of motion"
+    order = (*scene.q, *scene.u, *scene.ud, *scene.input_symbols, *scene.parameters)
+    used = set().union(*map(symbols, outputs))
+    rest = tuple(sorted(used - set(order), key=str))
+    scalars = (*(s for s in order if s in used), *rest)
+    groups: Groups = ()
+    if source.random() < 0.4:
+        named = (("q", scene.q), ("v", scene.u), ("a", scene.ud), ("w", scene.input_symbols),
+                 ("par", scene.parameters))  # fmt: skip
+        groups = tuple((name, group) for name, group in named if len(group) > 1
+                       and used & set(group) and not _taken(name, scalars, group))  # fmt: skip
+        grouped = {s for _, group in groups for s in group}
+        scalars = tuple(s for s in scalars if s not in grouped)
+    return Program(outputs, place, words or None, groups, scalars, columns)
+
+
+def _taken(name: str, scalars: Sequence[Symbol], group: Sequence[Symbol]) -> bool:
+    return any(s.name == name for s in scalars if s not in group)
+
+
+def _explicit(about: Subject) -> tuple[Tree, ...]:
+    """Right accelerations, all of them or none."""
+    found = {row.trees[0].value: row.trees[1] for row in about.rows if row.about == "acceleration"}
+    return tuple(found[s] for s in about.scene.ud) if set(about.scene.ud) <= found.keys() else ()
+
+
+def _shared(outputs: Sequence[Tree]) -> tuple[list[tuple[str, Tree]], list[Tree]]:
+    """Sines and cosines of single symbols as local variables."""
+    table: dict[Tree, str] = {}
+
+    def changed(tree: Tree) -> Tree:
+        if tree.kind in ("sin", "cos", "tan") and tree.parts[0].kind == "symbol":
+            table.setdefault(tree, f"{tree.kind[0]}_{tree.parts[0].value}")
+            return symbol(Symbol(table[tree]))
+        return Tree(tree.kind, tree.value, tuple(map(changed, tree.parts)))
+
+    found = [changed(tree) for tree in outputs]
+    return [(name, tree) for tree, name in table.items()], found
+
+
+def python(about: Subject, row: Row, trees: tuple[Tree, ...], source: Random) -> Written | None:
+    """A Python function, from its source."""
+    made = program(about, row, trees, source)
+    if made is None:
+        return None
+    prefix, head = source.choice((("np.", "import numpy as np"), ("math.", "import math"),
+                                  ("", "from numpy import sin, cos, tan, sqrt, pi, array")))  # fmt: skip
+    matrix = f"{'np.' if prefix == 'np.' else ''}array" if prefix != "math." else ""
+    names = {s: f"{name}[{i}]" for name, group in made.groups for i, s in enumerate(group)}
+    write = Plain(Notation("*", "/", "**", names, prefix=prefix, pi=f"{prefix}pi"))
+    lines, outputs = [], list(made.outputs)
+    if source.random() < 0.5:
+        shared, outputs = _shared(outputs)
+        lines = [f"    {name} = {write(tree)}" for name, tree in shared]
+    words = [write(tree) for tree in outputs]
+    if made.columns:
+        n = made.columns
+        rows = [f"[{', '.join(words[i : i + n])}]" for i in range(0, n * n, n)]
+        returned = f"{matrix}([{', '.join(rows)}])"
+    else:
+        returned = ", ".join(words)
+    arguments = ", ".join([name for name, _ in made.groups] + [s.name for s in made.scalars])
+    text = "\n".join([head, "", "", f"def model({arguments}):", *lines, f"    return {returned}"])
+    space: dict[str, object] = {}
+    exec(compile(text, "<a person's code>", "exec"), space)
+    return Written(space["model"], made.options, text, made.place)
+
+
+def c_source(about: Subject, row: Row, trees: tuple[Tree, ...], source: Random) -> Written | None:
+    """A C function."""
+    made = program(about, row, trees, source)
+    if made is None or made.columns:
+        return None
+    names = {s: f"{name}[{i}]" for name, group in made.groups for i, s in enumerate(group)}
+    write = Plain(Notation(" * ", " / ", "", names, decimal=True, call="pow", pi="M_PI"))
+    lines, outputs = [], list(made.outputs)
+    if source.random() < 0.5:
+        shared, outputs = _shared(outputs)
+        lines = [f"    const double {name} = {write(tree)};" for name, tree in shared]
+    heads = [f"const double {name}[{len(group)}]" for name, group in made.groups]
+    heads += [f"double {s.name}" for s in made.scalars]
+    if len(outputs) == 1:
+        kind, body = "double", [f"    return {write(outputs[0])};"]
+    else:
+        kind, heads = "void", [*heads, f"double out[{len(outputs)}]"]
+        body = [f"    out[{i}] = {write(tree)};" for i, tree in enumerate(outputs)]
+    text = "\n".join(["#include <math.h>", "", f"{kind} model({', '.join(heads)})", "{",
+                      *lines, *body, "}", ""])  # fmt: skip
+    return Written(text, {"notation": "c"} | made.options, text, made.place)
+
+
+def casadi_function(
+    about: Subject, row: Row, trees: tuple[Tree, ...], source: Random
+) -> Written | None:
+    """A CasADi function."""
+    made = program(about, row, trees, source)
+    if made is None:
+        return None
+    table: dict[Symbol, casadi.SX] = {s: casadi.SX.sym(s.name) for s in made.scalars}
+    inputs, named = [], []
+    for name, group in made.groups:
+        vector = casadi.SX.sym(name, len(group))
+        table |= {s: vector[i] for i, s in enumerate(group)}
+        inputs.append(vector)
+        named.append(name)
+    inputs += [table[s] for s in made.scalars]
+    named += [s.name for s in made.scalars]
+    entries = [_casadi(tree, table) for tree in made.outputs]
+    n = made.columns
+    value = casadi.vertcat(*entries) if not n else casadi.vertcat(
+        *(casadi.horzcat(*entries[i : i + n]) for i in range(0, n * n, n))
+    )  # fmt: skip
+    function = casadi.Function("model", inputs, [value], named, ["out"])
+    words = f"model({', '.join(named)}) -> {value}"
+    return Written(function, made.options, words, made.place)
+
+
+def _casadi(tree: Tree, table: dict[Symbol, casadi.SX]) -> casadi.SX:
+    functions: dict[str, Callable[[casadi.SX], casadi.SX]] = {
+        "sin": casadi.sin, "cos": casadi.cos, "tan": casadi.tan,
+    }  # fmt: skip
+    match tree.kind:
+        case "symbol":
+            return table[tree.value]
+        case "pi":
+            return casadi.SX(np.pi)
+        case "number":
+            return casadi.SX(int(tree.value.numerator)) / int(tree.value.denominator)
+        case "sum":
+            terms = [_casadi(part, table) for part in tree.parts]
+            return sum(terms[1:], terms[0])
+        case "power" if tree.parts[1].value > 0:
+            exponent = tree.parts[1].value
+            if exponent.denominator > 1:
+                return _casadi(tree.parts[0], table) ** float(exponent)
+            return prod([_casadi(tree.parts[0], table)] * int(exponent), start=casadi.SX(1))
+        case "product" | "power":
+            parts = quotient(tree)
+            result = prod((_casadi(f, table) for f in parts.above), start=casadi.SX(1))
+            for factor in parts.below:
+                result = result / _casadi(factor, table)
+            return -result if parts.negative else result
+    return functions[tree.kind](_casadi(tree.parts[0], table))
