@@ -2,6 +2,10 @@
 
 from mechanics.scene.system import System
 from systems import (
+    acrobot,
+    cartpole,
+    double_inverted_pendulum,
+    double_pendulum,
     elastic_pendulum,
     elastic_pendulum_ledger,
     four_bar,
@@ -11,6 +15,7 @@ from systems import (
     rocker_control_ledger,
     rocker_ledger,
     rocker_shapes_ledger,
+    rod_pendulum,
     rolling_disc,
     two_mass_chain,
     two_mass_chain_ledger,
@@ -35,6 +40,15 @@ ALL: tuple[System, ...] = (
     System("pendulum_chain", pendulum_chain.scene, pendulum_chain.PUBLISHED),
     System("rolling_disc", rolling_disc.scene, rolling_disc.PUBLISHED),
     System("four_bar", four_bar.scene, four_bar_ledger.PUBLISHED),
+    System("cartpole", cartpole.scene, cartpole.PUBLISHED),
+    System("acrobot", acrobot.scene, acrobot.PUBLISHED),
+    System(
+        "double_inverted_pendulum",
+        double_inverted_pendulum.scene,
+        double_inverted_pendulum.PUBLISHED,
+    ),
+    System("rod_pendulum", rod_pendulum.scene, rod_pendulum.PUBLISHED),
+    System("double_pendulum", double_pendulum.scene, double_pendulum.PUBLISHED),
 )
 VARIANTS: tuple[System, ...] = (
     System("massless_carriage", elastic_pendulum.massless),

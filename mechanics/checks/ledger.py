@@ -8,7 +8,7 @@ proved too; its evidence says so. A rounded number stands for all that round to 
 
 from collections.abc import Sequence
 
-from sympy import Expr, Float, Matrix, sympify
+from sympy import Expr, Float, Matrix
 from sympy.matrices import MatrixBase
 
 from mechanics.checks.ledger_compare import equal, rounded
@@ -18,6 +18,7 @@ from mechanics.checks.ledger_motion import check_equation, check_reaction
 from mechanics.equations import Equations
 from mechanics.errors import InputError
 from mechanics.exact import Finding
+from mechanics.kinematics.momenta import momenta_written_out
 from mechanics.scene import Scene
 from mechanics.scene.published import Published, Quantity
 from mechanics.scene.quantities import EquationOfMotion, Identity, ReactionValue
@@ -95,10 +96,10 @@ def check_rows(
 
 
 def plain_side(scene: Scene, side: Expr | MatrixBase, where: str) -> Expr | Matrix:
-    """A typed side in plain symbols, vectors entry by entry."""
+    """A typed side in plain symbols, vectors entry by entry, generalized momenta written out."""
     if isinstance(side, MatrixBase):
-        return Matrix(side).applyfunc(lambda entry: scene.plain(entry, where))
-    return scene.plain(sympify(side), where)
+        return Matrix(side).applyfunc(lambda entry: plain_side(scene, entry, where))
+    return scene.plain(momenta_written_out(scene, side), where)
 
 
 def _entries(side: Expr | MatrixBase) -> list[Expr]:

@@ -47,6 +47,13 @@ class Momentum(Quantity):
 
 
 @dataclass(frozen=True)
+class GeneralizedMomentum(Quantity):
+    """dL/dq' of a coordinate, in kg m/s or kg m^2/s. Any row may call it p_ and the coordinate."""
+
+    coordinate: str
+
+
+@dataclass(frozen=True)
 class RateOfMomentum(Quantity):
     """dP/dt, in N."""
 

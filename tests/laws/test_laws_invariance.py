@@ -160,9 +160,12 @@ def test_names(route: str) -> None:
 
 METRES = {
     "elastic_pendulum": {"x": 1}, "two_mass_chain": {"x1": 1, "x2": 1}, "pendulum_chain": {"q0": 1},
+    "cartpole": {"x": 1}, "double_inverted_pendulum": {"x": 1},
 }  # fmt: skip
 """Coordinates that are lengths; the others are angles."""
-INPUTS = {"f": "N", "F": "N", "tau": "N*m"}
+INPUTS = {"f": "N", "F": "N", "tau": "N*m", "u": "N"}
+TORQUES = {"rod_pendulum": ("u",)}
+"""Inputs that are torques where others of their name are forces."""
 UNITS = {"1": (0, 0, 0), "kg": (1, 0, 0), "m": (0, 1, 0), "s": (0, 0, 1), "N": (1, 1, -2)}
 mass, metre, second = (Symbol(name, positive=True) for name in ("k_mass", "k_metre", "k_second"))
 
@@ -188,7 +191,8 @@ def test_units(derived: Any, system: Any, route: str) -> None:
     equations = derived(system.name)[route]
     scene = equations.scene
     table = {p: p * scale(p.unit) for p in scene.parameters}
-    table |= {f: f * scale(INPUTS[f.name]) for f in scene.input_symbols}
+    torques = dict.fromkeys(TORQUES.get(system.name, ()), "N*m")
+    table |= {f: f * scale((INPUTS | torques)[f.name]) for f in scene.input_symbols}
     lengths = METRES.get(system.name, {})
     for q, u, ud in zip(scene.q, scene.u, scene.ud, strict=True):
         size = metre ** lengths.get(q.name, 0)
