@@ -246,6 +246,19 @@ def test_an_iteration_that_does_not_converge_is_told(stiff) -> None:
     assert "does not converge" in outcome.failure and outcome.evaluations > 0
 
 
+@pytest.mark.parametrize("step", [1e-3, 0.05])
+def test_equations_of_a_step_that_are_not_solved_are_told_and_nothing_is_printed(
+    capfd: pytest.CaptureFixture[str], step: float
+) -> None:
+    """A turn at 1000 rad/s: a thousandth of a second is a sixth of it, too long for Newton."""
+    fast = dataclasses.replace(posed("elastic_pendulum"), start=np.array([0.3, 2.5, 0.0, 1000.0]))
+    outcome = solved(fast, Setting("CasADi Gauss6", step=step))
+    assert "CasADi Gauss6 stopped: the equations of a step before t = 0.1 s" in outcome.failure
+    assert len(outcome.states) == 1
+    printed = capfd.readouterr()
+    assert printed.out == "" and printed.err == ""
+
+
 @pytest.fixture(scope="module")
 def in_time() -> Callable[[str | None], Problem]:
     """A point mass that is pushed with F cos(3 t), the time standing in the scene."""
