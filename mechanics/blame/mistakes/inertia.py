@@ -1,0 +1,86 @@
+"""The inertia of a body taken wrongly.
+
+I_C -> I_C + m d^2        parallel axis counted twice: I_C was about the joint already
+I_C -> I_C - m d^2        parallel axis forgotten: I_C taken for that about the joint
+I_C -> 0                  a point mass
+"""
+
+from collections.abc import Iterator, Sequence
+from functools import lru_cache
+
+from sympy import Expr, Matrix, S, eye
+
+from mechanics.blame.mistakes.slip import Change, Right, Slip
+from mechanics.blame.pieces import Kind, Origin, Piece, inner, momenta, motions_of
+from mechanics.exact import canonical
+from mechanics.kinematics.motion import BodyMotion
+from mechanics.scene import Scene
+from mechanics.scene.rates import rate_table, rates
+from mechanics.scene.topology import tree
+
+
+def slips(right: Right) -> Iterator[Slip]:
+    """Every body that turns, and then all of them."""
+    turning = [name for name, motion in motions_of(right.scene).items() if motion.turns]
+    several = [(name,) for name in turning] + ([tuple(turning)] if len(turning) > 1 else [])
+    for names in several:
+        title = ", ".join(names)
+        for factor, words in (
+            (1, f"parallel axis counted twice: {title}"),
+            (-1, f"parallel axis forgotten: {title}"),
+        ):
+            rows = tuple(
+                (*row, *_added(right, index, names, factor)) for index, row in enumerate(right.rows)
+            )
+            if rows != right.rows:
+                yield Slip(words, rows, right.unknowns)
+        yield from right.slip(f"rotational inertia is missing: {title}", _without(names))
+
+
+def _without(names: tuple[str, ...]) -> Change:
+    def change(piece: Piece) -> Sequence[Piece]:
+        own = piece.origin.kind is Kind.ANGULAR and piece.origin.body in names
+        return () if own else (piece,)
+
+    return change
+
+
+def _added(right: Right, index: int, names: tuple[str, ...], factor: int) -> Iterator[Piece]:
+    """What m d^2 more (or less) in the inertia of bodies adds to a row."""
+    for name in names:
+        growth = _transfer(right.scene, name)
+        value = S.Zero if growth is None else _in_row(right, index, name, growth)
+        if value != 0:
+            yield Piece(Origin(Kind.ANGULAR, name), factor * value)
+
+
+def _in_row(right: Right, index: int, name: str, growth: Matrix) -> Expr:
+    """The rate of an angular momentum along the direction of a row, or times w_r."""
+    if not right.free:
+        turning = motions_of(right.scene)[name].angular_velocity
+        return inner(growth, turning.diff(right.scene.u[index]))
+    row = momenta(right.scene)[index].row
+    own = row.body == name and row.kind == "angular"
+    return inner(growth, row.direction) if own else S.Zero
+
+
+@lru_cache(maxsize=64)
+def _transfer(scene: Scene, name: str) -> Matrix | None:
+    """d/dt of (m d^2 - m d d^T) w, d from the inboard joint to the mass centre, 3 x 1, in N m."""
+    motion = motions_of(scene)[name]
+    arm = _arm(scene, name, motion)
+    if arm is None:
+        return None
+    square = canonical(inner(arm, arm))
+    if square == 0 or square.free_symbols & {*scene.q, *scene.input_symbols}:
+        return None
+    tensor = motion.body.mass * (square * eye(3) - arm * arm.T)
+    return rates((tensor * motion.angular_velocity).applyfunc(canonical), rate_table(scene))
+
+
+def _arm(scene: Scene, name: str, motion: BodyMotion) -> Matrix | None:
+    """From the joint that holds a body to its mass centre."""
+    for reaction in tree(scene).joints.get(name, ()):
+        if reaction.at is not None:
+            return motion.centre.position - scene.position(reaction.at)
+    return None

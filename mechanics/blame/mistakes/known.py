@@ -1,0 +1,15 @@
+"""The known mistakes, one entry each."""
+
+from collections.abc import Callable, Iterator
+
+from mechanics.blame.mistakes import held, inertia, loads, speeds, substituted
+from mechanics.blame.mistakes.slip import Right, Slip
+
+KNOWN: tuple[Callable[[Right], Iterator[Slip]], ...] = (
+    loads.slips,
+    inertia.slips,
+    speeds.slips,
+    held.slips,
+    substituted.slips,
+)
+"""Mistakes of a whole derivation; those of one equation are in `turning`."""

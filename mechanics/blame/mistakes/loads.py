@@ -1,0 +1,39 @@
+"""A load counted wrongly: its sign, half of it, twice of it, or not at all.
+
+gravity reversed        k x for 2 k x        + c x' for - c x'        -F for F
+"""
+
+from collections.abc import Iterator
+
+from sympy import Rational
+
+from mechanics.blame.mistakes.slip import Right, Slip, of_load
+from mechanics.scene import Gravity, Spring, TorsionSpring
+from mechanics.scene.loads import Damper, Load
+
+
+def slips(right: Right) -> Iterator[Slip]:
+    """Every load with every mistake that people make with its kind."""
+    for load in right.scene.loads:
+        name = "gravity" if isinstance(load, Gravity) else load.name
+        for factor, words in _mistakes(load):
+            yield from right.slip(words, of_load(name, factor))
+
+
+def _mistakes(load: Load) -> list[tuple[Rational | int, str]]:
+    half = Rational(1, 2)
+    if isinstance(load, Gravity):
+        return [(-1, "gravity reversed"), (0, "gravity is missing")]
+    if isinstance(load, Spring | TorsionSpring):
+        title = f"spring {load.name}"
+        return [
+            (half, f"{title}: half of its stiffness"),
+            (2, f"{title}: twice its stiffness"),
+            (-1, f"{title}: its force has the wrong sign"),
+            (0, f"{title} is missing"),
+        ]
+    if isinstance(load, Damper):
+        title = f"damper {load.name}"
+        return [(-1, f"{title}: its force has the wrong sign"), (0, f"{title} is missing")]
+    title = f"load {load.name}"
+    return [(-1, f"{title} has the wrong sign"), (0, f"{title} is missing")]

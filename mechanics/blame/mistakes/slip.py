@@ -1,0 +1,144 @@
+"""A derivation with a mistake in it: rows that sum to zero along a motion that is not the true one.
+
+    sum over pieces (weight * piece) = 0        true where every weight is one
+
+A statement that vanishes along that motion, for all states, is what the mistake would give.
+"""
+
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
+from functools import lru_cache
+
+from sympy import Add, Expr, Matrix, Mul, S, Symbol, zeros
+
+from mechanics.blame.pieces import Kind, Piece, momenta
+from mechanics.blame.rows import generalized_rows
+from mechanics.equations import Equations
+from mechanics.exact import collect_linear
+from mechanics.scene import Scene
+from mechanics.scene.actions import frictions
+from mechanics.scene.topology import multipliers
+
+Rows = tuple[tuple[Piece, ...], ...]
+Change = Callable[[Piece], Sequence[Piece]]
+"""What stands in a wrong derivation for a piece of the right one."""
+
+
+@dataclass(frozen=True)
+class Slip:
+    """One mistake.
+
+    Attributes
+    ----------
+    words : str
+        ``"gravity reversed"``.
+    rows : tuple
+        Pieces of each row, which sum to zero with the mistake.
+    unknowns : tuple of Symbol
+        Accelerations and reactions, as many as rows and `held` constraints.
+    held : bool
+        Whether the scene's constraints are kept.
+    """
+
+    words: str
+    rows: Rows
+    unknowns: tuple[Symbol, ...]
+    held: bool = True
+
+
+@dataclass(frozen=True)
+class Right:
+    """The right derivation.
+
+    Attributes
+    ----------
+    scene : Scene
+    rows : tuple
+        Lagrange's equations, or all free-body equations.
+    unknowns : tuple of Symbol
+    free : bool
+        Whether the rows are free-body equations.
+    """
+
+    scene: Scene
+    rows: Rows
+    unknowns: tuple[Symbol, ...]
+    free: bool
+
+    def slip(self, words: str, change: Change) -> Iterator[Slip]:
+        """The derivation with a mistake in every piece that it concerns; none if there is none."""
+        rows = tuple(tuple(new for piece in row for new in change(piece)) for row in self.rows)
+        if rows != self.rows:
+            yield Slip(words, rows, self.unknowns)
+
+
+@lru_cache(maxsize=4096)
+def split(expression: Expr, unknowns: tuple[Symbol, ...]) -> tuple[tuple[Expr, ...], Expr]:
+    """Factors of the unknowns, and the rest."""
+    factors, rest = collect_linear(expression, unknowns)
+    return tuple(factors), rest
+
+
+@lru_cache(maxsize=16)
+def right(scene: Scene, with_reactions: bool) -> Right:
+    """Lagrange's equations, or where reactions are asked for, or friction is, all free bodies."""
+    if with_reactions or frictions(scene):
+        reactions = tuple(reaction.symbol for reaction in scene.reactions)
+        rows = tuple(momentum.pieces for momentum in momenta(scene))
+        return Right(scene, rows, (*scene.ud, *reactions), True)
+    rows = _constrained(scene, tuple(row.pieces for row in generalized_rows(scene)))
+    return Right(scene, rows, (*scene.ud, *multipliers(scene)), False)
+
+
+def _constrained(scene: Scene, rows: Rows) -> Rows:
+    """Rows without the reactions that drop out of them."""
+    kept = {symbol.name for symbol in multipliers(scene)}
+    return tuple(
+        tuple(p for p in row if p.origin.kind is not Kind.REACTION or p.origin.name in kept)
+        for row in rows
+    )
+
+
+def scaled(piece: Piece, factor: Expr | int) -> tuple[Piece, ...]:
+    """A piece counted so often."""
+    return () if factor == 0 else (Piece(piece.origin, Mul(factor, piece.value)),)
+
+
+def of_load(name: str, factor: Expr | int) -> Change:
+    """Counts the load of that name so often."""
+
+    def change(piece: Piece) -> Sequence[Piece]:
+        own = piece.origin.kind is Kind.LOAD and piece.origin.name == name
+        return scaled(piece, factor) if own else (piece,)
+
+    return change
+
+
+def equations(truth: Equations, slip: Slip) -> Equations:
+    """The common form of a derivation with a mistake in it."""
+    scene = truth.scene
+    mass, forcing, reactions = [], [], []
+    for row in slip.rows:
+        factors, rest = _sum(row, slip.unknowns)
+        mass.append(factors[: len(scene.ud)])
+        reactions.append([-factor for factor in factors[len(scene.ud) :]])
+        forcing.append(-rest)
+    kept = slip.unknowns[len(scene.ud) :]
+    size = len(scene.ud)
+    return Equations(
+        scene,
+        f"with a mistake: {slip.words}",
+        Matrix(mass),
+        Matrix(forcing),
+        kept,
+        Matrix(reactions) if kept else zeros(len(slip.rows), 0),
+        truth.constraint_matrix if slip.held else zeros(0, size),
+        truth.constraint_bias if slip.held else zeros(0, 1),
+        conjugate=False,
+    )
+
+
+def _sum(row: Sequence[Piece], unknowns: tuple[Symbol, ...]) -> tuple[list[Expr], Expr]:
+    parts = [split(piece.value, unknowns) for piece in row]
+    factors = [Add(*(part[0][i] for part in parts)) for i in range(len(unknowns))]
+    return factors, Add(*(part[1] for part in parts), S.Zero)

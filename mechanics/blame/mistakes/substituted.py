@@ -1,0 +1,100 @@
+"""A nonholonomic constraint put into the Lagrangian before it is differentiated.
+
+    L*(q, q'_free) = L(q, q'_free, q'_tied(q, q'_free))        d/dt(dL*/dq') - dL*/dq = Q*
+
+That is wrong: rates of the tied coordinates are given, but not the coordinates themselves, and the
+term p_tied (d/dt(dq'_tied/dq') - dq'_tied/dq) is lost.
+"""
+
+from collections.abc import Iterator
+from itertools import combinations, islice
+
+from sympy import Add, Expr, Matrix, S, Symbol
+
+from mechanics.blame.mistakes.slip import Right, Slip
+from mechanics.blame.pieces import Kind, Origin, Piece
+from mechanics.exact import canonical, collect_linear, independent_rows
+from mechanics.kinematics import differentiate
+from mechanics.routes.lagrange import kinetic_energy
+from mechanics.scene import Scene
+from mechanics.scene.loads import CONSERVATIVE
+from mechanics.scene.potential import potential
+from mechanics.scene.rates import coordinate_rate_table, rate
+from mechanics.scene.symbols import plain_symbol
+
+MOST = 6
+"""Sets of tied rates that are looked at, those whose coordinates stand in no energy first."""
+
+
+def slips(right: Right) -> Iterator[Slip]:
+    """For each set of rates that the constraints may be solved for."""
+    scene = right.scene
+    if right.free or not scene.constraints or any(c.holonomic for c in scene.constraints):
+        return
+    motions = {m.body.name: m for m in differentiate.body_motions_in_rates(scene)}
+    energy = kinetic_energy(scene, motions) - potential(scene)
+    forms = [scene.rates(c.expression) for c in scene.constraints]
+    for tied in islice(_tied(scene, energy, forms), MOST):
+        table = _solved(forms, tied)
+        names = ", ".join(symbol.name for symbol in tied)
+        words = f"the constraints, solved for {names}, substituted into the Lagrangian"
+        rows = tuple(_rows(right, energy, tied, table))
+        yield Slip(words, rows, scene.ud)
+
+
+def _tied(scene: Scene, energy: Expr, forms: list[Expr]) -> Iterator[tuple[Symbol, ...]]:
+    """Sets of rates that the constraints determine."""
+    held = energy.free_symbols.union(*(form.free_symbols for form in forms))
+    pairs = list(zip(scene.q, scene.qd, strict=True))
+    choices = list(combinations(pairs, len(forms)))
+    choices.sort(key=lambda choice: sum(q in held for q, _ in choice))
+    for choice in choices:
+        rates = tuple(qd for _, qd in choice)
+        matrix = [collect_linear(form, rates)[0] for form in forms]
+        if len(independent_rows(matrix)) == len(forms):
+            yield rates
+
+
+def _solved(forms: list[Expr], tied: tuple[Symbol, ...]) -> dict[Symbol, Expr]:
+    """The tied rates in the free ones, by Cramer's rule."""
+    split = [collect_linear(form, tied) for form in forms]
+    matrix = Matrix([factors for factors, _ in split])
+    rest = Matrix([-rest for _, rest in split])
+    solution = matrix.adjugate() * rest / matrix.det(method="berkowitz")
+    return {symbol: canonical(value) for symbol, value in zip(tied, solution, strict=True)}
+
+
+def _rows(
+    right: Right, energy: Expr, tied: tuple[Symbol, ...], table: dict[Symbol, Expr]
+) -> Iterator[tuple[Piece, ...]]:
+    """Lagrange's equations of L* for the free coordinates, in u and u'."""
+    scene = right.scene
+    reduced = energy.xreplace(table)
+    clock = coordinate_rate_table(scene)
+    given = {symbol: rate(value, clock) for symbol, value in table.items()}
+    second = {plain_symbol(q, 1): plain_symbol(q, 2) for q in scene.coordinates}
+    for q, qd in zip(scene.q, scene.qd, strict=True):
+        if qd in tied:
+            continue
+        left = rate(reduced.diff(qd), clock) - reduced.diff(q)
+        left = left.xreplace({second[s]: value for s, value in given.items()}).xreplace(table)
+        origin = Origin(Kind.LINEAR, "Lagrangian with the constraints in it")
+        yield Piece(origin, scene.plain(left)), *_forces(right, qd, table)
+
+
+def _forces(right: Right, qd: Symbol, table: dict[Symbol, Expr]) -> Iterator[Piece]:
+    """Loads without potential, projected on the velocities that the constraints admit."""
+    scene = right.scene
+    names = {load.name for load in scene.loads if not isinstance(load, CONSERVATIVE)}
+    slopes = [_slope(scene, index, qd, table) for index in range(len(scene.u))]
+    for row, slope in zip(right.rows, slopes, strict=True):
+        for piece in row:
+            if piece.origin.kind is Kind.LOAD and piece.origin.name in names and slope != 0:
+                yield Piece(piece.origin, slope * piece.value)
+
+
+def _slope(scene: Scene, index: int, qd: Symbol, table: dict[Symbol, Expr]) -> Expr:
+    """du/dq' with the tied rates following the free one."""
+    speed = scene.qd[index] if not scene.speeds else scene.rates(scene.speeds[index][1])
+    follow = Add(*(speed.diff(s) * value.diff(qd) for s, value in table.items()))
+    return S.Zero + speed.diff(qd) + follow
