@@ -14,6 +14,7 @@ from mechanics.crosscheck.check import check as run
 from mechanics.crosscheck.check_json import to_json
 from mechanics.errors import InputError
 from mechanics.exact import Verdict
+from mechanics.report.answer.page import check_html
 
 
 def check(
@@ -37,6 +38,10 @@ def check(
         list[str] | None,
         typer.Option(help="How you count otherwise: 'other vertical', 'half-length', ..."),
     ] = None,
+    report: Annotated[
+        Path | None,
+        typer.Option(metavar="FILE.html", help="Write a page for a browser: yours, and derived."),
+    ] = None,
     json_file: Annotated[
         str | None, typer.Option("--json", metavar="FILE|-", help="Write JSON; - for the screen.")
     ] = None,
@@ -54,20 +59,23 @@ def check(
 
     Examples
     --------
-    `mechanics check elastic_pendulum equations.tex`
+    `mechanics check elastic_pendulum equations.tex --report answer.html`
 
     `mechanics check rocker mine.txt --name phi=theta --json -`
 
     `mechanics check elastic_pendulum simulator.py:rate --name 'state=x theta x_dot theta_dot'`
     """
-    if json_file not in (None, "-"):
-        _writable(Path(str(json_file)))
+    for path in (report, None if json_file in (None, "-") else Path(str(json_file))):
+        if path is not None:
+            _writable(path)
     scene = load(system).scene()
     parts = [_part(file) for file in files]
     found = run(
         scene, parts, names=_names(name or []), notation=notation, about=about,
         convention=convention or (),
     )  # fmt: skip
+    if report is not None:
+        report.write_text(check_html(found), encoding="utf-8")
     if json_file is not None:
         text = json.dumps(to_json(found), indent=2, ensure_ascii=False) + "\n"
         if json_file == "-":

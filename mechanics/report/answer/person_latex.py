@@ -1,0 +1,67 @@
+r"""A person's LaTeX cut into lines that a page may break, wrong and right parts marked.
+
+M \frac{L^{2}}{12} \ddot{\theta} + k x    ->    M \frac{L^{2}}{{\class{wrong}{12}...}} ..., + k x
+"""
+
+import re
+from collections.abc import Sequence
+
+from mechanics.report.answer.marks import Piece
+
+NO_MATHEMATICS = re.compile(
+    r"\\(?:tag|label)\s*\*?\s*\{[^{}]*\}|\\(?:nonumber|notag|limits|nolimits|displaystyle)\b"
+    r"|\\begin\s*\{[^{}]*\}|\\end\s*\{[^{}]*\}|(?<!\\)[&$]"
+)
+SIGNS = re.compile(r"[-+=]")
+OPENS, CLOSES = re.compile(r"\{|\(|\[|\\left\b"), re.compile(r"\}|\)|\]|\\right\b")
+TOKEN = re.compile(r"\\[A-Za-z]+|\\.|.", re.DOTALL)
+
+
+def marked(found: Sequence[Piece]) -> str:
+    """LaTeX of pieces: what is wrong in the class ``wrong``, with ``right`` beside it."""
+    return "".join(
+        clean(piece.text) if piece.edit is None else both(piece.text, piece.edit.right)
+        for piece in found
+    )
+
+
+def clean(latex: str) -> str:
+    """LaTeX without its numbers, labels and alignment."""
+    return NO_MATHEMATICS.sub(" ", latex)
+
+
+def both(wrong: str, right: str) -> str:
+    """LaTeX of a wrong part and the right one beside it."""
+    parts = [
+        rf"\class{{{name}}}{{{clean(text)}}}"
+        for name, text in (("wrong", wrong), ("right", right))
+        if text.strip()
+    ]
+    both = "".join(parts)
+    # In a group of their own two parts are one argument; signs alone have to stay signs.
+    return both if SIGNS.fullmatch(wrong.strip()) else f"{{{both}}}"
+
+
+def terms(latex: str) -> list[str]:
+    """LaTeX cut before the signs between its terms; an equality sign begins a part, too."""
+    parts, current, depth, before = [], "", 0, ""
+    for token in TOKEN.findall(latex):
+        depth += bool(OPENS.fullmatch(token)) - bool(CLOSES.fullmatch(token))
+        sign = depth == 0 and SIGNS.fullmatch(token)
+        if sign and current.strip() and not before.endswith(("=", "+", "-", "^", "_", "\\cdot")):
+            parts.append(current.strip())
+            current = ""
+        current += token
+        before = token if token.strip() else before
+    parts.append(current.strip())
+    return [_spaced(part, first=n == 0) for n, part in enumerate(parts) if part]
+
+
+def _spaced(part: str, *, first: bool) -> str:
+    """A part that goes on from another one, its sign set off as between two terms."""
+    sign, rest = part[0], part[1:].lstrip()
+    if first or not SIGNS.fullmatch(sign):
+        return part
+    if sign == "=" and rest.startswith("-"):
+        return f"= {{{rest}}}"
+    return f"{sign} {rest}"
