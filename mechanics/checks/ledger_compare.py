@@ -90,6 +90,14 @@ def ordered(definitions: Mapping[Symbol, Expr]) -> list[tuple[Symbol, Expr]]:
     return found
 
 
+def definitions_in_full(scene: Scene) -> dict[Symbol, Expr]:
+    """Every definition in terms of what is not defined."""
+    table: dict[Symbol, Expr] = {}
+    for symbol, expression in ordered(scene.definitions):
+        table[symbol] = expression.xreplace(table)
+    return table
+
+
 def equal(scene: Scene, subject: str, lefts: Sequence[Expr], rights: Sequence[Expr]) -> Finding:
     """Whether expressions are equal, entry by entry, for all accelerations that are admissible."""
 
@@ -124,9 +132,7 @@ def rounded(scene: Scene, subject: str, left: Expr, right: Expr) -> Finding:
         raise InputError(
             f"{subject}: {left} is no rounded number times an exact expression: type one product"
         )
-    table: dict[Symbol, Expr] = {}
-    for symbol, expression in ordered(scene.definitions):
-        table[symbol] = expression.xreplace(table)
+    table = definitions_in_full(scene)
     unit, right = unit.xreplace(table), sympify(right).xreplace(table)
     ones = dict.fromkeys(unit.free_symbols | right.free_symbols, S.One)
     constant = right.xreplace(ones) / unit.xreplace(ones)

@@ -17,6 +17,7 @@ from mechanics.checks.ledger_compare import decide_in, equal, symbols_of
 from mechanics.equations import Equations
 from mechanics.errors import InputError
 from mechanics.exact import Arithmetic, Finding, Number, Verdict, decide, slope
+from mechanics.kinematics.momenta import momenta_written_out
 from mechanics.scene import Scene
 from mechanics.scene.actions import frictions
 from mechanics.scene.published import Published
@@ -161,7 +162,11 @@ def check_complete(scene: Scene, rows: Sequence[Published], equations: Equations
     typed = [row for row in rows if isinstance(row.quantity, EquationOfMotion)]
     if not typed:
         raise InputError(f"{scene.name}: there is no equation of motion among the published rows")
-    left = Matrix([gradient(scene, [scene.plain(s, row.tag) for s in row.sides]) for row in typed])
+    sides = [
+        [scene.plain(momenta_written_out(scene, side), row.tag) for side in row.sides]
+        for row in typed
+    ]
+    left = Matrix([gradient(scene, pair) for pair in sides])
     left = left.col_join(equations.constraint_matrix)
 
     def experiment(a: Arithmetic) -> Pairs:

@@ -11,7 +11,8 @@ from mechanics.checks import laws
 from mechanics.checks.agreement import compare, compare_pairs, proof_pays, require_regular
 from mechanics.checks.energy import check_energy
 from mechanics.checks.friction import check_friction
-from mechanics.checks.ledger import QUANTITIES, check_row
+from mechanics.checks.ledger import QUANTITIES, check_row, plain_side
+from mechanics.checks.ledger_compare import definitions_in_full
 from mechanics.checks.ledger_motion import check_complete, gives
 from mechanics.checks.reactions import check_multipliers, check_reactions
 from mechanics.checks.soundness import check_sound
@@ -111,7 +112,7 @@ def crosscheck(system: System | Scene, options: CrossCheck | None = None) -> Sys
     stage("residuals of compiled functions")
     shown = (Verdict.PROVED, Verdict.CERTIFIED)
     right = [entry.row for entry in published if entry.finding.verdict in shown]
-    holding = [row for row in motions if row in right]
+    holding = [row for row in motions if row in right and not _holds_reactions(scene, row)]
     measured = _residuals(scene, models, holding, options.states)
     if measured:
         lost = not_finite(tuple(models.values()), states=options.states)
@@ -121,6 +122,8 @@ def crosscheck(system: System | Scene, options: CrossCheck | None = None) -> Sys
     remarks = (*skipped, *remarks)
     if motions and scene.constraints:
         remarks += ("Residuals are not measured off the constraint manifold.",)
+    if any(row in right and _holds_reactions(scene, row) for row in motions):
+        remarks += ("Residuals of equations that hold a reaction are not measured.",)
     remarks += (
         _written(models),
         f"Compiled functions are evaluated by {_preferred(models).backend}.",
@@ -267,14 +270,22 @@ def _operations(model: Model) -> int:
     return sum(model.casadi[name].n_instructions() for name in ("mass_matrix", "forcing"))
 
 
+def _holds_reactions(scene: Scene, row: Published) -> bool:
+    """Whether a row holds reactions, which compiled functions of the motion do not know."""
+    held = {reaction.symbol for reaction in scene.reactions}
+    return any(plain_side(scene, side, row.tag).free_symbols & held for side in row.sides)
+
+
 def _residuals(
     scene: Scene, models: Mapping[str, Model], rows: Sequence[Published], states: int
 ) -> tuple[ResidualResult, ...]:
     if not rows or states == 0 or scene.constraints:
         # Random states are off the constraint manifold, where published equations need not hold.
         return ()
+    defined = definitions_in_full(scene)
     typed = [
-        (row.tag, *(decimals(scene.plain(side, row.tag)) for side in row.sides[:2])) for row in rows
+        (row.tag, *(decimals(plain_side(scene, side, row.tag).xreplace(defined)) for side in sides))
+        for row, sides in ((row, row.sides[:2]) for row in rows)
     ]
     found = residuals(tuple(models.values()), typed, states=states)
     return tuple(ResidualResult(entry.subject, entry.max_eps, entry.states) for entry in found)
