@@ -4,6 +4,7 @@ from mechanics.scene.system import System
 from systems import (
     acrobot,
     cartpole,
+    cartpole_friction,
     double_inverted_pendulum,
     double_pendulum,
     elastic_pendulum,
@@ -41,6 +42,7 @@ ALL: tuple[System, ...] = (
     System("rolling_disc", rolling_disc.scene, rolling_disc.PUBLISHED),
     System("four_bar", four_bar.scene, four_bar_ledger.PUBLISHED),
     System("cartpole", cartpole.scene, cartpole.PUBLISHED),
+    System("cartpole_friction", cartpole_friction.scene, cartpole_friction.PUBLISHED),
     System("acrobot", acrobot.scene, acrobot.PUBLISHED),
     System(
         "double_inverted_pendulum",

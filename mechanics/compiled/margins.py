@@ -17,6 +17,7 @@ from mechanics.compiled.quantities import DIGITS, Quantity
 from mechanics.compiled.translate import Translator
 from mechanics.equations import Equations
 from mechanics.scene import Scene
+from mechanics.scene.actions import frictions
 from mechanics.scene.conditions import plain_margin
 
 
@@ -64,6 +65,15 @@ def margins(graphs: Graphs, state: Sequence[ca.SX], parameters: Mapping[Symbol, 
         table |= {entry.symbol: column[i] for i, entry in enumerate(entries)}
     scene = graphs.equations.scene
     return bound_column(table, [plain_margin(scene, condition) for condition in scene.conditions])
+
+
+def slidings(graphs: Graphs, state: Sequence[ca.SX], parameters: Mapping[Symbol, ca.SX]) -> ca.SX:
+    """Sliding velocities of the frictions of a scene, a dense column, in m/s; see `margins`."""
+    known, scene = graphs.quantities, graphs.equations.scene
+    table = dict(parameters)
+    for entries, column in zip((known.q, known.u, known.inputs), state, strict=True):
+        table |= {entry.symbol: column[i] for i, entry in enumerate(entries)}
+    return bound_column(table, [scene.plain(f.sliding, f.name) for f in frictions(scene)])
 
 
 def bound_column(table: Mapping[Symbol, ca.SX], expressions: Sequence[Expr]) -> ca.SX:

@@ -108,13 +108,13 @@ def _emit(
         return add(_BALLS[type(node)], visit(node.args[0]))
     raise ExpressionError(
         f"{type(node).__name__} in {str(node)[:80]}: a published equation of motion is checked with"
-        " + - * /, roots, sin, cos, tan, |x| and the symbols of its scene"
+        " + - * /, roots, sin, cos, tan, |x|, signs and the symbols of its scene"
     )
 
 
 _BALLS: dict[type, Callable[[arb], arb]] = {
     sympy.sin: arb.sin, sympy.cos: arb.cos, sympy.tan: arb.tan, sympy.Abs: abs,
-    sympy.exp: arb.exp,
+    sympy.exp: arb.exp, sympy.sign: arb.sgn,
 }  # fmt: skip
 
 

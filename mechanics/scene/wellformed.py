@@ -122,10 +122,8 @@ def check_symbols(scene: Scene) -> None:
     taken = _rate_names(scene)
     taken |= {name_of(f): "a coordinate or an input" for f in (*scene.coordinates, *scene.inputs)}
     taken |= {name_of(u): "a speed" for u, _ in scene.speeds}
-    taken |= {
-        r.name: "a reaction, on which friction depends, by coulomb(...), and no other load"
-        for r in scene.reactions
-    }
+    words = "a reaction, on which a load cannot depend, but friction by coulomb(...)"
+    taken |= {reaction.name: words for reaction in scene.reactions}
     seen: dict[str, Symbol] = {}
     for where, expression in scene.typed:
         for symbol in expression.free_symbols - {dynamicsymbols._t}:

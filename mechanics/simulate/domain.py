@@ -4,6 +4,9 @@ margin_i(t, q, u) > 0    inside of condition i
 
 Accelerations and reactions are those of the state, so that margins are functions of it and of time.
 Reactions are the model's, or the free-body route's where the model does not tell them.
+
+Friction is that of sliding, so that a motion in which something slides ends where that comes to
+rest: whether it sticks there or slides back is not in the model.
 """
 
 from collections.abc import Callable, Mapping
@@ -15,9 +18,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from mechanics.compiled import Model
-from mechanics.compiled.margins import margins, telling
+from mechanics.compiled.margins import margins, slidings, telling
 from mechanics.compiled.quantities import Quantity
 from mechanics.routes import free_body
+from mechanics.scene import Coulomb
+from mechanics.scene.actions import frictions
 from mechanics.scene.conditions import Condition, condition_parameters
 from mechanics.simulate.graph_call import Call
 from mechanics.simulate.values import read_inputs, read_parameters
@@ -49,9 +54,13 @@ EVERYWHERE = Domain((), lambda t, state: np.zeros(0))
 
 
 def domain(
-    model: Model, p: Array, inputs: Mapping[str, Any], parameters: Mapping[str, float]
+    model: Model,
+    p: Array,
+    inputs: Mapping[str, Any],
+    parameters: Mapping[str, float],
+    start: Array,
 ) -> Domain:
-    """The domain of a model.
+    """The domain of a model in a motion.
 
     Parameters
     ----------
@@ -60,6 +69,8 @@ def domain(
         Parameters in the model's order.
     inputs, parameters : mapping
         As they were given; parameters that only conditions use are read here.
+    start : array, shape (n + m,)
+        State in which the motion begins.
 
     Raises
     ------
@@ -78,9 +89,29 @@ def domain(
     signals = read_inputs(scene, symbols, inputs)
     state = [ca.SX.sym(g, len(getattr(known, g))) for g in ("q", "u", "inputs")]
     constants = {symbol: ca.SX(value) for symbol, value in numbers.items()}
-    call = Call(state, margins(graphs, state, constants))
     n = len(scene.q)
-    return Domain(scene.conditions, lambda t, y: call(y[:n], y[n:], signals(t, y))[0][:, 0])
+
+    def along(graph: ca.SX) -> Callable[[float, Array], Array]:
+        call = Call(state, graph)
+        return lambda t, y: call(y[:n], y[n:], signals(t, y))[0][:, 0]
+
+    inside = along(margins(graphs, state, constants))
+    if not frictions(scene):
+        return Domain(scene.conditions, inside)
+    speeds = along(slidings(graphs, state, constants))
+    sides = np.sign(speeds(0.0, start))
+    kept = tuple(_sliding(load, side) for load, side in zip(frictions(scene), sides, strict=True))
+    return Domain(
+        (*scene.conditions, *kept),
+        lambda t, y: np.concatenate([inside(t, y), sides * speeds(t, y)]),
+    )
+
+
+def _sliding(load: Coulomb, side: float) -> Condition:
+    """That a friction goes on as it began."""
+    relation = load.sliding < 0 if side < 0 else load.sliding > 0
+    words = f"comes to rest where load {load.name} rubs, and sticking is not modelled"
+    return Condition(f"sliding of {load.name}", relation, words)
 
 
 def own_values(model: Model, parameters: Mapping[str, float]) -> dict[Any, float]:

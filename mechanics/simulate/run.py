@@ -91,8 +91,9 @@ def begin(
     moving = flow(model, p, signals, given)
     q, branch = consistent_coordinates(moving.manifold, 0.0, suggested_q, periodic(scene))
     u = consistent_speeds(moving.manifold, 0.0, q, suggested_u)
-    valid = domain(model, p, given, values)
-    return Begin(model, p, given, signals, moving, np.concatenate([q, u]), branch, valid)
+    state = np.concatenate([q, u])
+    valid = domain(model, p, given, values, state)
+    return Begin(model, p, given, signals, moving, state, branch, valid)
 
 
 def simulate_one(
