@@ -5,7 +5,7 @@ written - right = sum of differences        right: the repaired statement where 
 """
 
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from sympy import Expr, S, Symbol, factor_terms
 
@@ -96,7 +96,9 @@ def groups(
             return _of_equation(truth, row, repaired)
         return tuple(
             _group(name, left, right, origins_of(pieces, _kept(right, left)))
-            for name, left, right, pieces in entries_of(truth.scene, row)
+            for side in row.sides
+            for other, own in [folded(truth, side)]
+            for name, left, right, pieces in entries_of(other.scene, replace(row, sides=(own,)))
         )
     except (ExpressionError, TooLarge):
         return ()

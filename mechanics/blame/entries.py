@@ -6,7 +6,7 @@ T = sum (m v . v + w . I w) / 2        V = -sum m g . r + sum k d^2 / 2        M
 from collections.abc import Iterator
 from functools import lru_cache
 
-from sympy import Expr, Rational, Symbol
+from sympy import Expr, Rational
 from sympy.matrices import MatrixBase
 
 from mechanics.blame.pieces import Kind, Origin, motions_of
@@ -60,7 +60,10 @@ def potential_pieces(scene: Scene) -> Pieces:
 
 
 def entries_of(scene: Scene, row: Published) -> Iterator[Entry]:
-    """The entries of an energy or mass matrix that differ; none for other quantities."""
+    """The entries of an energy or mass matrix that differ; none for other quantities.
+
+    The scene and the row are in the same symbols, as `folded` gives them.
+    """
     if isinstance(row.quantity, q.MassMatrix):
         yield from _matrix(scene, row.sides[-1])
     elif type(row.quantity) in SIGNS:
@@ -82,9 +85,8 @@ def _energy(scene: Scene, row: Published) -> Iterator[Entry]:
 
 
 def _compared(scene: Scene, side: Expr, pieces: Pieces, row: Published) -> Iterator[Entry]:
-    side, named = _in_terms(scene, side, pieces)
-    written, *others = terms_of([side, *(value for _, value in named)])
-    parts = tuple((o, part) for (o, _), part in zip(named, others, strict=True))
+    written, *others = terms_of([side, *(value for _, value in pieces)])
+    parts = tuple((o, part) for (o, _), part in zip(pieces, others, strict=True))
     constant = not isinstance(row.quantity, q.KineticEnergy)
     moving = {*scene.q, *scene.u, *scene.qd, *scene.input_symbols}
     by_group: dict[str, tuple[Terms, Terms]] = {}
@@ -97,15 +99,6 @@ def _compared(scene: Scene, side: Expr, pieces: Pieces, row: Published) -> Itera
     for group, (left, right) in by_group.items():
         if left != right:
             yield group, left, right, parts
-
-
-def _in_terms(scene: Scene, side: Expr, pieces: Pieces) -> tuple[Expr, Pieces]:
-    """Definitions that only one side knows, written out in both."""
-    table: dict[Symbol, Expr] = dict(scene.definitions)
-    for _ in table:
-        side = side.xreplace(table)
-        pieces = tuple((origin, value.xreplace(table)) for origin, value in pieces)
-    return side, pieces
 
 
 def _speeds(scene: Scene, monomial: Monomial) -> str:
@@ -122,8 +115,7 @@ def _matrix(scene: Scene, side: MatrixBase) -> Iterator[Entry]:
     for i, one in enumerate(scene.u):
         for j, two in enumerate(scene.u):
             slopes = tuple((origin, value.diff(one).diff(two)) for origin, value in pieces)
-            entry, slopes = _in_terms(scene, side[i, j], slopes)
-            written, *others = terms_of([entry, *(value for _, value in slopes)])
+            written, *others = terms_of([side[i, j], *(value for _, value in slopes)])
             parts = tuple((o, part) for (o, _), part in zip(slopes, others, strict=True))
             right = total(part for _, part in parts)
             if written != right:

@@ -12,6 +12,7 @@ from functools import lru_cache
 from sympy import Expr, Symbol
 
 from mechanics.blame.difference import residual
+from mechanics.blame.energies import WrongEnergy, blamed, energy_slip, wrong_energies
 from mechanics.blame.folded import folded
 from mechanics.blame.mistakes.known import KNOWN
 from mechanics.blame.mistakes.slip import Slip, equations, right, split
@@ -66,12 +67,15 @@ def explanations(
         explains a single equation.
     """
     found: list[list[str]] = [[] for _ in statements]
+    energies = wrong_energies(truth, statements, findings)
+    for index, words in blamed(truth, statements, findings, energies).items():
+        found[index].append(words)
     claims = _claims(statements, findings)
     for claim in claims:
         if claim.refuted:
             found[claim.index] += _of_one_equation(truth, claim)
     if any(claim.refuted for claim in claims):
-        _of_derivation(truth, claims, found)
+        _of_derivation(truth, claims, energies, found)
     return tuple(tuple(dict.fromkeys(words))[:MOST] for words in found)
 
 
@@ -104,11 +108,13 @@ def _of_one_equation(truth: Equations, claim: Claim) -> list[str]:
     return found
 
 
-def _of_derivation(truth: Equations, claims: list[Claim], found: list[list[str]]) -> None:
+def _of_derivation(
+    truth: Equations, claims: list[Claim], energies: list[WrongEnergy], found: list[list[str]]
+) -> None:
     """Mistakes of the whole derivation: those first that explain every statement."""
     whole: list[tuple[Slip, list[Claim]]] = []
     single: list[tuple[Slip, list[Claim]]] = []
-    for slip, right_ones in _glances(truth, claims):
+    for slip, right_ones in _glances(truth, claims, energies):
         refuted = [claim for claim in claims if claim.refuted and claim.index in right_ones]
         if len(right_ones) == len(claims):
             whole.append((slip, refuted))
@@ -130,13 +136,17 @@ def _proved(wrong: Equations, claim: Claim) -> bool:
         return False  # what is no statement about the motion with the mistake explains nothing
 
 
-def _glances(truth: Equations, claims: list[Claim]) -> list[tuple[Slip, set[int]]]:
+def _glances(
+    truth: Equations, claims: list[Claim], energies: list[WrongEnergy]
+) -> list[tuple[Slip, set[int]]]:
     """For each mistake the claims that vanish along its motion, at one point of a field."""
     scene = truth.scene
     known = (*scene.ud, *(reaction.symbol for reaction in scene.reactions))
     linear = [(claim, *parts) for claim in claims if (parts := _linear(scene, claim, known))]
     reactions = any(factor != 0 for _, factors, _ in linear for factor in factors[len(scene.ud) :])
     slips = _slips(scene, reactions)
+    if (from_energy := energy_slip(right(scene, reactions), energies)) is not None:
+        slips = (from_energy, *slips)
     result: list[tuple[Slip, set[int]]] = []
 
     def experiment(a: Arithmetic) -> list[tuple[Number, Number]]:

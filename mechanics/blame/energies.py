@@ -1,0 +1,148 @@
+"""Energies against equations: which of the two is wrong, and by how much they disagree.
+
+rows of Lagrange from an energy - right rows = d/dt(dD/dq') - dD/dq,    D = written L - right L
+rate of energy = power of the loads                                     along the motion
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from sympy import Add, Expr, S
+
+from mechanics.blame.entries import SIGNS, kinetic_pieces, potential_pieces
+from mechanics.blame.folded import folded
+from mechanics.blame.mistakes.slip import Right, Slip
+from mechanics.blame.pieces import Kind, Origin, Piece
+from mechanics.blame.shape import shortest
+from mechanics.blame.terms import terms_of
+from mechanics.checks.ledger_compare import ordered
+from mechanics.checks.ledger_motion import put_motion
+from mechanics.equations import Equations
+from mechanics.exact import Arithmetic, Number, Verdict
+from mechanics.exact.field_trial import Answer, trial
+from mechanics.exact.finding import Finding
+from mechanics.kinematics.manifold import settle
+from mechanics.reading.statement import Statement
+from mechanics.scene import Scene
+from mechanics.scene.quantities import EquationOfMotion
+from mechanics.scene.rates import coordinate_rate_table, rate, rate_table
+
+QUICK = -40.0
+
+
+@dataclass(frozen=True)
+class WrongEnergy:
+    """A refuted energy.
+
+    Attributes
+    ----------
+    index : int
+        Of its statement.
+    kinetic, potential : Expr
+        How much of each is too much, in the scene's symbols.
+    """
+
+    index: int
+    kinetic: Expr
+    potential: Expr
+
+
+def wrong_energies(
+    truth: Equations, statements: Sequence[Statement], findings: Sequence[Finding]
+) -> list[WrongEnergy]:
+    """The refuted energies among statements, and how far they are off."""
+    found = []
+    for index, (statement, finding) in enumerate(zip(statements, findings, strict=True)):
+        row = statement.row
+        if row is None or finding.verdict is not Verdict.REFUTED or type(row.quantity) not in SIGNS:
+            continue
+        found.append(_off(truth.scene, index, row.sides[-1], SIGNS[type(row.quantity)]))
+    return found
+
+
+def _off(scene: Scene, index: int, side: Expr, signs: tuple[int, int]) -> WrongEnergy:
+    """What is too much: of an energy of both kinds, terms with speeds are kinetic."""
+    kinetic, potential = signs
+    right = kinetic * Add(*(value for _, value in kinetic_pieces(scene)))
+    right += potential * Add(*(value for _, value in potential_pieces(scene)))
+    excess = side - right
+    still = dict.fromkeys((*scene.u, *scene.qd), S.Zero)
+    resting = excess.xreplace(still) if potential else S.Zero
+    return WrongEnergy(index, excess - resting, resting * (potential or 1))
+
+
+def wrong_rows(scene: Scene, energies: Sequence[WrongEnergy]) -> tuple[Expr, ...]:
+    """By how much Lagrange's equations from these energies differ, one for each coordinate."""
+    total = Add(*(energy.kinetic - energy.potential for energy in energies))
+    speeds = {u: scene.rates(value) for u, (_, value) in zip(scene.u, scene.speeds, strict=False)}
+    total = total.xreplace(speeds)
+    clock = coordinate_rate_table(scene)
+    rows = [
+        rate(total.diff(qd), clock) - total.diff(q) for q, qd in zip(scene.q, scene.qd, strict=True)
+    ]
+    return tuple(scene.plain(row) for row in rows)
+
+
+def energy_slip(right: Right, energies: Sequence[WrongEnergy]) -> Slip | None:
+    """The derivation from the energies as they are written; None where reactions are asked for."""
+    if right.free or not energies:
+        return None
+    scene = right.scene
+    extra = wrong_rows(scene, energies)
+    origin = Origin(Kind.LINEAR, "the energy as it is written")
+    rows = []
+    for u, row in zip(scene.u, right.rows, strict=True):
+        weights = [scene.coordinate_rates[qd].diff(u) for qd in scene.qd]
+        added = Add(*(w * value for w, value in zip(weights, extra, strict=True)))
+        rows.append((*row, Piece(origin, added)))
+    words = "it follows from the energy as it is written, which is wrong"
+    return Slip(words, tuple(rows), right.unknowns)
+
+
+def blamed(
+    truth: Equations,
+    statements: Sequence[Statement],
+    findings: Sequence[Finding],
+    energies: Sequence[WrongEnergy],
+) -> dict[int, str]:
+    """What each wrong energy means for the equations beside it, by the index of its statement."""
+    own = [
+        finding
+        for statement, finding in zip(statements, findings, strict=True)
+        if statement.row is not None and isinstance(statement.row.quantity, EquationOfMotion)
+    ]
+    fine = bool(own) and all(finding.shown for finding in own)
+    found = {}
+    for energy in energies:
+        words = "the equations are right, this energy is not: " if fine else ""
+        rows = ", ".join(str(entry) for entry in _shown(truth, statements, energy))
+        words += f"derived from it, the equations would differ by ({rows})"
+        if not _conserved(truth, energy):
+            words += "; along the motion its rate is not the power of the loads"
+        found[energy.index] = words
+    return found
+
+
+def _shown(truth: Equations, statements: Sequence[Statement], energy: WrongEnergy) -> list[Expr]:
+    """The rows in the symbols of the statement, written out and shortest."""
+    row = statements[energy.index].row
+    if row is None:
+        return []
+    other, side = folded(truth, row.sides[-1])
+    off = _off(other.scene, energy.index, side, SIGNS[type(row.quantity)])
+    return [shortest(terms, {})[0] for terms in terms_of(wrong_rows(other.scene, [off]))]
+
+
+def _conserved(truth: Equations, energy: WrongEnergy) -> bool:
+    """Whether what is too much keeps its value along the motion, at a point of a field."""
+    scene = truth.scene
+    growth = rate(energy.kinetic + energy.potential, rate_table(scene))
+
+    def experiment(a: Arithmetic) -> list[tuple[Number, Number]]:
+        settle(scene, a)
+        for symbol, expression in ordered(scene.definitions):
+            a.assign(symbol, a.value(expression))
+        put_motion(a, truth)
+        return [(a.value(growth), a.rational(0))]
+
+    return trial(experiment, QUICK, None).answer is Answer.ZERO
