@@ -7,8 +7,14 @@ import pytest
 from sympy import Matrix, Symbol, cos, sqrt
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
+from mechanics.blame.result import Blame, Difference, Edit, Mistake, Repair
+from mechanics.crosscheck.check import check, derived
 from mechanics.equations import Equations, Line, Step
 from mechanics.exact import Finding, Verdict, Witness
+from mechanics.reading.names import Match
+from mechanics.reading.read import read_source
+from mechanics.report.answer.check import Check
+from mechanics.report.answer.judged import Judged
 from mechanics.report.result import (
     LedgerResult,
     Modes,
@@ -19,6 +25,7 @@ from mechanics.report.result import (
 )
 from mechanics.scene import Particle, Scene, parameters, reaction, spring
 from mechanics.scene.published import Quantity, published
+from systems import elastic_pendulum
 
 x, f = dynamicsymbols("x f")
 m, k = parameters("m k", units="kg N/m", typical="2 8", meanings=("mass of the block", "stiffness"))
@@ -118,3 +125,77 @@ def small() -> SystemResult:
         remarks=("No C compiler was found.",),
         pairs=pairs,
     )
+
+
+SIX = (
+    r"(M+m) \ddot{x}+2 k x+\frac{M L}{2}\left(\ddot{\theta} \cos \theta"
+    r"-\dot{\theta}^{2} \sin \theta\right)=0 \tag{6}"
+)
+SEVEN = (
+    r"M \frac{L}{2} \ddot{x} \cos \theta+M \frac{L^{2}}{12} \ddot{\theta}"
+    r"-M g \frac{L}{2} \sin \theta=0 \tag{7}"
+)
+TYPED = "M*L/2*x''*cos(theta) + M*L**2/12*theta'' + M*g*L/2*sin(theta) = 0"
+
+
+def edit(source: str, mistake: Mistake, written: str, right: str, nth: int = 0) -> Edit:
+    """An edit of the nth place where something stands."""
+    at = -1
+    for _ in range(nth + 1):
+        at = source.index(written, at + 1)
+    return Edit(mistake, written, right, (at, at + len(written)))
+
+
+def blame_of(source: str) -> Blame:
+    """Two errors of (7), with an alternative of the second kind."""
+    proved = Finding("(7)", Verdict.PROVED, "both sides have the same normal form")
+    factor = edit(source, Mistake.FACTOR, "12", "3")
+    sign = edit(source, Mistake.SIGN, "-", "+")
+    other = Edit(Mistake.MISSING, "", r"+2 M g \frac{L}{2} \sin \theta", (len(source) - 2,) * 2)
+    fixed = source.replace("12", "3")
+    return Blame(
+        (
+            Difference(
+                "coefficient of theta_ddot", r"M \frac{L^{2}}{12}", r"M \frac{L^{2}}{3}",
+                ("pendulum: rate of angular momentum", "pendulum: v_B x P"),
+            ),
+            Difference("gravity", "", r"M g \frac{L}{2} \sin \theta", ("load gravity",)),
+        ),
+        (
+            Repair((factor, sign), fixed.replace("-M", "+M"), proved),
+            Repair((factor, other), fixed, proved),
+        ),
+        ("the parallel axis is left out: pendulum",),
+    )  # fmt: skip
+
+
+@pytest.fixture(scope="session")
+def answered() -> Check:
+    """A check with a statement of every kind; its blame is typed by hand."""
+    scene = elastic_pendulum.scene()
+    made = check(scene, [f"{SIX} \\\\ {SEVEN}", TYPED])
+    six, seven, typed = made.judged
+    lost = read_source(scene, "x = what*k").statements[0]
+    wrong = edit(TYPED, Mistake.FACTOR, "12", "3")
+    repaired = Repair((wrong,), TYPED.replace("12", "3"), six.finding)
+    bound = Finding("", Verdict.CERTIFIED, "zero at a random point", 2.0**-100)
+    return Check(
+        scene,
+        (
+            Judged(six.statement, six.finding),
+            Judged(seven.statement, seven.finding, ("theta is minus",), blame_of(source(seven))),
+            Judged(typed.statement, typed.finding, (), Blame((), (repaired,))),
+            Judged(typed.statement, typed.finding, (), Blame((), (), (), "208 edits were tried")),
+            Judged(six.statement, bound),
+            Judged(lost, Finding("", Verdict.UNDECIDED, lost.doubt)),
+            Judged(six.statement, Finding("", Verdict.SUPPORTED, "numbers agree")),
+        ),
+        (Match("phi", "theta", "as given"), Match("y", "x", "the only coordinate left")),
+        ("I_B is taken as defined by: I_B = 1",),
+        derived(scene),
+    )
+
+
+def source(entry: Judged) -> str:
+    """What was written, as the statement keeps it."""
+    return entry.statement.source

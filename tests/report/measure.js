@@ -46,7 +46,8 @@ function measure(frame) {
   const page = frame.contentDocument;
   const root = page.documentElement;
   for (const fold of page.querySelectorAll("details")) fold.open = true;
-  const texts = "p, h1, h2, h3, h4, h5, th, td, dd, summary, .chip, .note, .bound, .label";
+  const texts =
+    "p, h1, h2, h3, h4, h5, th, td, dd, li, summary, code, .chip, .note, .bound, .label, .wrong, .right";
   const faint = [...page.querySelectorAll(texts)].filter(
     node => node.textContent.trim() && contrast(node) < 4.5,
   );
@@ -56,6 +57,7 @@ function measure(frame) {
     height: root.scrollHeight,
     dark: frame.contentWindow.matchMedia("(prefers-color-scheme: dark)").matches,
     fetched: frame.contentWindow.performance.getEntriesByType("resource").map(e => e.name),
+    marked: page.querySelectorAll("mrow.wrong, mrow.right").length,
     maths: page.querySelectorAll("math").length,
     outside: outside(page, root.clientWidth).slice(0, 5).map(named),
     faint: faint.slice(0, 5).map(named),

@@ -18,6 +18,8 @@ from typing import Any
 import pytest
 
 from mechanics.equations import Line
+from mechanics.report.answer.check import Check
+from mechanics.report.answer.page import check_html
 from mechanics.report.html import to_html
 from mechanics.report.result import RouteResult, SystemResult
 from mechanics.routes import free_body
@@ -123,6 +125,21 @@ def test_report_in_a_browser(
     assert found["faint"] == []
     assert found["maths"] > 100
     assert found["height"] > 3000
+
+
+@pytest.mark.parametrize("dark", [False, True], ids=["light", "dark"])
+@pytest.mark.parametrize("width", [390, 1200])
+def test_answer_in_a_browser(width: int, dark: bool, answered: Check, tmp_path: Path) -> None:
+    sight = look(check_html(answered), tmp_path, width, dark)
+    found = sight.found
+    assert sight.console == []
+    assert found["fetched"] == []
+    assert found["dark"] is dark
+    assert found["scroll"] <= found["width"], found["outside"]
+    assert found["outside"] == []
+    assert found["faint"] == []
+    assert found["maths"] > 80
+    assert found["marked"] >= 6
 
 
 def test_a_bad_page_is_seen(tmp_path: Path) -> None:
