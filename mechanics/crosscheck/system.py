@@ -11,7 +11,7 @@ from mechanics.checks import laws
 from mechanics.checks.agreement import compare, compare_pairs, proof_pays, require_regular
 from mechanics.checks.energy import check_energy
 from mechanics.checks.friction import check_friction
-from mechanics.checks.ledger import QUANTITIES, check_row, plain_side
+from mechanics.checks.ledger import QUANTITIES, check_row
 from mechanics.checks.ledger_compare import definitions_in_full
 from mechanics.checks.ledger_motion import check_complete, gives
 from mechanics.checks.reactions import check_multipliers, check_reactions
@@ -24,6 +24,7 @@ from mechanics.crosscheck.small_motions import small_motions
 from mechanics.equations import Equations
 from mechanics.errors import wanted
 from mechanics.exact import Finding, Verdict
+from mechanics.kinematics.momenta import momenta_written_out
 from mechanics.linear.ledger import check_linear_row
 from mechanics.report.result import LedgerResult, ResidualResult, RouteResult, SystemResult
 from mechanics.routes import free_body, kane
@@ -112,7 +113,7 @@ def crosscheck(system: System | Scene, options: CrossCheck | None = None) -> Sys
     stage("residuals of compiled functions")
     shown = (Verdict.PROVED, Verdict.CERTIFIED)
     right = [entry.row for entry in published if entry.finding.verdict in shown]
-    holding = [row for row in motions if row in right and not _holds_reactions(scene, row)]
+    holding = [row for row in motions if row in right and not _holds_others(scene, row)]
     measured = _residuals(scene, models, holding, options.states)
     if measured:
         lost = not_finite(tuple(models.values()), states=options.states)
@@ -122,8 +123,8 @@ def crosscheck(system: System | Scene, options: CrossCheck | None = None) -> Sys
     remarks = (*skipped, *remarks)
     if motions and scene.constraints:
         remarks += ("Residuals are not measured off the constraint manifold.",)
-    if any(row in right and _holds_reactions(scene, row) for row in motions):
-        remarks += ("Residuals of equations that hold a reaction are not measured.",)
+    if any(row in right and _holds_others(scene, row) for row in motions):
+        remarks += ("Residuals of equations that hold a reaction or a momentum are not measured.",)
     remarks += (
         _written(models),
         f"Compiled functions are evaluated by {_preferred(models).backend}.",
@@ -270,10 +271,13 @@ def _operations(model: Model) -> int:
     return sum(model.casadi[name].n_instructions() for name in ("mass_matrix", "forcing"))
 
 
-def _holds_reactions(scene: Scene, row: Published) -> bool:
-    """Whether a row holds reactions, which compiled functions of the motion do not know."""
+def _holds_others(scene: Scene, row: Published) -> bool:
+    """Whether a row holds reactions or momenta: compiled functions of the motion give neither."""
     held = {reaction.symbol for reaction in scene.reactions}
-    return any(plain_side(scene, side, row.tag).free_symbols & held for side in row.sides)
+    written = [momenta_written_out(scene, side) for side in row.sides]
+    if any(one != other for one, other in zip(written, row.sides, strict=True)):
+        return True
+    return any(scene.plain(side, row.tag).free_symbols & held for side in row.sides)
 
 
 def _residuals(
@@ -284,7 +288,7 @@ def _residuals(
         return ()
     defined = definitions_in_full(scene)
     typed = [
-        (row.tag, *(decimals(plain_side(scene, side, row.tag).xreplace(defined)) for side in sides))
+        (row.tag, *(decimals(scene.plain(side, row.tag).xreplace(defined)) for side in sides))
         for row, sides in ((row, row.sides[:2]) for row in rows)
     ]
     found = residuals(tuple(models.values()), typed, states=states)
