@@ -16,7 +16,7 @@ from mechanics.crosscheck import derive
 from mechanics.exact import Verdict
 from mechanics.export import write_c
 from mechanics.export.folder import MANIFEST
-from mechanics.simulate import Ending, write_plot, write_table
+from mechanics.simulate import Ending, with_reactions, write_plot, write_table
 from mechanics.simulate.files import SUFFIXES, writable
 from mechanics.trade.accurate import simulate as run
 
@@ -35,7 +35,13 @@ def simulate(
         float | None,
         typer.Option(metavar="ERROR", help="Choose the cheapest method that is as accurate."),
     ] = None,
-    route: Annotated[str, typer.Option(help="Route that derives the equations.")] = "kane",
+    route: Annotated[
+        str | None,
+        typer.Option(help="Route that derives the equations: kane, or free_body for reactions."),
+    ] = None,
+    reactions: Annotated[
+        bool, typer.Option("--reactions", help="A column for each reaction of the scene, too.")
+    ] = False,
     beyond_domain: Annotated[
         bool, typer.Option("--beyond-domain", help="Go on where the model is not valid.")
     ] = False,
@@ -56,6 +62,8 @@ def simulate(
 
     `mechanics simulate elastic_pendulum --accuracy 1e-8 --out motion.csv`
 
+    `mechanics simulate elastic_pendulum --reactions --out motion.csv`
+
     `mechanics simulate four_bar --set q1=0.5 --out motion.parquet --plot motion.svg`
     """
     # Bad file names are refused before the work is done.
@@ -65,7 +73,7 @@ def simulate(
     scene = load(system).scene()
     initial, parameters, inputs = sorted_out(scene, points(settings or [], "--set"))
     with Console(stderr=True).status("deriving"):
-        model = compile(derive(scene, route))
+        model = compile(derive(scene, route or ("free_body" if reactions else "kane")))
     with working("integrating") as progress:
         found = run(
             model,
@@ -78,6 +86,8 @@ def simulate(
             progress=progress,
             beyond_domain=beyond_domain,
         )
+        if reactions:
+            found = with_reactions(found, model)
         write_table(found, out)
         if plot is not None:
             write_plot(found, plot)

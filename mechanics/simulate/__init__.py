@@ -5,6 +5,7 @@ from mechanics.simulate.ensembles import Ensemble, Status, ensemble
 from mechanics.simulate.feedback import Feedback
 from mechanics.simulate.files import write_table
 from mechanics.simulate.plot import write_plot
+from mechanics.simulate.reactions import with_reactions
 from mechanics.simulate.trajectory import Ending, Trajectory
 
 __all__ = [
@@ -15,6 +16,7 @@ __all__ = [
     "Trajectory",
     "ensemble",
     "simulate",
+    "with_reactions",
     "write_plot",
     "write_table",
 ]

@@ -1,7 +1,7 @@
 """What a simulation gives back: samples of the motion, how good they are, and why they end."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from enum import Enum
 
 import numpy as np
@@ -77,6 +77,8 @@ class Trajectory:
     error_estimate : float or None
         Largest error along the way, of coordinates and speeds relative to the largest magnitude of
         each; from a second run with a finer setting. None where it was not asked for.
+    reactions : mapping of str to array, shape (N,)
+        By name; empty where they were not asked for.
     """
 
     title: str
@@ -96,6 +98,7 @@ class Trajectory:
     crossings: tuple[Crossing, ...] = ()
     solved_by: str = ""
     error_estimate: float | None = None
+    reactions: Mapping[str, NDArray[np.float64]] = field(default_factory=dict)
 
     def __repr__(self) -> str:
         names = ", ".join((*self.coordinates, *self.speeds))
@@ -136,7 +139,7 @@ class Trajectory:
 
     @property
     def columns(self) -> dict[str, NDArray[np.float64]]:
-        """Every sampled quantity by name: t, coordinates, speeds, inputs, energies."""
+        """Every sampled quantity by name: t, coordinates, speeds, inputs, energies, reactions."""
         return {
             "t": self.times,
             **self.coordinates,
@@ -145,6 +148,7 @@ class Trajectory:
             "kinetic_energy": self.kinetic,
             "potential_energy": self.potential,
             "total_energy": self.total,
+            **self.reactions,
         }
 
     @property

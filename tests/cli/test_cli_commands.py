@@ -80,6 +80,16 @@ def test_simulate_writes_the_samples(run: Any, tmp_path: Path) -> None:
     assert "<svg" in plot.read_text(encoding="utf-8")
 
 
+def test_simulate_writes_reactions_where_the_route_gives_them(run: Any, tmp_path: Path) -> None:
+    table = tmp_path / "motion.csv"
+    command = ("simulate", "elastic_pendulum", "--duration", 1, "--reactions", "--out", table)
+    ran = run(*command)
+    assert ran.code == 0, ran.err
+    assert table.read_text(encoding="utf-8").splitlines()[0].endswith("total_energy,T,N,N1")
+    ran = run(*command, "--route", "kane")
+    assert ran.code == 2 and "take free_body" in ran.err and ran.err.count("\n") == 1
+
+
 def test_codegen_writes_a_folder(run: Any, tmp_path: Path) -> None:
     ran = run("codegen", "two_mass_chain", "-o", tmp_path / "c")
     assert ran.code == 0, ran.err
