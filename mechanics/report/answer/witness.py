@@ -4,6 +4,8 @@
 """
 
 import re
+from decimal import Decimal
+from math import isfinite
 
 MIDPOINT = re.compile(r"^\[?\s*(?P<middle>[-+]?[\d.]+(?:e[-+]?\d+)?)\s*(?:\+/-|\])?")
 FEWEST, MOST = 6, 17
@@ -17,18 +19,26 @@ def short_values(left: str, right: str) -> tuple[str, str]:
     left, right : str
         As in `Witness`: ``"[1.25 +/- 1e-30]"``, or a number.
     """
-    middles = [MIDPOINT.match(text) for text in (left, right)]
-    if any(found is None for found in middles):
+    a, b = _middle(left), _middle(right)
+    if a is None or b is None:
         return left, right
-    a, b = (float(found["middle"]) for found in middles if found is not None)
     for digits in range(FEWEST, MOST + 1):
-        short = f"{a:.{digits}g}", f"{b:.{digits}g}"
         if float(f"{a:.{digits - 2}g}") != float(f"{b:.{digits - 2}g}"):
-            return short
+            return f"{a:.{digits}g}", f"{b:.{digits}g}"
     return left, right
 
 
 def short_value(text: str) -> str:
     """One enclosure or decimal with few digits."""
+    value = _middle(text)
+    return text if value is None else f"{value:.{FEWEST}g}"
+
+
+def _middle(text: str) -> float | None:
+    """The middle of an enclosure; None where it has none, or a double cannot hold it."""
     found = MIDPOINT.match(text)
-    return text if found is None else f"{float(found['middle']):.{FEWEST}g}"
+    if found is None:
+        return None
+    value = float(found["middle"])
+    lost = not isfinite(value) or (value == 0) is not (Decimal(found["middle"]) == 0)
+    return None if lost else value

@@ -1,0 +1,236 @@
+"""The page of an answer: what it holds, and what hostile input does not become."""
+
+import re
+from dataclasses import replace
+from html.parser import HTMLParser
+from xml.etree import ElementTree
+
+import pytest
+
+from mechanics.blame.result import Blame, Edit, Mistake, Repair
+from mechanics.exact import Finding, Verdict
+from mechanics.reading.names import Match, Naming, Vocabulary
+from mechanics.report.answer.check import Check
+from mechanics.report.answer.page import check_html
+from mechanics.report.answer.person_latex import terms
+from mechanics.report.answer.safe_mathml import safe_mathml
+from mechanics.report.answer.typed import Hand, equation, formula
+from systems import elastic_pendulum
+
+LATEX = Hand("latex", None)
+TEXT = Hand("text", Naming(Vocabulary(elastic_pendulum.scene())))
+VOID = {"meta", "link", "br", "wbr", "img", "hr"}
+
+
+class Nesting(HTMLParser):
+    """Elements, those that are closed in the wrong order, levels of headings, and the text."""
+
+    def __init__(self, page: str) -> None:
+        super().__init__()
+        self.stack: list[str] = []
+        self.wrong: list[str] = []
+        self.headings: list[int] = []
+        self.words: list[str] = []
+        self.tags: list[str] = []
+        self.attributes: set[str] = set()
+        self.classes: set[str | None] = set()
+        self.feed(page)
+
+    def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        self.tags.append(tag)
+        self.attributes |= {name for name, _ in attrs}
+        self.classes |= {value for name, value in attrs if name == "class"}
+        if re.fullmatch("h[1-6]", tag):
+            self.headings.append(int(tag[1]))
+        if tag not in VOID:
+            self.stack.append(tag)
+
+    def handle_startendtag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        self.attributes |= {name for name, _ in attrs}
+
+    def handle_endtag(self, tag: str) -> None:
+        if not self.stack or self.stack.pop() != tag:
+            self.wrong.append(f"</{tag}> at {self.getpos()}")
+
+    def handle_data(self, data: str) -> None:
+        self.words.append(data)
+
+
+def marks(source: str, hand: Hand, *edits: Edit) -> list[tuple[str, str]]:
+    """Class and text of everything that is marked in a statement."""
+    page = str(equation(source, hand, edits)).replace("<wbr>", "")
+    return [
+        (str(e.get("class")), "".join(e.itertext()))
+        for e in ElementTree.fromstring(page).iter()
+        if e.get("class") in ("wrong", "right")
+    ]
+
+
+def wrong(source: str, written: str, right: str) -> Edit:
+    at = source.index(written)
+    return Edit(Mistake.TERM, written, right, (at, at + len(written)))
+
+
+def test_elements_are_nested_and_headings_skip_no_level(answered: Check) -> None:
+    page = Nesting(check_html(answered))
+    assert page.wrong == []
+    assert page.stack == []
+    assert page.headings[0] == 1
+    steps = zip(page.headings, page.headings[1:], strict=False)
+    assert all(below <= above + 1 for above, below in steps)
+
+
+def test_nothing_is_fetched_and_nothing_runs(answered: Check) -> None:
+    page = check_html(answered)
+    assert not re.search(r'(?:src|href|srcset|action)\s*=\s*(?!"#|"data:)', page)
+    assert not re.search(r"url\(|@import|<script|https?:|javascript:", page)
+
+
+def test_the_page_says_what_the_terminal_says(answered: Check) -> None:
+    words = " ".join("".join(Nesting(check_html(answered)).words).split())
+    for sentence in (
+        "Not everything is right", "the factor is wrong", "the sign is reversed",
+        "a term is missing", "or, a change as small", "the parallel axis is left out: pendulum",
+        "Right if", "208 edits were tried", "pendulum: rate of angular momentum", "load gravity",
+        "the only coordinate left", "is taken as defined by", "A state where the sides differ",
+        "what: the scene has no such name", "numbers agree",
+    ):  # fmt: skip
+        assert sentence in words, sentence
+    verdicts = [entry.finding.verdict.name.lower() for entry in answered.judged]
+    cards = re.findall(r'<article class="statement (\w+)"', check_html(answered))
+    assert cards == verdicts
+
+
+def test_the_derivation_stands_beside(answered: Check) -> None:
+    page = check_html(answered)
+    assert '<svg class="drawing"' in page
+    assert "What follows from the scene" in page
+    assert answered.derived is not None
+    for step in answered.derived.steps[:-1]:
+        assert f"<h3>{step.title}</h3>" in page
+    alone = check_html(replace(answered, derived=None))
+    assert "step by step" not in alone
+
+
+def test_the_summary_follows_the_verdict(answered: Check) -> None:
+    (right, *_, numbers) = answered.judged
+    assert "Everything is right" in check_html(replace(answered, judged=(right,)))
+    assert "Nothing is refuted" in check_html(replace(answered, judged=(right, numbers)))
+    assert "Nothing was checked" in check_html(replace(answered, judged=()))
+
+
+def test_wrong_and_right_stand_inside_the_formula() -> None:
+    source = r"M \frac{L^{2}}{12} \ddot{\theta} - \sin \theta = 0"
+    found = marks(source, LATEX, wrong(source, "12", "3"), wrong(source, "-", "+"))
+    assert found == [("wrong", "12"), ("right", "3"), ("wrong", "−"), ("right", "+")]
+    found = marks(source, LATEX, wrong(source, r"\sin", r"\cos"))
+    assert found == [("wrong", "sin"), ("right", "cos")]
+    missing = Edit(Mistake.MISSING, "", "+ x", (len(source) - 4,) * 2)
+    assert marks(source, LATEX, missing) == [("right", "+x")]
+
+
+@pytest.mark.parametrize(
+    ("written", "right", "found"),
+    [
+        ("12", "3", [("wrong", "12"), ("right", "3")]),
+        ("-", "+", [("wrong", "−"), ("right", "+")]),
+        ("cos", "sin", [("wrong", "cos"), ("right", "sin")]),
+        ("cos(theta)", "sin(theta)", [("wrong", "cosθ"), ("right", "sinθ")]),
+        ("L**2", "L", [("wrong", "L2"), ("right", "L")]),
+        ("- k*x", "", [("wrong", "−kx")]),
+        ("k*x", "", [("wrong", "kx")]),
+    ],
+)
+def test_text_is_typeset_and_marked(written: str, right: str, found: list[tuple[str, str]]) -> None:
+    source = "M*L**2/12*theta'' - k*x + M*x''*cos(theta) = 0"
+    assert "<math" in equation(source, TEXT, [wrong(source, written, right)])
+    assert marks(source, TEXT, wrong(source, written, right)) == found
+
+
+def test_what_finds_no_place_in_the_formula_is_marked_in_the_source() -> None:
+    source = "M*L/2*x'' = 0"
+    edit = wrong(source, "*L/2", "*L/3")
+    assert marks(source, TEXT, edit) == [("wrong", "*L/2"), ("right", "*L/3")]
+    assert "<code>M" in equation(source, TEXT, [edit])
+    assert "<code>" in equation("rate: x_ddot", Hand("code", None), ())
+
+
+@pytest.mark.parametrize(
+    ("text", "latex"),
+    [
+        ("-2*k*x/(M+m)*x'", r"-\frac{2 k x}{M + m} \dot{x}"),
+        ("-M*g*L/2*(1-cos(theta))", r"-\frac{M g L}{2} \left(1 - \cos \theta\right)"),
+        ("1/2*M*theta'^2 + 0.5*k*x*2", r"\frac{1}{2} M \dot{\theta}^{2} + 0.5 k x \cdot 2"),
+        ("cos(x+1)^2*-3", r"\cos^{2} \left(x + 1\right) \left(-3\right)"),
+        ("sqrt(k/M) + x**(1/2)", r"\sqrt{\frac{k}{M}} + \sqrt{x}"),
+        ("(x+1)**3 - (M - m)", r"\left(x + 1\right)^{3} - \left(M - m\right)"),
+        ("1/x", r"\frac{1}{x}"),
+        ("x/3/k", r"\frac{x}{3 k}"),
+        ("atan2(x, L)", r"\operatorname{atan2} \left(x, L\right)"),
+        ("diff(x*theta, t)", r"\frac{d}{dt} \left(x \theta\right)"),
+        ("[M, 1; 2, 3]", r"\begin{bmatrix}M & 1 \\ 2 & 3\end{bmatrix}"),
+    ],
+)
+def test_text_in_latex(text: str, latex: str) -> None:
+    assert TEXT.latex(text) == latex
+    assert "<math" in formula(text, TEXT)
+
+
+@pytest.mark.parametrize(
+    ("latex", "parts"),
+    [
+        ("a+b=c", ["a", "+ b", "= c"]),
+        ("-a-b", ["-a", "- b"]),
+        (r"a=-b", ["a", "= {-b}"]),
+        (r"x^{-2}+\left(y-z\right]", ["x^{-2}", r"+ \left(y-z\right]"]),
+        (r"\frac{a-b}{2}-c", [r"\frac{a-b}{2}", "- c"]),
+    ],
+)
+def test_latex_breaks_between_terms_only(latex: str, parts: list[str]) -> None:
+    assert terms(latex) == parts
+
+
+@pytest.mark.parametrize(
+    "hostile",
+    [
+        r"\href{javascript:alert(1)}{x}",
+        r"\text{<script>alert(1)</script>}",
+        r"\text{<img src=x onerror=alert(1)>}",
+        r"\class{x}{y} \style{position:fixed}{z}",
+        r"\text{</math><script>alert(1)</script>}",
+        r"\text{&lt;script&gt;}",
+        r"\includegraphics{http://example.org/a.png}",
+        "\x1b[31m x^{2}",
+        r"\frac{", r"\left(", "^{^{^{", "}" * 50, r"\begin{matrix}",
+    ],
+)  # fmt: skip
+def test_hostile_latex_becomes_neither_link_nor_element(hostile: str) -> None:
+    shown = str(equation(hostile, LATEX, ())) + str(formula(hostile, LATEX))
+    page = Nesting(shown)
+    assert page.wrong == []
+    assert all(re.fullmatch("math|m[a-z]+|div|p|code", tag) for tag in page.tags)
+    assert page.classes <= {"eq", "terms", "typed"}
+    assert page.attributes <= {"class", "displaystyle", "width", "form", "stretchy", "fence"}
+    assert "\x1b" not in shown
+
+
+def test_mathml_keeps_what_it_needs() -> None:
+    assert safe_mathml(r"\left[ \ddot{x} \right]") is not None
+    assert safe_mathml(r"\nosuchcommand{x}") is None
+    assert 'class="wrong"' in str(safe_mathml(r"\class{wrong}{x}"))
+    assert "class" not in str(safe_mathml(r"\class{chip}{x}"))
+
+
+def test_hostile_words_are_escaped_everywhere(answered: Check) -> None:
+    evil = "<b onclick=x>&"
+    entry = answered.judged[1]
+    edit = Edit(Mistake.TERM, evil, evil, None)
+    done = Finding("", Verdict.PROVED, evil)
+    blame = Blame((), (Repair((edit,), evil, done),), (evil,), evil)
+    statement = replace(entry.statement, source=evil, tag=evil, notes=(evil,), place=evil)
+    hostile = replace(entry, statement=statement, blame=blame, right_if=(evil,))
+    page = check_html(
+        replace(answered, judged=(hostile,), names=(Match(evil, "x", evil),), remarks=(evil,))
+    )
+    assert "<b " not in page
+    assert "&lt;b onclick=x&gt;&amp;" in page

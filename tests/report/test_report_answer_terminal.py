@@ -1,0 +1,215 @@
+"""The answer on a terminal: 80 columns, with and without colour, and what is hostile in it."""
+
+from dataclasses import replace
+from io import StringIO
+
+import pytest
+from rich.cells import cell_len
+from rich.console import Console
+
+from mechanics.blame.result import Blame, Difference, Edit, Mistake, Repair
+from mechanics.exact import Finding, Verdict, Witness
+from mechanics.reading.statement import Statement
+from mechanics.report.answer.check import Check
+from mechanics.report.answer.judged import Judged
+from mechanics.report.answer.marks import pieces, printable, shortened
+from mechanics.report.answer.terminal import answer, plain
+from mechanics.report.answer.witness import short_values
+
+PROVED = Finding("", Verdict.PROVED, "both sides have the same normal form")
+REFUTED = Finding(
+    "",
+    Verdict.REFUTED,
+    "the enclosures at a real state are disjoint",
+    witness=Witness(
+        (("L", "211/64"), ("theta", "31/32")),
+        "[3.01911975476323715 +/- 8.91e-18]",
+        "0",
+        (("theta_ddot", "-2.4825312345"),),
+    ),
+)
+
+
+def judged(source: str, blame: Blame | None = None, finding: Finding = REFUTED) -> Judged:
+    return Judged(Statement(None, source, "(7)"), finding, (), blame)
+
+
+def wrong(source: str, written: str, right: str, mistake: Mistake = Mistake.TERM) -> Edit:
+    at = source.index(written)
+    return Edit(mistake, written, right, (at, at + len(written)))
+
+
+def repair(source: str, *edits: Edit) -> Repair:
+    return Repair(edits, source, PROVED)
+
+
+def test_the_whole_answer_of_one_statement() -> None:
+    source = "m*l**2*theta'' - m*g*l*cos(theta)"
+    blame = Blame(
+        (Difference("gravity", "-m*g*l*cos(theta)", "m*g*l*sin(theta)", ("load gravity",)),),
+        (
+            repair(
+                "m*l**2*theta'' + m*g*l*sin(theta)",
+                wrong(source, "-", "+", Mistake.SIGN),
+                wrong(source, "cos", "sin", Mistake.FUNCTION),
+            ),
+        ),
+        ("gravity reversed",),
+    )
+    entry = replace(judged(source, blame), right_if=("theta is measured from the other vertical",))
+    assert plain(answer([entry])) == (
+        "REFUTED  (7)\n"
+        "    m*l**2*theta'' - m*g*l*cos(theta)\n"
+        "                   ^       ^^^\n"
+        "    write + for -: the sign is reversed\n"
+        "    and write sin for cos: sine, cosine or tangent are exchanged\n"
+        "    then PROVED: m*l**2*theta'' + m*g*l*sin(theta)\n"
+        "\n"
+        "    group    written            right             comes from\n"
+        "    gravity  -m*g*l*cos(theta)  m*g*l*sin(theta)  load gravity\n"
+        "\n"
+        "    because: gravity reversed\n"
+        "    right if theta is measured from the other vertical\n"
+        "    the enclosures at a real state are disjoint\n"
+        "    at L=211/64, theta=31/32\n"
+        "    from which follow theta_ddot=-2.48253\n"
+        "    written = 3.01912, derived = 0"
+    )
+
+
+def test_missing_and_superfluous_terms_have_words_of_their_own() -> None:
+    source = "a + b - c = 0"
+    missing = Edit(Mistake.MISSING, "", "+ d", (9, 9))
+    extra = wrong(source, "+ b", "", Mistake.EXTRA)
+    text = plain(answer([judged(source, Blame((), (repair(source, extra, missing),)))]))
+    assert "    a + b - c = 0\n      ^^^    ^\n" in text
+    assert "leave out + b: a term is too many\n    and add + d: a term is missing" in text
+
+
+def test_every_alternative_is_shown_and_marked_where_the_words_do_not_say_where() -> None:
+    source = "x + 2*x + 2*y"
+    first = Edit(Mistake.FACTOR, "2", "3", (4, 5))
+    second = Edit(Mistake.FACTOR, "2", "5", (10, 11))
+    text = plain(answer([judged(source, Blame((), (repair("r", first), repair("s", second))))]))
+    lines = text.splitlines()
+    assert lines[2].index("^") == 4 + 4
+    assert lines[3].strip() == "write 3 for 2: the factor is wrong"
+    assert lines[5].strip() == "or write 5 for 2: the factor is wrong"
+    assert lines[7].index("^") == 4 + 10
+
+
+def test_what_was_searched_is_told_where_nothing_was_found() -> None:
+    text = plain(answer([judged("a = b", Blame((), (), (), "208 edits were tried"))]))
+    assert "\n    208 edits were tried\n" in text
+
+
+@pytest.mark.parametrize("width", [40, 80, 120])
+def test_no_line_is_wider_than_the_screen(answered: Check, width: int) -> None:
+    text = plain(answer(answered.judged, answered.names, answered.remarks), width)
+    assert max(map(cell_len, text.splitlines())) <= width
+    assert not any(line != line.rstrip() for line in text.splitlines())
+
+
+@pytest.mark.parametrize("width", [30, 50, 79])
+def test_carets_stand_under_what_is_wrong_wherever_the_source_breaks(width: int) -> None:
+    source = " + ".join(f"a_{n}*x" for n in range(40)) + " + WRONG + y"
+    entry = judged(source, Blame((), (repair(source, wrong(source, "WRONG", "r")),)))
+    lines = plain(answer([entry]), width).splitlines()
+    (under,) = [n for n, line in enumerate(lines) if set(line.strip()) == {"^"}]
+    marked = [c for c, mark in zip(lines[under - 1], lines[under], strict=False) if mark == "^"]
+    assert "".join(marked) == "WRONG"
+
+
+def test_carets_count_columns_not_characters() -> None:
+    source = "力*θ̈ + WRONG"
+    entry = judged(source, Blame((), (repair(source, wrong(source, "WRONG", "r")),)))
+    above, under = plain(answer([entry])).splitlines()[1:3]
+    assert under.index("^") == cell_len(above[: above.index("WRONG")])
+
+
+def test_escape_sequences_of_a_source_do_not_reach_the_terminal() -> None:
+    hostile = "x\x1b[2J\x07\u202e = \r\n\x9b31m"
+    file = StringIO()
+    Console(file=file, color_system=None).print(answer([judged(hostile)], (), (hostile,)))
+    assert not set(file.getvalue()) & {"\x1b", "\x07", "\r", "\x9b", "\u202e"}
+    assert len(printable(hostile)) == len(hostile)
+
+
+def test_markup_of_a_source_is_text(answered: Check) -> None:
+    text = plain(answer([judged("[bold]x[/] = :smile:", finding=PROVED)]))
+    assert text == "PROVED  (7)  [bold]x[/] = :smile:"
+
+
+def test_colour_says_nothing_that_words_do_not(answered: Check) -> None:
+    group = answer(answered.judged, answered.names, answered.remarks)
+    file = StringIO()
+    console = Console(file=file, force_terminal=True, width=80, highlight=False)
+    console.print(group)
+    coloured = file.getvalue()
+    assert "\x1b[" in coloured
+    stripped = Console(file=StringIO(), width=80, record=True, force_terminal=True, highlight=False)
+    stripped.print(group)
+    bare = [line.rstrip() for line in stripped.export_text().splitlines()]
+    assert "\n".join(bare) == plain(group)
+
+
+def test_names_remarks_and_counts_stand_at_the_end(answered: Check) -> None:
+    assert plain(answer(answered.judged, answered.names, answered.remarks)).endswith(
+        "\n\n1 PROVED, 1 CERTIFIED, 1 SUPPORTED, 3 REFUTED, 1 UNDECIDED\n"
+        "names as given: phi=theta\n"
+        "y is read as x: the only coordinate left\n"
+        "I_B is taken as defined by: I_B = 1"
+    )
+
+
+def test_long_sources_keep_what_is_wrong() -> None:
+    source = "a + " * 300 + "WRONG" + " + b" * 300
+    kept = shortened(pieces(source, (wrong(source, "WRONG", "r"),)))
+    assert [piece.text for piece in kept if piece.edit] == ["WRONG"]
+    assert sum(len(piece.text) for piece in kept) < 800
+
+
+def test_edits_that_do_not_fit_the_source_cut_nothing() -> None:
+    edits = (
+        Edit(Mistake.TERM, "a", "b", None),
+        Edit(Mistake.TERM, "a", "b", (3, 99)),
+        Edit(Mistake.TERM, "a", "b", (0, 2)),
+        Edit(Mistake.TERM, "a", "b", (1, 3)),
+    )
+    found = pieces("abcd", edits)
+    assert "".join(piece.text for piece in found) == "abcd"
+    assert [piece.text for piece in found if piece.edit] == ["ab"]
+
+
+@pytest.mark.parametrize(
+    ("left", "right", "shown"),
+    [
+        ("[3.01911975476323715 +/- 8.91e-18]", "0", ("3.01912", "0")),
+        ("[1.0000000001 +/- 1e-20]", "1", ("1.0000000001", "1")),
+        ("1.25 +/- 1e-30", "-1.25 +/- 1e-30", ("1.25", "-1.25")),
+        ("[+/- 1e-30]", "nan", ("[+/- 1e-30]", "nan")),
+        ("1e400", "2", ("1e400", "2")),
+        ("1e-400", "2", ("1e-400", "2")),
+        ("0.3", "0.30000000000000004", ("0.3", "0.30000000000000004")),
+    ],
+)
+def test_values_keep_the_digits_that_tell_them_apart(
+    left: str, right: str, shown: tuple[str, str]
+) -> None:
+    assert short_values(left, right) == shown
+
+
+def test_repr_is_one_line_and_str_the_answer(answered: Check) -> None:
+    assert repr(answered) == (
+        "<Check of pendulum on elastic support: 1 PROVED, 1 CERTIFIED, 1 SUPPORTED, 3 REFUTED,"
+        " 1 UNDECIDED>"
+    )
+    assert str(answered) == plain(answer(answered.judged, answered.names, answered.remarks))
+    assert repr(replace(answered, judged=())).endswith(": nothing was checked>")
+
+
+def test_a_notebook_shows_the_same_lines_escaped(answered: Check) -> None:
+    shown = replace(answered, judged=(judged("<script>x</script> = 0"),))._repr_html_()
+    assert "<script>" not in shown
+    assert "&lt;script&gt;x&lt;/script&gt; = 0" in shown
+    assert shown.startswith("<pre")
