@@ -12,6 +12,8 @@ from mechanics.trade.yardstick import Yardstick
 
 NOTHING = 1.0
 """An error of the size of the motion, which tells nothing about it."""
+ALIKE = 0.01
+"""Share of an error by which a row of the front has to be below the one before."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -60,12 +62,13 @@ class Trade:
     def front(self) -> tuple[Measurement, ...]:
         """Measurements that no other beats in both time and error, the fastest first.
 
-        Those whose error is as large as the motion are left out, and -ffast-math with them.
+        Those whose error is as large as the motion are left out, and -ffast-math with them; of
+        those with the same error but for rounding, as one method in several forms, all but one.
         """
         usable = [
             m for m in self.measurements if m.choice.variant.careful and m.error_largest <= NOTHING
         ]
-        return tuple(usable[i] for i in pareto(usable))
+        return tuple(usable[i] for i in pareto(usable, ALIKE))
 
     def recommendation(self, target: float) -> Recommendation:
         """The pick for a target that was asked for."""

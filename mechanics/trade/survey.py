@@ -16,6 +16,7 @@ from mechanics.compiled.forms import FORMS
 from mechanics.compiled.machine.evaluator import FLAGS
 from mechanics.errors import MechanicsError
 from mechanics.simulate.integrators import INTEGRATORS, Integrator, Outcome, Setting
+from mechanics.simulate.integrators.loop import plan
 from mechanics.simulate.integrators.rate import Rate
 from mechanics.trade.case import Case
 from mechanics.trade.choice import LINEARISED, Choice, Variant
@@ -159,8 +160,9 @@ def steps(case: Case, truth: Truth) -> tuple[float, ...]:
     slope[:size] = np.maximum(slope[:size], truth.scale[size:].max() * (slope[:size] > 0))
     moving = slope > 0
     tau = float(np.min(truth.scale[moving] / slope[moving])) if moving.any() else case.horizon
-    spacing = float(case.times[1])
-    return tuple(dict.fromkeys(min(tau * 2.0 ** (-k / 2), spacing) for k in HALVINGS))
+    # As they are taken: several end at the same sample in equally many steps.
+    taken = (plan(case.times[:2], tau * 2.0 ** (-k / 2)) for k in HALVINGS)
+    return tuple(dict.fromkeys(length for ((_, length),) in taken))
 
 
 def vary(case: Case, truth: Truth, found: Survey, base: Choice) -> Variant:

@@ -1,6 +1,7 @@
 """What is measured: errors against the reference, evaluations, energy, a front."""
 
 import json
+from itertools import pairwise
 
 import numpy as np
 import pytest
@@ -48,6 +49,20 @@ def test_pareto_of_known_points(pendulum: Trade) -> None:
     points = [(1.0, 1e-3), (2.0, 1e-6), (3.0, 1e-4), (2.5, 1e-9)]
     made = [replace(one, seconds=(t,), error_largest=e) for t, e in points]
     assert pareto(made) == (0, 1, 3)
+    made.append(replace(one, seconds=(2.2,), error_largest=0.999e-6))
+    assert pareto(made) == (0, 1, 4, 3) and pareto(made, 0.01) == (0, 1, 3)
+
+
+def test_no_two_choices_are_the_same_motion(pendulum: Trade) -> None:
+    """Equal in integrator, precision, evaluations and error: only forms and settings may be."""
+    found = [
+        (m.choice.setting.integrator, m.choice.setting.arithmetic, m.evaluations, m.error_largest)
+        for m in pendulum.measurements
+        if m.choice.variant == Variant() and not m.failure and not m.choice.setting.tolerance
+    ]
+    assert len(found) == len(set(found)) > 10
+    errors = [m.error_largest for m in pendulum.front]
+    assert all(b < 0.99 * a for a, b in pairwise(errors))
 
 
 def test_every_axis_is_measured(pendulum: Trade) -> None:
