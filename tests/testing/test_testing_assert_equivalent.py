@@ -1,0 +1,86 @@
+"""`mechanics.testing.assert_equivalent`: silent where all is shown, the answer where it is not."""
+
+import doctest
+
+import pytest
+
+import mechanics
+from mechanics import testing
+from mechanics.errors import InputError
+from mechanics.testing import assert_equivalent
+from systems import SEED, elastic_pendulum
+
+SCENE = elastic_pendulum.scene()
+SEVEN = "M*L/2*x''*cos(theta) + M*L**2/3*theta'' + M*g*L/2*sin(theta) = 0"
+
+
+def test_right_equations_pass_in_silence(capsys: pytest.CaptureFixture[str]) -> None:
+    assert assert_equivalent(SEVEN, SCENE) is None
+    assert assert_equivalent([SEVEN, SEVEN], SEED[0]) is None
+    assert_equivalent(SEVEN.replace("theta", "phi"), SCENE, names={"phi": "theta"})
+    assert capsys.readouterr() == ("", "")
+
+
+def test_wrong_equations_fail_with_what_the_terminal_prints() -> None:
+    wrong = SEVEN.replace("/3", "/12")
+    with pytest.raises(AssertionError) as failed:
+        assert_equivalent(wrong, SCENE)
+    words = str(failed.value)
+    assert words.startswith("the equations are not those of pendulum on elastic support\n\n")
+    assert "\n\nREFUTED  1  line 1" in words
+    assert wrong[:60] in words
+    assert "the enclosures at a real state are disjoint" in words
+    assert "\x1b" not in words
+    assert max(map(len, words.splitlines())) <= 80
+
+
+def test_a_convention_has_to_be_declared() -> None:
+    other = SEVEN.replace("/3", "/4")
+    with pytest.raises(AssertionError, match="right if every rod is a point mass"):
+        assert_equivalent(other, SCENE)
+    assert_equivalent(other, SCENE, convention="point mass")
+
+
+def test_doubt_fails_in_other_words() -> None:
+    with pytest.raises(AssertionError) as failed:
+        assert_equivalent(["x = unknown_thing*k", SEVEN], SCENE)
+    assert str(failed.value).startswith(
+        "it is undecided whether the equations are those of pendulum on elastic support"
+    )
+    assert "unknown_thing: the scene has no such name" in " ".join(str(failed.value).split())
+
+
+def test_numbers_alone_have_to_be_allowed() -> None:
+    chain = next(system for system in SEED if system.name == "two_mass_chain").scene()
+    model = mechanics.compile(mechanics.derive(chain, "kane"))
+    names = [symbol.name for symbol in (*chain.q, *chain.u)]
+    parameters = [symbol.name for symbol in chain.parameters]
+
+    def rate(y, p):
+        n = len(chain.q)
+        given = dict(zip(parameters, p, strict=True))
+        return [*y[n:], *model.forward_dynamics(y[:n], y[n:], given)]
+
+    box = mechanics.BlackBox(rate, {})
+    options = {"names": {"y": " ".join(names), "p": " ".join(parameters)}}
+    with pytest.raises(AssertionError, match=r"only numbers say .* pass allow_supported=True"):
+        assert_equivalent(box, chain, **options)
+    assert_equivalent(box, chain, allow_supported=True, **options)
+
+
+def test_nothing_to_check_is_no_success() -> None:
+    with pytest.raises(InputError, match="nothing to check: I is taken as defined by"):
+        assert_equivalent("I = M*L**2/3", SCENE)
+
+
+def test_the_example_of_the_docstring_runs() -> None:
+    assert doctest.testmod(testing).failed == 0
+    assert doctest.testmod(testing).attempted == 3
+
+
+def test_pytest_shows_the_line_of_the_test_and_not_the_helper() -> None:
+    with pytest.raises(AssertionError) as failed:
+        assert_equivalent(SEVEN.replace("sin", "cos"), SCENE)
+    frames = [entry for entry in failed.traceback if entry.path.name == "testing.py"]
+    assert frames
+    assert all(entry.ishidden(failed) for entry in frames)
