@@ -130,7 +130,7 @@ def _powers(tree: Tree, _: Vocabulary) -> Iterator[Change]:
     """One more or less; a factor of a product squared. Nothing becomes one or a denominator."""
     for path, node in places(tree):
         if node.kind == "power":
-            base, (_, exponent) = node.parts[0], (None, node.parts[1].value)
+            base, exponent = node.parts[0], node.parts[1].value
             for other in (exponent + 1, exponent - 1):
                 if other != 0 and (other > 0) == (exponent > 0):
                     yield path, power(base, other)

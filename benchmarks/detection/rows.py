@@ -9,13 +9,13 @@ Each is shown to be right at the states of `states` before it is used; published
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from functools import cached_property, lru_cache
+from functools import cache, cached_property
 
 import sympy
 from flint import arb
 from sympy import Matrix
 
-from benchmarks.detection.states import BITS, States, states, value, vanishes
+from benchmarks.detection.states import BITS, Numbers, States, states, value, vanishes
 from benchmarks.detection.tree import Tree, read, symbol, symbols
 from mechanics.checks.ledger_energy import kinetic_energy
 from mechanics.crosscheck.routes import derive
@@ -94,7 +94,7 @@ class Subject:
         return set().union(*map(symbols, row.trees)) <= self.states.all[0].keys()
 
 
-@lru_cache(maxsize=None)
+@cache
 def subject(name: str) -> Subject:
     """A system by its name."""
     (system,) = (system for system in ALL if system.name == name)
@@ -120,7 +120,7 @@ def holds(about: Subject, row: Row, trees: tuple[Tree, ...]) -> bool | None:
     return None if None in told else True
 
 
-def _error(row: Row, trees: tuple[Tree, ...], state: dict) -> list[arb]:
+def _error(row: Row, trees: tuple[Tree, ...], state: Numbers) -> list[arb]:
     """What has to vanish at a state."""
     if row.equation:
         return [value(trees[0], state) - value(trees[1], state)]

@@ -95,13 +95,14 @@ def states(scene: Scene, kane: Equations, free_body: Equations, seed: int = 1) -
     NoStateError
         When none is found, or the two do not agree.
     """
-    source, found = Random(seed), []
+    source = Random(seed)
+    found: list[tuple[Numbers, Numbers]] = []
     with precision(BITS):
         while len(found) < PAIRS:
             given = _given(scene, source)
-            pair = [_state(scene, kane, free_body, given, source) for _ in range(2)]
-            if all(pair):
-                found.append((pair[0], pair[1]))
+            one, two = (_state(scene, kane, free_body, given, source) for _ in range(2))
+            if one is not None and two is not None:
+                found.append((one, two))
             elif source.random() < 0.01:
                 raise NoStateError(f"{scene.name}: no admissible state was found")
     return States(tuple(found))

@@ -47,9 +47,7 @@ def _run(terms: Sequence[Tree], start: int, known: Collection[Symbol]) -> list[i
     return run
 
 
-def shifted_sums(
-    tree: Tree, vocabulary: Sequence[Sequence[Symbol]]
-) -> Iterator[tuple[Path, Tree]]:
+def shifted_sums(tree: Tree, vocabulary: Sequence[Sequence[Symbol]]) -> Iterator[tuple[Path, Tree]]:
     """Sums whose run of terms begins or ends one too early or too late."""
     known = {s for group in vocabulary for s in group}
     for path, node in places(tree):

@@ -2,8 +2,8 @@
 
 sum(2 k x, product(M, power(L, 2), ...))        a place is a path of child numbers: (0, 2, 1)
 
-A mutation is made on such a tree before it is written in any notation, so that what was changed, and
-what it was before, are known exactly.
+A mutation is made on such a tree before it is written in any notation, so that what was changed,
+and what it was before, are known exactly.
 """
 
 from __future__ import annotations

@@ -7,7 +7,7 @@ A function returns a residual, all accelerations, an energy or the mass matrix; 
 numbers, or vectors of coordinates, speeds, accelerations, inputs and parameters.
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from math import prod
 from random import Random
@@ -17,9 +17,15 @@ import numpy as np
 from sympy import Symbol
 
 from benchmarks.detection.forms.plain import Notation, Plain
-from benchmarks.detection.forms.spelling import Written, quotient
+from benchmarks.detection.forms.spelling import Labels, Written, labels, plain_name, quotient
 from benchmarks.detection.rows import Row, Subject
 from benchmarks.detection.tree import Tree, negative, symbol, symbols, total
+
+IMPORTS = (
+    ("np.", "import numpy as np"),
+    ("math.", "import math"),
+    ("", "from numpy import sin, cos, tan, sqrt, pi, array"),
+)
 
 Groups = tuple[tuple[str, tuple[Symbol, ...]], ...]
 
@@ -39,6 +45,10 @@ class Program:
     scalars : tuple of Symbol
     columns : int
         Of the matrix that is returned; 0 for numbers side by side.
+    labels : dict
+        What the person calls the symbols.
+    names : mapping of str to str
+        What is called otherwise: names of the scene to the person's.
     """
 
     outputs: tuple[Tree, ...]
@@ -46,17 +56,36 @@ class Program:
     about: str | None
     groups: Groups
     scalars: tuple[Symbol, ...]
-    columns: int = 0
+    columns: int
+    labels: Labels
+    names: Mapping[str, str]
 
     @property
     def options(self) -> dict[str, object]:
         """For `mechanics.check`."""
         names = {name: " ".join(s.name for s in group) for name, group in self.groups}
+        # An argument that is renamed is told with its rates, each of which is an argument too.
+        names |= {self.called(s): s.name for s in self.scalars if self.called(s) != s.name}
         return {"about": self.about} | ({"names": names} if names else {})
+
+    def called(self, symbol: Symbol) -> str:
+        """What the person calls an argument."""
+        return plain_name(self.labels.get(symbol, (symbol.name, 0)))
+
+    @property
+    def spelled(self) -> dict[Symbol, str]:
+        """How every symbol is typed."""
+        entries = {s: f"{name}[{i}]" for name, group in self.groups for i, s in enumerate(group)}
+        return {s: self.called(s) for s in self.scalars} | entries
+
+    @property
+    def arguments(self) -> list[str]:
+        """Names of all arguments."""
+        return [*(name for name, _ in self.groups), *map(self.called, self.scalars)]
 
 
 def program(
-    about: Subject, row: Row, trees: tuple[Tree, ...], source: Random
+    about: Subject, row: Row, trees: tuple[Tree, ...], names: Mapping[str, str], source: Random
 ) -> Program | None:
     """A function for a statement; None for one that functions do not claim."""
     scene = about.scene
@@ -84,7 +113,8 @@ def program(
                        and used & set(group) and not _taken(name, scalars, group))  # fmt: skip
         grouped = {s for _, group in groups for s in group}
         scalars = tuple(s for s in scalars if s not in grouped)
-    return Program(outputs, place, words or None, groups, scalars, columns)
+    called = labels(scene, names)
+    return Program(outputs, place, words or None, groups, scalars, columns, called, names)
 
 
 def _taken(name: str, scalars: Sequence[Symbol], group: Sequence[Symbol]) -> bool:
@@ -111,16 +141,19 @@ def _shared(outputs: Sequence[Tree]) -> tuple[list[tuple[str, Tree]], list[Tree]
     return [(name, tree) for tree, name in table.items()], found
 
 
-def python(about: Subject, row: Row, trees: tuple[Tree, ...], source: Random) -> Written | None:
+def python(
+    about: Subject, row: Row, trees: tuple[Tree, ...], names: Mapping[str, str], source: Random
+) -> Written | None:
     """A Python function, from its source."""
-    made = program(about, row, trees, source)
+    made = program(about, row, trees, names, source)
     if made is None:
         return None
-    prefix, head = source.choice((("np.", "import numpy as np"), ("math.", "import math"),
-                                  ("", "from numpy import sin, cos, tan, sqrt, pi, array")))  # fmt: skip
+    prefix, head = source.choice(IMPORTS)
     matrix = f"{'np.' if prefix == 'np.' else ''}array" if prefix != "math." else ""
-    names = {s: f"{name}[{i}]" for name, group in made.groups for i, s in enumerate(group)}
-    write = Plain(Notation("*", "/", "**", names, prefix=prefix, pi=f"{prefix}pi"))
+    point = source.random() < 0.3
+    write = Plain(
+        Notation("*", "/", "**", made.spelled, point=point, prefix=prefix, pi=f"{prefix}pi")
+    )
     lines, outputs = [], list(made.outputs)
     if source.random() < 0.5:
         shared, outputs = _shared(outputs)
@@ -132,26 +165,30 @@ def python(about: Subject, row: Row, trees: tuple[Tree, ...], source: Random) ->
         returned = f"{matrix}([{', '.join(rows)}])"
     else:
         returned = ", ".join(words)
-    arguments = ", ".join([name for name, _ in made.groups] + [s.name for s in made.scalars])
-    text = "\n".join([head, "", "", f"def model({arguments}):", *lines, f"    return {returned}"])
+    opening = f"def model({', '.join(made.arguments)}):"
+    text = "\n".join([head, "", "", opening, *lines, f"    return {returned}"])
     space: dict[str, object] = {}
     exec(compile(text, "<a person's code>", "exec"), space)
     return Written(space["model"], made.options, text, made.place)
 
 
-def c_source(about: Subject, row: Row, trees: tuple[Tree, ...], source: Random) -> Written | None:
+def c_source(
+    about: Subject, row: Row, trees: tuple[Tree, ...], names: Mapping[str, str], source: Random
+) -> Written | None:
     """A C function."""
-    made = program(about, row, trees, source)
+    made = program(about, row, trees, names, source)
     if made is None or made.columns:
         return None
-    names = {s: f"{name}[{i}]" for name, group in made.groups for i, s in enumerate(group)}
-    write = Plain(Notation(" * ", " / ", "", names, decimal=True, call="pow", pi="M_PI"))
+    point = source.random() < 0.3
+    write = Plain(
+        Notation(" * ", " / ", "", made.spelled, point=point, decimal=True, call="pow", pi="M_PI")
+    )
     lines, outputs = [], list(made.outputs)
     if source.random() < 0.5:
         shared, outputs = _shared(outputs)
         lines = [f"    const double {name} = {write(tree)};" for name, tree in shared]
     heads = [f"const double {name}[{len(group)}]" for name, group in made.groups]
-    heads += [f"double {s.name}" for s in made.scalars]
+    heads += [f"double {made.called(s)}" for s in made.scalars]
     if len(outputs) == 1:
         kind, body = "double", [f"    return {write(outputs[0])};"]
     else:
@@ -163,28 +200,26 @@ def c_source(about: Subject, row: Row, trees: tuple[Tree, ...], source: Random) 
 
 
 def casadi_function(
-    about: Subject, row: Row, trees: tuple[Tree, ...], source: Random
+    about: Subject, row: Row, trees: tuple[Tree, ...], names: Mapping[str, str], source: Random
 ) -> Written | None:
     """A CasADi function."""
-    made = program(about, row, trees, source)
+    made = program(about, row, trees, names, source)
     if made is None:
         return None
-    table: dict[Symbol, casadi.SX] = {s: casadi.SX.sym(s.name) for s in made.scalars}
-    inputs, named = [], []
+    table: dict[Symbol, casadi.SX] = {s: casadi.SX.sym(made.called(s)) for s in made.scalars}
+    inputs = []
     for name, group in made.groups:
         vector = casadi.SX.sym(name, len(group))
         table |= {s: vector[i] for i, s in enumerate(group)}
         inputs.append(vector)
-        named.append(name)
     inputs += [table[s] for s in made.scalars]
-    named += [s.name for s in made.scalars]
     entries = [_casadi(tree, table) for tree in made.outputs]
     n = made.columns
     value = casadi.vertcat(*entries) if not n else casadi.vertcat(
         *(casadi.horzcat(*entries[i : i + n]) for i in range(0, n * n, n))
     )  # fmt: skip
-    function = casadi.Function("model", inputs, [value], named, ["out"])
-    words = f"model({', '.join(named)}) -> {value}"
+    function = casadi.Function("model", inputs, [value], made.arguments, ["out"])
+    words = f"model({', '.join(made.arguments)}) -> {value}"
     return Written(function, made.options, words, made.place)
 
 

@@ -12,7 +12,7 @@ from random import Random
 
 from sympy import Symbol
 
-from benchmarks.detection.forms.spelling import is_negative, orders, quotient
+from benchmarks.detection.forms.spelling import Labels, is_negative, quotient
 from benchmarks.detection.rows import Row
 from benchmarks.detection.tree import Tree
 from mechanics.reading.names import GREEK
@@ -67,8 +67,8 @@ def style(source: Random) -> Style:
 class Latex:
     """Writes trees of one scene in one style."""
 
-    def __init__(self, scene: Scene, style: Style) -> None:
-        self.style, self.orders = style, orders(scene)
+    def __init__(self, scene: Scene, labels: Labels, style: Style) -> None:
+        self.style, self.labels = style, labels
         self.inputs = set(scene.input_symbols)
 
     def __call__(self, tree: Tree) -> str:
@@ -152,10 +152,10 @@ class Latex:
 
     def name(self, symbol: Symbol) -> str:
         """A symbol: letter, index below, dots above."""
-        base, order = self.orders.get(symbol, (symbol.name, 0))
+        base, order = self.labels.get(symbol, (symbol.name, 0))
         letter, below = self._split(base)
         if order:
-            braces = self.style.braces or len(letter) > 1 and not letter.startswith("\\")
+            braces = self.style.braces or (len(letter) > 1 and not letter.startswith("\\"))
             gap = "" if letter.startswith("\\") else " "
             letter = (
                 rf"\{ACCENTS[order]}{{{letter}}}" if braces else rf"\{ACCENTS[order]}{gap}{letter}"
@@ -175,17 +175,18 @@ class Latex:
         return (head if len(head) == 1 else rf"\mathrm{{{head}}}"), tail
 
 
-def statement(scene: Scene, row: Row, trees: tuple[Tree, ...], source: Random, head: str) -> str:
+def statement(
+    scene: Scene, row: Row, trees: tuple[Tree, ...], labels: Labels, source: Random, head: str
+) -> str:
     """A statement as LaTeX; `head` is the name of an energy."""
     chosen = style(source)
-    write = Latex(scene, chosen)
+    write = Latex(scene, labels, chosen)
     left, right = chosen.frame
     if row.about == "mass matrix":
         size = len(scene.u)
         rows = [" & ".join(map(write, trees[i : i + size])) for i in range(0, size * size, size)]
         kind = source.choice(("bmatrix", "pmatrix"))
-        body = rf"\begin{{{kind}}} " + r" \\ ".join(rows) + rf" \end{{{kind}}}"
-        return rf"M = {body}" if head else body
+        return rf"\begin{{{kind}}} " + r" \\ ".join(rows) + rf" \end{{{kind}}}"
     if row.equation:
         return left + chosen.equals.join(map(write, trees)) + right
     return f"{left}{head}{chosen.equals}{write(trees[0])}{right}"

@@ -5,11 +5,18 @@ Eq((M + m)*x.diff(t, 2) + 2*k*x, 0)        (M + m)*x_ddot + 2*k*x == 0;
 
 from dataclasses import dataclass
 from fractions import Fraction
+from math import prod
 from random import Random
 
 from sympy import Symbol
 
-from benchmarks.detection.forms.spelling import is_negative, orders, quotient
+from benchmarks.detection.forms.spelling import (
+    Labels,
+    Quotient,
+    is_negative,
+    plain_name,
+    quotient,
+)
 from benchmarks.detection.rows import Row
 from benchmarks.detection.tree import Tree
 from mechanics.scene import Scene
@@ -30,6 +37,8 @@ class Notation:
         Whole numbers with a point, as C needs where two are divided.
     call : str
         Name of the function for powers, where there is no operator.
+    point : bool
+        Fractions that have few decimals are typed as decimals: 0.5 for one half.
     """
 
     times: str
@@ -39,6 +48,7 @@ class Notation:
     prefix: str = ""
     decimal: bool = False
     call: str = ""
+    point: bool = False
     root: str = "sqrt"
     pi: str = "pi"
 
@@ -63,7 +73,12 @@ class Plain:
 
     def _product(self, tree: Tree) -> str:
         parts = quotient(tree)
-        above = self.notation.times.join(self._factor(factor) for factor in parts.above)
+        if self.notation.point and (short := _decimal(parts)):
+            ratio, parts = short
+            rest = [self._factor(factor) for factor in parts.above]
+            above = self.notation.times.join([ratio, *rest])
+        else:
+            above = self.notation.times.join(self._factor(factor) for factor in parts.above)
         words = above or self._number(Fraction(1))
         for factor in parts.below:
             words += f"{self.notation.divide}{self._factor(factor)}"
@@ -102,14 +117,28 @@ class Plain:
         return f"{value}.0" if self.notation.decimal else str(value)
 
 
+def _decimal(parts: Quotient) -> tuple[str, Quotient] | None:
+    """The ratio of a product as a decimal in front, where it has two digits behind the point."""
+    numbers = [[f.value for f in side if f.kind == "number"] for side in (parts.above, parts.below)]
+    ratio = prod(numbers[0], start=Fraction(1)) / prod(numbers[1], start=Fraction(1))
+    if ratio.denominator == 1 or 100 % ratio.denominator:
+        return None
+    above, below = (
+        tuple(f for f in side if f.kind != "number") for side in (parts.above, parts.below)
+    )
+    return f"{float(ratio):.2f}".rstrip("0"), Quotient(parts.negative, above, below)
+
+
 def sympy_text(
-    scene: Scene, row: Row, trees: tuple[Tree, ...], source: Random, head: str
+    scene: Scene, row: Row, trees: tuple[Tree, ...], labels: Labels, source: Random, head: str
 ) -> str:
     """A statement as SymPy prints or people type it."""
     way = source.choice(("method", "call", "Derivative", "names", "primes"))
-    names: dict[Symbol, str] = {}
-    for symbol, (base, order) in orders(scene).items():
-        names[symbol] = _of_time(way, base, order, symbol.name)
+    still = set(scene.parameters)
+    names = {
+        symbol: plain_name(label) if symbol in still else _of_time(way, label)
+        for symbol, label in labels.items()
+    }
     write = Plain(Notation("*", "/", "**", names))
     if row.about == "mass matrix":
         return f"Matrix([{', '.join(_table(scene, trees, write))}])"
@@ -119,9 +148,10 @@ def sympy_text(
     return source.choice((f"Eq({left}, {right})", f"{left} = {right}", f"{left} == {right}"))
 
 
-def _of_time(way: str, base: str, order: int, name: str) -> str:
+def _of_time(way: str, label: tuple[str, int]) -> str:
+    base, order = label
     if way == "names":
-        return name
+        return plain_name(label)
     if way == "primes":
         return base + "'" * order
     bare = base if way == "method" else f"{base}(t)"
@@ -138,16 +168,17 @@ def _table(scene: Scene, trees: tuple[Tree, ...], write: Plain) -> list[str]:
 
 
 def matlab_text(
-    scene: Scene, row: Row, trees: tuple[Tree, ...], source: Random, head: str
+    scene: Scene, row: Row, trees: tuple[Tree, ...], labels: Labels, source: Random, head: str
 ) -> str:
     """A statement in MATLAB's notation."""
     short = source.random() < 0.3
     names = {
-        symbol: base + "d" * order if short and order and order < 3 else symbol.name
-        for symbol, (base, order) in orders(scene).items()
+        symbol: base + "d" * order if short and order and order < 3 else plain_name((base, order))
+        for symbol, (base, order) in labels.items()
     }
     times, divide, power = source.choice((("*", "/", "^"), (" * ", " / ", "^"), (".*", "./", ".^")))
-    write = Plain(Notation(times, divide, power, names))
+    point = source.random() < 0.3
+    write = Plain(Notation(times, divide, power, names, point=point))
     if row.about == "mass matrix":
         return "[" + "; ".join(line[1:-1] for line in _table(scene, trees, write)) + "];"
     if not row.equation:

@@ -4,6 +4,7 @@ denominator.
 theta_ddot -> ("theta", 2)        -3/2 M L^-1 g  ->  sign -, 3 M g over 2 L
 """
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 
@@ -36,12 +37,25 @@ class Written:
     place: int = 0
 
 
-def orders(scene: Scene) -> dict[Symbol, tuple[str, int]]:
-    """Name and order of the derivative of every symbol that changes with time."""
+Labels = dict[Symbol, tuple[str, int]]
+"""What a symbol is called, and how often that is differentiated."""
+
+
+def labels(scene: Scene, names: Mapping[str, str]) -> Labels:
+    """Labels of every symbol of a scene; `names` are those that the person calls otherwise."""
     functions = [*scene.coordinates, *(u for u, _ in scene.speeds), *scene.inputs]
-    return {
-        plain_symbol(f, order): (name_of(f), order) for f in functions for order in range(len(DOTS))
+    moving = {
+        plain_symbol(f, order): (names.get(name_of(f), name_of(f)), order)
+        for f in functions
+        for order in range(len(DOTS))
     }
+    still = {s: (names.get(s.name, s.name), 0) for s in scene.parameters}
+    return still | moving
+
+
+def plain_name(label: tuple[str, int]) -> str:
+    """A label as one name: ``theta_ddot``."""
+    return label[0] + DOTS[label[1]]
 
 
 @dataclass(frozen=True)

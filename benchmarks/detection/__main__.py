@@ -1,0 +1,103 @@
+"""How good the checker is, on mutants and rewritings of right equations.
+
+    python -m benchmarks.detection --count 20000 --jobs 2
+    python -m benchmarks.detection --only m17 r4
+
+Every case is drawn from its number and the seed alone, so that a miss is seen again with --only.
+Prints Markdown.
+"""
+
+import argparse
+import json
+import platform
+from collections.abc import Iterator, Sequence
+from concurrent.futures import ProcessPoolExecutor
+from dataclasses import asdict
+from functools import partial
+from itertools import islice
+from pathlib import Path
+
+from benchmarks.detection.figures import line, missed, summary, tables
+from benchmarks.detection.trial import Result, judged
+from systems import ALL
+
+PART = 50
+"""Cases that a process takes at a time."""
+
+
+def names(count: int, rewritings: int, conventions: int) -> list[str]:
+    """Names of all cases of a run."""
+    numbers = (("m", count), ("r", rewritings), ("c", conventions))
+    return [f"{kind}{i}" for kind, most in numbers for i in range(most)]
+
+
+def run(
+    wanted: Sequence[str], seed: int, systems: Sequence[str], blamed: int, jobs: int = 1
+) -> Iterator[Result]:
+    """Results of cases, in order; the first `blamed` mutants are blamed too."""
+    ask = partial(_part, seed=seed, systems=tuple(systems), blamed=blamed)
+    rest = iter(wanted)
+    parts = iter(lambda: list(islice(rest, PART)), [])
+    if jobs == 1:
+        for part in parts:
+            yield from ask(part)
+        return
+    with ProcessPoolExecutor(jobs) as pool:
+        for found in pool.map(ask, parts):
+            yield from found
+
+
+def _part(wanted: list[str], seed: int, systems: tuple[str, ...], blamed: int) -> list[Result]:
+    return [
+        judged(name, seed, systems, blame=name[0] == "m" and int(name[1:]) < blamed)
+        for name in wanted
+    ]
+
+
+def _told(result: Result) -> str:
+    """A case in full."""
+    lines = [line(result, 100_000), "", result.text, "", f"{result.verdict}: {result.words}"]
+    lines += [f"right if {words}" for words in result.right_if]
+    if result.undone:
+        lines += [f"first repair, {result.undone.how}:", *result.undone.edits]
+    return "\n".join(lines)
+
+
+def main() -> None:
+    """Print the figures and every miss."""
+    known = [system.name for system in ALL]
+    parser = argparse.ArgumentParser(description=str(__doc__).splitlines()[0])
+    parser.add_argument("--count", type=int, default=2000, help="wrong mutants")
+    parser.add_argument("--rewritings", type=int, help="right rewritings; a quarter of the mutants")
+    parser.add_argument("--conventions", type=int, help="undeclared ones; a fortieth")
+    parser.add_argument("--blame", type=int, default=200, help="mutants that are blamed too")
+    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--systems", nargs="+", choices=known, default=known, metavar="SYSTEM")
+    parser.add_argument("--jobs", type=int, default=1, help="processes")
+    parser.add_argument("--only", nargs="+", metavar="ID", help="these cases, in full")
+    parser.add_argument("--json", type=Path, help="file for all results")
+    options = parser.parse_args()
+    if options.only:
+        for result in run(options.only, options.seed, options.systems, 10**9):
+            print(_told(result), "\n")
+        return
+    count = options.count
+    rewritings = count // 4 if options.rewritings is None else options.rewritings
+    conventions = count // 40 if options.conventions is None else options.conventions
+    wanted = names(count, rewritings, conventions)
+    results = list(run(wanted, options.seed, options.systems, options.blame, options.jobs))
+    print(f"{platform.machine()}, seed {options.seed}, {len(options.systems)} systems:"
+          f" {', '.join(options.systems)}\n")  # fmt: skip
+    print("\n".join(summary(results)))
+    print("\n".join(tables(results)))
+    misses = [result for result in results if missed(result)]
+    print(f"\n{len(misses)} misses; each is seen again with"
+          f" python -m benchmarks.detection --seed {options.seed} --only ID")  # fmt: skip
+    for result in misses:
+        print(f"- {line(result)}")
+    if options.json:
+        options.json.write_text(json.dumps([asdict(r) for r in results], indent=1) + "\n")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,149 @@
+"""One case of the campaign, the same for the same number: what is written, and what is known of it.
+
+m17    a wrong statement: one or two mistakes in a right one
+r17    a right statement, written otherwise
+c17    a right statement in another convention, which is not declared
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from random import Random
+
+from benchmarks.detection.forms.every import FORMS
+from benchmarks.detection.forms.spelling import Written
+from benchmarks.detection.mutate import KINDS, Mutation, draw
+from benchmarks.detection.rewrite import REWRITERS, Rewriting
+from benchmarks.detection.rows import Row, Subject, holds, subject
+from benchmarks.detection.tree import Tree
+from benchmarks.detection.vocabulary import vocabulary
+
+MOST_DRAWS = 400
+DOUBLE = 0.4
+"""Share of mutants with two mistakes."""
+
+
+@dataclass(frozen=True, eq=False)
+class Case:
+    """What `mechanics.check` is given.
+
+    Attributes
+    ----------
+    name : str
+        ``"m17"``.
+    about : Subject
+    row : Row
+        The right statement that it was made from.
+    trees : tuple of Tree
+        As it is written.
+    form : str
+    written : Written
+    kinds : tuple of str
+        Of mistakes, or of rewriting.
+    mutations : tuple of Mutation
+    equivalent : int
+        Mutants that were drawn before and are right.
+    """
+
+    name: str
+    about: Subject
+    row: Row
+    trees: tuple[Tree, ...]
+    form: str
+    written: Written
+    kinds: tuple[str, ...]
+    mutations: tuple[Mutation, ...] = ()
+    equivalent: int = 0
+
+
+class NothingToDrawError(ValueError):
+    """No case of this kind can be made of these systems."""
+
+
+def case(name: str, seed: int, systems: Sequence[str]) -> Case:
+    """The case of a name.
+
+    Raises
+    ------
+    NothingToDrawError
+        When none is found in several hundred draws.
+    """
+    make = {"m": _mutant, "r": _rewriting, "c": _undeclared}[name[0]]
+    source = Random(f"{seed} {name}")
+    equivalent = 0
+    for _ in range(MOST_DRAWS):
+        about = subject(source.choice(systems))
+        row = _row(about, source)
+        found = make(name, about, row, source)
+        if isinstance(found, Case):
+            return _with(found, equivalent)
+        equivalent += found is True
+    raise NothingToDrawError(f"{name}: nothing to draw from {', '.join(systems)}")
+
+
+def _with(found: Case, equivalent: int) -> Case:
+    return replace(found, equivalent=equivalent)
+
+
+def _row(about: Subject, source: Random) -> Row:
+    """A statement: what it is about first, so that rare ones are not lost among many."""
+    kinds = sorted({row.about for row in about.rows})
+    weights = [4 if kind in ("motion", "acceleration") else 1 for kind in kinds]
+    (kind,) = source.choices(kinds, weights)
+    return source.choice([row for row in about.rows if row.about == kind])
+
+
+def _mutant(name: str, about: Subject, row: Row, source: Random) -> Case | bool | None:
+    """A mutant; True for one that is right, None where there is none."""
+    kinds = tuple(source.choice([kind for kind, _ in KINDS])
+                  for _ in range(2 if source.random() < DOUBLE else 1))  # fmt: skip
+    # The name on the left of a reaction or an acceleration is what the statement is about.
+    changed = row.trees[1:] if row.about in ("acceleration", "reaction") else row.trees
+    mutations = draw(source, kinds, changed, vocabulary(about.scene))
+    if mutations is None:
+        return None
+    trees = changed
+    for mutation in sorted(mutations, key=lambda m: m.path, reverse=True):
+        trees = mutation.into(trees)
+    trees = (*row.trees[: len(row.trees) - len(changed)], *trees)
+    right = holds(about, row, trees)
+    if right is not False:
+        return right
+    form, make = source.choice(FORMS)
+    written = make(about, row, trees, {}, source)
+    if written is None:
+        return None
+    return Case(name, about, row, trees, form, written, kinds, mutations)
+
+
+def _rewriting(name: str, about: Subject, row: Row, source: Random) -> Case | None:
+    kind, rewrite = source.choice(REWRITERS)
+    done = rewrite(about, row, source)
+    if done is None:
+        return None
+    return _rewritten(name, about, row, (kind,), done, source)
+
+
+def _undeclared(name: str, about: Subject, row: Row, source: Random) -> Case | None:
+    """A statement in another convention that is wrong as it stands."""
+    rewrite = dict(REWRITERS)["other convention"]
+    done = rewrite(about, row, source)
+    if done is None or holds(about, row, done.trees) is not False:
+        return None
+    kinds, done = done.convention, replace(done, convention=())
+    return _rewritten(name, about, row, kinds, done, source)
+
+
+def _rewritten(
+    name: str, about: Subject, row: Row, kinds: tuple[str, ...], done: Rewriting, source: Random
+) -> Case | None:
+    if holds(about, row, done.meant or done.trees) is not True:
+        raise ValueError(f"{name}: {kinds} made a wrong statement of {row.name}")
+    form, make = source.choice(FORMS)
+    # Beside an acceleration in another convention a function would have to return others in it.
+    alone = Row(row.name, "motion", row.trees) if done.meant and row.equation else row
+    written = make(about, alone, done.trees, done.names, source)
+    if written is None:
+        return None
+    options = written.options | ({"convention": done.convention} if done.convention else {})
+    written = Written(written.thing, options, written.text, written.place)
+    return Case(name, about, row, done.trees, form, written, kinds)

@@ -1,0 +1,103 @@
+"""A case, judged: the verdict, its time, and whether the blame undoes the mistake."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from time import process_time
+from typing import Any
+
+import mechanics
+from benchmarks.detection.case import Case, case
+from benchmarks.detection.undone import Undone, undone
+from mechanics.crosscheck.check import Check, Judged
+from mechanics.errors import MechanicsError
+
+
+@dataclass(frozen=True)
+class Result:
+    """What became of a case.
+
+    Attributes
+    ----------
+    name, system, row, about, form : str
+    kinds : tuple of str
+    verdict : str
+        Of the finding; ``"error"`` where the check ended in one.
+    words : str
+        Its evidence, doubt or message.
+    right_if : tuple of str
+    seconds : float
+        Of one core for each statement that was read, without the blame.
+    text : str
+        The statement as it was given.
+    equivalent : int
+        Mutants that were drawn before and turned out to be right.
+    undone : Undone or None
+        What the blame says, where it was asked for.
+    """
+
+    name: str
+    system: str
+    row: str
+    about: str
+    form: str
+    kinds: tuple[str, ...]
+    verdict: str
+    words: str
+    right_if: tuple[str, ...]
+    seconds: float
+    text: str
+    equivalent: int = 0
+    undone: Undone | None = None
+
+    @property
+    def wrong(self) -> bool:
+        """Whether it is a mutant."""
+        return self.name.startswith("m")
+
+
+def judged(name: str, seed: int, systems: Sequence[str], blame: bool = False) -> Result:
+    """Draw a case, and check it."""
+    drawn = case(name, seed, systems)
+    verdict, words = "error", ""
+    right_if: tuple[str, ...] = ()
+    count, start = 1, process_time()
+    try:
+        found = _checked(drawn, blame=False)
+        count = len(found.judged)
+        entry = found.judged[drawn.written.place]
+        verdict, right_if = entry.finding.verdict.name, entry.right_if
+        words = entry.statement.doubt or entry.finding.evidence
+        verdict, words = _others(drawn, found, verdict, words)
+    except MechanicsError as error:
+        words = f"{type(error).__name__}: {error}"
+    seconds = (process_time() - start) / count
+    told = None
+    if blame and verdict == "REFUTED":
+        told = _blamed(drawn, seconds * count)
+    return Result(
+        name, drawn.about.system.name, drawn.row.name, drawn.row.about, drawn.form, drawn.kinds,
+        verdict, words, right_if, seconds, drawn.written.text, drawn.equivalent, told,
+    )  # fmt: skip
+
+
+def _others(drawn: Case, found: Check, verdict: str, words: str) -> tuple[str, str]:
+    """A function has other outputs, which are right: one that is not shown counts as the worst."""
+    for i, entry in enumerate(found.judged):
+        if i != drawn.written.place and not entry.finding.shown:
+            other = entry.finding.verdict.name
+            return f"{other} beside", f"{entry.statement.tag}: {entry.finding.evidence}"
+    return verdict, words
+
+
+def _checked(drawn: Case, blame: bool) -> Check:
+    options: dict[str, Any] = drawn.written.options | ({"blame": blame} if CAN_BLAME else {})
+    return mechanics.check(drawn.about.free_body, drawn.written.thing, **options)
+
+
+CAN_BLAME = "blame" in mechanics.check.__annotations__
+
+
+def _blamed(drawn: Case, without: float) -> Undone:
+    start = process_time()
+    entry: Judged = _checked(drawn, blame=True).judged[drawn.written.place]
+    return undone(drawn, entry, max(process_time() - start - without, 0.0))
