@@ -3,15 +3,17 @@
 adj(M) (M u' - f) = det(M) u' - adj(M) f        where one acceleration stands alone
 """
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from functools import lru_cache
 
 from sympy import Matrix, Symbol
 
 from mechanics.blame.nearest import Candidate
 from mechanics.blame.pieces import Kind, Piece, merged
-from mechanics.blame.rows import Row, free_rows, generalized_rows, moving_rows
+from mechanics.blame.reduced import reduced_rows, view_rows
+from mechanics.blame.rows import Row, free_rows, moving_rows
 from mechanics.blame.terms import terms_of
+from mechanics.blame.view import View
 from mechanics.equations import Equations
 from mechanics.exact import TooLarge, collect_linear
 
@@ -20,40 +22,43 @@ LARGEST_SOLVED = 3
 
 
 @lru_cache(maxsize=16)
-def implicit(truth: Equations) -> tuple[Candidate, ...]:
-    """Equations of the routes, in several accelerations and without eliminated reactions.
+def implicit(view: View) -> tuple[Candidate, ...]:
+    """Equations of the routes, in several accelerations and without eliminated reactions."""
+    own = view_rows(view)
+    rows = [*own, *_sums(own)]
+    rows += [_seen(row, view) for _, row in moving_rows(view.scene)]
+    return _candidates(_free(row, view.truth) for row in rows)
 
-    The route's own rows come last: they have no pieces, only their sum.
-    """
-    scene = truth.scene
-    rows = [*generalized_rows(scene), *_sums(generalized_rows(scene))]
-    rows += [row for _, row in moving_rows(scene)]
-    return tuple(found for row in rows if (found := _candidate(_free(row, truth))) is not None)
+
+@lru_cache(maxsize=32)
+def constrained(view: View, wanted: frozenset[Symbol]) -> tuple[Candidate, ...]:
+    """Equations with the constraints put in; none in a scene without constraints."""
+    if not view.scene.constraints:
+        return ()
+    return _candidates(_free(row, view.truth) for row in reduced_rows(view, wanted))
 
 
 @lru_cache(maxsize=16)
-def with_reactions(truth: Equations) -> tuple[Candidate, ...]:
+def with_reactions(view: View) -> tuple[Candidate, ...]:
     """Free-body equations, where reactions stand as symbols."""
-    return tuple(found for row in free_rows(truth.scene) if (found := _candidate(row)) is not None)
+    return _candidates(_seen(row, view) for row in free_rows(view.scene))
 
 
 @lru_cache(maxsize=64)
-def solved(truth: Equations, acceleration: Symbol) -> tuple[Candidate, ...]:
+def solved(view: View, acceleration: Symbol) -> tuple[Candidate, ...]:
     """The equation solved for one acceleration; nothing where there are too many, or constraints.
 
     A body of one freedom needs no solving.
     """
-    scene = truth.scene
-    size = len(scene.u)
-    if scene.constraints or not 1 < size <= LARGEST_SOLVED:
+    size = len(view.speeds)
+    if view.scene.constraints or not 1 < size <= LARGEST_SOLVED:
         return ()
-    rows = [_free(row, truth) for row in generalized_rows(scene)]
-    mass = Matrix([collect_linear(row.value, scene.ud)[0] for row in rows])
-    index = scene.ud.index(acceleration)
+    rows = [_free(row, view.truth) for row in view_rows(view)]
+    mass = Matrix([collect_linear(row.value, view.accelerations)[0] for row in rows])
+    index = view.accelerations.index(acceleration)
     cofactors = [mass.cofactor(i, index) for i in range(size)]
     pieces = merged((cofactors[i], piece) for i, row in enumerate(rows) for piece in row.pieces)
-    found = _candidate(Row(f"solved for {acceleration.name}", pieces))
-    return () if found is None else (found,)
+    return _candidates([Row(f"solved for {acceleration.name}", pieces)])
 
 
 def _sums(rows: tuple[Row, ...]) -> Iterator[Row]:
@@ -78,6 +83,15 @@ def _free(row: Row, truth: Equations) -> Row:
         return row
     table = dict(truth.reactions)
     return Row(row.words, tuple(Piece(p.origin, p.value.xreplace(table)) for p in row.pieces))
+
+
+def _seen(row: Row, view: View) -> Row:
+    """A row in the speeds of a view."""
+    return Row(row.words, tuple(Piece(p.origin, view.seen(p.value)) for p in row.pieces))
+
+
+def _candidates(rows: Iterable[Row]) -> tuple[Candidate, ...]:
+    return tuple(found for row in rows if (found := _candidate(row)) is not None)
 
 
 def _candidate(row: Row) -> Candidate | None:

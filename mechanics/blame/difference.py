@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 
 from sympy import Expr, S, Symbol, factor_terms
 
-from mechanics.blame.candidates import implicit, solved, with_reactions
+from mechanics.blame.candidates import constrained, implicit, solved, with_reactions
 from mechanics.blame.entries import entries_of
 from mechanics.blame.folded import folded
 from mechanics.blame.groups import grouped
@@ -19,6 +19,7 @@ from mechanics.blame.pieces import Kind, Origin
 from mechanics.blame.result import Difference
 from mechanics.blame.shape import shortest
 from mechanics.blame.terms import Terms, difference, terms_of, written
+from mechanics.blame.view import View, view_of
 from mechanics.equations import Equations
 from mechanics.errors import ExpressionError
 from mechanics.exact import TooLarge
@@ -145,22 +146,20 @@ def meant(truth: Equations, expression: Expr, right: Expr | None = None) -> Mean
     right : Expr, optional
         The residual of what is meant, where that is known.
     """
-    scene = truth.scene
-    moving = {*scene.u, *scene.qd, *scene.ud, *scene.input_symbols}
-    moving |= {reaction.symbol for reaction in scene.reactions}
+    view = view_of(truth, expression)
+    moving = {*view.speeds, *view.accelerations, *truth.scene.input_symbols}
+    moving |= {reaction.symbol for reaction in truth.scene.reactions}
     left = _cleared(expression, moving)
-    known = list(_candidates(truth, expression))
+    known = list(_candidates(view, expression))
     if right is not None:
-        target = _cleared(right, moving)
-        aimed = nearest(
-            left, [Candidate("the repaired statement", ((GIVEN, target),))], moving, scene.ud
-        )
+        target = Candidate("the repaired statement", ((GIVEN, _cleared(right, moving)),))
+        aimed = nearest(left, [target], moving, view.accelerations)
         if aimed is None:
             return None
-        same = nearest(aimed.right, known, moving, scene.ud)
+        same = nearest(aimed.right, known, moving, view.accelerations)
         pieces = same.pieces if same is not None and not same.different else ()
         return Meant(aimed.words, aimed.written, aimed.right, pieces)
-    found = nearest(left, known, moving, scene.ud)
+    found = nearest(left, known, moving, view.accelerations)
     if found is None or not holds(truth, found.right):
         return None
     return found
@@ -171,16 +170,16 @@ def _cleared(expression: Expr, moving: set[Symbol]) -> Terms:
     return terms
 
 
-def _candidates(truth: Equations, expression: Expr) -> Iterator[Candidate]:
+def _candidates(view: View, expression: Expr) -> Iterator[Candidate]:
     """Right equations in the same unknowns, those with few terms first."""
-    scene = truth.scene
     held = expression.free_symbols
-    if held & {reaction.symbol for reaction in scene.reactions}:
-        yield from with_reactions(truth)
-    accelerations = [symbol for symbol in scene.ud if symbol in held]
+    if held & {reaction.symbol for reaction in view.scene.reactions}:
+        yield from with_reactions(view)
+    accelerations = [symbol for symbol in view.accelerations if symbol in held]
     if len(accelerations) == 1:
-        yield from solved(truth, accelerations[0])
-    yield from implicit(truth)
+        yield from solved(view, accelerations[0])
+    yield from constrained(view, frozenset(held & {*view.speeds, *view.accelerations}))
+    yield from implicit(view)
 
 
 def _kept(one: Terms, two: Terms) -> Terms:

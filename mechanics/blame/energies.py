@@ -94,7 +94,7 @@ def energy_slip(right: Right, energies: Sequence[WrongEnergy]) -> Slip | None:
     for u, row in zip(scene.u, right.rows, strict=True):
         weights = [scene.coordinate_rates[qd].diff(u) for qd in scene.qd]
         added = Add(*(w * value for w, value in zip(weights, extra, strict=True)))
-        rows.append((*row, Piece(origin, added)))
+        rows.append((*row, (S.One, Piece(origin, added))))
     words = "it follows from the energy as it is written, which is wrong"
     return Slip(words, tuple(rows), right.unknowns)
 

@@ -5,46 +5,30 @@
 A glance at one point of a field sorts out nearly all of them; the proof is that of the ledger.
 """
 
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from functools import lru_cache
-
-from sympy import Expr, Symbol
 
 from mechanics.blame.difference import residual
 from mechanics.blame.energies import WrongEnergy, blamed, energy_slip, wrong_energies
 from mechanics.blame.folded import folded
+from mechanics.blame.glance import Stated, glances, stated
+from mechanics.blame.mistakes import loads
 from mechanics.blame.mistakes.known import KNOWN
-from mechanics.blame.mistakes.slip import Slip, equations, right, split
+from mechanics.blame.mistakes.slip import Slip, equations, right
 from mechanics.blame.mistakes.turning import wrong_rows
 from mechanics.blame.nearest import nearest
 from mechanics.blame.terms import terms_of
 from mechanics.checks.ledger import check_row
-from mechanics.checks.ledger_compare import ordered
 from mechanics.equations import Equations
 from mechanics.errors import ExpressionError, MechanicsError
-from mechanics.exact import Arithmetic, Finding, Number, SingularHere, TooLarge, Verdict
-from mechanics.exact.field_trial import trial
-from mechanics.kinematics.manifold import settle
+from mechanics.exact import Finding, TooLarge, Verdict
 from mechanics.reading.statement import Statement
 from mechanics.scene import Scene
-from mechanics.scene.published import Published
 from mechanics.scene.quantities import EquationOfMotion, ReactionValue
 
 MOST = 3
 """Explanations of one statement; a system of one freedom may have many that say the same."""
-
-QUICK = -40.0
-
-
-@dataclass(frozen=True)
-class Claim:
-    """A statement along the motion as a residual, and whether it is refuted."""
-
-    index: int
-    row: Published
-    residual: Expr
-    refuted: bool
 
 
 def explanations(
@@ -63,36 +47,47 @@ def explanations(
     Returns
     -------
     tuple of tuple of str
-        For each statement. A mistake that explains all statements at once comes before one that
-        explains a single equation.
+        For each statement. Mistakes of a derivation that explain all statements at once are
+        preferred to those that explain a single equation; two at once are tried where no single
+        one explains all.
     """
     found: list[list[str]] = [[] for _ in statements]
     energies = wrong_energies(truth, statements, findings)
     for index, words in blamed(truth, statements, findings, energies).items():
         found[index].append(words)
-    claims = _claims(statements, findings)
-    for claim in claims:
-        if claim.refuted:
-            found[claim.index] += _of_one_equation(truth, claim)
-    if any(claim.refuted for claim in claims):
-        _of_derivation(truth, claims, energies, found)
-    return tuple(tuple(dict.fromkeys(words))[:MOST] for words in found)
+    along = list(_along(truth.scene, statements, findings))
+    refuted = [one for one in along if one.refuted]
+    for one in refuted:
+        found[one.index] += _of_one_equation(truth, one)
+    if refuted:
+        for slip, indices in _of_derivation(truth, along, energies):
+            waiting = [s for s in refuted if s.index in indices and len(found[s.index]) < MOST]
+            wrong = equations(truth, slip) if waiting else truth
+            for one in waiting:
+                if _proved(wrong, one):
+                    found[one.index].append(slip.words)
+    return tuple(tuple(dict.fromkeys(words)) for words in found)
 
 
-def _claims(statements: Sequence[Statement], findings: Sequence[Finding]) -> list[Claim]:
-    return [
-        Claim(index, s.row, residual(s.row), finding.verdict is Verdict.REFUTED)
-        for index, (s, finding) in enumerate(zip(statements, findings, strict=True))
-        if s.row is not None
-        and not s.doubt
-        and isinstance(s.row.quantity, EquationOfMotion | ReactionValue)
-        and finding.verdict is not Verdict.UNDECIDED
-    ]
+def _along(
+    scene: Scene, statements: Sequence[Statement], findings: Sequence[Finding]
+) -> Iterator[Stated]:
+    """What is stated along the motion."""
+    for index, (s, finding) in enumerate(zip(statements, findings, strict=True)):
+        if s.row is None or finding.verdict is Verdict.UNDECIDED:
+            continue
+        if isinstance(s.row.quantity, EquationOfMotion | ReactionValue):
+            try:
+                yield stated(
+                    scene, index, s.row, residual(s.row), finding.verdict is Verdict.REFUTED
+                )
+            except (ExpressionError, TooLarge):
+                continue  # not linear in the accelerations: no derivation gives such an equation
 
 
-def _of_one_equation(truth: Equations, claim: Claim) -> list[str]:
+def _of_one_equation(truth: Equations, one: Stated) -> list[str]:
     """Mistakes that make a moment equation exactly the one that is written."""
-    other, expression = folded(truth, claim.residual)
+    other, expression = folded(truth, one.residual)
     scene = other.scene
     moving = {*scene.u, *scene.qd, *scene.ud, *scene.input_symbols}
     try:
@@ -109,66 +104,21 @@ def _of_one_equation(truth: Equations, claim: Claim) -> list[str]:
 
 
 def _of_derivation(
-    truth: Equations, claims: list[Claim], energies: list[WrongEnergy], found: list[list[str]]
-) -> None:
-    """Mistakes of the whole derivation: those first that explain every statement."""
-    whole: list[tuple[Slip, list[Claim]]] = []
-    single: list[tuple[Slip, list[Claim]]] = []
-    for slip, right_ones in _glances(truth, claims, energies):
-        refuted = [claim for claim in claims if claim.refuted and claim.index in right_ones]
-        if len(right_ones) == len(claims):
-            whole.append((slip, refuted))
-        elif refuted:
-            single.append((slip, refuted))
-    for slip, explained in whole or single:
-        waiting = [claim for claim in explained if len(found[claim.index]) < MOST]
-        if waiting:
-            wrong = equations(truth, slip)
-            for claim in waiting:
-                if _proved(wrong, claim):
-                    found[claim.index].append(slip.words)
-
-
-def _proved(wrong: Equations, claim: Claim) -> bool:
-    try:
-        return check_row(wrong.scene, claim.row, wrong).shown
-    except MechanicsError:
-        return False  # what is no statement about the motion with the mistake explains nothing
-
-
-def _glances(
-    truth: Equations, claims: list[Claim], energies: list[WrongEnergy]
-) -> list[tuple[Slip, set[int]]]:
-    """For each mistake the claims that vanish along its motion, at one point of a field."""
+    truth: Equations, along: Sequence[Stated], energies: Sequence[WrongEnergy]
+) -> list[tuple[Slip, frozenset[int]]]:
+    """Mistakes of the whole derivation with what they explain: all statements, or else some."""
     scene = truth.scene
-    known = (*scene.ud, *(reaction.symbol for reaction in scene.reactions))
-    linear = [(claim, *parts) for claim in claims if (parts := _linear(scene, claim, known))]
-    reactions = any(factor != 0 for _, factors, _ in linear for factor in factors[len(scene.ud) :])
-    slips = _slips(scene, reactions)
-    if (from_energy := energy_slip(right(scene, reactions), energies)) is not None:
+    reactions = {reaction.symbol for reaction in scene.reactions}
+    asked = any(symbol in reactions for one in along for symbol, _ in one.factors)
+    slips = _slips(scene, asked)
+    if (from_energy := energy_slip(right(scene, asked), energies)) is not None:
         slips = (from_energy, *slips)
-    result: list[tuple[Slip, set[int]]] = []
-
-    def experiment(a: Arithmetic) -> list[tuple[Number, Number]]:
-        settle(scene, a)
-        for symbol, expression in ordered(scene.definitions):
-            a.assign(symbol, a.value(expression))
-        result.clear()
-        for slip in slips:
-            motion = _motion(a, truth, slip)
-            if motion is None:
-                continue
-            zero = {
-                claim.index
-                for claim, factors, rest in linear
-                if _vanishes(a, dict(zip(known, factors, strict=True)), rest, motion)
-            }
-            if zero:
-                result.append((slip, zero))
-        return [(a.rational(0), a.rational(0))]
-
-    trial(experiment, QUICK, None)
-    return list(result)
+    single = glances(truth, along, slips)
+    whole = [pair for pair in single if len(pair[1]) == len(along)]
+    if not whole:
+        double = glances(truth, along, _pairs(scene, slips, asked))
+        whole = [pair for pair in double if len(pair[1]) == len(along)]
+    return whole or single
 
 
 @lru_cache(maxsize=16)
@@ -178,56 +128,19 @@ def _slips(scene: Scene, with_reactions: bool) -> tuple[Slip, ...]:
     return tuple(slip for known in KNOWN for slip in known(derivation))
 
 
-def _linear(
-    scene: Scene, claim: Claim, known: tuple[Symbol, ...]
-) -> tuple[tuple[Expr, ...], Expr] | None:
-    """A statement split into factors of the unknowns and a rest; None where it is not linear."""
+def _pairs(scene: Scene, slips: Sequence[Slip], with_reactions: bool) -> Iterator[Slip]:
+    """A mistake of another kind, and one of a load besides."""
+    derivation = right(scene, with_reactions)
+    own = {slip.words for slip in loads.slips(derivation)}
+    for slip in slips:
+        if slip.words not in own:
+            wrong = replace(derivation, rows=slip.rows)
+            for more in loads.slips(wrong):
+                yield replace(slip, words=f"{slip.words}; {more.words}", rows=more.rows)
+
+
+def _proved(wrong: Equations, one: Stated) -> bool:
     try:
-        return split(scene.plain(claim.residual), known)
-    except (ExpressionError, TooLarge):
-        return None
-
-
-def _motion(a: Arithmetic, truth: Equations, slip: Slip) -> dict[Symbol, Number] | None:
-    """Accelerations and reactions with the mistake in the derivation; None where there are none."""
-    matrix, right_side = [], []
-    for row in slip.rows:
-        parts = [split(piece.value, slip.unknowns) for piece in row]
-        matrix.append([
-            _sum(a, [factors[i] for factors, _ in parts]) for i in range(len(slip.unknowns))
-        ])  # fmt: skip
-        right_side.append(-_sum(a, [rest for _, rest in parts]))
-    if slip.held:
-        others = len(slip.unknowns) - len(truth.scene.ud)
-        for i in range(truth.constraint_matrix.rows):
-            entries = [a.value(entry) for entry in truth.constraint_matrix[i, :]]
-            matrix.append([*entries, *(a.rational(0) for _ in range(others))])
-            right_side.append(a.value(truth.constraint_bias[i]))
-    if any(len(row) != len(matrix) for row in matrix):
-        return None
-    try:
-        numbers = a.solve(matrix, right_side)
-    except SingularHere:
-        return None
-    return dict(zip(slip.unknowns, numbers, strict=True))
-
-
-def _sum(a: Arithmetic, entries: Sequence[Expr]) -> Number:
-    total = a.rational(0)
-    for entry in entries:
-        if entry != 0:
-            total = total + a.value(entry)
-    return total
-
-
-def _vanishes(
-    a: Arithmetic, factors: dict[Symbol, Expr], rest: Expr, motion: dict[Symbol, Number]
-) -> bool:
-    """Whether a statement, linear in the unknowns, is zero along a motion."""
-    total = a.value(rest)
-    for symbol, factor in factors.items():
-        if factor != 0:
-            if symbol not in motion:
-                return False
-            total = total + a.value(factor) * motion[symbol]
-    return a.is_zero(total)
+        return check_row(wrong.scene, one.row, wrong).shown
+    except MechanicsError:
+        return False  # what is no statement along the wrong motion explains nothing

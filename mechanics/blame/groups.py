@@ -11,6 +11,7 @@ from functools import lru_cache
 from sympy import Expr, Symbol, sympify
 
 from mechanics.blame.terms import Monomial, Terms, symbols_in
+from mechanics.blame.view import second_rates
 from mechanics.scene import Gravity, RigidBody, Scene, Spring, TorsionSpring
 from mechanics.scene.geometry import components
 from mechanics.scene.loads import Coulomb, Damper, Load
@@ -51,7 +52,7 @@ class Meanings:
 @lru_cache(maxsize=16)
 def meanings(scene: Scene) -> Meanings:
     """What the parameters and inputs of a scene mean, from the loads that they stand in."""
-    changing = {*scene.q, *scene.qd, *scene.u, *scene.ud, TIME}
+    changing = {*scene.q, *scene.qd, *scene.u, *scene.ud, *second_rates(scene), TIME}
     given = frozenset(set(rate_table(scene)) - changing)
     geometry = _geometry(scene)
     by_kind: dict[str, set[Symbol]] = {}
@@ -66,7 +67,7 @@ def meanings(scene: Scene) -> Meanings:
     groups = (("reactions", reactions), ("input", given), *named, *plain)
     return Meanings(
         tuple((name, frozenset(symbols)) for name, symbols in groups),
-        scene.ud,
+        tuple(dict.fromkeys((*scene.ud, *second_rates(scene)))),
         frozenset({*scene.u, *scene.qd}),
     )
 

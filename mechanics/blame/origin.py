@@ -37,7 +37,7 @@ def origins_of(
 
 def holds(truth: Equations, right: Terms) -> bool:
     """Whether an equation vanishes along the motion, at a point of a field."""
-    value = written(right)
+    value = truth.scene.plain(written(right))
 
     def experiment(a: Arithmetic) -> list[tuple[Number, Number]]:
         _set(truth, a)
@@ -57,7 +57,7 @@ def origins_in_field(truth: Equations, right: Expr) -> dict[str, tuple[str, ...]
     """
     try:
         basis = _basis(truth)
-        target, _ = collect_linear(right, _unknowns(truth))
+        target, _ = collect_linear(truth.scene.plain(right), _unknowns(truth))
         parts = _parts(truth)
     except (ExpressionError, TooLarge):
         return {}

@@ -16,7 +16,7 @@ def slips(right: Right) -> Iterator[Slip]:
         return
     names = ", ".join(constraint.name for constraint in scene.constraints)
     rows = tuple(
-        tuple(piece for piece in row if piece.origin.kind is not Kind.REACTION)
+        tuple(part for part in row if part[1].origin.kind is not Kind.REACTION)
         for row in right.rows
     )
     yield Slip(

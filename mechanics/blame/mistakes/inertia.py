@@ -8,9 +8,9 @@ I_C -> 0                  a point mass
 from collections.abc import Iterator, Sequence
 from functools import lru_cache
 
-from sympy import Expr, Matrix, S, eye
+from sympy import Expr, Matrix, Rational, S, eye
 
-from mechanics.blame.mistakes.slip import Change, Right, Slip
+from mechanics.blame.mistakes.slip import Change, Part, Right, Slip
 from mechanics.blame.pieces import Kind, Origin, Piece, inner, momenta, motions_of
 from mechanics.exact import canonical
 from mechanics.kinematics.motion import BodyMotion
@@ -26,8 +26,8 @@ def slips(right: Right) -> Iterator[Slip]:
     for names in several:
         title = ", ".join(names)
         for factor, words in (
-            (1, f"parallel axis counted twice: {title}"),
-            (-1, f"parallel axis forgotten: {title}"),
+            (S.One, f"parallel axis counted twice: {title}"),
+            (-S.One, f"parallel axis forgotten: {title}"),
         ):
             rows = tuple(
                 (*row, *_added(right, index, names, factor)) for index, row in enumerate(right.rows)
@@ -38,20 +38,20 @@ def slips(right: Right) -> Iterator[Slip]:
 
 
 def _without(names: tuple[str, ...]) -> Change:
-    def change(piece: Piece) -> Sequence[Piece]:
+    def change(piece: Piece) -> Sequence[Part]:
         own = piece.origin.kind is Kind.ANGULAR and piece.origin.body in names
-        return () if own else (piece,)
+        return () if own else ((S.One, piece),)
 
     return change
 
 
-def _added(right: Right, index: int, names: tuple[str, ...], factor: int) -> Iterator[Piece]:
+def _added(right: Right, index: int, names: tuple[str, ...], factor: Rational) -> Iterator[Part]:
     """What m d^2 more (or less) in the inertia of bodies adds to a row."""
     for name in names:
         growth = _transfer(right.scene, name)
         value = S.Zero if growth is None else _in_row(right, index, name, growth)
         if value != 0:
-            yield Piece(Origin(Kind.ANGULAR, name), factor * value)
+            yield factor, Piece(Origin(Kind.ANGULAR, name), value)
 
 
 def _in_row(right: Right, index: int, name: str, growth: Matrix) -> Expr:

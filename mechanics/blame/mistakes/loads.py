@@ -20,20 +20,20 @@ def slips(right: Right) -> Iterator[Slip]:
             yield from right.slip(words, of_load(name, factor))
 
 
-def _mistakes(load: Load) -> list[tuple[Rational | int, str]]:
-    half = Rational(1, 2)
+def _mistakes(load: Load) -> list[tuple[Rational, str]]:
+    half, twice, other, none = Rational(1, 2), Rational(2), Rational(-1), Rational(0)
     if isinstance(load, Gravity):
-        return [(-1, "gravity reversed"), (0, "gravity is missing")]
+        return [(other, "gravity reversed"), (none, "gravity is missing")]
     if isinstance(load, Spring | TorsionSpring):
         title = f"spring {load.name}"
         return [
             (half, f"{title}: half of its stiffness"),
-            (2, f"{title}: twice its stiffness"),
-            (-1, f"{title}: its force has the wrong sign"),
-            (0, f"{title} is missing"),
+            (twice, f"{title}: twice its stiffness"),
+            (other, f"{title}: its force has the wrong sign"),
+            (none, f"{title} is missing"),
         ]
     if isinstance(load, Damper):
         title = f"damper {load.name}"
-        return [(-1, f"{title}: its force has the wrong sign"), (0, f"{title} is missing")]
+        return [(other, f"{title}: its force has the wrong sign"), (none, f"{title} is missing")]
     title = f"load {load.name}"
-    return [(-1, f"{title} has the wrong sign"), (0, f"{title} is missing")]
+    return [(other, f"{title} has the wrong sign"), (none, f"{title} is missing")]

@@ -1,15 +1,15 @@
 """A derivation with a mistake in it: rows that sum to zero along a motion that is not the true one.
 
-    sum over pieces (weight * piece) = 0        true where every weight is one
+    sum over pieces (count * piece) = 0        true where every count is one
 
 A statement that vanishes along that motion, for all states, is what the mistake would give.
 """
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 
-from sympy import Add, Expr, Matrix, Mul, S, Symbol, zeros
+from sympy import Add, Expr, Matrix, Rational, S, Symbol, zeros
 
 from mechanics.blame.pieces import Kind, Piece, momenta
 from mechanics.blame.rows import generalized_rows
@@ -19,8 +19,11 @@ from mechanics.scene import Scene
 from mechanics.scene.actions import frictions
 from mechanics.scene.topology import multipliers
 
-Rows = tuple[tuple[Piece, ...], ...]
-Change = Callable[[Piece], Sequence[Piece]]
+Part = tuple[Rational, Piece]
+"""How often a piece is counted."""
+
+Rows = tuple[tuple[Part, ...], ...]
+Change = Callable[[Piece], Sequence[Part]]
 """What stands in a wrong derivation for a piece of the right one."""
 
 
@@ -67,7 +70,10 @@ class Right:
 
     def slip(self, words: str, change: Change) -> Iterator[Slip]:
         """The derivation with a mistake in every piece that it concerns; none if there is none."""
-        rows = tuple(tuple(new for piece in row for new in change(piece)) for row in self.rows)
+        rows = tuple(
+            tuple((count * factor, new) for count, piece in row for factor, new in change(piece))
+            for row in self.rows
+        )
         if rows != self.rows:
             yield Slip(words, rows, self.unknowns)
 
@@ -84,32 +90,36 @@ def right(scene: Scene, with_reactions: bool) -> Right:
     """Lagrange's equations, or where reactions are asked for, or friction is, all free bodies."""
     if with_reactions or frictions(scene):
         reactions = tuple(reaction.symbol for reaction in scene.reactions)
-        rows = tuple(momentum.pieces for momentum in momenta(scene))
-        return Right(scene, rows, (*scene.ud, *reactions), True)
-    rows = _constrained(scene, tuple(row.pieces for row in generalized_rows(scene)))
-    return Right(scene, rows, (*scene.ud, *multipliers(scene)), False)
+        return Right(
+            scene,
+            once(momentum.pieces for momentum in momenta(scene)),
+            (*scene.ud, *reactions),
+            True,
+        )
+    rows = _constrained(scene, [row.pieces for row in generalized_rows(scene)])
+    return Right(scene, once(rows), (*scene.ud, *multipliers(scene)), False)
 
 
-def _constrained(scene: Scene, rows: Rows) -> Rows:
+def _constrained(scene: Scene, rows: Iterable[Sequence[Piece]]) -> Iterator[list[Piece]]:
     """Rows without the reactions that drop out of them."""
     kept = {symbol.name for symbol in multipliers(scene)}
-    return tuple(
-        tuple(p for p in row if p.origin.kind is not Kind.REACTION or p.origin.name in kept)
-        for row in rows
-    )
+    for row in rows:
+        yield [p for p in row if p.origin.kind is not Kind.REACTION or p.origin.name in kept]
 
 
-def scaled(piece: Piece, factor: Expr | int) -> tuple[Piece, ...]:
-    """A piece counted so often."""
-    return () if factor == 0 else (Piece(piece.origin, Mul(factor, piece.value)),)
+def once(rows: Iterable[Sequence[Piece]]) -> Rows:
+    """Every piece counted once."""
+    return tuple(tuple((S.One, piece) for piece in row) for row in rows)
 
 
-def of_load(name: str, factor: Expr | int) -> Change:
+def of_load(name: str, factor: Rational) -> Change:
     """Counts the load of that name so often."""
 
-    def change(piece: Piece) -> Sequence[Piece]:
+    def change(piece: Piece) -> Sequence[Part]:
         own = piece.origin.kind is Kind.LOAD and piece.origin.name == name
-        return scaled(piece, factor) if own else (piece,)
+        if not own:
+            return ((S.One, piece),)
+        return ((factor, piece),) if factor else ()
 
     return change
 
@@ -138,7 +148,7 @@ def equations(truth: Equations, slip: Slip) -> Equations:
     )
 
 
-def _sum(row: Sequence[Piece], unknowns: tuple[Symbol, ...]) -> tuple[list[Expr], Expr]:
-    parts = [split(piece.value, unknowns) for piece in row]
-    factors = [Add(*(part[0][i] for part in parts)) for i in range(len(unknowns))]
-    return factors, Add(*(part[1] for part in parts), S.Zero)
+def _sum(row: Sequence[Part], unknowns: tuple[Symbol, ...]) -> tuple[list[Expr], Expr]:
+    parts = [(count, *split(piece.value, unknowns)) for count, piece in row]
+    factors = [Add(*(count * of[i] for count, of, _ in parts)) for i in range(len(unknowns))]
+    return factors, Add(*(count * rest for count, _, rest in parts))

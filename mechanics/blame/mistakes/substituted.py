@@ -7,23 +7,20 @@ term p_tied (d/dt(dq'_tied/dq') - dq'_tied/dq) is lost.
 """
 
 from collections.abc import Iterator
-from itertools import combinations, islice
+from itertools import combinations
 
 from sympy import Add, Expr, Matrix, S, Symbol
 
-from mechanics.blame.mistakes.slip import Right, Slip
+from mechanics.blame.mistakes.slip import Right, Slip, once
 from mechanics.blame.pieces import Kind, Origin, Piece
 from mechanics.exact import canonical, collect_linear, independent_rows
 from mechanics.kinematics import differentiate
 from mechanics.routes.lagrange import kinetic_energy
-from mechanics.scene import Scene
+from mechanics.scene import Gravity, Scene
 from mechanics.scene.loads import CONSERVATIVE
-from mechanics.scene.potential import potential
+from mechanics.scene.potential import load_potential
 from mechanics.scene.rates import coordinate_rate_table, rate
 from mechanics.scene.symbols import plain_symbol
-
-MOST = 6
-"""Sets of tied rates that are looked at, those whose coordinates stand in no energy first."""
 
 
 def slips(right: Right) -> Iterator[Slip]:
@@ -31,27 +28,39 @@ def slips(right: Right) -> Iterator[Slip]:
     scene = right.scene
     if right.free or not scene.constraints or any(c.holonomic for c in scene.constraints):
         return
-    motions = {m.body.name: m for m in differentiate.body_motions_in_rates(scene)}
-    energy = kinetic_energy(scene, motions) - potential(scene)
+    parts = _lagrangian(scene)
+    energy = Add(*(value for _, value in parts))
     forms = [scene.rates(c.expression) for c in scene.constraints]
-    for tied in islice(_tied(scene, energy, forms), MOST):
+    for tied in _tied(scene, energy, forms):
         table = _solved(forms, tied)
         names = ", ".join(symbol.name for symbol in tied)
         words = f"the constraints, solved for {names}, substituted into the Lagrangian"
-        rows = tuple(_rows(right, energy, tied, table))
-        yield Slip(words, rows, scene.ud)
+        yield Slip(words, once(_rows(right, parts, tied, table)), scene.ud)
+
+
+def _lagrangian(scene: Scene) -> list[tuple[Origin, Expr]]:
+    """Kinetic energy, and less the potential energy of each load, in q and q'."""
+    motions = {m.body.name: m for m in differentiate.body_motions_in_rates(scene)}
+    found = [(Origin(Kind.TRANSLATION, "all bodies"), kinetic_energy(scene, motions))]
+    for load in scene.loads:
+        if isinstance(load, CONSERVATIVE):
+            name = "gravity" if isinstance(load, Gravity) else load.name
+            found.append((Origin(Kind.LOAD, "", name), -load_potential(scene, load)))
+    return found
 
 
 def _tied(scene: Scene, energy: Expr, forms: list[Expr]) -> Iterator[tuple[Symbol, ...]]:
-    """Sets of rates that the constraints determine."""
+    """Sets of rates that the constraints determine, whose coordinates stand in fewest terms."""
     held = energy.free_symbols.union(*(form.free_symbols for form in forms))
     pairs = list(zip(scene.q, scene.qd, strict=True))
     choices = list(combinations(pairs, len(forms)))
-    choices.sort(key=lambda choice: sum(q in held for q, _ in choice))
+    fewest = min(sum(q in held for q, _ in choice) for choice in choices)
     for choice in choices:
         rates = tuple(qd for _, qd in choice)
         matrix = [collect_linear(form, rates)[0] for form in forms]
-        if len(independent_rows(matrix)) == len(forms):
+        if sum(q in held for q, _ in choice) == fewest and len(independent_rows(matrix)) == len(
+            forms
+        ):
             yield rates
 
 
@@ -65,21 +74,25 @@ def _solved(forms: list[Expr], tied: tuple[Symbol, ...]) -> dict[Symbol, Expr]:
 
 
 def _rows(
-    right: Right, energy: Expr, tied: tuple[Symbol, ...], table: dict[Symbol, Expr]
+    right: Right,
+    parts: list[tuple[Origin, Expr]],
+    tied: tuple[Symbol, ...],
+    table: dict[Symbol, Expr],
 ) -> Iterator[tuple[Piece, ...]]:
     """Lagrange's equations of L* for the free coordinates, in u and u'."""
     scene = right.scene
-    reduced = energy.xreplace(table)
+    reduced = [(origin, canonical(value.xreplace(table))) for origin, value in parts]
     clock = coordinate_rate_table(scene)
-    given = {symbol: rate(value, clock) for symbol, value in table.items()}
     second = {plain_symbol(q, 1): plain_symbol(q, 2) for q in scene.coordinates}
+    given = {second[symbol]: rate(value, clock) for symbol, value in table.items()}
     for q, qd in zip(scene.q, scene.qd, strict=True):
         if qd in tied:
             continue
-        left = rate(reduced.diff(qd), clock) - reduced.diff(q)
-        left = left.xreplace({second[s]: value for s, value in given.items()}).xreplace(table)
-        origin = Origin(Kind.LINEAR, "Lagrangian with the constraints in it")
-        yield Piece(origin, scene.plain(left)), *_forces(right, qd, table)
+        pieces = []
+        for origin, value in reduced:
+            left = rate(value.diff(qd), clock) - value.diff(q)
+            pieces.append(Piece(origin, scene.plain(left.xreplace(given).xreplace(table))))
+        yield *pieces, *_forces(right, qd, table)
 
 
 def _forces(right: Right, qd: Symbol, table: dict[Symbol, Expr]) -> Iterator[Piece]:
@@ -88,7 +101,7 @@ def _forces(right: Right, qd: Symbol, table: dict[Symbol, Expr]) -> Iterator[Pie
     names = {load.name for load in scene.loads if not isinstance(load, CONSERVATIVE)}
     slopes = [_slope(scene, index, qd, table) for index in range(len(scene.u))]
     for row, slope in zip(right.rows, slopes, strict=True):
-        for piece in row:
+        for _, piece in row:
             if piece.origin.kind is Kind.LOAD and piece.origin.name in names and slope != 0:
                 yield Piece(piece.origin, slope * piece.value)
 

@@ -1,0 +1,128 @@
+"""Which statements vanish along the motion of a derivation with a mistake, at a point of a field.
+
+    (u', R) from the wrong rows        factors . (u', R) + rest = 0 ?
+
+A wrong answer has a chance of 2^-40 at most; what is found is proved afterwards.
+"""
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+
+from sympy import Expr, Symbol
+
+from mechanics.blame.mistakes.slip import Part, Slip, split
+from mechanics.checks.ledger_compare import ordered
+from mechanics.equations import Equations
+from mechanics.exact import Arithmetic, Number, SingularHere
+from mechanics.exact.field_trial import trial
+from mechanics.kinematics.manifold import settle
+from mechanics.scene import Scene
+from mechanics.scene.published import Published
+
+QUICK = -40.0
+
+Motion = dict[Symbol, Number]
+
+
+@dataclass(frozen=True)
+class Stated:
+    """A statement along the motion, linear in accelerations and reactions.
+
+    Attributes
+    ----------
+    index : int
+        Of the statement.
+    row : Published
+    residual : Expr
+    factors : tuple of (Symbol, Expr)
+        Of the unknowns that it holds.
+    rest : Expr
+    refuted : bool
+    """
+
+    index: int
+    row: Published
+    residual: Expr
+    factors: tuple[tuple[Symbol, Expr], ...]
+    rest: Expr
+    refuted: bool
+
+
+def glances(
+    truth: Equations, stated: Sequence[Stated], slips: Iterable[Slip]
+) -> list[tuple[Slip, frozenset[int]]]:
+    """Mistakes along whose motion statements vanish, and the indices of these."""
+    found: list[tuple[Slip, frozenset[int]]] = []
+    slips = tuple(slips)
+
+    def experiment(a: Arithmetic) -> list[tuple[Number, Number]]:
+        found.clear()
+        settle(truth.scene, a)
+        for symbol, expression in ordered(truth.scene.definitions):
+            a.assign(symbol, a.value(expression))
+        for slip in slips:
+            motion = _motion(a, truth, slip)
+            zero = frozenset(s.index for s in stated if motion and _vanishes(a, s, motion))
+            if zero:
+                found.append((slip, zero))
+        return [(a.rational(0), a.rational(0))]
+
+    trial(experiment, QUICK, None)
+    return list(found)
+
+
+def _motion(a: Arithmetic, truth: Equations, slip: Slip) -> Motion | None:
+    """Accelerations and reactions with the mistake; None where it leaves them undetermined."""
+    size = len(slip.unknowns)
+    matrix, right = [], []
+    for row in slip.rows:
+        *factors, rest = _row(a, row, slip.unknowns)
+        matrix.append(factors)
+        right.append(-rest)
+    if slip.held:
+        idle = [a.rational(0)] * (size - len(truth.scene.ud))
+        for i in range(truth.constraint_matrix.rows):
+            matrix.append([*(a.value(entry) for entry in truth.constraint_matrix[i, :]), *idle])
+            right.append(a.value(truth.constraint_bias[i]))
+    if len(matrix) != size:
+        return None
+    try:
+        return dict(zip(slip.unknowns, a.solve(matrix, right), strict=True))
+    except SingularHere:
+        return None
+
+
+def _row(a: Arithmetic, row: Sequence[Part], unknowns: tuple[Symbol, ...]) -> list[Number]:
+    """Factors of the unknowns in a row, and its rest."""
+    total = [a.rational(0)] * (len(unknowns) + 1)
+    for count, piece in row:
+        factors, rest = split(piece.value, unknowns)
+        for i, entry in enumerate((*factors, rest)):
+            if entry != 0:
+                total[i] = total[i] + a.value(entry) * count
+    return total
+
+
+def _vanishes(a: Arithmetic, stated: Stated, motion: Motion) -> bool:
+    total = a.value(stated.rest)
+    for symbol, factor in stated.factors:
+        if symbol not in motion:
+            return False
+        total = total + a.value(factor) * motion[symbol]
+    return a.is_zero(total)
+
+
+def stated(scene: Scene, index: int, row: Published, residual: Expr, refuted: bool) -> Stated:
+    """A statement split into unknowns and rest.
+
+    Raises
+    ------
+    ExpressionError
+        When it is not linear in them.
+    TooLarge
+        When it outgrows the normal form.
+    """
+    unknowns = (*scene.ud, *(reaction.symbol for reaction in scene.reactions))
+    factors, rest = split(scene.plain(residual), unknowns)
+    held = tuple(pair for pair in zip(unknowns, factors, strict=True) if pair[1] != 0)
+    return Stated(index, row, residual, held, rest, refuted)

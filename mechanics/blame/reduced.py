@@ -1,0 +1,84 @@
+"""Equations without the reactions of constraints, in the speeds that are free.
+
+A u = a    u_tied = T u_free + t        row_free + T^T row_tied: what the constraints do drops out
+"""
+
+from collections.abc import Sequence
+from functools import lru_cache
+from itertools import combinations
+
+from sympy import Expr, Matrix, S, Symbol
+
+from mechanics.blame.pieces import Piece, merged
+from mechanics.blame.rows import Row, generalized_rows
+from mechanics.blame.view import View
+from mechanics.exact import canonical, collect_linear, independent_rows
+from mechanics.scene.rates import rate
+
+
+def view_rows(view: View) -> tuple[Row, ...]:
+    """Lagrange's equation of each speed of a view."""
+    rows = generalized_rows(view.scene)
+    if not view.in_rates:
+        return rows
+    found = []
+    for speed in view.speeds:
+        weighted = [
+            (slope, Piece(piece.origin, view.seen(piece.value)))
+            for index, row in enumerate(rows)
+            if (slope := view.slope(speed, index)) != 0
+            for piece in row.pieces
+        ]
+        found.append(Row(f"Lagrange's equation of {speed.name}", merged(weighted)))
+    return tuple(found)
+
+
+@lru_cache(maxsize=16)
+def reduced_rows(view: View, wanted: frozenset[Symbol]) -> tuple[Row, ...]:
+    """Equations of the free speeds; those wanted are kept free where that can be."""
+    forms = view.forms()
+    tied = _tied(view, forms, wanted)
+    if not forms or tied is None:
+        return ()
+    solution = _solved(forms, [view.speeds[i] for i in tied])
+    table: dict[Symbol, Expr] = {
+        view.speeds[i]: value for i, value in zip(tied, solution, strict=True)
+    }
+    lifted = {
+        view.accelerations[i]: rate(value, view.clock).xreplace(table)
+        for i, value in zip(tied, solution, strict=True)
+    }
+    rows = view_rows(view)
+    found = []
+    for i, speed in enumerate(view.speeds):
+        if i in tied:
+            continue
+        weights = [(S.One, rows[i])]
+        weights += [(v.diff(speed), rows[k]) for k, v in zip(tied, solution, strict=True)]
+        pieces = merged((w, piece) for w, row in weights for piece in row.pieces)
+        values = (
+            Piece(p.origin, p.value.xreplace(lifted).xreplace(lifted).xreplace(table))
+            for p in pieces
+        )
+        found.append(Row(f"equation of {speed.name} with the constraints put in", tuple(values)))
+    return tuple(found)
+
+
+def _tied(view: View, forms: Sequence[Expr], wanted: frozenset[Symbol]) -> tuple[int, ...] | None:
+    """Indices of speeds that the constraints determine, the wanted ones last."""
+    pairs = list(zip(view.speeds, view.accelerations, strict=True))
+    order = sorted(range(len(pairs)), key=lambda i: (len(wanted & set(pairs[i])), -i))
+    for chosen in combinations(order, len(forms)):
+        rates = [view.speeds[i] for i in chosen]
+        if len(independent_rows([collect_linear(form, rates)[0] for form in forms])) == len(forms):
+            return tuple(chosen)
+    return None
+
+
+def _solved(forms: Sequence[Expr], tied: Sequence[Symbol]) -> list[Expr]:
+    """The tied speeds in the free ones, by Cramer's rule."""
+    split = [collect_linear(form, tied) for form in forms]
+    matrix = Matrix([factors for factors, _ in split])
+    rest = Matrix([-rest for _, rest in split])
+    determinant = canonical(matrix.det(method="berkowitz"))
+    return [canonical(entry) / determinant for entry in matrix.adjugate() * rest]
