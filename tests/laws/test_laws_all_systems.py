@@ -9,11 +9,13 @@ import systems
 from mechanics.checks import laws
 from mechanics.checks.agreement import compare
 from mechanics.checks.energy import check_energy
+from mechanics.checks.friction import check_friction
 from mechanics.checks.reactions import check_multipliers, check_reactions
 from mechanics.crosscheck import ROUTES
 from mechanics.exact import Finding
 from mechanics.routes import kane
 from mechanics.routes.kane_reactions import auxiliary_equations
+from mechanics.scene.actions import frictions
 
 SYSTEMS = [system.name for system in systems.ALL]
 NAMES = [route.name for route in ROUTES]
@@ -36,7 +38,7 @@ def test_routes_agree(derived: Any, system: str, pair: tuple[str, str]) -> None:
 def test_kinematics_and_loads(derived: Any, system: str) -> None:
     scene = derived(system)["kane"].scene
     findings = [laws.check_kinematics(scene), *laws.check_potentials(scene)]
-    findings += [*laws.check_dampers(scene), *laws.check_ideal(scene)]
+    findings += [*laws.check_dampers(scene), *laws.check_ideal(scene), *check_friction(scene)]
     assert all(shown(finding) for finding in findings)
     assert len(findings) > len(scene.reactions)
 
@@ -44,13 +46,15 @@ def test_kinematics_and_loads(derived: Any, system: str) -> None:
 @pytest.mark.parametrize("system", SYSTEMS)
 @pytest.mark.parametrize("route", NAMES)
 def test_energy_grows_by_the_power_of_the_loads(derived: Any, system: str, route: str) -> None:
-    assert shown(check_energy(derived(system)[route]))
+    routes = derived(system)
+    assert shown(check_energy(routes[route], routes["free_body"]))
 
 
 @pytest.mark.parametrize("system", SYSTEMS)
 def test_the_mass_matrix_is_the_metric_of_the_kinetic_energy(derived: Any, system: str) -> None:
     conjugate = [e for e in derived(system).values() if e.conjugate]
-    assert conjugate
+    # Friction that depends on the accelerations stands beside M, and not symmetrically.
+    assert bool(conjugate) != bool(frictions(derived(system)["kane"].scene))
     for equations in conjugate:
         assert shown(laws.check_mass_matrix(equations))
 

@@ -34,7 +34,8 @@ class Rounded(Ball):
         self._by = by
 
     def _grown(self, value: arb) -> Rounded:
-        return Rounded(self._by.grown(value, 1), self._by)
+        # What is zero for certain is a factor of zero or a difference of equals, which is exact.
+        return Rounded(value if value.is_zero() else self._by.grown(value, 1), self._by)
 
     def __add__(self, other: Any) -> Rounded:
         return self._grown(self.arb + _arb(other))
@@ -118,6 +119,13 @@ class RoundedArithmetic(BallArithmetic):
     def indicator(self, relation: str, difference: Ball) -> Ball:
         """Exact where the difference can be told from zero."""
         return Rounded(super().indicator(relation, difference).arb, self)
+
+    def select(self, condition: Ball, yes: Ball, no: Ball) -> Ball:
+        """The branch that is taken; not, and, or of truth values are exact, whatever was grown."""
+        holds, fails = (condition.arb.overlaps(arb(truth)) for truth in (1, 0))
+        if holds and fails:
+            return Rounded(arb.nan(), self)
+        return yes if holds else no
 
     def function(self, name: str, arguments: Sequence[Ball]) -> Ball:
         """Any other function of a library."""

@@ -6,6 +6,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
+import casadi as ca
 import numpy as np
 from flint import arb
 from numpy.typing import NDArray
@@ -157,7 +158,8 @@ def _enclosed(
         rough, sharp = RoundedArithmetic(kind), BallArithmetic(State({}))
         numbers = [[arb(float(x)) for x in group] for group in arguments]
         wide = evaluated(rough, nodes, [[Rounded(x, rough) for x in g] for g in numbers], True)
-        if not _bounded(nodes, wide, kind):
+        needed = _needed(text)
+        if not _bounded([nodes[k] for k in needed], [wide[k] for k in needed], kind):
             return None
         fine = evaluated(sharp, nodes, [[Ball(x) for x in g] for g in numbers], True)
         found = []
@@ -169,6 +171,20 @@ def _enclosed(
             found.append((name, value, around))
         normal = all(abs(x.arb) >= tiny or x.arb.is_zero() for x in fine)
     return normal, found
+
+
+def _needed(text: Text) -> list[int]:
+    """Nodes that an output depends on: reading c ? x : y leaves others behind."""
+    nodes = text.program.nodes
+    waiting = [written.node for _, at in text.entries() for written in text.program.outputs[at]]
+    found: set[int] = set()
+    while waiting:
+        node = waiting.pop()
+        if node not in found:
+            found.add(node)
+            if nodes[node].constant is None and nodes[node].op != ca.OP_INPUT:
+                waiting += nodes[node].operands
+    return sorted(found)
 
 
 def doubtful(known: Truth, state: int) -> bool:
