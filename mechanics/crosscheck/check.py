@@ -8,6 +8,8 @@ from dataclasses import replace
 from functools import lru_cache
 from typing import Any
 
+from mechanics.blame.blame import blame as blame_of
+from mechanics.blame.explanations import explanations
 from mechanics.checks.ledger import check_row
 from mechanics.crosscheck.black_box import check_box
 from mechanics.crosscheck.cases import check_cases
@@ -39,6 +41,7 @@ def check(
     notation: str | None = None,
     about: str | None = None,
     convention: Sequence[str] | str = (),
+    blame: bool = True,
 ) -> Check:
     """Check a person's equations of motion, energies, reactions or mass matrix.
 
@@ -63,6 +66,8 @@ def check(
         How the person counts otherwise than the scene: ``"other vertical"``, ``"half-length"``, ...
         Without it, equations that would be right under such a change are REFUTED, and the result
         says under which change.
+    blame : bool
+        Whether to look for what is wrong with what is refuted, and for the edit that mends it.
 
     Returns
     -------
@@ -86,6 +91,8 @@ def check(
     statements = [statement for reading in readings for statement in reading.statements]
     names_of = declared([convention] if isinstance(convention, str) else convention)
     judged, told = _judged(truth, statements, names_of)
+    if blame:
+        judged = _blamed(truth, judged)
     matches = {match.name: match for reading in readings for match in reading.names}
     remarks = tuple(dict.fromkeys(r for reading in readings for r in reading.remarks))
     return Check(truth.scene, judged, tuple(matches.values()), (*remarks, *told), truth)
@@ -115,6 +122,20 @@ def _judged(
         for s, f in zip(statements, findings, strict=True)
     ]
     return tuple(entries), ()
+
+
+def _blamed(truth: Equations, judged: Sequence[Judged]) -> tuple[Judged, ...]:
+    """The same with what is wrong, where something is refuted."""
+    if all(entry.finding.verdict is not Verdict.REFUTED for entry in judged):
+        return tuple(judged)
+    findings = [entry.finding for entry in judged]
+    known = explanations(truth, [entry.statement for entry in judged], findings)
+    return tuple(
+        replace(entry, blame=replace(blame_of(truth, entry.statement), explanations=words))
+        if entry.finding.verdict is Verdict.REFUTED
+        else entry
+        for entry, words in zip(judged, known, strict=True)
+    )
 
 
 def _judge(truth: Equations, statement: Statement) -> Finding:

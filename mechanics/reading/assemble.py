@@ -268,7 +268,9 @@ class _Assembly:
         notes = (*line.notes, note) if note else line.notes
         row = published(tag, quantity, *sides, label=line.source)
         trees = tuple(self.trees.items())
-        written = Written(line.sides, trees, self.naming, self.notation, self.text)
+        written = Written(
+            line.sides, trees, self.naming, self.notation, self.text, line.at
+        )
         self.statements.append(Statement(row, line.source, tag, place, notes, doubt, written))
 
 

@@ -153,6 +153,22 @@ def ended(node: Node, end: int) -> Node:
     return node
 
 
+def move(node: Node, by: int) -> None:
+    """Count the places of a tree, which a parser has just made, from further on."""
+    if not by:
+        return
+    seen: set[int] = set()
+    todo = [node]
+    while todo:
+        here = todo.pop()
+        if id(here) in seen:
+            continue
+        seen.add(id(here))
+        object.__setattr__(here, "at", here.at + by)
+        object.__setattr__(here, "end", here.end + by if here.end >= 0 else -1)
+        todo += parts(here)
+
+
 def parts(node: Node) -> tuple[Node, ...]:
     """What a node is made of, in order."""
     match node:

@@ -38,6 +38,8 @@ class Written:
         ``"latex"``, ``"text"`` or ``"code"``.
     text : str
         In which the places of the nodes count; empty where they have none.
+    start : int
+        Where the statement begins in it.
     """
 
     sides: Trees
@@ -45,6 +47,7 @@ class Written:
     naming: Naming
     notation: str
     text: str
+    start: int = 0
 
     def builder(self) -> Builder:
         """Makes expressions of the trees."""

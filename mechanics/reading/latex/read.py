@@ -20,6 +20,7 @@ from mechanics.reading.latex.items import Items
 from mechanics.reading.lines import Line, Unread
 from mechanics.reading.names import Naming
 from mechanics.reading.place import Refused, bounded, bounded_mathematics, located, refusal
+from mechanics.reading.tree import move
 
 Pieces = list[Tree | Token]
 
@@ -189,6 +190,8 @@ def _line(pieces: Pieces, text: str, offset: int, naming: Naming) -> Line | None
             sides[-1].append(piece)
     start, end = _span(kept)
     nodes = tuple(fold(items.of(side), _span(side)[0] if side else end) for side in sides)
+    for node in nodes:
+        move(node, offset)
     source = " ".join(text[start:end].split())
     return Line(nodes, tag, offset + start, source, tuple(dict.fromkeys(notes)))
 

@@ -1,0 +1,116 @@
+"""Why a refuted statement is wrong: ``blame(truth, statement) -> Blame``.
+
+edits that make it right at a point  ->  proved  ->  what differs, term by term  ->  where from
+"""
+
+from collections.abc import Iterator
+from itertools import islice
+
+from sympy import Expr
+
+from mechanics.blame.difference import differences
+from mechanics.blame.result import Blame, Difference, Repair
+from mechanics.blame.search.claim import Claim, claim_of, problems
+from mechanics.blame.search.find import EQUALLY, Solution, solutions
+from mechanics.blame.search.judge import Problem
+from mechanics.blame.search.repair import edited_row, proved, spelling_of
+from mechanics.equations import Equations
+from mechanics.errors import MechanicsError
+from mechanics.reading.from_sympy import Untreeable
+from mechanics.reading.place import Refused
+from mechanics.reading.statement import Statement
+from mechanics.scene.published import Published
+
+SHOWN = 3
+"""Repairs that are told, where several are equally small."""
+
+TRIED = 12
+"""Edits that are proved at most."""
+
+
+def blame(truth: Equations, statement: Statement) -> Blame:
+    """Which term of a refuted statement is wrong.
+
+    Parameters
+    ----------
+    truth : Equations
+        Derived from the scene, with its reactions.
+    statement : Statement
+        Refuted.
+
+    Returns
+    -------
+    Blame
+        With the smallest repairs, each of them proved; `searched` says what was tried in vain.
+    """
+    try:
+        claim = claim_of(truth, statement)
+    except (Untreeable, Refused) as reason:
+        return Blame((), (), searched=f"not searched: it holds what has no tree: {reason}")
+    if claim is None:
+        return Blame((), (), searched="not searched: it could not be read")
+    found = list(islice(_repairs(claim, statement), SHOWN))
+    row = found[0][1] if found else None
+    told = _differences(claim, statement, row)
+    words = "" if found else SEARCHED
+    return Blame(told, tuple(repair for repair, _ in found), searched=words)
+
+
+SEARCHED = (
+    "every sign, factor, symbol, function and power, every term left out, every pair of them, and"
+    " every missing term that is one product: none makes it right"
+)
+
+
+def _repairs(claim: Claim, statement: Statement) -> Iterator[tuple[Repair, Published]]:
+    """Proved repairs, equally small ones, the likeliest first."""
+    wrong = [problem for problem in problems(claim) if problem.residual]
+    if not wrong:
+        return
+    first, *others = wrong
+    rest = [_first(claim, problem) for problem in others]
+    fixed = tuple(solution for solution in rest if solution is not None)
+    if len(fixed) < len(others):
+        return
+    smallest: float | None = None
+    seen: set[tuple] = set()
+    tried = 0
+    for stage in solutions(claim, first):
+        for solution in stage:
+            if smallest is not None and solution.cost > smallest + EQUALLY:
+                break
+            made = edited_row(claim, (solution, *fixed))
+            if made is None or made[0].sides in seen:
+                continue
+            seen.add(made[0].sides)
+            tried += 1
+            repair = proved(claim, (solution, *fixed), statement.source)
+            if repair is not None:
+                smallest = solution.cost if smallest is None else smallest
+                yield repair, made[0]
+            if tried >= TRIED:
+                return
+        if smallest is not None:
+            return
+
+
+def _first(claim: Claim, problem: Problem) -> Solution | None:
+    """The cheapest solution of one equality among several."""
+    return next((stage[0] for stage in solutions(claim, problem) if stage), None)
+
+
+def _differences(
+    claim: Claim, statement: Statement, row: Published | None
+) -> tuple[Difference, ...]:
+    spelling = spelling_of(claim)
+
+    def spell(expression: Expr) -> str:
+        try:
+            return spelling(claim.written.tree(expression))
+        except Untreeable:
+            return str(expression)
+
+    try:
+        return differences(claim.truth, statement, repaired=row, spell=spell)
+    except MechanicsError:
+        return ()

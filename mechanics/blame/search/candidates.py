@@ -1,0 +1,256 @@
+"""Every small edit at every node, with what the node would be worth.
+
+    names: other symbols, powers      numbers: ratios      powers: other exponents
+    functions: sin, cos, tan, other arguments              terms: sign, factor, left out
+
+An edit inside of a function is worth what the function is then.
+"""
+
+import itertools
+from collections.abc import Iterator
+from dataclasses import dataclass
+from fractions import Fraction
+
+from mechanics.blame.result import Mistake
+from mechanics.blame.search.change import (
+    DROPPED,
+    HINT,
+    RATIOS,
+    SECOND,
+    TOKEN,
+    Change,
+    minus,
+    raised,
+    size_of,
+    times,
+)
+from mechanics.blame.search.forest import Forest
+from mechanics.blame.search.inside import inside_of, worth
+from mechanics.blame.search.sheet import Sheet, integer_exponent, power
+from mechanics.blame.search.words import Words
+from mechanics.exact.signals import DivisionHere
+from mechanics.reading.tree import (
+    Call,
+    Name,
+    Node,
+    Number,
+    Power,
+    Product,
+    Rate,
+    Sum,
+    constant,
+)
+
+MOST_INSIDE = 400
+"""Edits inside of functions, each of which has to be evaluated anew."""
+
+
+@dataclass(frozen=True, eq=False)
+class Candidates:
+    """Makes the edits.
+
+    Attributes
+    ----------
+    forest : Forest
+    sheets : tuple of Sheet
+    words : Words
+    """
+
+    forest: Forest
+    sheets: tuple[Sheet, ...]
+    words: Words
+
+    def all(self) -> list[Change]:
+        """Every edit, once for each node that was written."""
+        found: list[Change] = []
+        inside = 0
+        for index, node in enumerate(self.forest.nodes):
+            copies = self.forest.copies[self.forest.place[index]]
+            if not self.forest.written(index) or copies[0] != index or self._hidden(index):
+                continue
+            found += self._here(index, node)
+            if isinstance(node, Call | Rate) and inside < MOST_INSIDE:
+                more = list(inside_of(self.forest, self.sheets, self.words, index))
+                inside += len(more)
+                found += more
+        return found
+
+    def _hidden(self, index: int) -> bool:
+        """Whether a node stands in a function or exponent, so that its value tells nothing."""
+        way = self.forest.ways_up(index)
+        for child, above in itertools.pairwise(way):
+            node = self.forest.nodes[above]
+            if isinstance(node, Call | Rate):
+                return True
+            if isinstance(node, Power) and (
+                self.forest.kids[above][0] != child or integer_exponent(node) is None
+            ):
+                return constant(node.exponent) != Fraction(1, 2)
+        return False
+
+    def _change(
+        self, index: int, node: Node | None, mistake: Mistake, cost: float, values: tuple[int, ...]
+    ) -> Change:
+        return Change(index, node, mistake, cost, index, values)
+
+    def _has(self, index: int) -> tuple[int, ...]:
+        return tuple(sheet.has[index] for sheet in self.sheets)
+
+    @property
+    def _p(self) -> int:
+        return self.sheets[0].point.prime
+
+    def _here(self, index: int, node: Node) -> Iterator[Change]:
+        if self.forest.term(index):
+            yield from self._term(index, node)
+        elif isinstance(self.forest.nodes[self.forest.parent[index]], Product):
+            yield from self._factor(index, node)
+        if isinstance(node, Name) and not self.forest.kids[index]:
+            yield from self._name(index, node)
+        elif isinstance(node, Number):
+            yield from self._number(index, node)
+        elif isinstance(node, Power):
+            yield from self._exponent(index, node)
+        elif isinstance(node, Call):
+            yield from self._function(index, node)
+        elif isinstance(node, Sum):
+            yield from self._summand(index, node)
+
+    def _name(self, index: int, node: Name) -> Iterator[Change]:
+        """Other symbols, the same kind first; squares and cubes."""
+        own = self.words.word(node)
+        for word in self.words.symbols:
+            if own is not None and word.symbol == own.symbol:
+                continue
+            far = 0.0 if own is not None and word.kind == own.kind else HINT
+            yield self._change(index, word.name, Mistake.SYMBOL, TOKEN + far, word.values)
+        above = self.forest.parent[index]
+        if above >= 0 and isinstance(self.forest.nodes[above], Power):
+            return
+        yield from self._powers(index, node, (2, 3))
+
+    def _powers(self, index: int, node: Node, exponents: tuple[int, ...]) -> Iterator[Change]:
+        for exponent in exponents:
+            values = tuple(pow(value, exponent, self._p) for value in self._has(index))
+            yield self._change(
+                index, raised(node, exponent), Mistake.POWER, TOKEN + HINT * (exponent - 2), values
+            )
+
+    def _number(self, index: int, node: Number) -> Iterator[Change]:
+        """Other numbers; minus one is a sign, which is that of its term."""
+        if node.value in (-1, 0):
+            return
+        for ratio in RATIOS:
+            value = node.value * ratio
+            found = self._scaled(index, ratio)
+            number = Number(node.at, value)
+            yield self._change(index, number, Mistake.FACTOR, TOKEN + size_of(value), found)
+        above = self.forest.parent[index]
+        if above >= 0 and isinstance(self.forest.nodes[above], Sum):
+            for step in (1, -1, 2, -2):
+                value = node.value + step
+                values = tuple((v + step) % self._p for v in self._has(index))
+                number = Number(node.at, value)
+                yield self._change(index, number, Mistake.FACTOR, TOKEN + HINT, values)
+
+    def _scaled(self, index: int, ratio: Fraction) -> tuple[int, ...]:
+        factor = ratio.numerator * pow(ratio.denominator, -1, self._p)
+        return tuple(value * factor % self._p for value in self._has(index))
+
+    def _exponent(self, index: int, node: Power) -> Iterator[Change]:
+        """Exponents one and two away, and of the other sign."""
+        exponent = integer_exponent(node)
+        if exponent is None:
+            return
+        base = self.forest.kids[index][0]
+        for other in (exponent + 1, exponent - 1, exponent + 2, exponent - 2, -exponent):
+            try:
+                values = tuple(power(value, other, self._p) for value in self._has(base))
+            except DivisionHere:
+                continue
+            new = raised(node.base, other) if other else Number(node.at, Fraction(1))
+            far = HINT * abs(other - exponent)
+            yield self._change(index, new, Mistake.POWER, TOKEN + far, values)
+
+    def _function(self, index: int, node: Call) -> Iterator[Change]:
+        for other in self.words.functions(node):
+            values = worth(self.sheets, other)
+            if values is not None:
+                yield self._change(index, other, Mistake.FUNCTION, TOKEN, values)
+        above = self.forest.parent[index]
+        if above < 0 or not isinstance(self.forest.nodes[above], Power):
+            yield from self._powers(index, node, (2,))
+
+    def _term(self, index: int, node: Node) -> Iterator[Change]:
+        """The sign of a term, a factor of it, the term left out."""
+        p, has = self._p, self._has(index)
+        if not any(has):
+            return
+        values = tuple(-value % p for value in has)
+        side = self.forest.parent[index] < 0 or not self.forest.place[index][1]
+        far = 2 * HINT if side and isinstance(node, Name) else 0.0
+        yield self._change(index, minus(node), Mistake.SIGN, TOKEN + far, values)
+        if not side or self._other_side(index):
+            zero = (0,) * len(has)
+            yield self._change(index, None, Mistake.EXTRA, DROPPED, zero)
+        yield from self._inserted(index, node, far)
+
+    def _other_side(self, index: int) -> bool:
+        """Whether there is another side, so that this one may be zero."""
+        return index > 0 and len(self.forest.kids[0]) == 2 and not self.forest.written(0)
+
+    def _inserted(self, index: int, node: Node, far: float) -> Iterator[Change]:
+        """Factors in front of a term: numbers where it has none, symbols and their inverses."""
+        if not self._number_below(index):
+            for ratio in RATIOS:
+                new = times(Number(0, ratio), node)
+                cost = TOKEN + far + size_of(ratio)
+                yield self._change(index, new, Mistake.FACTOR, cost, self._scaled(index, ratio))
+        p, has = self._p, self._has(index)
+        for word in self.words.symbols:
+            values = tuple(a * b % p for a, b in zip(has, word.values, strict=True))
+            new = times(word.name, node)
+            cost = TOKEN + far + SECOND
+            yield self._change(index, new, Mistake.FACTOR, cost, values)
+            if all(word.values):
+                over = Power(0, word.name, Number(0, Fraction(-1)))
+                values = tuple(a * pow(b, -1, p) % p for a, b in zip(has, word.values, strict=True))
+                inner = Product(node.at, (node, over))
+                yield self._change(index, inner, Mistake.FACTOR, cost, values)
+
+    def _number_below(self, index: int) -> bool:
+        """Whether a term has a number that can be another one."""
+        node = self.forest.nodes[index]
+        if isinstance(node, Number):
+            return node.value not in (-1, 0)
+        if isinstance(node, Product):
+            return any(self._number_below(kid) for kid in self.forest.kids[index])
+        if isinstance(node, Power) and integer_exponent(node) in (1, -1):
+            return self._number_below(self.forest.kids[index][0])
+        return False
+
+    def _factor(self, index: int, node: Node) -> Iterator[Change]:
+        """A factor left out."""
+        if constant(node) is None:
+            ones = (1,) * len(self.sheets)
+            yield self._change(index, None, Mistake.FACTOR, TOKEN + SECOND, ones)
+
+    def _summand(self, index: int, node: Sum) -> Iterator[Change]:
+        """A symbol added to a sum or taken from it, as in m_1 + m_2."""
+        kinds = set()
+        for kid in self.forest.kids[index]:
+            part = self.forest.nodes[kid]
+            word = self.words.word(part) if isinstance(part, Name) else None
+            kinds.add(word.kind if word is not None else None)
+        for word in self.words.symbols:
+            if word.kind not in kinds or not word.kind:
+                continue
+            for sign in (1, -1):
+                values = tuple(
+                    (a + sign * b) % self._p
+                    for a, b in zip(self._has(index), word.values, strict=True)
+                )
+                added = word.name if sign > 0 else minus(word.name)
+                new = Sum(node.at, (*node.terms, added))
+                cost = TOKEN + SECOND + (HINT if sign < 0 else 0.0)
+                yield self._change(index, new, Mistake.MISSING, cost, values)

@@ -1,0 +1,82 @@
+"""Products of sines and cosines that a term may have, the simplest first.
+
+1, sin a, cos a, sin a cos a, sin a cos b, ...        a, b: coordinates, their sums and differences
+"""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from fractions import Fraction
+from itertools import combinations, combinations_with_replacement
+
+from mechanics.blame.search.judge import Problem
+from mechanics.blame.search.words import Words
+from mechanics.errors import MechanicsError
+from mechanics.reading.guess import angular
+from mechanics.reading.place import Refused
+from mechanics.reading.tree import Call, Node, Number, Product, Sum
+
+MOST_ANGLES = 12
+MOST = 400
+
+
+@dataclass(frozen=True)
+class Circular:
+    """A product of sines and cosines.
+
+    Attributes
+    ----------
+    factors : tuple of Node
+    inverse : int
+        One over its residue.
+    """
+
+    factors: tuple[Node, ...]
+    inverse: int
+
+
+def circular(problem: Problem, words: Words) -> tuple[Circular, ...]:
+    """Products of at most two sines and cosines, one first."""
+    (sheet, *_) = problem.sheets
+    p = problem.prime
+    known: dict[Node, int] = {}
+    for angle in _angles(problem, words):
+        for function in ("sin", "cos"):
+            call = Call(0, function, (angle,))
+            try:
+                known[call] = sheet.opaque(call)
+            except (MechanicsError, Refused):
+                continue  # it has no value at this point
+    found = [Circular((), 1)]
+    singles = [(call, value) for call, value in known.items() if value]
+    found += [Circular((call,), pow(value, -1, p)) for call, value in singles]
+    for (one, a), (two, b) in combinations_with_replacement(singles, 2):
+        if len(found) >= MOST:
+            break
+        found.append(Circular((one, two), pow(a * b, -1, p)))
+    return tuple(found)
+
+
+def _angles(problem: Problem, words: Words) -> list[Node]:
+    """Arguments that were written, coordinates, sums and differences of two."""
+    found: list[Node] = []
+    for node in problem.forest.nodes:
+        if isinstance(node, Call) and node.function in ("sin", "cos", "tan"):
+            found += node.arguments
+    found += list(_from_scene(words))
+    kept: dict[int, Node] = {}
+    (sheet, *_) = problem.sheets
+    for angle in found:
+        value = sheet.opaque(angle)
+        kept.setdefault(min(value, sheet.point.prime - value), angle)
+    return list(kept.values())[:MOST_ANGLES]
+
+
+def _from_scene(words: Words) -> Iterator[Node]:
+    angles = angular(words.truth.scene)
+    names = [word.name for word in words.symbols if word.symbol in angles]
+    yield from names
+    for one, two in combinations(names, 2):
+        yield Sum(0, (one, Product(0, (Number(0, Fraction(-1)), two))))
+        yield Sum(0, (one, two))
+    for name in names:
+        yield Product(0, (Number(0, Fraction(2)), name))

@@ -1,0 +1,138 @@
+"""What a refuted statement claims, as equalities at a point.
+
+equation of motion: left = right, along the motion      reaction: side = its value
+energy, mass, momentum: side = what the scene gives
+potential, sum of energies, Lagrangian: side at two states, up to a constant
+"""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import lru_cache
+
+from sympy import Expr, Symbol
+from sympy.matrices import MatrixBase
+
+from mechanics.blame.search.forest import Forest
+from mechanics.blame.search.judge import Problem
+from mechanics.blame.search.point import Family, Point, at_points
+from mechanics.blame.search.sheet import Sheet, sheet_of
+from mechanics.checks.ledger_energy import ENERGIES, kinetic_energy
+from mechanics.checks.ledger_momenta import derived
+from mechanics.equations import Equations
+from mechanics.reading.names import Naming, Vocabulary
+from mechanics.reading.statement import Statement
+from mechanics.reading.tree import Node
+from mechanics.reading.written import Trees, Written, row_trees
+from mechanics.scene import Scene
+from mechanics.scene import quantities as q
+from mechanics.scene.potential import potential
+from mechanics.scene.published import Published
+
+CONSTANT_FREE = (q.PotentialEnergy, q.TotalEnergy, q.Lagrangian)
+ALONG = (q.EquationOfMotion, q.ReactionValue)
+
+
+@dataclass(frozen=True, eq=False)
+class Claim:
+    """A statement as trees.
+
+    Attributes
+    ----------
+    truth : Equations
+    row : Published
+    written : Written
+    entries : tuple of Node
+        As many as the row compares.
+    """
+
+    truth: Equations
+    row: Published
+    written: Written
+    entries: Trees
+
+    @property
+    def definitions(self) -> dict[str, Node]:
+        """The person's own, by name."""
+        return dict(self.written.definitions)
+
+
+def claim_of(truth: Equations, statement: Statement) -> Claim | None:
+    """The claim of a statement that could be read.
+
+    Raises
+    ------
+    Untreeable
+        Where it holds what the trees do not know.
+    """
+    row = statement.row
+    if row is None:
+        return None
+    written = statement.written
+    if written is None:
+        written = Written((), (), Naming(Vocabulary(truth.scene)), "code", "")
+    return Claim(truth, row, written, row_trees(row, written))
+
+
+def problems(claim: Claim) -> Iterator[Problem]:
+    """The equalities of a claim, each with the entries that it compares."""
+    quantity, size = claim.row.quantity, len(claim.entries)
+    if isinstance(quantity, q.EquationOfMotion | q.Identity):
+        rows = _width(claim.row)
+        for k in range(rows, size):
+            yield _problem(claim, (k % rows, k), None)
+        return
+    for k, target in enumerate(targets(claim.truth.scene, claim.row)):
+        yield _problem(claim, (k,), target)
+
+
+def _width(row: Published) -> int:
+    first = row.sides[0]
+    return len(first) if isinstance(first, MatrixBase) else 1
+
+
+def targets(scene: Scene, row: Published) -> list[Expr]:
+    """What each entry has to be, in plain symbols."""
+    quantity = row.quantity
+    if isinstance(quantity, q.ReactionValue):
+        return [Symbol(quantity.name, real=True)] * len(row.sides)
+    if isinstance(quantity, q.MassMatrix):
+        energy = _kinetic(scene)
+        entries = [energy.diff(a, b) for a in scene.u for b in scene.u]
+        return entries * len(row.sides)
+    if isinstance(quantity, ENERGIES):
+        return [_energy(scene, row)] * len(row.sides)
+    found = derived(scene, quantity)
+    chosen = [found[min(i, len(found) - 1)] for i in range(len(row.sides))]
+    return [e for side in chosen for e in (side if isinstance(side, MatrixBase) else [side])]
+
+
+def _energy(scene: Scene, row: Published) -> Expr:
+    if isinstance(row.quantity, q.KineticEnergy):
+        return _kinetic(scene)
+    if isinstance(row.quantity, q.PotentialEnergy):
+        return potential(scene)
+    sign = 1 if isinstance(row.quantity, q.TotalEnergy) else -1
+    return _kinetic(scene) + sign * potential(scene)
+
+
+@lru_cache(maxsize=8)
+def _kinetic(scene: Scene) -> Expr:
+    return kinetic_energy(scene)
+
+
+def _problem(claim: Claim, numbers: tuple[int, ...], target: Expr | None) -> Problem:
+    forest = Forest(claim.definitions).plant([(k, claim.entries[k]) for k in numbers])
+    moving = isinstance(claim.row.quantity, ALONG)
+    families = [Family(moving)]
+    if isinstance(claim.row.quantity, CONSTANT_FREE):
+        families.append(Family(moving, other_state=True))
+    builder = claim.written.builder()
+
+    def sheets(points: list[Point]) -> tuple[Sheet, ...]:
+        wanted = [0 if target is None else point.value(target) for point in points]
+        return tuple(
+            sheet_of(forest, point, builder, value)
+            for point, value in zip(points, wanted, strict=True)
+        )
+
+    return Problem(forest, at_points(claim.truth, families, sheets), target)

@@ -1,0 +1,70 @@
+"""The cheapest edits that make an equality hold at its points: one, else two, else a term.
+
+one token  <  one term dropped  <  a term added  <  two of these  <  a term replaced
+"""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+from mechanics.blame.result import Mistake
+from mechanics.blame.search.candidates import Candidates
+from mechanics.blame.search.change import Change
+from mechanics.blame.search.claim import Claim
+from mechanics.blame.search.judge import Problem
+from mechanics.blame.search.missing import Missing
+from mechanics.blame.search.pairs import pairs
+from mechanics.blame.search.solved import numbers
+from mechanics.blame.search.words import Words
+from mechanics.reading.tree import Name
+
+EQUALLY = 0.45
+"""Edits that cost that much more are not equally small."""
+
+
+@dataclass(frozen=True, eq=False)
+class Solution:
+    """Edits that together make an equality hold.
+
+    Attributes
+    ----------
+    problem : Problem
+    changes : tuple of Change
+    """
+
+    problem: Problem
+    changes: tuple[Change, ...]
+
+    @property
+    def cost(self) -> float:
+        """Sum of the costs."""
+        return sum(change.cost for change in self.changes)
+
+
+def solutions(claim: Claim, problem: Problem) -> Iterator[list[Solution]]:
+    """Solutions stage by stage, those of a stage the cheapest first."""
+    words = words_of(claim, problem)
+    changes = Candidates(problem.forest, problem.sheets, words).all()
+    singles = [change for change in changes if problem.mends(change)]
+    yield _sorted(problem, [(change,) for change in (*singles, *numbers(problem))])
+    lacking = Missing(claim, problem, words).changes()
+    added = [change for change in lacking if change.mistake is Mistake.MISSING]
+    yield _sorted(problem, [(change,) for change in added])
+    yield _sorted(problem, pairs(problem, changes))
+    yield _sorted(problem, [(change,) for change in lacking if change not in added])
+
+
+def _sorted(problem: Problem, found: Sequence[tuple[Change, ...]]) -> list[Solution]:
+    made = [Solution(problem, changes) for changes in found]
+    return sorted(made, key=lambda solution: solution.cost)
+
+
+def words_of(claim: Claim, problem: Problem) -> Words:
+    """The words of the scene at the points of a problem."""
+    held = []
+    for node in problem.forest.nodes:
+        if isinstance(node, Name) and node.name not in claim.definitions:
+            try:
+                held.append(claim.written.naming.symbol(node.name, node.order))
+            except KeyError:
+                continue  # a rate of a constant has no value anyway
+    return Words(claim.truth, claim.written, problem.sheets, {s for s in held if s is not None})

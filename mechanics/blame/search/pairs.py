@@ -1,0 +1,114 @@
+"""Two edits at once, found where their ways up meet.
+
+    at a sum:      change of one term + change of another = needed - has
+    at a product:  ratio of one factor * ratio of another = needed / has
+
+Every edit is entered at every node above it with what it does there; its partner is looked up.
+"""
+
+from collections import defaultdict
+from collections.abc import Iterator, Sequence
+
+from mechanics.blame.search.change import Change
+from mechanics.blame.search.judge import Problem
+from mechanics.blame.search.sheet import Sheet
+from mechanics.exact.signals import DivisionHere
+from mechanics.reading.tree import Product, Sum
+
+MOST = 60
+"""Pairs that are kept, the cheapest first."""
+
+Entry = tuple[int, int, Change]
+"""Below which part of the node it is, what the part becomes, the edit."""
+
+
+def pairs(problem: Problem, changes: Sequence[Change]) -> list[tuple[Change, Change]]:
+    """Pairs of edits that make a statement right, the cheapest first."""
+    if not problem.plain:
+        found = list(_at_root(problem, changes))
+    else:
+        found = list(_where_they_meet(problem, changes))
+    found.sort(key=lambda pair: pair[0].cost + pair[1].cost)
+    return found[:MOST]
+
+
+def _where_they_meet(
+    problem: Problem, changes: Sequence[Change]
+) -> Iterator[tuple[Change, Change]]:
+    (sheet,) = problem.sheets
+    forest = problem.forest
+    entries: dict[int, list[Entry]] = defaultdict(list)
+    for change in changes:
+        if not forest.single(change.at):
+            continue
+        child, value = change.at, change.values[0]
+        try:
+            while (above := forest.parent[child]) >= 0:
+                if isinstance(forest.nodes[above], Sum | Product):
+                    entries[above].append((child, value, change))
+                value = sheet.above(above, child, value)
+                child = above
+        except (DivisionHere, ValueError):
+            continue
+    for index, here in entries.items():
+        need = sheet.needs[index]
+        if need is None or need == sheet.has[index]:
+            continue
+        if isinstance(forest.nodes[index], Sum):
+            yield from _added(sheet, need - sheet.has[index], here)
+        elif sheet.has[index]:
+            yield from _multiplied(sheet, index, need, here)
+
+
+def _added(sheet: Sheet, missing: int, here: Sequence[Entry]) -> Iterator[tuple[Change, Change]]:
+    p = sheet.point.prime
+    known: dict[int, list[tuple[int, Change]]] = defaultdict(list)
+    for child, value, change in here:
+        step = (value - sheet.has[child]) % p
+        for other, partner in known.get((missing - step) % p, ()):
+            if other != child:
+                yield partner, change
+        known[step].append((child, change))
+
+
+def _multiplied(
+    sheet: Sheet, index: int, need: int, here: Sequence[Entry]
+) -> Iterator[tuple[Change, Change]]:
+    p = sheet.point.prime
+    inverse = {
+        kid: pow(sheet.has[kid], -1, p) for kid in sheet.forest.kids[index] if sheet.has[kid]
+    }
+    wanted = need * pow(sheet.has[index], -1, p) % p
+    known: dict[int, list[tuple[int, Change]]] = defaultdict(list)
+    for child, value, change in here:
+        if value and child in inverse:
+            known[value * inverse[child] % p].append((child, change))
+    for ratio, group in known.items():
+        partners = known.get(wanted * pow(ratio, -1, p) % p, ())
+        for child, change in group:
+            for other, partner in partners:
+                if other < child:
+                    yield partner, change
+
+
+def _at_root(problem: Problem, changes: Sequence[Change]) -> Iterator[tuple[Change, Change]]:
+    """Where two points are needed the edits meet at the root only."""
+    p, missing = problem.prime, -problem.residual
+    known: dict[int, list[Change]] = defaultdict(list)
+    for change in changes:
+        try:
+            steps = [_step(sheet, change, k) for k, sheet in enumerate(problem.sheets)]
+        except (DivisionHere, ValueError):
+            continue
+        step = (steps[0] - steps[1]) % p
+        for partner in known.get((missing - step) % p, ()):
+            if problem.together([partner, change]):
+                yield partner, change
+        known[step].append(change)
+
+
+def _step(sheet: Sheet, change: Change, k: int) -> int:
+    value, child = change.values[k], change.at
+    while (above := sheet.forest.parent[child]) >= 0:
+        value, child = sheet.above(above, child, value), above
+    return value - sheet.has[0]

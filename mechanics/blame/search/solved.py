@@ -1,0 +1,66 @@
+"""Edits that are solved for: the number that would make it right, the term that is missing.
+
+    number: needed = n / d         term: needed / has = n / d         sum: needed - has = a term
+
+A residue is a small fraction when the half-way remainder of Euclid's algorithm is.
+"""
+
+from collections.abc import Iterator
+from fractions import Fraction
+
+from mechanics.blame.result import Mistake
+from mechanics.blame.search.change import (
+    HINT,
+    RATIOS,
+    TOKEN,
+    Change,
+    size_of,
+    times,
+)
+from mechanics.blame.search.judge import Problem
+from mechanics.reading.tree import Number
+
+BOUND = 1 << 20
+"""Of numerators and denominators: 2**41 of them among 2**127 residues are hardly met by chance."""
+
+
+def rational(residue: int, p: int) -> Fraction | None:
+    """The fraction n / d with n and d below the bound that a residue is, if it is one."""
+    before, here = p, residue % p
+    d_before, d = 0, 1
+    while here >= BOUND:
+        q = before // here
+        before, here = here, before - q * here
+        d_before, d = d, d_before - q * d
+    if here == 0 or abs(d) >= BOUND:
+        return Fraction(0) if residue % p == 0 else None
+    return Fraction(here, d)
+
+
+def numbers(problem: Problem) -> Iterator[Change]:
+    """Numbers and factors of terms that make the statement right."""
+    if not problem.plain:
+        return
+    (sheet,) = problem.sheets
+    forest, p = problem.forest, problem.prime
+    for index, node in enumerate(forest.nodes):
+        need, has = sheet.needs[index], sheet.has[index]
+        if not need or not has or not forest.written(index):
+            continue
+        if isinstance(node, Number) and node.value not in (-1, 0):
+            value = rational(need, p)
+            if value is not None and value != node.value:
+                new = Number(node.at, value)
+                cost = TOKEN + size_of(value)
+                if value < 0:
+                    cost += TOKEN - HINT
+                yield Change(index, new, Mistake.FACTOR, cost, index, (need,))
+        elif forest.term(index):
+            ratio = rational(need * pow(has, -1, p) % p, p)
+            if ratio is None or ratio in RATIOS or abs(ratio) == 1:
+                continue
+            cost = TOKEN + 2 * HINT + size_of(ratio)
+            if ratio < 0:
+                cost += TOKEN - HINT
+            scaled = times(Number(0, ratio), node)
+            yield Change(index, scaled, Mistake.FACTOR, cost, index, (need,))

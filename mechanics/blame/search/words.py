@@ -1,0 +1,109 @@
+"""What may stand in place of what: the symbols of the scene with their values, and functions.
+
+theta_1 -> theta_2, theta_dot_1, m_1, ...        sin(x) -> cos(x), tan(x)
+"""
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+
+from sympy import Symbol
+
+from mechanics.blame.search.sheet import Sheet
+from mechanics.equations import Equations
+from mechanics.reading.tree import Call, Name, Node
+from mechanics.reading.written import Written
+from mechanics.scene.symbols import plain_symbol
+
+TRIGONOMETRIC = ("sin", "cos", "tan")
+
+
+@dataclass(frozen=True)
+class Word:
+    """A symbol of the scene.
+
+    Attributes
+    ----------
+    symbol : Symbol
+    name : Name
+        As the person writes it.
+    values : tuple of int
+        At each point.
+    kind : str
+        ``"coordinate"``, ``"speed"``, ``"acceleration"``, ``"input"``, or the unit of a parameter.
+    """
+
+    symbol: Symbol
+    name: Name
+    values: tuple[int, ...]
+    kind: str
+
+
+@dataclass(frozen=True, eq=False)
+class Words:
+    """What a scene has to put in place of something else.
+
+    Attributes
+    ----------
+    truth : Equations
+    written : Written
+    sheets : sequence of Sheet
+    held : iterable of Symbol
+        Symbols that were written, which come first.
+    """
+
+    truth: Equations
+    written: Written
+    sheets: Sequence[Sheet]
+    held: Iterable[Symbol]
+
+    @cached_property
+    def symbols(self) -> tuple[Word, ...]:
+        """Every symbol, those that were written first."""
+        scene = self.truth.scene
+        kinds: dict[Symbol, str] = {}
+        for kind, group in (
+            ("coordinate", scene.q), ("speed", (*scene.u, *scene.qd)), ("acceleration", scene.ud),
+            ("acceleration", tuple(plain_symbol(q, 2) for q in scene.coordinates)),
+            ("input", scene.input_symbols),
+        ):  # fmt: skip
+            for symbol in group:
+                kinds.setdefault(symbol, kind)
+        for symbol in (*scene.parameters, *scene.definitions):
+            kinds.setdefault(symbol, str(getattr(symbol, "unit", "")))
+        first = [symbol for symbol in kinds if symbol in set(self.held)]
+        found = []
+        for symbol in dict.fromkeys([*first, *kinds]):
+            values = tuple(sheet.point.value(symbol) for sheet in self.sheets)
+            found.append(Word(symbol, self.written.name_of(symbol), values, kinds[symbol]))
+        return tuple(found)
+
+    @cached_property
+    def by_symbol(self) -> dict[Symbol, Word]:
+        """The words by their symbols."""
+        return {word.symbol: word for word in self.symbols}
+
+    def word(self, name: Name) -> Word | None:
+        """The word that a name of the person is; None for definitions and other names."""
+        if name.name in dict(self.written.definitions):
+            return None
+        try:
+            symbol = self.written.naming.symbol(name.name, name.order)
+        except KeyError:
+            return None
+        return None if symbol is None else self.by_symbol.get(symbol)
+
+    def functions(self, call: Call) -> list[Node]:
+        """The same argument under another function."""
+        if call.function not in TRIGONOMETRIC:
+            return []
+        return [
+            Call(call.at, other, call.arguments)
+            for other in TRIGONOMETRIC
+            if other != call.function
+        ]
+
+
+def values_of(sheets: Sequence[Sheet], node: Node) -> tuple[int, ...]:
+    """What a node is worth that nobody wrote."""
+    return tuple(sheet.opaque(node) for sheet in sheets)
