@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from enum import Enum
 
 from mechanics.exact import Finding
+from mechanics.scene.published import Published
 
 
 class Mistake(Enum):
@@ -55,11 +56,14 @@ class Repair:
         The statement with the edits put in, in the person's notation.
     finding : Finding
         Of the statement with the edits put in; PROVED or CERTIFIED.
+    row : Published or None
+        The statement with the edits put in, as the ledger checked it.
     """
 
     edits: tuple[Edit, ...]
     repaired: str
     finding: Finding
+    row: Published | None = None
 
 
 @dataclass(frozen=True)

@@ -62,7 +62,7 @@ def proved(claim: Claim, chosen: Sequence[Solution], source: str) -> Repair | No
         for solution in chosen
         for change in solution.changes
     )
-    return Repair(edits, _repaired(spelling, source, edits, entries), finding)
+    return Repair(edits, _repaired(spelling, source, edits, entries), finding, row)
 
 
 def _says_nothing(claim: Claim, row: Published) -> bool:
@@ -104,7 +104,9 @@ def _edit(claim: Claim, spelling: Spelling, forest: Forest, change: Change) -> E
         text = f"- {added[1:].lstrip()}" if added.startswith("-") else f"+ {added}"
         at = None if span is None else (span[1], span[1])
         return Edit(change.mistake, "", text, _within(claim, at))
-    if change.node is None:
+    if change.node is None and not forest.place[change.index][1]:
+        new = "0"
+    elif change.node is None:
         if change.mistake is Mistake.EXTRA and sign is not None and span is not None:
             old = f"{claim.written.text[sign[0]]} {old}"
             span = (sign[0], span[1])
