@@ -147,6 +147,14 @@ def test_text_is_typeset_and_marked(written: str, right: str, found: list[tuple[
     assert marks(source, TEXT, wrong(source, written, right)) == found
 
 
+@pytest.mark.parametrize("at", ["M*x'' - k*x", "M*x''", "M*x'' - k*x = L*(x + theta"])
+def test_a_missing_term_stands_where_it_belongs(at: str) -> None:
+    source = f"{at}{')' if '(' in at else ' = 0'}"
+    missing = Edit(Mistake.MISSING, "", "+ 2*k/L", (len(at),) * 2)
+    assert "<math" in equation(source, TEXT, [missing])
+    assert marks(source, TEXT, missing) == [("right", "+2kL")]
+
+
 def test_what_finds_no_place_in_the_formula_is_marked_in_the_source() -> None:
     source = "M*L/2*x'' = 0"
     edit = wrong(source, "*L/2", "*L/3")

@@ -33,13 +33,19 @@ def clean(latex: str) -> str:
 def both(wrong: str, right: str) -> str:
     """LaTeX of a wrong part and the right one beside it."""
     parts = [
-        rf"\class{{{name}}}{{{clean(text)}}}"
+        rf"\class{{{name}}}{{{_infix(clean(text))}}}"
         for name, text in (("wrong", wrong), ("right", right))
         if text.strip()
     ]
     both = "".join(parts)
     # In a group of their own two parts are one argument; signs alone have to stay signs.
     return both if SIGNS.fullmatch(wrong.strip()) else f"{{{both}}}"
+
+
+def _infix(latex: str) -> str:
+    """A term with its sign, which is spaced as one between two terms."""
+    signed = SIGNS.match(latex.strip()) and not SIGNS.fullmatch(latex.strip())
+    return f"{{}}{latex}" if signed else latex
 
 
 def terms(latex: str) -> list[str]:

@@ -35,7 +35,8 @@ class TreeLatex:
     Attributes
     ----------
     marks : mapping of (int, int) to str
-        LaTeX of what has to stand where a node, a sign or a whole term begins and ends.
+        LaTeX of what has to stand where a node, a sign or a whole term begins and ends; a term
+        that is missing begins where it ends.
     placed : set of (int, int)
         The marks that were met.
     """
@@ -44,8 +45,9 @@ class TreeLatex:
     placed: set[Span] = field(default_factory=set)
 
     def __call__(self, node: Node) -> str:
-        """LaTeX of a node without brackets around it."""
-        return self._marked((node.at, node.end), self._bare(node))
+        """LaTeX of a node without brackets around it, and of what is missing behind it."""
+        behind = self._marked((node.end, node.end), "")
+        return self._marked((node.at, node.end), self._bare(node)) + behind
 
     def _marked(self, span: Span, text: str) -> str:
         if span not in self.marks or span in self.placed:

@@ -45,6 +45,9 @@ class Hand:
             return text
         if text in FUNCTIONS:
             return function_latex(text)
+        if text.startswith("+"):
+            term = self.latex(text[1:])
+            return None if term is None else f"+ {term}"
         sides = self._sides(text)
         return None if sides is None else " = ".join(map(TreeLatex(), sides))
 

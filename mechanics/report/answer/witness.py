@@ -7,6 +7,7 @@ import re
 from decimal import Decimal
 from math import isfinite
 
+ZERO = re.compile(r"^\[?\s*\+/-")
 MIDPOINT = re.compile(r"^\[?\s*(?P<middle>[-+]?[\d.]+(?:e[-+]?\d+)?)\s*(?:\+/-|\])?")
 FEWEST, MOST = 6, 17
 
@@ -24,18 +25,24 @@ def short_values(left: str, right: str) -> tuple[str, str]:
         return left, right
     for digits in range(FEWEST, MOST + 1):
         if float(f"{a:.{digits - 2}g}") != float(f"{b:.{digits - 2}g}"):
-            return f"{a:.{digits}g}", f"{b:.{digits}g}"
+            return _short(left, a, digits), _short(right, b, digits)
     return left, right
 
 
 def short_value(text: str) -> str:
     """One enclosure or decimal with few digits."""
     value = _middle(text)
-    return text if value is None else f"{value:.{FEWEST}g}"
+    return text if value is None else _short(text, value, FEWEST)
+
+
+def _short(text: str, value: float, digits: int) -> str:
+    return f"0 {text.strip('[] ')}" if ZERO.match(text) else f"{value:.{digits}g}"
 
 
 def _middle(text: str) -> float | None:
     """The middle of an enclosure; None where it has none, or a double cannot hold it."""
+    if ZERO.match(text):
+        return 0.0
     found = MIDPOINT.match(text)
     if found is None:
         return None
