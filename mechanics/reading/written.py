@@ -9,7 +9,7 @@ from fractions import Fraction
 from functools import cached_property
 from typing import Any
 
-from sympy import Expr, Matrix, Symbol
+from sympy import Expr, ImmutableMatrix, Symbol
 from sympy.matrices import MatrixBase
 
 from mechanics.reading.build import Builder, Value
@@ -150,7 +150,7 @@ def row_of(
     sides: list[Any] = []
     for side in row.sides:
         if isinstance(side, MatrixBase):
-            sides.append(Matrix(*side.shape, [builder(next(entries)) for _ in side]))
+            sides.append(ImmutableMatrix(*side.shape, [builder(next(entries)) for _ in side]))
         else:
             sides.append(builder(next(entries)))
     return replace(row, sides=tuple(sides))
