@@ -4,20 +4,21 @@ written - right = sum of differences        right: the repaired statement where 
                                             else the true equation that leaves the fewest terms
 """
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
+from fractions import Fraction
 
-from sympy import Expr, S, Symbol, factor_terms
+from sympy import Add, Expr, S, Symbol, cos, sin
 
 from mechanics.blame.candidates import constrained, implicit, solved, with_reactions
 from mechanics.blame.entries import entries_of
 from mechanics.blame.folded import folded
-from mechanics.blame.groups import grouped
+from mechanics.blame.groups import COEFFICIENT, grouped, meanings
 from mechanics.blame.nearest import Candidate, Meant, nearest
 from mechanics.blame.origin import holds, origins_in_field, origins_of
 from mechanics.blame.pieces import Kind, Origin
 from mechanics.blame.result import Difference
-from mechanics.blame.shape import shortest
+from mechanics.blame.shape import apart, shortest
 from mechanics.blame.terms import Terms, difference, terms_of, written
 from mechanics.blame.view import View, view_of
 from mechanics.equations import Equations
@@ -31,29 +32,35 @@ Spell = Callable[[Expr], str]
 
 GIVEN = Origin(Kind.CONSTRAINT, "", "the repaired statement")
 
-LARGE = 12
+LARGE = 10
 """Terms of a group beyond which only their difference is shown, factored where it can be."""
-
-ENDLESS = 40
-"""Terms beyond which nobody reads it."""
 
 
 @dataclass(frozen=True)
 class Group:
-    """Terms of one group that differ.
+    """One group of terms that differs.
 
     Attributes
     ----------
     name : str
     written, right : Terms
-        Without the terms that both sides have; of a coefficient, without its acceleration.
+        All its terms on either side; of a coefficient, without its acceleration.
     origin : tuple of str
+    about : Expr or None
+        What the terms are the coefficient of.
+    summed : bool
+        Whether the person writes sines and cosines of sums of angles.
+    multiplied : bool
+        Whether denominators were multiplied out.
     """
 
     name: str
     written: Terms
     right: Terms
     origin: tuple[str, ...]
+    about: Expr | None = None
+    summed: bool = False
+    multiplied: bool = False
 
 
 def differences(
@@ -96,10 +103,12 @@ def groups(
         if isinstance(row.quantity, EquationOfMotion | ReactionValue):
             return _of_equation(truth, row, repaired)
         return tuple(
-            _group(name, left, right, origins_of(pieces, _kept(right, left)))
+            Group(name, left, right, origins_of(pieces, apart(right, left)), about)
             for side in row.sides
             for other, own in [folded(truth, side)]
-            for name, left, right, pieces in entries_of(other.scene, replace(row, sides=(own,)))
+            for name, about, left, right, pieces in entries_of(
+                other.scene, replace(row, sides=(own,))
+            )
         )
     except (ExpressionError, TooLarge):
         return ()
@@ -115,6 +124,8 @@ def _of_equation(truth: Equations, row: Published, repaired: Published | None) -
     if not found.pieces:
         by_field = origins_in_field(truth, written(found.right))
     left, other = grouped(scene, found.written), grouped(scene, found.right)
+    symbols = {f"{COEFFICIENT}{s.name}": s for s in meanings(scene).accelerations}
+    summed = any(not node.args[0].is_Symbol for node in expression.atoms(sin, cos))
     result = []
     for name in dict.fromkeys((*grouped(scene, found.different), *left, *other)):
         one, two = left.get(name, {}), other.get(name, {})
@@ -123,8 +134,9 @@ def _of_equation(truth: Equations, row: Published, repaired: Published | None) -
         origin = by_field.get(name, ())
         if found.pieces:
             parts = [(o, grouped(scene, terms).get(name, {})) for o, terms in found.pieces]
-            origin = origins_of(parts, _kept(two, one))
-        result.append(_group(name, one, two, origin))
+            origin = origins_of(parts, apart(two, one))
+        about = symbols.get(name)
+        result.append(Group(name, one, two, origin, about, summed, found.multiplied))
     return tuple(result)
 
 
@@ -149,25 +161,41 @@ def meant(truth: Equations, expression: Expr, right: Expr | None = None) -> Mean
     view = view_of(truth, expression)
     moving = {*view.speeds, *view.accelerations, *truth.scene.input_symbols}
     moving |= {reaction.symbol for reaction in truth.scene.reactions}
-    left = _cleared(expression, moving)
+    left = _cleared(expression, moving, view.accelerations)
+    multiplied = terms_of([expression]) != [left]
     known = list(_candidates(view, expression))
     if right is not None:
-        target = Candidate("the repaired statement", ((GIVEN, _cleared(right, moving)),))
+        target = Candidate(
+            "the repaired statement", ((GIVEN, _cleared(right, moving, view.accelerations)),)
+        )
         aimed = nearest(left, [target], moving, view.accelerations)
         if aimed is None:
             return None
         same = nearest(aimed.right, known, moving, view.accelerations)
         pieces = same.pieces if same is not None and not same.different else ()
-        return Meant(aimed.words, aimed.written, aimed.right, pieces)
+        return replace(aimed, pieces=pieces, multiplied=multiplied)
     found = nearest(left, known, moving, view.accelerations)
     if found is None or not holds(truth, found.right):
         return None
-    return found
+    return replace(found, multiplied=multiplied)
 
 
-def _cleared(expression: Expr, moving: set[Symbol]) -> Terms:
+def _cleared(expression: Expr, moving: set[Symbol], leading: Sequence[Symbol]) -> Terms:
+    """Terms without denominators, the first acceleration with the sign that it was written with."""
+    (plain,) = terms_of([expression])
     (terms,) = terms_of([expression], cleared=True, moving=moving)
+    if _sign(plain, leading) * _sign(terms, leading) < 0:
+        return {monomial: -value for monomial, value in terms.items()}
     return terms
+
+
+def _sign(terms: Terms, leading: Sequence[Symbol]) -> Fraction:
+    """Sum of the factors of the first acceleration that stands in terms."""
+    for symbol in leading:
+        held = [v for monomial, v in terms.items() if any(a == symbol for a, _ in monomial)]
+        if held:
+            return sum(held, Fraction(0))
+    return Fraction(0)
 
 
 def _candidates(view: View, expression: Expr) -> Iterator[Candidate]:
@@ -182,26 +210,24 @@ def _candidates(view: View, expression: Expr) -> Iterator[Candidate]:
     yield from implicit(view)
 
 
-def _kept(one: Terms, two: Terms) -> Terms:
-    """The terms of one that two has not, or with another factor."""
-    return {monomial: value for monomial, value in one.items() if two.get(monomial) != value}
-
-
-def _group(name: str, left: Terms, right: Terms, origin: tuple[str, ...]) -> Group:
-    return Group(name, _kept(left, right), _kept(right, left), origin)
-
-
 def _shown(group: Group, spell: Spell) -> Difference:
-    count = len(group.written) + len(group.right)
-    if count <= LARGE:
-        left, right = shortest(group.written, group.right)
-        return Difference(group.name, _spelt(left, spell), _spelt(right, spell), group.origin)
+    name = group.name if group.about is None else f"{COEFFICIENT}{spell(group.about)}"
+    if group.multiplied:
+        name = f"{name}, denominators multiplied out"
+    count = len(apart(group.written, group.right)) + len(apart(group.right, group.written))
+    left, right = shortest(group.written, group.right, summed=group.summed)
+    if _addends(left) + _addends(right) <= LARGE:
+        return Difference(name, _spelt(left, spell), _spelt(right, spell), group.origin)
     rest = difference(group.written, group.right)
-    name = f"{group.name}, difference only: {len(rest)} terms"
-    if len(rest) > ENDLESS:
-        return Difference(name, "", "", group.origin)
-    shown, _ = shortest(rest, {})
-    return Difference(name, _spelt(factor_terms(shown), spell), "", group.origin)
+    name = f"{name}: {count} terms differ, only their difference is shown"
+    shown, _ = shortest(rest, {}, summed=group.summed)
+    text = f"{_addends(shown)} terms" if _addends(shown) > LARGE else _spelt(shown, spell)
+    return Difference(name, text, "", group.origin)
+
+
+def _addends(side: Expr) -> int:
+    """Number of terms that a reader sees."""
+    return len(Add.make_args(side))
 
 
 def _spelt(side: Expr, spell: Spell) -> str:

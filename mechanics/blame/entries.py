@@ -4,13 +4,16 @@ T = sum (m v . v + w . I w) / 2        V = -sum m g . r + sum k d^2 / 2        M
 """
 
 from collections.abc import Iterator
+from fractions import Fraction
 from functools import lru_cache
 
 from sympy import Expr, Rational
 from sympy.matrices import MatrixBase
 
+from mechanics.blame.groups import COEFFICIENT
 from mechanics.blame.pieces import Kind, Origin, motions_of
 from mechanics.blame.terms import Monomial, Terms, symbols_in, terms_of, total
+from mechanics.blame.terms import written as to_expression
 from mechanics.kinematics.motion import inertia_matrix
 from mechanics.scene import Gravity, Scene
 from mechanics.scene import quantities as q
@@ -20,8 +23,8 @@ from mechanics.scene.published import Published
 
 Pieces = tuple[tuple[Origin, Expr], ...]
 Parts = tuple[tuple[Origin, Terms], ...]
-Entry = tuple[str, Terms, Terms, Parts]
-"""Group, what is written, what is right, and the pieces of that."""
+Entry = tuple[str, Expr | None, Terms, Terms, Parts]
+"""Group, what it is the coefficient of, what is written, what is right, the pieces of that."""
 
 SIGNS = {q.KineticEnergy: (1, 0), q.PotentialEnergy: (0, 1), q.TotalEnergy: (1, 1),
          q.Lagrangian: (1, -1)}  # fmt: skip
@@ -88,26 +91,31 @@ def _compared(scene: Scene, side: Expr, pieces: Pieces, row: Published) -> Itera
     written, *others = terms_of([side, *(value for _, value in pieces)])
     parts = tuple((o, part) for (o, _), part in zip(pieces, others, strict=True))
     constant = not isinstance(row.quantity, q.KineticEnergy)
-    moving = {*scene.q, *scene.u, *scene.qd, *scene.input_symbols}
-    by_group: dict[str, tuple[Terms, Terms]] = {}
-    for index, terms in enumerate((written, total(part for _, part in parts))):
-        for monomial, value in terms.items():
-            if constant and not symbols_in(monomial) & moving:
-                continue
-            group = _speeds(scene, monomial)
-            by_group.setdefault(group, ({}, {}))[index][monomial] = value
-    for group, (left, right) in by_group.items():
+    sides = _split(scene, written), _split(scene, total(part for _, part in parts))
+    for speeds in dict.fromkeys((*sides[0], *sides[1])):
+        left, right = (side.get(speeds, {}) for side in sides)
+        if constant and not speeds:
+            left, right = _moving(scene, left), _moving(scene, right)
         if left != right:
-            yield group, left, right, parts
+            own = tuple((o, _split(scene, part).get(speeds, {})) for o, part in parts)
+            about = to_expression({speeds: Fraction(1)})
+            name = f"{COEFFICIENT}{about}" if speeds else "terms without speeds"
+            yield name, about if speeds else None, left, right, own
 
 
-def _speeds(scene: Scene, monomial: Monomial) -> str:
-    powers = dict(monomial)
-    held = [(s, powers[s]) for s in dict.fromkeys((*scene.u, *scene.qd)) if s in powers]
-    if not held:
-        return "potential energy"
-    words = [s.name if n == 1 else f"{s.name}**{n}" for s, n in held]
-    return f"terms with {'*'.join(words)}"
+def _split(scene: Scene, terms: Terms) -> dict[Monomial, Terms]:
+    """Terms by the product of speeds that they hold, which is left out of them."""
+    speeds, found = {*scene.u, *scene.qd}, dict[Monomial, Terms]()
+    for monomial, value in terms.items():
+        moved = frozenset(pair for pair in monomial if pair[0] in speeds)
+        found.setdefault(moved, {})[monomial - moved] = value
+    return found
+
+
+def _moving(scene: Scene, terms: Terms) -> Terms:
+    """Terms that are no constants."""
+    moving = {*scene.q, *scene.input_symbols}
+    return {m: value for m, value in terms.items() if symbols_in(m) & moving}
 
 
 def _matrix(scene: Scene, side: MatrixBase) -> Iterator[Entry]:
@@ -119,4 +127,4 @@ def _matrix(scene: Scene, side: MatrixBase) -> Iterator[Entry]:
             parts = tuple((o, part) for (o, _), part in zip(slopes, others, strict=True))
             right = total(part for _, part in parts)
             if written != right:
-                yield f"entry ({i + 1}, {j + 1})", written, right, parts
+                yield f"entry ({i + 1}, {j + 1})", None, written, right, parts

@@ -18,6 +18,8 @@ from mechanics.scene.loads import Coulomb, Damper, Load
 from mechanics.scene.rates import TIME, rate_table
 from mechanics.scene.wellformed import inertia_entries
 
+COEFFICIENT = "coefficient of "
+
 
 @dataclass(frozen=True)
 class Meanings:
@@ -39,7 +41,7 @@ class Meanings:
         powers = dict(monomial)
         moved = [s for s in self.accelerations if s in powers]
         if len(moved) == 1 and powers[moved[0]] == 1:
-            return f"coefficient of {moved[0].name}"
+            return f"{COEFFICIENT}{moved[0].name}"
         held = symbols_in(monomial)
         for name, symbols in self.groups:
             if held & symbols:
@@ -116,13 +118,13 @@ def grouped(scene: Scene, terms: Terms) -> dict[str, Terms]:
     The symbol of an acceleration is left out of its coefficient.
     """
     known = meanings(scene)
-    names = [f"coefficient of {symbol.name}" for symbol in known.accelerations]
+    names = [f"{COEFFICIENT}{symbol.name}" for symbol in known.accelerations]
     names += ["products of speeds", *(name for name, _ in known.groups), "other terms"]
     found: dict[str, Terms] = {name: {} for name in dict.fromkeys(names)}
     for monomial, value in terms.items():
         name = known.group(monomial)
         bare = monomial
-        if name.startswith("coefficient of "):
+        if name.startswith(COEFFICIENT):
             bare = frozenset(pair for pair in monomial if pair[0] not in known.accelerations)
         found[name][bare] = value
     return {name: part for name, part in found.items() if part}

@@ -55,13 +55,16 @@ class Meant:
     written, right : Terms
         Both without denominators, and of the same scale.
     pieces : tuple of (Origin, Terms)
-        They sum to `right`.
+        They sum to `right`; none where they are not known.
+    multiplied : bool
+        Whether denominators of what was written were multiplied out.
     """
 
     words: str
     written: Terms
     right: Terms
     pieces: tuple[tuple[Origin, Terms], ...]
+    multiplied: bool = False
 
     @property
     def different(self) -> Terms:

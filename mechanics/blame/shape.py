@@ -3,17 +3,14 @@
 cos a cos b + sin a sin b  ->  cos(a - b)        1 - cos^2 a  ->  sin^2 a
 """
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from fractions import Fraction
-from functools import partial
 from itertools import product as choices
 from math import comb
 
-from sympy import Add, Expr, Symbol, cos, sin
+from sympy import Add, Expr, Symbol, cos, factor, factor_terms, sin
 
 from mechanics.blame.terms import Monomial, Terms, written
-
-Shape = Callable[[Terms], Expr]
 
 MOST_TERMS = 60
 """Beyond, shapes are not tried: nobody reads them."""
@@ -23,37 +20,61 @@ Waves = dict[Wave, tuple[Fraction, Fraction]]
 """Coefficients (real, imaginary) of exp(i sum n a), by the n that are not zero."""
 
 
-def shortest(one: Terms, two: Terms) -> tuple[Expr, Expr]:
-    """Two sides as expressions, in the same shape: the one with the fewest terms in all."""
-    best = written(one), written(two)
-    if len(one) + len(two) > MOST_TERMS:
-        return best
-    for shape in _shapes(one, two):
-        found = shape(one), shape(two)
-        if _length(found) < _length(best):
-            best = found
-    return best
+def shortest(one: Terms, two: Terms, *, summed: bool = False) -> tuple[Expr, Expr]:
+    """What one has and two has not, and the other way round, in the same shape.
+
+    Parameters
+    ----------
+    one, two : Terms
+    summed : bool
+        Whether sines and cosines of sums are liked as well as those of single angles.
+
+    Returns
+    -------
+    tuple of Expr
+        In the shape with the fewest terms; common factors are taken out.
+    """
+    left, right = apart(one, two), apart(two, one)
+    best = written(left), written(right)
+    if len(left) + len(right) <= MOST_TERMS:
+        for found in _shapes(one, two, left, right):
+            gain = _length(best) - _length(found)
+            if gain > 0 or (summed and gain == 0):
+                best = found
+    return _factored(best[0]), _factored(best[1])
+
+
+def apart(one: Terms, two: Terms) -> Terms:
+    """The terms of one that two has not, or with another factor."""
+    return {monomial: value for monomial, value in one.items() if two.get(monomial) != value}
+
+
+def _factored(side: Expr) -> Expr:
+    """A sum as a product, where that is shorter."""
+    count = len(Add.make_args(side))
+    if not 1 < count <= MOST_TERMS:
+        return side
+    product = factor(side) if count > 2 else factor_terms(side)
+    return product if product.count_ops() < side.count_ops() else side
 
 
 def _length(sides: tuple[Expr, Expr]) -> int:
     return sum(len(Add.make_args(side)) for side in sides if side != 0)
 
 
-def _shapes(one: Terms, two: Terms) -> Iterator[Shape]:
+def _shapes(one: Terms, two: Terms, left: Terms, right: Terms) -> Iterator[tuple[Expr, Expr]]:
+    """Both sides in each other shape."""
     powers: dict[Expr, int] = {}
-    for monomial in (*one, *two):
+    for monomial in (*left, *right):
         for atom, power in monomial:
             if isinstance(atom, sin | cos):
                 powers[atom] = max(powers.get(atom, 0), power)
     for atom, power in powers.items():
         if isinstance(atom, cos) and power >= 2:
-            yield partial(_written_in_sines, atom)
-    if len({atom.args[0] for atom in powers}) > 1:
-        yield in_sums
-
-
-def _written_in_sines(turned: Expr, terms: Terms) -> Expr:
-    return written(_in_sines(terms, turned))
+            yield written(_in_sines(left, atom)), written(_in_sines(right, atom))
+    if len({atom.args[0] for atom in powers}) > 1 and len(one) + len(two) <= MOST_TERMS:
+        sums = [set(Add.make_args(in_sums(side))) for side in (one, two)]
+        yield Add(*(sums[0] - sums[1])), Add(*(sums[1] - sums[0]))
 
 
 def _in_sines(terms: Terms, turned: Expr) -> Terms:
