@@ -6,7 +6,7 @@ A definition is put in by assigning its value to its symbol before the symbol is
 nothing has to be substituted or expanded. Constrained scenes are compared on their manifold.
 """
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import replace
 from decimal import Decimal
 
@@ -90,11 +90,19 @@ def ordered(definitions: Mapping[Symbol, Expr]) -> list[tuple[Symbol, Expr]]:
     return found
 
 
-def definitions_in_full(scene: Scene) -> dict[Symbol, Expr]:
-    """Every definition in terms of what is not defined."""
+def definitions_in_full(scene: Scene, but: Collection[Symbol] = ()) -> dict[Symbol, Expr]:
+    """Every definition in terms of what is not defined, and of symbols that are left as they are.
+
+    Parameters
+    ----------
+    scene : Scene
+    but : collection of Symbol
+        Those that are left.
+    """
     table: dict[Symbol, Expr] = {}
     for symbol, expression in ordered(scene.definitions):
-        table[symbol] = expression.xreplace(table)
+        if symbol not in but:
+            table[symbol] = expression.xreplace(table)
     return table
 
 

@@ -286,7 +286,8 @@ def _residuals(
     if not rows or states == 0 or scene.constraints:
         # Random states are off the constraint manifold, where published equations need not hold.
         return ()
-    defined = definitions_in_full(scene)
+    # Compiled functions take what is defined as a parameter where the equations hold it.
+    defined = definitions_in_full(scene, but=scene.parameters)
     typed = [
         (row.tag, *(decimals(scene.plain(side, row.tag).xreplace(defined)) for side in sides))
         for row, sides in ((row, row.sides[:2]) for row in rows)
