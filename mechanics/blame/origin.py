@@ -12,7 +12,7 @@ from functools import lru_cache
 
 from sympy import Expr, S, Symbol
 
-from mechanics.blame.groups import grouped
+from mechanics.blame.groups import COEFFICIENT, grouped
 from mechanics.blame.pieces import Kind, Origin, Piece, momenta
 from mechanics.blame.terms import Monomial, Terms, terms_of, written
 from mechanics.checks.ledger_compare import ordered
@@ -53,7 +53,7 @@ def origins_in_field(truth: Equations, right: Expr) -> dict[str, tuple[str, ...]
     Returns
     -------
     dict of str to tuple of str
-        Empty where the equation cannot be taken apart.
+        Empty where the equation cannot be taken apart, or its pieces do not sum to it.
     """
     try:
         basis = _basis(truth)
@@ -61,23 +61,24 @@ def origins_in_field(truth: Equations, right: Expr) -> dict[str, tuple[str, ...]
         parts = _parts(truth)
     except (ExpressionError, TooLarge):
         return {}
-    size = len(basis)
-    if size != len(target):
+    if len(basis) != len(target):
         return {}
     found: dict[str, dict[str, None]] = {}
 
     def experiment(a: Arithmetic) -> list[tuple[Number, Number]]:
         _set(truth, a)
-        columns = [[a.value(row[j]) for row in basis] for j in range(size)]
+        columns = [[a.value(row[j]) for row in basis] for j in range(len(basis))]
         factors = a.solve(columns, [a.value(entry) for entry in target])
         found.clear()
+        whole = a.rational(0)
         for (group, words), held in parts.items():
-            sum_ = a.rational(0)
+            part = a.rational(0)
             for index, expression in held:
-                sum_ = sum_ + factors[index] * a.value(expression)
-            if not a.is_zero(sum_):
+                part = part + factors[index] * a.value(expression)
+            whole = whole + part
+            if not a.is_zero(part):
                 found.setdefault(group, {})[words] = None
-        return [(a.rational(0), a.rational(0))]
+        return [(whole, a.value(truth.scene.plain(right)))]
 
     if trial(experiment, QUICK, None).answer is not Answer.ZERO:
         return {}
@@ -120,10 +121,14 @@ def _basis(truth: Equations) -> tuple[tuple[Expr, ...], ...]:
 @lru_cache(maxsize=16)
 def _parts(truth: Equations) -> Mapping[tuple[str, str], tuple[tuple[int, Expr], ...]]:
     """For each group and origin: which equation holds what of it."""
+    symbols = {f"{COEFFICIENT}{symbol.name}": symbol for symbol in truth.scene.ud}
     found: dict[tuple[str, str], list[tuple[int, Expr]]] = {}
     for index, pieces in enumerate(pieces_of_all(truth)):
         terms = terms_of([piece.value for piece in pieces])
         for piece, part in zip(pieces, terms, strict=True):
             for group, own in grouped(truth.scene, part).items():
-                found.setdefault((group, piece.origin.words), []).append((index, written(own)))
+                value = written(own)
+                if group.startswith(COEFFICIENT):
+                    value *= symbols[group]
+                found.setdefault((group, piece.origin.words), []).append((index, value))
     return {key: tuple(held) for key, held in found.items()}
