@@ -38,6 +38,10 @@ def check(
         list[str] | None,
         typer.Option(help="How you count otherwise: 'other vertical', 'half-length', ..."),
     ] = None,
+    blame: Annotated[
+        bool,
+        typer.Option("--blame/--no-blame", help="Whether to look for the term that is wrong."),
+    ] = True,
     report: Annotated[
         Path | None,
         typer.Option(metavar="FILE.html", help="Write a page for a browser: yours, and derived."),
@@ -72,7 +76,7 @@ def check(
     parts = [_part(file) for file in files]
     found = run(
         scene, parts, names=_names(name or []), notation=notation, about=about,
-        convention=convention or (),
+        convention=convention or (), blame=blame,
     )  # fmt: skip
     if report is not None:
         report.write_text(check_html(found), encoding="utf-8")

@@ -9,7 +9,17 @@ from sympy.physics.vector import Point
 from mechanics.report import ink
 from mechanics.report.notation import svg_name
 from mechanics.report.projection import View, normal, unit
-from mechanics.scene import Damper, Force, Gravity, Load, RigidBody, Spring, Torque, TorsionSpring
+from mechanics.scene import (
+    Coulomb,
+    Damper,
+    Force,
+    Gravity,
+    Load,
+    RigidBody,
+    Spring,
+    Torque,
+    TorsionSpring,
+)
 from mechanics.scene.reactions import Reaction
 
 BLOCK = (54.0, 34.0)
@@ -86,6 +96,8 @@ def load_symbol(view: View, paper: Paper, load: Load) -> str:
         return ink.arrow(start, end, "force") + ink.text(
             end + 12 * along, label(load.vector.magnitude(), load.name), "force-name"
         )
+    if isinstance(load, Coulomb):
+        return _friction(view, paper, load)
     if isinstance(load, Torque | TorsionSpring):
         centre = paper.place(view.point(view.scene.body(load.on).centre))
         at = centre + np.array([0.0, -38.0])
@@ -103,6 +115,19 @@ def _gravity(view: View, paper: Paper) -> str:
     start, end = middle - 22 * along, middle + 22 * along
     return ink.arrow(start, end, "force") + ink.text(
         middle + np.array([-14.0, 0.0]), svg_name("g"), "force-name"
+    )
+
+
+def _friction(view: View, paper: Paper, load: Coulomb) -> str:
+    """An arrow beside the foot of the body, against its sliding."""
+    pressing = view.scene.reaction(load.normal)
+    foot = -BLOCK[1] / 2 * unit(paper.turn(view.direction(pressing.along)))
+    sliding = unit(paper.turn(view.direction(load.along)))
+    against = sliding if view.number(load.sliding) < 0 else -sliding
+    start = paper.place(view.point(pressing.at)) + 0.6 * foot + 0.6 * BLOCK[0] * against
+    end = start + 40 * against
+    return ink.arrow(start, end, "force") + ink.text(
+        end + 16 * against, label(load.coefficient, load.name), "force-name"
     )
 
 
