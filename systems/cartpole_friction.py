@@ -33,8 +33,8 @@ from mechanics.scene.quantities import EquationOfMotion, ReactionValue
 from mechanics.scene.shapes import Rod
 
 x, theta, F = dynamicsymbols("x theta F")
-mc, mp, l, g, mu_c, mu_p = parameters(
-    "mc mp l g mu_c mu_p",
+m_c, m_p, l, g, mu_c, mu_p = parameters(
+    "m_c m_p l g mu_c mu_p",
     units="kg kg m m/s^2 1 N*m*s",
     typical="1 0.1 0.5 9.8 0.05 0.002",
     meanings=(
@@ -47,7 +47,7 @@ mc, mp, l, g, mu_c, mu_p = parameters(
     ),
 )
 N_c = Symbol("N_c", real=True)
-POLE = part(Rod(2 * l), mass=mp)
+POLE = part(Rod(2 * l), mass=m_p)
 
 
 def scene() -> Scene:
@@ -63,8 +63,8 @@ def scene() -> Scene:
         origin,
         coordinates=(x, theta),
         bodies=(
-            Particle("cart", pivot, mc),
-            RigidBody("pole", centre, rod, mp, POLE.inertia),
+            Particle("cart", pivot, m_c),
+            RigidBody("pole", centre, rod, m_p, POLE.inertia),
         ),
         loads=(
             gravity(-g * ground.y),
@@ -85,18 +85,18 @@ def scene() -> Scene:
 
 # What the sources' lines repeat.
 theta_dot, theta_ddot = theta.diff(), theta.diff().diff()
-total = mc + mp
-swing = mp * l * (theta_dot**2 * sin(theta) - theta_ddot * cos(theta))
-pressing = total * g - mp * l * (theta_ddot * sin(theta) + theta_dot**2 * cos(theta))
+total = m_c + m_p
+swing = m_p * l * (theta_dot**2 * sin(theta) - theta_ddot * cos(theta))
+pressing = total * g - m_p * l * (theta_ddot * sin(theta) + theta_dot**2 * cos(theta))
 forwards = sign(x.diff())
 
 
 def angular(s: Expr, reach: Expr) -> Expr:
     """Florian's theta'': s the direction of friction, reach what stands beside cos(theta) below."""
-    thrown = mp * l * theta_dot**2 * (sin(theta) + mu_c * s * cos(theta))
+    thrown = m_p * l * theta_dot**2 * (sin(theta) + mu_c * s * cos(theta))
     above = g * sin(theta) + cos(theta) * ((-F - thrown) / total + mu_c * g * s)
-    lever = Rational(4, 3) - mp * cos(theta) / total * (cos(theta) - reach)
-    return (above - mu_p * theta_dot / (mp * l)) / (l * lever)
+    lever = Rational(4, 3) - m_p * cos(theta) / total * (cos(theta) - reach)
+    return (above - mu_p * theta_dot / (m_p * l)) / (l * lever)
 
 
 PUBLISHED = (
@@ -152,10 +152,10 @@ CLASSIC = (
         theta_ddot,
         (
             g * sin(theta)
-            + cos(theta) * (-F - mp * l * theta_dot**2 * sin(theta) + mu_c * forwards) / total
-            - mu_p * theta_dot / (mp * l)
+            + cos(theta) * (-F - m_p * l * theta_dot**2 * sin(theta) + mu_c * forwards) / total
+            - mu_p * theta_dot / (m_p * l)
         )
-        / (l * (Rational(4, 3) - mp * cos(theta) ** 2 / total)),
+        / (l * (Rational(4, 3) - m_p * cos(theta) ** 2 / total)),
         label="angular acceleration of the pole, friction without the normal force",
     ),
 )

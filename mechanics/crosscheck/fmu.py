@@ -6,6 +6,7 @@ from pathlib import Path
 from mechanics.compiled import Model
 from mechanics.errors import InputError, wanted
 from mechanics.export.fmu import Start, write_unit
+from mechanics.scene.actions import frictions
 from mechanics.simulate.domain import own_values
 from mechanics.simulate.exits import at_the_start
 from mechanics.simulate.run import begin
@@ -64,8 +65,15 @@ def write_fmu(
                 f"input {name}: a function cannot be exported: give a number, and connect"
                 " the function in the importer"
             )
+    scene = model.equations.scene
+    if frictions(scene) and not beyond_domain:
+        raise InputError(
+            f"{scene.name}: load {frictions(scene)[0].name} is friction while something slides,"
+            " and a unit does not watch where that ends: accept it by --beyond-domain, or"
+            " beyond_domain=True"
+        )
     start = begin(model, initial, parameters, inputs)
-    at_the_start(model.equations.scene.name, start.domain, start.state, beyond_domain)
+    at_the_start(scene.name, start.domain, start.state, beyond_domain)
     known = model.quantities
     names = [entry.name for entry in (*known.q, *known.u, *known.p)]
     values = dict(zip(names, [*start.state.tolist(), *start.p.tolist()], strict=True))
