@@ -7,8 +7,9 @@ coordinates, and for the sum and the difference of both energies those by the sp
 """
 
 from collections.abc import Sequence
+from functools import lru_cache
 
-from sympy import Add, Expr, Matrix, Rational
+from sympy import Add, Expr, Rational
 from sympy.matrices import MatrixBase
 
 from mechanics.errors import InputError
@@ -21,7 +22,13 @@ from mechanics.scene.published import Quantity
 
 ENERGIES = (q.KineticEnergy, q.PotentialEnergy, q.TotalEnergy, q.Lagrangian, q.MassMatrix)
 
+SHARES: dict[type[Quantity], tuple[int, int]] = {
+    q.PotentialEnergy: (0, 1), q.TotalEnergy: (1, 1), q.Lagrangian: (1, -1),
+}  # fmt: skip
+"""How often the kinetic and the potential energy are in what is known up to a constant."""
 
+
+@lru_cache(maxsize=8)
 def kinetic_energy(scene: Scene) -> Expr:
     """Kinetic energy of all bodies in q and u, in J."""
     terms = []
@@ -52,16 +59,17 @@ def energy_pairs(
         raise InputError(f"{subject}: an energy is no matrix")
     if isinstance(quantity, q.KineticEnergy):
         return list(sides), [kinetic_energy(scene)] * len(sides)
-    if isinstance(quantity, q.PotentialEnergy):
-        derived = potential(scene)
-        # What moves it has to be left out of it, too.
-        by = (*scene.q, *scene.u)
-    else:
-        sign = 1 if isinstance(quantity, q.TotalEnergy) else -1
-        derived = kinetic_energy(scene) + sign * potential(scene)
-        by = (*scene.q, *scene.u)
-    lefts = [side.diff(symbol) for side in sides for symbol in by]
-    return lefts, [derived.diff(symbol) for symbol in by] * len(sides)
+    # By the speeds too: they have to be left out of a potential energy.
+    lefts = [side.diff(symbol) for side in sides for symbol in (*scene.q, *scene.u)]
+    kinetic, stored = SHARES[type(quantity)]
+    return lefts, list(_slopes(scene, kinetic, stored)) * len(sides)
+
+
+@lru_cache(maxsize=16)
+def _slopes(scene: Scene, kinetic: int, stored: int) -> tuple[Expr, ...]:
+    """Derivatives of so many times T and V by the coordinates and speeds."""
+    energy = kinetic * kinetic_energy(scene) + stored * potential(scene)
+    return tuple(energy.diff(symbol) for symbol in (*scene.q, *scene.u))
 
 
 def _mass_matrix(
@@ -73,6 +81,11 @@ def _mass_matrix(
             raise InputError(
                 f"{subject}: a mass matrix of {scene.name} has {size} rows and {size} columns"
             )
+    return [entry for side in sides for entry in side], list(mass_matrix(scene)) * len(sides)
+
+
+@lru_cache(maxsize=8)
+def mass_matrix(scene: Scene) -> tuple[Expr, ...]:
+    """Second derivatives of the kinetic energy by the speeds, row by row."""
     energy = kinetic_energy(scene)
-    target = Matrix(size, size, lambda i, j: energy.diff(scene.u[i], scene.u[j]))
-    return [entry for side in sides for entry in side], list(target) * len(sides)
+    return tuple(energy.diff(one, other) for one in scene.u for other in scene.u)

@@ -32,12 +32,6 @@ def check_equation(subject: str, sides: Sequence[Expr], equations: Equations) ->
     scene = equations.scene
     if strange := _strange(scene, sides) or _untold(equations, sides):
         return Finding(subject, Verdict.UNDECIDED, strange)
-    rates = gradient(scene, sides)
-    static = equal(scene, subject, rates, [S.Zero] * len(rates))
-    if static.verdict is not Verdict.REFUTED:
-        return Finding(
-            subject, Verdict.UNDECIDED, "it holds no acceleration, so it is no equation of motion"
-        )
 
     def experiment(a: Arithmetic) -> Pairs:
         put_motion(a, equations)
@@ -45,6 +39,14 @@ def check_equation(subject: str, sides: Sequence[Expr], equations: Equations) ->
         return [(a.value(first), a.value(side)) for side in others]
 
     found = decide_in(scene, subject, experiment, symbols_of(sides))
+    if found.verdict is Verdict.REFUTED:
+        return found
+    rates = gradient(scene, sides)
+    static = equal(scene, subject, rates, [S.Zero] * len(rates))
+    if static.verdict is not Verdict.REFUTED:
+        return Finding(
+            subject, Verdict.UNDECIDED, "it holds no acceleration, so it is no equation of motion"
+        )
     if found.verdict in (Verdict.PROVED, Verdict.CERTIFIED) and _bent(scene, rates):
 
         def slope(a: Arithmetic) -> Pairs:

@@ -5,30 +5,26 @@
 One change, the same for all statements: those that are right have to stay right.
 """
 
-from collections.abc import Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 from functools import lru_cache
 
+from sympy import Expr
 from sympy.matrices import MatrixBase
 
 from mechanics.checks.ledger import check_row
-from mechanics.checks.ledger_compare import ordered
-from mechanics.checks.ledger_motion import put_motion
+from mechanics.crosscheck.glance import glance
 from mechanics.crosscheck.routes import derive
 from mechanics.equations import Equations
 from mechanics.errors import ExpressionError, InputError, MechanicsError, SceneError
-from mechanics.exact import Arithmetic, Finding
-from mechanics.exact.field_trial import Answer, trial
-from mechanics.kinematics.manifold import settle
+from mechanics.exact import Finding
+from mechanics.kinematics.momenta import momenta_written_out
 from mechanics.reading.conventions import NAMES, Convention, combined_table, conventions
 from mechanics.reading.statement import Statement
 from mechanics.scene import RigidBody, Scene
 from mechanics.scene.published import Published
-from mechanics.scene.quantities import EquationOfMotion
 
 POINT_MASS = Convention("point mass", "every rod is a point mass at its mass centre", {})
-QUICK = -20.0
-"""Bound, as a power of two, of the first look; what passes it is checked in full."""
 
 
 def declared(names: Sequence[str]) -> tuple[str, ...]:
@@ -59,24 +55,34 @@ def right_if(
     declared_names : sequence of str
         Where given, only changes made of exactly these are looked at.
     """
-    rows = [statement.row for statement in statements if statement.row is not None]
-    for change in _changes(truth.scene):
-        if declared_names and {c.name for c in change} != set(declared_names):
-            continue
-        target = truth
-        if POINT_MASS in change:
-            lighter = _point_masses(truth.scene)
-            if lighter is None:
-                continue
-            target = lighter
-        table = combined_table(change)
-        moved = [_moved(target.scene, row, table) for row in rows]
-        if not all(_glance(target, row) for row in moved):
-            continue
-        findings = [_judged(target, row) for row in moved]
-        if all(finding is not None and finding.shown for finding in findings):
-            return change, [finding for finding in findings if finding is not None]
+    rows = [_plain(truth.scene, s.row) for s in statements if s.row is not None]
+    held = set().union(*(side.free_symbols for row in rows for side in row.sides))
+    changes = [
+        change
+        for change in _changes(truth.scene)
+        if ({c.name for c in change} == set(declared_names) if declared_names
+            # What the statements do not hold cannot matter to them.
+            else all(c is POINT_MASS or held & c.table.keys() for c in change))
+    ]  # fmt: skip
+    for target, some in _by_target(truth, changes):
+        moved = [[_moved(row, combined_table(change)) for row in rows] for change in some]
+        for change, candidate, possible in zip(some, moved, glance(target, moved), strict=True):
+            findings = [_judged(target, row) for row in candidate] if possible else [None]
+            if all(finding is not None and finding.shown for finding in findings):
+                return change, [finding for finding in findings if finding is not None]
     return None
+
+
+Change = tuple[Convention, ...]
+
+
+def _by_target(truth: Equations, changes: list[Change]) -> Iterator[tuple[Equations, list[Change]]]:
+    """Changes with what they are compared with: the scene as it is, then with point masses."""
+    yield truth, [change for change in changes if POINT_MASS not in change]
+    lighter = [change for change in changes if POINT_MASS in change]
+    target = _point_masses(truth.scene) if lighter else None
+    if target is not None:
+        yield target, lighter
 
 
 def _changes(scene: Scene) -> list[tuple[Convention, ...]]:
@@ -85,34 +91,20 @@ def _changes(scene: Scene) -> list[tuple[Convention, ...]]:
     return [*plain, (POINT_MASS,), *((POINT_MASS, *change) for change in singles)]
 
 
-def _moved(scene: Scene, row: Published, table: dict) -> Published:
+def _each(row: Published, change: Callable[[Expr], Expr]) -> Published:
+    """A row with every side changed."""
+    sides = (s.applyfunc(change) if isinstance(s, MatrixBase) else change(s) for s in row.sides)
+    return replace(row, sides=tuple(sides))
+
+
+def _plain(scene: Scene, row: Published) -> Published:
+    """A row in plain symbols."""
+    return _each(row, lambda side: momenta_written_out(scene, scene.plain(side)))
+
+
+def _moved(row: Published, table: dict) -> Published:
     """A row with the person's symbols replaced; rates of what is replaced follow."""
-
-    def side(value: object) -> object:
-        if isinstance(value, MatrixBase):
-            return value.applyfunc(side)
-        return scene.plain(value).xreplace(table)
-
-    return replace(row, sides=tuple(side(value) for value in row.sides))
-
-
-def _glance(truth: Equations, row: Published) -> bool:
-    """Whether an equation of motion can be right: its value at one point of a field."""
-    if not isinstance(row.quantity, EquationOfMotion):
-        return True
-
-    def experiment(a: Arithmetic) -> list:
-        settle(truth.scene, a)
-        for symbol, expression in ordered(truth.scene.definitions):
-            a.assign(symbol, a.value(expression))
-        put_motion(a, truth)
-        first, *others = row.sides
-        return [(a.value(first), a.value(side)) for side in others]
-
-    try:
-        return trial(experiment, QUICK, None).answer is Answer.ZERO
-    except (ExpressionError, ValueError):
-        return True  # the full check will say what is wrong
+    return _each(row, lambda side: side.xreplace(table))
 
 
 def _judged(truth: Equations, row: Published) -> Finding | None:

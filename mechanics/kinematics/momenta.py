@@ -11,6 +11,7 @@ p an equation of motion.
 from functools import lru_cache
 
 from sympy import Derivative, Expr, S, Symbol, sympify
+from sympy.core.function import AppliedUndef
 from sympy.physics.vector import dynamicsymbols
 
 from mechanics.kinematics import differentiate
@@ -52,6 +53,12 @@ def generalized_momenta(scene: Scene) -> dict[Symbol, Expr]:
     return found
 
 
+@lru_cache(maxsize=8)
+def _functions(scene: Scene) -> dict[Expr, Symbol]:
+    """Momenta and their rates as functions of time, and the symbols for them."""
+    return plain_table(dynamicsymbols(symbol.name) for symbol in momentum_symbols(scene))
+
+
 def rate_symbol(momentum: Symbol) -> Symbol:
     """p_i' of p_i."""
     return Symbol(f"{momentum.name}_dot", real=True)
@@ -67,9 +74,8 @@ def momenta_written_out(scene: Scene, expression: Expr) -> Expr:
         In plain symbols, or with p_phi1 and p_phi1' as functions of time.
     """
     expression = sympify(expression)
-    symbols = momentum_symbols(scene)
-    functions = plain_table(dynamicsymbols(symbol.name) for symbol in symbols)
-    if expression.atoms(*(type(function) for function in functions)) & functions.keys():
+    symbols, functions = momentum_symbols(scene), _functions(scene)
+    if expression.atoms(AppliedUndef) & functions.keys():
         # d/dt of a whole expression is carried out before its functions become symbols.
         expression = (expression.doit() if expression.has(Derivative) else expression).xreplace(
             functions
