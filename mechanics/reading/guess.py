@@ -16,6 +16,7 @@ from mechanics.reading.tree import Name
 from mechanics.scene import Scene
 
 NUMBER = re.compile(r"(\d+)$")
+MOMENTUM = re.compile(r"(p|pi)_?\d+")
 BY_UNIT: tuple[tuple[str, str], ...] = (
     ("mM", "kg"), ("lLrRabdh", "m"), ("g", "m/s^2"), ("IJ", "kg*m^2"), ("kKc", "N/m"),
     ("bcd", "N*s/m"),
@@ -25,13 +26,13 @@ BY_UNIT: tuple[tuple[str, str], ...] = (
 Rule = tuple[Callable[[str, str], bool], str]
 
 
-def guess(naming: Naming, used: Iterable[Name], defined: Iterable[str]) -> tuple[Match, ...]:
+def guess(naming: Naming, used: Sequence[Name], defined: Iterable[str]) -> tuple[Match, ...]:
     """Matches for the names that nothing explains.
 
     Parameters
     ----------
     naming : Naming
-    used : iterable of Name
+    used : sequence of Name
         Every name of the text.
     defined : iterable of str
         Names that the text defines itself.
@@ -46,7 +47,9 @@ def guess(naming: Naming, used: Iterable[Name], defined: Iterable[str]) -> tuple
             taken.add(found[0])
         elif key(name.name) not in own and name.name != "t":
             (moving if name.order or name.bracket else still).add(name.name)
-    still -= moving
+    momenta = _momenta(naming, [n for n in used if n.name in moving | still], taken)
+    moving -= {match.name for match in momenta}
+    still -= moving | {match.name for match in momenta}
     vocabulary = naming.vocabulary
     scene = vocabulary.scene
     inputs = {symbol.name for symbol in scene.input_symbols}
@@ -65,7 +68,15 @@ def guess(naming: Naming, used: Iterable[Name], defined: Iterable[str]) -> tuple
         [n for n in free if n in inputs and n not in {m.meaning for m in found_still}],
         [(lambda name, other: True, "the only input that is left")],
     )
-    return (*found_moving, *found_still, *found_inputs)
+    return (*momenta, *found_moving, *found_still, *found_inputs)
+
+
+def _momenta(naming: Naming, used: Sequence[Name], taken: set[str]) -> list[Match]:
+    """p1, p_1 or pi_1 for the momentum of phi1: no name of which a second derivative is used."""
+    names = {name.name for name in used if MOMENTUM.fullmatch(name.name)}
+    names -= {name.name for name in used if name.order > 1}
+    free = [name for name in naming.vocabulary.momenta if name not in taken]
+    return _pairs(sorted(names), free, [(_same_number, "a momentum, the same number")])
 
 
 def _pairs(names: Sequence[str], targets: Sequence[str], rules: Sequence[Rule]) -> list[Match]:

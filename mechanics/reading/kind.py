@@ -2,14 +2,21 @@
 
 x''            an equation of motion
 N1 = ...       a reaction along the motion
+p_theta = ...  a generalized momentum; with its rate p_theta' an equation of motion
 neither        an identity
 """
 
 from sympy import Expr, S
 
+from mechanics.kinematics.momenta import momentum_symbols, rate_symbol
 from mechanics.scene import Scene
 from mechanics.scene.published import Quantity
-from mechanics.scene.quantities import EquationOfMotion, Identity, ReactionValue
+from mechanics.scene.quantities import (
+    EquationOfMotion,
+    GeneralizedMomentum,
+    Identity,
+    ReactionValue,
+)
 from mechanics.scene.symbols import plain_symbol
 
 
@@ -18,10 +25,13 @@ def kind_of(scene: Scene, sides: tuple[Expr, ...]) -> tuple[Quantity, tuple[Expr
     plain = [scene.plain(side) for side in sides]
     symbols = set().union(*(side.free_symbols for side in plain))
     second = {plain_symbol(q, 2) for q in scene.coordinates}
-    moving = bool(symbols & {*scene.ud, *second})
+    momenta = momentum_symbols(scene)
+    moving = bool(symbols & {*scene.ud, *second, *map(rate_symbol, momenta)})
     reactions = [r.symbol for r in scene.reactions if r.symbol in symbols]
     if len(sides) > 1 and sides[0] in reactions:
         return ReactionValue(str(sides[0])), sides[1:], ""
+    if len(sides) > 1 and sides[0] in momenta:
+        return GeneralizedMomentum(momenta[sides[0]].name), sides[1:], ""
     if moving and len(sides) == 1:
         return EquationOfMotion(), (*sides, S.Zero), "one side only: it is taken to be zero"
     if moving:

@@ -14,6 +14,7 @@ from sympy import Expr, Symbol
 from sympy.physics.vector import dynamicsymbols
 
 from mechanics.errors import InputError
+from mechanics.kinematics.momenta import momentum_symbols
 from mechanics.scene import Scene
 from mechanics.scene.rates import TIME
 from mechanics.scene.symbols import DOTS, by_name, plain_symbol
@@ -87,6 +88,11 @@ class Vocabulary:
         return {symbol.name: symbol for symbol in sorted(found - moving, key=by_name)}
 
     @cached_property
+    def momenta(self) -> dict[str, Symbol]:
+        """Generalized momenta by name, which no scene declares: p_phi1 belongs to phi1."""
+        return {symbol.name: symbol for symbol in momentum_symbols(self.scene)}
+
+    @cached_property
     def reactions(self) -> frozenset[str]:
         """Names of the reactions."""
         return frozenset(reaction.name for reaction in self.scene.reactions)
@@ -103,6 +109,9 @@ class Vocabulary:
             found.setdefault(key(name), (name, 0))
         for name in self.functions:
             for order, dots in enumerate(DOTS):
+                found.setdefault(key(name + dots), (name, order))
+        for name in self.momenta:
+            for order, dots in enumerate(DOTS[:2]):
                 found.setdefault(key(name + dots), (name, order))
         return found
 
@@ -175,7 +184,9 @@ class Naming:
     def is_function(self, name: str) -> bool | None:
         """Whether it is a function of time; None where it is unknown."""
         found = self.lookup(name)
-        return None if found is None else found[0] in self.vocabulary.functions
+        if found is None:
+            return None
+        return found[0] in self.vocabulary.functions or found[0] in self.vocabulary.momenta
 
     def symbol(self, name: str, order: int) -> Symbol | None:
         """The plain symbol of a name with so many dots.
@@ -195,7 +206,8 @@ class Naming:
             if order:
                 raise KeyError(f"{name} is {base} of the scene, which has no rate")
             return self.vocabulary.constants[base]
-        if order + more >= len(DOTS):
+        last = 2 if base in self.vocabulary.momenta else len(DOTS)
+        if order + more >= last:
             raise KeyError(f"a derivative of order {order + more} of {base} is not known")
         return Symbol(base + DOTS[order + more], real=True)
 
