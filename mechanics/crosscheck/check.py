@@ -150,3 +150,5 @@ def _judge(truth: Equations, statement: Statement) -> Finding:
         return found
     except (InputError, SceneError, ExpressionError) as error:
         return Finding(subject, Verdict.UNDECIDED, str(error))
+    except RecursionError:
+        return Finding(subject, Verdict.UNDECIDED, "its expressions are nested too deeply")

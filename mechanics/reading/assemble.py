@@ -12,22 +12,30 @@ from dataclasses import replace
 from sympy import Expr, S
 from sympy.matrices import MatrixBase
 
+from mechanics.errors import InputError
 from mechanics.reading.about import ENERGY_NAMES, QUANTITIES, named_quantity
 from mechanics.reading.build import Builder, Value
+from mechanics.reading.defined import defines, needed, own, used
 from mechanics.reading.guess import guess
 from mechanics.reading.kind import kind_of
 from mechanics.reading.lines import Line, Unread
 from mechanics.reading.names import Naming, Vocabulary, unexplained
 from mechanics.reading.place import Refused, line_and_column, located
 from mechanics.reading.statement import Reading, Statement
-from mechanics.reading.tree import Name, Node, names, weight
+from mechanics.reading.tree import Name, Node
+from mechanics.reading.weight import Weight, weight
 from mechanics.reading.written import Written
 from mechanics.scene import Scene
 from mechanics.scene.published import Quantity, published
 from mechanics.scene.quantities import EquationOfMotion, Identity, MassMatrix
 
 LARGEST_WEIGHT = 50_000
-"""Of a line with its definitions put in; a definition that doubles makes a million in twenty."""
+"""Of all lines with their definitions put in; one that doubles makes a million in twenty."""
+
+DEEPEST = 100
+"""Levels of a line with its definitions put in."""
+
+MOST_STATEMENTS = 200
 
 Read = Callable[[Naming], Sequence[Line | Unread]]
 
@@ -56,51 +64,15 @@ def assemble(
     plain = {name: meaning for name, meaning in given.items() if meaning not in QUANTITIES}
     naming = Naming(Vocabulary(scene), plain)
     lines = read(naming)
-    guessed = guess(naming, _used(lines), _own(lines, naming))
+    guessed = guess(naming, used(lines), own(lines, naming))
     if guessed:
         naming = replace(naming, guessed=guessed)
         lines = read(naming)
-    work = _Assembly(scene, naming, text, origin, words, about, _needed(lines), notation)
+    work = _Assembly(scene, naming, text, origin, words, about, needed(lines), notation)
     for line in lines:
         work.add(line)
-    matches = naming.matches(name.name for name in _used(lines))
+    matches = naming.matches(name.name for name in used(lines))
     return Reading(tuple(work.statements), matches, tuple(work.remarks))
-
-
-def _used(lines: Sequence[Line | Unread]) -> list[Name]:
-    return [
-        n for line in lines if isinstance(line, Line) for side in line.sides for n in names(side)
-    ]
-
-
-def _own(lines: Sequence[Line | Unread], naming: Naming) -> list[str]:
-    """Names that lines define: a name that nothing explains, alone on the left."""
-    return [
-        line.sides[0].name
-        for line in lines
-        if isinstance(line, Line) and _defines(line, naming) and isinstance(line.sides[0], Name)
-    ]
-
-
-def _defines(line: Line, naming: Naming) -> bool:
-    left = line.sides[0]
-    return (
-        len(line.sides) > 1
-        and isinstance(left, Name)
-        and left.order == 0
-        and not naming.knows(left.name)
-    )
-
-
-def _needed(lines: Sequence[Line | Unread]) -> frozenset[str]:
-    """Names that lines use which are no definitions of energies themselves."""
-    found: set[str] = set()
-    for line in lines:
-        if isinstance(line, Line):
-            left = line.sides[0]
-            if not (isinstance(left, Name) and left.name in ENERGY_NAMES and len(line.sides) > 1):
-                found |= {name.name for side in line.sides for name in names(side)}
-    return frozenset(found)
 
 
 class _Assembly:
@@ -115,7 +87,8 @@ class _Assembly:
         self.words, self.about = words, about
         self.defined: dict[str, Value] = {}
         self.trees: dict[str, Node] = {}
-        self.weights: dict[str, int] = {}
+        self.weights: dict[str, Weight] = {}
+        self.weight = 0
         self.vague: dict[str, list[str]] = {}
         self.statements: list[Statement] = []
         self.remarks: list[str] = []
@@ -135,14 +108,13 @@ class _Assembly:
             self.statements.append(Statement(None, line.source, tag, place, line.notes, doubt))
 
     def _line(self, line: Line, tag: str, place: str) -> None:
-        size = max(weight(side, self.weights) for side in line.sides)
-        if size > LARGEST_WEIGHT:
-            raise Refused(line.at, "too large with the definitions above put in")
+        size = self._weighed(line)
         builder = Builder(self.naming, self.defined, self.vague)
         left = line.sides[0]
         told = self.about is not None or (isinstance(left, Name) and left.name in self.words)
-        if not told and isinstance(left, Name) and _defines(line, self.naming):
+        if not told and isinstance(left, Name) and defines(line, self.naming):
             sides = self._known_first(builder, line)
+            self.weights.setdefault(left.name, size)
             energy = None
             if left.name not in (*self.defined, *self.needed):
                 energy = ENERGY_NAMES.get(left.name) if _scalar(sides) else None
@@ -150,7 +122,6 @@ class _Assembly:
                 self._energy(line, tag, place, energy, sides, builder.unknown)
                 self.defined.setdefault(left.name, sides[0])
                 self.trees.setdefault(left.name, self._first)
-                self.weights.setdefault(left.name, size)
                 return
             self._define(line, left.name, sides, builder.unknown, tag, place)
             return
@@ -164,6 +135,17 @@ class _Assembly:
             self._matrices(line, tag, place, sides, builder.unknown)
             return
         self._scalars(line, tag, place, sides, builder.unknown)
+
+    def _weighed(self, line: Line) -> Weight:
+        """What the sides of a line come to, if it is little enough to be built and judged."""
+        sides = [weight(side, self.weights) for side in line.sides]
+        self.weight += sum(side.amount for side in sides)
+        if self.weight > LARGEST_WEIGHT:
+            raise Refused(line.at, "too large with the definitions and derivatives put in")
+        if max(side.depth for side in sides) > DEEPEST:
+            words = f"nested too deeply with the definitions put in: {DEEPEST} levels are the limit"
+            raise Refused(line.at, words)
+        return max(sides, key=lambda side: side.amount)
 
     def _means_energy(self, left: Node, sides: tuple[Value, ...]) -> str | None:
         """The energy that the name on the left means, though the scene has such a name."""
@@ -208,7 +190,6 @@ class _Assembly:
         if name not in self.defined:
             self.defined[name] = sides[0]
             self.trees[name] = self._first
-            self.weights[name] = max(weight(side, self.weights) for side in line.sides[1:])
             self.vague[name] = [n for n in dict.fromkeys(unknown) if _holds(sides[0], n)]
         else:
             sides = (self.defined[name], *sides)
@@ -260,6 +241,9 @@ class _Assembly:
         self, line: Line, tag: str, place: str, quantity: Quantity, sides: tuple[Value, ...],
         unknown: list[str], note: str = "",
     ) -> None:  # fmt: skip
+        if len(self.statements) >= MOST_STATEMENTS:
+            words = f"more than {MOST_STATEMENTS} statements: split them"
+            raise InputError(located(self.text, line.at, words, self.origin))
         doubt = ""
         if unknown:
             doubt = unexplained(self.scene, unknown)
@@ -268,9 +252,7 @@ class _Assembly:
         notes = (*line.notes, note) if note else line.notes
         row = published(tag, quantity, *sides, label=line.source)
         trees = tuple(self.trees.items())
-        written = Written(
-            line.sides, trees, self.naming, self.notation, self.text, line.at
-        )
+        written = Written(line.sides, trees, self.naming, self.notation, self.text, line.at)
         self.statements.append(Statement(row, line.source, tag, place, notes, doubt, written))
 
 

@@ -11,7 +11,7 @@ from functools import reduce
 from operator import mul
 from typing import Any
 
-from sympy import Expr, I, Integer, Matrix, Rational, S, Symbol, nan, oo, zoo
+from sympy import Add, Expr, I, Integer, Matrix, Rational, S, Symbol, nan, oo, zoo
 from sympy.matrices import MatrixBase
 from sympy.matrices.exceptions import ShapeError
 
@@ -128,7 +128,7 @@ class Builder:
             if not all(isinstance(t, MatrixBase) and t.shape == kept[0].shape for t in kept):
                 raise Refused(node.at, "matrices of different shapes are added")
             return reduce(lambda a, b: a + b, kept)
-        return sum(terms, S.Zero)
+        return Add(*terms)
 
     def _product(self, node: Node, factors: list[Any]) -> Any:
         if not any(isinstance(factor, MatrixBase) for factor in factors):

@@ -66,10 +66,14 @@ def read_source(
     chosen = notation or notation_of(text[:LARGEST_TEXT])
     title = origin or ("LaTeX" if chosen == "latex" else "text")
     reader = NOTATIONS[chosen]
-    found = assemble(
-        scene, lambda naming: reader(text, naming, title), text, title, dict(names or {}), about,
-        chosen,
-    )  # fmt: skip
+    try:
+        found = assemble(
+            scene, lambda naming: reader(text, naming, title), text, title, dict(names or {}),
+            about, chosen,
+        )  # fmt: skip
+    except RecursionError:
+        # The limits leave room; a caller that is deep itself may not.
+        raise InputError(f"{title}, line 1, column 1: nested too deeply") from None
     if not found.statements and not found.remarks:
         raise InputError(f"{title}, line 1, column 1: there is no equation in it")
     if all(statement.row is None for statement in found.statements) and found.statements:

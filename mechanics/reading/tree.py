@@ -6,7 +6,6 @@ The size bounds the degree and the digits of whatever the tree is expanded into;
 the number of nodes are limited while the tree grows, so that nothing large is ever built.
 """
 
-from collections.abc import Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction
 
@@ -221,29 +220,6 @@ def product(at: int, factors: list[Node]) -> Node:
 def total(at: int, terms: list[Node]) -> Node:
     """A sum, or its only term."""
     return terms[0] if len(terms) == 1 else Sum(at, tuple(terms))
-
-
-def weight(node: Node, defined: Mapping[str, int]) -> int:
-    """Factors and terms of a tree with definitions put in, powers multiplied out.
-
-    Parameters
-    ----------
-    defined : mapping of str to int
-        Weights of what names are defined by.
-    """
-    match node:
-        case Name(name=name, order=order):
-            return defined.get(name, 1) * 2**order
-        case Sum(terms=parts) | Product(factors=parts) | Call(arguments=parts):
-            return 1 + sum(weight(part, defined) for part in parts)
-        case Power(base=base, exponent=exponent):
-            times = max(1, -(-abs(constant(exponent) or Fraction(1)) // 1))
-            return weight(base, defined) * int(times) + weight(exponent, defined)
-        case Rate(of=inner, order=order):
-            return weight(inner, defined) * 2**order
-        case Table(rows=rows):
-            return sum(weight(cell, defined) for row in rows for cell in row)
-    return 1
 
 
 def names(node: Node) -> list[Name]:

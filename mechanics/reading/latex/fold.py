@@ -12,6 +12,7 @@ from mechanics.reading.latex.item import Item, rate_of
 from mechanics.reading.names import Naming
 from mechanics.reading.place import Refused
 from mechanics.reading.tree import (
+    DEEPEST,
     Call,
     Name,
     Node,
@@ -31,6 +32,7 @@ class Fold:
 
     def __init__(self, naming: Naming, notes: list[str]) -> None:
         self.naming, self.notes = naming, notes
+        self.depth = 0
 
     def __call__(self, items: list[Item], at: int) -> Node:
         """One node for all items.
@@ -89,6 +91,14 @@ class Fold:
 
     def _factor(self, item: Item, queue: list[Item], before: list[Node], operator: bool) -> Node:
         """The factor that begins with an item; what belongs to it leaves the queue."""
+        self.depth += 1
+        if self.depth > DEEPEST:
+            raise Refused(item.at, f"nested too deeply: {DEEPEST} levels are the limit")
+        factor = self._one(item, queue, before, operator)
+        self.depth -= 1
+        return factor
+
+    def _one(self, item: Item, queue: list[Item], before: list[Node], operator: bool) -> Node:
         if item.kind == "sign":
             if not queue:
                 raise Refused(item.at, "a factor is missing behind this sign")

@@ -24,11 +24,9 @@ from mechanics.reading.tree import move
 
 Pieces = list[Tree | Token]
 
-DISPLAYS = re.compile(
-    r"\$\$(?P<a>.*?)\$\$|(?<!\\)\\\[(?P<b>.*?)(?<!\\)\\\]"
-    r"|\\begin\s*\{(?P<env>(?:equation|align|gather|multline|eqnarray|flalign|displaymath)\*?)\}"
-    r"(?P<c>.*?)\\end\s*\{(?P=env)\}",
-    re.DOTALL,
+OPENS = re.compile(
+    r"\$\$|(?<!\\)\\\[|\\begin\s*\{"
+    r"(?P<env>(?:equation|align|gather|multline|eqnarray|flalign|displaymath)\*?)\}"
 )
 INLINE = re.compile(r"(?<![\\$])\$([^$]+)\$")
 TAG = re.compile(r"\{\s*(.*?)\s*\}", re.DOTALL)
@@ -75,14 +73,39 @@ def _claims(line: Line | Unread) -> bool:
 
 def _blocks(text: str) -> tuple[list[tuple[int, int]], bool]:
     """What is displayed in a document, and whether it is part of its prose."""
-    spans = []
-    for match in DISPLAYS.finditer(text):
-        group = next(g for g in ("a", "b", "c") if match[g] is not None)
-        spans.append(match.span(group))
+    spans = _displays(text)
     prose = [match.span(1) for match in INLINE.finditer(text)] if not spans else []
     whole = sum(end - start + 2 for start, end in prose) >= len(text.strip())
     kept = spans or prose or [(0, len(text))]
     return [(a, b) for a, b in kept if text[a:b].strip()], bool(prose) and not whole
+
+
+def _displays(text: str) -> list[tuple[int, int]]:
+    """What stands between the beginning and the end of a display.
+
+    What ends a display is looked for once where it is missing: its time is linear in the text.
+    """
+    spans: list[tuple[int, int]] = []
+    missing: set[str] = set()
+    at = 0
+    while opens := OPENS.search(text, at):
+        at = opens.end()
+        ends = _ends(opens)
+        if ends in missing:
+            continue
+        closes = re.compile(ends).search(text, at)
+        if closes is None:
+            missing.add(ends)
+            continue
+        spans.append((at, closes.start()))
+        at = closes.end()
+    return spans
+
+
+def _ends(opens: re.Match[str]) -> str:
+    if opens["env"]:
+        return rf"\\end\s*\{{{re.escape(opens['env'])}\}}"
+    return r"\$\$" if opens[0] == "$$" else r"(?<!\\)\\\]"
 
 
 @lru_cache(maxsize=64)
