@@ -90,11 +90,8 @@ def _others(drawn: Case, found: Check, verdict: str, words: str) -> tuple[str, s
 
 
 def _checked(drawn: Case, blame: bool) -> Check:
-    options: dict[str, Any] = drawn.written.options | ({"blame": blame} if CAN_BLAME else {})
-    return mechanics.check(drawn.about.free_body, drawn.written.thing, **options)
-
-
-CAN_BLAME = "blame" in mechanics.check.__annotations__
+    options: dict[str, Any] = drawn.written.options
+    return mechanics.check(drawn.about.free_body, drawn.written.thing, blame=blame, **options)
 
 
 def _blamed(drawn: Case, without: float) -> Undone:
