@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from itertools import pairwise
 
-from sympy import Expr, Matrix, Symbol, eye, linsolve, sympify, zeros
+from sympy import Abs, Dummy, Expr, Matrix, Symbol, eye, linsolve, sign, sympify, zeros
 from sympy.physics.vector import Point, ReferenceFrame, Vector
 
 from mechanics.errors import SceneError
@@ -21,7 +21,7 @@ from mechanics.scene.geometry import (
     relative_rotation,
     step_vector,
 )
-from mechanics.scene.loads import Load
+from mechanics.scene.loads import Coulomb, Load
 from mechanics.scene.reactions import Constraint, Reaction
 from mechanics.scene.symbols import TIME, by_name, plain_symbol, plain_table, to_plain
 from mechanics.scene.validate import validate
@@ -139,6 +139,10 @@ class Scene:
     def plain(self, expression: Expr, where: str = "") -> Expr:
         """The expression in plain symbols, with q' and q'' written in q, u and u'."""
         result = to_plain(expression, self._table, where or self.name)
+        if self._pressing and result.has(sign, Abs):
+            # A reaction on which friction depends presses: sign(N v) is sign(v).
+            back = {positive: symbol for symbol, positive in self._pressing.items()}
+            result = result.xreplace(self._pressing).xreplace(back)
         if not self.speeds:
             return result
         return result.xreplace(self._second_rates).xreplace(self.coordinate_rates)
@@ -207,6 +211,12 @@ class Scene:
     def _table(self) -> dict[Expr, Symbol]:
         speeds = tuple(u for u, _ in self.speeds)
         return plain_table((*self.coordinates, *speeds, *self.inputs))
+
+    @cached_property
+    def _pressing(self) -> dict[Symbol, Symbol]:
+        """Reactions on which friction depends, and positive symbols in place of them."""
+        names = [load.normal for load in self.loads if isinstance(load, Coulomb)]
+        return {Symbol(name, real=True): Dummy(name, positive=True) for name in names}
 
     @cached_property
     def _positions(self) -> dict[Point, Matrix]:
