@@ -14,14 +14,18 @@ from mechanics.blame.mistakes.slip import Change, Part, Right, Slip
 from mechanics.blame.pieces import Kind, Origin, Piece, inner, momenta, motions_of
 from mechanics.exact import canonical
 from mechanics.kinematics.motion import BodyMotion
-from mechanics.scene import Scene
+from mechanics.scene import RigidBody, Scene
 from mechanics.scene.rates import rate_table, rates
 from mechanics.scene.topology import tree
 
 
 def slips(right: Right) -> Iterator[Slip]:
-    """Every body that turns, and then all of them."""
-    turning = [name for name, motion in motions_of(right.scene).items() if motion.turns]
+    """Every body that turns and has an inertia, and then all of them."""
+    turning = [
+        name
+        for name, motion in motions_of(right.scene).items()
+        if motion.turns and isinstance(motion.body, RigidBody) and motion.body.inertia != 0
+    ]
     several = [(name,) for name in turning] + ([tuple(turning)] if len(turning) > 1 else [])
     for names in several:
         title = ", ".join(names)
