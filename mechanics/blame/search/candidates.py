@@ -125,9 +125,11 @@ class Candidates:
             far = 0.0 if own is not None and word.kind == own.kind else HINT
             yield self._change(index, word.name, Mistake.SYMBOL, TOKEN + far, word.values)
         above = self.forest.parent[index]
-        if above >= 0 and isinstance(self.forest.nodes[above], Power):
-            return
-        yield from self._powers(index, node, (2, 3))
+        around = self.forest.nodes[above] if above >= 0 else None
+        if not isinstance(around, Sum):
+            yield from self._plus(index, node, (node,), {own.kind if own is not None else ""})
+        if not isinstance(around, Power):
+            yield from self._powers(index, node, (2, 3))
 
     def _powers(self, index: int, node: Node, exponents: tuple[int, ...]) -> Iterator[Change]:
         for exponent in exponents:
@@ -241,7 +243,12 @@ class Candidates:
         for kid in self.forest.kids[index]:
             part = self.forest.nodes[kid]
             word = self.words.word(part) if isinstance(part, Name) else None
-            kinds.add(word.kind if word is not None else None)
+            kinds.add(word.kind if word is not None else "")
+        yield from self._plus(index, node, node.terms, kinds)
+
+    def _plus(
+        self, index: int, node: Node, terms: tuple[Node, ...], kinds: set[str]
+    ) -> Iterator[Change]:
         for word in self.words.symbols:
             if word.kind not in kinds or not word.kind:
                 continue
@@ -251,6 +258,6 @@ class Candidates:
                     for a, b in zip(self._has(index), word.values, strict=True)
                 )
                 added = word.name if sign > 0 else minus(word.name)
-                new = Sum(node.at, (*node.terms, added))
+                new = Sum(node.at, (*terms, added))
                 cost = TOKEN + SECOND + (HINT if sign < 0 else 0.0)
                 yield self._change(index, new, Mistake.MISSING, cost, values)

@@ -43,7 +43,7 @@ def inside_of(
     """Edits below a function or a derivative."""
     node = forest.nodes[index]
     depth = len(forest.place[index][1])
-    for below, other, mistake, cost in _Inside(forest, words, isinstance(node, Rate)).of(index):
+    for below, other, mistake, cost in _Inside(forest, words).of(index):
         new = edited(node, {forest.place[below][1][depth:]: other})
         values = None if new == node else worth(sheets, new)
         if values is not None:
@@ -54,7 +54,6 @@ def inside_of(
 class _Inside:
     forest: Forest
     words: Words
-    all_symbols: bool
 
     def of(self, index: int) -> Iterator[Inner]:
         """Edits of the parts of a node, and of theirs."""
@@ -84,5 +83,5 @@ class _Inside:
         own = self.words.word(part)
         for word in self.words.symbols:
             alike = own is not None and word.kind == own.kind
-            if word != own and (alike or self.all_symbols):
+            if word != own:
                 yield kid, word.name, Mistake.SYMBOL, TOKEN if alike else TOKEN + HINT

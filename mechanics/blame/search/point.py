@@ -102,7 +102,8 @@ def _memory(truth: Equations) -> Memory:
 @lru_cache(maxsize=160)
 def _point(truth: Equations, family: Family, attempt: int) -> Point:
     scene = truth.scene
-    a = FieldArithmetic(prime(), random.Random(f"{SEED} {attempt}"), _memory(truth), signs=True)
+    source = random.Random(f"{SEED} {attempt} {family.other_state}")
+    a = FieldArithmetic(prime(), source, _memory(truth), signs=True)
     if not scene.constraints:
         for symbol in _free(scene, family.moving):
             a.assign(symbol, _drawn(a, scene, symbol, family, attempt))
