@@ -11,9 +11,11 @@ from collections.abc import Callable, Iterable, Sequence
 
 from sympy import cos, sin
 
-from mechanics.reading.names import Match, Naming, key
+from mechanics.reading.names import Match, Naming
+from mechanics.reading.spelled_rates import families, key
 from mechanics.reading.tree import Name
 from mechanics.scene import Scene
+from mechanics.scene.symbols import DOTS
 
 NUMBER = re.compile(r"(\d+)$")
 MOMENTUM = re.compile(r"(p|pi)_?\d+")
@@ -47,7 +49,10 @@ def guess(naming: Naming, used: Sequence[Name], defined: Iterable[str]) -> tuple
             taken.add(found[0])
         elif key(name.name) not in own and name.name != "t":
             (moving if name.order or name.bracket else still).add(name.name)
-    momenta = _momenta(naming, [n for n in used if n.name in moving | still], taken)
+    rates = families(moving | still)
+    moving = (moving - rates.keys()) | set(rates.values())
+    still -= moving | rates.keys()
+    momenta = _momenta(naming, [n for n in used if n.name in moving | still], own, taken)
     moving -= {match.name for match in momenta}
     still -= moving | {match.name for match in momenta}
     vocabulary = naming.vocabulary
@@ -71,12 +76,20 @@ def guess(naming: Naming, used: Sequence[Name], defined: Iterable[str]) -> tuple
     return (*momenta, *found_moving, *found_still, *found_inputs)
 
 
-def _momenta(naming: Naming, used: Sequence[Name], taken: set[str]) -> list[Match]:
-    """p1, p_1 or pi_1 for the momentum of phi1: no name of which a second derivative is used."""
-    names = {name.name for name in used if MOMENTUM.fullmatch(name.name)}
-    names -= {name.name for name in used if name.order > 1}
-    free = [name for name in naming.vocabulary.momenta if name not in taken]
-    return _pairs(sorted(names), free, [(_same_number, "a momentum, the same number")])
+def _momenta(naming: Naming, used: Sequence[Name], own: set[str], taken: set[str]) -> list[Match]:
+    """p_phi1, and p1, p_1 or pi_1: no name of which a second derivative is used."""
+    vocabulary = naming.vocabulary
+    names = {name.name for name in used} - {name.name for name in used if name.order > 1}
+    found = []
+    for name in sorted(names):
+        meant = vocabulary.momentum(name)
+        if meant is not None and key(meant[0]) not in own:
+            why = f"the generalized momentum of {meant[0].removeprefix('p_')}"
+            found.append(Match(name, meant[0] + DOTS[meant[1]], why))
+    taken = taken | {match.meaning for match in found}
+    free = [name for name in vocabulary.momenta if name not in taken]
+    numbered = sorted(name for name in names if MOMENTUM.fullmatch(name))
+    return [*found, *_pairs(numbered, free, [(_same_number, "a momentum, the same number")])]
 
 
 def _pairs(names: Sequence[str], targets: Sequence[str], rules: Sequence[Rule]) -> list[Match]:

@@ -15,6 +15,7 @@ from sympy.physics.vector import dynamicsymbols
 
 from mechanics.errors import InputError
 from mechanics.kinematics.momenta import momentum_symbols
+from mechanics.reading.spelled_rates import bases, key
 from mechanics.scene import Scene
 from mechanics.scene.rates import TIME
 from mechanics.scene.symbols import DOTS, by_name, plain_symbol
@@ -24,11 +25,6 @@ LETTERS = (
     " upsilon phi chi psi omega Gamma Delta Theta Lambda Xi Pi Sigma Upsilon Phi Psi Omega"
 )
 GREEK = frozenset(LETTERS.split())
-
-
-def key(name: str) -> str:
-    """What two names have in common when they are the same."""
-    return name.replace("_", "")
 
 
 @dataclass(frozen=True)
@@ -110,10 +106,19 @@ class Vocabulary:
         for name in self.functions:
             for order, dots in enumerate(DOTS):
                 found.setdefault(key(name + dots), (name, order))
-        for name in self.momenta:
-            for order, dots in enumerate(DOTS[:2]):
-                found.setdefault(key(name + dots), (name, order))
         return found
+
+    def momentum(self, name: str) -> tuple[str, int] | None:
+        """Momentum of a coordinate that a name may stand for, and the order of its derivative.
+
+        It is no name of the scene: a text may call something else p_x.
+        """
+        known = {key(p + dots): (p, i) for p in self.momenta for i, dots in enumerate(DOTS[:2])}
+        return known.get(key(name))
+
+    def target(self, name: str) -> tuple[str, int] | None:
+        """What a name stands for that was given or guessed."""
+        return self.lookup(name) or self.momentum(name)
 
     def lookup(self, name: str) -> tuple[str, int] | None:
         """Scene's name and order that a person's name stands for, if it is the same name."""
@@ -121,18 +126,10 @@ class Vocabulary:
 
     def _rate(self, name: str) -> tuple[str, int] | None:
         """``thetadd``, ``dtheta``, ``theta_dd``, ``D2x``: other ways to write a rate."""
-        for order, ends, starts in ((2, ("dd", "2dot"), ("dd", "d2")), (1, ("d",), ("d",))):
-            bare = key(name)
-            for end in ends:
-                if order == 1 and name.endswith("_" + end):
-                    continue  # theta_d is rather a desired angle
-                base = self.by_key.get(bare.removesuffix(end)) if bare.endswith(end) else None
-                if base and base[0] in self.functions and base[1] == 0:
-                    return base[0], order
-            for start in starts:
-                base = self.by_key.get(bare.removeprefix(start)) if bare.startswith(start) else None
-                if base and base[0] in self.functions and base[1] == 0:
-                    return base[0], order
+        for base, order in bases(name):
+            found = self.by_key.get(base)
+            if found and found[0] in self.functions and found[1] == 0:
+                return found[0], order
         return None
 
 
@@ -154,7 +151,7 @@ class Naming:
 
     def __post_init__(self) -> None:
         for name, target in self.given.items():
-            if target != "t" and self.vocabulary.lookup(target) is None:
+            if target != "t" and self.vocabulary.target(target) is None:
                 scene = self.vocabulary.scene
                 known = ", ".join([*self.vocabulary.functions, *self.vocabulary.constants])
                 raise InputError(
@@ -173,9 +170,18 @@ class Naming:
         """Scene's name and order of the derivative, or None for a name that nothing explains."""
         for table in (self._given, self._guessed):
             if key(name) in table:
-                return self.vocabulary.lookup(table[key(name)])
+                return self.vocabulary.target(table[key(name)])
         # A name that the person gave away is no longer the scene's.
-        return self.vocabulary.lookup(name)
+        return self._rate(name) or self.vocabulary.lookup(name)
+
+    def _rate(self, name: str) -> tuple[str, int] | None:
+        """A rate of a name that was given or guessed: th1dd, where th1 is phi1."""
+        for base, order in bases(name):
+            for table in (self._given, self._guessed):
+                found = self.vocabulary.lookup(table[base]) if base in table else None
+                if found and found[0] in self.vocabulary.functions and found[1] + order < len(DOTS):
+                    return found[0], found[1] + order
+        return None
 
     def knows(self, name: str) -> bool:
         """Whether a name stands for something."""
@@ -219,7 +225,8 @@ class Naming:
             if name in found or target is None:
                 continue
             meaning = target[0] + DOTS[target[1]]
-            why = "same name"
+            spelled = key(name) in self._given or key(name) in self._guessed
+            why = "same name" if spelled or not self._rate(name) else "a rate of a name like it"
             for match in self.guessed:
                 if key(match.name) == key(name):
                     why = match.why

@@ -1,0 +1,50 @@
+"""Rates that are spelled with letters.
+
+thetadd, theta_dd, th1_ddot, ddtheta, d2x    ->    theta, theta, th1, theta, x    order 2
+"""
+
+from collections.abc import Iterable, Iterator
+
+SPELLINGS = (
+    (2, ("ddot", "dd", "2dot"), ("dd", "d2")),
+    (1, ("dot", "d"), ("d",)),
+)
+"""Orders, and what stands behind or before the name of what is differentiated."""
+
+
+def key(name: str) -> str:
+    """What two names have in common when they are the same."""
+    return name.replace("_", "")
+
+
+def bases(name: str) -> Iterator[tuple[str, int]]:
+    """Keys of names whose rate a name may be, each with the order."""
+    bare = key(name)
+    for order, ends, starts in SPELLINGS:
+        for end in ends:
+            if end == "d" and name.endswith("_d"):
+                continue  # theta_d is rather a desired angle
+            if bare.endswith(end) and bare != end:
+                yield bare.removesuffix(end), order
+        for start in starts:
+            if bare.startswith(start) and bare != start:
+                yield bare.removeprefix(start), order
+
+
+def families(names: Iterable[str]) -> dict[str, str]:
+    """Names that are rates of another, and of which: a base with a second derivative.
+
+    ``m`` and ``md`` are two masses; ``th``, ``thd`` and ``thdd`` are an angle and its rates. The
+    base need not be among the names.
+    """
+    written = {key(name): name for name in names}
+    members: dict[str, dict[str, int]] = {}
+    for name in written.values():
+        for base, order in bases(name):
+            members.setdefault(base, {})[name] = order
+    found: dict[str, str] = {}
+    for base, rates in members.items():
+        if 2 in rates.values() and (base in written or 1 in rates.values()):
+            for name in rates:
+                found.setdefault(name, written.get(base, base))
+    return found
