@@ -160,7 +160,9 @@ class Naming:
 
     @cached_property
     def _given(self) -> dict[str, str]:
-        return {key(name): target for name, target in self.given.items()}
+        # As a person may copy it from LaTeX: p_{\phi_1}.
+        plain = str.maketrans("", "", "{}\\")
+        return {key(name.translate(plain)): target for name, target in self.given.items()}
 
     @cached_property
     def _guessed(self) -> dict[str, str]:
