@@ -17,6 +17,7 @@ from sympy import Matrix
 
 from benchmarks.detection.states import BITS, Numbers, States, states, value, vanishes
 from benchmarks.detection.tree import Tree, read, symbol, symbols
+from mechanics.checks.ledger import plain_side
 from mechanics.checks.ledger_energy import kinetic_energy
 from mechanics.crosscheck.routes import derive
 from mechanics.equations import Equations
@@ -133,7 +134,7 @@ def _published(about: Subject) -> Iterator[Row]:
         kind = {EquationOfMotion: "motion", ReactionValue: "reaction"}.get(type(row.quantity))
         if kind is None:
             continue
-        first, *others = (about.scene.plain(sympy.sympify(side), row.tag) for side in row.sides)
+        first, *others = (plain_side(about.scene, side, row.tag) for side in row.sides)
         if isinstance(row.quantity, ReactionValue):
             first, others = sympy.Symbol(row.quantity.name, real=True), [first, *others]
         for other in others:

@@ -68,7 +68,7 @@ def value(tree: Tree, numbers: Numbers) -> arb:
         case "power":
             exponent = tree.parts[1].value
             return parts[0] ** (int(exponent) if exponent.denominator == 1 else parts[1])
-    return getattr(arb, tree.kind)(parts[0])
+    return getattr(arb, {"sign": "sgn", "Abs": "__abs__"}.get(tree.kind, tree.kind))(parts[0])
 
 
 def vanishes(number: arb) -> bool | None:

@@ -18,6 +18,9 @@ import sympy
 
 Path = tuple[int, ...]
 
+FUNCTIONS = ("sin", "cos", "tan", "sign", "Abs")
+"""By their names in SymPy."""
+
 
 @dataclass(frozen=True)
 class Tree:
@@ -99,7 +102,7 @@ def read(expr: sympy.Expr) -> Tree:
         return product(*(read(factor) for factor in expr.as_ordered_factors()))
     if expr.is_Pow and expr.exp.is_Rational:
         return power(read(expr.base), Fraction(int(expr.exp.p), int(expr.exp.q)))
-    if isinstance(expr, sympy.sin | sympy.cos | sympy.tan):
+    if type(expr).__name__ in FUNCTIONS:
         return Tree(type(expr).__name__, None, (read(expr.args[0]),))
     if expr is sympy.S.Pi:
         return Tree("pi")

@@ -19,7 +19,7 @@ from sympy import Symbol
 from benchmarks.detection.forms.plain import Notation, Plain
 from benchmarks.detection.forms.spelling import Labels, Written, labels, plain_name, quotient
 from benchmarks.detection.rows import Row, Subject
-from benchmarks.detection.tree import Tree, negative, symbol, symbols, total
+from benchmarks.detection.tree import Tree, negative, places, symbol, symbols, total
 
 IMPORTS = (
     ("np.", "import numpy as np"),
@@ -141,6 +141,11 @@ def _shared(outputs: Sequence[Tree]) -> tuple[list[tuple[str, Tree]], list[Tree]
     return [(name, tree) for tree, name in table.items()], found
 
 
+def _signs(made: Program) -> bool:
+    """Whether a function holds the sign function, which C does not have."""
+    return any(node.kind == "sign" for tree in made.outputs for _, node in places(tree))
+
+
 def python(
     about: Subject, row: Row, trees: tuple[Tree, ...], names: Mapping[str, str], source: Random
 ) -> Written | None:
@@ -149,6 +154,8 @@ def python(
     if made is None:
         return None
     prefix, head = source.choice(IMPORTS)
+    if _signs(made):
+        prefix, head = IMPORTS[0]  # math has no sign()
     matrix = f"{'np.' if prefix == 'np.' else ''}array" if prefix != "math." else ""
     point = source.random() < 0.3
     write = Plain(
@@ -177,11 +184,21 @@ def c_source(
 ) -> Written | None:
     """A C function."""
     made = program(about, row, trees, names, source)
-    if made is None or made.columns:
+    if made is None or made.columns or _signs(made):
         return None
     point = source.random() < 0.3
     write = Plain(
-        Notation(" * ", " / ", "", made.spelled, point=point, decimal=True, call="pow", pi="M_PI")
+        Notation(
+            " * ",
+            " / ",
+            "",
+            made.spelled,
+            point=point,
+            decimal=True,
+            call="pow",
+            modulus="fabs",
+            pi="M_PI",
+        )
     )
     lines, outputs = [], list(made.outputs)
     if source.random() < 0.5:
@@ -225,7 +242,8 @@ def casadi_function(
 
 def _casadi(tree: Tree, table: dict[Symbol, casadi.SX]) -> casadi.SX:
     functions: dict[str, Callable[[casadi.SX], casadi.SX]] = {
-        "sin": casadi.sin, "cos": casadi.cos, "tan": casadi.tan,
+        "sin": casadi.sin, "cos": casadi.cos, "tan": casadi.tan, "sign": casadi.sign,
+        "Abs": casadi.fabs,
     }  # fmt: skip
     match tree.kind:
         case "symbol":

@@ -121,6 +121,10 @@ class Latex:
                 return self.power(*tree.parts)
             case "sin" | "cos" | "tan":
                 return self.function(tree, "")
+            case "sign":
+                return rf"\operatorname{{sgn}} \left( {self(tree.parts[0])} \right)"
+            case "Abs":
+                return rf"\left| {self(tree.parts[0])} \right|"
         return self.bracket(tree)
 
     def bracket(self, tree: Tree) -> str:

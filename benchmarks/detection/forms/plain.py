@@ -49,6 +49,7 @@ class Notation:
     decimal: bool = False
     call: str = ""
     point: bool = False
+    modulus: str = "abs"
     root: str = "sqrt"
     pi: str = "pi"
 
@@ -93,8 +94,10 @@ class Plain:
                 return n.names.get(tree.value, tree.value.name)
             case "pi":
                 return n.pi
-            case "sin" | "cos" | "tan":
+            case "sin" | "cos" | "tan" | "sign":
                 return f"{n.prefix}{tree.kind}({self(tree.parts[0])})"
+            case "Abs":
+                return f"{n.modulus}({self(tree.parts[0])})"
             case "power":
                 return self._power(tree)
         return f"({self(tree)})"
