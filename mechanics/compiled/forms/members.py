@@ -163,6 +163,8 @@ def _fewest(system: System) -> ca.SX:
     # Terms that cancel may have a factor in common: without it they do not.
     if not _readable(system.equations):
         poor.append(_primitive(system))
+    if not _small_and_readable(system.equations):
+        poor.append(_rearranged(system))
     return min(poor, key=lambda graph: (digits_lost(system.error(graph)), operations(graph)))
 
 

@@ -10,7 +10,7 @@ import numpy as np
 from sympy import Add, Symbol
 
 from mechanics.compiled.forms.order import Array, Order, pivot_order
-from mechanics.compiled.programs.program import program, run
+from mechanics.compiled.programs.program import Program, program, run
 from mechanics.compiled.quantities import Quantities
 from mechanics.compiled.sampling import DECADES, sample
 from mechanics.compiled.terms import ExtendedTerms, extended_terms
@@ -19,6 +19,9 @@ from mechanics.exact import canonical
 
 TRIALS = 64
 SEED = 2
+
+WILD = 20_000
+"""Wild states at which a form has to give numbers at all: few of them show what is missing."""
 
 LOST = 1e8
 """Roundings that a number counts for which single precision cannot give."""
@@ -46,7 +49,7 @@ def largest_error(solution: ca.Function, equations: Equations, quantities: Quant
     """Largest residual of a row of K x = k at the states that are tried, for a function x.
 
     In units of epsilon times the sum of the magnitudes of the row's terms, in normal form; at least
-    `LOST` where single precision has no number for what is in its range.
+    `LOST` where a precision has no number for what is in its range, at many more states.
     """
     states, code = _states(quantities), program(solution)
     (x,) = run(code, states, np.float64)
@@ -56,15 +59,22 @@ def largest_error(solution: ca.Function, equations: Equations, quantities: Quant
     columns = list(np.broadcast_arrays(*columns, np.zeros(2 * TRIALS)))[:-1]
     eps = float(np.finfo(float).eps)
     error = max(float(row.ratios(columns, eps).max()) for row in _rows(equations, tuple(symbols)))
-    (single,) = run(code, states, np.float32)
-    return max(error, LOST) if _lost(single, x) else error
+    return max(error, LOST) if error < LOST and _lost(code, quantities) else error
 
 
-def _lost(single: list[Array], double: list[Array]) -> bool:
-    """Whether a number of single precision is missing at a state where none is out of range."""
-    missing = np.any([~np.isfinite(np.broadcast_to(e, 2 * TRIALS)) for e in single], axis=0)
-    within = np.all([np.abs(np.broadcast_to(e, 2 * TRIALS)) < RANGE for e in double], axis=0)
-    return bool(np.any(missing & within))
+def _lost(code: Program, quantities: Quantities) -> bool:
+    """Whether a number is missing at a state where none is out of the range of the precision."""
+    drawn = sample(quantities, WILD, SEED).rounded(np.float32)
+    states = [list(group.T) for group in drawn.groups]
+    with np.errstate(all="ignore"):
+        (double,) = run(code, states, np.float64)
+        (single,) = run(code, states, np.float32)
+    missing, absent = (
+        np.any([~np.isfinite(np.broadcast_to(entry, WILD)) for entry in group], axis=0)
+        for group in (single, double)
+    )
+    within = np.all([np.abs(np.broadcast_to(entry, WILD)) < RANGE for entry in double], axis=0)
+    return bool(np.any(absent | (missing & within)))
 
 
 @lru_cache(maxsize=4)
