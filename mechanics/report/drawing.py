@@ -4,6 +4,7 @@ Bodies are drawn between their centres and the points where reactions act; a bod
 point is drawn as the uniform rod, or as the ellipse, that has its inertia.
 """
 
+import re
 from collections.abc import Mapping
 from html import escape
 
@@ -14,14 +15,16 @@ from sympy.physics.vector import Dyadic, Point
 from mechanics.report import ink
 from mechanics.report.notation import svg_name
 from mechanics.report.projection import View, normal, unit
-from mechanics.report.supports import BLOCK, Paper, ground, load_symbol
+from mechanics.report.supports import BLOCK, Paper, gravity_arrow, ground, load_symbol
 from mechanics.scene import Body, RigidBody, Scene
 from mechanics.scene.actions import carrier_of
-from mechanics.scene.loads import Damper, Spring, Torque
+from mechanics.scene.loads import Damper, Gravity, Spring, Torque
 
 WIDTH, HEIGHT, MARGIN = 460.0, 340.0, 74.0
 # Beyond this many bodies only the first and the last are named.
 FEW = 4
+CORNER = (160.0, 92.0)
+"""Room for axes and gravity, in pixels."""
 
 
 def drawing(scene: Scene, state: Mapping[str, float]) -> str:
@@ -40,14 +43,32 @@ def drawing(scene: Scene, state: Mapping[str, float]) -> str:
     parts = [ground(view, paper)]
     parts += [_body(view, paper, body, outlines[body.name]) for body in scene.bodies]
     parts += [load_symbol(view, paper, load) for load in scene.loads]
-    parts += [_joints(view, paper), _axes(view, paper)]
+    parts += [_joints(view, paper)]
     parts += [_coordinate(view, paper, q) for q in (scene.q if len(scene.q) <= FEW else ())]
     parts += [_label(view, paper, body) for body in named]
+    x, y = _free_corner("".join(parts))
+    directions = _axes(view, paper) + (gravity_arrow(view, paper) if _heavy(scene) else "")
+    parts.append(f'<g transform="translate({x:g} {y:g})">{directions}</g>')
     title = escape(f"Schematic drawing of the system {scene.name}")
     return (
         f'<svg class="drawing" viewBox="0 0 {WIDTH:.0f} {HEIGHT:.0f}" role="img"'
         f' aria-label="{title}">{"".join(parts)}</svg>'
     )
+
+
+def _heavy(scene: Scene) -> bool:
+    return any(isinstance(load, Gravity) for load in scene.loads)
+
+
+def _free_corner(drawn: str) -> tuple[float, float]:
+    """Where axes and gravity go, in pixels from the upper left: the corner with least in it."""
+    width, height = CORNER
+    pairs = re.findall(r"(-?[\d.]+),(-?[\d.]+)", drawn)
+    pairs += re.findall(r'x="(-?[\d.]+)" (?:c)?y="(-?[\d.]+)"', drawn)
+    places = np.array([(float(x), float(y)) for x, y in pairs]).reshape(-1, 2)
+    corners = [(x, y) for y in (0.0, HEIGHT - height) for x in (0.0, WIDTH - width)]
+    inside = [np.sum(np.all((places > c) & (places < np.add(c, CORNER)), axis=1)) for c in corners]
+    return corners[int(np.argmin(inside))]
 
 
 def attached(scene: Scene, body: Body) -> list[Point]:

@@ -20,9 +20,12 @@ from mechanics.scene import (
     Torque,
     TorsionSpring,
 )
+from mechanics.scene.actions import carrier_of
 from mechanics.scene.reactions import Reaction
 
 BLOCK = (54.0, 34.0)
+LANE = 22.0
+"""Between springs and dampers that stand side by side, in pixels."""
 
 
 @dataclass(frozen=True)
@@ -86,7 +89,8 @@ def _plane(view: View, place: np.ndarray) -> str:
 def load_symbol(view: View, paper: Paper, load: Load) -> str:
     """The symbol of one load."""
     if isinstance(load, Gravity):
-        return _gravity(view, paper)
+        # Its arrow stands beside the axes.
+        return ""
     if isinstance(load, Spring | Damper):
         return _between(view, paper, load)
     if isinstance(load, Force):
@@ -107,7 +111,8 @@ def load_symbol(view: View, paper: Paper, load: Load) -> str:
     raise TypeError(f"no drawing is known for the load {load!r}")
 
 
-def _gravity(view: View, paper: Paper) -> str:
+def gravity_arrow(view: View, paper: Paper) -> str:
+    """An arrow along gravity; nothing where that points into the paper."""
     if view.down is None:
         return ""
     along = paper.turn(view.down)
@@ -136,22 +141,42 @@ def _between(view: View, paper: Paper, load: Spring | Damper) -> str:
     wall = ""
     if load.along is not None:
         along = unit(paper.turn(view.direction(load.along)))
-        inset = 0.5 * BLOCK[0] * along
         if not view.moves(load.first) and not view.slack:
             # The anchor stands where the spring is free; it is drawn at a length that shows it.
             start = end - max((end - start) @ along, 120.0) * along
+        if not view.moves(load.first):
             wall = ink.hatching(start, normal(along), -along, 24)
-            end = end - inset
-        elif not view.moves(load.first):
-            wall = ink.hatching(start, normal(along), -along, 24)
-            end = end - inset
         else:
-            start, end = start + inset, end - inset
+            start = start + _inset(view, load, load.first, load.by) * along
+        end = end - _inset(view, load, load.second, load.on) * along
+    side = normal(unit(end - start))
+    side = side if side[1] < 0 else -side
+    place, lanes = _lane(view, load)
+    aside = LANE * (place - (lanes - 1) / 2) * side
+    start, end = start + aside, end + aside
     stroke = ink.zigzag(start, end) if isinstance(load, Spring) else ink.dashpot(start, end)
     constant = load.stiffness if isinstance(load, Spring) else load.coefficient
-    side = normal(unit(end - start))
-    at = (start + end) / 2 + 20 * (side if side[1] < 0 else -side)
+    outward = side if 2 * place >= lanes - 1 else -side
+    at = (start + end) / 2 + 20 * outward
     return wall + stroke + ink.text(at, label(constant, load.name), "name")
+
+
+def _inset(view: View, load: Spring | Damper, point: Point, stated: str | None) -> float:
+    """Pixels from the point to the edge of the body there: a mass point is drawn as a block."""
+    carrier = carrier_of(view.scene, load, point, stated)
+    is_block = carrier is not None and not isinstance(view.scene.body(carrier), RigidBody)
+    return 0.5 * BLOCK[0] if is_block else 0.0
+
+
+def _lane(view: View, load: Spring | Damper) -> tuple[int, int]:
+    """Place of a spring or damper among those between the same two points, and their number."""
+    ends = {load.first, load.second}
+    beside = [
+        other
+        for other in view.scene.loads
+        if isinstance(other, Spring | Damper) and {other.first, other.second} == ends
+    ]
+    return beside.index(load), len(beside)
 
 
 def label(constant: Expr, name: str) -> str:

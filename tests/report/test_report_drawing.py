@@ -104,3 +104,58 @@ def test_samples_that_are_not_finite_are_left_out() -> None:
 def test_a_bar_is_never_invisible() -> None:
     assert 'width="0.8"' in bar(0.0)
     assert 'width="50.0"' in bar(0.5)
+
+
+def strokes(text: str, style: str = "line") -> list[np.ndarray]:
+    return [
+        np.array([list(map(float, pair.split(","))) for pair in found.split()])
+        for found in re.findall(rf'<polyline class="{style}" points="([^"]*)"', text)
+    ]
+
+
+def test_a_spring_and_a_damper_stand_side_by_side_and_end_at_what_they_hold() -> None:
+    """Both between the same points; another damper ends at the mass centre of a rod."""
+    x, theta = dynamicsymbols("x theta")
+    m, L, k, c, g = parameters("m L k c g", units="kg m N/m N*s/m m/s^2", typical="1 1 1 1 9.81")
+    ground, origin = ReferenceFrame("N"), Point("O")
+    rod = ground.orientnew("A", "Axis", (theta, ground.z))
+    pivot = origin.locatenew("B", x * ground.x)
+    centre = pivot.locatenew("C", -L / 2 * rod.y)
+    scene = Scene(
+        "damped", ground, origin, coordinates=(x, theta),
+        bodies=(Particle("cart", pivot, m), RigidBody("rod", centre, rod, m, m * L**2 / 12)),
+        loads=(
+            gravity(-g * ground.y),
+            spring("k", origin, pivot, k, along=ground.x),
+            damper("c", origin, pivot, c, along=ground.x),
+            damper("d", origin, centre, c, along=ground.x),
+        ),
+        reactions=(
+            reaction("T", at=pivot, on="cart", by="rod", along=ground.x),
+            reaction("N", at=pivot, on="rod", by="cart", along=ground.y),
+            reaction("N1", at=pivot, on="cart", by=None, along=ground.y),
+        ),
+    )  # fmt: skip
+    text = drawing(scene, {"theta": 0.5})
+    (coil,) = (line for line in strokes(text) if len(line) > 10)
+    rods = [line for line in strokes(text) if len(line) == 2 and np.ptp(line[:, 1]) < 0.1]
+    to_cart, to_rod = (rods[i] for i in (1, 3))
+    assert abs(coil[0, 1] - to_cart[0, 1]) > 2 * 7 + 2
+    ((cx, cy),) = re.findall(r'class="joint" cx="([\\d.]+)" cy="([\\d.]+)"', text)[:1]
+    assert float(cx) - to_cart[1, 0] == pytest.approx(27, abs=0.2)
+    assert any(f'cx="{to_rod[1, 0]:.1f}" cy="{to_rod[1, 1]:.1f}"' in c for c in circles(text)), cy
+
+
+def circles(text: str) -> list[str]:
+    return re.findall(r"<circle[^>]*>", text)
+
+
+@pytest.mark.parametrize("name", sorted(scenes()))
+def test_axes_and_gravity_stand_where_nothing_else_is(name: str) -> None:
+    text = drawing(scenes()[name], scenes()[name].example)
+    before, (x, y), _ = re.split(r'<g transform="translate\((\d+) (\d+)\)">', text)[0], re.search(
+        r'<g transform="translate\((\d+) (\d+)\)">', text
+    ).groups(), None
+    points = np.vstack(strokes(before, "(?:line|body|rod|motion)") or [np.zeros((0, 2))])
+    inside = (points >= (int(x), int(y))) & (points <= (int(x) + 160, int(y) + 92))
+    assert not np.all(inside, axis=1).any()

@@ -13,6 +13,7 @@ from mechanics.exact import Verdict
 from mechanics.reading.names import Match
 from mechanics.report.answer.judged import Judged
 from mechanics.report.answer.notebook import notebook
+from mechanics.report.answer.spelled import spelled
 from mechanics.report.answer.terminal import answer, plain
 from mechanics.scene import Scene
 
@@ -54,8 +55,13 @@ class Check:
         """Whether everything is PROVED or CERTIFIED, and there is something."""
         return self.verdict in (Verdict.PROVED, Verdict.CERTIFIED)
 
+    @property
+    def told(self) -> tuple[Judged, ...]:
+        """What was judged, as a reader is shown it: wrong code as the formula that it is."""
+        return tuple(spelled(entry, self.scene) for entry in self.judged)
+
     def __rich__(self) -> Group:
-        return answer(self.judged, self.names, self.remarks)
+        return answer(self.told, self.names, self.remarks)
 
     def __str__(self) -> str:
         return plain(self.__rich__())

@@ -53,7 +53,7 @@ def check_html(found: Check) -> str:
     return made.get_template("answer/page.html").render(
         found=found,
         scene=found.scene,
-        cards=[_card(n, entry) for n, entry in enumerate(found.judged, start=1)],
+        cards=[_card(n, entry) for n, entry in enumerate(found.told, start=1)],
         tally=words.tally(entry.finding for entry in found.judged),
         drawing=Markup(drawing(found.scene, state)),
         symbols=_symbols(found, state),

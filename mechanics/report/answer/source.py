@@ -15,7 +15,7 @@ from mechanics.report.answer.lines import INDENT, NARROWEST
 from mechanics.report.answer.marks import Piece, printable
 
 WRONG = "bold red"
-BREAKS = " +-=\\&*"
+SIGNS = "+-=\\&"
 Cell = tuple[str, bool]
 """A character, and whether it is wrong."""
 
@@ -55,8 +55,7 @@ def _rows(cells: list[Cell], width: int) -> Iterator[list[Cell]]:
     while cells:
         end = _fitting(cells, width)
         if end < len(cells):
-            breaks = [k for k in range(end, end // 3, -1) if _may_break(cells, k)]
-            end = breaks[0] if breaks else end
+            end = _break(cells, end)
         yield cells[:end]
         cells = cells[end:]
         while cells and cells[0] == (" ", False):
@@ -72,10 +71,17 @@ def _fitting(cells: list[Cell], width: int) -> int:
     return len(cells)
 
 
-def _may_break(cells: list[Cell], k: int) -> bool:
-    """Before an operator or command, unless it is the sign of an exponent, or inside a command."""
-    before, after = cells[k - 1][0], cells[k][0]
-    return before == " " or (after in BREAKS and before not in "\\*^_{(")
+def _break(cells: list[Cell], end: int) -> int:
+    """Where a row ends that may have so many cells: after a space rather than at a sign."""
+    inside = range(end, end // 3, -1)
+    after_space = (k for k in inside if cells[k - 1][0] == " ")
+    before_sign = (k for k in inside if _parts(cells[k - 1][0], cells[k][0]))
+    return next(after_space, next(before_sign, end))
+
+
+def _parts(before: str, after: str) -> bool:
+    """Whether a sign or command parts a row, and is none of an exponent."""
+    return after in SIGNS and before not in "\\*^_{("
 
 
 def _text(row: list[Cell]) -> Text:

@@ -29,7 +29,7 @@ class Hand:
     Attributes
     ----------
     notation : str
-        ``"latex"`` or ``"text"``; of anything else nothing is typeset.
+        ``"latex"``, ``"text"`` or ``"code"``; of anything else nothing is typeset.
     naming : Naming or None
         Settles what text means.
     """
@@ -64,7 +64,7 @@ class Hand:
         return latex if setter.placed == set(right) else None
 
     def _sides(self, text: str) -> Sequence | None:
-        if self.notation != "text" or self.naming is None:
+        if self.notation not in ("text", "code") or self.naming is None:
             return None
         try:
             lines = read_text(text, self.naming)

@@ -1,0 +1,69 @@
+"""Wrong code is shown as the formula that was read from it, with the wrong part marked."""
+
+import re
+
+import pytest
+from numpy import cos, sin
+
+from mechanics.blame.result import Edit, Mistake
+from mechanics.crosscheck.check import check
+from mechanics.report.answer.check import Check
+from mechanics.report.answer.page import check_html
+from mechanics.report.answer.places import placed
+from systems import elastic_pendulum
+
+
+def wrong(x, theta, x_dot, theta_dot, M, m, L, k, g):
+    """The spring is too stiff in the first row, and the second row is right."""
+    push = M * L / 2 * theta_dot**2 * sin(theta)
+    det = (M + m) * L / 3 - M * L / 4 * cos(theta) ** 2
+    weight = g / 2 * sin(theta)
+    x_ddot = (L / 3 * (push - 3 * k * x) + M * L / 2 * weight * cos(theta)) / det
+    theta_ddot = -((M + m) * weight + cos(theta) / 2 * (push - 2 * k * x)) / det
+    return [x_ddot, theta_ddot]
+
+
+@pytest.fixture(scope="module")
+def found() -> Check:
+    return check(elastic_pendulum.scene(), wrong)
+
+
+def edit(written: str, right: str) -> Edit:
+    return Edit(Mistake.TERM, written, right)
+
+
+def test_edits_are_placed_where_they_stand_as_often_as_they_are() -> None:
+    formula = "a = 2*k*x/3 + 12*k**2 + x"
+    (one,) = placed(formula, [edit("3", "4")])
+    assert one.span == (formula.index("3"), formula.index("3") + 1)
+    both = placed("a = k/2 + m/2", [edit("2", "3"), edit("2", "3")])
+    assert [found.span for found in both] == [(6, 7), (12, 13)]
+    for text in ("x", "k", "9", "2*k**2"):
+        (lost,) = placed("x = k*x - k*12", [edit(text, "y")])
+        assert lost.span is None
+    (told,) = placed("a = 3*k + 3*m/3", [edit("3", "2")], "a = 3*k+2*m/3")
+    assert told.span == (10, 11)
+    (power,) = placed("a = k**2", [edit("k", "m")])
+    assert power.span is None
+
+
+def test_wrong_code_is_told_as_a_formula(found: Check) -> None:
+    entry, right = found.told
+    assert right is found.judged[1]
+    assert entry.statement.source.startswith("x_ddot = ")
+    assert found.judged[0].statement.source == "wrong: x_ddot"
+    assert "wrong: x_ddot" in entry.statement.place
+    assert "x_ddot = " in str(found)
+
+
+def test_right_statements_and_texts_stay(answered: Check) -> None:
+    assert answered.told == answered.judged
+
+
+def test_the_page_marks_the_formula(found: Check) -> None:
+    page = check_html(found)
+    card = page[page.index('<article class="statement') : page.index("</article>")]
+    assert "wrong: x_ddot" in card
+    assert re.findall(r'class="wrong"><mn>(\d+)</mn>', card) == ["3"]
+    assert re.findall(r'class="right"><mn>(\d+)</mn>', card) == ["2"]
+    assert re.search(r"<code>x_ddot = ", card) is None
