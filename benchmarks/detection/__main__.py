@@ -56,7 +56,8 @@ def _part(wanted: list[str], seed: int, systems: tuple[str, ...], blamed: int) -
 
 def _told(result: Result) -> str:
     """A case in full."""
-    lines = [line(result, 100_000), "", result.text, "", f"{result.verdict}: {result.words}"]
+    lines = [line(result, 60), "", result.text, "", f"{result.verdict}: {result.words}"]
+    lines += [f"mistake made, {words}" for words in result.made]
     lines += [f"right if {words}" for words in result.right_if]
     if result.undone:
         lines += [f"first repair, {result.undone.how}:", *result.undone.edits]

@@ -133,9 +133,10 @@ def line(result: Result, length: int = 160) -> str:
     """A case in one line."""
     text = " ".join(result.text.split())
     text = text if len(text) <= length else text[: length - 3] + "..."
+    made = f" <{'; '.join(result.made)}>" if result.made else ""
     edits = f" [{'; '.join(result.undone.edits)}]" if result.undone else ""
     why = f" ({result.words})" if result.verdict != "REFUTED" else ""
     return (
         f"{result.name} {result.system}, {result.row}, {result.form}, {' + '.join(result.kinds)}:"
-        f" {missed(result)}{why}{edits}: {text}"
+        f" {missed(result)}{why}{made}{edits}: {text}"
     )

@@ -26,6 +26,7 @@ from benchmarks.detection.tree import (
     put,
     symbol,
     total,
+    written,
 )
 
 FUNCTIONS = {"sin": ("cos",), "cos": ("sin",), "tan": ("sin", "cos")}
@@ -53,6 +54,11 @@ class Mutation:
     path: Path
     was: Tree
     now: Tree
+
+    @property
+    def words(self) -> str:
+        """What was changed."""
+        return f"{written(self.was)} -> {written(self.now)}"
 
     def into(self, trees: Sequence[Tree]) -> tuple[Tree, ...]:
         """The trees with the mistake made."""

@@ -19,7 +19,8 @@ class Result:
     Attributes
     ----------
     name, system, row, about, form : str
-    kinds : tuple of str
+    kinds, made : tuple of str
+        Of mistakes, and what each changed.
     verdict : str
         Of the finding; ``"error"`` where the check ended in one.
     words : str
@@ -41,6 +42,7 @@ class Result:
     about: str
     form: str
     kinds: tuple[str, ...]
+    made: tuple[str, ...]
     verdict: str
     words: str
     right_if: tuple[str, ...]
@@ -76,7 +78,7 @@ def judged(name: str, seed: int, systems: Sequence[str], blame: bool = False) ->
         told = _blamed(drawn, seconds * count)
     return Result(
         name, drawn.about.system.name, drawn.row.name, drawn.row.about, drawn.form, drawn.kinds,
-        verdict, words, right_if, seconds, drawn.written.text, drawn.equivalent, told,
+        tuple(mutation.words for mutation in drawn.mutations), verdict, words, right_if, seconds, drawn.written.text, drawn.equivalent, told,
     )  # fmt: skip
 
 
