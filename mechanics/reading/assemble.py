@@ -250,7 +250,7 @@ class _Assembly:
         elif isinstance(quantity, Identity) and len(sides) == 1:
             doubt = "an expression without an equals sign: say what it is about"
         notes = (*line.notes, note) if note else line.notes
-        row = published(tag, quantity, *sides, label=line.source)
+        row = published(tag, quantity, *map(self.scene.pressed, sides), label=line.source)
         trees = tuple(self.trees.items())
         written = Written(line.sides, trees, self.naming, self.notation, self.text, line.at)
         self.statements.append(Statement(row, line.source, tag, place, notes, doubt, written))

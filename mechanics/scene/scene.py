@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
 from itertools import pairwise
+from typing import Any
 
 from sympy import Abs, Dummy, Expr, Matrix, Symbol, eye, linsolve, sign, sympify, zeros
 from sympy.physics.vector import Point, ReferenceFrame, Vector
@@ -139,13 +140,20 @@ class Scene:
     def plain(self, expression: Expr, where: str = "") -> Expr:
         """The expression in plain symbols, with q' and q'' written in q, u and u'."""
         result = to_plain(expression, self._table, where or self.name)
-        if self._pressing and result.has(sign, Abs):
-            # A reaction on which friction depends presses: sign(N v) is sign(v).
-            back = {positive: symbol for symbol, positive in self._pressing.items()}
-            result = result.xreplace(self._pressing).xreplace(back)
+        result = self.pressed(result)
         if not self.speeds:
             return result
         return result.xreplace(self._second_rates).xreplace(self.coordinate_rates)
+
+    def pressed(self, expression: Any) -> Any:
+        """An expression or matrix where reactions press on which friction depends.
+
+        There sign(N v) is sign(v).
+        """
+        if not self._pressing or not expression.has(sign, Abs):
+            return expression
+        back = {positive: symbol for symbol, positive in self._pressing.items()}
+        return expression.xreplace(self._pressing).xreplace(back)
 
     def rates(self, expression: Expr) -> Expr:
         """The expression in plain symbols, with q' left as symbols of its own."""
