@@ -35,7 +35,7 @@ class Size:
     bottom = 44.0
 
 
-WIDE, NARROW = Size(910.0, 520.0, 210.0), Size(372.0, 420.0, 15.0)
+WIDE, NARROW = Size(910.0, 520.0, 210.0), Size(372.0, 420.0, 27.0)
 
 
 @dataclass(frozen=True)

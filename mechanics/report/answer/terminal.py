@@ -79,9 +79,9 @@ def one(entry: Judged) -> Iterator[RenderableType]:
     edits = repairs[0].edits if repairs else ()
     head, source = _head(entry), printable(statement.source)
     if not edits and cell_len(head.plain + source) + 2 <= PLAIN_WIDTH:
-        yield head.append(f"  {source}" if source else "")
+        yield Hanging(head.append(f"  {source}" if source else ""))
     else:
-        yield head
+        yield Hanging(head)
         yield _source(statement.source, edits)
     if finding.verdict not in (Verdict.PROVED, Verdict.REFUTED):
         yield below(line(finding.evidence))
