@@ -10,6 +10,7 @@ import itertools
 from collections.abc import Iterator
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import partial
 
 from mechanics.blame.result import Mistake
 from mechanics.blame.search.change import (
@@ -19,7 +20,9 @@ from mechanics.blame.search.change import (
     SECOND,
     TOKEN,
     Change,
+    Wrap,
     minus,
+    plus,
     raised,
     size_of,
     times,
@@ -93,6 +96,12 @@ class Candidates:
     ) -> Change:
         return Change(index, node, mistake, cost, index, values)
 
+    def _wrapped(
+        self, index: int, wrap: Wrap, mistake: Mistake, cost: float, values: tuple[int, ...]
+    ) -> Change:
+        node = wrap(self.forest.nodes[index])
+        return Change(index, node, mistake, cost, index, values, wrap)
+
     def _has(self, index: int) -> tuple[int, ...]:
         return tuple(sheet.has[index] for sheet in self.sheets)
 
@@ -127,7 +136,7 @@ class Candidates:
         above = self.forest.parent[index]
         around = self.forest.nodes[above] if above >= 0 else None
         if not isinstance(around, Sum):
-            yield from self._plus(index, node, (node,), {own.kind if own is not None else ""})
+            yield from self._plus(index, {own.kind if own is not None else ""})
         if not isinstance(around, Power):
             yield from self._powers(index, node, (2, 3))
 
@@ -191,7 +200,7 @@ class Candidates:
         values = tuple(-value % p for value in has)
         side = self.forest.parent[index] < 0 or not self.forest.place[index][1]
         far = 2 * HINT if side and isinstance(node, Name) else 0.0
-        yield self._change(index, minus(node), Mistake.SIGN, TOKEN + far, values)
+        yield self._wrapped(index, minus, Mistake.SIGN, TOKEN + far, values)
         if not side or self._other_side(index):
             zero = (0,) * len(has)
             yield self._change(index, None, Mistake.EXTRA, DROPPED, zero)
@@ -205,20 +214,18 @@ class Candidates:
         """Factors in front of a term: numbers where it has none, symbols and their inverses."""
         if not self._number_below(index):
             for ratio in RATIOS:
-                new = times(Number(0, ratio), node)
+                wrap = partial(times, Number(0, ratio))
                 cost = TOKEN + far + size_of(ratio)
-                yield self._change(index, new, Mistake.FACTOR, cost, self._scaled(index, ratio))
+                yield self._wrapped(index, wrap, Mistake.FACTOR, cost, self._scaled(index, ratio))
         p, has = self._p, self._has(index)
         for word in self.words.symbols:
             values = tuple(a * b % p for a, b in zip(has, word.values, strict=True))
-            new = times(word.name, node)
             cost = TOKEN + far + SECOND
-            yield self._change(index, new, Mistake.FACTOR, cost, values)
+            yield self._wrapped(index, partial(times, word.name), Mistake.FACTOR, cost, values)
             if all(word.values):
                 over = Power(0, word.name, Number(0, Fraction(-1)))
                 values = tuple(a * pow(b, -1, p) % p for a, b in zip(has, word.values, strict=True))
-                inner = Product(node.at, (node, over))
-                yield self._change(index, inner, Mistake.FACTOR, cost, values)
+                yield self._wrapped(index, partial(times, over), Mistake.FACTOR, cost, values)
 
     def _number_below(self, index: int) -> bool:
         """Whether a term has a number that can be another one."""
@@ -244,11 +251,9 @@ class Candidates:
             part = self.forest.nodes[kid]
             word = self.words.word(part) if isinstance(part, Name) else None
             kinds.add(word.kind if word is not None else "")
-        yield from self._plus(index, node, node.terms, kinds)
+        yield from self._plus(index, kinds)
 
-    def _plus(
-        self, index: int, node: Node, terms: tuple[Node, ...], kinds: set[str]
-    ) -> Iterator[Change]:
+    def _plus(self, index: int, kinds: set[str]) -> Iterator[Change]:
         for word in self.words.symbols:
             if word.kind not in kinds or not word.kind:
                 continue
@@ -258,6 +263,5 @@ class Candidates:
                     for a, b in zip(self._has(index), word.values, strict=True)
                 )
                 added = word.name if sign > 0 else minus(word.name)
-                new = Sum(node.at, (*terms, added))
                 cost = TOKEN + SECOND + (HINT if sign < 0 else 0.0)
-                yield self._change(index, new, Mistake.MISSING, cost, values)
+                yield self._wrapped(index, partial(plus, added), Mistake.MISSING, cost, values)

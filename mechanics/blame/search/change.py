@@ -3,11 +3,12 @@
 token (sign, number, symbol, function, power)  <  term dropped  <  term added  <  term replaced
 """
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from fractions import Fraction
 
 from mechanics.blame.result import Mistake
-from mechanics.reading.tree import Node, Number, Power, Product
+from mechanics.reading.tree import Node, Number, Power, Product, Sum
 
 TOKEN, DROPPED, ADDED, REPLACED = 1.0, 1.4, 1.6, 2.6
 """Costs; two tokens are cheaper than a term that is replaced."""
@@ -29,6 +30,9 @@ RATIOS = tuple(
 """Factors that are tried; others are found where one edit is enough."""
 
 
+Wrap = Callable[[Node], Node]
+
+
 @dataclass(frozen=True, eq=False)
 class Change:
     """An edit.
@@ -45,6 +49,9 @@ class Change:
         The node whose value is known with the change: `index`, or the function around it.
     values : tuple of int
         Its residue at each point.
+    wrap : callable or None
+        Makes `node` of what stands there, for edits that keep it: a sign, a factor, a term added.
+        They go together with edits below.
     """
 
     index: int
@@ -53,6 +60,7 @@ class Change:
     cost: float
     at: int
     values: tuple[int, ...]
+    wrap: Wrap | None = None
 
 
 def size_of(ratio: Fraction) -> float:
@@ -92,6 +100,12 @@ def times(factor: Node, node: Node) -> Node:
         return minus(times(factor, minus(node)))
     inner = node.factors if isinstance(node, Product) else (node,)
     return Product(node.at, (factor, *inner))
+
+
+def plus(term: Node, node: Node) -> Node:
+    """A sum with one more term."""
+    terms = node.terms if isinstance(node, Sum) else (node,)
+    return Sum(node.at, (*terms, term))
 
 
 def raised(base: Node, exponent: int) -> Node:

@@ -5,7 +5,7 @@
 A definition stands, as a copy, wherever its name does: an edit of it is one of all its copies.
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
 
@@ -115,21 +115,33 @@ class Forest:
         return found
 
 
-def edited(root: Node, changes: Mapping[tuple[int, ...], Node | None]) -> Node:
-    """A tree with other nodes at the ends of some ways down; None leaves a term or factor out."""
-    if () in changes:
-        return changes[()] or Number(root.at, Fraction(0))
-    below: dict[int, dict[tuple[int, ...], Node | None]] = {}
-    for (first, *rest), node in changes.items():
-        below.setdefault(first, {})[tuple(rest)] = node
-    if not below:
-        return root
-    new: list[Node] = []
-    for i, part in enumerate(parts(root)):
-        if i in below and below[i].get((), part) is None:
-            continue
-        new.append(edited(part, below[i]) if i in below else part)
-    return with_parts(root, tuple(new))
+Way = tuple[int, ...]
+Step = Node | None | Callable[[Node], Node]
+"""Another node, None for one that is left out, or what is made of the node with its edits."""
+
+
+def edited(root: Node, steps: Sequence[tuple[Way, Step]]) -> Node:
+    """A tree with edits at the ends of some ways down."""
+    here = [step for way, step in steps if not way]
+    below: dict[int, list[tuple[Way, Step]]] = {}
+    for way, step in steps:
+        if way:
+            below.setdefault(way[0], []).append((way[1:], step))
+    node = root
+    for step in here:
+        if step is None or isinstance(step, Node):
+            node = step or Number(root.at, Fraction(0))
+    if node is root and below:
+        new = [
+            edited(part, below[i]) if i in below else part
+            for i, part in enumerate(parts(root))
+            if ((), None) not in below.get(i, ())
+        ]
+        node = with_parts(root, tuple(new))
+    for step in here:
+        if callable(step):
+            node = step(node)
+    return node
 
 
 def with_parts(node: Node, new: tuple[Node, ...]) -> Node:

@@ -44,7 +44,7 @@ def inside_of(
     node = forest.nodes[index]
     depth = len(forest.place[index][1])
     for below, other, mistake, cost in _Inside(forest, words).of(index):
-        new = edited(node, {forest.place[below][1][depth:]: other})
+        new = edited(node, [(forest.place[below][1][depth:], other)])
         values = None if new == node else worth(sheets, new)
         if values is not None:
             yield Change(below, other, mistake, cost, index, values)

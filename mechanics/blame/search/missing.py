@@ -10,13 +10,13 @@ d(2 s) - d(s), and they have to make up the whole.
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from functools import cached_property
+from functools import cached_property, partial
 from itertools import combinations
 
 from sympy import Symbol
 
 from mechanics.blame.result import Mistake
-from mechanics.blame.search.change import ADDED, HINT, Change, raised, size_of
+from mechanics.blame.search.change import ADDED, HINT, Change, plus, raised, size_of
 from mechanics.blame.search.circular import Circular, circular
 from mechanics.blame.search.claim import ALONG, Claim
 from mechanics.blame.search.judge import Problem
@@ -100,13 +100,12 @@ class Missing:
         if term is None:
             return None
         added, extra = term
-        terms = node.terms if isinstance(node, Sum) else (node,)
-        if isinstance(node, Number) and node.value == 0:
-            terms = ()
-        new = Sum(node.at, (*terms, added)) if terms else added
-        mistake = Mistake.MISSING if terms else Mistake.TERM
         value = (sheet.has[index] + lacks[None]) % self._p
-        return Change(index, new, mistake, ADDED + extra, index, (value,))
+        if isinstance(node, Number) and node.value == 0:
+            return Change(index, added, Mistake.TERM, ADDED + extra, index, (value,))
+        wrap = partial(plus, added)
+        cost = ADDED + extra
+        return Change(index, wrap(node), Mistake.MISSING, cost, index, (value,), wrap)
 
     def _products(self, lacks: Series) -> Iterator[tuple[Node, float]]:
         """Products that a series is, with what each costs more."""

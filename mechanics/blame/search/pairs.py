@@ -7,8 +7,9 @@ Every edit is entered at every node above it with what it does there; its partne
 """
 
 from collections import defaultdict
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 
+from mechanics.blame.result import Mistake
 from mechanics.blame.search.change import Change
 from mechanics.blame.search.judge import Problem
 from mechanics.blame.search.sheet import Sheet
@@ -38,6 +39,7 @@ def _where_they_meet(
     (sheet,) = problem.sheets
     forest = problem.forest
     entries: dict[int, list[Entry]] = defaultdict(list)
+    reached: dict[int, dict[int, list[Change]]] = defaultdict(lambda: defaultdict(list))
     for change in changes:
         if not forest.single(change.at):
             continue
@@ -46,10 +48,15 @@ def _where_they_meet(
             while (above := forest.parent[child]) >= 0:
                 if isinstance(forest.nodes[above], Sum | Product):
                     entries[above].append((child, value, change))
+                reached[child][value].append(change)
                 value = sheet.above(above, child, value)
                 child = above
+            reached[child][value].append(change)
         except (DivisionHere, ValueError):
             continue
+    for change in changes:
+        if change.wrap is not None and forest.single(change.at):
+            yield from _around(sheet, change, reached[change.index])
     for index, here in entries.items():
         need = sheet.needs[index]
         if need is None or need == sheet.has[index]:
@@ -58,6 +65,25 @@ def _where_they_meet(
             yield from _added(sheet, need - sheet.has[index], here)
         elif sheet.has[index]:
             yield from _multiplied(sheet, index, need, here)
+
+
+def _around(
+    sheet: Sheet, outer: Change, reached: Mapping[int, Sequence[Change]]
+) -> Iterator[tuple[Change, Change]]:
+    """A sign, factor or term around a node, and an edit in it."""
+    p, index = sheet.point.prime, outer.index
+    need, has, value = sheet.needs[index], sheet.has[index], outer.values[0]
+    if need is None or not has:
+        return
+    if outer.mistake is Mistake.MISSING:
+        wanted = (need - value + has) % p
+    elif value:
+        wanted = need * has * pow(value, -1, p) % p
+    else:
+        return
+    for inner in reached.get(wanted, ()):
+        if inner.wrap is None or inner.index != index:
+            yield inner, outer
 
 
 def _added(sheet: Sheet, missing: int, here: Sequence[Entry]) -> Iterator[tuple[Change, Change]]:

@@ -11,13 +11,13 @@ from mechanics.blame.result import Edit, Mistake, Repair
 from mechanics.blame.search.change import Change, is_minus
 from mechanics.blame.search.claim import Claim
 from mechanics.blame.search.find import Solution
-from mechanics.blame.search.forest import Forest, edited
+from mechanics.blame.search.forest import Forest, Step, Way, edited
 from mechanics.blame.search.point import Family, Point, at_points
 from mechanics.blame.search.spell import Spelling
 from mechanics.checks.ledger import check_row
 from mechanics.errors import ExpressionError, InputError, SceneError
 from mechanics.reading.place import Refused
-from mechanics.reading.tree import Node, Power, Product, Sum, parts
+from mechanics.reading.tree import Power, Product, Sum, parts
 from mechanics.reading.written import Trees, row_of
 from mechanics.scene.published import Published
 from mechanics.scene.quantities import EquationOfMotion
@@ -27,14 +27,14 @@ SIGN = re.compile(r"[-+\u2212]\s*$")
 
 def edited_row(claim: Claim, chosen: Sequence[Solution]) -> tuple[Published, Trees] | None:
     """The row with all edits put in, and its trees; None where it has no value."""
-    byhome: dict[int | str, dict[tuple[int, ...], Node | None]] = {}
+    steps: dict[int | str, list[tuple[Way, Step]]] = {}
     for solution in chosen:
         for change in solution.changes:
             home, way = solution.problem.forest.place[change.index]
-            byhome.setdefault(home, {})[way] = change.node
-    entries = tuple(edited(tree, byhome.get(k, {})) for k, tree in enumerate(claim.entries))
+            steps.setdefault(home, []).append((way, change.wrap or change.node))
+    entries = tuple(edited(tree, steps.get(k, ())) for k, tree in enumerate(claim.entries))
     definitions = {
-        name: edited(tree, byhome.get(name, {})) for name, tree in claim.written.definitions
+        name: edited(tree, steps.get(name, ())) for name, tree in claim.written.definitions
     }
     try:
         return row_of(claim.row, claim.written, entries, definitions), entries

@@ -7,6 +7,7 @@ A residue is a small fraction when the half-way remainder of Euclid's algorithm 
 
 from collections.abc import Iterator
 from fractions import Fraction
+from functools import partial
 
 from mechanics.blame.result import Mistake
 from mechanics.blame.search.change import (
@@ -62,5 +63,5 @@ def numbers(problem: Problem) -> Iterator[Change]:
             cost = TOKEN + 2 * HINT + size_of(ratio)
             if ratio < 0:
                 cost += TOKEN - HINT
-            scaled = times(Number(0, ratio), node)
-            yield Change(index, scaled, Mistake.FACTOR, cost, index, (need,))
+            wrap = partial(times, Number(0, ratio))
+            yield Change(index, wrap(node), Mistake.FACTOR, cost, index, (need,), wrap)
