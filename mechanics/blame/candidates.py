@@ -26,7 +26,7 @@ def implicit(view: View) -> tuple[Candidate, ...]:
     """Equations of the routes, in several accelerations and without eliminated reactions."""
     own = view_rows(view)
     rows = [*own, *_sums(own)]
-    rows += [_seen(row, view) for _, row in moving_rows(view.scene)]
+    rows += [_seen(row, view) for _, row in moving_rows(view.truth)]
     return _candidates(_free(row, view.truth) for row in rows)
 
 

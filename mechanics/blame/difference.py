@@ -175,7 +175,7 @@ def meant(truth: Equations, expression: Expr, right: Expr | None = None) -> Mean
         pieces = same.pieces if same is not None and not same.different else ()
         return replace(aimed, pieces=pieces, multiplied=multiplied)
     found = nearest(left, known, moving, view.accelerations)
-    if found is None or not holds(truth, found.right):
+    if found is None or not holds(truth, written(found.right)):
         return None
     return replace(found, multiplied=multiplied)
 

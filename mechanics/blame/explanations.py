@@ -92,7 +92,7 @@ def _of_one_equation(truth: Equations, one: Stated) -> list[str]:
     moving = {*scene.u, *scene.qd, *scene.ud, *scene.input_symbols}
     try:
         (written,) = terms_of([expression], cleared=True, moving=moving)
-        candidates = wrong_rows(scene)
+        candidates = wrong_rows(other)
     except (ExpressionError, TooLarge):
         return []
     found = []

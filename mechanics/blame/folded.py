@@ -20,39 +20,55 @@ from mechanics.scene.bodies import Body
 
 def folded(truth: Equations, expression: Expr) -> tuple[Equations, Expr]:
     """Equations and an expression in the same symbols, as few of them written out as possible."""
-    used = frozenset(expression.free_symbols & truth.scene.definitions.keys())
-    if not used:
+    definitions = truth.scene.definitions
+    if not definitions:
         return truth, expression
-    other, kept = _with(truth, used)
+    held = expression.free_symbols
+    kept = frozenset(s for s in definitions if s in held or _unasked(truth.scene, s, held))
+    other, found = _with(truth, kept)
     table: dict[Symbol, Expr] = {}
-    for symbol, value in ordered(truth.scene.definitions):
-        if symbol not in kept:
+    for symbol, value in ordered(definitions):
+        if symbol not in found:
             table[symbol] = value.xreplace(table)
     return other, expression.xreplace(table)
 
 
+def _unasked(scene: Scene, symbol: Symbol, held: set[Symbol]) -> bool:
+    """Whether the bodies have a symbol, and nothing that only its definition holds is asked for."""
+    own = set().union(*(_massive(body) for body in scene.bodies))
+    return symbol in own and not (scene.definitions[symbol].free_symbols - own) & held
+
+
+def _massive(body: Body) -> set[Symbol]:
+    inertia = body.inertia.free_symbols if _turning(body) else set()
+    return set(body.mass.free_symbols | inertia)
+
+
 @lru_cache(maxsize=16)
-def _with(truth: Equations, used: frozenset[Symbol]) -> tuple[Equations, frozenset[Symbol]]:
-    """Equations of the scene whose bodies have these symbols, and those that were found."""
+def _with(truth: Equations, kept: frozenset[Symbol]) -> tuple[Equations, frozenset[Symbol]]:
+    """Equations of the scene whose bodies have these symbols, and those that are in use."""
     scene = truth.scene
-    kept: set[Symbol] = set()
-    bodies = tuple(_named(scene, body, used, kept) for body in scene.bodies)
-    if not kept:
-        return truth, frozenset()
-    return derive(replace(scene, bodies=bodies)), frozenset(kept)
+    table = {s: v for s, v in ordered(scene.definitions) if s not in kept}
+    bodies = tuple(_named(scene, body, kept, table) for body in scene.bodies)
+    found = kept & set().union(*(_massive(body) for body in bodies))
+    if bodies == scene.bodies:
+        return truth, found
+    return derive(replace(scene, bodies=bodies)), found
 
 
-def _named(scene: Scene, body: Body, used: frozenset[Symbol], kept: set[Symbol]) -> Body:
-    """A body with symbols for its mass and inertia, where a definition has their value."""
-    for symbol in used:
-        value = scene.definitions[symbol]
-        if _same(body.mass, value):
-            kept.add(symbol)
-            body = replace(body, mass=symbol)
-        elif _turning(body) and _same(body.inertia, value):
-            kept.add(symbol)
-            body = replace(body, inertia=symbol)
+def _named(scene: Scene, body: Body, kept: frozenset[Symbol], table: dict[Symbol, Expr]) -> Body:
+    """A body with kept symbols for its mass and inertia, and others written out."""
+    body = replace(body, mass=_symbol(scene, body.mass.xreplace(table), kept))
+    if _turning(body):
+        body = replace(body, inertia=_symbol(scene, body.inertia.xreplace(table), kept))
     return body
+
+
+def _symbol(scene: Scene, value: Expr, kept: frozenset[Symbol]) -> Expr:
+    """The kept symbol that stands for a value, or the value."""
+    if value in kept:
+        return value
+    return next((s for s in kept if _same(value, scene.definitions[s])), value)
 
 
 def _turning(body: Body) -> TypeGuard[RigidBody]:

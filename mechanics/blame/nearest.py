@@ -72,7 +72,7 @@ class Meant:
         return difference(self.written, self.right)
 
 
-Rank = tuple[int, int, int, int]
+Rank = tuple[int, int, int, int, bool]
 
 
 def nearest(
@@ -96,18 +96,27 @@ def nearest(
         None where no candidate shares a term with what is written.
     """
     best: tuple[Rank, Meant] | None = None
-    for candidate in candidates:
+    for place, candidate in enumerate(candidates):
         right = candidate.terms
         for monomial, factor in _factors(written, right, set(moving)):
             scaled = product(right, monomial, factor)
             left = difference(written, scaled)
-            if len(left) >= len(written) + len(scaled):
+            if not _near(written, left, monomial):
                 continue
-            rank = (len(left), _held(left, accelerations), _odd(monomial, factor), -int(factor > 0))
+            rank = (
+                len(left), _held(left, accelerations), _odd(monomial, factor), place, factor < 0
+            )  # fmt: skip
             if best is None or rank < best[0]:
                 pieces = tuple((o, product(t, monomial, factor)) for o, t in candidate.pieces)
                 best = rank, Meant(candidate.words, written, scaled, pieces)
     return None if best is None else best[1]
+
+
+def _near(written: Terms, left: Terms, factor: Monomial) -> bool:
+    """Whether enough terms agree: a single one says nothing about a factor with angles in it."""
+    agreeing = sum(monomial not in left for monomial in written)
+    plain = all(atom.is_Symbol for atom, _ in factor)
+    return agreeing > 1 or (agreeing == 1 and plain)
 
 
 def _held(terms: Terms, accelerations: Collection[Symbol]) -> int:
@@ -115,8 +124,8 @@ def _held(terms: Terms, accelerations: Collection[Symbol]) -> int:
 
 
 def _odd(monomial: Monomial, factor: Fraction) -> int:
-    """How far a factor is from one."""
-    return sum(abs(power) for _, power in monomial) + (abs(factor) != 1) + (factor != 1)
+    """How far a factor is from one; sides may be swapped."""
+    return sum(abs(power) for _, power in monomial) + (abs(factor) != 1)
 
 
 def _factors(written: Terms, right: Terms, moving: set[Symbol]) -> list[tuple[Monomial, Fraction]]:

@@ -35,9 +35,9 @@ def origins_of(
     return tuple(dict.fromkeys(origin.words for origin, terms in pieces if wanted & terms.keys()))
 
 
-def holds(truth: Equations, right: Terms) -> bool:
+def holds(truth: Equations, right: Expr) -> bool:
     """Whether an equation vanishes along the motion, at a point of a field."""
-    value = truth.scene.plain(written(right))
+    value = truth.scene.plain(right)
 
     def experiment(a: Arithmetic) -> list[tuple[Number, Number]]:
         _set(truth, a)

@@ -11,7 +11,9 @@ from functools import lru_cache
 
 from sympy import Add, Expr, Matrix, S, Symbol
 
+from mechanics.blame.origin import holds
 from mechanics.blame.pieces import Kind, Momentum, Origin, Piece, inner, merged, momenta, motions_of
+from mechanics.equations import Equations
 from mechanics.kinematics.motion import BodyMotion
 from mechanics.routes.balance import Balance, dot, triple
 from mechanics.routes.moving_point import candidates
@@ -63,13 +65,18 @@ def _partial(momentum: Momentum, motion: BodyMotion, u: Symbol) -> Expr:
 
 
 @lru_cache(maxsize=16)
-def moving_rows(scene: Scene) -> tuple[tuple[Balance, Row], ...]:
-    """Momentum principles of outboard parts of the tree in which no reaction of a joint enters."""
-    heavy = {load.name for load in scene.loads if isinstance(load, Gravity)}
-    return tuple(
+def moving_rows(truth: Equations) -> tuple[tuple[Balance, Row], ...]:
+    """Momentum principles of outboard parts of the tree in which no reaction of a joint enters.
+
+    One that the route has no use for may not hold: the moment of a body that cannot turn has a
+    reaction in it that nobody declared.
+    """
+    heavy = {load.name for load in truth.scene.loads if isinstance(load, Gravity)}
+    rows = (
         (balance, Row(balance.principle.words, tuple(_balanced(balance, heavy))))
-        for balance in candidates(scene)
+        for balance in candidates(truth.scene)
     )
+    return tuple((balance, row) for balance, row in rows if holds(truth, row.value))
 
 
 def _balanced(balance: Balance, heavy: set[str]) -> Iterator[Piece]:

@@ -14,7 +14,7 @@ from mechanics.scene.published import published
 from mechanics.scene.quantities import EquationOfMotion
 from mechanics.scene.system import System
 
-MEMBERS: tuple[System, ...] = (*systems.ALL, *systems.VARIANTS)
+MEMBERS: tuple[System, ...] = systems.ALL
 NAMES = tuple(member.name for member in MEMBERS)
 
 

@@ -15,16 +15,16 @@ from mechanics.blame.nearest import Candidate
 from mechanics.blame.pieces import Kind, Origin, Piece
 from mechanics.blame.rows import moving_rows
 from mechanics.blame.terms import terms_of
+from mechanics.equations import Equations
 from mechanics.exact import TooLarge
 from mechanics.routes.balance import Balance, triple
-from mechanics.scene import Scene
 
 
 @lru_cache(maxsize=16)
-def wrong_rows(scene: Scene) -> tuple[Candidate, ...]:
+def wrong_rows(truth: Equations) -> tuple[Candidate, ...]:
     """Each moment equation about a point that moves, with each term forgotten in turn."""
     found: list[Candidate] = []
-    for balance, row in moving_rows(scene):
+    for balance, row in moving_rows(truth):
         about = balance.principle.point.name
         if balance.principle.axis == Matrix([0, 0, 0]):
             continue

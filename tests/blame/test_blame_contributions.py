@@ -1,0 +1,77 @@
+"""Laws: every equation of every route is the sum of pieces that say where its terms come from."""
+
+import pytest
+from sympy import Add
+
+from mechanics.blame.candidates import implicit
+from mechanics.blame.origin import holds, origins_in_field
+from mechanics.blame.rows import free_rows, generalized_rows, moving_rows
+from mechanics.blame.terms import terms_of, written
+from mechanics.blame.view import View
+from mechanics.checks.ledger_motion import put_motion
+from mechanics.crosscheck.routes import derive
+from mechanics.equations import Equations
+from mechanics.exact import Arithmetic, Finding, decide
+from mechanics.kinematics.manifold import settle
+from mechanics.routes.kane import derive as by_kane
+
+ROUTES = ("free_body", "moving_point", "kane", "lagrange")
+
+
+def along(truth: Equations, expressions: list) -> Finding:
+    """Whether expressions vanish along the motion."""
+
+    def experiment(a: Arithmetic) -> list:
+        settle(truth.scene, a)
+        put_motion(a, truth)
+        return [(a.value(expression), a.rational(0)) for expression in expressions]
+
+    return decide("pieces", experiment, try_normal=False)
+
+
+def test_pieces_of_every_row_sum_to_zero_along_the_motion(truth: Equations) -> None:
+    rows = [*generalized_rows(truth.scene), *free_rows(truth.scene)]
+    rows += [row for _, row in moving_rows(truth)]
+    assert len(rows) >= len(truth.scene.u)
+    assert along(truth, [row.value for row in rows]).shown
+
+
+@pytest.mark.parametrize("route", ROUTES)
+def test_every_route_is_taken_apart_into_pieces_that_add_up(truth: Equations, route: str) -> None:
+    equations = derive(truth.scene, route)
+    names = dict(zip(equations.multipliers, truth.multipliers, strict=False))
+    for row in equations.residual:
+        # It is empty where the pieces do not sum to the row at the point that was looked at.
+        found = origins_in_field(truth, row.xreplace(names))
+        assert found
+        assert all(words for words in found.values())
+
+
+def test_pieces_are_those_of_kane_term_by_term(truth: Equations) -> None:
+    scene = truth.scene
+    kane = by_kane(scene)
+    compared = 0
+    for row, residual in zip(generalized_rows(scene), kane.residual, strict=False):
+        # Kane's rows are reduced where there are constraints, and hold no reactions with friction.
+        if kane.conjugate:
+            ours, theirs = terms_of([row.value, residual])
+            assert ours == theirs
+            compared += 1
+    assert compared or not kane.conjugate
+
+
+def test_a_sum_without_one_of_its_pieces_is_no_equation(truth: Equations) -> None:
+    missing = [
+        Add(*(other.value for other in row.pieces if other is not piece))
+        for row in generalized_rows(truth.scene)
+        for piece in row.pieces
+        if not holds(truth, piece.value)
+    ]
+    assert missing
+    assert not any(holds(truth, rest) for rest in missing)
+
+
+def test_candidates_hold_along_the_motion(truth: Equations) -> None:
+    candidates = implicit(View(truth, in_rates=False))
+    assert candidates
+    assert all(holds(truth, written(candidate.terms)) for candidate in candidates)

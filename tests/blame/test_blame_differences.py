@@ -1,0 +1,200 @@
+"""Laws and cases of the differences of a refuted statement, term by term."""
+
+import random
+from collections.abc import Callable
+from dataclasses import replace
+
+import pytest
+from sympy import Expr, S, Symbol, sympify
+
+import mechanics
+from mechanics.blame.difference import differences, groups
+from mechanics.blame.result import Difference
+from mechanics.blame.rows import generalized_rows
+from mechanics.blame.terms import Terms, terms_of, total, written
+from mechanics.checks.ledger_motion import put_motion
+from mechanics.equations import Equations
+from mechanics.exact import Arithmetic, decide
+from mechanics.kinematics.manifold import settle
+from mechanics.reading.statement import Statement
+
+Stated = Callable[..., Statement]
+ONLY = "only their difference is shown"
+
+
+def wrong_rows(truth: Equations, seed: str, count: int = 1) -> list[Expr]:
+    """Each generalized row with the factor of some terms changed."""
+    source = random.Random(seed)
+    found = []
+    for row in generalized_rows(truth.scene):
+        terms = total(terms_of([piece.value for piece in row.pieces]))
+        changed: Terms = dict(terms)
+        for monomial in source.sample(sorted(terms, key=str), min(count, len(terms))):
+            changed[monomial] = source.choice([-1, 2, 3]) * terms[monomial]
+        found.append(written(changed))
+    return found
+
+
+def parsed(truth: Equations, text: str) -> Expr:
+    """What a difference shows, read back."""
+    scene = truth.scene
+    known = {*scene.q, *scene.u, *scene.ud, *scene.input_symbols, *scene.parameters}
+    known |= {reaction.symbol for reaction in scene.reactions}
+    return sympify(text, locals={symbol.name: symbol for symbol in known}) if text else S.Zero
+
+
+def summed(truth: Equations, found: tuple[Difference, ...]) -> Expr:
+    """Written less right, of all groups together."""
+    values = S.Zero
+    for difference in found:
+        assert ONLY not in difference.group
+        factor = S.One
+        name = difference.group.split(",")[0]
+        if name.startswith("coefficient of "):
+            factor = Symbol(name.removeprefix("coefficient of "), real=True)
+        values += factor * (parsed(truth, difference.written) - parsed(truth, difference.right))
+    return values
+
+
+@pytest.mark.parametrize("count", [1, 2])
+def test_what_is_shown_sums_to_written_less_right(
+    truth: Equations, stated: Stated, count: int
+) -> None:
+    for row in wrong_rows(truth, f"sum {count}", count):
+        found = differences(truth, stated(row))
+        assert 1 <= len(found) <= count
+        shown = summed(truth, found)
+
+        # What is right vanishes along the motion, so that there the rest is the whole.
+        def experiment(a: Arithmetic, row: Expr = row, shown: Expr = shown) -> list:
+            settle(truth.scene, a)
+            put_motion(a, truth)
+            return [(a.value(row), a.value(shown))]
+
+        assert decide("differences", experiment, try_normal=False).shown
+
+
+def test_a_changed_term_is_all_that_differs_and_has_an_origin(
+    truth: Equations, stated: Stated
+) -> None:
+    for row in wrong_rows(truth, "one"):
+        (found,) = groups(truth, stated(row))
+        assert len(found.written) + len(found.right) >= 2
+        assert found.origin
+
+
+def test_scaled_swapped_and_divided_statements_have_the_same_origin(
+    truth: Equations, stated: Stated
+) -> None:
+    scene = truth.scene
+    (mass, *_) = [p for p in scene.parameters if p.is_positive]
+    for row in wrong_rows(truth, "scaled"):
+        plain = groups(truth, stated(row))
+        for other in (stated(3 * row / mass), stated(S.Zero, right=row)):
+            assert [g.origin for g in groups(truth, other)] == [g.origin for g in plain]
+
+
+def test_a_right_equation_has_no_differences(truth: Equations, stated: Stated) -> None:
+    for row in generalized_rows(truth.scene):
+        assert differences(truth, stated(row.value)) == ()
+
+
+def test_the_repaired_statement_is_what_is_meant(truth: Equations, stated: Stated) -> None:
+    rows = wrong_rows(truth, "repaired", 2)
+    for row, right in zip(rows, generalized_rows(truth.scene), strict=True):
+        statement = stated(row)
+        repaired = replace(statement.row, sides=(right.value, S.Zero))
+        found = differences(truth, statement, repaired=repaired)
+        assert found == differences(truth, statement)
+
+
+PENDULUM = "(M+m)*x_ddot + 2*k*x + M*L/2*(theta_ddot*cos(theta) - theta_dot**2*sin(theta)) = 0"
+MOMENT = "M*L/2*x_ddot*cos(theta) + M*L**2/3*theta_ddot + M*g*L/2*sin(theta) = 0"
+LINEAR, ANGULAR = "pendulum: rate of linear momentum", "pendulum: rate of angular momentum"
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        (PENDULUM.replace("2*k", "k"), [("stiffness", "k*x", "2*k*x", ("load k on carriage",))]),
+        (
+            PENDULUM.replace("- theta_dot", "+ theta_dot"),
+            [
+                (
+                    "products of speeds",
+                    "L*M*theta_dot**2*sin(theta)/2",
+                    "-L*M*theta_dot**2*sin(theta)/2",
+                    (LINEAR,),
+                )
+            ],
+        ),
+        (
+            MOMENT.replace("/3", "/4"),
+            [("coefficient of theta_ddot", "L**2*M/4", "L**2*M/3", (LINEAR, ANGULAR))],
+        ),
+        (
+            MOMENT.replace("sin", "cos"),
+            [("gravity", "L*M*g*cos(theta)/2", "L*M*g*sin(theta)/2", ("gravity on pendulum",))],
+        ),
+        (
+            "M*L/2*x_ddot*cos(theta) + (I_C + M*L**2/2)*theta_ddot + M*g*L/2*sin(theta) = 0",
+            [("coefficient of theta_ddot", "L**2*M/2", "L**2*M/4", (LINEAR,))],
+        ),
+        (
+            "N1 = (M+m)*g + M*L/2*(theta_ddot*sin(theta) - theta_dot**2*cos(theta))",
+            [
+                (
+                    "products of speeds",
+                    "L*M*theta_dot**2*cos(theta)/2",
+                    "-L*M*theta_dot**2*cos(theta)/2",
+                    (LINEAR,),
+                )
+            ],
+        ),
+        (
+            "V = k*x**2/2 - M*g*L/2*cos(theta)",
+            [("terms without speeds", "k*x**2/2", "k*x**2", ("load k",))],
+        ),
+    ],
+)
+def test_of_the_pendulum_on_an_elastic_support(
+    truth_of: Callable[[str], Equations], text: str, expected: list
+) -> None:
+    truth = truth_of("elastic_pendulum")
+    (entry,) = mechanics.check(truth, text, blame=False).judged
+    found = differences(truth, entry.statement)
+    assert [(d.group, d.written, d.right, d.origin) for d in found] == expected
+
+
+def test_a_mass_matrix_is_compared_entry_by_entry(truth_of: Callable[[str], Equations]) -> None:
+    truth = truth_of("elastic_pendulum")
+    text = "Matrix([[M+m, M*L/2*cos(theta)], [M*L/2*sin(theta), M*L**2/3]])"
+    (entry,) = mechanics.check(truth, text, about="mass matrix", blame=False).judged
+    (found,) = differences(truth, entry.statement)
+    assert (found.group, found.written, found.right) == (
+        "entry (2, 1)", "L*M*sin(theta)/2", "L*M*cos(theta)/2",
+    )  # fmt: skip
+    assert found.origin == ("pendulum: kinetic energy of translation",)
+
+
+def test_an_equation_solved_for_its_acceleration_has_its_denominators_multiplied_out(
+    truth_of: Callable[[str], Equations],
+) -> None:
+    truth = truth_of("cartpole")
+    text = (
+        "theta_ddot = (g*sin(theta) - cos(theta)*(F + mp*l*theta_dot**2*sin(theta))/(mc+mp))"
+        "/(l*(7/3 - mp*cos(theta)**2/(mc+mp)))"
+    )
+    (entry,) = mechanics.check(truth, text, blame=False).judged
+    (found,) = differences(truth, entry.statement)
+    assert found.group == "coefficient of theta_ddot, denominators multiplied out"
+    assert (found.written, found.right) == ("7*(mc + mp)", "4*(mc + mp)")
+    assert found.origin == ("pole: rate of linear momentum", "pole: rate of angular momentum")
+
+
+def test_what_shares_no_term_with_a_right_equation_has_no_differences(
+    truth_of: Callable[[str], Equations], stated: Stated
+) -> None:
+    truth = truth_of("rocker")
+    strange = truth.scene.ud[0] ** 3 - 7
+    assert differences(truth, stated(strange)) == ()
