@@ -34,6 +34,11 @@ class Size:
     top = 44.0
     bottom = 44.0
 
+    @property
+    def named(self) -> bool:
+        """Whether the names of the curves stand at their ends."""
+        return self.right > 100
+
 
 WIDE, NARROW = Size(910.0, 520.0, 210.0), Size(372.0, 420.0, 27.0)
 
@@ -70,7 +75,7 @@ def work_precision(found: Trade, size: Size = WIDE) -> str:
     parts += [_other(m, scales) for m in others]
     parts += [_front(m, scales) for m in found.front if m.error_largest <= COARSEST]
     parts.append(_picks(found, scales, size))
-    if size.right > LINE:
+    if size.named:
         parts.append(_labels(lines, scales, size))
     title = (
         f"Work-precision plot of {found.title}: time for a second of motion over largest error,"
@@ -150,7 +155,7 @@ def _grid(scales: Scales, size: Size) -> str:
             f'<text class="tick" x="{x.start - 6}" y="{at:.1f}" dy=".35em"'
             f' text-anchor="end">{label}</text>'
         )
-    step = 2 if size.right > LINE else 3
+    step = 2 if size.named else 3
     for exponent in range(0, int(x.high) + 1, step):
         at = x.place(exponent)
         text = power(-exponent) if exponent else "1"

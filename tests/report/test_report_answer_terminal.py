@@ -200,6 +200,16 @@ def test_values_keep_the_digits_that_tell_them_apart(
     assert short_values(left, right) == shown
 
 
+def test_what_follows_from_a_state_is_told_as_far_as_the_statement_holds_it(
+    answered: Check,
+) -> None:
+    entry = answered.judged[1]
+    assert entry.finding.witness is not None
+    assert {"N", "T", "x_ddot"} <= {name for name, _ in entry.finding.witness.solved}
+    assert "    from which follow theta_ddot=" in str(answered)
+    assert "N1=" not in str(answered)
+
+
 def test_repr_is_one_line_and_str_the_answer(answered: Check) -> None:
     assert repr(answered) == (
         "<Check of pendulum on elastic support: 1 PROVED, 1 CERTIFIED, 1 SUPPORTED, 3 REFUTED,"

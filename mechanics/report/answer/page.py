@@ -12,7 +12,7 @@ from mechanics.report import words
 from mechanics.report.answer import typed
 from mechanics.report.answer.check import Check
 from mechanics.report.answer.judged import Judged
-from mechanics.report.answer.sentences import about, order, place, sides
+from mechanics.report.answer.sentences import about, order, place, sides, solved
 from mechanics.report.answer.witness import short_value, short_values
 from mechanics.report.drawing import drawing
 from mechanics.report.environment import environment
@@ -32,7 +32,7 @@ class Card:
     hand: typed.Hand
     sides: tuple[str, str]
     values: tuple[str, str]
-    solved: tuple[tuple[str, str], ...]
+    solved: list[tuple[str, str]]
 
 
 def check_html(found: Check) -> str:
@@ -86,5 +86,7 @@ def _card(number: int, entry: Judged) -> Card:
         hand=hand,
         sides=sides(statement),
         values=short_values(witness.left, witness.right) if witness else ("", ""),
-        solved=tuple((n, short_value(v)) for n, v in witness.solved) if witness else (),
+        solved=[(n, short_value(v)) for n, v in solved(statement, witness.solved)]
+        if witness
+        else [],
     )

@@ -3,6 +3,8 @@ r"""What has to be changed, in words.
 write \frac{L^{2}}{3} for \frac{L^{2}}{12}: the factor is wrong
 """
 
+from collections.abc import Sequence
+
 from mechanics.blame.result import Edit
 from mechanics.reading.statement import Statement
 from mechanics.scene.quantities import EquationOfMotion, Identity, ReactionValue
@@ -41,3 +43,12 @@ def sides(statement: Statement) -> tuple[str, str]:
     if row is not None and isinstance(row.quantity, EquationOfMotion | Identity):
         return "left", "right"
     return "written", "derived"
+
+
+def solved(statement: Statement, found: Sequence[tuple[str, str]]) -> list[tuple[str, str]]:
+    """What follows from a state, as far as the statement holds it."""
+    if statement.row is None:
+        return list(found)
+    held = set().union(*(side.free_symbols for side in statement.row.sides))
+    names = {symbol.name for symbol in held}
+    return [(name, value) for name, value in found if name in names]

@@ -20,7 +20,7 @@ from mechanics.report.answer.differences import Differences
 from mechanics.report.answer.judged import Judged
 from mechanics.report.answer.lines import Hanging, below, line
 from mechanics.report.answer.marks import pieces, printable, shortened
-from mechanics.report.answer.sentences import about, order, place, sides
+from mechanics.report.answer.sentences import about, order, place, sides, solved
 from mechanics.report.answer.source import Source
 from mechanics.report.answer.witness import short_value, short_values
 
@@ -147,8 +147,8 @@ def _state(entry: Judged) -> Iterator[RenderableType]:
     witness = finding.witness
     yield below(line(finding.evidence, "dim"))
     yield below(line(f"at {_listed(witness.state)}", "dim"))
-    if witness.solved:
-        short = [(name, short_value(value)) for name, value in witness.solved]
+    if held := solved(entry.statement, witness.solved):
+        short = [(name, short_value(value)) for name, value in held]
         yield below(line(f"from which follow {_listed(short)}", "dim"))
     left, right = short_values(witness.left, witness.right)
     first, second = sides(entry.statement)
