@@ -83,6 +83,17 @@ def _identity(x: Any = 0.0, *rest: Any, **options: Any) -> Any:
     return x if isinstance(x, Traced) else float(x)
 
 
+def _signs(x: Any) -> Any:
+    """NumPy compares objects with zero to find their sign, and calls no method."""
+    entries = np.asarray(x)
+    if entries.dtype != object:
+        return np.sign(x)
+    sign = ELEMENTARY["sign"]
+    signs = [e.new(sign(e.expr)) if isinstance(e, Traced) else np.sign(e) for e in entries.flat]
+    found = np.array(signs, dtype=object)
+    return found.reshape(entries.shape) if entries.shape else found[0]
+
+
 NUMPY: dict[str, Any] = {
     **{name: _objects(getattr(np, name)) for name in (
         "array", "asarray", "zeros", "ones", "empty", "eye", "zeros_like", "empty_like",
@@ -91,6 +102,7 @@ NUMPY: dict[str, Any] = {
     **{name: _identity for name in ("float64", "float32", "double")},
     "linalg": Module(np.linalg, {"solve": _exact_system, "inv": _inverse}),
     "arctan2": lambda y, x: y.arctan2(x) if isinstance(y, Traced) else np.arctan2(y, x),
+    "sign": _signs,
 }  # fmt: skip
 MATH: dict[str, Any] = {
     **{name: _elementary(name, getattr(math, name, abs)) for name in ELEMENTARY},
@@ -110,6 +122,8 @@ def stand_in(value: Any, depth: int = 0) -> Any:
         return Module(np, NUMPY)
     if value is float:
         return _identity
+    if value is np.sign:
+        return _signs
     if isinstance(value, types.BuiltinFunctionType) and value.__module__ == "math":
         return MATH.get(value.__name__, value)
     for name, replacement in NUMPY.items():

@@ -1,0 +1,107 @@
+"""The cart-pole with friction: what its sources print, right and wrong."""
+
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+import pytest
+from sympy import Symbol, sign
+
+import mechanics
+from mechanics.checks.energy import check_energy
+from mechanics.checks.friction import check_friction
+from mechanics.checks.ledger import check_row
+from mechanics.crosscheck import derive
+from mechanics.equations import Equations
+from mechanics.errors import InputError
+from mechanics.exact import Verdict, is_zero, slope
+from mechanics.scene.published import published
+from mechanics.scene.quantities import EquationOfMotion
+from systems import cartpole_friction as system
+
+
+@pytest.fixture(scope="module")
+def truth() -> Equations:
+    return derive(system.scene(), "free_body")
+
+
+@pytest.mark.parametrize("row", system.PUBLISHED, ids=lambda row: row.tag)
+def test_florian_is_right_with_the_sine(truth: Equations, row: Any) -> None:
+    assert check_row(truth.scene, row, truth).verdict is Verdict.PROVED
+
+
+@pytest.mark.parametrize("row", (system.TRANSCRIBED, *system.CLASSIC), ids=lambda row: row.tag)
+def test_without_the_sine_or_the_normal_force_it_is_wrong(truth: Equations, row: Any) -> None:
+    finding = check_row(truth.scene, row, truth)
+    assert finding.verdict is Verdict.REFUTED
+    assert finding.witness is not None
+    assert float(dict(finding.witness.solved)["N_c"]) > 0
+
+
+def test_without_friction_all_of_them_are_right() -> None:
+    """mu_c = 0: the mistakes are about friction only."""
+    scene = system.scene()
+    truth = derive(scene, "free_body")
+    smooth = {Symbol(system.mu_c.name, positive=True): 0, system.mu_c: 0}
+    for row in (system.TRANSCRIBED, *system.CLASSIC):
+        sides = tuple(scene.plain(side).xreplace(smooth) for side in row.sides)
+        still = replace(
+            truth,
+            mass=truth.mass.xreplace(smooth),
+            forcing=truth.forcing.xreplace(smooth),
+            solve_reactions=None,
+        )
+        smooth_row = replace(row, sides=sides)
+        assert check_row(scene, smooth_row, still).verdict is Verdict.PROVED, row.tag
+
+
+def test_a_row_about_a_reaction_asks_for_a_route_that_tells_it(truth: Equations) -> None:
+    row = system.PUBLISHED[1]
+    assert row.sides[1].has(system.N_c)
+    for route in ("kane", "lagrange"):
+        equations = derive(truth.scene, route)
+        assert check_row(truth.scene, row, equations).verdict is Verdict.PROVED
+    finding = check_row(truth.scene, row, derive(truth.scene, "moving_point"))
+    assert finding.verdict is Verdict.UNDECIDED
+    assert "moving_point does not give N_c: take those of free_body" in finding.evidence
+
+
+def test_the_energy_needs_what_presses(truth: Equations) -> None:
+    equations = derive(truth.scene, "moving_point")
+    with pytest.raises(InputError, match="friction depends on N_c"):
+        check_energy(equations)
+    assert check_energy(equations, truth).verdict is Verdict.PROVED
+    (finding,) = check_friction(truth.scene)
+    assert finding.verdict is Verdict.PROVED
+
+
+def test_friction_the_wrong_way_is_refuted(truth: Equations) -> None:
+    left, right = system.PUBLISHED[3].sides
+    row = published("w", EquationOfMotion(), left, right.subs(system.mu_c, -system.mu_c), label="")
+    assert check_row(truth.scene, row, truth).verdict is Verdict.REFUTED
+
+
+def test_a_python_function_with_a_sign_is_proved(truth: Equations) -> None:
+    def rates(x: float, x_dot: float, theta: float, theta_dot: float, F: float, p: Any) -> Any:
+        m_c, m_p, l, g, mu_c, mu_p = p
+        total, s = m_c + m_p, np.sign(x_dot)
+        push = (-F - m_p * l * theta_dot**2 * (np.sin(theta) + mu_c * s * np.cos(theta))) / total
+        above = g * np.sin(theta) + np.cos(theta) * (push + mu_c * g * s)
+        reach = np.cos(theta) - mu_c * s * np.sin(theta)
+        lever = 4 / 3 - m_p * np.cos(theta) / total * reach
+        thetaacc = (above - mu_p * theta_dot / (m_p * l)) / (l * lever)
+        N = total * g - m_p * l * (thetaacc * np.sin(theta) + theta_dot**2 * np.cos(theta))
+        swing = m_p * l * (theta_dot**2 * np.sin(theta) - thetaacc * np.cos(theta))
+        return np.array([x_dot, theta_dot, (F + swing - mu_c * N * s) / total, thetaacc])
+
+    names = {"p": "m_c m_p l g mu_c mu_p"}
+    found = mechanics.check(truth, rates, names=names)
+    assert found.ok, [judged.finding for judged in found.judged]
+
+
+def test_a_sign_is_constant_between_its_jumps() -> None:
+    x, y = Symbol("x", real=True), Symbol("y", real=True)
+    assert slope(y * sign(x), x) == 0
+    assert slope(y * sign(x), y) == sign(x)
+    assert slope(x**2 * sign(sign(x) * y), x) == 2 * x * sign(sign(x) * y)
+    assert is_zero(slope(abs(x) * y, x) - y * sign(x))
