@@ -151,7 +151,7 @@ class Candidates:
         """Other numbers; minus one is a sign, which is that of its term."""
         if node.value in (-1, 0):
             return
-        for ratio in RATIOS:
+        for ratio in dict.fromkeys((*RATIOS, 1 / node.value**2)):
             value = node.value * ratio
             found = self._scaled(index, ratio)
             number = Number(node.at, value)
@@ -182,6 +182,28 @@ class Candidates:
             new = raised(node.base, other) if other else Number(node.at, Fraction(1))
             far = HINT * abs(other - exponent)
             yield self._change(index, new, Mistake.POWER, TOKEN + far, values)
+        yield from self._split(index, node, base, exponent)
+
+    def _split(self, index: int, node: Power, base: int, exponent: int) -> Iterator[Change]:
+        """x**3 as x**2 y and x y**2: SymPy puts together what was written apart."""
+        if exponent < 0 or (self.forest.kids[base] and not isinstance(node.base, Call)):
+            return
+        others: list[tuple[Node, tuple[int, ...]]]
+        others = [(word.name, word.values) for word in self.words.symbols]
+        if isinstance(node.base, Call):
+            others = list(self.words.calls(node.base))
+        elif not isinstance(node.base, Name):
+            return
+        for taken in range(1, min(exponent, 3)):
+            left = raised(node.base, exponent - taken)
+            for other, worths in others:
+                values = tuple(
+                    pow(a, exponent - taken, self._p) * pow(b, taken, self._p) % self._p
+                    for a, b in zip(self._has(base), worths, strict=True)
+                )
+                new = Product(node.at, (left, raised(other, taken)))
+                cost = TOKEN + HINT * (1 + taken)
+                yield self._change(index, new, Mistake.SYMBOL, cost, values)
 
     def _function(self, index: int, node: Call) -> Iterator[Change]:
         for other in self.words.functions(node):

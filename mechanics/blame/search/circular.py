@@ -8,11 +8,10 @@ from dataclasses import dataclass
 from fractions import Fraction
 from itertools import combinations, combinations_with_replacement
 
+from mechanics.blame.search.inside import worth
 from mechanics.blame.search.judge import Problem
 from mechanics.blame.search.words import Words
-from mechanics.errors import MechanicsError
 from mechanics.reading.guess import angular
-from mechanics.reading.place import Refused
 from mechanics.reading.tree import Call, Node, Number, Product, Sum
 
 MOST_ANGLES = 12
@@ -26,33 +25,32 @@ class Circular:
     Attributes
     ----------
     factors : tuple of Node
-    inverse : int
-        One over its residue.
+    values : tuple of int
+        Its residue at each point.
     """
 
     factors: tuple[Node, ...]
-    inverse: int
+    values: tuple[int, ...]
 
 
 def circular(problem: Problem, words: Words) -> tuple[Circular, ...]:
     """Products of at most two sines and cosines, one first."""
-    (sheet, *_) = problem.sheets
     p = problem.prime
-    known: dict[Node, int] = {}
+    known: dict[Node, tuple[int, ...]] = {}
     for angle in _angles(problem, words):
         for function in ("sin", "cos"):
             call = Call(0, function, (angle,))
-            try:
-                known[call] = sheet.opaque(call)
-            except (MechanicsError, Refused):
-                continue  # it has no value at this point
-    found = [Circular((), 1)]
-    singles = [(call, value) for call, value in known.items() if value]
-    found += [Circular((call,), pow(value, -1, p)) for call, value in singles]
+            values = worth(problem.sheets, call)
+            if values is not None and all(values):
+                known[call] = values
+    found = [Circular((), (1,) * len(problem.sheets))]
+    singles = list(known.items())
+    found += [Circular((call,), values) for call, values in singles]
     for (one, a), (two, b) in combinations_with_replacement(singles, 2):
         if len(found) >= MOST:
             break
-        found.append(Circular((one, two), pow(a * b, -1, p)))
+        values = tuple(x * y % p for x, y in zip(a, b, strict=True))
+        found.append(Circular((one, two), values))
     return tuple(found)
 
 

@@ -76,6 +76,20 @@ class Problem:
                 return False
         return self._difference(roots) == 0
 
+    def slopes(self, index: int) -> list[int] | None:
+        """How the root grows with a node at each point; None where that is no straight line."""
+        found = []
+        for sheet in self.sheets:
+            has, root, p = sheet.has[index], sheet.has[0], self.prime
+            try:
+                one, two = (root_with(sheet, {index: has + step}) for step in (1, 2))
+            except (DivisionHere, ValueError):
+                return None
+            if (two - one - one + root) % p:
+                return None
+            found.append((one - root) % p)
+        return found
+
 
 def root_with(sheet: Sheet, new: Mapping[int, int]) -> int:
     """What the root is worth when some nodes have other values.

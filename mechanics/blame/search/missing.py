@@ -19,9 +19,10 @@ from mechanics.blame.result import Mistake
 from mechanics.blame.search.change import ADDED, HINT, Change, plus, raised, size_of
 from mechanics.blame.search.circular import Circular, circular
 from mechanics.blame.search.claim import ALONG, Claim
+from mechanics.blame.search.inside import worth
 from mechanics.blame.search.judge import Problem
 from mechanics.blame.search.point import Family, points_like
-from mechanics.blame.search.sheet import Sheet, sheet_of
+from mechanics.blame.search.sheet import sheet_of
 from mechanics.blame.search.solved import rational
 from mechanics.blame.search.words import Word, Words
 from mechanics.exact.signals import Inadmissible, Restart
@@ -57,70 +58,97 @@ class Missing:
 
     def changes(self) -> list[Change]:
         """A term added to each sum or side that lacks one product."""
-        if not self.problem.plain or self.claim.truth.scene.constraints or not self._grown:
+        if self.claim.truth.scene.constraints or not self._grown:
             return []
         found = [self._at(index) for index in range(len(self.problem.forest.nodes))]
         return [change for change in found if change is not None]
 
     @cached_property
-    def _grown(self) -> dict[Symbol, Sheet]:
-        """The problem at the points where one quantity is doubled."""
-        scene, sheet = self.claim.truth.scene, self.problem.sheets[0]
+    def _grown(self) -> dict[Symbol | None, Problem]:
+        """The problem, by None, and as it is at the points where one quantity is doubled."""
+        scene = self.claim.truth.scene
         moving = isinstance(self.claim.row.quantity, ALONG)
         fixed = {*angular(scene), *scene.definitions, *(scene.ud if moving else ())}
-        doubled = [word.symbol for word in self.words.symbols if word.symbol not in fixed]
-        families = [Family(moving, symbol) for symbol in doubled]
-        target = self.problem.target
-        try:
-            points = points_like(self.claim.truth, sheet.point, families)
-            wanted = [0 if target is None else point.value(target) for point in points]
-            sheets = [
-                sheet_of(self.problem.forest, point, sheet.builder, value)
-                for point, value in zip(points, wanted, strict=True)
-            ]
-        except (Inadmissible, Restart):
-            return {}
-        return dict(zip(doubled, sheets, strict=True))
+        found: dict[Symbol | None, Problem] = {None: self.problem}
+        for word in self.words.symbols:
+            if word.symbol not in fixed:
+                doubled = self._doubled(word.symbol, moving)
+                if doubled is None:
+                    return {}
+                found[word.symbol] = doubled
+        return found
+
+    def _doubled(self, symbol: Symbol, moving: bool) -> Problem | None:
+        target, forest = self.problem.target, self.problem.forest
+        sheets = []
+        for other, sheet in zip((False, True), self.problem.sheets, strict=False):
+            try:
+                (point,) = points_like(
+                    self.claim.truth, sheet.point, [Family(moving, symbol, other)]
+                )
+                wanted = 0 if target is None else point.value(target)
+                sheets.append(sheet_of(forest, point, sheet.builder, wanted))
+            except (Inadmissible, Restart):
+                return None
+        return Problem(forest, tuple(sheets), target)
+
+    def _lacks(self, problem: Problem, index: int) -> int | None:
+        """What a node lacks, at two states the difference of it."""
+        if problem.plain:
+            (sheet,) = problem.sheets
+            need = sheet.needs[index]
+            return None if need is None else (need - sheet.has[index]) % self._p
+        slopes = problem.slopes(index)
+        if slopes is None or not slopes[0] or slopes[0] != slopes[1]:
+            return None
+        return -problem.residual * pow(slopes[0], -1, self._p) % self._p
 
     def _at(self, index: int) -> Change | None:
-        forest, (sheet,) = self.problem.forest, self.problem.sheets
+        forest = self.problem.forest
         node = forest.nodes[index]
         side = forest.term(index) and not forest.place[index][1]
         if not forest.written(index) or not (isinstance(node, Sum) or side):
             return None
+        if not forest.single(index):
+            return None
         lacks: Series = {}
-        for symbol, here in ((None, sheet), *self._grown.items()):
-            need = here.needs[index]
-            if need is None:
+        for symbol, problem in self._grown.items():
+            lack = self._lacks(problem, index)
+            if lack is None:
                 return None
-            lacks[symbol] = (need - here.has[index]) % self._p
+            lacks[symbol] = lack
         if not lacks[None]:
             return None
         term = min(self._products(lacks), key=lambda found: found[1], default=None)
-        if term is None:
+        worths = None if term is None else worth(self.problem.sheets, term[0])
+        if term is None or worths is None:
             return None
-        added, extra = term
-        value = (sheet.has[index] + lacks[None]) % self._p
+        added, cost = term[0], ADDED + term[1]
+        has = [sheet.has[index] for sheet in self.problem.sheets]
+        values = tuple((a + b) % self._p for a, b in zip(has, worths, strict=True))
         if isinstance(node, Number) and node.value == 0:
-            return Change(index, added, Mistake.TERM, ADDED + extra, index, (value,))
+            return Change(index, added, Mistake.TERM, cost, index, values)
         wrap = partial(plus, added)
-        cost = ADDED + extra
-        return Change(index, wrap(node), Mistake.MISSING, cost, index, (value,), wrap)
+        return Change(index, wrap(node), Mistake.MISSING, cost, index, values, wrap)
 
     def _products(self, lacks: Series) -> Iterator[tuple[Node, float]]:
         """Products that a series is, with what each costs more."""
-        yield from self._product(lacks, ())
+        scene = self.claim.truth.scene
+        dependent = [w for w in self.words.symbols if w.symbol in scene.definitions]
         if isinstance(self.claim.row.quantity, ALONG):
-            for word in self.words.symbols:
-                if word.symbol in self.claim.truth.scene.ud:
-                    yield from self._product(self._over(lacks, word), (word.name,))
+            dependent += [w for w in self.words.symbols if w.symbol in scene.ud]
+        for count in (0, 1, 2):
+            for chosen in combinations(dependent, count):
+                series = lacks
+                for word in chosen:
+                    series = self._over(series, word)
+                yield from self._product(series, [word.name for word in chosen])
 
     def _over(self, lacks: Series, word: Word) -> Series:
         """A series divided by an acceleration, which is another one at each point."""
-        (sheet,) = self.problem.sheets
         found: Series = {}
         for symbol, value in lacks.items():
-            point = sheet.point if symbol is None else self._grown[symbol].point
+            point = self._grown[symbol].sheets[0].point
             found[symbol] = value * pow(point.value(word.symbol), -1, self._p) % self._p
         return found
 
@@ -130,12 +158,13 @@ class Missing:
         rest = series[None]
         inverse = pow(rest, -1, self._p)
         for symbol in self._grown:
+            if symbol is None:
+                continue
             exponent = self._doubling.get(series[symbol] * inverse % self._p)
             if exponent is None:
                 unknown.append(symbol)
             elif exponent:
                 exponents[symbol] = exponent
-        rest = self._divided(rest, exponents)
         if not unknown:
             yield from self._told(rest, exponents, factors, ())
             return
@@ -154,6 +183,13 @@ class Missing:
             value = value * pow(self.words.by_symbol[symbol].values[0], -exponent, self._p)
         return value % self._p
 
+    def _state(self, exponents: Mapping[Symbol, int], k: int) -> int:
+        """The part of a product that is another one at each state, at one of them."""
+        value = 1
+        for symbol, exponent in exponents.items():
+            value = value * pow(self.words.by_symbol[symbol].values[k], exponent, self._p)
+        return value % self._p
+
     def _with_sum(
         self, parts: Mapping[Symbol, int], chosen: Sequence[Symbol], unknown: Sequence[Symbol],
         exponents: Mapping[Symbol, int], factors: Sequence[Node],
@@ -169,7 +205,7 @@ class Missing:
                 return
             terms.append(term)
         inner = Sum(0, tuple(terms))
-        yield from self._told(self._divided(lead, exponents), exponents, factors, (inner,))
+        yield from self._told(lead, exponents, factors, (inner,))
 
     def _told_ratio(self, ratio: int, symbol: Symbol, others: Sequence[Symbol]) -> Node | None:
         """A number times a symbol times a power of another one."""
@@ -186,8 +222,11 @@ class Missing:
         self, rest: int, exponents: Mapping[Symbol, int], factors: Sequence[Node],
         sums: Sequence[Node],
     ) -> Iterator[tuple[Node, float]]:  # fmt: skip
+        states = [self._state(exponents, k) for k in range(len(self.problem.sheets))]
         for round_ in self._circular:
-            number = rational(rest * round_.inverse % self._p, self._p)
+            first, *other = (a * b for a, b in zip(states, round_.values, strict=True))
+            whole = (first - sum(other)) % self._p
+            number = rational(rest * pow(whole, -1, self._p), self._p) if whole else None
             if number:
                 size = sum(abs(e) for e in exponents.values()) + sum(
                     2 for e in exponents.values() if e < 0

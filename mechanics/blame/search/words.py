@@ -3,7 +3,7 @@
 theta_1 -> theta_2, theta_dot_1, m_1, ...        sin(x) -> cos(x), tan(x)
 """
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -102,6 +102,16 @@ class Words:
             for other in TRIGONOMETRIC
             if other != call.function
         ]
+
+    def calls(self, call: Call) -> Iterator[tuple[Node, tuple[int, ...]]]:
+        """Sines and cosines of what stands in this one, and of every coordinate."""
+        if call.function not in TRIGONOMETRIC:
+            return
+        angles = [word.name for word in self.symbols if word.kind == "coordinate"]
+        for angle in (call.arguments[0], *angles):
+            for function in ("sin", "cos"):
+                other = Call(call.at, function, (angle,))
+                yield other, values_of(self.sheets, other)
 
 
 def values_of(sheets: Sequence[Sheet], node: Node) -> tuple[int, ...]:
