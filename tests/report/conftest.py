@@ -159,6 +159,7 @@ def blame_of(source: str) -> Blame:
                 "coefficient of theta_ddot", r"M \frac{L^{2}}{12}", r"M \frac{L^{2}}{3}",
                 ("pendulum: rate of angular momentum", "pendulum: v_B x P"),
             ),
+            Difference("products of speeds", "", " + ".join([r"\dot{\theta}^{2} L"] * 12)),
             Difference("gravity", "", r"M g \frac{L}{2} \sin \theta", ("load gravity",)),
         ),
         (

@@ -42,6 +42,13 @@ function outside(page, width) {
   });
 }
 
+// Tables that are wider than what they stand in.
+function wide(page) {
+  return [...page.querySelectorAll("table")].filter(
+    node => !node.closest(".wide") && node.offsetWidth > node.parentElement.clientWidth + 1,
+  );
+}
+
 function measure(frame) {
   const page = frame.contentDocument;
   const root = page.documentElement;
@@ -60,6 +67,7 @@ function measure(frame) {
     marked: page.querySelectorAll("mrow.wrong, mrow.right").length,
     maths: page.querySelectorAll("math").length,
     outside: outside(page, root.clientWidth).slice(0, 5).map(named),
+    wide: wide(page).slice(0, 5).map(named),
     faint: faint.slice(0, 5).map(named),
   };
 }

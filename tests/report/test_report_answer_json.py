@@ -55,7 +55,7 @@ def test_values(answered: Check) -> None:
         "mistake": "FACTOR", "sentence": Mistake.FACTOR.value, "written": "12", "right": "3",
         "span": first["edits"][0]["span"],
     }  # fmt: skip
-    assert seven["blame"]["differences"][1] == {
+    assert seven["blame"]["differences"][2] == {
         "group": "gravity", "written": "", "right": r"M g \frac{L}{2} \sin \theta",
         "origin": ["load gravity"],
     }  # fmt: skip

@@ -139,6 +139,7 @@ def test_answer_in_a_browser(width: int, dark: bool, answered: Check, tmp_path: 
     assert found["outside"] == []
     assert found["faint"] == []
     assert found["maths"] > 80
+    assert found["wide"] == []
     assert found["marked"] >= 6
 
 

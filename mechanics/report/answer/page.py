@@ -48,7 +48,7 @@ def check_html(found: Check) -> str:
         A whole page.
     """
     made = environment()
-    made.globals.update(formula=typed.formula, order=order)
+    made.globals.update(block=typed.block, formula=typed.formula, order=order)
     state = dict(found.scene.example)
     return made.get_template("answer/page.html").render(
         found=found,

@@ -93,6 +93,11 @@ def formula(text: str, hand: Hand) -> Markup:
     return shown or Markup("<code>{}</code>").format(printable(text))
 
 
+def block(text: str, hand: Hand) -> Markup:
+    """A formula on lines of its own."""
+    return _typeset(hand.latex(text)) or _code((Piece(text),))
+
+
 def _typeset(latex: str | None) -> Markup | None:
     if latex is None:
         return None
