@@ -9,6 +9,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from random import Random
 
+from benchmarks.detection.equivalent import same
 from benchmarks.detection.forms.every import FORMS
 from benchmarks.detection.forms.spelling import Written
 from benchmarks.detection.mutate import KINDS, Mutation, draw
@@ -40,8 +41,8 @@ class Case:
     kinds : tuple of str
         Of mistakes, or of rewriting.
     mutations : tuple of Mutation
-    equivalent : int
-        Mutants that were drawn before and are right.
+    equivalent : tuple of bool
+        For each mutant that was drawn before and is right: whether the normal form proves it.
     """
 
     name: str
@@ -52,7 +53,7 @@ class Case:
     written: Written
     kinds: tuple[str, ...]
     mutations: tuple[Mutation, ...] = ()
-    equivalent: int = 0
+    equivalent: tuple[bool, ...] = ()
 
 
 class NothingToDrawError(ValueError):
@@ -69,19 +70,16 @@ def case(name: str, seed: int, systems: Sequence[str]) -> Case:
     """
     make = {"m": _mutant, "r": _rewriting, "c": _undeclared}[name[0]]
     source = Random(f"{seed} {name}")
-    equivalent = 0
+    equivalent: list[bool] = []
     for _ in range(MOST_DRAWS):
         about = subject(source.choice(systems))
         row = _row(about, source)
         found = make(name, about, row, source)
         if isinstance(found, Case):
-            return _with(found, equivalent)
-        equivalent += found is True
+            return replace(found, equivalent=tuple(equivalent))
+        if found is not None:
+            equivalent.append(found)
     raise NothingToDrawError(f"{name}: nothing to draw from {', '.join(systems)}")
-
-
-def _with(found: Case, equivalent: int) -> Case:
-    return replace(found, equivalent=equivalent)
 
 
 def _row(about: Subject, source: Random) -> Row:
@@ -93,7 +91,7 @@ def _row(about: Subject, source: Random) -> Row:
 
 
 def _mutant(name: str, about: Subject, row: Row, source: Random) -> Case | bool | None:
-    """A mutant; True for one that is right, None where there is none."""
+    """A mutant; for one that is right whether that is proved; None where there is none."""
     kinds = tuple(source.choice([kind for kind, _ in KINDS])
                   for _ in range(2 if source.random() < DOUBLE else 1))  # fmt: skip
     # The name on the left of a reaction or an acceleration is what the statement is about.
@@ -106,8 +104,10 @@ def _mutant(name: str, about: Subject, row: Row, source: Random) -> Case | bool 
         trees = mutation.into(trees)
     trees = (*row.trees[: len(row.trees) - len(changed)], *trees)
     right = holds(about, row, trees)
-    if right is not False:
-        return right
+    if right:
+        return same(about, row, trees)
+    if right is None:
+        return None
     form, make = source.choice(FORMS)
     written = make(about, row, trees, {}, source)
     if written is None:

@@ -30,8 +30,8 @@ class Result:
         Of one core for each statement that was read, without the blame.
     text : str
         The statement as it was given.
-    equivalent : int
-        Mutants that were drawn before and turned out to be right.
+    equivalent : tuple of bool
+        For mutants that were drawn before and are right: whether the normal form proves it.
     undone : Undone or None
         What the blame says, where it was asked for.
     """
@@ -48,7 +48,7 @@ class Result:
     right_if: tuple[str, ...]
     seconds: float
     text: str
-    equivalent: int = 0
+    equivalent: tuple[bool, ...] = ()
     undone: Undone | None = None
 
     @property
@@ -76,9 +76,10 @@ def judged(name: str, seed: int, systems: Sequence[str], blame: bool = False) ->
     told = None
     if blame and verdict == "REFUTED":
         told = _blamed(drawn, seconds * count)
+    made = tuple(mutation.words for mutation in drawn.mutations)
     return Result(
         name, drawn.about.system.name, drawn.row.name, drawn.row.about, drawn.form, drawn.kinds,
-        tuple(mutation.words for mutation in drawn.mutations), verdict, words, right_if, seconds, drawn.written.text, drawn.equivalent, told,
+        made, verdict, words, right_if, seconds, drawn.written.text, drawn.equivalent, told,
     )  # fmt: skip
 
 

@@ -1,0 +1,42 @@
+"""Mutants that are right after all, by the exact normal form.
+
+left - right = 0 as a polynomial, with the accelerations of Kane's method put in
+"""
+
+from sympy import Matrix
+
+from benchmarks.detection.rows import UNKNOWN_UP_TO_A_CONSTANT, Row, Subject
+from benchmarks.detection.tree import Tree, written
+from mechanics.checks.agreement import solve
+from mechanics.checks.ledger_compare import ordered
+from mechanics.exact import Arithmetic
+from mechanics.exact.normal import proves
+from mechanics.kinematics.manifold import settle
+
+
+def same(about: Subject, row: Row, trees: tuple[Tree, ...]) -> bool:
+    """Whether the normal form proves a statement like `row` with these trees.
+
+    False says nothing: where the normal form grows too large, numbers have to do.
+    """
+    scene = about.scene
+    sides = [written(tree) for tree in trees]
+    right = sides[1:] if row.equation else [written(tree) for tree in row.trees]
+    left = sides[:1] if row.equation else sides
+    if row.about in UNKNOWN_UP_TO_A_CONSTANT:
+        by = Matrix([*scene.q, *scene.u])
+        left, right = (list(Matrix(side).jacobian(by)) for side in (left, right))
+
+    def experiment(a: Arithmetic) -> list:
+        settle(scene, a)
+        for symbol, expression in ordered(scene.definitions):
+            a.assign(symbol, a.value(expression))
+        if row.equation:
+            found = solve(a, about.kane)[: len(scene.ud)]
+            for symbol, number in zip(scene.ud, found, strict=True):
+                a.assign(symbol, number)
+            for symbol, expression in about.free_body.reactions:
+                a.assign(symbol, a.value(expression))
+        return [(a.value(x), a.value(y)) for x, y in zip(left, right, strict=True)]
+
+    return proves(experiment)
