@@ -5,8 +5,8 @@ energy, mass, momentum: side = what the scene gives
 potential, sum of energies, Lagrangian: side at two states, up to a constant
 """
 
-from collections.abc import Iterator
-from dataclasses import dataclass
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, replace
 from functools import lru_cache
 
 from sympy import Expr, Symbol
@@ -14,7 +14,7 @@ from sympy.matrices import MatrixBase
 
 from mechanics.blame.search.forest import Forest
 from mechanics.blame.search.judge import Problem
-from mechanics.blame.search.point import Family, Point, at_points
+from mechanics.blame.search.point import Family, Point, at_points, points_like
 from mechanics.blame.search.sheet import Sheet, sheet_of
 from mechanics.checks.ledger_energy import ENERGIES, kinetic_energy
 from mechanics.checks.ledger_momenta import derived
@@ -30,6 +30,8 @@ from mechanics.scene.published import Published
 
 CONSTANT_FREE = (q.PotentialEnergy, q.TotalEnergy, q.Lagrangian)
 ALONG = (q.EquationOfMotion, q.ReactionValue)
+
+Target = Callable[[Point], int]
 
 
 @dataclass(frozen=True, eq=False)
@@ -121,18 +123,41 @@ def _kinetic(scene: Scene) -> Expr:
 
 
 def _problem(claim: Claim, numbers: tuple[int, ...], target: Expr | None) -> Problem:
+    def wanted(point: Point) -> int:
+        return 0 if target is None else point.value(target)
+
+    if not isinstance(claim.row.quantity, CONSTANT_FREE):
+        return _posed(claim, numbers, wanted, (Family(isinstance(claim.row.quantity, ALONG)),))
+    states = (Family(False), Family(False, other_state=True))
+    rest = (Family(False, still=True), Family(False, other_state=True, still=True))
+    if not _posed(claim, numbers, wanted, rest).residual:
+        problem = _posed(claim, numbers, _at_rest(claim, numbers[0], wanted), states[:1])
+        if problem.residual:
+            return problem
+    return _posed(claim, numbers, wanted, states)
+
+
+def _at_rest(claim: Claim, number: int, wanted: Target) -> Target:
+    """What an energy has to be that is right, up to a constant, where nothing moves:
+
+    right(q, u) - right(q, 0) + written(q, 0), so that one state tells what is wrong with the rest.
+    """
+    written = claim.written.builder()(claim.entries[number])
+
+    def target(point: Point) -> int:
+        (rest,) = points_like(claim.truth, point, [replace(point.family, still=True)])
+        return wanted(point) - wanted(rest) + rest.value(written)
+
+    return target
+
+
+def _posed(
+    claim: Claim, numbers: tuple[int, ...], target: Target, families: Sequence[Family]
+) -> Problem:
     forest = Forest(claim.definitions).plant([(k, claim.entries[k]) for k in numbers])
-    moving = isinstance(claim.row.quantity, ALONG)
-    families = [Family(moving)]
-    if isinstance(claim.row.quantity, CONSTANT_FREE):
-        families.append(Family(moving, other_state=True))
     builder = claim.written.builder()
 
     def sheets(points: list[Point]) -> tuple[Sheet, ...]:
-        wanted = [0 if target is None else point.value(target) for point in points]
-        return tuple(
-            sheet_of(forest, point, builder, value)
-            for point, value in zip(points, wanted, strict=True)
-        )
+        return tuple(sheet_of(forest, point, builder, target(point)) for point in points)
 
     return Problem(forest, at_points(claim.truth, families, sheets), target)

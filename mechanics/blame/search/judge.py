@@ -5,13 +5,12 @@
 One point with weight one; for what is known up to a constant two states, one less the other.
 """
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
-
-from sympy import Expr
 
 from mechanics.blame.search.change import Change
 from mechanics.blame.search.forest import Forest
+from mechanics.blame.search.point import Point
 from mechanics.blame.search.sheet import Sheet, integer_exponent, power
 from mechanics.exact.signals import DivisionHere
 from mechanics.reading.tree import Name, Power, Product, Sum
@@ -26,13 +25,13 @@ class Problem:
     forest : Forest
     sheets : tuple of Sheet
         One, or two that are subtracted.
-    target : Expr or None
-        What the root has to be; None for zero.
+    target : callable
+        What the root has to be at a point.
     """
 
     forest: Forest
     sheets: tuple[Sheet, ...]
-    target: Expr | None = None
+    target: Callable[[Point], int]
 
     @property
     def prime(self) -> int:

@@ -86,40 +86,56 @@ class Missing:
                 (point,) = points_like(
                     self.claim.truth, sheet.point, [Family(moving, symbol, other)]
                 )
-                wanted = 0 if target is None else point.value(target)
-                sheets.append(sheet_of(forest, point, sheet.builder, wanted))
+                sheets.append(sheet_of(forest, point, sheet.builder, target(point)))
             except (Inadmissible, Restart):
                 return None
         return Problem(forest, tuple(sheets), target)
 
-    def _lacks(self, problem: Problem, index: int) -> int | None:
-        """What a node lacks, at two states the difference of it."""
-        if problem.plain:
-            (sheet,) = problem.sheets
-            need = sheet.needs[index]
-            return None if need is None else (need - sheet.has[index]) % self._p
-        slopes = problem.slopes(index)
-        if slopes is None or not slopes[0] or slopes[0] != slopes[1]:
-            return None
-        return -problem.residual * pow(slopes[0], -1, self._p) % self._p
+    def _lacks(self, problem: Problem, index: int) -> list[int]:
+        """What a node lacks, at two states the difference of it; one of two below a square."""
+        if not problem.plain:
+            slopes = problem.slopes(index)
+            if slopes is None or not slopes[0] or slopes[0] != slopes[1]:
+                return []
+            return [-problem.residual * pow(slopes[0], -1, self._p) % self._p]
+        (sheet,) = problem.sheets
+        need = sheet.needs[index]
+        if need is not None:
+            return [(need - sheet.has[index]) % self._p]
+        square = sheet.squares.get(index)
+        if square is None:
+            return []
+        root = pow(square, (self._p + 1) // 4, self._p)
+        if root * root % self._p != square:
+            return []
+        return [(sign * root - sheet.has[index]) % self._p for sign in (1, -1)]
+
+    def _series(self, index: int) -> Iterator[Series]:
+        """What a node lacks at every point; of two roots the one that tells an exponent."""
+        options = {symbol: self._lacks(problem, index) for symbol, problem in self._grown.items()}
+        if not all(options.values()):
+            return
+        for first in options[None]:
+            found: Series = {None: first}
+            inverse = pow(first, -1, self._p) if first else 0
+            for symbol, values in options.items():
+                if symbol is not None:
+                    known = [v for v in values if v * inverse % self._p in self._doubling]
+                    found[symbol] = (known or values)[0]
+            if first:
+                yield found
 
     def _at(self, index: int) -> Change | None:
         forest = self.problem.forest
-        node = forest.nodes[index]
+        node, above = forest.nodes[index], forest.parent[index]
         side = forest.term(index) and not forest.place[index][1]
-        if not forest.written(index) or not (isinstance(node, Sum) or side):
+        below = above >= 0 and isinstance(forest.nodes[above], Power)
+        if not forest.written(index) or not (isinstance(node, Sum) or side or below):
             return None
         if not forest.single(index):
             return None
-        lacks: Series = {}
-        for symbol, problem in self._grown.items():
-            lack = self._lacks(problem, index)
-            if lack is None:
-                return None
-            lacks[symbol] = lack
-        if not lacks[None]:
-            return None
-        term = min(self._products(lacks), key=lambda found: found[1], default=None)
+        found = [term for lacks in self._series(index) for term in self._products(lacks)]
+        term = min(found, key=lambda entry: entry[1], default=None)
         worths = None if term is None else worth(self.problem.sheets, term[0])
         if term is None or worths is None:
             return None

@@ -50,11 +50,14 @@ class Family:
         A symbol whose value is doubled.
     other_state : bool
         Whether coordinates and speeds are others; parameters and inputs stay.
+    still : bool
+        Whether all speeds are zero.
     """
 
     moving: bool
     doubled: Symbol | None = None
     other_state: bool = False
+    still: bool = False
 
 
 @dataclass(frozen=True, eq=False)
@@ -65,12 +68,14 @@ class Point:
     ----------
     scene : Scene
     arithmetic : FieldArithmetic
+    family : Family
     attempt : int
         Points of one attempt belong together.
     """
 
     scene: Scene
     arithmetic: FieldArithmetic
+    family: Family
     attempt: int
     _plain: dict[Expr, int] = field(default_factory=dict)
 
@@ -117,7 +122,7 @@ def _point(truth: Equations, family: Family, attempt: int) -> Point:
         a.assign(symbol, a.value(expression))
     if family.moving:
         put_motion(a, truth)
-    return Point(scene, a, attempt)
+    return Point(scene, a, family, attempt)
 
 
 def _free(scene: Scene, moving: bool) -> list[Symbol]:
@@ -137,6 +142,8 @@ def _drawn(
     residue = source.randrange(1, a.prime)
     if symbol.is_nonnegative or symbol.is_negative:
         residue = residue * residue * (-1 if symbol.is_negative else 1) % a.prime
+    if family.still and symbol in scene.u:
+        return a.rational(0)
     if symbol == family.doubled:
         residue = 2 * residue % a.prime
     return FieldNumber(a, residue, 1.0, 0.0, 0.0, 0)

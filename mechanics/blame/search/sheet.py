@@ -7,7 +7,7 @@
 A node is right as something else if that is worth what is needed there.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from fractions import Fraction
 
 from mechanics.blame.search.forest import Forest
@@ -32,6 +32,8 @@ class Sheet:
     has : list of int
     needs : list of int or None
         None where that is not known, as inside of functions.
+    squares : dict of int to int
+        What the square of a node has to be.
     """
 
     forest: Forest
@@ -40,6 +42,7 @@ class Sheet:
     target: int
     has: list[int]
     needs: list[int | None]
+    squares: dict[int, int] = field(default_factory=dict)
 
     def opaque(self, node: Node) -> int:
         """The residue of a node as an expression."""
@@ -153,6 +156,8 @@ def _needed_below(sheet: Sheet, index: int) -> None:
             sheet.needs[kids[0]] = pow(need, -1, p)
         elif exponent == Fraction(1, 2):
             sheet.needs[kids[0]] = need * need % p
+        elif exponent == 2:
+            sheet.squares[kids[0]] = need
 
 
 def _others(values: list[int], p: int) -> list[int]:
