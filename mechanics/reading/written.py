@@ -134,18 +134,15 @@ def _tree(entry: Expr, known: list[tuple[Expr, Node]], written: Written) -> Node
     return Number(0, Fraction(0)) if entry == 0 else written.tree(entry)
 
 
-def row_of(
-    row: Published, written: Written, trees: Trees, definitions: Mapping[str, Node]
-) -> Published:
-    """A row with other trees for its entries, and for some definitions.
+def row_of(row: Published, written: Written, trees: Trees) -> Published:
+    """A row with other trees for its entries.
 
     Raises
     ------
     Refused
         For what has no finite value.
     """
-    merged = tuple((name, definitions.get(name, tree)) for name, tree in written.definitions)
-    builder = replace(written, definitions=merged).builder()
+    builder = written.builder()
     entries = iter(trees)
     sides: list[Any] = []
     for side in row.sides:

@@ -12,7 +12,8 @@ from functools import lru_cache
 from sympy import Expr, Symbol
 from sympy.matrices import MatrixBase
 
-from mechanics.blame.search.forest import Forest
+from mechanics.blame.search.change import Change
+from mechanics.blame.search.forest import Forest, Step, Way, edited
 from mechanics.blame.search.judge import Problem
 from mechanics.blame.search.point import Family, Point, at_points, points_like
 from mechanics.blame.search.sheet import Sheet, sheet_of
@@ -56,6 +57,20 @@ class Claim:
     def definitions(self) -> dict[str, Node]:
         """The person's own, by name."""
         return dict(self.written.definitions)
+
+
+def edited_claim(claim: Claim, changes: Sequence[tuple[Forest, Change]]) -> Claim:
+    """A claim with edits put in, each told by the forest that it was found in."""
+    steps: dict[int | str, list[tuple[Way, Step]]] = {}
+    for forest, change in changes:
+        home, way = forest.place[change.index]
+        steps.setdefault(home, []).append((way, change.wrap or change.node))
+    entries = tuple(edited(tree, steps.get(k, ())) for k, tree in enumerate(claim.entries))
+    definitions = tuple(
+        (name, edited(tree, steps.get(name, ()))) for name, tree in claim.written.definitions
+    )
+    written = replace(claim.written, definitions=definitions)
+    return replace(claim, entries=entries, written=written)
 
 
 def claim_of(truth: Equations, statement: Statement) -> Claim | None:
@@ -127,14 +142,14 @@ def _problem(claim: Claim, numbers: tuple[int, ...], target: Expr | None) -> Pro
         return 0 if target is None else point.value(target)
 
     if not isinstance(claim.row.quantity, CONSTANT_FREE):
-        return _posed(claim, numbers, wanted, (Family(isinstance(claim.row.quantity, ALONG)),))
+        return posed(claim, numbers, wanted, (Family(isinstance(claim.row.quantity, ALONG)),))
     states = (Family(False), Family(False, other_state=True))
     rest = (Family(False, still=True), Family(False, other_state=True, still=True))
-    if not _posed(claim, numbers, wanted, rest).residual:
-        problem = _posed(claim, numbers, _at_rest(claim, numbers[0], wanted), states[:1])
+    if not posed(claim, numbers, wanted, rest).residual:
+        problem = posed(claim, numbers, _at_rest(claim, numbers[0], wanted), states[:1])
         if problem.residual:
             return problem
-    return _posed(claim, numbers, wanted, states)
+    return posed(claim, numbers, wanted, states)
 
 
 def _at_rest(claim: Claim, number: int, wanted: Target) -> Target:
@@ -151,13 +166,14 @@ def _at_rest(claim: Claim, number: int, wanted: Target) -> Target:
     return target
 
 
-def _posed(
+def posed(
     claim: Claim, numbers: tuple[int, ...], target: Target, families: Sequence[Family]
 ) -> Problem:
+    """Some entries of a claim at points: one alone, or the difference of two."""
     forest = Forest(claim.definitions).plant([(k, claim.entries[k]) for k in numbers])
     builder = claim.written.builder()
 
     def sheets(points: list[Point]) -> tuple[Sheet, ...]:
         return tuple(sheet_of(forest, point, builder, target(point)) for point in points)
 
-    return Problem(forest, at_points(claim.truth, families, sheets), target)
+    return Problem(forest, numbers, at_points(claim.truth, families, sheets), target)

@@ -7,9 +7,11 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from mechanics.blame.result import Mistake
+from mechanics.blame.search.both import Both
 from mechanics.blame.search.candidates import Candidates
 from mechanics.blame.search.change import Change
 from mechanics.blame.search.claim import Claim
+from mechanics.blame.search.growth import Growth
 from mechanics.blame.search.judge import Problem
 from mechanics.blame.search.missing import Missing
 from mechanics.blame.search.pairs import pairs
@@ -46,10 +48,12 @@ def solutions(claim: Claim, problem: Problem) -> Iterator[list[Solution]]:
     changes = Candidates(problem.forest, problem.sheets, words).all()
     singles = [change for change in changes if problem.mends(change)]
     yield _sorted(problem, [(change,) for change in (*singles, *numbers(problem))])
-    lacking = Missing(claim, problem, words).changes()
+    growth = Growth(claim, problem, words)
+    lacking = Missing(growth).changes()
     added = [change for change in lacking if change.mistake is Mistake.MISSING]
     yield _sorted(problem, [(change,) for change in added])
     yield _sorted(problem, pairs(problem, changes))
+    yield _sorted(problem, Both(growth).pairs())
     yield _sorted(problem, [(change,) for change in lacking if change not in added])
 
 

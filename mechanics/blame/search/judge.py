@@ -23,6 +23,8 @@ class Problem:
     Attributes
     ----------
     forest : Forest
+    numbers : tuple of int
+        Of the entries that are compared.
     sheets : tuple of Sheet
         One, or two that are subtracted.
     target : callable
@@ -30,6 +32,7 @@ class Problem:
     """
 
     forest: Forest
+    numbers: tuple[int, ...]
     sheets: tuple[Sheet, ...]
     target: Callable[[Point], int]
 

@@ -18,18 +18,13 @@ from sympy import Symbol
 from mechanics.blame.result import Mistake
 from mechanics.blame.search.change import ADDED, HINT, Change, plus, raised, size_of
 from mechanics.blame.search.circular import Circular, circular
-from mechanics.blame.search.claim import ALONG, Claim
+from mechanics.blame.search.growth import Growth
 from mechanics.blame.search.inside import worth
 from mechanics.blame.search.judge import Problem
-from mechanics.blame.search.point import Family, points_like
-from mechanics.blame.search.sheet import sheet_of
 from mechanics.blame.search.solved import rational
 from mechanics.blame.search.words import Word, Words
-from mechanics.exact.signals import Inadmissible, Restart
-from mechanics.reading.guess import angular
 from mechanics.reading.tree import Name, Node, Number, Power, Product, Sum
 
-MOST_EXPONENT = 4
 PARTS = (2, 3)
 """How many parts a sum in a missing term may have."""
 
@@ -43,14 +38,21 @@ class Missing:
 
     Attributes
     ----------
-    claim : Claim
-    problem : Problem
-    words : Words
+    growth : Growth
+        The problem, and how it is where quantities are doubled.
     """
 
-    claim: Claim
-    problem: Problem
-    words: Words
+    growth: Growth
+
+    @property
+    def problem(self) -> Problem:
+        """The equality that does not hold."""
+        return self.growth.problem
+
+    @property
+    def words(self) -> Words:
+        """The words of the scene."""
+        return self.growth.words
 
     @property
     def _p(self) -> int:
@@ -58,38 +60,10 @@ class Missing:
 
     def changes(self) -> list[Change]:
         """A term added to each sum or side that lacks one product."""
-        if self.claim.truth.scene.constraints or not self._grown:
+        if self.growth.claim.truth.scene.constraints or not self.growth.problems:
             return []
         found = [self._at(index) for index in range(len(self.problem.forest.nodes))]
         return [change for change in found if change is not None]
-
-    @cached_property
-    def _grown(self) -> dict[Symbol | None, Problem]:
-        """The problem, by None, and as it is at the points where one quantity is doubled."""
-        scene = self.claim.truth.scene
-        moving = isinstance(self.claim.row.quantity, ALONG)
-        fixed = {*angular(scene), *scene.definitions, *(scene.ud if moving else ())}
-        found: dict[Symbol | None, Problem] = {None: self.problem}
-        for word in self.words.symbols:
-            if word.symbol not in fixed:
-                doubled = self._doubled(word.symbol, moving)
-                if doubled is None:
-                    return {}
-                found[word.symbol] = doubled
-        return found
-
-    def _doubled(self, symbol: Symbol, moving: bool) -> Problem | None:
-        target, forest = self.problem.target, self.problem.forest
-        sheets = []
-        for other, sheet in zip((False, True), self.problem.sheets, strict=False):
-            try:
-                (point,) = points_like(
-                    self.claim.truth, sheet.point, [Family(moving, symbol, other)]
-                )
-                sheets.append(sheet_of(forest, point, sheet.builder, target(point)))
-            except (Inadmissible, Restart):
-                return None
-        return Problem(forest, tuple(sheets), target)
 
     def _lacks(self, problem: Problem, index: int) -> list[int]:
         """What a node lacks, at two states the difference of it; one of two below a square."""
@@ -112,7 +86,9 @@ class Missing:
 
     def _series(self, index: int) -> Iterator[Series]:
         """What a node lacks at every point; of two roots the one that tells an exponent."""
-        options = {symbol: self._lacks(problem, index) for symbol, problem in self._grown.items()}
+        options = {
+            symbol: self._lacks(problem, index) for symbol, problem in self.growth.problems.items()
+        }
         if not all(options.values()):
             return
         for first in options[None]:
@@ -120,7 +96,7 @@ class Missing:
             inverse = pow(first, -1, self._p) if first else 0
             for symbol, values in options.items():
                 if symbol is not None:
-                    known = [v for v in values if v * inverse % self._p in self._doubling]
+                    known = [v for v in values if v * inverse % self._p in self.growth.doubling]
                     found[symbol] = (known or values)[0]
             if first:
                 yield found
@@ -149,12 +125,8 @@ class Missing:
 
     def _products(self, lacks: Series) -> Iterator[tuple[Node, float]]:
         """Products that a series is, with what each costs more."""
-        scene = self.claim.truth.scene
-        dependent = [w for w in self.words.symbols if w.symbol in scene.definitions]
-        if isinstance(self.claim.row.quantity, ALONG):
-            dependent += [w for w in self.words.symbols if w.symbol in scene.ud]
         for count in (0, 1, 2):
-            for chosen in combinations(dependent, count):
+            for chosen in combinations(self.growth.dependent, count):
                 series = lacks
                 for word in chosen:
                     series = self._over(series, word)
@@ -164,7 +136,7 @@ class Missing:
         """A series divided by an acceleration, which is another one at each point."""
         found: Series = {}
         for symbol, value in lacks.items():
-            point = self._grown[symbol].sheets[0].point
+            point = self.growth.problems[symbol].sheets[0].point
             found[symbol] = value * pow(point.value(word.symbol), -1, self._p) % self._p
         return found
 
@@ -173,10 +145,10 @@ class Missing:
         unknown: list[Symbol] = []
         rest = series[None]
         inverse = pow(rest, -1, self._p)
-        for symbol in self._grown:
+        for symbol in self.growth.problems:
             if symbol is None:
                 continue
-            exponent = self._doubling.get(series[symbol] * inverse % self._p)
+            exponent = self.growth.doubling.get(series[symbol] * inverse % self._p)
             if exponent is None:
                 unknown.append(symbol)
             elif exponent:
@@ -189,10 +161,6 @@ class Missing:
             for chosen in combinations(unknown, count):
                 if sum(parts[s] for s in chosen) % self._p == series[None]:
                     yield from self._with_sum(parts, chosen, unknown, exponents, factors)
-
-    @cached_property
-    def _doubling(self) -> dict[int, int]:
-        return {pow(2, e, self._p): e for e in range(-MOST_EXPONENT, MOST_EXPONENT + 1)}
 
     def _divided(self, value: int, exponents: Mapping[Symbol, int]) -> int:
         for symbol, exponent in exponents.items():

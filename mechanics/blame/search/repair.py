@@ -9,9 +9,9 @@ from itertools import pairwise
 
 from mechanics.blame.result import Edit, Mistake, Repair
 from mechanics.blame.search.change import Change, is_minus
-from mechanics.blame.search.claim import Claim
+from mechanics.blame.search.claim import Claim, edited_claim
 from mechanics.blame.search.find import Solution
-from mechanics.blame.search.forest import Forest, Step, Way, edited
+from mechanics.blame.search.forest import Forest
 from mechanics.blame.search.point import Family, Point, at_points
 from mechanics.blame.search.spell import Spelling
 from mechanics.checks.ledger import check_row
@@ -27,17 +27,12 @@ SIGN = re.compile(r"[-+\u2212]\s*$")
 
 def edited_row(claim: Claim, chosen: Sequence[Solution]) -> tuple[Published, Trees] | None:
     """The row with all edits put in, and its trees; None where it has no value."""
-    steps: dict[int | str, list[tuple[Way, Step]]] = {}
-    for solution in chosen:
-        for change in solution.changes:
-            home, way = solution.problem.forest.place[change.index]
-            steps.setdefault(home, []).append((way, change.wrap or change.node))
-    entries = tuple(edited(tree, steps.get(k, ())) for k, tree in enumerate(claim.entries))
-    definitions = {
-        name: edited(tree, steps.get(name, ())) for name, tree in claim.written.definitions
-    }
+    changes = [
+        (solution.problem.forest, change) for solution in chosen for change in solution.changes
+    ]
+    new = edited_claim(claim, changes)
     try:
-        return row_of(claim.row, claim.written, entries, definitions), entries
+        return row_of(claim.row, new.written, new.entries), new.entries
     except Refused:
         return None
 

@@ -1,0 +1,92 @@
+"""A problem at the points where one quantity is doubled, the motion solved anew.
+
+value(2 s) / value(s) = 2**e        ->  s**e divides the value
+"""
+
+from dataclasses import dataclass
+from functools import cached_property
+
+from sympy import Symbol
+
+from mechanics.blame.search.claim import ALONG, Claim, posed
+from mechanics.blame.search.judge import Problem
+from mechanics.blame.search.point import Family, points_like
+from mechanics.blame.search.sheet import sheet_of
+from mechanics.blame.search.words import Word, Words
+from mechanics.exact.signals import Inadmissible, Restart
+from mechanics.reading.guess import angular
+
+MOST_EXPONENT = 4
+
+
+@dataclass(frozen=True, eq=False)
+class Growth:
+    """How a problem grows with every quantity.
+
+    Attributes
+    ----------
+    claim : Claim
+    problem : Problem
+    words : Words
+    """
+
+    claim: Claim
+    problem: Problem
+    words: Words
+
+    @cached_property
+    def problems(self) -> dict[Symbol | None, Problem]:
+        """The problem, by None, and as it is where a symbol is doubled; empty without points."""
+        scene = self.claim.truth.scene
+        fixed = {*angular(scene), *scene.definitions, *(scene.ud if self._moving else ())}
+        found: dict[Symbol | None, Problem] = {None: self.problem}
+        for word in self.words.symbols:
+            if word.symbol not in fixed:
+                doubled = self._doubled(word.symbol)
+                if doubled is None:
+                    return {}
+                found[word.symbol] = doubled
+        return found
+
+    @property
+    def _moving(self) -> bool:
+        return isinstance(self.claim.row.quantity, ALONG)
+
+    def _doubled(self, symbol: Symbol) -> Problem | None:
+        target, forest = self.problem.target, self.problem.forest
+        sheets = []
+        for sheet in self.problem.sheets:
+            family = Family(self._moving, symbol, sheet.point.family.other_state)
+            try:
+                (point,) = points_like(self.claim.truth, sheet.point, [family])
+                sheets.append(sheet_of(forest, point, sheet.builder, target(point)))
+            except (Inadmissible, Restart):
+                return None
+        return Problem(forest, self.problem.numbers, tuple(sheets), target)
+
+    @cached_property
+    def dependent(self) -> tuple[Word, ...]:
+        """What cannot be doubled, as it follows from the rest: definitions and accelerations."""
+        scene = self.claim.truth.scene
+        symbols = {*scene.definitions, *(scene.ud if self._moving else ())}
+        return tuple(word for word in self.words.symbols if word.symbol in symbols)
+
+    @cached_property
+    def doubling(self) -> dict[int, int]:
+        """Exponents by the residues of the powers of two."""
+        p = self.problem.prime
+        return {pow(2, e, p): e for e in range(-MOST_EXPONENT, MOST_EXPONENT + 1)}
+
+    def edited(self, claim: Claim) -> "Growth | None":
+        """The same for a claim with an edit in it; None where it has no value."""
+        families = [sheet.point.family for sheet in self.problem.sheets]
+        try:
+            problem = posed(claim, self.problem.numbers, self.problem.target, families)
+        except (Inadmissible, Restart):
+            return None
+        return Growth(claim, problem, words_at(self.words, problem))
+
+
+def words_at(words: Words, problem: Problem) -> Words:
+    """The words of a scene with their values at the points of a problem."""
+    return Words(words.truth, words.written, problem.sheets, words.held)
