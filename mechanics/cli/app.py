@@ -5,7 +5,7 @@ An error that the program did not expect shows where it happened, with an exit c
 
 import sys
 import traceback
-from typing import Any, NoReturn
+from typing import Annotated, Any, NoReturn
 
 import typer
 from rich.console import Console
@@ -23,6 +23,7 @@ from mechanics.cli import (
     verifying,
 )
 from mechanics.errors import MechanicsError
+from mechanics.export.manifest import version_of
 
 # Typer brings its own copy of click, or uses click, depending on its version.
 USAGE_ERROR: Any = typer.BadParameter.__base__
@@ -36,6 +37,24 @@ app = typer.Typer(
     rich_markup_mode="markdown",
     pretty_exceptions_enable=False,
 )
+
+
+def _tell_version(wanted: bool) -> None:
+    if wanted:
+        typer.echo(f"mechanics {version_of('mechanics')}")
+        raise typer.Exit
+
+
+@app.callback()
+def options(
+    version: Annotated[
+        bool,
+        typer.Option("--version", callback=_tell_version, is_eager=True, help="Print the version."),
+    ] = False,
+) -> None:
+    """What stands before a command."""
+
+
 app.command("systems")(checking.systems)
 app.command("crosscheck")(checking.crosscheck)
 app.command("check")(persons.check)

@@ -64,7 +64,7 @@ def manifest(
         "kernels": [_kernel(kernel) for kernel in kernels],
         "chain": chain or {},
         "files": {file: sha256(text.encode("utf-8")).hexdigest() for file, text in files.items()},
-        "versions": {tool: _version(tool) for tool in TOOLS},
+        "versions": {tool: version_of(tool) for tool in TOOLS},
     }
     return json.dumps(content, indent=2, ensure_ascii=False) + "\n"
 
@@ -74,7 +74,8 @@ def _kernel(kernel: Kernel) -> dict[str, Any]:
     return {name: value for name, value in found.items() if value is not None}
 
 
-def _version(tool: str) -> str:
+def version_of(tool: str) -> str:
+    """Version of an installed package, in words."""
     try:
         return version(tool)
     except PackageNotFoundError:

@@ -3,6 +3,7 @@
 import csv
 import subprocess
 import sys
+from importlib.metadata import version
 from pathlib import Path
 from typing import Any
 
@@ -129,3 +130,9 @@ def test_the_console_command_in_a_process_of_its_own() -> None:
     assert ran.returncode == 2
     assert ran.stdout == ""
     assert ran.stderr.count("\n") == 1
+
+
+def test_the_version_is_that_of_the_package(run: Any) -> None:
+    ran = run("--version")
+    assert ran.code == 0 and ran.err == ""
+    assert ran.out == f"mechanics {version('mechanics')}\n"

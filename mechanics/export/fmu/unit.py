@@ -11,7 +11,6 @@ import zipfile
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from hashlib import sha256
-from importlib.metadata import PackageNotFoundError, version
 from importlib.resources import files
 from pathlib import Path
 
@@ -33,6 +32,7 @@ from mechanics.export.fmu.model_text import model_header, model_source
 from mechanics.export.fmu.step_size import ALLOWED, Rates, step_size
 from mechanics.export.fmu.tables_text import tables_header, tables_source
 from mechanics.export.fmu.variables import Variables, variables
+from mechanics.export.manifest import version_of
 
 SUFFIX = ".fmu"
 # The method of highest order: few long steps, and errors near rounding.
@@ -138,7 +138,7 @@ def _contents(model: Model, known: Functions, found: Variables, beyond: bool) ->
         "modelName": scene.name,
         "instantiationToken": token,
         "description": f"{title}; fixed: {fixed}" if fixed else title,
-        "generationTool": f"mechanics {_version()}",
+        "generationTool": f"mechanics {version_of('mechanics')}",
     }
     experiment = {"startTime": 0.0, "stopTime": DURATION, "tolerance": ALLOWED}
     texts = {
@@ -161,14 +161,6 @@ def _texts() -> dict[str, str]:
 def _token(*texts: str) -> str:
     """A name for this export: library and description of different ones are kept apart by it."""
     return "{" + sha256("\0".join(texts).encode("utf-8")).hexdigest()[:32] + "}"
-
-
-def _version() -> str:
-    try:
-        return version("mechanics")
-    except PackageNotFoundError:
-        # A source tree that is used without being installed.
-        return "(not installed)"
 
 
 def _binary(
