@@ -10,10 +10,12 @@ from rich.console import Console
 
 from mechanics.cli.checking import _writable
 from mechanics.cli.load import load, run_file
+from mechanics.cli.values import assignments
 from mechanics.crosscheck.check import check as run
 from mechanics.crosscheck.check_json import to_json
 from mechanics.errors import InputError
 from mechanics.exact import Verdict
+from mechanics.reading.code.black_box import BlackBox
 from mechanics.report.answer.page import check_html
 
 
@@ -38,6 +40,23 @@ def check(
         list[str] | None,
         typer.Option(help="How you count otherwise: 'other vertical', 'half-length', ..."),
     ] = None,
+    function: Annotated[
+        str | None,
+        typer.Option(metavar="NAME", help="Which function of a C file; else its last one."),
+    ] = None,
+    black_box: Annotated[
+        bool, typer.Option("--black-box", help="Only call Python functions: numbers, no proof.")
+    ] = False,
+    value: Annotated[
+        list[str] | None,
+        typer.Option(metavar="NAME=VALUE", help="What a parameter is inside a black box."),
+    ] = None,
+    step: Annotated[
+        float, typer.Option(min=0, help="Seconds by which a black box advances the state.")
+    ] = 0.0,
+    integrator: Annotated[
+        str, typer.Option(help="By which it does: euler, 'semi-implicit euler' or rk4.")
+    ] = "euler",
     blame: Annotated[
         bool,
         typer.Option("--blame/--no-blame", help="Whether to look for the term that is wrong."),
@@ -68,16 +87,26 @@ def check(
     `mechanics check rocker mine.txt --name phi=theta --json -`
 
     `mechanics check elastic_pendulum simulator.py:rate --name 'state=x theta x_dot theta_dot'`
+
+    `mechanics check acrobot control.c --function accelerations`
+
+    `mechanics check rod_pendulum sim.py:step --black-box --value m=1 --step 0.01 --value l=2`
     """
     for path in (report, None if json_file in (None, "-") else Path(str(json_file))):
         if path is not None:
             _writable(path)
     scene = load(system).scene()
     parts = [_part(file) for file in files]
-    found = run(
-        scene, parts, names=_names(name or []), notation=notation, about=about,
-        convention=convention or (), blame=blame,
-    )  # fmt: skip
+    if black_box:
+        held = {n: float(v) for n, v in assignments(value or [], "--value").items()}
+        parts = [BlackBox(p, held, step, integrator) if callable(p) else p for p in parts]
+    elif value or step:
+        raise InputError("--value and --step belong to a black box: add --black-box")
+    with Console(stderr=True).status(f"checking against {scene.name}"):
+        found = run(
+            scene, parts, names=_names(name or []), notation=notation, about=about,
+            convention=convention or (), function=function, blame=blame,
+        )  # fmt: skip
     if report is not None:
         report.write_text(check_html(found), encoding="utf-8")
     if json_file is not None:

@@ -2,16 +2,21 @@
 
 |box(state) - engine(state)| <= 1e-9 (1 + |engine|)    at every random state    SUPPORTED
                               > 1e-6 (1 + |engine|)    at some state            REFUTED there
+
+Where the box steps, both are mean rates over the step, (y(t + h) - y(t)) / h.
 """
 
 import random
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from fractions import Fraction
+from functools import partial
 from typing import Any
 
 import numpy as np
 
-from mechanics.compiled import Model, compile
+from mechanics.checks.ledger_compare import definitions_in_full
+from mechanics.compiled import compile
+from mechanics.crosscheck.mean_rates import State, mean_rates
 from mechanics.equations import Equations
 from mechanics.errors import InputError, SingularError
 from mechanics.exact import Finding, Verdict, Witness
@@ -23,8 +28,6 @@ from mechanics.scene.published import published
 STATES = 200
 CLOSE, APART = 1e-9, 1e-6
 """Relative; a box may differentiate numerically, and rounds in its own way."""
-
-State = dict[str, float]
 
 
 def check_box(
@@ -46,24 +49,29 @@ def check_box(
         When it fails at every state, or what it is given or gives is unexplained.
     """
     scene = truth.scene
-    if scene.constraints or scene.definitions:
+    if scene.constraints:
         raise InputError(
-            f"black box {box.title}: {scene.name} has constraints or definitions: pass code that"
-            " can be read"
+            f"black box {box.title}: {scene.name} has constraints, off which random states are:"
+            " pass code that can be read"
         )
     model = compile(truth, compiler=None)
     source = random.Random(seed)
-    first = match_box(scene, box, names, len(scene.u))
+    first = match_box(scene, box, names, len(scene.q) + len(scene.u) if box.step else len(scene.u))
     states = [_state(truth, box, source) for _ in range(STATES)]
     outcomes = [(state, out) for state in states if (out := _called(first, state)) is not None]
     if not outcomes:
         raise InputError(f"black box {box.title}: it fails at each of {STATES} states")
     ready = match_box(scene, box, names, len(outcomes[0][1]))
+
+    def engine(state: State, place: int) -> float:
+        return float(mean_rates(model, state, box.step, box.integrator)[place])
+
+    names_of_rates = [*(f"{q}_dot" for q in scene.q), *map(str, scene.ud)]
     found = []
     for k, (tag, quantity, (rate, _)) in enumerate(ready.claims):
         label = f"{box.title}: {tag}"
         row = published(tag, quantity, rate, ready.outputs[k], label=label)
-        finding = _judged(truth, model, label, str(rate), k, outcomes)
+        finding = _judged(partial(engine, place=names_of_rates.index(tag)), label, k, outcomes)
         found.append((Statement(row, label, tag), finding))
     return found, ready.arguments.matches
 
@@ -77,11 +85,14 @@ def _state(truth: Equations, box: BlackBox, source: random.Random) -> State:
     }
     for symbol in scene.parameters:
         state[symbol.name] = source.randrange(32, 128) / 64
-    return {**state, **{name: float(value) for name, value in box.values.items()}, "t": 0.0}
+    state |= {name: float(value) for name, value in box.values.items()}
+    for symbol, value in definitions_in_full(scene).items():
+        state[symbol.name] = float(value.xreplace({s: state[s.name] for s in value.free_symbols}))
+    return {**state, "t": 0.0}
 
 
 def _called(ready: Box, state: State) -> np.ndarray | None:
-    """What the box returns at a state; None where it fails or returns no finite numbers."""
+    """What the box returns at a state, as rates; None where it fails or gives no finite numbers."""
     arguments: dict[str, Any] = {}
     for name, value in ready.arguments.values.items():
         numbers = [state[str(symbol)] for symbol in entries(value)]
@@ -90,17 +101,21 @@ def _called(ready: Box, state: State) -> np.ndarray | None:
         result = np.asarray(ready.box.function(**arguments), dtype=float).reshape(-1)
     except (ArithmeticError, ValueError, TypeError, AssertionError):
         return None
+    before = [state[str(symbol)] for symbol in ready.arguments.state]
+    if ready.box.step and len(before) == len(result):
+        result = (result - before) / ready.box.step
     return result if np.all(np.isfinite(result)) else None
 
 
 def _judged(
-    truth: Equations, model: Model, label: str, rate: str, k: int,
+    engine: Callable[[State], float], label: str, k: int,
     outcomes: list[tuple[State, np.ndarray]],
 ) -> Finding:  # fmt: skip
     worst, at = -1.0, None
     for state, outputs in outcomes:
-        value = _engine(truth, model, rate, state)
-        if value is None:
+        try:
+            value = engine(state)
+        except SingularError:
             continue
         error = abs(float(outputs[k]) - value) / (1 + abs(value))
         if error > worst:
@@ -115,19 +130,3 @@ def _judged(
     state, given, value = at
     shown = tuple(sorted((name, str(Fraction(v))) for name, v in state.items() if name != "t"))
     return Finding(label, Verdict.REFUTED, words, witness=Witness(shown, repr(given), repr(value)))
-
-
-def _engine(truth: Equations, model: Model, rate: str, state: State) -> float | None:
-    """A rate of the state as the engine has it."""
-    scene = truth.scene
-    q, u = ([state[s.name] for s in group] for group in (scene.q, scene.u))
-    given = {s.name: state[s.name] for s in scene.parameters}
-    inputs = [state[s.name] for s in scene.input_symbols]
-    names = [s.name for s in scene.ud]
-    if rate not in names:
-        return state.get(rate)
-    try:
-        accelerations = model.forward_dynamics(q, u, given, inputs=inputs or None)
-    except SingularError:
-        return None
-    return float(np.asarray(accelerations).reshape(-1)[names.index(rate)])

@@ -41,6 +41,7 @@ def check(
     notation: str | None = None,
     about: str | None = None,
     convention: Sequence[str] | str = (),
+    function: str | None = None,
     blame: bool = True,
 ) -> Check:
     """Check a person's equations of motion, energies, reactions or mass matrix.
@@ -62,6 +63,8 @@ def check(
         ``"latex"``, ``"text"`` or ``"c"``, where that is not plain.
     about : str, optional
         What they are, where that is not plain: ``"kinetic energy"``, ``"mass matrix"``, ...
+    function : str, optional
+        Which function of a C file; its last one when not given.
     convention : str or sequence of str
         How the person counts otherwise than the scene: ``"other vertical"``, ``"half-length"``, ...
         Without it, equations that would be right under such a change are REFUTED, and the result
@@ -83,17 +86,18 @@ def check(
         truth = scene
     else:
         truth = derived(scene.scene() if isinstance(scene, System) else scene)
-    if isinstance(equations, BlackBox):
-        entries, boxed = check_box(truth, equations, names)
-        return Check(truth.scene, tuple(Judged(s, f) for s, f in entries), boxed, (), truth)
-    parts = equations if isinstance(equations, list | tuple) else [equations]
-    readings = [read(truth.scene, part, names, notation, about) for part in parts]
+    things = equations if isinstance(equations, list | tuple) else [equations]
+    boxed = [check_box(truth, thing, names) for thing in things if isinstance(thing, BlackBox)]
+    parts = [thing for thing in things if not isinstance(thing, BlackBox)]
+    readings = [read(truth.scene, part, names, notation, about, function) for part in parts]
     statements = [statement for reading in readings for statement in reading.statements]
     names_of = declared([convention] if isinstance(convention, str) else convention)
     judged, told = _judged(truth, statements, names_of)
     if blame:
         judged = _blamed(truth, judged)
-    matches = {match.name: match for reading in readings for match in reading.names}
+    judged = (*judged, *(Judged(s, f) for entries, _ in boxed for s, f in entries))
+    told_of = (*(reading.names for reading in readings), *(known for _, known in boxed))
+    matches = {match.name: match for known in told_of for match in known}
     remarks = tuple(dict.fromkeys(r for reading in readings for r in reading.remarks))
     return Check(truth.scene, judged, tuple(matches.values()), (*remarks, *told), truth)
 
