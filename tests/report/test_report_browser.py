@@ -146,11 +146,13 @@ def test_answer_in_a_browser(width: int, dark: bool, answered: Check, tmp_path: 
 def test_a_bad_page_is_seen(tmp_path: Path) -> None:
     page = (
         '<!DOCTYPE html><p style="width:900px;color:#aaa;background:#fff">wide and faint</p>'
+        '<div style="width:90px"><table style="width:200px"><tr><td>x</td></tr></table></div>'
         '<img src="https://example.org/a.png"><script>console.log("noise")</script>'
     )
     sight = look(page, tmp_path, 390, False)
     assert sight.found["scroll"] > sight.found["width"]
     assert sight.found["outside"] != []
+    assert sight.found["wide"] != []
     assert sight.found["faint"] != []
     assert sight.found["fetched"] == ["https://example.org/a.png"]
     assert any("noise" in line for line in sight.console)

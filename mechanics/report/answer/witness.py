@@ -7,8 +7,14 @@ import re
 from decimal import Decimal
 from math import isfinite
 
-ZERO = re.compile(r"^\[?\s*\+/-")
-MIDPOINT = re.compile(r"^\[?\s*(?P<middle>[-+]?[\d.]+(?:e[-+]?\d+)?)\s*(?:\+/-|\])?")
+NUMBER = r"[-+]?\d+(?:\.\d*)?(?:e[-+]?\d+)?"
+ZERO = re.compile(rf"\[?\s*\+/-\s*{NUMBER}\s*\]?", re.ASCII)
+MIDPOINT = re.compile(
+    rf"\[?\s*(?P<middle>{NUMBER})\s*(?:\+/-\s*(?P<radius>{NUMBER}))?\s*\]?", re.ASCII
+)
+NARROW = 1e-6
+"""Radius over middle of an enclosure whose first digits say all."""
+
 FEWEST, MOST = 6, 17
 
 
@@ -36,16 +42,17 @@ def short_value(text: str) -> str:
 
 
 def _short(text: str, value: float, digits: int) -> str:
-    return f"0 {text.strip('[] ')}" if ZERO.match(text) else f"{value:.{digits}g}"
+    return f"0 {text.strip('[] ')}" if ZERO.fullmatch(text) else f"{value:.{digits}g}"
 
 
 def _middle(text: str) -> float | None:
-    """The middle of an enclosure; None where it has none, or a double cannot hold it."""
-    if ZERO.match(text):
+    """The middle of a narrow enclosure; None for others, and where a double cannot hold it."""
+    if ZERO.fullmatch(text):
         return 0.0
-    found = MIDPOINT.match(text)
+    found = MIDPOINT.fullmatch(text)
     if found is None:
         return None
     value = float(found["middle"])
     lost = not isfinite(value) or (value == 0) is not (Decimal(found["middle"]) == 0)
-    return None if lost else value
+    wide = float(found["radius"] or 0) > NARROW * abs(value)
+    return None if lost or wide else value
