@@ -13,9 +13,11 @@ import pytest
 
 from mechanics.compiled import Model
 from mechanics.compiled.graphs import STATE
+from mechanics.scene.actions import frictions
 from systems import ALL
 
 SYSTEMS = [system.name for system in ALL]
+SMOOTH = [system.name for system in ALL if not frictions(system.scene())]
 Modelled = Callable[[str, str], Model]
 POINTS = 3
 
@@ -133,6 +135,7 @@ def test_functions_survive_serialisation(model: Model, tmp_path: Path) -> None:
                 np.testing.assert_array_equal(np.array(one), np.array(other))
 
 
+@pytest.mark.parametrize("model", SMOOTH, indirect=True)
 def test_functions_stand_in_opti(model: Model) -> None:
     """Find the inverse dynamics by IPOPT: u' is given, the generalized forces are wanted."""
     inverse = model.casadi["inverse_dynamics"]

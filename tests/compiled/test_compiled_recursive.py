@@ -26,6 +26,7 @@ from mechanics.scene import (
     torque,
     torsion_spring,
 )
+from mechanics.scene.actions import frictions
 from systems import ALL, VARIANTS, pendulum_chain
 
 ROUTES = ("free_body", "moving_point", "kane", "lagrange")
@@ -77,8 +78,11 @@ def certified(model: Any, graph: ca.Function | None = None) -> Verdict:
     return prove_graph("forward_dynamics", model.casadi, graph, try_normal=False).verdict
 
 
+SMOOTH = [system for system in (*ALL, *VARIANTS) if not frictions(system.scene())]
+
+
 @pytest.mark.parametrize("route", ROUTES)
-@pytest.mark.parametrize("system", [*ALL, *VARIANTS], ids=lambda system: system.name)
+@pytest.mark.parametrize("system", SMOOTH, ids=lambda system: system.name)
 def test_from_the_bodies_it_is_what_every_route_derived(system: Any, route: str) -> None:
     scene = system.scene()
     equations = importlib.import_module(f"mechanics.routes.{route}").derive(scene)
@@ -91,6 +95,17 @@ def test_from_the_bodies_it_is_what_every_route_derived(system: Any, route: str)
         compile(equations, form=other.name)
     among = str(refused.value).rpartition("choose among ")[2]
     assert form.name in among and other.name not in among
+
+
+@pytest.mark.parametrize("system", [s for s in ALL if s not in SMOOTH], ids=lambda s: s.name)
+def test_friction_is_not_in_gauss_s_function(system: Any) -> None:
+    equations = kane.derive(system.scene())
+    assert RECURSIVE.unsuited(equations) == (
+        "track depends on a reaction, which Gauss's function does not hold"
+    )
+    with pytest.raises(InputError, match="form 'recursive': track depends on a reaction"):
+        compile(equations, form="recursive")
+    assert certified(compile(equations)) is Verdict.CERTIFIED
 
 
 @pytest.mark.parametrize("joints", ["z", "xy", "xYz", "Xyz", "zXyx"])

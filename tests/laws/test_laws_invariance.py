@@ -160,7 +160,7 @@ def test_names(route: str) -> None:
 
 METRES = {
     "elastic_pendulum": {"x": 1}, "two_mass_chain": {"x1": 1, "x2": 1}, "pendulum_chain": {"q0": 1},
-    "cartpole": {"x": 1}, "double_inverted_pendulum": {"x": 1},
+    "cartpole": {"x": 1}, "cartpole_friction": {"x": 1}, "double_inverted_pendulum": {"x": 1},
 }  # fmt: skip
 """Coordinates that are lengths; the others are angles."""
 INPUTS = {"f": "N", "F": "N", "tau": "N*m", "u": "N"}
