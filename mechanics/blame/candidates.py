@@ -10,7 +10,7 @@ from sympy import Matrix, Symbol
 
 from mechanics.blame.nearest import Candidate
 from mechanics.blame.pieces import Kind, Piece, merged
-from mechanics.blame.reduced import reduced_rows, view_rows
+from mechanics.blame.reduced import reduced_rows, tied_speeds, view_rows
 from mechanics.blame.rows import Row, free_rows, moving_rows
 from mechanics.blame.terms import terms_of
 from mechanics.blame.view import View
@@ -30,12 +30,15 @@ def implicit(view: View) -> tuple[Candidate, ...]:
     return _candidates(_free(row, view.truth) for row in rows)
 
 
-@lru_cache(maxsize=32)
 def constrained(view: View, wanted: frozenset[Symbol]) -> tuple[Candidate, ...]:
     """Equations with the constraints put in; none in a scene without constraints."""
-    if not view.scene.constraints:
-        return ()
-    return _candidates(_free(row, view.truth) for row in reduced_rows(view, wanted))
+    tied = tied_speeds(view, wanted) if view.scene.constraints else None
+    return () if tied is None else _with_constraints(view, tied)
+
+
+@lru_cache(maxsize=32)
+def _with_constraints(view: View, tied: tuple[int, ...]) -> tuple[Candidate, ...]:
+    return _candidates(_free(row, view.truth) for row in reduced_rows(view, tied))
 
 
 @lru_cache(maxsize=16)

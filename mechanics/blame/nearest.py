@@ -10,8 +10,9 @@ from collections import Counter
 from collections.abc import Collection, Iterable
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import cached_property
 
-from sympy import Expr, Symbol
+from sympy import Expr, Symbol, sin
 
 from mechanics.blame.pieces import Origin
 from mechanics.blame.terms import Monomial, Terms, difference, product, total
@@ -38,7 +39,7 @@ class Candidate:
     words: str
     pieces: tuple[tuple[Origin, Terms], ...]
 
-    @property
+    @cached_property
     def terms(self) -> Terms:
         """Sum of the pieces."""
         return total(terms for _, terms in self.pieces)
@@ -95,21 +96,31 @@ def nearest(
     Meant or None
         None where no candidate shares a term with what is written.
     """
-    best: tuple[Rank, Meant] | None = None
+    fast, lead = set(moving), set(accelerations)
+    best: tuple[Rank, Candidate, Monomial, Fraction] | None = None
     for place, candidate in enumerate(candidates):
         right = candidate.terms
-        for monomial, factor in _factors(written, right, set(moving)):
-            scaled = product(right, monomial, factor)
-            left = difference(written, scaled)
-            if not _near(written, left, monomial):
+        for monomial, factor, votes in _factors(written, right, fast):
+            # So many terms are left at least: each vote is for one that agrees.
+            fewest = max(len(written), len(right)) - votes
+            if best is not None and fewest > best[0][0] and not _turns(monomial):
                 continue
-            rank = (
-                len(left), _held(left, accelerations), _odd(monomial, factor), place, factor < 0
-            )  # fmt: skip
-            if best is None or rank < best[0]:
-                pieces = tuple((o, product(t, monomial, factor)) for o, t in candidate.pieces)
-                best = rank, Meant(candidate.words, written, scaled, pieces)
-    return None if best is None else best[1]
+            left = difference(written, product(right, monomial, factor))
+            if _near(written, left, monomial):
+                held = _held(left, lead)
+                rank = len(left), held, _odd(monomial, factor), place, factor < 0
+                if best is None or rank < best[0]:
+                    best = rank, candidate, monomial, factor
+    if best is None:
+        return None
+    _, candidate, monomial, factor = best
+    pieces = tuple((o, product(t, monomial, factor)) for o, t in candidate.pieces)
+    return Meant(candidate.words, written, product(candidate.terms, monomial, factor), pieces)
+
+
+def _turns(factor: Monomial) -> bool:
+    """Whether terms become others when they are multiplied: sin^2 is 1 - cos^2."""
+    return any(isinstance(atom, sin) for atom, _ in factor)
 
 
 def _near(written: Terms, left: Terms, factor: Monomial) -> bool:
@@ -119,7 +130,7 @@ def _near(written: Terms, left: Terms, factor: Monomial) -> bool:
     return agreeing > 1 or (agreeing == 1 and plain)
 
 
-def _held(terms: Terms, accelerations: Collection[Symbol]) -> int:
+def _held(terms: Terms, accelerations: set[Symbol]) -> int:
     return sum(any(atom in accelerations for atom, _ in monomial) for monomial in terms)
 
 
@@ -128,7 +139,10 @@ def _odd(monomial: Monomial, factor: Fraction) -> int:
     return sum(abs(power) for _, power in monomial) + (abs(factor) != 1)
 
 
-def _factors(written: Terms, right: Terms, moving: set[Symbol]) -> list[tuple[Monomial, Fraction]]:
+def _factors(
+    written: Terms, right: Terms, moving: set[Symbol]
+) -> list[tuple[Monomial, Fraction, int]]:
+    """Factors with most votes, and how many."""
     if len(written) * len(right) > MOST_PAIRS:
         return []
     by_motion: dict[Monomial, list[tuple[Monomial, Fraction]]] = {}
@@ -138,10 +152,13 @@ def _factors(written: Terms, right: Terms, moving: set[Symbol]) -> list[tuple[Mo
     for monomial, value in written.items():
         for other, of_right in by_motion.get(_motion(monomial, moving), ()):
             votes[_ratio(monomial, other), value / of_right] += 1
-    found = [factor for factor, _ in votes.most_common(TRIED)]
+    found = dict(votes.most_common(TRIED))
     # A sign that is wrong in one of two terms leaves one vote for either factor.
-    found += [(ONE, Fraction(sign)) for sign in (1, -1) if (ONE, Fraction(sign)) in votes]
-    return list(dict.fromkeys(found))
+    for sign in (1, -1):
+        own = ONE, Fraction(sign)
+        if own in votes:
+            found[own] = votes[own]
+    return [(monomial, factor, count) for (monomial, factor), count in found.items()]
 
 
 def _motion(monomial: Monomial, moving: set[Symbol]) -> Monomial:

@@ -34,13 +34,16 @@ def view_rows(view: View) -> tuple[Row, ...]:
 
 
 @lru_cache(maxsize=16)
-def reduced_rows(view: View, wanted: frozenset[Symbol]) -> tuple[Row, ...]:
-    """Equations of the free speeds; those wanted are kept free where that can be."""
-    forms = view.forms()
-    tied = _tied(view, forms, wanted)
-    if not forms or tied is None:
-        return ()
-    solution = _solved(forms, [view.speeds[i] for i in tied])
+def reduced_rows(view: View, tied: tuple[int, ...]) -> tuple[Row, ...]:
+    """Equations of the free speeds, with the tied ones put in.
+
+    Parameters
+    ----------
+    view : View
+    tied : tuple of int
+        Indices of speeds that the constraints determine, as `tied_speeds` finds them.
+    """
+    solution = _solved(view.forms(), [view.speeds[i] for i in tied])
     table: dict[Symbol, Expr] = {
         view.speeds[i]: value for i, value in zip(tied, solution, strict=True)
     }
@@ -64,8 +67,10 @@ def reduced_rows(view: View, wanted: frozenset[Symbol]) -> tuple[Row, ...]:
     return tuple(found)
 
 
-def _tied(view: View, forms: Sequence[Expr], wanted: frozenset[Symbol]) -> tuple[int, ...] | None:
-    """Indices of speeds that the constraints determine, the wanted ones last."""
+@lru_cache(maxsize=64)
+def tied_speeds(view: View, wanted: frozenset[Symbol]) -> tuple[int, ...] | None:
+    """Indices of speeds that the constraints determine; the wanted ones stay free if they can."""
+    forms = view.forms()
     pairs = list(zip(view.speeds, view.accelerations, strict=True))
     order = sorted(range(len(pairs)), key=lambda i: (len(wanted & set(pairs[i])), -i))
     for chosen in combinations(order, len(forms)):

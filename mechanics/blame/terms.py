@@ -123,6 +123,8 @@ def _terms(work: Reader, polynomial: fmpq_mpoly) -> Terms:
 
 def product(terms: Terms, monomial: Monomial, factor: Fraction) -> Terms:
     """Terms times one term; sin^2 is 1 - cos^2 again."""
+    if not monomial:
+        return {one: value * factor for one, value in terms.items()}
     found = Terms()
     for one, value in terms.items():
         powers = dict(one)

@@ -1,0 +1,127 @@
+"""A wrong energy beside right equations is blamed on the energy."""
+
+from collections.abc import Callable
+
+import pytest
+
+import mechanics
+from mechanics.blame.difference import differences
+from mechanics.blame.energies import wrong_energies, wrong_rows
+from mechanics.blame.entries import kinetic_pieces, potential_pieces
+from mechanics.blame.explanations import explanations
+from mechanics.checks.ledger import check_row
+from mechanics.crosscheck.routes import derive
+from mechanics.equations import Equations
+from mechanics.exact import Verdict, prove_zero
+from mechanics.reading.statement import Statement
+from mechanics.scene.published import published
+from mechanics.scene.quantities import KineticEnergy, PotentialEnergy
+
+TruthOf = Callable[[str], Equations]
+FINE = "the equations are right, this energy is not: "
+
+EQUATIONS = """
+h1 = m0 + m1 + m2
+h2 = m1*l1 + m2*L1
+h3 = m2*l2
+h4 = m1*l1**2 + m2*L1**2 + J1
+h5 = m2*l2*L1
+h6 = m2*l2**2 + J2
+h7 = (m1*l1 + m2*L1)*g
+h8 = m2*l2*g
+h1*x_ddot + h2*theta1_ddot*cos(theta1) + h3*theta2_ddot*cos(theta2) = h2*theta1_dot**2*sin(theta1) + h3*theta2_dot**2*sin(theta2) + u
+h2*cos(theta1)*x_ddot + h4*theta1_ddot + h5*cos(theta1 - theta2)*theta2_ddot = h7*sin(theta1) - h5*theta2_dot**2*sin(theta1 - theta2)
+h3*cos(theta2)*x_ddot + h5*cos(theta1 - theta2)*theta1_ddot + h6*theta2_ddot = h5*theta1_dot**2*sin(theta1 - theta2) + h8*sin(theta2)
+"""  # noqa: E501
+ENERGY = (
+    "T = m0*x_dot**2/2 + m1/2*((x_dot + l1*theta1_dot*cos(theta1))**2"
+    " + (l1*theta1_dot*sin(theta1))**2)"
+    " + m2/2*((x_dot + L1*theta1_dot*cos(theta1) + l2*theta2_dot*cos(theta2))**2"
+    " + (L1*theta1_dot*sin(theta1) + l2*theta2_dot*sin(theta2))**2)"
+    " + J1*theta1_dot**2/2 + J2*theta1_dot**2/2"
+)
+
+
+def told(truth: Equations, text: str) -> list[tuple[str, tuple[str, ...]]]:
+    judged = mechanics.check(truth, text, blame=False).judged
+    words = explanations(truth, [e.statement for e in judged], [e.finding for e in judged])
+    return [(e.finding.verdict.name, own) for e, own in zip(judged, words, strict=True)]
+
+
+def test_double_inverted_pendulum_whose_energy_has_the_wrong_rate(truth_of: TruthOf) -> None:
+    truth = truth_of("double_inverted_pendulum")
+    *rows, energy = told(truth, EQUATIONS + ENERGY)
+    assert rows == [("PROVED", ())] * 3
+    assert energy == (
+        "REFUTED",
+        (
+            FINE + "derived from it, the equations would differ by"
+            " (0, J2*theta1_ddot, -J2*theta2_ddot); along the motion its rate is not the power of"
+            " the loads",
+        ),
+    )
+
+
+def test_its_differences_name_the_rotation_of_the_second_rod(truth_of: TruthOf) -> None:
+    truth = truth_of("double_inverted_pendulum")
+    (entry,) = mechanics.check(truth, ENERGY, blame=False).judged
+    found = differences(truth, entry.statement)
+    assert sorted((d.group, d.written, d.right, d.origin) for d in found) == [
+        ("coefficient of theta1_dot**2", "J2/2", "", ()),
+        ("coefficient of theta2_dot**2", "", "J2/2", ("rod2: kinetic energy of rotation",)),
+    ]
+
+
+def test_equations_that_follow_from_a_wrong_energy_say_so(truth_of: TruthOf) -> None:
+    truth = truth_of("double_inverted_pendulum")
+    wrong = EQUATIONS.replace("m2*L1**2 + J1", "m2*L1**2 + J1 + J2").replace("l2**2 + J2", "l2**2")
+    first, second, third, energy = told(truth, wrong + ENERGY)
+    words = "it follows from the energy as it is written, which is wrong"
+    assert first == ("PROVED", ())
+    assert second == third == ("REFUTED", (words,))
+    assert energy[0] == "REFUTED"
+    assert not energy[1][0].startswith(FINE)
+
+
+def test_a_right_energy_is_not_blamed_for_wrong_equations(truth_of: TruthOf) -> None:
+    truth = truth_of("double_inverted_pendulum")
+    right = ENERGY.replace("J2*theta1_dot", "J2*theta2_dot")
+    wrong = EQUATIONS.replace("+ h8*sin", "- h8*sin")
+    *_, third, energy = told(truth, wrong + right)
+    assert third[0] == "REFUTED"
+    assert energy == ("PROVED", ())
+
+
+def test_a_wrong_potential_energy(truth_of: TruthOf) -> None:
+    truth = truth_of("elastic_pendulum")
+    text = (
+        "V = k*x**2/2 - M*g*L/2*cos(theta)\n"
+        "(M+m)*x_ddot + 2*k*x + M*L/2*(theta_ddot*cos(theta) - theta_dot**2*sin(theta)) = 0"
+    )
+    (verdict, (words,)), equation = told(truth, text)
+    assert verdict == "REFUTED"
+    assert words.startswith(FINE + "derived from it, the equations would differ by (-k*x, 0)")
+    assert equation == ("PROVED", ())
+
+
+@pytest.mark.parametrize("kind", [KineticEnergy, PotentialEnergy])
+def test_rows_of_a_wrong_energy_are_those_of_lagrange_from_it(truth: Equations, kind: type) -> None:
+    """Twice the energy: the rows that are too much are the rates, or the loads, themselves."""
+    scene = truth.scene
+    pieces = kinetic_pieces(scene) if kind is KineticEnergy else potential_pieces(scene)
+    value = sum(part for _, part in pieces)
+    row = published("1", kind(), 2 * value, label="energy")
+    finding = check_row(scene, row, truth)
+    energies = wrong_energies(truth, [Statement(row, "energy", "1")], [finding])
+    if finding.verdict is not Verdict.REFUTED:
+        assert not value.free_symbols & {*scene.q, *scene.u}
+        return
+    extra = wrong_rows(scene, energies)
+    lagrange = derive(scene, "lagrange")
+    for index, found in enumerate(extra):
+        if kind is KineticEnergy and not scene.speeds and lagrange.conjugate:
+            # d/dt(dT/dq') - dT/dq has the mass matrix of Lagrange's equations before it.
+            for j, ud in enumerate(scene.ud):
+                assert prove_zero("row", found.diff(ud) - lagrange.mass[index, j]).shown
+        elif kind is PotentialEnergy:
+            assert scene.speeds or not found.free_symbols & {*scene.u, *scene.ud}

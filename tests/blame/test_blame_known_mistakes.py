@@ -1,0 +1,216 @@
+"""Known mistakes: each fires on a scene made wrong that way, and none on right equations."""
+
+from collections.abc import Callable, Iterator
+from itertools import count, islice
+
+import pytest
+from sympy import Add, Expr, cos, linsolve
+from sympy.physics.mechanics import (
+    LagrangesMethod,
+    Lagrangian,
+    Point,
+    ReferenceFrame,
+    RigidBody,
+    dynamicsymbols,
+    inertia,
+)
+
+import mechanics
+from mechanics.blame.explanations import MOST, explanations
+from mechanics.blame.mistakes import held, substituted
+from mechanics.blame.mistakes.known import KNOWN
+from mechanics.blame.mistakes.slip import Slip, equations, right
+from mechanics.blame.rows import generalized_rows, moving_rows
+from mechanics.checks.agreement import require_regular
+from mechanics.checks.ledger import check_row
+from mechanics.equations import Equations
+from mechanics.errors import SingularError
+from mechanics.exact import Finding, Verdict
+from mechanics.reading.statement import Statement
+from mechanics.scene.actions import frictions
+from systems import rolling_disc
+
+Stated = Callable[..., Statement]
+
+
+def judged(truth: Equations, statements: list[Statement]) -> list[Finding]:
+    return [check_row(truth.scene, s.row, truth) for s in statements if s.row is not None]
+
+
+def slips(truth: Equations) -> Iterator[Slip]:
+    """Mistakes that leave the motion determined; with constraints, one of each that is new then."""
+    derivation = right(truth.scene, with_reactions=False)
+    tied = bool(truth.scene.constraints)
+    for known in (held.slips, substituted.slips) if tied else KNOWN:
+        found = (slip for slip in known(derivation) if determined(truth, slip))
+        yield from islice(found, 1 if tied else None)
+
+
+def determined(truth: Equations, slip: Slip) -> bool:
+    """Whether there is a motion with the mistake: a disc without inertia has none."""
+    try:
+        require_regular(equations(truth, slip))
+    except SingularError:
+        return False
+    return True
+
+
+def made_wrong(slip: Slip, stated: Stated) -> list[Statement]:
+    """The equations that a person would find who makes the mistake."""
+    rows = (Add(*(times * piece.value for times, piece in row)) for row in slip.rows)
+    return [stated(value, str(tag)) for tag, value in zip(count(1), rows, strict=False)]
+
+
+def test_every_mistake_is_named_where_it_was_made(truth: Equations, stated: Stated) -> None:
+    fired = 0
+    # Friction keeps the reactions in the equations: they are rows of free bodies, tried below.
+    for slip in () if frictions(truth.scene) else slips(truth):
+        statements = made_wrong(slip, stated)
+        findings = judged(truth, statements)
+        told = explanations(truth, statements, findings)
+        for finding, words in zip(findings, told, strict=True):
+            if finding.verdict is Verdict.REFUTED:
+                assert slip.words in words or len(words) == MOST
+                fired += 1
+            else:
+                assert words == ()
+    assert fired or frictions(truth.scene)
+
+
+def test_friction_with_the_wrong_sign(truth_of: Callable[[str], Equations]) -> None:
+    truth = truth_of("cartpole_friction")
+    (track,) = frictions(truth.scene)
+    found = [slip for slip in slips(truth) if slip.words == f"load {track.name} has the wrong sign"]
+    assert len(found) == 1
+
+
+def test_nothing_is_explained_where_all_is_right(truth: Equations, stated: Stated) -> None:
+    rows = [*generalized_rows(truth.scene), *(row for _, row in moving_rows(truth))]
+    values = [row.value for row in rows if row.value.free_symbols & set(truth.scene.ud)]
+    statements = [stated(value, str(tag)) for tag, value in zip(count(1), values, strict=False)]
+    findings = judged(truth, statements)
+    assert all(finding.shown for finding in findings)
+    assert explanations(truth, statements, findings) == ((),) * len(statements)
+
+
+def test_a_mere_slip_of_the_pen_is_not_explained(
+    truth_of: Callable[[str], Equations], stated: Stated
+) -> None:
+    truth = truth_of("elastic_pendulum")
+    first, second = (row.value for row in generalized_rows(truth.scene))
+    statements = [stated(first), stated(second + 5 * truth.scene.q[0])]
+    findings = judged(truth, statements)
+    assert [finding.verdict for finding in findings] == [Verdict.PROVED, Verdict.REFUTED]
+    assert explanations(truth, statements, findings) == ((), ())
+
+
+PENDULUM = "(M+m)*x_ddot + 2*k*x + M*L/2*(theta_ddot*cos(theta) - theta_dot**2*sin(theta)) = 0"
+MOMENT = "M*L/2*x_ddot*cos(theta) + M*L**2/3*theta_ddot + M*g*L/2*sin(theta)"
+
+
+@pytest.mark.parametrize(
+    ("moment", "words"),
+    [
+        (MOMENT.replace("+ M*g", "- M*g"), "gravity reversed"),
+        (MOMENT.replace("/3", "*7/12"), "parallel axis counted twice: pendulum"),
+        (MOMENT.replace("/3", "/12"), "parallel axis forgotten: pendulum"),
+        (MOMENT.replace("/3", "/4"), "rotational inertia is missing: pendulum"),
+        (
+            MOMENT + " - M*L/2*x_dot*theta_dot*sin(theta)",
+            "v_B x P is missing in the moment about B = B",
+        ),
+        (
+            MOMENT.replace("M*L/2*x_ddot*cos(theta) +", ""),
+            "BC x m a_B is missing in the moment about B = B, which accelerates",
+        ),
+    ],
+)
+def test_of_the_moment_about_the_moving_pivot(
+    truth_of: Callable[[str], Equations], moment: str, words: str
+) -> None:
+    truth = truth_of("elastic_pendulum")
+    found = mechanics.check(truth, f"{PENDULUM}\n{moment} = 0", blame=False)
+    told = explanations(
+        truth, [e.statement for e in found.judged], [e.finding for e in found.judged]
+    )
+    assert told == ((), (words,))
+
+
+def test_a_reaction_explains_itself_too(truth_of: Callable[[str], Equations]) -> None:
+    truth = truth_of("elastic_pendulum")
+    text = "N1 = -(M+m)*g + M*L/2*(theta_ddot*sin(theta) + theta_dot**2*cos(theta))"
+    (entry,) = mechanics.check(truth, text, blame=False).judged
+    assert entry.finding.verdict is Verdict.REFUTED
+    assert explanations(truth, [entry.statement], [entry.finding]) == (("gravity reversed",),)
+
+
+def test_cart_pole_with_the_parallel_axis_counted_twice(
+    truth_of: Callable[[str], Equations],
+) -> None:
+    truth = truth_of("cartpole")
+    text = (
+        "theta_ddot = (g*sin(theta) - cos(theta)*(F + mp*l*theta_dot**2*sin(theta))/(mc+mp))"
+        "/(l*(7/3 - mp*cos(theta)**2/(mc+mp)))"
+    )
+    (entry,) = mechanics.check(truth, text, blame=False).judged
+    told = explanations(truth, [entry.statement], [entry.finding])
+    assert told == (("parallel axis counted twice: pole",),)
+
+
+def lagrangian_of_the_disc(height_sign: int) -> list[Expr]:
+    """Lagrange's equations of SymPy's tutorial: the velocity of the centre holds no slip already.
+
+    The tutorial prints the potential energy with the sign that `height_sign` = -1 gives.
+    """
+    yaw, lean, spin = dynamicsymbols("yaw lean spin")
+    m, r, g = rolling_disc.m, rolling_disc.R, rolling_disc.g
+    ground = ReferenceFrame("N")
+    heading = ground.orientnew("Y", "Axis", (yaw, ground.z))
+    leaning = heading.orientnew("L", "Axis", (lean, heading.x))
+    disc = leaning.orientnew("D", "Axis", (spin, leaning.y))
+    centre = Point("C")
+    centre.set_vel(ground, disc.ang_vel_in(ground).cross(r * leaning.z))
+    across, along = m * r**2 / 4, m * r**2 / 2
+    body = RigidBody("disc", centre, disc, m, (inertia(leaning, across, along, across), centre))
+    body.potential_energy = height_sign * m * g * r * cos(lean)
+    method = LagrangesMethod(Lagrangian(ground, body), [yaw, lean, spin])
+    return list(method.form_lagranges_equations())
+
+
+SUBSTITUTED = "the constraints, solved for x_dot, y_dot, substituted into the Lagrangian"
+
+
+@pytest.mark.parametrize(
+    ("height_sign", "words"),
+    [(1, SUBSTITUTED), (-1, f"{SUBSTITUTED}; gravity reversed")],
+)
+def test_rolling_disc_whose_constraints_were_put_into_the_lagrangian(
+    truth_of: Callable[[str], Equations], stated: Stated, height_sign: int, words: str
+) -> None:
+    truth = truth_of("rolling_disc")
+    statements = [
+        stated(truth.scene.rates(value.doit()), str(tag))
+        for tag, value in zip(count(1), lagrangian_of_the_disc(height_sign), strict=False)
+    ]
+    findings = judged(truth, statements)
+    told = explanations(truth, statements, findings)
+    for finding, found in zip(findings, told, strict=True):
+        assert found == ((words,) if finding.verdict is Verdict.REFUTED else ())
+    assert findings[0].verdict is findings[2].verdict is Verdict.REFUTED
+
+
+def test_the_tutorial_prints_what_these_two_mistakes_give() -> None:
+    q = dynamicsymbols("yaw lean spin")
+    time, unknown = dynamicsymbols._t, dynamicsymbols("a b c")
+    parameters = {rolling_disc.m: 1.3, rolling_disc.R: 0.7, rolling_disc.g: 9.81}
+    tables = (
+        dict(zip((f.diff(time, 2) for f in q), unknown, strict=True)),
+        dict(zip((f.diff(time) for f in q), (0.5, -0.2, 1.5), strict=True)),
+        dict(zip(q, (0.4, 0.3, 1.1), strict=True)) | parameters,
+    )
+    rows = [row.doit() for row in lagrangian_of_the_disc(-1)]
+    for table in tables:
+        rows = [row.xreplace(table) for row in rows]
+    (found,) = linsolve(rows, *unknown)
+    printed = (2.0078873826124033, -2.382820539009993, -0.49783764534975306)
+    assert [float(value) for value in found] == pytest.approx(printed, rel=1e-12)
