@@ -43,6 +43,8 @@ def test_edits_are_placed_where_they_stand_as_often_as_they_are() -> None:
         assert lost.span is None
     (told,) = placed("a = 3*k + 3*m/3", [edit("3", "2")], "a = 3*k+2*m/3")
     assert told.span == (10, 11)
+    (told,) = placed("a = k*cos(k) - k**2", [edit("k", "m")], "a = k*cos(k)-m**2")
+    assert told.span == (15, 16)
     (power,) = placed("a = k**2", [edit("k", "m")])
     assert power.span is None
 

@@ -173,6 +173,7 @@ def test_what_finds_no_place_in_the_formula_is_marked_in_the_source() -> None:
         ("sqrt(k/M) + x**(1/2)", r"\sqrt{\frac{k}{M}} + \sqrt{x}"),
         ("(x+1)**3 - (M - m)", r"\left(x + 1\right)^{3} - \left(M - m\right)"),
         ("1/x", r"\frac{1}{x}"),
+        ("M*len*x", r"M \, \mathrm{len} \, x"),
         ("x/3/k", r"\frac{x}{3 k}"),
         ("atan2(x, L)", r"\operatorname{atan2} \left(x, L\right)"),
         ("diff(x*theta, t)", r"\frac{d}{dt} \left(x \theta\right)"),

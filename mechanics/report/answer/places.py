@@ -12,6 +12,9 @@ from math import prod
 from mechanics.blame.result import Edit
 from mechanics.report.answer.marks import pieces
 
+BESIDE, POWER = r"[\w.(]", r"|\*\*"
+"""What goes on behind a name or number, and what makes a power of it."""
+
 MANY = 200
 """Ways to place edits that are tried."""
 
@@ -22,7 +25,7 @@ def placed(formula: str, edits: Sequence[Edit], repaired: str = "") -> tuple[Edi
     Where no places do, an edit gets one if what it changes stands there as often as it is changed;
     anything else would be a guess.
     """
-    known = [_places(formula, edit.written) for edit in edits]
+    known = [_places(formula, edit.written, BESIDE) for edit in edits]
     if all(known) and prod(map(len, known)) <= MANY:
         wanted = "".join(repaired.split())
         for spans in product(*known):
@@ -30,7 +33,8 @@ def placed(formula: str, edits: Sequence[Edit], repaired: str = "") -> tuple[Edi
             if "".join(applied(formula, made).split()) == wanted:
                 return made
     found: list[Edit] = []
-    for edit, places in zip(edits, known, strict=True):
+    for edit in edits:
+        places = _places(formula, edit.written, BESIDE + POWER)
         same = [other for other in edits if other.written == edit.written]
         alone = len(places) == len(same)
         # Equal edits get their places in turn.
@@ -45,9 +49,9 @@ def applied(source: str, edits: Sequence[Edit]) -> str:
     return "".join(piece.text if piece.edit is None else piece.edit.right for piece in cut)
 
 
-def _places(formula: str, written: str) -> list[tuple[int, int]]:
-    """Where a part stands by itself."""
+def _places(formula: str, written: str, behind: str) -> list[tuple[int, int]]:
+    """Where a part stands by itself, with nothing of that kind behind it."""
     if not written:
         return []
-    whole = rf"(?<![\w.]){re.escape(written)}(?![\w.(]|\*\*)"
+    whole = rf"(?<![\w.]){re.escape(written)}(?!{behind})"
     return [match.span() for match in re.finditer(whole, formula)]

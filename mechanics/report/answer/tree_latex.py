@@ -3,6 +3,7 @@ r"""The tree of what a person typed as LaTeX, term by term as it was typed, wron
 M*L**2/12*theta''    12 wrong    ->    \frac{M L^{2}}{\class{wrong}{12}...} \ddot{\theta}
 """
 
+import re
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
@@ -25,6 +26,7 @@ from mechanics.scene.symbols import DOTS
 
 Span = tuple[int, int]
 MINUS, OVER = Fraction(-1), Fraction(-1)
+WORD = re.compile(r"\\mathrm\{\w+\}$")
 KNOWN = frozenset(("sin", "cos", "tan", "cot", "sec", "csc", "sinh", "cosh", "tanh", "exp"))
 
 
@@ -164,12 +166,16 @@ def function_latex(function: str) -> str:
 
 
 def _beside(texts: Iterable[str]) -> str:
-    """Factors beside each other, with a dot before one that begins with a digit."""
-    found: list[str] = []
+    """Factors beside each other: a dot before a digit, a thin space beside a name of letters."""
+    found = ""
     for text in texts:
-        digit = text[:1].isdigit() or text.startswith(r"\frac{1}")
-        found.append(rf"\cdot {text}" if found and digit else text)
-    return " ".join(found)
+        gap = ""
+        if found and (text[:1].isdigit() or text.startswith(r"\frac{1}")):
+            gap = r" \cdot "
+        elif found:
+            gap = r" \, " if WORD.search(found) or text.startswith(r"\mathrm") else " "
+        found += gap + text
+    return found
 
 
 def _sign(node: Node) -> tuple[bool, Node]:
