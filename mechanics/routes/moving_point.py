@@ -13,7 +13,7 @@ in, and eliminated by algebra where no constraint names them. Velocities come fr
 from collections.abc import Iterator, Mapping, Sequence
 from functools import partial
 
-from sympy import Matrix, Symbol, zeros
+from sympy import Dummy, Matrix, Symbol, sign, zeros
 
 from mechanics.equations import Equations
 from mechanics.errors import SingularError
@@ -132,11 +132,16 @@ def _centre(chain: Chain, principle: Principle) -> PointMotion:
     if principle.offset == zeros(3, 1):
         return base
     table = rate_table(chain.scene)
-    first = rates(principle.offset, table)
+    # Friction turns the reaction, and moves its axis, where sliding changes its sign; not between.
+    held = {jump: Dummy(str(jump), real=True) for jump in principle.offset.atoms(sign)}
+    back = {stand_in: jump for jump, stand_in in held.items()}
+    offset = principle.offset.xreplace(held)
+    first = rates(offset, table)
+    second = rates(first, table)
     return PointMotion(
         base.position + principle.offset,
-        base.velocity + first,
-        base.acceleration + rates(first, table),
+        base.velocity + first.xreplace(back),
+        base.acceleration + second.xreplace(back),
     )
 
 

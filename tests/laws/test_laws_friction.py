@@ -1,10 +1,11 @@
 """Friction that depends on a reaction: every law, and accelerations that textbooks print."""
 
 from collections.abc import Callable
+from dataclasses import replace
 from typing import Any
 
 import pytest
-from sympy import Expr, Symbol, cos, sign, sin
+from sympy import DiracDelta, Expr, Symbol, cos, sign, sin
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
 from mechanics.checks.agreement import solve
@@ -25,7 +26,7 @@ from mechanics.scene import (
     reaction,
 )
 
-x, y, phi, theta, F = dynamicsymbols("x y phi theta F")
+x, y, phi, theta, F, u1, u2 = dynamicsymbols("x y phi theta F u1 u2")
 m, M, r, l, g, mu, nu, alpha = parameters("m M r l g mu nu alpha")
 ROUTES = ("free_body", "moving_point", "kane", "lagrange")
 
@@ -125,8 +126,13 @@ def pulled() -> Scene:
     )  # fmt: skip
 
 
+def slipping() -> Scene:
+    """The hoop with its slip for a speed."""
+    return replace(hoop(), speeds=((u1, x.diff() + r * phi.diff()), (u2, phi.diff())))
+
+
 SCENES: dict[str, Callable[[], Scene]] = {
-    scene.__name__: scene for scene in (incline, hoop, ladder, wedge, pulled)
+    scene.__name__: scene for scene in (incline, hoop, ladder, wedge, pulled, slipping)
 }
 
 
@@ -194,4 +200,10 @@ def test_moving_point_projects_across_the_leaning_reaction() -> None:
     chosen = derive(incline(), "moving_point").chosen
     assert len(chosen) == 1
     assert "mu*" in chosen[0]
-    assert derive(hoop(), "moving_point").mass.shape == (2, 2)
+    equations = derive(ladder(), "moving_point")
+    # The point where the two leaning forces meet, which jumps with the sign of the sliding.
+    assert equations.chosen == (
+        "whole system: moment about a point of the axis beside foot, axis N.z",
+    )
+    lines = [line for step in equations.steps for line in step.lines]
+    assert lines and not any(line.right.has(DiracDelta) for line in lines)
