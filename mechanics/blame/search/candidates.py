@@ -10,7 +10,7 @@ import itertools
 from collections.abc import Iterator
 from dataclasses import dataclass
 from fractions import Fraction
-from functools import partial
+from functools import cached_property, partial
 
 from mechanics.blame.result import Mistake
 from mechanics.blame.search.change import (
@@ -25,11 +25,12 @@ from mechanics.blame.search.change import (
     plus,
     raised,
     size_of,
-    times,
 )
+from mechanics.blame.search.circular import Circular, circular
 from mechanics.blame.search.forest import Forest
+from mechanics.blame.search.inserted import Inserted
 from mechanics.blame.search.inside import inside_of, worth
-from mechanics.blame.search.sheet import Sheet, integer_exponent, power
+from mechanics.blame.search.sheet import Sheet, integer_exponent, power, scaled
 from mechanics.blame.search.words import Words
 from mechanics.exact.signals import DivisionHere
 from mechanics.reading.tree import (
@@ -125,6 +126,10 @@ class Candidates:
         elif isinstance(node, Sum):
             yield from self._summand(index, node)
 
+    @cached_property
+    def _circular(self) -> tuple[Circular, ...]:
+        return circular(self.forest, self.sheets, self.words)
+
     def _name(self, index: int, node: Name) -> Iterator[Change]:
         """Other symbols, the same kind first; squares and cubes."""
         own = self.words.word(node)
@@ -153,7 +158,7 @@ class Candidates:
             return
         for ratio in dict.fromkeys((*RATIOS, 1 / node.value**2)):
             value = node.value * ratio
-            found = self._scaled(index, ratio)
+            found = scaled(self.sheets, index, ratio)
             number = Number(node.at, value)
             yield self._change(index, number, Mistake.FACTOR, TOKEN + size_of(value), found)
         above = self.forest.parent[index]
@@ -163,10 +168,6 @@ class Candidates:
                 values = tuple((v + step) % self._p for v in self._has(index))
                 number = Number(node.at, value)
                 yield self._change(index, number, Mistake.FACTOR, TOKEN + HINT, values)
-
-    def _scaled(self, index: int, ratio: Fraction) -> tuple[int, ...]:
-        factor = ratio.numerator * pow(ratio.denominator, -1, self._p)
-        return tuple(value * factor % self._p for value in self._has(index))
 
     def _exponent(self, index: int, node: Power) -> Iterator[Change]:
         """Exponents one and two away, and of the other sign."""
@@ -226,39 +227,11 @@ class Candidates:
         if not side or self._other_side(index):
             zero = (0,) * len(has)
             yield self._change(index, None, Mistake.EXTRA, DROPPED, zero)
-        yield from self._inserted(index, node, far)
+        yield from Inserted(self.forest, self.sheets, self.words, self._circular).of(index, far)
 
     def _other_side(self, index: int) -> bool:
         """Whether there is another side, so that this one may be zero."""
         return index > 0 and len(self.forest.kids[0]) == 2 and not self.forest.written(0)
-
-    def _inserted(self, index: int, node: Node, far: float) -> Iterator[Change]:
-        """Factors in front of a term: numbers where it has none, symbols and their inverses."""
-        if not self._number_below(index):
-            for ratio in RATIOS:
-                wrap = partial(times, Number(0, ratio))
-                cost = TOKEN + far + size_of(ratio)
-                yield self._wrapped(index, wrap, Mistake.FACTOR, cost, self._scaled(index, ratio))
-        p, has = self._p, self._has(index)
-        for word in self.words.symbols:
-            values = tuple(a * b % p for a, b in zip(has, word.values, strict=True))
-            cost = TOKEN + far + SECOND
-            yield self._wrapped(index, partial(times, word.name), Mistake.FACTOR, cost, values)
-            if all(word.values):
-                over = Power(0, word.name, Number(0, Fraction(-1)))
-                values = tuple(a * pow(b, -1, p) % p for a, b in zip(has, word.values, strict=True))
-                yield self._wrapped(index, partial(times, over), Mistake.FACTOR, cost, values)
-
-    def _number_below(self, index: int) -> bool:
-        """Whether a term has a number that can be another one."""
-        node = self.forest.nodes[index]
-        if isinstance(node, Number):
-            return node.value not in (-1, 0)
-        if isinstance(node, Product):
-            return any(self._number_below(kid) for kid in self.forest.kids[index])
-        if isinstance(node, Power) and integer_exponent(node) in (1, -1):
-            return self._number_below(self.forest.kids[index][0])
-        return False
 
     def _factor(self, index: int, node: Node) -> Iterator[Change]:
         """A factor left out."""

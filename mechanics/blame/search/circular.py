@@ -3,13 +3,14 @@
 1, sin a, cos a, sin a cos a, sin a cos b, ...        a, b: coordinates, their sums and differences
 """
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from itertools import combinations, combinations_with_replacement
 
+from mechanics.blame.search.forest import Forest
 from mechanics.blame.search.inside import worth
-from mechanics.blame.search.judge import Problem
+from mechanics.blame.search.sheet import Sheet
 from mechanics.blame.search.words import Words
 from mechanics.reading.guess import angular
 from mechanics.reading.tree import Call, Node, Number, Product, Sum
@@ -33,17 +34,17 @@ class Circular:
     values: tuple[int, ...]
 
 
-def circular(problem: Problem, words: Words) -> tuple[Circular, ...]:
+def circular(forest: Forest, sheets: Sequence[Sheet], words: Words) -> tuple[Circular, ...]:
     """Products of at most two sines and cosines, one first."""
-    p = problem.prime
+    p = sheets[0].point.prime
     known: dict[Node, tuple[int, ...]] = {}
-    for angle in _angles(problem, words):
+    for angle in _angles(forest, sheets[0], words):
         for function in ("sin", "cos"):
             call = Call(0, function, (angle,))
-            values = worth(problem.sheets, call)
+            values = worth(sheets, call)
             if values is not None and all(values):
                 known[call] = values
-    found = [Circular((), (1,) * len(problem.sheets))]
+    found = [Circular((), (1,) * len(sheets))]
     singles = list(known.items())
     found += [Circular((call,), values) for call, values in singles]
     for (one, a), (two, b) in combinations_with_replacement(singles, 2):
@@ -54,15 +55,14 @@ def circular(problem: Problem, words: Words) -> tuple[Circular, ...]:
     return tuple(found)
 
 
-def _angles(problem: Problem, words: Words) -> list[Node]:
+def _angles(forest: Forest, sheet: Sheet, words: Words) -> list[Node]:
     """Arguments that were written, coordinates, sums and differences of two."""
     found: list[Node] = []
-    for node in problem.forest.nodes:
+    for node in forest.nodes:
         if isinstance(node, Call) and node.function in ("sin", "cos", "tan"):
             found += node.arguments
     found += list(_from_scene(words))
     kept: dict[int, Node] = {}
-    (sheet, *_) = problem.sheets
     for angle in found:
         value = sheet.opaque(angle)
         kept.setdefault(min(value, sheet.point.prime - value), angle)

@@ -141,10 +141,12 @@ def _problem(claim: Claim, numbers: tuple[int, ...], target: Expr | None) -> Pro
     def wanted(point: Point) -> int:
         return 0 if target is None else point.value(target)
 
-    if not isinstance(claim.row.quantity, CONSTANT_FREE):
-        return posed(claim, numbers, wanted, (Family(isinstance(claim.row.quantity, ALONG)),))
-    states = (Family(False), Family(False, other_state=True))
-    rest = (Family(False, still=True), Family(False, other_state=True, still=True))
+    quantity = claim.row.quantity
+    if not isinstance(quantity, CONSTANT_FREE):
+        free = not isinstance(quantity, (*ALONG, q.Identity))
+        return posed(claim, numbers, wanted, (Family(isinstance(quantity, ALONG), free=free),))
+    states = (Family(False, free=True), Family(False, other_state=True, free=True))
+    rest = tuple(replace(family, still=True) for family in states)
     if not posed(claim, numbers, wanted, rest).residual:
         problem = posed(claim, numbers, _at_rest(claim, numbers[0], wanted), states[:1])
         if problem.residual:

@@ -3,14 +3,14 @@
 value(2 s) / value(s) = 2**e        ->  s**e divides the value
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 from sympy import Symbol
 
 from mechanics.blame.search.claim import ALONG, Claim, posed
 from mechanics.blame.search.judge import Problem
-from mechanics.blame.search.point import Family, points_like
+from mechanics.blame.search.point import dependent, points_like
 from mechanics.blame.search.sheet import sheet_of
 from mechanics.blame.search.words import Word, Words
 from mechanics.exact.signals import Inadmissible, Restart
@@ -38,7 +38,7 @@ class Growth:
     def problems(self) -> dict[Symbol | None, Problem]:
         """The problem, by None, and as it is where a symbol is doubled; empty without points."""
         scene = self.claim.truth.scene
-        fixed = {*angular(scene), *scene.definitions, *(scene.ud if self._moving else ())}
+        fixed = {*angular(scene), *self._following}
         found: dict[Symbol | None, Problem] = {None: self.problem}
         for word in self.words.symbols:
             if word.symbol not in fixed:
@@ -56,7 +56,7 @@ class Growth:
         target, forest = self.problem.target, self.problem.forest
         sheets = []
         for sheet in self.problem.sheets:
-            family = Family(self._moving, symbol, sheet.point.family.other_state)
+            family = replace(sheet.point.family, doubled=symbol)
             try:
                 (point,) = points_like(self.claim.truth, sheet.point, [family])
                 sheets.append(sheet_of(forest, point, sheet.builder, target(point)))
@@ -66,10 +66,14 @@ class Growth:
 
     @cached_property
     def dependent(self) -> tuple[Word, ...]:
-        """What cannot be doubled, as it follows from the rest: definitions and accelerations."""
-        scene = self.claim.truth.scene
-        symbols = {*scene.definitions, *(scene.ud if self._moving else ())}
-        return tuple(word for word in self.words.symbols if word.symbol in symbols)
+        """What cannot be doubled, as it follows from the rest: definitions, accelerations, ..."""
+        return tuple(word for word in self.words.symbols if word.symbol in self._following)
+
+    @cached_property
+    def _following(self) -> set[Symbol]:
+        scene, family = self.claim.truth.scene, self.problem.sheets[0].point.family
+        held = () if family.free else dependent(scene)
+        return {*scene.definitions, *held, *(scene.ud if self._moving else ())}
 
     @cached_property
     def doubling(self) -> dict[int, int]:

@@ -60,7 +60,7 @@ class Missing:
 
     def changes(self) -> list[Change]:
         """A term added to each sum or side that lacks one product."""
-        if self.growth.claim.truth.scene.constraints or not self.growth.problems:
+        if not self.growth.problems:
             return []
         found = [self._at(index) for index in range(len(self.problem.forest.nodes))]
         return [change for change in found if change is not None]
@@ -215,14 +215,16 @@ class Missing:
                 size = sum(abs(e) for e in exponents.values()) + sum(
                     2 for e in exponents.values() if e < 0
                 )
-                extra = HINT * (size + 2 * len(round_.factors) + len(sums)) + size_of(number)
+                extra = HINT * (
+                    size + 2 * len(round_.factors) + len(sums) + 4 * len(factors)
+                ) + size_of(number)
                 node = self._node(number, exponents, (*sums, *factors, *round_.factors))
                 yield node, extra
                 return
 
     @cached_property
     def _circular(self) -> tuple[Circular, ...]:
-        return circular(self.problem, self.words)
+        return circular(self.problem.forest, self.problem.sheets, self.words)
 
     def _node(
         self, number: Fraction, exponents: Mapping[Symbol, int], factors: Sequence[Node]

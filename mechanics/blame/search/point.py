@@ -17,6 +17,7 @@ from sympy import Expr, Symbol, cos
 from mechanics.checks.ledger_compare import ordered
 from mechanics.checks.ledger_motion import put_motion
 from mechanics.equations import Equations
+from mechanics.exact.arithmetic import Number
 from mechanics.exact.field import FieldArithmetic
 from mechanics.exact.field_number import FieldNumber
 from mechanics.exact.field_size import Memory
@@ -52,12 +53,15 @@ class Family:
         Whether coordinates and speeds are others; parameters and inputs stay.
     still : bool
         Whether all speeds are zero.
+    free : bool
+        Whether constraints are left aside, as for energies, which are right without them, too.
     """
 
     moving: bool
     doubled: Symbol | None = None
     other_state: bool = False
     still: bool = False
+    free: bool = False
 
 
 @dataclass(frozen=True, eq=False)
@@ -107,22 +111,51 @@ def _memory(truth: Equations) -> Memory:
 @lru_cache(maxsize=160)
 def _point(truth: Equations, family: Family, attempt: int) -> Point:
     scene = truth.scene
+    held = not family.free
     source = random.Random(f"{SEED} {attempt} {family.other_state}")
     a = FieldArithmetic(prime(), source, _memory(truth), signs=True)
-    if not scene.constraints:
-        for symbol in _free(scene, family.moving):
-            a.assign(symbol, _drawn(a, scene, symbol, family, attempt))
-        for coordinate in scene.q:
-            # Angles get their points of the circle in one order; half of them may be asked for.
+    given = [s for s in _free(scene, family.moving) if not (held and s in dependent(scene))]
+    for symbol in given:
+        a.assign(symbol, _drawn(a, scene, symbol, family, attempt))
+    for coordinate in scene.q:
+        # Angles get their points of the circle in one order; half of them may be asked for.
+        if coordinate in given:
             a.value(cos(coordinate / 2))
-    settle(scene, a)
-    if not family.moving:
-        settle_accelerations(scene, a)
+    if held:
+        settle(scene, a)
+        if not family.moving:
+            settle_accelerations(scene, a)
     for symbol, expression in ordered(scene.definitions):
         a.assign(symbol, a.value(expression))
     if family.moving:
         put_motion(a, truth)
     return Point(scene, a, family, attempt)
+
+
+class _Recording(FieldArithmetic):
+    """Remembers what is assigned."""
+
+    def assign(self, symbol: Symbol, number: Number) -> None:
+        """Let a symbol stand for a number."""
+        super().assign(symbol, number)
+        self.kept = {*getattr(self, "kept", ()), symbol}
+
+
+@lru_cache(maxsize=16)
+def dependent(scene: Scene) -> frozenset[Symbol]:
+    """What the constraints determine, once the rest is chosen."""
+    if not scene.constraints:
+        return frozenset()
+    source, memory = random.Random(SEED), Memory()
+    for _ in range(TRIES):
+        a = _Recording(prime(), source, memory, signs=True)
+        try:
+            settle(scene, a)
+            settle_accelerations(scene, a)
+        except (Restart, Inadmissible):
+            continue
+        return frozenset(getattr(a, "kept", ()))
+    raise Inadmissible("no admissible point was found")
 
 
 def _free(scene: Scene, moving: bool) -> list[Symbol]:

@@ -127,7 +127,7 @@ def _fitting(forest: Forest, change: Change, new: str, spelling: Spelling) -> st
         if spelling.latex and fraction:
             level = 0
     if isinstance(around, Sum) and is_minus(change.node):
-        level = 1
+        level = 0 if change.index == forest.kids[above][0] else 1
     return spelling.tight(change.node, level)
 
 

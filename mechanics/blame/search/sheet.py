@@ -7,6 +7,7 @@
 A node is right as something else if that is worth what is needed there.
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
 
@@ -94,6 +95,13 @@ def power(base: int, exponent: int, p: int) -> int:
     if exponent < 0 and base % p == 0:
         raise DivisionHere("division by zero")
     return pow(base, exponent, p)
+
+
+def scaled(sheets: Sequence[Sheet], index: int, ratio: Fraction) -> tuple[int, ...]:
+    """What a node is worth at each point, times a number."""
+    p = sheets[0].point.prime
+    factor = ratio.numerator * pow(ratio.denominator, -1, p)
+    return tuple(sheet.has[index] * factor % p for sheet in sheets)
 
 
 def sheet_of(forest: Forest, point: Point, builder: Builder, target: int) -> Sheet:

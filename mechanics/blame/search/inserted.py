@@ -1,0 +1,90 @@
+"""Factors in front of a term: numbers where it has none, symbols, their inverses, sines, cosines.
+
+k x  ->  2 k x, m k x, k x / m, cos(theta) k x, ...
+"""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import partial
+
+from mechanics.blame.result import Mistake
+from mechanics.blame.search.change import HINT, RATIOS, SECOND, TOKEN, Change, Wrap, size_of, times
+from mechanics.blame.search.circular import Circular
+from mechanics.blame.search.forest import Forest
+from mechanics.blame.search.sheet import Sheet, integer_exponent, scaled
+from mechanics.blame.search.words import Words
+from mechanics.reading.tree import Number, Power, Product
+
+
+@dataclass(frozen=True, eq=False)
+class Inserted:
+    """Makes these edits.
+
+    Attributes
+    ----------
+    forest : Forest
+    sheets : tuple of Sheet
+    words : Words
+    circular : tuple of Circular
+    """
+
+    forest: Forest
+    sheets: tuple[Sheet, ...]
+    words: Words
+    circular: tuple[Circular, ...]
+
+    @property
+    def _p(self) -> int:
+        return self.sheets[0].point.prime
+
+    def _has(self, index: int) -> tuple[int, ...]:
+        return tuple(sheet.has[index] for sheet in self.sheets)
+
+    def _wrapped(
+        self, index: int, wrap: Wrap, mistake: Mistake, cost: float, values: tuple[int, ...]
+    ) -> Change:
+        node = wrap(self.forest.nodes[index])
+        return Change(index, node, mistake, cost, index, values, wrap)
+
+    def of(self, index: int, far: float) -> Iterator[Change]:
+        """Factors in front of a term: numbers where it has none, symbols and their inverses."""
+        if not self._number_below(index):
+            for ratio in RATIOS:
+                wrap = partial(times, Number(0, ratio))
+                cost = TOKEN + far + size_of(ratio)
+                yield self._wrapped(
+                    index, wrap, Mistake.FACTOR, cost, scaled(self.sheets, index, ratio)
+                )
+        yield from self._turned(index, far)
+        p, has = self._p, self._has(index)
+        for word in self.words.symbols:
+            values = tuple(a * b % p for a, b in zip(has, word.values, strict=True))
+            cost = TOKEN + far + SECOND
+            yield self._wrapped(index, partial(times, word.name), Mistake.FACTOR, cost, values)
+            if all(word.values):
+                over = Power(0, word.name, Number(0, Fraction(-1)))
+                values = tuple(a * pow(b, -1, p) % p for a, b in zip(has, word.values, strict=True))
+                yield self._wrapped(index, partial(times, over), Mistake.FACTOR, cost, values)
+
+    def _turned(self, index: int, far: float) -> Iterator[Change]:
+        """Sines and cosines in front of a term."""
+        for factor in self.circular[1:]:
+            if len(factor.factors) == 1:
+                values = tuple(
+                    a * b % self._p for a, b in zip(self._has(index), factor.values, strict=True)
+                )
+                wrap = partial(times, factor.factors[0])
+                cost = TOKEN + far + SECOND + HINT
+                yield self._wrapped(index, wrap, Mistake.FACTOR, cost, values)
+
+    def _number_below(self, index: int) -> bool:
+        """Whether a term has a number that can be another one."""
+        node = self.forest.nodes[index]
+        if isinstance(node, Number):
+            return node.value not in (-1, 0)
+        if isinstance(node, Product):
+            return any(self._number_below(kid) for kid in self.forest.kids[index])
+        if isinstance(node, Power) and integer_exponent(node) in (1, -1):
+            return self._number_below(self.forest.kids[index][0])
+        return False
