@@ -86,6 +86,13 @@ def test_missing_and_superfluous_terms_have_words_of_their_own() -> None:
     assert "leave out + b: a term is too many\n    and add + d: a term is missing" in text
 
 
+def test_equal_edits_are_told_once() -> None:
+    source = "x**2 + y*x"
+    twice = (Edit(Mistake.SYMBOL, "x", "v", (0, 1)), Edit(Mistake.SYMBOL, "x", "v", (9, 10)))
+    text = plain(answer([judged(source, Blame((), (repair(source, *twice),)))]))
+    assert "\n    ^        ^\n    write v for x in 2 places: a wrong symbol stands here\n" in text
+
+
 def test_every_alternative_is_shown_and_marked_where_the_words_do_not_say_where() -> None:
     source = "x + 2*x + 2*y"
     first = Edit(Mistake.FACTOR, "2", "3", (4, 5))

@@ -12,7 +12,7 @@ from mechanics.report import words
 from mechanics.report.answer import typed
 from mechanics.report.answer.check import Check
 from mechanics.report.answer.judged import Judged
-from mechanics.report.answer.sentences import about, order, place, sides, solved
+from mechanics.report.answer.sentences import about, counted, order, place, sides, solved
 from mechanics.report.answer.witness import short_value, short_values
 from mechanics.report.drawing import drawing
 from mechanics.report.environment import environment
@@ -48,7 +48,7 @@ def check_html(found: Check) -> str:
         A whole page.
     """
     made = environment()
-    made.globals.update(block=typed.block, formula=typed.formula, order=order)
+    made.globals.update(block=typed.block, counted=counted, formula=typed.formula, order=order)
     state = dict(found.scene.example)
     return made.get_template("answer/page.html").render(
         found=found,

@@ -19,6 +19,16 @@ def order(edit: Edit) -> tuple[tuple[str, str], ...]:
     return (("write", edit.right), ("for", edit.written))
 
 
+def counted(edits: Sequence[Edit]) -> list[tuple[Edit, str]]:
+    """Edits that read alike once, with how often, in words; empty for once."""
+    alike: dict[tuple[str, str, str], list[Edit]] = {}
+    for edit in edits:
+        alike.setdefault((edit.mistake.name, edit.written, edit.right), []).append(edit)
+    return [
+        (found[0], f"in {len(found)} places" if len(found) > 1 else "") for found in alike.values()
+    ]
+
+
 def about(statement: Statement) -> str:
     """What a statement is about, where that is not plain from its look: ``"kinetic energy"``."""
     if statement.row is None:

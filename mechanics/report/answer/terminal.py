@@ -20,7 +20,7 @@ from mechanics.report.answer.differences import Differences
 from mechanics.report.answer.judged import Judged
 from mechanics.report.answer.lines import Hanging, below, line
 from mechanics.report.answer.marks import pieces, printable, shortened
-from mechanics.report.answer.sentences import about, order, place, sides, solved
+from mechanics.report.answer.sentences import about, counted, order, place, sides, solved
 from mechanics.report.answer.source import Source
 from mechanics.report.answer.witness import short_value, short_values
 
@@ -116,9 +116,9 @@ def _blame(blame: Blame, source: str) -> Iterator[RenderableType]:
 
 
 def _repair(repair: Repair, source: str, *, first: bool) -> Iterator[RenderableType]:
-    for n, edit in enumerate(repair.edits):
+    for n, (edit, often) in enumerate(counted(repair.edits)):
         lead = "and " if n else "" if first else "or "
-        yield below(_edit(edit, lead))
+        yield below(_edit(edit, lead, often))
     if not first and any(_ambiguous(edit, source) for edit in repair.edits):
         yield _source(source, repair.edits)
     verdict = repair.finding.verdict.name
@@ -130,12 +130,13 @@ def _ambiguous(edit: Edit, source: str) -> bool:
     return edit.span is not None and (not edit.written or source.count(edit.written) > 1)
 
 
-def _edit(edit: Edit, lead: str) -> Text:
-    text = Text(lead)
+def _edit(edit: Edit, lead: str, often: str) -> Text:
+    text, gap = Text(lead), ""
     for word, formula in order(edit):
         style = "bold green" if word in ("write", "add") else "bold red"
-        text.append(f"{word} ").append(printable(formula), style).append(" ")
-    text.right_crop(1)
+        text.append(f"{gap}{word} ").append(printable(formula), style)
+        gap = " "
+    text.append(f" {often}" if often else "")
     return text.append(f": {edit.mistake.value}")
 
 
