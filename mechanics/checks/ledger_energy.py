@@ -28,7 +28,7 @@ SHARES: dict[type[Quantity], tuple[int, int]] = {
 """How often the kinetic and the potential energy are in what is known up to a constant."""
 
 
-@lru_cache(maxsize=8)
+@lru_cache(maxsize=32)
 def kinetic_energy(scene: Scene) -> Expr:
     """Kinetic energy of all bodies in q and u, in J."""
     terms = []
@@ -65,7 +65,7 @@ def energy_pairs(
     return lefts, list(_slopes(scene, kinetic, stored)) * len(sides)
 
 
-@lru_cache(maxsize=16)
+@lru_cache(maxsize=64)
 def _slopes(scene: Scene, kinetic: int, stored: int) -> tuple[Expr, ...]:
     """Derivatives of so many times T and V by the coordinates and speeds."""
     energy = kinetic * kinetic_energy(scene) + stored * potential(scene)
@@ -84,7 +84,7 @@ def _mass_matrix(
     return [entry for side in sides for entry in side], list(mass_matrix(scene)) * len(sides)
 
 
-@lru_cache(maxsize=8)
+@lru_cache(maxsize=32)
 def mass_matrix(scene: Scene) -> tuple[Expr, ...]:
     """Second derivatives of the kinetic energy by the speeds, row by row."""
     energy = kinetic_energy(scene)

@@ -27,7 +27,7 @@ from mechanics.scene import Scene
 from mechanics.scene.system import System
 
 
-@lru_cache(maxsize=8)
+@lru_cache(maxsize=32)
 def derived(scene: Scene) -> Equations:
     """What statements about a scene are compared with: the route that has the reactions."""
     return derive(scene, "free_body")
@@ -112,17 +112,17 @@ def _judged(
         return tuple(map(Judged, statements, findings)), ()
     claimed = [k for k, s in enumerate(statements) if s.row is not None and not s.doubt]
     found = right_if(truth, [statements[k] for k in claimed], names)
-    if found is None:
+    if not found:
         words = f"the equations are not right under {', '.join(names)}"
         return tuple(map(Judged, statements, findings)), (words,) if names else ()
-    change, others = found
-    words = " and ".join(convention.words for convention in change)
+    helping = tuple(" and ".join(c.words for c in change) for change, _ in found)
     if names:
-        for k, finding in zip(claimed, others, strict=True):
+        words = helping[0]
+        for k, finding in zip(claimed, found[0][1], strict=True):
             findings[k] = replace(finding, evidence=f"{finding.evidence}, where {words}")
         return tuple(map(Judged, statements, findings)), (f"convention: {words}",)
     entries = [
-        Judged(s, f, (words,) if f.verdict is Verdict.REFUTED else ())
+        Judged(s, f, helping if f.verdict is Verdict.REFUTED else ())
         for s, f in zip(statements, findings, strict=True)
     ]
     return tuple(entries), ()

@@ -1,14 +1,17 @@
-"""Which of many candidates can be right: all of them at one point of a field, in one evaluation.
+"""Which of many changes of convention can help: all of them at one point of a field, at once.
 
-    candidate at the point = what is derived there
+    statement, its symbols standing for others, at the point  =  what is derived there
 
-The motion is put in once for all candidates. What passes has to be proved; what does not is wrong,
-but for a chance of 2^-20.
+The motion is put in once for all changes, and no expression is built: symbols and angles get the
+values of what they stand for. What passes has to be proved; what does not is wrong, but for a
+chance of 2^-20.
 """
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from functools import lru_cache
 
-from sympy import Expr
+from sympy import Expr, Symbol, cos, sin
+from sympy.functions.elementary.trigonometric import TrigonometricFunction
 from sympy.matrices import MatrixBase
 
 from mechanics.checks.ledger_compare import ordered
@@ -29,16 +32,19 @@ QUICK = -20.0
 """Bound, as a power of two, of the look."""
 
 Pairs = list[tuple[Number, Number]]
+Table = Mapping[Symbol, Expr]
 
 
-def glance(truth: Equations, candidates: Sequence[Sequence[Published]]) -> list[bool]:
-    """Whether all rows of each candidate can be right.
+def glance(truth: Equations, rows: Sequence[Published], tables: Sequence[Table]) -> list[bool]:
+    """Whether all rows can be right under each change.
 
     Parameters
     ----------
     truth : Equations
-    candidates : sequence of sequence of Published
+    rows : sequence of Published
         With sides in plain symbols.
+    tables : sequence of mapping of Symbol to Expr
+        What the symbols of the rows stand for, one for each change.
 
     Returns
     -------
@@ -46,28 +52,26 @@ def glance(truth: Equations, candidates: Sequence[Sequence[Published]]) -> list[
         True too where the look does not tell: roots, which have two signs, and quantities that only
         the ledger compares.
     """
-    possible = [True] * len(candidates)
+    possible = [True] * len(tables)
     for moving in (True, False):
-        _look(truth, candidates, possible, moving)
+        some = [r for r in rows if isinstance(r.quantity, MOVING) is moving]
+        if some:
+            _look(truth, some, tables, possible, moving)
     return possible
 
 
+MOVING = (q.EquationOfMotion, q.ReactionValue)
+"""What holds along the motion only."""
+
+
 def _look(
-    truth: Equations, candidates: Sequence[Sequence[Published]], possible: list[bool], moving: bool
-) -> None:
-    """Rule out candidates by their rows along the motion, or by all others."""
-    looked = [
-        (k, row)
-        for k, rows in enumerate(candidates)
-        for row in rows
-        if isinstance(row.quantity, q.EquationOfMotion | q.ReactionValue) is moving
-    ]
-    if not looked:
-        return
-    wrong: set[int] = set()
+    truth: Equations, rows: Sequence[Published], tables: Sequence[Table], possible: list[bool],
+    moving: bool,
+) -> None:  # fmt: skip
+    """Rule out changes by rows along the motion, or by all others."""
+    wrong: list[int] = []
 
     def experiment(a: Arithmetic) -> Pairs:
-        wrong.clear()
         settle(truth.scene, a)
         for symbol, expression in ordered(truth.scene.definitions):
             a.assign(symbol, a.value(expression))
@@ -75,7 +79,13 @@ def _look(
             put_motion(a, truth)
         else:
             settle_accelerations(truth.scene, a)
-        wrong.update(k for k, row in looked if possible[k] and _differs(a, truth.scene, row))
+        derived = [_derived(a, truth.scene, row) for row in rows]
+        pairs = list(zip(rows, derived, strict=True))
+        wrong[:] = [
+            k
+            for k, table in enumerate(tables)
+            if possible[k] and any(_differs(a, truth.scene, *pair, table) for pair in pairs)
+        ]
         return [(a.rational(0), a.rational(0))]
 
     try:
@@ -86,50 +96,78 @@ def _look(
         possible[k] = False
 
 
-def _differs(a: Arithmetic, scene: Scene, row: Published) -> bool:
+def _differs(
+    a: Arithmetic, scene: Scene, row: Published, derived: Sequence[Number], table: Table
+) -> bool:
     """Whether a row is not right at a point."""
     before = _unsure(a)
     try:
-        differences = [left - right for left, right in _pairs(a, scene, row)]
+        sides = _sides(a, scene, row, table)
+        targets, sides = (derived, sides) if derived else (sides[0], sides[1:])
+        wrong = any(
+            not a.is_zero(left - right)
+            for side in sides
+            for left, right in zip(side, targets, strict=True)
+        )
     except (Inadmissible, ExpressionError):
         return False
     # Roots and moduli have a sign, which one point does not tell.
-    return _unsure(a) == before and not all(a.is_zero(number) for number in differences)
+    return wrong and _unsure(a) == before
 
 
 def _unsure(a: Arithmetic) -> tuple[int, int]:
     return getattr(a, "square_roots", 0), len(getattr(a, "kinks", ()))
 
 
-def _pairs(a: Arithmetic, scene: Scene, row: Published) -> Pairs:
-    """Typed and derived values of a row."""
-    first, *others = row.sides
+def _derived(a: Arithmetic, scene: Scene, row: Published) -> list[Number]:
+    """What every side has to be; nothing where the sides have to be each other."""
     match row.quantity:
-        case q.EquationOfMotion() | q.Identity():
-            return [(a.value(first), a.value(side)) for side in others]
         case q.ReactionValue(name=name):
-            symbol = scene.reaction(name).symbol
-            return [(a.value(side), a.value(symbol)) for side in row.sides]
+            return [a.value(scene.reaction(name).symbol)]
         case q.KineticEnergy():
-            return [(a.value(side), a.value(kinetic_energy(scene))) for side in row.sides]
+            return [a.value(kinetic_energy(scene))]
+        case q.MassMatrix():
+            return [a.value(entry) for entry in mass_matrix(scene)]
         case q.PotentialEnergy() | q.TotalEnergy() | q.Lagrangian():
             kinetic, stored = SHARES[type(row.quantity)]
             energy = kinetic * kinetic_energy(scene) + stored * potential(scene)
-            return _up_to_a_constant(a, scene, row.sides, energy)
-        case q.MassMatrix():
-            return [
-                (a.value(left), a.value(right))
-                for side in row.sides
-                if isinstance(side, MatrixBase)
-                for left, right in zip(side, mass_matrix(scene), strict=False)
-            ]
+            return [a.value(energy) - _value(a, energy, _elsewhere(scene))]
     return []
 
 
-def _up_to_a_constant(
-    a: Arithmetic, scene: Scene, sides: Sequence[Expr], derived: Expr
-) -> list[tuple[Number, Number]]:
-    """An energy less what it is at q = u = 0."""
-    still = dict.fromkeys((*scene.q, *scene.u), 0)
-    above = a.value(derived) - a.value(derived.xreplace(still))
-    return [(a.value(side) - a.value(side.xreplace(still)), above) for side in sides]
+def _sides(a: Arithmetic, scene: Scene, row: Published, table: Table) -> list[list[Number]]:
+    """Values of the typed sides, entry by entry; of an energy less what it is elsewhere."""
+    entries = [list(s) if isinstance(s, MatrixBase) else [s] for s in row.sides]
+    values = [[_value(a, entry, table) for entry in side] for side in entries]
+    if type(row.quantity) not in SHARES:
+        return values
+    there = _elsewhere(scene)
+    moved = there | {s: expr.xreplace(there) for s, expr in table.items()}
+    return [[side[0] - _value(a, e[0], moved)] for side, e in zip(values, entries, strict=True)]
+
+
+@lru_cache(maxsize=32)
+def _elsewhere(scene: Scene) -> dict[Symbol, Expr]:
+    """Another point with the same parameters."""
+    return {s: Symbol(f"{s.name} elsewhere", real=True) for s in (*scene.q, *scene.u)}
+
+
+def _value(a: Arithmetic, expr: Expr, table: Table) -> Number:
+    """What an expression is worth with its symbols standing for others."""
+    symbols, angles = _held(expr)
+    memo: dict[object, Number] = {s: a.value(table.get(s, s)) for s in symbols}
+    for angle in angles:
+        moved = angle.xreplace(table)
+        memo["circle", angle] = (a.value(cos(moved)), a.value(sin(moved)))
+    kept, a.memo = a.memo, memo
+    try:
+        return a.value(expr)
+    finally:
+        a.memo = kept
+
+
+@lru_cache(maxsize=256)
+def _held(expr: Expr) -> tuple[tuple[Symbol, ...], tuple[Expr, ...]]:
+    """Symbols, and arguments of sines and cosines."""
+    circular = expr.atoms(TrigonometricFunction)
+    return tuple(expr.free_symbols), tuple({function.args[0] for function in circular})

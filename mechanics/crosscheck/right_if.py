@@ -44,8 +44,11 @@ def declared(names: Sequence[str]) -> tuple[str, ...]:
 
 def right_if(
     truth: Equations, statements: Sequence[Statement], declared_names: Sequence[str] = ()
-) -> tuple[tuple[Convention, ...], list[Finding]] | None:
-    """The first change of convention that makes all statements right, and what they are then.
+) -> list[tuple[tuple[Convention, ...], list[Finding]]]:
+    """Every change of convention that makes all statements right, and what they are then.
+
+    The simplest comes first; none holds another with more besides. Several are the same change seen
+    from elsewhere: a pendulum in a mirror.
 
     Parameters
     ----------
@@ -64,13 +67,17 @@ def right_if(
             # What the statements do not hold cannot matter to them.
             else all(c is POINT_MASS or held & c.table.keys() for c in change))
     ]  # fmt: skip
+    right: list[tuple[Change, list[Finding]]] = []
     for target, some in _by_target(truth, changes):
-        moved = [[_moved(row, combined_table(change)) for row in rows] for change in some]
-        for change, candidate, possible in zip(some, moved, glance(target, moved), strict=True):
-            findings = [_judged(target, row) for row in candidate] if possible else [None]
+        tables = [combined_table(change) for change in some]
+        looked = zip(some, tables, glance(target, rows, tables), strict=True)
+        for change, table in [(change, table) for change, table, possible in looked if possible]:
+            if any(all(c in change for c in simpler) for simpler, _ in right):
+                continue
+            findings = [_judged(target, _moved(row, table)) for row in rows]
             if all(finding is not None and finding.shown for finding in findings):
-                return change, [finding for finding in findings if finding is not None]
-    return None
+                right.append((change, [finding for finding in findings if finding is not None]))
+    return right
 
 
 Change = tuple[Convention, ...]
@@ -114,7 +121,7 @@ def _judged(truth: Equations, row: Published) -> Finding | None:
         return None
 
 
-@lru_cache(maxsize=8)
+@lru_cache(maxsize=32)
 def _lighter(scene: Scene) -> Equations | None:
     bodies = tuple(
         replace(body, inertia=0) if isinstance(body, RigidBody) else body for body in scene.bodies

@@ -21,7 +21,7 @@ from mechanics.scene.rates import rate, rate_table
 from mechanics.scene.symbols import plain_table
 
 
-@lru_cache(maxsize=8)
+@lru_cache(maxsize=32)
 def momentum_symbols(scene: Scene) -> dict[Symbol, Symbol]:
     """The momentum of each coordinate, and the coordinate.
 
@@ -34,7 +34,7 @@ def momentum_symbols(scene: Scene) -> dict[Symbol, Symbol]:
     return {symbol: q for symbol, q in names.items() if symbol.name not in taken}
 
 
-@lru_cache(maxsize=8)
+@lru_cache(maxsize=32)
 def generalized_momenta(scene: Scene) -> dict[Symbol, Expr]:
     """p_i in q and u, by its symbol, in kg m/s or kg m^2/s."""
     rates = dict(zip(scene.q, scene.qd, strict=True))
@@ -53,7 +53,7 @@ def generalized_momenta(scene: Scene) -> dict[Symbol, Expr]:
     return found
 
 
-@lru_cache(maxsize=8)
+@lru_cache(maxsize=32)
 def _functions(scene: Scene) -> dict[Expr, Symbol]:
     """Momenta and their rates as functions of time, and the symbols for them."""
     return plain_table(dynamicsymbols(symbol.name) for symbol in momentum_symbols(scene))
