@@ -68,14 +68,14 @@ def _repairs(claim: Claim, statement: Statement) -> Iterator[tuple[Repair, Publi
     if not wrong:
         return
     first, *others = wrong
-    rest = [_first(claim, problem) for problem in others]
+    rest = [_first(claim, problem, statement) for problem in others]
     fixed = tuple(solution for solution in rest if solution is not None)
     if len(fixed) < len(others):
         return
     smallest: float | None = None
     seen: set[tuple] = set()
     tried = 0
-    for stage in solutions(claim, first):
+    for stage in solutions(claim, first, statement):
         for solution in stage:
             if smallest is not None and solution.cost > smallest + EQUALLY:
                 break
@@ -94,9 +94,9 @@ def _repairs(claim: Claim, statement: Statement) -> Iterator[tuple[Repair, Publi
             return
 
 
-def _first(claim: Claim, problem: Problem) -> Solution | None:
+def _first(claim: Claim, problem: Problem, statement: Statement) -> Solution | None:
     """The cheapest solution of one equality among several."""
-    return next((stage[0] for stage in solutions(claim, problem) if stage), None)
+    return next((stage[0] for stage in solutions(claim, problem, statement) if stage), None)
 
 
 def _differences(

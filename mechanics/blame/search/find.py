@@ -16,7 +16,9 @@ from mechanics.blame.search.judge import Problem
 from mechanics.blame.search.missing import Missing
 from mechanics.blame.search.pairs import pairs
 from mechanics.blame.search.solved import numbers
+from mechanics.blame.search.whole import whole
 from mechanics.blame.search.words import Words
+from mechanics.reading.statement import Statement
 from mechanics.reading.tree import Name
 
 EQUALLY = 0.45
@@ -42,7 +44,7 @@ class Solution:
         return sum(change.cost for change in self.changes)
 
 
-def solutions(claim: Claim, problem: Problem) -> Iterator[list[Solution]]:
+def solutions(claim: Claim, problem: Problem, statement: Statement) -> Iterator[list[Solution]]:
     """Solutions stage by stage, those of a stage the cheapest first."""
     words = words_of(claim, problem)
     changes = Candidates(problem.forest, problem.sheets, words).all()
@@ -54,6 +56,7 @@ def solutions(claim: Claim, problem: Problem) -> Iterator[list[Solution]]:
     yield _sorted(problem, [(change,) for change in added])
     yield _sorted(problem, pairs(problem, changes))
     yield _sorted(problem, Both(growth).pairs())
+    yield _sorted(problem, whole(claim, problem, statement))
     yield _sorted(problem, [(change,) for change in lacking if change not in added])
 
 

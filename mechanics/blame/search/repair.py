@@ -94,7 +94,7 @@ def _edit(claim: Claim, spelling: Spelling, forest: Forest, change: Change) -> E
     if change.mistake is Mistake.SIGN and span is not None and sign is not None:
         mark = claim.written.text[sign[0]]
         return Edit(change.mistake, mark, "-" if mark == "+" else "+", _within(claim, sign))
-    if change.mistake is Mistake.MISSING and isinstance(change.node, Sum):
+    if change.mistake in (Mistake.MISSING, Mistake.TERM) and isinstance(change.node, Sum):
         added = spelling(change.node.terms[-1])
         text = f"- {added[1:].lstrip()}" if added.startswith("-") else f"+ {added}"
         at = None if span is None else (span[1], span[1])

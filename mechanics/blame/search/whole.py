@@ -1,0 +1,59 @@
+"""Where no small edit helps: what is missing, group by group, as the difference to what is right.
+
+right = written + sum over groups of (right terms - written terms)
+"""
+
+from collections.abc import Iterator
+from functools import partial
+
+from sympy import Expr, S, factor_terms
+
+from mechanics.blame.difference import Group, groups
+from mechanics.blame.result import Mistake
+from mechanics.blame.search.change import ADDED, HINT, REPLACED, Change, plus
+from mechanics.blame.search.claim import Claim
+from mechanics.blame.search.inside import worth
+from mechanics.blame.search.judge import Problem
+from mechanics.blame.terms import difference, written
+from mechanics.reading.from_sympy import Untreeable
+from mechanics.reading.statement import Statement
+from mechanics.scene.quantities import MassMatrix, ReactionValue
+
+MOST = 3
+"""Groups; more of them are another equation."""
+
+
+def whole(claim: Claim, problem: Problem, statement: Statement) -> list[tuple[Change, ...]]:
+    """A term for each group that differs, all of them together; empty where they are many."""
+    if len(claim.entries) > 2 or isinstance(claim.row.quantity, MassMatrix):
+        return []
+    found = groups(claim.truth, statement)
+    if not 0 < len(found) <= MOST or any(group.multiplied for group in found):
+        return []
+    changes = list(_changes(claim, problem, found))
+    return [tuple(changes)] if len(changes) == len(found) else []
+
+
+def _changes(claim: Claim, problem: Problem, found: tuple[Group, ...]) -> Iterator[Change]:
+    index = problem.forest.copies[problem.numbers[0], ()][0]
+    node = problem.forest.nodes[index]
+    has = [sheet.has[index] for sheet in problem.sheets]
+    for group in found:
+        try:
+            term = claim.written.tree(_step(claim, group))
+        except Untreeable:
+            return
+        values = worth(problem.sheets, term)
+        if values is None:
+            return
+        wrap = partial(plus, term)
+        mistake = Mistake.TERM if group.written else Mistake.MISSING
+        cost = REPLACED if group.written else ADDED + HINT
+        sums = tuple((a + b) % problem.prime for a, b in zip(has, values, strict=True))
+        yield Change(index, wrap(node), mistake, cost, index, sums, wrap)
+
+
+def _step(claim: Claim, group: Group) -> Expr:
+    step = factor_terms(written(difference(group.right, group.written)))
+    sign = S.NegativeOne if isinstance(claim.row.quantity, ReactionValue) else S.One
+    return sign * step * (S.One if group.about is None else group.about)
