@@ -20,14 +20,32 @@ from mechanics.exact import TooLarge, collect_linear
 LARGEST_SOLVED = 3
 """Number of speeds up to which equations are solved for an acceleration, by Cramer's rule."""
 
+LARGEST_SUMMED = 4
+"""Number of speeds up to which sums and differences of two equations are looked at."""
+
+
+def implicit(view: View) -> Iterator[Candidate]:
+    """Equations of the routes, in several accelerations and without eliminated reactions."""
+    for make in (_of_speeds, _of_parts, _of_sums):
+        yield from make(view)
+
 
 @lru_cache(maxsize=16)
-def implicit(view: View) -> tuple[Candidate, ...]:
-    """Equations of the routes, in several accelerations and without eliminated reactions."""
-    own = view_rows(view)
-    rows = [*own, *_sums(own)]
-    rows += [_seen(row, view) for _, row in moving_rows(view.truth)]
+def _of_speeds(view: View) -> tuple[Candidate, ...]:
+    return _candidates(_free(row, view.truth) for row in view_rows(view))
+
+
+@lru_cache(maxsize=16)
+def _of_parts(view: View) -> tuple[Candidate, ...]:
+    rows = (_seen(row, view) for _, row in moving_rows(view.truth))
     return _candidates(_free(row, view.truth) for row in rows)
+
+
+@lru_cache(maxsize=16)
+def _of_sums(view: View) -> tuple[Candidate, ...]:
+    if len(view.speeds) > LARGEST_SUMMED:
+        return ()
+    return _candidates(_free(row, view.truth) for row in _sums(view_rows(view)))
 
 
 def constrained(view: View, wanted: frozenset[Symbol]) -> tuple[Candidate, ...]:

@@ -163,7 +163,6 @@ def meant(truth: Equations, expression: Expr, right: Expr | None = None) -> Mean
     moving |= {reaction.symbol for reaction in truth.scene.reactions}
     left = _cleared(expression, moving, view.accelerations)
     multiplied = terms_of([expression]) != [left]
-    known = list(_candidates(view, expression))
     if right is not None:
         target = Candidate(
             "the repaired statement", ((GIVEN, _cleared(right, moving, view.accelerations)),)
@@ -171,10 +170,11 @@ def meant(truth: Equations, expression: Expr, right: Expr | None = None) -> Mean
         aimed = nearest(left, [target], moving, view.accelerations)
         if aimed is None:
             return None
+        known = _candidates(view, expression)
         same = nearest(aimed.right, known, moving, view.accelerations)
         pieces = same.pieces if same is not None and not same.different else ()
         return replace(aimed, pieces=pieces, multiplied=multiplied)
-    found = nearest(left, known, moving, view.accelerations)
+    found = nearest(left, _candidates(view, expression), moving, view.accelerations)
     if found is None or not holds(truth, written(found.right)):
         return None
     return replace(found, multiplied=multiplied)

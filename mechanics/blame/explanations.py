@@ -30,6 +30,9 @@ from mechanics.scene.quantities import EquationOfMotion, ReactionValue
 MOST = 3
 """Explanations of one statement; a system of one freedom may have many that say the same."""
 
+LARGEST_PAIRED = 5
+"""Number of speeds up to which two mistakes at once are tried."""
+
 
 def explanations(
     truth: Equations, statements: Sequence[Statement], findings: Sequence[Finding]
@@ -115,7 +118,7 @@ def _of_derivation(
         slips = (from_energy, *slips)
     single = glances(truth, along, slips)
     whole = [pair for pair in single if len(pair[1]) == len(along)]
-    if not whole:
+    if not whole and len(scene.u) <= LARGEST_PAIRED:
         double = glances(truth, along, _pairs(scene, slips, asked))
         whole = [pair for pair in double if len(pair[1]) == len(along)]
     return whole or single

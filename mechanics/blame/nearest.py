@@ -10,7 +10,7 @@ from collections import Counter
 from collections.abc import Collection, Iterable
 from dataclasses import dataclass
 from fractions import Fraction
-from functools import cached_property
+from functools import cached_property, lru_cache
 
 from sympy import Expr, Symbol, sin
 
@@ -26,7 +26,7 @@ TRIED = 4
 ONE: Monomial = frozenset()
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Candidate:
     """A right equation as terms, piece by piece.
 
@@ -96,11 +96,13 @@ def nearest(
     Meant or None
         None where no candidate shares a term with what is written.
     """
-    fast, lead = set(moving), set(accelerations)
+    fast, lead = frozenset(moving), set(accelerations)
     best: tuple[Rank, Candidate, Monomial, Fraction] | None = None
     for place, candidate in enumerate(candidates):
         right = candidate.terms
-        for monomial, factor, votes in _factors(written, right, fast):
+        if best is not None and _fewest(written, candidate, fast) > best[0][0]:
+            continue
+        for monomial, factor, votes in _factors(written, candidate, fast):
             # So many terms are left at least: each vote is for one that agrees.
             fewest = max(len(written), len(right)) - votes
             if best is not None and fewest > best[0][0] and not _turns(monomial):
@@ -111,6 +113,8 @@ def nearest(
                 rank = len(left), held, _odd(monomial, factor), place, factor < 0
                 if best is None or rank < best[0]:
                     best = rank, candidate, monomial, factor
+        if best is not None and best[0][0] <= 1:
+            break  # nothing is nearer than one term
     if best is None:
         return None
     _, candidate, monomial, factor = best
@@ -139,15 +143,32 @@ def _odd(monomial: Monomial, factor: Fraction) -> int:
     return sum(abs(power) for _, power in monomial) + (abs(factor) != 1)
 
 
+@lru_cache(maxsize=1024)
+def _by_motion(
+    candidate: Candidate, moving: frozenset[Symbol]
+) -> dict[Monomial, list[tuple[Monomial, Fraction]]]:
+    """Terms of a candidate by the speeds and accelerations that they hold."""
+    found: dict[Monomial, list[tuple[Monomial, Fraction]]] = {}
+    for monomial, value in candidate.terms.items():
+        found.setdefault(_motion(monomial, moving), []).append((monomial, value))
+    return found
+
+
+def _fewest(written: Terms, candidate: Candidate, moving: frozenset[Symbol]) -> int:
+    """A bound of the terms that are left: only those with the same motion can agree."""
+    motions = Counter(_motion(monomial, moving) for monomial in written)
+    of_right = _by_motion(candidate, moving)
+    agreeing = sum(min(n, len(of_right.get(motion, ()))) for motion, n in motions.items())
+    return max(len(written), len(candidate.terms)) - agreeing
+
+
 def _factors(
-    written: Terms, right: Terms, moving: set[Symbol]
+    written: Terms, candidate: Candidate, moving: frozenset[Symbol]
 ) -> list[tuple[Monomial, Fraction, int]]:
     """Factors with most votes, and how many."""
-    if len(written) * len(right) > MOST_PAIRS:
+    if len(written) * len(candidate.terms) > MOST_PAIRS:
         return []
-    by_motion: dict[Monomial, list[tuple[Monomial, Fraction]]] = {}
-    for monomial, value in right.items():
-        by_motion.setdefault(_motion(monomial, moving), []).append((monomial, value))
+    by_motion = _by_motion(candidate, moving)
     votes: Counter[tuple[Monomial, Fraction]] = Counter()
     for monomial, value in written.items():
         for other, of_right in by_motion.get(_motion(monomial, moving), ()):
@@ -161,7 +182,7 @@ def _factors(
     return [(monomial, factor, count) for (monomial, factor), count in found.items()]
 
 
-def _motion(monomial: Monomial, moving: set[Symbol]) -> Monomial:
+def _motion(monomial: Monomial, moving: frozenset[Symbol]) -> Monomial:
     return frozenset(pair for pair in monomial if pair[0] in moving)
 
 

@@ -72,6 +72,6 @@ def test_a_sum_without_one_of_its_pieces_is_no_equation(truth: Equations) -> Non
 
 
 def test_candidates_hold_along_the_motion(truth: Equations) -> None:
-    candidates = implicit(View(truth, in_rates=False))
+    candidates = list(implicit(View(truth, in_rates=False)))
     assert candidates
     assert all(holds(truth, written(candidate.terms)) for candidate in candidates)
