@@ -129,4 +129,4 @@ def _judged(
         return Finding(label, Verdict.UNDECIDED, f"{words}: more than rounding, less than an error")
     state, given, value = at
     shown = tuple(sorted((name, str(Fraction(v))) for name, v in state.items() if name != "t"))
-    return Finding(label, Verdict.REFUTED, words, witness=Witness(shown, repr(given), repr(value)))
+    return Finding(label, Verdict.REFUTED, words, witness=Witness(shown, repr(value), repr(given)))

@@ -14,7 +14,7 @@ from mechanics.report.answer.check import Check
 from mechanics.report.answer.judged import Judged
 from mechanics.report.answer.marks import pieces, printable, shortened
 from mechanics.report.answer.terminal import answer, plain
-from mechanics.report.answer.witness import short_values
+from mechanics.report.answer.witness import short_state, short_values
 
 PROVED = Finding("", Verdict.PROVED, "both sides have the same normal form")
 REFUTED = Finding(
@@ -208,6 +208,21 @@ def test_values_keep_the_digits_that_tell_them_apart(
     left: str, right: str, shown: tuple[str, str]
 ) -> None:
     assert short_values(left, right) == shown
+
+
+@pytest.mark.parametrize(
+    ("text", "shown"),
+    [
+        ("211/64", "211/64"),
+        ("2758454771764429/281474976710656", "9.8"),
+        ("100000000000/300000000001", "100000000000/300000000001"),
+        ("123456789012/0", "123456789012/0"),
+        (f"1{'0' * 400}/3", f"1{'0' * 400}/3"),
+        ("x/y/z and more", "x/y/z and more"),
+    ],
+)
+def test_values_of_a_state_stay_exact(text: str, shown: str) -> None:
+    assert short_state(text) == shown
 
 
 def test_what_follows_from_a_state_is_told_as_far_as_the_statement_holds_it(

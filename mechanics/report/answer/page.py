@@ -13,7 +13,7 @@ from mechanics.report.answer import typed
 from mechanics.report.answer.check import Check
 from mechanics.report.answer.judged import Judged
 from mechanics.report.answer.sentences import about, counted, order, place, sides, solved
-from mechanics.report.answer.witness import short_value, short_values
+from mechanics.report.answer.witness import short_state, short_value, short_values
 from mechanics.report.drawing import drawing
 from mechanics.report.environment import environment
 from mechanics.report.sections import SymbolRow, symbol_rows
@@ -32,6 +32,7 @@ class Card:
     hand: typed.Hand
     sides: tuple[str, str]
     values: tuple[str, str]
+    state: list[tuple[str, str]]
     solved: list[tuple[str, str]]
 
 
@@ -86,6 +87,7 @@ def _card(number: int, entry: Judged) -> Card:
         hand=hand,
         sides=sides(statement),
         values=short_values(witness.left, witness.right) if witness else ("", ""),
+        state=[(n, short_state(v)) for n, v in witness.state] if witness else [],
         solved=[(n, short_value(v)) for n, v in solved(statement, witness.solved)]
         if witness
         else [],

@@ -22,7 +22,7 @@ from mechanics.report.answer.lines import Hanging, below, line
 from mechanics.report.answer.marks import pieces, printable, shortened
 from mechanics.report.answer.sentences import about, counted, order, place, sides, solved
 from mechanics.report.answer.source import Source
-from mechanics.report.answer.witness import short_value, short_values
+from mechanics.report.answer.witness import short_state, short_value, short_values
 
 STYLES = {
     Verdict.PROVED: "bold green",
@@ -147,7 +147,8 @@ def _state(entry: Judged) -> Iterator[RenderableType]:
         return
     witness = finding.witness
     yield below(line(finding.evidence, "dim"))
-    yield below(line(f"at {_listed(witness.state)}", "dim"))
+    state = [(name, short_state(value)) for name, value in witness.state]
+    yield below(line(f"at {_listed(state)}", "dim"))
     if held := solved(entry.statement, witness.solved):
         short = [(name, short_value(value)) for name, value in held]
         yield below(line(f"from which follow {_listed(short)}", "dim"))

@@ -5,6 +5,7 @@
 
 import re
 from decimal import Decimal
+from fractions import Fraction
 from math import isfinite
 
 NUMBER = r"[-+]?\d+(?:\.\d*)?(?:e[-+]?\d+)?"
@@ -16,6 +17,7 @@ NARROW = 1e-6
 """Radius over middle of an enclosure whose first digits say all."""
 
 FEWEST, MOST = 6, 17
+LONG = 12
 
 
 def short_values(left: str, right: str) -> tuple[str, str]:
@@ -33,6 +35,18 @@ def short_values(left: str, right: str) -> tuple[str, str]:
         if float(f"{a:.{digits - 2}g}") != float(f"{b:.{digits - 2}g}"):
             return _short(left, a, digits), _short(right, b, digits)
     return left, right
+
+
+def short_state(text: str) -> str:
+    """A value of a state; a long fraction that is a double as what reads back as that double."""
+    if "/" not in text or len(text) <= LONG:
+        return text
+    try:
+        value = Fraction(text)
+        number = float(value)
+    except (ValueError, ArithmeticError):
+        return text
+    return repr(number) if Fraction(number) == value else text
 
 
 def short_value(text: str) -> str:
