@@ -28,10 +28,18 @@ def test_wrong_equations_fail_with_what_the_terminal_prints() -> None:
     words = str(failed.value)
     assert words.startswith("the equations are not those of pendulum on elastic support\n\n")
     assert "\n\nREFUTED  1  line 1" in words
-    assert wrong[:60] in words
+    assert wrong in words
+    assert "write 3 for 12: the factor is wrong" in words
     assert "the enclosures at a real state are disjoint" in words
     assert "\x1b" not in words
     assert max(map(len, words.splitlines())) <= 80
+
+
+def test_the_blame_can_be_left_out() -> None:
+    with pytest.raises(AssertionError) as failed:
+        assert_equivalent(SEVEN.replace("/3", "/12"), SCENE, blame=False)
+    assert "write 3" not in str(failed.value)
+    assert "the enclosures at a real state are disjoint" in str(failed.value)
 
 
 def test_a_convention_has_to_be_declared() -> None:
