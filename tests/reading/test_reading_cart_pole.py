@@ -10,7 +10,11 @@ import mechanics
 from mechanics import Particle, RigidBody, Scene, force, gravity, parameters, reaction
 
 STATE = {"state": "x x_dot theta theta_dot"}
-MIRRORED = ("theta is counted from the other vertical and theta is counted the other way round",)
+MIRRORED = (
+    "theta is counted from the other vertical and theta is counted the other way round",
+    "theta is counted from the other vertical and x is counted the other way and F is counted the"
+    " other way",
+)
 
 
 def scene() -> Scene:
