@@ -2,14 +2,15 @@
 
     T = sum (m v . v + omega . I omega) / 2        M_ij = d2T / du_i du_j
 
-A potential energy is known up to a constant, so what is compared are the derivatives by the
-coordinates, and for the sum and the difference of both energies those by the speeds too.
+A potential energy is known up to a constant, and so is its sum or difference with T: what is
+compared is what they are above their values at q = u = 0, and where there is none, or where that is
+no state of the scene, their derivatives by q and u.
 """
 
 from collections.abc import Sequence
 from functools import lru_cache
 
-from sympy import Add, Expr, Rational
+from sympy import Add, Expr, Rational, S, nan, oo, zoo
 from sympy.matrices import MatrixBase
 
 from mechanics.errors import InputError
@@ -59,10 +60,26 @@ def energy_pairs(
         raise InputError(f"{subject}: an energy is no matrix")
     if isinstance(quantity, q.KineticEnergy):
         return list(sides), [kinetic_energy(scene)] * len(sides)
+    kinetic, stored = SHARES[type(quantity)]
+    above = None if scene.constraints else _above(scene, sides, kinetic, stored)
+    if above is not None:
+        return above
     # By the speeds too: they have to be left out of a potential energy.
     lefts = [side.diff(symbol) for side in sides for symbol in (*scene.q, *scene.u)]
-    kinetic, stored = SHARES[type(quantity)]
     return lefts, list(_slopes(scene, kinetic, stored)) * len(sides)
+
+
+def _above(
+    scene: Scene, sides: Sequence[Expr], kinetic: int, stored: int
+) -> tuple[list[Expr], list[Expr]] | None:
+    """Energies less their values at q = u = 0; None where one of them has no value there."""
+    still = dict.fromkeys((*scene.q, *scene.u), S.Zero)
+    energy = kinetic * kinetic_energy(scene) + stored * potential(scene)
+    resting = [typed.xreplace(still) for typed in (energy, *sides)]
+    if any(value.has(nan, zoo, oo, -oo) for value in resting):
+        return None
+    right, *lefts = (e - rest for e, rest in zip((energy, *sides), resting, strict=True))
+    return lefts, [right] * len(lefts)
 
 
 @lru_cache(maxsize=64)

@@ -6,7 +6,7 @@ A(q) u' = b        solved for dependent accelerations, where a statement holds f
 """
 
 from collections.abc import Callable, Sequence
-from functools import partial
+from functools import lru_cache, partial
 from itertools import combinations
 
 from sympy import Expr, S, Symbol
@@ -17,8 +17,8 @@ from mechanics.kinematics.constraints import velocity_forms
 from mechanics.scene import Scene
 from mechanics.scene.rates import rate, rate_table
 
-Linear = tuple[list[list[Expr]], list[Expr]]
-"""Coefficients and rest: coefficients times unknowns plus rest is zero."""
+Solvable = tuple[tuple[Symbol, ...], list[list[Expr]], list[Expr]]
+"""Unknowns, coefficients and rest: coefficients times unknowns plus rest is zero."""
 
 
 def settle(scene: Scene, a: Arithmetic, virtual: bool = False) -> None:
@@ -35,19 +35,28 @@ def settle(scene: Scene, a: Arithmetic, virtual: bool = False) -> None:
     if not scene.constraints:
         return
     settle_configuration(scene, a)
+    _solve(a, *_speeds(scene, virtual))
+
+
+@lru_cache(maxsize=32)
+def _speeds(scene: Scene, virtual: bool) -> Solvable:
     forms = velocity_forms(scene)
     if virtual:
         still = dict.fromkeys(scene.u, S.Zero)
         forms = [form - form.xreplace(still) for form in forms]
-    _solve(a, *_dependent(forms, scene.u))
+    return _dependent(forms, scene.u)
 
 
 def settle_accelerations(scene: Scene, a: Arithmetic) -> None:
     """Give dependent accelerations the values that the constraints ask for; after `settle`."""
     if scene.constraints:
-        table = rate_table(scene)
-        forms = [rate(form, table) for form in velocity_forms(scene)]
-        _solve(a, *_dependent(forms, scene.ud))
+        _solve(a, *_accelerations(scene))
+
+
+@lru_cache(maxsize=32)
+def _accelerations(scene: Scene) -> Solvable:
+    table = rate_table(scene)
+    return _dependent([rate(form, table) for form in velocity_forms(scene)], scene.ud)
 
 
 def on_the_manifold(scene: Scene) -> Callable[[Arithmetic], None] | None:
@@ -59,7 +68,7 @@ def on_the_manifold(scene: Scene) -> Callable[[Arithmetic], None] | None:
     closing = [scene.plain(c.expression, c.name) for c in scene.constraints if c.holonomic]
     if not closing:
         return None
-    if _linear(scene, closing) is None:
+    if _linear(scene, tuple(closing)) is None:
         try:
             _quadratic(scene, closing)
         except ExpressionError:
@@ -72,7 +81,7 @@ def settle_configuration(scene: Scene, a: Arithmetic) -> None:
     closing = [scene.plain(c.expression, c.name) for c in scene.constraints if c.holonomic]
     if not closing:
         return
-    linear = _linear(scene, closing)
+    linear = _linear(scene, tuple(closing))
     if linear is not None:
         unknown, rows, rest = linear
         for symbol, number in zip(unknown, _solve(a, unknown, rows, rest), strict=True):
@@ -105,9 +114,8 @@ def _held(scene: Scene, closing: Sequence[Expr]) -> list[Symbol]:
     return [s for s in (*scene.parameters, *scene.q) if any(s in e.free_symbols for e in closing)]
 
 
-def _linear(
-    scene: Scene, closing: Sequence[Expr]
-) -> tuple[tuple[Symbol, ...], list[list[Expr]], list[Expr]] | None:
+@lru_cache(maxsize=32)
+def _linear(scene: Scene, closing: tuple[Expr, ...]) -> Solvable | None:
     for unknown in combinations(_held(scene, closing), len(closing)):
         try:
             split = [collect_linear(expression, unknown) for expression in closing]
@@ -151,9 +159,7 @@ def _in_powers(expression: Expr, symbol: Symbol) -> tuple[Expr, Expr, Expr] | No
     return square, slope, rest
 
 
-def _dependent(
-    forms: Sequence[Expr], symbols: Sequence[Symbol]
-) -> tuple[tuple[Symbol, ...], list[list[Expr]], list[Expr]]:
+def _dependent(forms: Sequence[Expr], symbols: Sequence[Symbol]) -> Solvable:
     """As many symbols as there are forms, the last ones that the forms determine."""
     split = [collect_linear(form, symbols) for form in forms]
     columns = [[row[i] for row, _ in split] for i in range(len(symbols))]
