@@ -19,6 +19,8 @@ from benchmarks.detection.tree import Tree
 from benchmarks.detection.vocabulary import vocabulary
 
 MOST_DRAWS = 400
+LARGEST_REWRITTEN = 2000
+"""Nodes of a rewritten side: products to sums make millions of some."""
 DOUBLE = 0.4
 """Share of mutants with two mistakes."""
 
@@ -136,6 +138,8 @@ def _undeclared(name: str, about: Subject, row: Row, source: Random) -> Case | N
 def _rewritten(
     name: str, about: Subject, row: Row, kinds: tuple[str, ...], done: Rewriting, source: Random
 ) -> Case | None:
+    if max(tree.size for tree in done.trees) > LARGEST_REWRITTEN:
+        return None
     if holds(about, row, done.meant or done.trees) is not True:
         raise ValueError(f"{name}: {kinds} made a wrong statement of {row.name}")
     form, make = source.choice(FORMS)

@@ -4,11 +4,13 @@ exactly     every side of the repaired statement equals that of the right one, i
 as good     proved, true at states that the checker did not choose, and no larger than the mistake
 
 A sign, number, function, symbol or power is one edit of the smallest size; a term that is missing
-or too many is larger; a term that is wrong altogether is larger still.
+or too many is larger; a term that is wrong altogether is larger still. Objects of SymPy and CasADi
+simplify what they are made of: there a mistake is as large as what is left of it to be seen.
 """
 
 from dataclasses import dataclass
 
+from sympy import Expr
 from sympy.matrices import MatrixBase
 
 from benchmarks.detection.case import Case
@@ -21,6 +23,7 @@ from mechanics.scene.published import Published
 
 SIZES = {Mistake.MISSING: 2, Mistake.EXTRA: 2, Mistake.TERM: 3}
 """Of edits; all others have size 1."""
+SIMPLIFIED = ("SymPy object", "CasADi function")
 MADE = {"dropped term": 2, "off-by-one sum": 2}
 """Sizes of mistakes; all others have size 1."""
 
@@ -74,10 +77,28 @@ def _how(drawn: Case, repair: Repair) -> str:
     if not _true(drawn, sides):
         return "the repair is shown, but wrong at independent states"
     made = sum(MADE.get(kind, 1) for kind in drawn.kinds)
+    if drawn.form in SIMPLIFIED:
+        trees = zip(drawn.trees, drawn.row.trees, strict=True)
+        made = max(made, sum(distance(written(one), written(two)) for one, two in trees))
     size = sum(SIZES.get(edit.mistake, 1) for edit in repair.edits)
     if len(repair.edits) > len(drawn.kinds):
         return f"{len(repair.edits)} edits for {len(drawn.kinds)} mistakes"
     return "as good" if size <= made else f"an edit of size {size} for a mistake of size {made}"
+
+
+def distance(one: Expr, two: Expr) -> int:
+    """Size of the edits that lead from one expression to another, by what they have in common."""
+    if one == two:
+        return 0
+    if one.func != two.func or not one.args:
+        return 1 if one.args == two.args or not (one.args or two.args) else SIZES[Mistake.TERM]
+    if not (one.is_Add or one.is_Mul):
+        return sum(distance(a, b) for a, b in zip(one.args, two.args, strict=False))
+    here, there = ([a for a in x.args if a not in y.args] for x, y in ((one, two), (two, one)))
+    if len(here) == len(there) == 1:
+        return distance(here[0], there[0])
+    size = SIZES[Mistake.EXTRA] if one.is_Add else 1
+    return size * (len(here) + len(there))
 
 
 def _entries(side: object) -> list:

@@ -95,7 +95,12 @@ def program(
     outputs, place, words, columns = trees, 0, str(row.about), 0
     if row.about == "mass matrix":
         columns = len(scene.u)
-    elif row.about == "acceleration" and trees[0] == row.trees[0] and _explicit(about):
+    elif (
+        row.about == "acceleration"
+        and _explicit(about)
+        # With accelerations among its arguments a function returns residuals.
+        and not symbols(trees[1]) & set(scene.ud)
+    ):
         place = scene.ud.index(trees[0].value)
         outputs = tuple(trees[1] if i == place else t for i, t in enumerate(_explicit(about)))
         words = ""
