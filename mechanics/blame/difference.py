@@ -35,6 +35,9 @@ GIVEN = Origin(Kind.CONSTRAINT, "", "the repaired statement")
 LARGE = 10
 """Terms of a group beyond which only their difference is shown, factored where it can be."""
 
+LARGEST = 1500
+"""Terms of a statement beyond which it is not compared term by term."""
+
 
 @dataclass(frozen=True)
 class Group:
@@ -183,6 +186,8 @@ def meant(truth: Equations, expression: Expr, right: Expr | None = None) -> Mean
 def _cleared(expression: Expr, moving: set[Symbol], leading: Sequence[Symbol]) -> Terms:
     """Terms without denominators, the first acceleration with the sign that it was written with."""
     (plain,) = terms_of([expression])
+    if len(plain) > LARGEST:
+        raise TooLarge(f"{len(plain)} terms")
     (terms,) = terms_of([expression], cleared=True, moving=moving)
     if _sign(plain, leading) * _sign(terms, leading) < 0:
         return {monomial: -value for monomial, value in terms.items()}

@@ -68,7 +68,9 @@ def entries_of(scene: Scene, row: Published) -> Iterator[Entry]:
     The scene and the row are in the same symbols, as `folded` gives them.
     """
     if isinstance(row.quantity, q.MassMatrix):
-        yield from _matrix(scene, row.sides[-1])
+        size = len(scene.u)
+        if row.sides[-1].shape == (size, size):
+            yield from _matrix(scene, row.sides[-1])
     elif type(row.quantity) in SIGNS:
         yield from _energy(scene, row)
 

@@ -13,6 +13,7 @@ from sympy import Expr, Symbol
 from mechanics.blame.mistakes.slip import Part, Slip, split
 from mechanics.checks.ledger_compare import ordered
 from mechanics.equations import Equations
+from mechanics.errors import ExpressionError
 from mechanics.exact import Arithmetic, Number, SingularHere
 from mechanics.exact.field_trial import trial
 from mechanics.kinematics.manifold import settle
@@ -104,6 +105,13 @@ def _row(a: Arithmetic, row: Sequence[Part], unknowns: tuple[Symbol, ...]) -> li
 
 
 def _vanishes(a: Arithmetic, stated: Stated, motion: Motion) -> bool:
+    try:
+        return _zero(a, stated, motion)
+    except ExpressionError:
+        return False  # it holds what no field knows, such as the imaginary unit
+
+
+def _zero(a: Arithmetic, stated: Stated, motion: Motion) -> bool:
     total = a.value(stated.rest)
     for symbol, factor in stated.factors:
         if symbol not in motion:

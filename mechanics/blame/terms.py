@@ -95,7 +95,7 @@ def _primitive(work: Reader, polynomial: fmpq_mpoly, moving: set[Symbol]) -> fmp
         common = common.gcd(ring.from_terms(part))
         if common.is_constant():
             return polynomial
-    return polynomial if len(common) == 1 else polynomial / common
+    return polynomial if len(common) <= 1 else polynomial / common
 
 
 def _plain(key: Pow) -> bool:
