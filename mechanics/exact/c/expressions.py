@@ -13,11 +13,11 @@ import casadi
 from pycparser import c_ast
 
 from mechanics.errors import ExpressionError
-from mechanics.exact.c.condition import Atom, Condition, choice, joined, negation
+from mechanics.exact.c.condition import Atom, Choice, Condition, choice, joined, negation
 from mechanics.exact.c.library import ARITHMETIC
 from mechanics.exact.c.literal import literal, rounded
 from mechanics.exact.c.program import BEYOND, Writer
-from mechanics.exact.c.select import select
+from mechanics.exact.c.select import chosen, select
 from mechanics.exact.c.types import REALS, declared
 from mechanics.exact.c.values import (
     INTEGERS,
@@ -109,16 +109,15 @@ class Expressions:
         """
         if isinstance(value, Real):
             if value.kind != kind:
-                raise ExpressionError(
-                    f"{where}: a {value.kind} stands where a {kind} is expected: precisions are"
-                    " mixed"
-                )
+                wrong = f"a {value.kind} stands where a {kind} is expected"
+                raise ExpressionError(f"{where}: {wrong}: precisions are mixed")
             return value.node
+        if isinstance(value, Truth | Choice):
+            return chosen(self.writer, as_decision(value, where), kind, where)
         if isinstance(value, Whole) and value.known is not None:
-            exact = Fraction(value.known)
-            if rounded(exact, kind) != exact:
+            if rounded(Fraction(value.known), kind) != value.known:
                 raise ExpressionError(f"{where}: no {kind} holds the integer {value.known}")
-            return self.writer.number(exact, kind)
+            return self.writer.number(Fraction(value.known), kind)
         raise ExpressionError(f"{where}: a {kind} is expected, {words(value)} found")
 
     def element(self, node: Any) -> Pointer:

@@ -12,7 +12,7 @@ from typing import Any
 import casadi
 
 from mechanics.errors import ExpressionError
-from mechanics.exact.c.condition import Atom, Condition, negation
+from mechanics.exact.c.condition import Atom, Choice, Condition, Decision, negation
 from mechanics.exact.c.library import RELATIONS, TRUTHS
 from mechanics.exact.c.program import Writer
 from mechanics.exact.graph_angles import Node
@@ -33,6 +33,14 @@ def select(writer: Writer, condition: Condition, yes: int, no: int, kind: str, w
     first = writer.add(casadi.OP_IF_ELSE_ZERO, (holds, yes), kind)
     second = writer.add(casadi.OP_IF_ELSE_ZERO, (not_so, no), kind)
     return writer.add(casadi.OP_ADD, (first, second), kind)
+
+
+def chosen(writer: Writer, decision: Decision, kind: str, where: Any) -> int:
+    """The node of an integer that depends on conditions, as a real number."""
+    if not isinstance(decision, Choice):
+        return writer.number(Fraction(decision), kind)
+    yes, no = (chosen(writer, side, kind, where) for side in (decision.yes, decision.no))
+    return select(writer, decision.condition, yes, no, kind, where)
 
 
 def truth(writer: Writer, condition: Condition, kind: str, where: Any) -> int:

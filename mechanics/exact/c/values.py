@@ -144,7 +144,7 @@ def compared(op: str, left: Decision, right: Decision) -> Decision:
 INTEGERS: dict[str, Callable[[int, int], int]] = {
     "<": int.__lt__, "<=": int.__le__, ">": int.__gt__, ">=": int.__ge__,
     "==": int.__eq__, "!=": int.__ne__, "|": int.__or__,
-    "&": int.__and__, "<<": int.__lshift__,
+    "&": int.__and__, "<<": int.__lshift__, "+": int.__add__, "-": int.__sub__, "*": int.__mul__,
 }  # fmt: skip
 
 
