@@ -9,7 +9,7 @@ Arb. States at which an acceleration is no number have no ratio: `mechanics.comp
 them, and says why.
 """
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from math import inf, nextafter
 
@@ -30,6 +30,12 @@ PRECISIONS: tuple[type[np.floating], ...] = (np.float64, np.float32)
 NAMES = {np.float64: "double", np.float32: "single"}
 
 Columns = NDArray[np.float64]
+Draw = Callable[[Model, int, int], States]
+
+
+def random_states(model: Model, count: int, seed: int) -> States:
+    """States anywhere."""
+    return sample(model.quantities, count, seed)
 
 
 @dataclass(frozen=True)
@@ -64,6 +70,7 @@ def residuals(
     states: int = STATES,
     seed: int = SEED,
     precisions: Sequence[type[np.floating]] = PRECISIONS,
+    draw: Draw = random_states,
 ) -> tuple[Residual, ...]:
     """Residuals of published equations at the accelerations of each model.
 
@@ -78,6 +85,8 @@ def residuals(
     seed : int
     precisions : sequence of numpy.float64, numpy.float32
         Of the compiled functions; states are rounded to it first.
+    draw : callable
+        Of (model, states, seed): the states, where they have to satisfy constraints.
 
     Raises
     ------
@@ -90,7 +99,7 @@ def residuals(
         raise InputError(f"states: {states} found, at least 1 expected")
     found: list[Residual] = []
     for model in models:
-        drawn = sample(model.quantities, states, seed)
+        drawn = draw(model, states, seed)
         for kind in precisions:
             columns = _columns(model, drawn.rounded(kind), kind)
             for tag, left, right in published:

@@ -12,26 +12,24 @@ from mechanics.checks.agreement import compare, compare_pairs, proof_pays, requi
 from mechanics.checks.energy import check_energy
 from mechanics.checks.friction import check_friction
 from mechanics.checks.ledger import QUANTITIES, check_row
-from mechanics.checks.ledger_compare import definitions_in_full
 from mechanics.checks.ledger_motion import check_complete, gives
 from mechanics.checks.reactions import check_multipliers, check_reactions
 from mechanics.checks.soundness import check_sound
-from mechanics.compiled import Model, compile, prove_compiled, residuals
+from mechanics.compiled import Model, compile, prove_compiled
 from mechanics.compiled.finite import not_finite
+from mechanics.crosscheck.measured import NOT_CLOSED, ON_MANIFOLD, holds_others, measured
 from mechanics.crosscheck.motion import example_motion
 from mechanics.crosscheck.routes import named_routes
 from mechanics.crosscheck.small_motions import small_motions
 from mechanics.equations import Equations
 from mechanics.errors import wanted
 from mechanics.exact import Finding, Verdict
-from mechanics.kinematics.momenta import momenta_written_out
 from mechanics.linear.ledger import check_linear_row
-from mechanics.report.result import LedgerResult, ResidualResult, RouteResult, SystemResult
+from mechanics.report.result import LedgerResult, RouteResult, SystemResult
 from mechanics.routes import free_body, kane
 from mechanics.routes.kane_reactions import auxiliary_equations
 from mechanics.scene import Scene
 from mechanics.scene.actions import frictions
-from mechanics.scene.declared import decimals
 from mechanics.scene.published import Published
 from mechanics.scene.quantities import EquationOfMotion, ReactionValue
 from mechanics.scene.system import System
@@ -113,17 +111,17 @@ def crosscheck(system: System | Scene, options: CrossCheck | None = None) -> Sys
     stage("residuals of compiled functions")
     shown = (Verdict.PROVED, Verdict.CERTIFIED)
     right = [entry.row for entry in published if entry.finding.verdict in shown]
-    holding = [row for row in motions if row in right and not _holds_others(scene, row)]
-    measured = _residuals(scene, models, holding, options.states)
-    if measured:
+    holding = [row for row in motions if row in right and not holds_others(scene, row)]
+    left = measured(scene, models, holding, options.states)
+    if left and not scene.constraints:
         lost = not_finite(tuple(models.values()), states=options.states)
         findings += [entry.finding for entry in lost]
     stage("small motions")
     modes, remarks = small_motions(derived)
     remarks = (*skipped, *remarks)
-    if motions and scene.constraints:
-        remarks += ("Residuals are not measured off the constraint manifold.",)
-    if any(row in right and _holds_others(scene, row) for row in motions):
+    if holding and options.states and scene.constraints:
+        remarks += (ON_MANIFOLD if left else NOT_CLOSED,)
+    if any(row in right and holds_others(scene, row) for row in motions):
         remarks += ("Residuals of equations that hold a reaction or a momentum are not measured.",)
     remarks += (
         _written(models),
@@ -149,7 +147,7 @@ def crosscheck(system: System | Scene, options: CrossCheck | None = None) -> Sys
         },
         findings=tuple(findings),
         published=published,
-        compiled=measured,
+        compiled=left,
         modes=modes,
         motion=motion,
         remarks=remarks,
@@ -269,28 +267,3 @@ def _written(models: Mapping[str, Model]) -> str:
 def _operations(model: Model) -> int:
     """Operations of M and f, common subexpressions shared."""
     return sum(model.casadi[name].n_instructions() for name in ("mass_matrix", "forcing"))
-
-
-def _holds_others(scene: Scene, row: Published) -> bool:
-    """Whether a row holds reactions or momenta: compiled functions of the motion give neither."""
-    held = {reaction.symbol for reaction in scene.reactions}
-    written = [momenta_written_out(scene, side) for side in row.sides]
-    if any(one != other for one, other in zip(written, row.sides, strict=True)):
-        return True
-    return any(scene.plain(side, row.tag).free_symbols & held for side in row.sides)
-
-
-def _residuals(
-    scene: Scene, models: Mapping[str, Model], rows: Sequence[Published], states: int
-) -> tuple[ResidualResult, ...]:
-    if not rows or states == 0 or scene.constraints:
-        # Random states are off the constraint manifold, where published equations need not hold.
-        return ()
-    # Compiled functions take what is defined as a parameter where the equations hold it.
-    defined = definitions_in_full(scene, but=scene.parameters)
-    typed = [
-        (row.tag, *(decimals(scene.plain(side, row.tag).xreplace(defined)) for side in sides))
-        for row, sides in ((row, row.sides[:2]) for row in rows)
-    ]
-    found = residuals(tuple(models.values()), typed, states=states)
-    return tuple(ResidualResult(entry.subject, entry.max_eps, entry.states) for entry in found)

@@ -80,3 +80,15 @@ def test_systems_lists_every_system(run: Any) -> None:
     ran = run("systems")
     assert ran.code == 0
     assert all(system.name in ran.out for system in ALL)
+
+
+def test_residuals_of_a_scene_with_constraints_are_measured_on_them(run: Any) -> None:
+    """Off the constraints the published power balance of the four-bar linkage does not hold."""
+    ran = run(
+        "crosscheck", "four_bar", "--routes", "kane,free_body", "--states", 200, "--json", "-"
+    )
+    assert ran.code == 0, ran.err
+    rows = json.loads(ran.out)["systems"][0]["compiled"]
+    assert {row["subject"].split(":")[0] for row in rows} == {"kane", "free_body"}
+    assert len(rows) == 4 and all(row["states"] == 200 for row in rows)
+    assert all(0 < row["max_eps"] < 1e6 for row in rows)
