@@ -138,10 +138,14 @@ class Candidates:
                 continue
             far = 0.0 if own is not None and word.kind == own.kind else HINT
             yield self._change(index, word.name, Mistake.SYMBOL, TOKEN + far, word.values)
+            if word.kind == "speed":
+                squares = tuple(value * value % self._p for value in word.values)
+                square = raised(word.name, 2)
+                yield self._change(index, square, Mistake.SYMBOL, TOKEN + SECOND, squares)
         above = self.forest.parent[index]
         around = self.forest.nodes[above] if above >= 0 else None
         if not isinstance(around, Sum):
-            yield from self._plus(index, {own.kind if own is not None else ""})
+            yield from self._plus(index, (node,), {own.kind if own is not None else ""})
         if not isinstance(around, Power):
             yield from self._powers(index, node, (2, 3))
 
@@ -246,11 +250,12 @@ class Candidates:
             part = self.forest.nodes[kid]
             word = self.words.word(part) if isinstance(part, Name) else None
             kinds.add(word.kind if word is not None else "")
-        yield from self._plus(index, kinds)
+        yield from self._plus(index, node.terms, kinds)
 
-    def _plus(self, index: int, kinds: set[str]) -> Iterator[Change]:
+    def _plus(self, index: int, terms: tuple[Node, ...], kinds: set[str]) -> Iterator[Change]:
+        present = [self.words.word(term) for term in terms if isinstance(term, Name)]
         for word in self.words.symbols:
-            if word.kind not in kinds or not word.kind:
+            if word.kind not in kinds or not word.kind or word in present:
                 continue
             for sign in (1, -1):
                 values = tuple(

@@ -57,10 +57,16 @@ class Spelling:
 
     def quoted(self, node: Node) -> str:
         """The node as it was written; empty where it was not, or not in one piece."""
-        if id(node) not in self.known or not 0 <= node.at < node.end:
+        span = self.span(node)
+        if span is None or hidden_minus(node):
             return ""
-        text = self.written.text[node.at : node.end]
-        return " ".join(text.split()) if balanced(text) else ""
+        return " ".join(self.written.text[slice(*span)].split())
+
+    def span(self, node: Node) -> tuple[int, int] | None:
+        """Where a node stands in the text, without the sign before it; None for a new one."""
+        if id(node) not in self.known or not 0 <= node.at < node.end:
+            return None
+        return (node.at, node.end) if balanced(self.written.text[node.at : node.end]) else None
 
     def _spelled(self, node: Node) -> str:
         match node:
@@ -196,6 +202,14 @@ class Spelling:
             power = f"^{order}" if order > 1 else ""
             return rf"\frac{{d{power}}}{{dt{power}}}\left({self(inner)}\right)"
         return f"diff({self(inner)}, t{f', {order}' if order > 1 else ''})"
+
+
+def hidden_minus(node: Node) -> bool:
+    """Whether a term has a minus sign, which stands before the place of the term."""
+    return isinstance(node, Product) and any(
+        isinstance(factor, Number) and factor.value == -1 and factor.end < 0
+        for factor in node.factors
+    )
 
 
 def level_of(node: Node, text: str) -> int:

@@ -1,0 +1,125 @@
+r"""Edits in the person's own notation, with their places in the source.
+
+sign: "-" -> "+"       term added: "" -> "+ 2 k x"       anything else: what stands there -> instead
+"""
+
+import re
+from collections.abc import Sequence
+from itertools import pairwise
+
+from mechanics.blame.result import Edit, Mistake
+from mechanics.blame.search.change import Change, is_minus, minus
+from mechanics.blame.search.claim import Claim
+from mechanics.blame.search.forest import Forest
+from mechanics.blame.search.spell import Spelling, hidden_minus
+from mechanics.reading.tree import Call, Node, Power, Product, Sum
+from mechanics.reading.written import Trees
+
+SIGN = re.compile(r"[-+\u2212]\s*$")
+Span = tuple[int, int]
+
+
+def told(claim: Claim, spelling: Spelling, forest: Forest, change: Change) -> Edit:
+    """An edit as a person makes it."""
+    node, new = forest.nodes[change.index], change.node
+    span = spelling.span(node)
+    sign = None if span is None else _sign_before(claim, span)
+    if change.mistake is Mistake.SIGN and sign is not None:
+        mark = claim.written.text[sign[0]]
+        return _edit(claim, change, mark, "-" if mark == "+" else "+", sign)
+    if _adds(forest, change) and isinstance(new, Sum):
+        at = None if span is None else (span[1], span[1])
+        return _edit(claim, change, "", _signed(spelling, new.terms[-1]), at)
+    if new is None and not forest.place[change.index][1]:
+        return _edit(claim, change, spelling(node), "0", span)
+    if span is None or (sign is None and hidden_minus(node)):
+        return _edit(claim, change, spelling(node), _fitting(forest, change, spelling), None)
+    written = " ".join(claim.written.text[slice(*span)].split())
+    if new is None:
+        if sign is not None and isinstance(forest.nodes[forest.parent[change.index]], Sum):
+            written, span = f"{claim.written.text[sign[0]]} {written}", (sign[0], span[1])
+        return _edit(claim, change, written, "", span)
+    if hidden_minus(node) and is_minus(new):
+        return _edit(claim, change, written, spelling(minus(new)), span)
+    in_sum = forest.parent[change.index] >= 0 and isinstance(
+        forest.nodes[forest.parent[change.index]], Sum
+    )
+    if sign is not None and in_sum and (is_minus(new) or hidden_minus(node)):
+        written = f"{claim.written.text[sign[0]]} {written}"
+        return _edit(claim, change, written, _signed(spelling, new), (sign[0], span[1]))
+    return _edit(claim, change, written, _fitting(forest, change, spelling), span)
+
+
+def _edit(claim: Claim, change: Change, written: str, right: str, span: Span | None) -> Edit:
+    return Edit(change.mistake, written, right, _within(claim, span))
+
+
+def _adds(forest: Forest, change: Change) -> bool:
+    """Whether a term is added to a sum, or to what stands alone as a term."""
+    if change.mistake not in (Mistake.MISSING, Mistake.TERM) or change.wrap is None:
+        return False
+    return isinstance(forest.nodes[change.index], Sum) or forest.term(change.index)
+
+
+def _signed(spelling: Spelling, node: Node) -> str:
+    """A term with its sign in front."""
+    text = spelling.tight(node, 1) if isinstance(node, Sum) else spelling(node)
+    return f"- {text[1:].lstrip()}" if text.startswith("-") else f"+ {text}"
+
+
+def _fitting(forest: Forest, change: Change, spelling: Spelling) -> str:
+    """The new text, in brackets where it would fall apart at its place."""
+    new = change.node
+    if new is None:
+        return ""
+    above = forest.parent[change.index]
+    if above < 0 or not forest.place[change.index][1]:
+        return spelling(new)
+    around = forest.nodes[above]
+    level = 0
+    if isinstance(around, Product):
+        level = 2 if not spelling.latex and isinstance(new, Product) else 1
+    if isinstance(around, Power):
+        level = 3
+        # What stands in the numerator or denominator of a fraction has its own braces.
+        if spelling.latex and around.at >= forest.nodes[change.index].at:
+            level = 0 if change.index == forest.kids[above][0] else 3
+        if spelling.latex and change.index != forest.kids[above][0]:
+            level = 0
+    if isinstance(around, Sum) and is_minus(new):
+        level = 0 if change.index == forest.kids[above][0] else 1
+    if isinstance(around, Call) and spelling.latex and not isinstance(new, type(None)):
+        level = 1
+    return spelling.tight(new, level)
+
+
+def _sign_before(claim: Claim, span: Span) -> Span | None:
+    """Where the sign stands that belongs to what begins at a place."""
+    match = SIGN.search(claim.written.text, 0, span[0])
+    return None if match is None else (match.start(), match.start() + 1)
+
+
+def _within(claim: Claim, span: Span | None) -> Span | None:
+    """A span of the text as one of the source of the statement, which has single blanks."""
+    if span is None or span[0] < claim.written.start:
+        return None
+    text, start = claim.written.text, claim.written.start
+
+    def place(at: int) -> int:
+        return len(re.sub(r"\s+", " ", text[start:at]))
+
+    return place(span[0]), place(span[1])
+
+
+def spliced(spelling: Spelling, source: str, edits: Sequence[Edit], entries: Trees) -> str:
+    """The source with the edits put in; spelled anew where they have no place there."""
+    spans = sorted((edit.span, edit.right) for edit in edits if edit.span is not None)
+    apart = all(a[0][1] <= b[0][0] for a, b in pairwise(spans))
+    if len(spans) < len(edits) or not apart:
+        return " = ".join(spelling(entry) for entry in entries)
+    found, at = "", 0
+    for (start, end), right in spans:
+        gap = " " if start == end and start and source[start - 1] != " " else ""
+        found += source[at:start] + gap + right
+        at = end
+    return " ".join((found + source[at:]).split())
