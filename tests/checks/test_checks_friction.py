@@ -1,6 +1,7 @@
 """The cart-pole with friction: what its sources print, right and wrong."""
 
 from dataclasses import replace
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -8,6 +9,7 @@ import pytest
 from sympy import Symbol, sign
 
 import mechanics
+from mechanics.checks.agreement import compare
 from mechanics.checks.energy import check_energy
 from mechanics.checks.friction import check_friction
 from mechanics.checks.ledger import check_row
@@ -97,6 +99,47 @@ def test_a_python_function_with_a_sign_is_proved(truth: Equations) -> None:
     names = {"p": "m_c m_p l g mu_c mu_p"}
     found = mechanics.check(truth, rates, names=names)
     assert found.ok, [judged.finding for judged in found.judged]
+
+
+C = """#include <math.h>
+static double sgn(double v) {{ return {sign}; }}
+void dynamics(double x, double theta, double x_dot, double theta_dot, double F, double m_c,
+              double m_p, double l, double g, double mu_c, double mu_p, double ud[2]) {{
+    double s = sgn(x_dot), total = m_c + m_p, w2 = theta_dot*theta_dot;
+    double push = (-F - m_p*l*w2*(sin(theta) + mu_c*s*cos(theta)))/total + mu_c*g*s;
+    double lever = 4.0/3.0 - m_p*cos(theta)/total*(cos(theta) - mu_c*s*sin(theta));
+    double acc = (g*sin(theta) + cos(theta)*push - mu_p*theta_dot/(m_p*l))/(l*lever);
+    double n = total*g - m_p*l*(acc*sin(theta) + w2*cos(theta));
+    ud[0] = (F + m_p*l*(w2*sin(theta) - acc*cos(theta)) - mu_c*n*s)/total;
+    ud[1] = acc;
+}}
+"""
+SIGNS = {
+    "(v > 0) - (v < 0)": True,
+    "v > 0 ? 1.0 : (v < 0 ? -1.0 : 0.0)": True,
+    "copysign(1.0, v)": True,
+    "v / fabs(v)": True,
+    "(v < 0) - (v > 0)": False,
+    "v > 0": False,
+}
+
+
+@pytest.mark.parametrize("sign", SIGNS)
+def test_signs_as_people_write_them_in_c(truth: Equations, tmp_path: Path, sign: str) -> None:
+    file = tmp_path / "friction.c"
+    file.write_text(C.format(sign=sign), encoding="utf-8")
+    found = mechanics.check(truth, file, blame=False)
+    assert [judged.finding.shown for judged in found.judged] == [SIGNS[sign]] * 2
+
+
+def test_friction_that_is_left_out_is_found(truth: Equations) -> None:
+    """Routes that forget it, or half of it, differ from those that do not."""
+    scene = truth.scene
+    smooth = derive(replace(scene, loads=(*scene.loads[:2], scene.loads[3])), "kane")
+    assert compare(truth, smooth).verdict is Verdict.REFUTED
+    other = replace(scene.loads[2], coefficient=system.mu_c / 2)
+    half = derive(replace(scene, loads=(*scene.loads[:2], other, scene.loads[3])), "lagrange")
+    assert compare(truth, half).verdict is Verdict.REFUTED
 
 
 def test_a_sign_is_constant_between_its_jumps() -> None:
