@@ -69,3 +69,14 @@ def test_the_page_marks_the_formula(found: Check) -> None:
     assert re.findall(r'class="wrong"><mn>(\d+)</mn>', card) == ["3"]
     assert re.findall(r'class="right"><mn>(\d+)</mn>', card) == ["2"]
     assert re.search(r"<code>x_ddot = ", card) is None
+
+
+def test_an_edit_of_a_definition_says_so() -> None:
+    text = r"""
+    \begin{align}
+    I_B &= \frac{M L^{2}}{12} \\
+    M \frac{L}{2} \ddot{x} \cos \theta + I_B \ddot{\theta} + M g \frac{L}{2} \sin \theta &= 0
+    \end{align}"""
+    found = check(elastic_pendulum.scene(), text)
+    assert "in the definition of I_B: the factor is wrong\n    then PROVED\n" in str(found)
+    assert "in the definition of <math" in check_html(found)

@@ -16,6 +16,7 @@ from rich.text import Text
 from mechanics.blame.result import Blame, Edit, Repair
 from mechanics.exact import Finding, Verdict
 from mechanics.reading.names import Match
+from mechanics.reading.statement import Statement
 from mechanics.report.answer.differences import Differences
 from mechanics.report.answer.judged import Judged
 from mechanics.report.answer.lines import Hanging, below, line
@@ -86,7 +87,7 @@ def one(entry: Judged) -> Iterator[RenderableType]:
     if finding.verdict not in (Verdict.PROVED, Verdict.REFUTED):
         yield below(line(finding.evidence))
     if blame is not None:
-        yield from _blame(blame, statement.source)
+        yield from _blame(blame, statement)
     yield from (below(line(words, "yellow", "right if ")) for words in entry.right_if)
     yield from _state(entry)
     yield from (below(line(note, "dim")) for note in statement.notes)
@@ -104,9 +105,9 @@ def _source(source: str, edits: Sequence[Edit]) -> Source:
     return Source(shortened(pieces(source, edits)))
 
 
-def _blame(blame: Blame, source: str) -> Iterator[RenderableType]:
+def _blame(blame: Blame, statement: Statement) -> Iterator[RenderableType]:
     for n, repair in enumerate(blame.repairs):
-        yield from _repair(repair, source, first=n == 0)
+        yield from _repair(repair, statement, first=n == 0)
     if blame.searched:
         yield below(line(blame.searched))
     if blame.differences:
@@ -115,14 +116,19 @@ def _blame(blame: Blame, source: str) -> Iterator[RenderableType]:
         yield below(line(words, "yellow", "because: "))
 
 
-def _repair(repair: Repair, source: str, *, first: bool) -> Iterator[RenderableType]:
-    for n, (edit, often) in enumerate(counted(repair.edits)):
+def _repair(repair: Repair, statement: Statement, *, first: bool) -> Iterator[RenderableType]:
+    for n, (edit, where) in enumerate(counted(repair.edits, statement)):
         lead = "and " if n else "" if first else "or "
-        yield below(_edit(edit, lead, often))
-    if not first and any(_ambiguous(edit, source) for edit in repair.edits):
-        yield _source(source, repair.edits)
+        yield below(_edit(edit, lead, where))
+    if not first and any(_ambiguous(edit, statement.source) for edit in repair.edits):
+        yield _source(statement.source, repair.edits)
     verdict = repair.finding.verdict.name
-    yield below(line(f"then {verdict}: {repair.repaired}", "dim"))
+    changed = _bare(repair.repaired) != _bare(statement.source)
+    yield below(line(f"then {verdict}: {repair.repaired}" if changed else f"then {verdict}", "dim"))
+
+
+def _bare(text: str) -> str:
+    return "".join(text.replace("&", "").split())
 
 
 def _ambiguous(edit: Edit, source: str) -> bool:
@@ -130,13 +136,13 @@ def _ambiguous(edit: Edit, source: str) -> bool:
     return edit.span is not None and (not edit.written or source.count(edit.written) > 1)
 
 
-def _edit(edit: Edit, lead: str, often: str) -> Text:
+def _edit(edit: Edit, lead: str, where: str) -> Text:
     text, gap = Text(lead), ""
     for word, formula in order(edit):
         style = "bold green" if word in ("write", "add") else "bold red"
         text.append(f"{gap}{word} ").append(printable(formula), style)
         gap = " "
-    text.append(f" {often}" if often else "")
+    text.append(f" {where}" if where else "")
     return text.append(f": {edit.mistake.value}")
 
 
