@@ -1,6 +1,10 @@
 """What a person may say that an equation is about."""
 
 from collections.abc import Callable
+from typing import Any
+
+from sympy import Matrix, S
+from sympy.matrices import MatrixBase
 
 from mechanics.errors import InputError
 from mechanics.scene.published import Quantity
@@ -45,3 +49,12 @@ def named_quantity(words: str) -> Quantity:
     if words not in QUANTITIES:
         raise InputError(f"about {words!r}: it can be {', '.join(QUANTITIES)}")
     return QUANTITIES[words]()
+
+
+def as_asked(quantity: Quantity, sides: tuple[Any, ...]) -> tuple[Any, ...]:
+    """Sides in the shape that rows about a quantity have: an equation of two, a matrix of one."""
+    if isinstance(quantity, EquationOfMotion) and len(sides) == 1:
+        return (*sides, S.Zero)
+    if isinstance(quantity, MassMatrix):
+        return tuple(s if isinstance(s, MatrixBase) else Matrix([[s]]) for s in sides)
+    return sides

@@ -13,7 +13,7 @@ from sympy import Expr, S
 from sympy.matrices import MatrixBase
 
 from mechanics.errors import InputError
-from mechanics.reading.about import ENERGY_NAMES, QUANTITIES, named_quantity
+from mechanics.reading.about import ENERGY_NAMES, QUANTITIES, as_asked, named_quantity
 from mechanics.reading.build import Builder, Value
 from mechanics.reading.defined import defines, needed, own, used
 from mechanics.reading.guess import guess
@@ -231,11 +231,9 @@ class _Assembly:
         self, line: Line, tag: str, place: str, sides: tuple[Expr, ...], unknown: list[str]
     ) -> None:
         quantity = named_quantity(self.about or "")
-        if isinstance(quantity, EquationOfMotion) and len(sides) == 1:
-            sides = (*sides, S.Zero)
-        elif not isinstance(quantity, EquationOfMotion | Identity) and len(sides) > 1:
+        if not isinstance(quantity, EquationOfMotion | Identity) and len(sides) > 1:
             sides = sides[1:] if isinstance(line.sides[0], Name) else sides
-        self._keep(line, tag, place, quantity, sides, unknown)
+        self._keep(line, tag, place, quantity, as_asked(quantity, sides), unknown)
 
     def _keep(
         self, line: Line, tag: str, place: str, quantity: Quantity, sides: tuple[Value, ...],

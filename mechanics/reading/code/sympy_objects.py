@@ -15,7 +15,7 @@ from sympy.physics.mechanics import KanesMethod, LagrangesMethod, System
 from sympy.physics.vector import dynamicsymbols
 
 from mechanics.errors import WrongKindError
-from mechanics.reading.about import QUANTITIES, named_quantity
+from mechanics.reading.about import QUANTITIES, as_asked, named_quantity
 from mechanics.reading.guess import guess
 from mechanics.reading.kind import kind_of
 from mechanics.reading.names import Naming, Vocabulary, unexplained
@@ -24,7 +24,7 @@ from mechanics.reading.tree import Name
 from mechanics.scene import Scene
 from mechanics.scene.declared import decimals
 from mechanics.scene.published import published
-from mechanics.scene.quantities import EquationOfMotion, Identity, MassMatrix
+from mechanics.scene.quantities import Identity, MassMatrix
 
 Sides = tuple[Any, ...]
 KINDS = (Expr, MatrixBase, Eq, KanesMethod, LagrangesMethod, System)
@@ -161,8 +161,7 @@ def _statement(
     note = ""
     if about is not None:
         quantity = named_quantity(about)
-        if isinstance(quantity, EquationOfMotion) and len(plain) == 1:
-            plain = (*plain, S.Zero)
+        plain = as_asked(quantity, plain)
     elif isinstance(plain[0], MatrixBase):
         quantity, note = MassMatrix(), "a square matrix alone is read as the mass matrix"
     else:

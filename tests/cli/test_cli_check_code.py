@@ -1,0 +1,110 @@
+"""`mechanics check` on C functions by name, black boxes, and a scene of the person's own."""
+
+import json
+from pathlib import Path
+
+import pytest
+from typer.testing import CliRunner
+
+from mechanics.cli.app import app
+
+C_FILE = """
+#include <math.h>
+double swing(double theta, double u, double m, double l, double g)
+{
+    return 3*g/(2*l)*sin(theta) + 3*u/(m*l*l);
+}
+double wrong(double theta, double u, double m, double l, double g)
+{
+    return 3*g/(2*l)*cos(theta) + 3*u/(m*l*l);
+}
+"""
+SIMULATOR = """
+import math
+
+def rate(state, torque):
+    theta, omega = (float(str(entry)) for entry in state)
+    return [omega, 3 * 9.8 / (2 * 0.5) * math.sin(theta) + 3 * torque / (2 * 0.5**2)]
+
+def step(state, torque):
+    return [y + 0.01 * slope for y, slope in zip(state, rate(state, torque))]
+"""
+VALUES = ("--value", "m=2", "--value", "l=1/2", "--value", "g=9.8")
+NAMES = ("--name", "state=theta theta_dot", "--name", "torque=u")
+SCENE = """
+from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
+from mechanics import Particle, Scene, gravity, parameters, reaction
+
+theta, (m, L, g) = dynamicsymbols("theta"), parameters("m L g")
+
+def scene():
+    ground, origin = ReferenceFrame("N"), Point("O")
+    rod = ground.orientnew("A", "Axis", (theta, ground.z))
+    tip = origin.locatenew("P", -L * rod.y)
+    return Scene("mine", ground, origin, coordinates=(theta,), bodies=(Particle("bob", tip, m),),
+                 loads=(gravity(-g * ground.y),),
+                 reactions=(reaction("S", at=tip, on="bob", by=None, along=rod.y),))
+"""
+
+
+def run(*arguments: str, text: str | None = None):
+    return CliRunner().invoke(app, ["check", *map(str, arguments)], input=text)
+
+
+@pytest.fixture
+def simulator(tmp_path: Path) -> str:
+    file = tmp_path / "sim.py"
+    file.write_text(SIMULATOR)
+    return str(file)
+
+
+def test_a_c_function_is_chosen_by_its_name(tmp_path: Path) -> None:
+    file = tmp_path / "swing.c"
+    file.write_text(C_FILE)
+    right = run("rod_pendulum", file, "--function", "swing")
+    assert (right.exit_code, right.stdout.startswith("PROVED")) == (0, True)
+    assert run("rod_pendulum", file).exit_code == 1
+    missing = run("rod_pendulum", file, "--function", "swings")
+    assert "there is no function swings: there are swing, wrong" in str(missing.exception)
+
+
+@pytest.mark.parametrize("call", ["rate", "step"])
+def test_a_black_box_is_supported_and_no_more(simulator: str, call: str) -> None:
+    stepping = ("--step", "0.01") if call == "step" else ()
+    arguments = ("rod_pendulum", f"{simulator}:{call}", "--black-box", *VALUES, *NAMES, *stepping)
+    found = run(*arguments, "--json", "-")
+    assert found.exit_code == 3, found.output
+    statements = json.loads(found.stdout)["statements"]
+    assert [entry["verdict"] for entry in statements] == ["SUPPORTED", "SUPPORTED"]
+    heavier = [a.replace("m=2", "m=3") for a in arguments]
+    found = run(*heavier)
+    assert found.exit_code == 1
+    assert "REFUTED" in found.stdout
+
+
+@pytest.mark.parametrize(
+    ("options", "words"),
+    [
+        (("--black-box", *NAMES), "what is g, l, m inside?"),
+        (("--black-box", *NAMES, *VALUES, "--integrator", "leapfrog"), "integrator 'leapfrog'"),
+        (("--black-box", *NAMES, *VALUES, "--value", "x=1"), "the scene has no parameter 'x'"),
+        (("--black-box", *NAMES, "--value", "g"), "write name=value"),
+        ((*NAMES, "--value", "g=1"), "belong to a black box: add --black-box"),
+    ],
+)
+def test_bad_options_of_a_black_box(simulator: str, options: tuple, words: str) -> None:
+    found = run("rod_pendulum", f"{simulator}:rate", *options)
+    assert words in str(found.exception)
+    assert "\n" not in str(found.exception)
+
+
+def test_a_scene_of_ones_own(tmp_path: Path) -> None:
+    scene, file = tmp_path / "my_scene.py", tmp_path / "equations.tex"
+    scene.write_text(SCENE)
+    file.write_text(r"m L^2 \ddot\theta + m g L \sin\theta = 0 \tag{1}")
+    found = run(scene, file)
+    assert (found.exit_code, found.stdout.split()[:2]) == (0, ["PROVED", "(1)"])
+    file.write_text(r"m L^2 \ddot\theta + m g \sin\theta = 0 \tag{1}")
+    found = run(scene, file)
+    assert found.exit_code == 1
+    assert "REFUTED  (1)" in found.stdout
