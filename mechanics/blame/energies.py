@@ -13,19 +13,16 @@ from mechanics.blame.entries import SIGNS, kinetic_pieces, potential_pieces
 from mechanics.blame.folded import folded
 from mechanics.blame.mistakes.slip import Right, Slip
 from mechanics.blame.pieces import Kind, Origin, Piece
+from mechanics.blame.power import keeps
 from mechanics.blame.shape import shortest
 from mechanics.blame.terms import terms_of
-from mechanics.checks.ledger_compare import ordered
-from mechanics.checks.ledger_motion import put_motion
 from mechanics.equations import Equations
-from mechanics.exact import Arithmetic, Number, Verdict
-from mechanics.exact.field_trial import Answer, trial
+from mechanics.exact import Verdict
 from mechanics.exact.finding import Finding
-from mechanics.kinematics.manifold import settle
 from mechanics.reading.statement import Statement
 from mechanics.scene import Scene
 from mechanics.scene.quantities import EquationOfMotion
-from mechanics.scene.rates import coordinate_rate_table, rate, rate_table
+from mechanics.scene.rates import coordinate_rate_table, rate
 
 QUICK = -40.0
 
@@ -40,11 +37,14 @@ class WrongEnergy:
         Of its statement.
     kinetic, potential : Expr
         How much of each is too much, in the scene's symbols.
+    mixed : bool
+        Whether it is an energy of both kinds.
     """
 
     index: int
     kinetic: Expr
     potential: Expr
+    mixed: bool = False
 
 
 def wrong_energies(
@@ -68,7 +68,9 @@ def _off(scene: Scene, index: int, side: Expr, signs: tuple[int, int]) -> WrongE
     excess = side - right
     still = dict.fromkeys((*scene.u, *scene.qd), S.Zero)
     resting = excess.xreplace(still) if potential else S.Zero
-    return WrongEnergy(index, excess - resting, resting * (potential or 1))
+    return WrongEnergy(
+        index, excess - resting, resting * (potential or 1), bool(kinetic and potential)
+    )
 
 
 def wrong_rows(scene: Scene, energies: Sequence[WrongEnergy]) -> tuple[Expr, ...]:
@@ -88,7 +90,9 @@ def energy_slip(right: Right, energies: Sequence[WrongEnergy]) -> Slip | None:
     if right.free or not energies:
         return None
     scene = right.scene
-    extra = wrong_rows(scene, energies)
+    # What T and V have too much, T + V and L have too.
+    pure = [energy for energy in energies if not energy.mixed]
+    extra = wrong_rows(scene, pure or energies[:1])
     origin = Origin(Kind.LINEAR, "the energy as it is written")
     rows = []
     for u, row in zip(scene.u, right.rows, strict=True):
@@ -117,7 +121,7 @@ def blamed(
         words = "the equations are right, this energy is not: " if fine else ""
         rows = ", ".join(str(entry) for entry in _shown(truth, statements, energy))
         words += f"derived from it, the equations would differ by ({rows})"
-        if not _conserved(truth, energy):
+        if not keeps(truth, energy.kinetic + energy.potential):
             words += "; along the motion its rate is not the power of the loads"
         found[energy.index] = words
     return found
@@ -131,18 +135,3 @@ def _shown(truth: Equations, statements: Sequence[Statement], energy: WrongEnerg
     other, side = folded(truth, row.sides[-1])
     off = _off(other.scene, energy.index, side, SIGNS[type(row.quantity)])
     return [shortest(terms, {})[0] for terms in terms_of(wrong_rows(other.scene, [off]))]
-
-
-def _conserved(truth: Equations, energy: WrongEnergy) -> bool:
-    """Whether what is too much keeps its value along the motion, at a point of a field."""
-    scene = truth.scene
-    growth = rate(energy.kinetic + energy.potential, rate_table(scene))
-
-    def experiment(a: Arithmetic) -> list[tuple[Number, Number]]:
-        settle(scene, a)
-        for symbol, expression in ordered(scene.definitions):
-            a.assign(symbol, a.value(expression))
-        put_motion(a, truth)
-        return [(a.value(growth), a.rational(0))]
-
-    return trial(experiment, QUICK, None).answer is Answer.ZERO

@@ -18,6 +18,7 @@ from mechanics.blame.mistakes.known import KNOWN
 from mechanics.blame.mistakes.slip import Slip, equations, right
 from mechanics.blame.mistakes.turning import wrong_rows
 from mechanics.blame.nearest import nearest
+from mechanics.blame.power import unbalanced
 from mechanics.blame.terms import terms_of
 from mechanics.checks.ledger import check_row
 from mechanics.equations import Equations
@@ -32,6 +33,11 @@ MOST = 3
 
 LARGEST_PAIRED = 5
 """Number of speeds up to which two mistakes at once are tried."""
+
+UNBALANCED = (
+    "the energy beside them is right: along the equations as written its rate is not the power of"
+    " the loads"
+)
 
 
 def explanations(
@@ -69,6 +75,9 @@ def explanations(
             for one in waiting:
                 if _proved(wrong, one):
                     found[one.index].append(slip.words)
+        if unbalanced(truth, statements, findings, along):
+            for one in refuted:
+                found[one.index].append(UNBALANCED)
     return tuple(tuple(dict.fromkeys(words)) for words in found)
 
 

@@ -8,7 +8,7 @@ import mechanics
 from mechanics.blame.difference import differences
 from mechanics.blame.energies import wrong_energies, wrong_rows
 from mechanics.blame.entries import kinetic_pieces, potential_pieces
-from mechanics.blame.explanations import explanations
+from mechanics.blame.explanations import UNBALANCED, explanations
 from mechanics.checks.ledger import check_row
 from mechanics.checks.soundness import metric
 from mechanics.equations import Equations
@@ -89,8 +89,24 @@ def test_a_right_energy_is_not_blamed_for_wrong_equations(truth_of: TruthOf) -> 
     right = ENERGY.replace("J2*theta1_dot", "J2*theta2_dot")
     wrong = EQUATIONS.replace("+ h8*sin", "- h8*sin")
     *_, third, energy = told(truth, wrong + right)
-    assert third[0] == "REFUTED"
+    assert third == ("REFUTED", ("gravity reversed", UNBALANCED))
     assert energy == ("PROVED", ())
+
+
+def test_a_wrong_equation_that_keeps_the_energy_is_not_called_unbalanced(
+    truth_of: TruthOf,
+) -> None:
+    truth = truth_of("elastic_pendulum")
+    # A force that is always across the motion does no work: it has no place here, but no power.
+    text = (
+        "V = k*x**2 - M*g*L/2*cos(theta)\n"
+        "(M+m)*x_ddot + 2*k*x + M*L/2*(theta_ddot*cos(theta) - theta_dot**2*sin(theta))"
+        " + m*L*theta_dot*x_dot = 0\n"
+        "M*L/2*x_ddot*cos(theta) + M*L**2/3*theta_ddot + M*g*L/2*sin(theta) - m*L*x_dot**2 = 0"
+    )
+    energy, *rows = told(truth, text)
+    assert energy == ("PROVED", ())
+    assert rows == [("REFUTED", ())] * 2
 
 
 def test_a_wrong_potential_energy(truth_of: TruthOf) -> None:
