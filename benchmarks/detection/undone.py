@@ -76,14 +76,23 @@ def _how(drawn: Case, repair: Repair) -> str:
         return "exactly"
     if not _true(drawn, sides):
         return "the repair is shown, but wrong at independent states"
-    made = sum(MADE.get(kind, 1) for kind in drawn.kinds)
-    if drawn.form in SIMPLIFIED:
-        trees = zip(drawn.trees, drawn.row.trees, strict=True)
-        made = max(made, sum(distance(written(one), written(two)) for one, two in trees))
-    size = sum(SIZES.get(edit.mistake, 1) for edit in repair.edits)
     if len(repair.edits) > len(drawn.kinds):
         return f"{len(repair.edits)} edits for {len(drawn.kinds)} mistakes"
-    return "as good" if size <= made else f"an edit of size {size} for a mistake of size {made}"
+    sizes = sorted((SIZES.get(edit.mistake, 1) for edit in repair.edits), reverse=True)
+    made = sorted(_made(drawn), reverse=True)
+    if all(size <= mistake for size, mistake in zip(sizes, made, strict=False)):
+        return "as good"
+    return f"edits of sizes {sizes} for mistakes of sizes {made}"
+
+
+def _made(drawn: Case) -> list[int]:
+    """Sizes of the mistakes."""
+    made = [MADE.get(kind, 1) for kind in drawn.kinds]
+    if drawn.form not in SIMPLIFIED:
+        return made
+    trees = zip(drawn.trees, drawn.row.trees, strict=True)
+    seen = sum(distance(written(one), written(two)) for one, two in trees)
+    return [max(size, seen - sum(made) + size) for size in made]
 
 
 def distance(one: Expr, two: Expr) -> int:
