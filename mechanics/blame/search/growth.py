@@ -41,7 +41,7 @@ class Growth:
         fixed = {*angular(scene), *self._following}
         found: dict[Symbol | None, Problem] = {None: self.problem}
         for word in self.words.symbols:
-            if word.symbol not in fixed:
+            if word.symbol not in fixed and word.kind != "momentum":
                 doubled = self._doubled(word.symbol)
                 if doubled is None:
                     return {}

@@ -24,6 +24,7 @@ from mechanics.exact.field_size import Memory
 from mechanics.exact.primes import draw_prime
 from mechanics.exact.signals import Inadmissible, Restart
 from mechanics.kinematics.manifold import settle, settle_accelerations
+from mechanics.kinematics.momenta import momenta_written_out
 from mechanics.scene import Scene
 from mechanics.scene.rates import TIME
 from mechanics.scene.symbols import plain_symbol
@@ -89,7 +90,7 @@ class Point:
         return self.arithmetic.prime
 
     def value(self, expression: Expr) -> int:
-        """Residue of an expression, in which rates of coordinates may stand.
+        """Residue of an expression, in which rates of coordinates and momenta may stand.
 
         Raises
         ------
@@ -97,7 +98,8 @@ class Point:
             As the arithmetic does.
         """
         if expression not in self._plain:
-            number = self.arithmetic.value(self.scene.plain(expression))
+            plain = self.scene.plain(momenta_written_out(self.scene, expression))
+            number = self.arithmetic.value(plain)
             self._plain[expression] = number.residue
         return self._plain[expression]
 

@@ -11,6 +11,7 @@ from sympy import Symbol
 
 from mechanics.blame.search.sheet import Sheet
 from mechanics.equations import Equations
+from mechanics.kinematics.momenta import momentum_symbols, rate_symbol
 from mechanics.reading.tree import Call, Name, Node
 from mechanics.reading.written import Written
 from mechanics.scene.symbols import plain_symbol
@@ -71,6 +72,10 @@ class Words:
                 kinds.setdefault(symbol, kind)
         for symbol in (*scene.parameters, *scene.definitions):
             kinds.setdefault(symbol, str(getattr(symbol, "unit", "")))
+        for symbol in momentum_symbols(scene):
+            for each in (symbol, rate_symbol(symbol)):
+                if each in set(self.held):
+                    kinds.setdefault(each, "momentum")
         first = [symbol for symbol in kinds if symbol in set(self.held)]
         found = []
         for symbol in dict.fromkeys([*first, *kinds]):
