@@ -11,7 +11,7 @@ from typing import Annotated
 import typer
 from rich.console import Console
 from rich.markup import escape
-from rich.table import Table
+from rich.table import Column, Table
 
 from mechanics.cli.load import load
 from mechanics.crosscheck import CrossCheck
@@ -40,7 +40,8 @@ def systems() -> None:
     """
     from systems import ALL, SEED
 
-    table = Table("system", "scene", "coordinates", "published rows", box=None, pad_edge=False)
+    name = Column("system", no_wrap=True)
+    table = Table(name, "scene", "coordinates", "published rows", box=None, pad_edge=False)
     for system in ALL:
         scene = system.scene()
         mark = " *" if system in SEED else ""
