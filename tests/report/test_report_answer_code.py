@@ -49,6 +49,16 @@ def test_edits_are_placed_where_they_stand_as_often_as_they_are() -> None:
     assert power.span is None
 
 
+def test_what_is_divided_by_and_signs_are_told_by_less() -> None:
+    (told,) = placed("a = k*x/12 + k/12", [edit("1/12", "1/3")], "a = k*x/3 + k/12")
+    assert (told.written, told.right, told.span) == ("12", "3", (8, 10))
+    sign = Edit(Mistake.SIGN, "k*x", "(-k*x)")
+    (told,) = placed("a = m + k*x", [sign], "a = m - k*x")
+    assert (told.written, told.right, told.span) == ("+", "-", (6, 7))
+    (told,) = placed("a = k*x", [sign], "a = -k*x")
+    assert (told.written, told.right, told.span) == ("k*x", "(-k*x)", (4, 7))
+
+
 def test_wrong_code_is_told_as_a_formula(found: Check) -> None:
     entry, right = found.told
     assert right is found.judged[1]

@@ -9,14 +9,13 @@ from dataclasses import replace
 from itertools import product
 from math import prod
 
-from mechanics.blame.result import Edit
+from mechanics.blame.result import Edit, Mistake
 from mechanics.report.answer.marks import pieces
 
-BESIDE, POWER = r"[\w.(]", r"|\*\*"
-"""What goes on behind a name or number, and what makes a power of it."""
-
-MANY = 200
+MANY = 300
 """Ways to place edits that are tried."""
+
+UNIT = re.compile(r"1/(\d+)")
 
 
 def placed(formula: str, edits: Sequence[Edit], repaired: str = "") -> tuple[Edit, ...]:
@@ -25,21 +24,19 @@ def placed(formula: str, edits: Sequence[Edit], repaired: str = "") -> tuple[Edi
     Where no places do, an edit gets one if what it changes stands there as often as it is changed;
     anything else would be a guess.
     """
-    known = [_places(formula, edit.written, BESIDE) for edit in edits]
-    if all(known) and prod(map(len, known)) <= MANY:
+    options = [[*_plain(formula, edit), *_shorter(formula, edit)] for edit in edits]
+    if all(options) and prod(map(len, options)) <= MANY:
         wanted = "".join(repaired.split())
-        for spans in product(*known):
-            made = tuple(replace(e, span=s) for e, s in zip(edits, spans, strict=True))
+        for made in product(*options):
             if "".join(applied(formula, made).split()) == wanted:
                 return made
     found: list[Edit] = []
     for edit in edits:
-        places = _places(formula, edit.written, BESIDE + POWER)
-        same = [other for other in edits if other.written == edit.written]
-        alone = len(places) == len(same)
+        places = [p for p in _plain(formula, edit) if not _powered(formula, p)]
+        alone = len(places) == sum(other.written == edit.written for other in edits)
         # Equal edits get their places in turn.
         turn = sum(other.written == edit.written for other in found)
-        found.append(replace(edit, span=places[turn]) if alone and places else edit)
+        found.append(places[turn] if alone and places else edit)
     return tuple(found)
 
 
@@ -49,9 +46,32 @@ def applied(source: str, edits: Sequence[Edit]) -> str:
     return "".join(piece.text if piece.edit is None else piece.edit.right for piece in cut)
 
 
-def _places(formula: str, written: str, behind: str) -> list[tuple[int, int]]:
-    """Where a part stands by itself, with nothing of that kind behind it."""
-    if not written:
+def _powered(formula: str, edit: Edit) -> bool:
+    """Whether what an edit changes is the base of a power."""
+    return edit.span is not None and formula.startswith("**", edit.span[1])
+
+
+def _plain(formula: str, edit: Edit) -> list[Edit]:
+    """The edit wherever what it changes stands by itself."""
+    if not edit.written:
         return []
-    whole = rf"(?<![\w.]){re.escape(written)}(?!{behind})"
-    return [match.span() for match in re.finditer(whole, formula)]
+    whole = rf"(?<![\w.]){re.escape(edit.written)}(?![\w.(])"
+    return [replace(edit, span=match.span()) for match in re.finditer(whole, formula)]
+
+
+def _shorter(formula: str, edit: Edit) -> list[Edit]:
+    """The same change told by less: of what is divided by, or of the sign before a term."""
+    old, new = UNIT.fullmatch(edit.written), UNIT.fullmatch(edit.right)
+    if old and new:
+        below = rf"(?<=/){old[1]}(?![\w.])"
+        return [
+            replace(edit, written=old[1], right=new[1], span=match.span())
+            for match in re.finditer(below, formula)
+        ]
+    if edit.mistake is not Mistake.SIGN or not edit.written:
+        return []
+    before = rf"[-+](?= {re.escape(edit.written)}(?![\w.(]))"
+    return [
+        replace(edit, written=match[0], right="-" if match[0] == "+" else "+", span=match.span())
+        for match in re.finditer(before, formula)
+    ]

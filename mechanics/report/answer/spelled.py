@@ -3,7 +3,10 @@
 simulator.py:rate, theta_ddot    ->    theta_ddot = -g*cos(theta)/l
 """
 
+import re
 from dataclasses import replace
+
+from sympy.matrices import MatrixBase
 
 from mechanics.blame.search.spell import Spelling
 from mechanics.reading.from_sympy import Untreeable
@@ -14,6 +17,9 @@ from mechanics.reading.written import Written, row_trees
 from mechanics.report.answer.judged import Judged
 from mechanics.report.answer.places import placed
 from mechanics.scene import Scene
+
+TITLE = re.compile(r"[^()=*]+: [^()=*]+")
+"""How statements of code are called; SymPy's objects are called by their formulas."""
 
 LONGEST = 1000
 """Characters of a formula that a reader would look at."""
@@ -30,7 +36,8 @@ def spelled(entry: Judged, scene: Scene) -> Judged:
     formula = _formula(statement, scene)
     if not formula or len(formula) > LONGEST:
         return entry
-    place = ", ".join(words for words in (statement.source, statement.place) if words)
+    title = statement.source if TITLE.fullmatch(statement.source) else ""
+    place = ", ".join(words for words in (title, statement.place) if words)
     written = statement.written or _code(scene)
     repairs = tuple(
         replace(repair, edits=placed(formula, repair.edits, repair.repaired))
@@ -54,10 +61,11 @@ def _code(scene: Scene) -> Written:
 def _formula(statement: Statement, scene: Scene) -> str:
     """The sides as the edits spell them; empty where they cannot be spelled."""
     written = statement.written or _code(scene)
-    if statement.row is None:
+    row = statement.row
+    if row is None or any(isinstance(side, MatrixBase) for side in row.sides):
         return ""
     try:
-        trees = row_trees(statement.row, written)
+        trees = row_trees(row, written)
     except (Untreeable, Refused):
         return ""
     return " = ".join(map(Spelling(written, frozenset()), trees))
