@@ -7,8 +7,11 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from time import perf_counter
 
+from sympy import Symbol
+
 from mechanics.checks import laws
 from mechanics.checks.agreement import compare, compare_pairs, proof_pays, require_regular
+from mechanics.checks.dimensions import check_dimensions
 from mechanics.checks.energy import check_energy
 from mechanics.checks.friction import check_friction
 from mechanics.checks.ledger import QUANTITIES, check_row
@@ -108,6 +111,7 @@ def crosscheck(system: System | Scene, options: CrossCheck | None = None) -> Sys
     stage("compiling")
     models = {name: compile(equations) for name, equations in derived.items()}
     findings += _graphs(models)
+    findings += check_dimensions(scene, system.published, _units(models))
     stage("residuals of compiled functions")
     shown = (Verdict.PROVED, Verdict.CERTIFIED)
     right = [entry.row for entry in published if entry.finding.verdict in shown]
@@ -262,6 +266,13 @@ def _written(models: Mapping[str, Model]) -> str:
         for (count, form), names in routes.items()
     ]
     return f"Forward dynamics takes {'; '.join(parts)}."
+
+
+def _units(models: Mapping[str, Model]) -> dict[Symbol, str]:
+    """Of everything that a row may hold: what one route does not solve for, another does."""
+    known = [model.quantities for model in models.values()]
+    groups = [(k.q, k.u, k.ud, k.inputs, k.p, k.multipliers, k.reactions) for k in known]
+    return {e.symbol: e.unit for of_one in groups for group in of_one for e in group if e.unit}
 
 
 def _operations(model: Model) -> int:

@@ -4,7 +4,7 @@
     spring N/m,   torsion spring N m/rad,   damper N s/m,   friction 1
 
 Angles have no dimension. Where a unit is not stated, or a coordinate enters, nothing is known and
-nothing is said: published equations are therefore not checked.
+nothing is said; published equations are checked by `mechanics.checks.dimensions`.
 """
 
 from __future__ import annotations
@@ -35,7 +35,7 @@ def check_units(scene: Scene) -> None:
     SceneError
         Names what is declared, its expression, and the unit that it must have.
     """
-    for where, expression, unit in _declared(scene):
+    for where, expression, unit in declared(scene):
         found = dimension(scene, expression, where)
         if found is not None and found != dimension_of_unit(unit, where):
             raise SceneError(
@@ -84,7 +84,7 @@ def _sum(scene: Scene, expression: Add, where: str) -> Dimension | None:
     return known
 
 
-def _declared(scene: Scene) -> Iterator[tuple[str, Expr, str]]:
+def declared(scene: Scene) -> Iterator[tuple[str, Expr, str]]:
     """What is declared, its expression, and the unit that it must have."""
     for body in scene.bodies:
         where = f"body {body.name}"
