@@ -12,6 +12,7 @@ from sympy import Expr, S, sympify
 from sympy.physics.vector import Dyadic, Vector
 
 from mechanics.scene import (
+    Coulomb,
     Damper,
     Force,
     Gravity,
@@ -85,6 +86,9 @@ def _load(scene: Scene, load: Load, share: Expr) -> Iterator[tuple[str, Expr | N
         case Damper():
             scaled = replace(load, coefficient=share * load.coefficient)
             yield f"damper {load.name}", load.coefficient, "N s/m", scaled
+        case Coulomb():
+            scaled = replace(load, coefficient=share * load.coefficient)
+            yield f"friction {load.name}", load.coefficient, "1", scaled
         case Force() | Torque():
             if not _only_inputs(scene, load.vector):
                 kind = "force" if isinstance(load, Force) else "torque"

@@ -165,3 +165,13 @@ def test_axes_and_gravity_stand_where_nothing_else_is(name: str) -> None:
     low = np.array(corner.split(), dtype=float)
     found = strokes(drawn, "(?:line|body|rod|rim|motion|force)")
     assert not any(np.any(np.all((line > low) & (line < low + CORNER), axis=1)) for line in found)
+
+
+@pytest.mark.parametrize("side", [1, -1])
+def test_friction_points_against_the_sliding(side: int) -> None:
+    text = drawing(scenes()["cartpole_friction"], {"x_dot": side, "theta": 0.1})
+    # Gravity is vertical; the arrow of the friction is the one that is 40 pixels long.
+    arrows = [line for line in strokes(text, "force") if len(line) == 2]
+    (arrow,) = (line for line in arrows if abs(abs(line[1, 0] - line[0, 0]) - 40) < 0.2)
+    assert np.sign(arrow[1, 0] - arrow[0, 0]) == -side
+    assert arrow[0, 1] == pytest.approx(arrow[1, 1])
