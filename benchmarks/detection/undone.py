@@ -10,7 +10,7 @@ simplify what they are made of: there a mistake is as large as what is left of i
 
 from dataclasses import dataclass
 
-from sympy import Expr
+from sympy import Add, Expr, Mul
 from sympy.matrices import MatrixBase
 
 from benchmarks.detection.case import Case
@@ -99,15 +99,17 @@ def distance(one: Expr, two: Expr) -> int:
     """Size of the edits that lead from one expression to another, by what they have in common."""
     if one == two:
         return 0
-    if one.func != two.func or not one.args:
-        return 1 if one.args == two.args or not (one.args or two.args) else SIZES[Mistake.TERM]
-    if not (one.is_Add or one.is_Mul):
+    for kind, size in ((Add, SIZES[Mistake.EXTRA]), (Mul, 1)):
+        if isinstance(one, kind) or isinstance(two, kind):
+            parts, others = kind.make_args(one), kind.make_args(two)
+            here = [part for part in parts if part not in others]
+            there = [part for part in others if part not in parts]
+            if len(here) == len(there) == 1:
+                return distance(here[0], there[0])
+            return size * (len(here) + len(there))
+    if one.func == two.func and one.args:
         return sum(distance(a, b) for a, b in zip(one.args, two.args, strict=False))
-    here, there = ([a for a in x.args if a not in y.args] for x, y in ((one, two), (two, one)))
-    if len(here) == len(there) == 1:
-        return distance(here[0], there[0])
-    size = SIZES[Mistake.EXTRA] if one.is_Add else 1
-    return size * (len(here) + len(there))
+    return 1 if one.args == two.args else SIZES[Mistake.TERM]
 
 
 def _entries(side: object) -> list:

@@ -1,23 +1,32 @@
 """The campaign of mutants and rewritings on a small sample: its goals, and why to trust it."""
 
+import json
 from collections.abc import Sequence
 from fractions import Fraction
+from pathlib import Path
 from random import Random
 
 import pytest
-from sympy import Symbol
+from sympy import Symbol, cos, sin, symbols, sympify
 
 from benchmarks.detection import __main__ as campaign
 from benchmarks.detection.case import NothingToDrawError, case
 from benchmarks.detection.equivalent import same
-from benchmarks.detection.figures import line, missed, summary, tables
+from benchmarks.detection.figures import line, mended, missed, summary, tables
 from benchmarks.detection.forms.every import FORMS
 from benchmarks.detection.mutate import KINDS, mutations
 from benchmarks.detection.rows import Row, holds, subject
 from benchmarks.detection.tree import at, negative, number, places, product, put, read, written
 from benchmarks.detection.trial import Result, judged
+from benchmarks.detection.undone import distance, undone
 from benchmarks.detection.vocabulary import vocabulary
+from mechanics.blame.result import Blame, Edit, Mistake, Repair
+from mechanics.crosscheck.check import Judged
 from mechanics.errors import MechanicsError
+from mechanics.exact import Finding, Verdict
+from mechanics.reading.statement import Statement
+from mechanics.scene.published import published
+from mechanics.scene.quantities import EquationOfMotion
 from systems import ALL
 
 NAMES = tuple(system.name for system in ALL)
@@ -129,6 +138,78 @@ def test_what_cannot_be_drawn_is_told() -> None:
     known = vocabulary(about.scene)
     assert all(not mutations(kind, nothing.trees, known) for kind, _ in KINDS)
     assert issubclass(NothingToDrawError, ValueError)
+
+
+def test_the_first_repair_undoes_what_was_done() -> None:
+    found = list(campaign.run([f"m{i}" for i in range(30)], 2, BLAMED, 30))
+    assert [line(r) for r in found if len(r.kinds) == 1 and missed(r)] == []
+    double = [r for r in found if len(r.kinds) == 2]
+    assert sum(mended(r) for r in double) >= 0.9 * len(double)
+
+
+def judged_repair(edits: Sequence[Mistake], sides: Sequence[str], kind: str = "sign") -> str:
+    """How a repair of an acceleration of the rod is judged."""
+    drawn = next(c for i in range(300) if (c := case(f"m{i}", 2, ["rod_pendulum"])).kinds == (kind,)
+                 and c.row.about == "acceleration" and c.form == "LaTeX")  # fmt: skip
+    scene = drawn.about.scene
+    names = {s.name: s for s in (*scene.q, *scene.u, *scene.ud, *scene.input_symbols,
+                                 *scene.parameters)}  # fmt: skip
+    typed = tuple(sympify(side, locals=names) for side in sides)
+    row = published("1", EquationOfMotion(), *typed, label="")
+    finding = Finding("", Verdict.PROVED, "")
+    repair = Repair(tuple(Edit(m, "a", "b") for m in edits), "", finding, row)
+    statement = Statement(row, "", "1")
+    blamed = Judged(statement, finding, (), Blame((), (repair,)))
+    return undone(drawn, blamed, 0.0).how
+
+
+RIGHT = ("theta_ddot", "3*g/(2*l)*sin(theta) + 3*u/(m*l**2)")
+SCALED = ("2*theta_ddot", "3*g/l*sin(theta) + 6*u/(m*l**2)")
+WRONG = ("theta_ddot", "3*g/(2*l)*sin(theta)")
+
+
+@pytest.mark.parametrize(
+    ("edits", "sides", "how"),
+    [
+        ([Mistake.SIGN], RIGHT, "exactly"),
+        ([Mistake.SIGN], SCALED, "as good"),
+        ([Mistake.MISSING], SCALED, "edits of sizes [2] for mistakes of sizes [1]"),
+        ([Mistake.SIGN, Mistake.FACTOR], SCALED, "2 edits for 1 mistakes"),
+        ([Mistake.SIGN], WRONG, "the repair is shown, but wrong at independent states"),
+    ],
+)
+def test_a_repair_is_judged(edits: Sequence[Mistake], sides: Sequence[str], how: str) -> None:
+    assert judged_repair(edits, sides) == how
+
+
+def test_mistakes_in_what_simplifies_are_as_large_as_they_are_seen() -> None:
+    x, y, z = symbols("x y z")
+    assert distance(x + y, x + y) == 0
+    assert distance(x * sin(y), x * cos(y)) == 1
+    assert distance(x * y**2 + z, x * y**3 + z) == 1
+    assert distance(x + y + z, x) == 4
+    assert distance(x**3, x**2 * y) == 3
+
+
+def test_one_command_prints_everything(
+    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    file = tmp_path / "results.json"
+    sizes = ["--count", "4", "--rewritings", "2", "--conventions", "1", "--blame", "1"]
+    words = ["detection", *sizes, "--systems", "cartpole", "--seed", "2", "--json", str(file)]
+    monkeypatch.setattr("sys.argv", words)
+    campaign.main()
+    printed = capsys.readouterr().out
+    assert "| wrong mutants REFUTED | 100.00 % (4 of 4) | 100 % |" in printed
+    assert "0 misses" in printed
+    assert [entry["name"] for entry in json.loads(file.read_text())] == [
+        "m0", "m1", "m2", "m3", "r0", "r1", "c0",
+    ]  # fmt: skip
+    monkeypatch.setattr("sys.argv", [*words[:1], *words[9:13], "--only", "m2"])
+    campaign.main()
+    again = capsys.readouterr().out
+    assert again.startswith("m2 cartpole")
+    assert "mistake made" in again
 
 
 def test_figures_are_printed(capsys: pytest.CaptureFixture[str]) -> None:
