@@ -1,4 +1,4 @@
-"""Which right equation was meant: the one that leaves the fewest different terms.
+"""Which right equation was meant: the one with the smallest share of different terms.
 
     written  ~  factor * row,      factor = rational * monomial
 
@@ -73,14 +73,15 @@ class Meant:
         return difference(self.written, self.right)
 
 
-Rank = tuple[int, int, int, int, bool]
+Rank = tuple[Fraction, int, int, int, bool]
+"""Share of the terms that differ, accelerations among them, how odd the factor is, the place."""
 
 
 def nearest(
     written: Terms, candidates: Iterable[Candidate], moving: Collection[Symbol],
     accelerations: Collection[Symbol],
 ) -> Meant | None:  # fmt: skip
-    """The candidate and its factor that leave the fewest different terms; the first of equals.
+    """The candidate and its factor with the smallest share of different terms; the first of equals.
 
     Parameters
     ----------
@@ -100,20 +101,22 @@ def nearest(
     best: tuple[Rank, Candidate, Monomial, Fraction] | None = None
     for place, candidate in enumerate(candidates):
         right = candidate.terms
-        if best is not None and _fewest(written, candidate, fast) > best[0][0]:
+        size = max(len(written) + len(right), 1)
+        if best is not None and Fraction(_fewest(written, candidate, fast), size) > best[0][0]:
             continue
         for monomial, factor, votes in _factors(written, candidate, fast):
             # So many terms are left at least: each vote is for one that agrees.
-            fewest = max(len(written), len(right)) - votes
+            fewest = Fraction(max(len(written), len(right)) - votes, size)
             if best is not None and fewest > best[0][0] and not _turns(monomial):
                 continue
             left = difference(written, product(right, monomial, factor))
             if _near(written, left, monomial):
+                share = Fraction(len(left), size)
                 held = _held(left, lead)
-                rank = len(left), held, _odd(monomial, factor), place, factor < 0
+                rank = share, held, _odd(monomial, factor), place, factor < 0
                 if best is None or rank < best[0]:
                     best = rank, candidate, monomial, factor
-        if best is not None and best[0][0] <= 1:
+        if best is not None and best[0][0] * size <= 1:
             break  # nothing is nearer than one term
     if best is None:
         return None
