@@ -36,12 +36,15 @@ class Edit:
         What has to stand there; empty where a term is too many.
     span : tuple of int or None
         Where it stands in the source of the statement, from and to; None for code and objects.
+    definition : str
+        Name of the person's definition that it stands in; empty for the statement itself.
     """
 
     mistake: Mistake
     written: str
     right: str
     span: tuple[int, int] | None = None
+    definition: str = ""
 
 
 @dataclass(frozen=True)

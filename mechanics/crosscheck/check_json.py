@@ -20,7 +20,8 @@ r"""What became of a person's equations, as JSON, stable.
 | repairs | the smallest changes, all equally small, the likeliest first: list of `edits`, the whole
   statement as `repaired`, and its `verdict`, `evidence`, `error_bound` |
 | edits | list of `mistake`, a word of `mechanics.blame.result.Mistake`, its `sentence`, `written`,
-  `right`, and `span`: where it stands in `source`, `[from, to]`, or null |
+  `right`, `definition`: the name of the person's definition that it stands in, or empty, and
+  `span`: where it stands in `source`, `[from, to]`, or null |
 
 Formulas are in the person's own notation. `written` is empty for a missing term, `right` for one
 too many. Keys are only ever added.
@@ -93,5 +94,6 @@ def _edit(edit: Edit) -> dict[str, Any]:
         "sentence": edit.mistake.value,
         "written": edit.written,
         "right": edit.right,
+        "definition": edit.definition,
         "span": None if edit.span is None else list(edit.span),
     }

@@ -88,5 +88,5 @@ def test_an_edit_of_a_definition_says_so() -> None:
     M \frac{L}{2} \ddot{x} \cos \theta + I_B \ddot{\theta} + M g \frac{L}{2} \sin \theta &= 0
     \end{align}"""
     found = check(elastic_pendulum.scene(), text)
-    assert "in the definition of I_B: the factor is wrong\n    then PROVED\n" in str(found)
+    assert "write 3 for 12 in the definition of I_B: the factor is wrong\n" in str(found)
     assert "in the definition of <math" in check_html(found)

@@ -14,7 +14,9 @@ STATEMENT = {
 BLAME = {"differences": list, "repairs": list, "explanations": list, "searched": str}
 DIFFERENCE = {"group": str, "written": str, "right": str, "origin": list}
 REPAIR = {"edits": list, "repaired": str, "verdict": str, "evidence": str, "error_bound": float}
-EDIT = {"mistake": str, "sentence": str, "written": str, "right": str, "span": list}
+EDIT = {
+    "mistake": str, "sentence": str, "written": str, "right": str, "definition": str, "span": list,
+}  # fmt: skip
 
 
 def fits(found: dict[str, Any], schema: dict[str, type]) -> bool:
@@ -53,7 +55,7 @@ def test_values(answered: Check) -> None:
     assert first["verdict"] == "PROVED"
     assert first["edits"][0] == {
         "mistake": "FACTOR", "sentence": Mistake.FACTOR.value, "written": "12", "right": "3",
-        "span": first["edits"][0]["span"],
+        "definition": "", "span": first["edits"][0]["span"],
     }  # fmt: skip
     assert seven["blame"]["differences"][2] == {
         "group": "gravity", "written": "", "right": r"M g \frac{L}{2} \sin \theta",

@@ -139,6 +139,9 @@ def test_wrong_and_right_stand_inside_the_formula() -> None:
         ("L**2", "L", [("wrong", "L2"), ("right", "L")]),
         ("- k*x", "", [("wrong", "−kx")]),
         ("k*x", "", [("wrong", "kx")]),
+        ("k*", "", [("wrong", "k")]),
+        ("*theta''", "", [("wrong", "θ¨")]),
+        ("- k*x", "+ k*x", [("wrong", "−kx"), ("right", "+kx")]),
     ],
 )
 def test_text_is_typeset_and_marked(written: str, right: str, found: list[tuple[str, str]]) -> None:

@@ -19,32 +19,19 @@ def order(edit: Edit) -> tuple[tuple[str, str], ...]:
     return (("write", edit.right), ("for", edit.written))
 
 
-def counted(edits: Sequence[Edit], statement: Statement) -> list[tuple[Edit, str]]:
+def counted(edits: Sequence[Edit]) -> list[tuple[Edit, str]]:
     """Edits that read alike once, with where they belong in words, where that has to be said."""
-    alike: dict[tuple[str, str, str], list[Edit]] = {}
+    alike: dict[tuple[str, str, str, str], list[Edit]] = {}
     for edit in edits:
-        alike.setdefault((edit.mistake.name, edit.written, edit.right), []).append(edit)
-    return [
-        (
-            found[0],
-            f"in {len(found)} places" if len(found) > 1 else _definition(found[0], statement),
-        )
-        for found in alike.values()
-    ]
+        key = (edit.mistake.name, edit.written, edit.right, edit.definition)
+        alike.setdefault(key, []).append(edit)
+    return [(found[0], _where(found[0], len(found))) for found in alike.values()]
 
 
-def _definition(edit: Edit, statement: Statement) -> str:
-    """The one definition of the person that holds what is to be changed; empty for the statement's
-    own text, and where that is not plain.
-    """
-    written = statement.written
-    if written is None or edit.span is not None or not edit.written:
-        return ""
-    if edit.written in statement.source:
-        return ""
-    texts = ((name, written.text[max(node.at, 0) : node.end]) for name, node in written.definitions)
-    names = [name for name, text in texts if edit.written in " ".join(text.split())]
-    return f"in the definition of {names[0]}" if len(names) == 1 else ""
+def _where(edit: Edit, count: int) -> str:
+    words = [f"in {count} places"] if count > 1 else []
+    words += [f"in the definition of {edit.definition}"] if edit.definition else []
+    return " ".join(words)
 
 
 def about(statement: Statement) -> str:

@@ -117,18 +117,13 @@ def _blame(blame: Blame, statement: Statement) -> Iterator[RenderableType]:
 
 
 def _repair(repair: Repair, statement: Statement, *, first: bool) -> Iterator[RenderableType]:
-    for n, (edit, where) in enumerate(counted(repair.edits, statement)):
+    for n, (edit, where) in enumerate(counted(repair.edits)):
         lead = "and " if n else "" if first else "or "
         yield below(_edit(edit, lead, where))
     if not first and any(_ambiguous(edit, statement.source) for edit in repair.edits):
         yield _source(statement.source, repair.edits)
     verdict = repair.finding.verdict.name
-    changed = _bare(repair.repaired) != _bare(statement.source)
-    yield below(line(f"then {verdict}: {repair.repaired}" if changed else f"then {verdict}", "dim"))
-
-
-def _bare(text: str) -> str:
-    return "".join(text.replace("&", "").split())
+    yield below(line(f"then {verdict}: {repair.repaired}", "dim"))
 
 
 def _ambiguous(edit: Edit, source: str) -> bool:

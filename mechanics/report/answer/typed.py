@@ -56,7 +56,9 @@ class Hand:
         if self.notation == "latex":
             return marked(pieces(source, edits))
         sides = self._sides(source)
-        right = {e.span: self.latex(e.right) if e.right else "" for e in edits if e.span}
+        right = {
+            _inside(source, e.span): self.latex(e.right) if e.right else "" for e in edits if e.span
+        }
         if sides is None or None in right.values():
             return None
         setter = TreeLatex({span: text or "" for span, text in right.items()})
@@ -72,6 +74,13 @@ class Hand:
             return None
         (line,) = lines if len(lines) == 1 else (None,)
         return line.sides if isinstance(line, Line) else None
+
+
+def _inside(source: str, span: tuple[int, int]) -> tuple[int, int]:
+    """A span without the signs of multiplication at its ends, which are no part of a factor."""
+    text = source[slice(*span)]
+    start = span[0] + len(text) - len(text.lstrip(" *"))
+    return (start, start + len(text.strip(" *"))) if text.strip(" *") else span
 
 
 def hand_of(statement: Statement) -> Hand:
