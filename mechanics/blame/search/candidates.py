@@ -163,7 +163,7 @@ class Candidates:
         for ratio in dict.fromkeys((*RATIOS, 1 / node.value**2)):
             value = node.value * ratio
             found = scaled(self.sheets, index, ratio)
-            number = Number(node.at, value)
+            number = None if value == 1 and self._in_product(index) else Number(node.at, value)
             yield self._change(index, number, Mistake.FACTOR, TOKEN + size_of(value), found)
         above = self.forest.parent[index]
         if above >= 0 and isinstance(self.forest.nodes[above], Sum):
@@ -172,6 +172,10 @@ class Candidates:
                 values = tuple((v + step) % self._p for v in self._has(index))
                 number = Number(node.at, value)
                 yield self._change(index, number, Mistake.FACTOR, TOKEN + HINT, values)
+
+    def _in_product(self, index: int) -> bool:
+        above = self.forest.parent[index]
+        return above >= 0 and isinstance(self.forest.nodes[above], Product)
 
     def _exponent(self, index: int, node: Power) -> Iterator[Change]:
         """Exponents one and two away, and of the other sign."""

@@ -105,7 +105,9 @@ class Missing:
         forest = self.problem.forest
         node, above = forest.nodes[index], forest.parent[index]
         side = forest.term(index) and not forest.place[index][1]
-        below = above >= 0 and isinstance(forest.nodes[above], Power)
+        around = forest.nodes[above] if above >= 0 else None
+        inner = isinstance(node, Product) and isinstance(around, Product)
+        below = inner or isinstance(around, Power)
         if not forest.written(index) or not (isinstance(node, Sum) or side or below):
             return None
         if not forest.single(index):
@@ -131,6 +133,9 @@ class Missing:
                 for word in chosen:
                     series = self._over(series, word)
                 yield from self._product(series, [word.name for word in chosen])
+        for divisor, values in self.growth.divisors:
+            series = {s: value * values[s] % self._p for s, value in lacks.items()}
+            yield from self._product(series, [divisor])
 
     def _over(self, lacks: Series, word: Word) -> Series:
         """A series divided by an acceleration, which is another one at each point."""

@@ -7,8 +7,10 @@ import re
 from collections.abc import Sequence
 
 from mechanics.blame.result import Repair
+from mechanics.blame.search.change import Change
 from mechanics.blame.search.claim import Claim, edited_claim
 from mechanics.blame.search.find import Solution
+from mechanics.blame.search.forest import Forest
 from mechanics.blame.search.point import Family, Point, at_points
 from mechanics.blame.search.spell import Spelling
 from mechanics.blame.search.told import spliced, told
@@ -18,21 +20,22 @@ from mechanics.reading.place import Refused
 from mechanics.reading.tree import parts
 from mechanics.reading.written import Trees, row_of
 from mechanics.scene.published import Published
-from mechanics.scene.quantities import EquationOfMotion
+from mechanics.scene.quantities import EquationOfMotion, Identity
 
 SIGN = re.compile(r"[-+\u2212]\s*$")
 
 
 def edited_row(claim: Claim, chosen: Sequence[Solution]) -> tuple[Published, Trees] | None:
     """The row with all edits put in, and its trees; None where it has no value."""
-    changes = [
-        (solution.problem.forest, change) for solution in chosen for change in solution.changes
-    ]
-    new = edited_claim(claim, changes)
+    new = edited_claim(claim, _changes(chosen))
     try:
         return row_of(claim.row, new.written, new.entries), new.entries
     except Refused:
         return None
+
+
+def _changes(chosen: Sequence[Solution]) -> list[tuple[Forest, Change]]:
+    return [(solution.problem.forest, change) for solution in chosen for change in solution.changes]
 
 
 def proved(claim: Claim, chosen: Sequence[Solution], source: str) -> Repair | None:
@@ -55,16 +58,22 @@ def proved(claim: Claim, chosen: Sequence[Solution], source: str) -> Repair | No
         for solution in chosen
         for change in solution.changes
     )
-    return Repair(edits, spliced(spelling, source, edits, entries), finding, row)
+    new = edited_claim(claim, _changes(chosen))
+    words = spliced(spelling, source, edits, entries)
+    for name in dict.fromkeys(edit.definition for edit in edits if edit.definition):
+        words += f", with {name} = {spelling(new.definitions[name])}"
+    return Repair(edits, words, finding, row)
 
 
 def _says_nothing(claim: Claim, row: Published) -> bool:
     """Whether an equation of motion holds for free accelerations, too: one that was multiplied by
     zero, or became an identity.
     """
+    first, *others = row.sides
+    if isinstance(row.quantity, Identity):
+        return all(first == side for side in others)
     if not isinstance(row.quantity, EquationOfMotion):
         return False
-    first, *others = row.sides
 
     def vanish(points: list[Point]) -> bool:
         (point,) = points

@@ -16,11 +16,18 @@ from mechanics.reading.tree import Call, Node, Power, Product, Sum
 from mechanics.reading.written import Trees
 
 SIGN = re.compile(r"[-+\u2212]\s*$")
+TIMES_AFTER = re.compile(r"\s*(?:\.?\*(?!\*)|\\cdot(?![A-Za-z])|\\times(?![A-Za-z]))\s*")
+TIMES_BEFORE = re.compile(r"\s*(?:(?<!\*)\.?\*|\\cdot|\\times)\s*$")
 Span = tuple[int, int]
 
 
 def told(claim: Claim, spelling: Spelling, forest: Forest, change: Change) -> Edit:
     """An edit as a person makes it."""
+    home = forest.place[change.index][0]
+    if isinstance(home, str):
+        # It stands elsewhere, so that a sign alone would say nothing.
+        old, fitting = spelling(forest.nodes[change.index]), _fitting(forest, change, spelling)
+        return Edit(change.mistake, old, fitting, None, home)
     node, new = forest.nodes[change.index], change.node
     span = spelling.span(node)
     sign = None if span is None else _sign_before(claim, span)
@@ -38,7 +45,9 @@ def told(claim: Claim, spelling: Spelling, forest: Forest, change: Change) -> Ed
     if new is None:
         if sign is not None and isinstance(forest.nodes[forest.parent[change.index]], Sum):
             written, span = f"{claim.written.text[sign[0]]} {written}", (sign[0], span[1])
-        return _edit(claim, change, written, "", span)
+            return _edit(claim, change, written, "", span)
+        span, right = _left_out(claim.written.text, span)
+        return _edit(claim, change, written, right, span)
     if hidden_minus(node) and is_minus(new):
         return _edit(claim, change, written, spelling(minus(new)), span)
     in_sum = forest.parent[change.index] >= 0 and isinstance(
@@ -48,6 +57,17 @@ def told(claim: Claim, spelling: Spelling, forest: Forest, change: Change) -> Ed
         written = f"{claim.written.text[sign[0]]} {written}"
         return _edit(claim, change, written, _signed(spelling, new), (sign[0], span[1]))
     return _edit(claim, change, written, _fitting(forest, change, spelling), span)
+
+
+def _left_out(text: str, span: Span) -> tuple[Span, str]:
+    """Where a factor is left out, with the sign of multiplication; what has to stand there."""
+    start, end = span
+    if after := TIMES_AFTER.match(text, end):
+        return (start, after.end()), ""
+    if before := TIMES_BEFORE.search(text, 0, start):
+        return (before.start(), end), ""
+    alone = text[:start].rstrip()[-1:] in ("{", "/") and text[end:].lstrip()[:1] in ("}", "")
+    return span, "1" if alone or text[:start].rstrip()[-1:] == "/" else ""
 
 
 def _edit(claim: Claim, change: Change, written: str, right: str, span: Span | None) -> Edit:
@@ -113,9 +133,10 @@ def _within(claim: Claim, span: Span | None) -> Span | None:
 
 def spliced(spelling: Spelling, source: str, edits: Sequence[Edit], entries: Trees) -> str:
     """The source with the edits put in; spelled anew where they have no place there."""
-    spans = sorted((edit.span, edit.right) for edit in edits if edit.span is not None)
+    here = [edit for edit in edits if not edit.definition]
+    spans = sorted((edit.span, edit.right) for edit in here if edit.span is not None)
     apart = all(a[0][1] <= b[0][0] for a, b in pairwise(spans))
-    if len(spans) < len(edits) or not apart:
+    if len(spans) < len(here) or not apart:
         return " = ".join(spelling(entry) for entry in entries)
     found, at = "", 0
     for (start, end), right in spans:
