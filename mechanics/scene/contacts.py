@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING
 from sympy import Symbol
 
 from mechanics.errors import SceneError
+from mechanics.exact import canonical
 from mechanics.scene.loads import Coulomb
 
 if TYPE_CHECKING:
@@ -32,6 +33,11 @@ def check_contacts(scene: Scene) -> None:
     for load in loads:
         _normal(scene, load)
         _pressed(scene, load)
+        if canonical(scene.plain(load.sliding, load.name)) == 0:
+            raise SceneError(
+                f"load {load.name}: nothing slides there, so that it does nothing: give the sliding"
+                " velocity, or leave the friction out"
+            )
         if scene.plain(load.coefficient, load.name).is_negative:
             raise SceneError(
                 f"load {load.name}: the coefficient {load.coefficient} is negative: friction takes"

@@ -82,6 +82,10 @@ REFUSED = {
     ),
     "negative": (lambda: block(rubs(coefficient=-mu)), "load f coefficient -mu negative"),
     "with a unit": (lambda: block(rubs(coefficient=k)), "load f, coefficient k unit not 1"),
+    "no sliding": (
+        lambda: block(rubs(sliding=x.diff() - x.diff())),
+        "load f nothing slides there",
+    ),
     "no unit vector": (lambda: block(rubs(along=2 * N.x)), "load f direction unit vector"),
     "an acceleration": (
         lambda: block(rubs(sliding=x.diff().diff())),
