@@ -92,15 +92,24 @@ def _state(truth: Equations, box: BlackBox, source: random.Random) -> State:
 
 
 def _called(ready: Box, state: State) -> np.ndarray | None:
-    """What the box returns at a state, as rates; None where it fails or gives no finite numbers."""
+    """What the box returns at a state, as rates; None where it has no finite numbers.
+
+    Raises
+    ------
+    InputError
+        When it fails in a way that no state excuses.
+    """
     arguments: dict[str, Any] = {}
     for name, value in ready.arguments.values.items():
         numbers = [state[str(symbol)] for symbol in entries(value)]
         arguments[name] = np.array(numbers) if isinstance(value, tuple) else numbers[0]
     try:
         result = np.asarray(ready.box.function(**arguments), dtype=float).reshape(-1)
-    except (ArithmeticError, ValueError, TypeError, AssertionError):
-        return None
+    except (ArithmeticError, ValueError, AssertionError):
+        return None  # it has no value there, and others are drawn
+    except Exception as error:
+        words = " ".join(str(error).split())
+        raise InputError(f"black box {ready.box.title}: {type(error).__name__}: {words}") from None
     before = [state[str(symbol)] for symbol in ready.arguments.state]
     if ready.box.step and len(before) == len(result):
         result = (result - before) / ready.box.step

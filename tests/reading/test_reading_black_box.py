@@ -9,7 +9,7 @@ import mechanics
 from mechanics import BlackBox
 from mechanics.crosscheck.check import derived
 from mechanics.errors import InputError
-from systems import pendulum_chain
+from systems import elastic_pendulum, pendulum_chain
 
 CART = derived(pendulum_chain.scene(1))
 VALUES = {"m0": 2.0, "m1": 0.5, "l0": 0.7, "g": 9.8}
@@ -52,3 +52,55 @@ def test_what_is_inside_has_to_be_told() -> None:
         mechanics.check(CART, BlackBox(simulator), names=NAMES | {"sign": "q0"})
     with pytest.raises(InputError, match="the scene has no parameter 'gravity'"):
         mechanics.check(CART, BlackBox(simulator, {"gravity": 9.8}), names=NAMES | {"sign": "q0"})
+
+
+def test_what_a_box_raises_is_one_line() -> None:
+    def broken(state, force):
+        return [state[0], {}["mass"]]
+
+    with pytest.raises(InputError, match=r"^black box broken: KeyError: 'mass'$"):
+        mechanics.check(CART, BlackBox(broken, VALUES), names=NAMES)
+
+    def nowhere(state, force):
+        raise ValueError("out of bounds")
+
+    with pytest.raises(InputError, match="black box nowhere: it fails at each of 200 states"):
+        mechanics.check(CART, BlackBox(nowhere, VALUES), names=NAMES)
+
+
+@pytest.mark.parametrize(
+    ("options", "words"),
+    [
+        ({"step": -1.0}, "the step -1.0 s is no time"),
+        ({"step": math.nan}, "is no time"),
+        ({"integrator": "leapfrog"}, "it can be euler, semi-implicit euler, rk4"),
+    ],
+)
+def test_a_step_is_a_time_and_its_integrator_is_known(options: dict, words: str) -> None:
+    with pytest.raises(InputError, match=re.escape(words)):
+        BlackBox(simulator, VALUES, **options)
+
+
+def test_a_step_returns_a_state() -> None:
+    def half(state, force):
+        return simulator(state, force)[1::2]
+
+    with pytest.raises(InputError, match="as many numbers as its argument for the state has, 4; 2"):
+        mechanics.check(CART, BlackBox(half, VALUES, step=0.01), names=NAMES)
+
+
+def test_definitions_of_the_scene_have_their_values() -> None:
+    pendulum = derived(elastic_pendulum.scene())
+
+    def rate(q, u, M, m, L, k, g):
+        c, s = math.cos(float(q[1])), math.sin(float(q[1]))
+        first = M * L / 2 * float(u[1]) ** 2 * s - 2 * k * float(q[0])
+        second = -M * g * L / 2 * s
+        det = (M + m) * M * L**2 / 3 - (M * L / 2 * c) ** 2
+        both = M * L**2 / 3 * first - M * L / 2 * c * second
+        return [both / det, ((M + m) * second - M * L / 2 * c * first) / det]
+
+    found = mechanics.check(pendulum, [BlackBox(rate), "x'' = 0"], blame=False)
+    assert [entry.finding.verdict.name for entry in found.judged] == [
+        "REFUTED", "SUPPORTED", "SUPPORTED",
+    ]  # fmt: skip
