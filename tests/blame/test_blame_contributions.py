@@ -15,7 +15,7 @@ from mechanics.exact import Arithmetic, Finding, decide
 from mechanics.kinematics.manifold import settle
 from mechanics.routes.kane import derive as by_kane
 
-ROUTES = ("free_body", "moving_point", "kane", "lagrange")
+ROUTES = ("free_body", "moving_point", "kane", pytest.param("lagrange", marks=pytest.mark.slow))
 
 
 def along(truth: Equations, expressions: list) -> Finding:
