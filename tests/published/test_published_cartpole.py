@@ -59,6 +59,13 @@ def test_the_code_itself_gets_its_verdict(truth, agree, name: str) -> None:
     agree([v for v, _ in pairs], tuple(p for _, p in pairs))
     found = mechanics.check(truth("cartpole"), function, names=STATE)
     assert [entry.finding.verdict.name for entry in found.judged] == [verdict] * 2
+    meanings = {match.name: match.meaning for match in found.names}
+    assert meanings == {
+        **STATE, "force": "F", "masscart": "mc", "masspole": "mp", "length": "l", "gravity": "g",
+    }  # fmt: skip
+    if name == "Gymnasium":
+        folded = found.judged[0].statement.notes
+        assert folded == ("1.3333333333333333 is read as 4/3",)
 
 
 def test_the_engine_gives_the_right_values(truth, agree, accelerations) -> None:
