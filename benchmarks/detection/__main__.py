@@ -10,6 +10,7 @@ Prints Markdown.
 import argparse
 import json
 import platform
+import sys
 from collections.abc import Iterator, Sequence
 from concurrent.futures import ProcessPoolExecutor
 from dataclasses import asdict
@@ -86,7 +87,11 @@ def main() -> None:
     rewritings = count // 4 if options.rewritings is None else options.rewritings
     conventions = count // 40 if options.conventions is None else options.conventions
     wanted = names(count, rewritings, conventions)
-    results = list(run(wanted, options.seed, options.systems, options.blame, options.jobs))
+    results = []
+    for result in run(wanted, options.seed, options.systems, options.blame, options.jobs):
+        results.append(result)
+        if len(results) % 1000 == 0:
+            print(f"{len(results)} of {len(wanted)}", file=sys.stderr, flush=True)
     print(f"{platform.machine()}, seed {options.seed}, {len(options.systems)} systems:"
           f" {', '.join(options.systems)}\n")  # fmt: skip
     print("\n".join(summary(results)))

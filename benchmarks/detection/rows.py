@@ -79,7 +79,8 @@ class Subject:
         """Right statements, none twice."""
         found: dict[tuple[str, tuple[Tree, ...]], Row] = {}
         for row in self._all():
-            if max(tree.size for tree in row.trees) <= LARGEST and self._known(row):
+            empty = row.equation and row.trees[0] == row.trees[1]
+            if not empty and max(t.size for t in row.trees) <= LARGEST and self._known(row):
                 found.setdefault((row.about, row.trees), row)
         return tuple(row for row in found.values() if holds(self, row, row.trees))
 
@@ -156,25 +157,42 @@ def _derived(about: Subject, route: str) -> Iterator[Row]:
         yield Row(f"{route} {i} = 0", "motion", (read(canonical(one - other)), read(sympy.S.Zero)))
 
 
-def _explicit(about: Subject) -> Iterator[Row]:
-    """u'_i = ..., by Cramer's rule, each numerator and the denominator multiplied out."""
+def _fractions(about: Subject) -> list[tuple[sympy.Expr, sympy.Expr]]:
+    """Numerator and denominator of every acceleration, by Cramer's rule; none for large scenes."""
     left, right = about.free_body.system
     size = len(about.scene.ud)
     if left.rows > size or size > MOST_SOLVED:
-        return
+        return []
     below = canonical(left.det(method="berkowitz"))
-    for i, acceleration in enumerate(about.scene.ud):
+    found = []
+    for i in range(size):
         above = left.copy()
         above[:, i] = right
-        whole = canonical(above.det(method="berkowitz"))
-        for expr in (whole / below, sympy.factor_terms(whole) / sympy.factor_terms(below)):
-            trees = (symbol(acceleration), read(expr))
-            yield Row(f"explicit {acceleration}", "acceleration", trees)
+        found.append((canonical(above.det(method="berkowitz")), below))
+    return found
+
+
+def _explicit(about: Subject) -> Iterator[Row]:
+    """u'_i = ..., each numerator and the denominator multiplied out, and with factors in front."""
+    for u, (above, below) in zip(about.scene.ud, _fractions(about), strict=False):
+        for expr in (above / below, sympy.factor_terms(above) / sympy.factor_terms(below)):
+            yield Row(f"explicit {u}", "acceleration", (symbol(u), read(expr)))
 
 
 def _reactions(about: Subject) -> Iterator[Row]:
+    """As the free bodies give them, multiplied out, and as functions of the state alone."""
+    accelerations = _fractions(about)
+    known: dict[sympy.Symbol, sympy.Expr] = {}
     for reaction, expr in about.free_body.reactions:
-        for form in (expr, canonical(expr)):
+        forms = [expr, canonical(expr)]
+        known[reaction] = whole = expr.xreplace(known)
+        if accelerations and not about.scene.constraints:
+            below = accelerations[0][1]
+            above = whole.xreplace(dict.fromkeys(about.scene.ud, sympy.S.Zero)) * below
+            for u, (number, _) in zip(about.scene.ud, accelerations, strict=True):
+                above += whole.diff(u) * number
+            forms.append(canonical(above) / below)
+        for form in forms:
             yield Row(f"reaction {reaction}", "reaction", (symbol(reaction), read(form)))
 
 

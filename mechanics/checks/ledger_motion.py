@@ -42,7 +42,9 @@ def check_equation(subject: str, sides: Sequence[Expr], equations: Equations) ->
     if found.verdict is Verdict.REFUTED:
         return found
     rates = gradient(scene, sides)
-    static = equal(scene, subject, rates, [S.Zero] * len(rates))
+    # What holds a reaction says what that is, without accelerations too.
+    said = [*rates, *((sides[0] - sides[1]).diff(r.symbol) for r in scene.reactions)]
+    static = equal(scene, subject, said, [S.Zero] * len(said))
     if static.verdict is not Verdict.REFUTED:
         return Finding(
             subject, Verdict.UNDECIDED, "it holds no acceleration, so it is no equation of motion"

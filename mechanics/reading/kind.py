@@ -42,4 +42,6 @@ def kind_of(scene: Scene, sides: tuple[Expr, ...]) -> tuple[Quantity, tuple[Expr
             if slope.is_number and slope != 0:
                 solved = symbol - (sides[0] - sides[1]) / slope
                 return ReactionValue(symbol.name), (solved,), f"solved for {symbol}"
+    if reactions and len(sides) > 1:
+        return EquationOfMotion(), sides, "it holds reactions, so it is looked at along the motion"
     return Identity(), sides, ""
