@@ -8,6 +8,7 @@ scene --> routes --> Equations --> checks --> report
 from mechanics.compiled import Model, compile
 from mechanics.crosscheck import ROUTES, CrossCheck, crosscheck, derive
 from mechanics.crosscheck.check import check
+from mechanics.crosscheck.check_json import to_json as check_json
 from mechanics.crosscheck.fmu import write_fmu
 from mechanics.equations import Equations
 from mechanics.errors import MechanicsError
@@ -16,6 +17,7 @@ from mechanics.export import write_c
 from mechanics.extremes import extremes
 from mechanics.linear import damped_modes, linearise, modes
 from mechanics.reading.code.black_box import BlackBox
+from mechanics.report.answer.page import check_html
 from mechanics.report.html import to_html
 from mechanics.report.json_report import to_json
 from mechanics.scene import (
@@ -57,6 +59,8 @@ __all__ = [
     "Verdict",
     "Witness",
     "check",
+    "check_html",
+    "check_json",
     "compile",
     "condition",
     "crosscheck",

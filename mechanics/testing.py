@@ -12,7 +12,7 @@ from typing import Any
 
 from mechanics.crosscheck.check import check
 from mechanics.equations import Equations
-from mechanics.errors import InputError
+from mechanics.errors import InputError, wanted
 from mechanics.exact import Verdict
 from mechanics.scene import Scene
 from mechanics.scene.system import System
@@ -58,6 +58,8 @@ def assert_equivalent(
     ...                   " - theta'^2*sin(theta)) = 0", elastic_pendulum.scene())
     """
     __tracebackhide__ = True
+    kinds = (Scene, System, Equations)
+    wanted(scene, kinds, "assert_equivalent", "pass the equations, then a scene")
     found = check(scene, equations, **options)
     if not found.judged:
         raise InputError(

@@ -6,6 +6,7 @@ from collections.abc import Callable
 import pytest
 
 import mechanics
+from mechanics.testing import assert_equivalent
 from systems import rocker
 
 SCENE = rocker.scene()
@@ -29,6 +30,12 @@ SCENE = rocker.scene()
         (lambda: mechanics.crosscheck("a.py"), "crosscheck: System or Scene wanted, str found"),
         (lambda: mechanics.check("a.py", ""), "check: Scene or System or Equations wanted, str"),
         (lambda: mechanics.check(SCENE, 3), "check: int found: pass LaTeX, text, a Path, a SymPy"),
+        (lambda: mechanics.check_html(SCENE), "check_html: Check wanted, Scene found: pass check("),
+        (lambda: mechanics.check_json(SCENE), "check_json: Check wanted, Scene found: pass check("),
+        (
+            lambda: assert_equivalent(SCENE, "a = b"),
+            "assert_equivalent: Scene or System or Equations wanted, str found: pass the equations",
+        ),
         (lambda: mechanics.derive("a.py"), "derive: Scene wanted, str found"),
     ],
 )

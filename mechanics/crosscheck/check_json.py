@@ -30,6 +30,7 @@ too many. Keys are only ever added.
 from typing import Any
 
 from mechanics.blame.result import Blame, Edit, Repair
+from mechanics.errors import wanted
 from mechanics.report.answer.check import Check
 from mechanics.report.answer.judged import Judged
 from mechanics.report.json_report import verdict_json
@@ -37,6 +38,7 @@ from mechanics.report.json_report import verdict_json
 
 def to_json(found: Check) -> dict[str, Any]:
     """A result as a tree of dicts, lists, text and numbers that `json.dumps` accepts."""
+    wanted(found, (Check,), "check_json", "pass check(scene, equations)")
     return {
         "scene": found.scene.name,
         "verdict": found.verdict.name,

@@ -52,7 +52,7 @@ class Balanced(HTMLParser):
         assert self.open.pop() == tag
 
 
-@settings(max_examples=150, deadline=None)
+@settings(max_examples=80, deadline=None)
 @given(TYPED, EDITS, st.integers(20, 120))
 def test_the_terminal_has_an_answer(source: str, edits: list[Edit], width: int) -> None:
     witness = Witness(((source, source),), source, source)
@@ -67,7 +67,7 @@ def test_the_terminal_has_an_answer(source: str, edits: list[Edit], width: int) 
     assert max(map(cell_len, text.splitlines())) <= max(width, 24)
 
 
-@settings(max_examples=150, deadline=None)
+@settings(max_examples=80, deadline=None)
 @given(TYPED, EDITS, HANDS)
 def test_the_page_has_an_answer(source: str, edits: list[Edit], hand: Hand) -> None:
     for shown in (equation(source, hand, edits), formula(source, hand), block(source, hand)):
@@ -77,13 +77,13 @@ def test_the_page_has_an_answer(source: str, edits: list[Edit], hand: Hand) -> N
         assert strange <= {"div", "p", "code", "del", "ins", "wbr"}
 
 
-@settings(max_examples=150, deadline=None)
+@settings(max_examples=80, deadline=None)
 @given(TYPED, EDITS)
 def test_pieces_are_the_source_again(source: str, edits: list[Edit]) -> None:
     assert "".join(piece.text for piece in pieces(source, edits)) == source
 
 
-@settings(max_examples=150, deadline=None)
+@settings(max_examples=80, deadline=None)
 @given(TYPED, EDITS)
 def test_places_hold_what_is_to_be_changed(source: str, edits: list[Edit]) -> None:
     loose = [Edit(edit.mistake, edit.written, edit.right) for edit in edits]

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from markupsafe import Markup
 
 from mechanics.equations import Equations, Line
+from mechanics.errors import wanted
 from mechanics.report import words
 from mechanics.report.answer import typed
 from mechanics.report.answer.check import Check
@@ -48,6 +49,7 @@ def check_html(found: Check) -> str:
     str
         A whole page.
     """
+    wanted(found, (Check,), "check_html", "pass check(scene, equations)")
     made = environment()
     made.globals.update(block=typed.block, counted=counted, formula=typed.formula, order=order)
     state = dict(found.scene.example)
