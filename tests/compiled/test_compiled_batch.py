@@ -2,6 +2,7 @@
 
 import shutil
 from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
 
 import casadi as ca
 import numpy as np
@@ -13,8 +14,9 @@ from mechanics.compiled.c.lanes import FAR, WILD
 from mechanics.compiled.c.sine import LIMIT
 from mechanics.compiled.calls.many_states import MANY
 from mechanics.compiled.machine.batch import BatchKernel
+from mechanics.compiled.machine.vectorised import settings
 from mechanics.compiled.programs.program import program, run
-from mechanics.errors import InputError, SingularError
+from mechanics.errors import CompilerError, InputError, SingularError
 from mechanics.routes import kane
 from systems import rocker
 
@@ -313,3 +315,14 @@ def test_a_number_of_threads_that_is_none_is_refused(threads: float) -> None:
     states = np.zeros((4, 1))
     with pytest.raises(InputError, match=r"threads: .* found: a whole number from 1 on"):
         model.forward_dynamics(states, states, inputs=np.zeros((4, 1)), threads=threads)
+
+
+def test_settings_are_asked_for_without_writing_a_file(tmp_path: Path) -> None:
+    """A compiler that refuses a setting removes its output, which must not be a device."""
+    asked, stand_in = tmp_path / "asked", tmp_path / "cc"
+    stand_in.write_text(f'#!/bin/sh\necho "$@" >> "{asked}"\nexit 1\n', encoding="utf-8")
+    stand_in.chmod(0o755)
+    with pytest.raises(CompilerError, match="does not know -O3"):
+        settings(str(stand_in))
+    lines = asked.read_text(encoding="utf-8").splitlines()
+    assert lines and all("-fsyntax-only" in line and "-o" not in line.split() for line in lines)

@@ -5,6 +5,7 @@ clang  file.c:LINE:5: remark: vectorized loop (vectorization width: 8, interleav
 """
 
 import functools
+import os
 import re
 import subprocess
 from dataclasses import dataclass
@@ -57,7 +58,8 @@ def family(compiler: str) -> str:
 def settings(compiler: str) -> str:
     """Optimisation for vectors of this machine, the first of `SETTINGS` that the compiler knows."""
     for known in SETTINGS:
-        command = [compiler, *known.split(), "-x", "c", "-c", "/dev/null", "-o", "/dev/null"]
+        # Nothing is written: a compiler removes what it could not write, /dev/null among it.
+        command = [compiler, *known.split(), "-x", "c", "-fsyntax-only", os.devnull]
         if _said(command).returncode == 0:
             return known
     raise CompilerError(
