@@ -6,8 +6,6 @@ A row that holds only when the scene's definitions (I_C for what the shapes give
 proved too; its evidence says so. A rounded number stands for all that round to it.
 """
 
-from collections.abc import Sequence
-
 from sympy import Expr, Float, Matrix
 from sympy.matrices import MatrixBase
 
@@ -86,13 +84,6 @@ def check_row(scene: Scene, row: Published, equations: Equations | None = None) 
         (left,), (right,) = lefts, rights
         return rounded(scene, subject, left, right)
     return equal(scene, subject, lefts, rights)
-
-
-def check_rows(
-    scene: Scene, rows: Sequence[Published], equations: Equations | None = None
-) -> tuple[Finding, ...]:
-    """`check_row` of each row, in order."""
-    return tuple(check_row(scene, row, equations) for row in rows)
 
 
 def plain_side(scene: Scene, side: Expr | MatrixBase, where: str) -> Expr | Matrix:

@@ -13,8 +13,6 @@ from dataclasses import dataclass
 from typing import Protocol
 
 from sympy import Expr, ImmutableMatrix, Matrix, cos, diag, expand, sin, sympify, zeros
-from sympy.physics.mechanics import inertia
-from sympy.physics.vector import Dyadic, ReferenceFrame
 
 from mechanics.errors import SceneError
 from mechanics.scene.shapes import Shape
@@ -165,12 +163,3 @@ def inertia_about(body: Massive, point: Sequence[Expr]) -> Expr:
     """Planar moment of inertia about a point of the plane: I_C + m d^2, in kg m^2."""
     offset = body.centroid - Matrix(point)
     return expand(body.second_moment.trace() + body.mass * offset.dot(offset))
-
-
-def thin_inertia(body: Massive, frame: ReferenceFrame) -> Dyadic:
-    """Spatial inertia about the centroid of a body that lies thin in the x-y plane of `frame`.
-
-    I_xx = S_yy, I_yy = S_xx, I_zz = S_xx + S_yy, I_xy = -S_xy.
-    """
-    S = body.second_moment
-    return inertia(frame, S[1, 1], S[0, 0], expand(S.trace()), -S[0, 1])

@@ -15,7 +15,7 @@ from sympy import Basic, Expr, ImmutableMatrix, sympify
 from sympy.matrices import MatrixBase
 
 import systems
-from mechanics.checks.ledger import QUANTITIES, check_row, check_rows, plain_side
+from mechanics.checks.ledger import QUANTITIES, check_row, plain_side
 from mechanics.equations import Equations
 from mechanics.exact import Verdict, canonical
 from mechanics.routes import free_body
@@ -107,5 +107,6 @@ def test_only_the_flipped_row_is_refuted(system: System) -> None:
     rows = [row for row in system.published if isinstance(row.quantity, QUANTITIES)]
     place = len(rows) // 2
     *_, flipped = flipped_rows(rows[place])
-    findings = check_rows(equations.scene, [*rows[:place], flipped, *rows[place + 1 :]], equations)
+    every = [*rows[:place], flipped, *rows[place + 1 :]]
+    findings = [check_row(equations.scene, row, equations) for row in every]
     assert [i for i, finding in enumerate(findings) if not finding.shown] == [place]

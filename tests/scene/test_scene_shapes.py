@@ -4,11 +4,10 @@ from dataclasses import fields
 
 import pytest
 from sympy import Expr, Matrix, Rational, S, expand, pi, symbols
-from sympy.physics.mechanics import ReferenceFrame
 
 from mechanics.errors import SceneError
 from mechanics.exact import Verdict, prove_equal
-from mechanics.scene.composite import Part, composite, inertia_about, part, thin_inertia
+from mechanics.scene.composite import Part, composite, inertia_about, part
 from mechanics.scene.shape_integrals import (
     integrated_centroid,
     integrated_inertia,
@@ -86,15 +85,6 @@ def test_two_halves_are_a_disc() -> None:
     assert halves.mass == disc.mass
     assert halves.centroid == Matrix([0, 0])
     assert halves.second_moment == disc.second_moment
-
-
-def test_thin_inertia_of_a_turned_rod() -> None:
-    frame = ReferenceFrame("A")
-    upright = part(Rod(L), mass=m, at=(x, y), angle=pi / 2)
-    matrix = thin_inertia(upright, frame).to_matrix(frame)
-    assert matrix == m * L**2 / 12 * Matrix([[1, 0, 0], [0, 0, 0], [0, 0, 1]])
-    slanted = thin_inertia(part(Rod(L), mass=m, angle=pi / 4), frame).to_matrix(frame)
-    assert slanted == m * L**2 / 24 * Matrix([[1, -1, 0], [-1, 1, 0], [0, 0, 2]])
 
 
 def test_numbers_stay_exact() -> None:

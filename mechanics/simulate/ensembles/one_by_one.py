@@ -12,9 +12,15 @@ from mechanics.simulate.ensembles.motions import Motions
 from mechanics.simulate.ensembles.outcome import Status
 from mechanics.simulate.ensembles.run import FIXED, STAGES, Run
 from mechanics.simulate.integrators import explicit, scipy
-from mechanics.simulate.integrators.problem import Outcome, Problem, Setting
+from mechanics.simulate.integrators.problem import Cause, Problem, Setting
 
 WHY = "one by one, because there is no C compiler"
+STATUS = {
+    None: Status.FINISHED,
+    Cause.BUDGET: Status.TOO_LONG,
+    Cause.NOT_FINITE: Status.NOT_FINITE,
+    Cause.NO_STEP: Status.STALLED,
+}
 
 
 def one_by_one(motions: Motions, name: str, by: float, budget: int) -> Run:
@@ -45,7 +51,7 @@ def one_by_one(motions: Motions, name: str, by: float, budget: int) -> Run:
         row[: len(outcome.states)] = outcome.states
     evaluations = np.array([outcome.evaluations for outcome in found], dtype=np.int64)
     return Run(
-        states, tuple(map(_status, found)),
+        states, tuple(STATUS[outcome.cause] for outcome in found),
         np.array([len(outcome.states) for outcome in found], dtype=np.int64),
         evaluations // stages, evaluations, f"{member.name}, {words}, {WHY}",
     )  # fmt: skip
@@ -60,12 +66,3 @@ def _problems(motions: Motions, budget: int) -> Iterator[Problem]:
     for start, inputs, p in rows:
         held = {name: x for name, x in zip(names, inputs.tolist(), strict=True) if name != "t"}
         yield Problem(motions.model, p, held, start, motions.times, budget)
-
-
-def _status(outcome: Outcome) -> Status:
-    """What a sentence of an integrator says."""
-    if not outcome.failure:
-        return Status.FINISHED
-    if "used up" in outcome.failure:
-        return Status.TOO_LONG
-    return Status.NOT_FINITE if "not finite" in outcome.failure else Status.STALLED

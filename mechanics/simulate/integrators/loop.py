@@ -9,7 +9,7 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import NDArray
 
-from mechanics.simulate.integrators.problem import Outcome, Problem, Setting
+from mechanics.simulate.integrators.problem import Cause, Outcome, Problem, Setting
 
 Array = NDArray[np.float64]
 
@@ -67,7 +67,8 @@ def march(
                 y = step(y, t + i * h, h)
             taken += count
             if not np.all(np.isfinite(y)):
-                return Outcome(np.array(states), taken * stages, stopped(name, t, NOT_FINITE))
+                words = stopped(name, t, NOT_FINITE)
+                return Outcome(np.array(states), taken * stages, words, cause=Cause.NOT_FINITE)
             states.append(y)
         return Outcome(np.array(states), taken * stages)
 

@@ -8,6 +8,7 @@ prepares a call. Preparing may compile; only the call is timed.
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
+from enum import Enum
 from functools import cached_property
 from typing import Any
 
@@ -96,6 +97,14 @@ class Setting:
         return np.float32 if self.arithmetic == "single" else np.float64
 
 
+class Cause(Enum):
+    """What kind of failure ended a motion early."""
+
+    BUDGET = "all evaluations are used up"
+    NOT_FINITE = "the state is not finite"
+    NO_STEP = "no step meets the tolerance"
+
+
 @dataclass(frozen=True, eq=False)
 class Outcome:
     """What came out.
@@ -110,12 +119,15 @@ class Outcome:
         Why it ended early, in one sentence; empty when it did not.
     jacobians : int
         Evaluations of the Jacobian, by implicit methods.
+    cause : Cause or None
+        The kind of failure, told by integrators that are called from Python.
     """
 
     states: Array = field(repr=False)
     evaluations: int
     failure: str = ""
     jacobians: int = 0
+    cause: Cause | None = None
 
 
 @dataclass(frozen=True)

@@ -15,6 +15,7 @@ from scipy.integrate import DOP853, LSODA, RK45, OdeSolver, Radau
 
 from mechanics.simulate.feedback import Feedback
 from mechanics.simulate.integrators.problem import (
+    Cause,
     Integrator,
     Outcome,
     OverBudget,
@@ -49,8 +50,8 @@ def _prepare(method: type[OdeSolver], problem: Problem, setting: Setting) -> Cal
     def solve() -> Outcome:
         rate.evaluations = rate.jacobians = 0
         states = [problem.start]
-        failure = _march(method, rate, problem, options, states)
-        return Outcome(np.array(states), rate.evaluations, failure, rate.jacobians)
+        failure, cause = _march(method, rate, problem, options, states)
+        return Outcome(np.array(states), rate.evaluations, failure, rate.jacobians, cause)
 
     return solve
 
@@ -61,8 +62,8 @@ def _march(
     problem: Problem,
     options: dict[str, Any],
     states: list[Array],
-) -> str:
-    """Append the states at the times; why that ended early, or empty."""
+) -> tuple[str, Cause | None]:
+    """Append the states at the times; why that ended early, in words and by kind."""
     times, name = problem.times, f"SciPy {method.__name__}"
     try:
         solver = method(rate, 0.0, problem.start, float(times[-1]), **options)
@@ -71,11 +72,11 @@ def _march(
             while solver.status == "running":
                 words = solver.step()
                 if solver.status == "failed":
-                    return f"{name} stopped at t = {solver.t:.6g} s: {words}"
+                    return f"{name} stopped at t = {solver.t:.6g} s: {words}", Cause.NO_STEP
                 _sample(solver, times, states)
     except OverBudget as error:
-        return f"{name} gave up: {error}"
-    return ""
+        return f"{name} gave up: {error}", Cause.BUDGET
+    return "", None
 
 
 def _sample(solver: OdeSolver, times: Array, states: list[Array]) -> None:
