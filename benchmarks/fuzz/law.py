@@ -20,7 +20,7 @@ from mechanics.equations import Equations
 from mechanics.errors import MechanicsError
 
 LONGEST_READING = 2.0
-LONGEST_VERDICT = 20.0
+LONGEST_VERDICT = 30.0
 """Seconds of the processor."""
 
 LARGEST_MEMORY = 500.0
@@ -52,7 +52,7 @@ class Outcome:
     memory: float
 
 
-def outcome(truth: Equations, notation: str, data: bytes, *, judge: bool = True) -> Outcome:
+def outcome(truth: Equations, notation: str, data: bytes, *, blame: bool = True) -> Outcome:
     """Read an input, and judge it; time and memory are measured, not judged.
 
     Parameters
@@ -62,14 +62,14 @@ def outcome(truth: Equations, notation: str, data: bytes, *, judge: bool = True)
     notation : str
         ``"latex"``, ``"text"`` or ``"c"``.
     data : bytes
-    judge : bool
-        False to read only.
+    blame : bool
+        Whether what is wrong is looked for, too.
     """
     before = memory()
     _, broken, reading = _timed(lambda: read(truth.scene, data, None, notation, None))
     kind, verdict = "read", 0.0
-    if judge and not broken:
-        found, broken, verdict = _timed(lambda: check(truth, data, notation=notation))
+    if not broken:
+        found, broken, verdict = _timed(lambda: check(truth, data, notation=notation, blame=blame))
         kind = found.verdict.name if isinstance(found, Check) else "refused"
         broken = broken or (_doubts(found) if isinstance(found, Check) else "")
     return Outcome(kind, broken, reading, verdict, memory() - before)

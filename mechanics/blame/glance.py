@@ -15,7 +15,7 @@ from mechanics.checks.ledger_compare import ordered
 from mechanics.equations import Equations
 from mechanics.errors import ExpressionError
 from mechanics.exact import Arithmetic, Number, SingularHere
-from mechanics.exact.field_trial import trial
+from mechanics.exact.field_trial import look
 from mechanics.kinematics.manifold import settle
 from mechanics.scene import Scene
 from mechanics.scene.published import Published
@@ -68,7 +68,7 @@ def glances(
                 found.append((slip, zero))
         return [(a.rational(0), a.rational(0))]
 
-    trial(experiment, QUICK, None)
+    look(experiment)
     return list(found)
 
 

@@ -8,10 +8,9 @@ from dataclasses import replace
 from functools import lru_cache
 from typing import Any
 
-from mechanics.blame.blame import blame as blame_of
-from mechanics.blame.explanations import explanations
 from mechanics.checks.ledger import check_row
 from mechanics.crosscheck.black_box import check_box
+from mechanics.crosscheck.blamed import blamed
 from mechanics.crosscheck.cases import check_cases
 from mechanics.crosscheck.readers import read
 from mechanics.crosscheck.right_if import declared, right_if
@@ -94,7 +93,7 @@ def check(
     names_of = declared([convention] if isinstance(convention, str) else convention)
     judged, told = _judged(truth, statements, names_of)
     if blame:
-        judged = _blamed(truth, judged)
+        judged = blamed(truth, judged)
     judged = (*judged, *(Judged(s, f) for entries, _ in boxed for s, f in entries))
     told_of = (*(reading.names for reading in readings), *(known for _, known in boxed))
     matches = {match.name: match for known in told_of for match in known}
@@ -126,20 +125,6 @@ def _judged(
         for s, f in zip(statements, findings, strict=True)
     ]
     return tuple(entries), ()
-
-
-def _blamed(truth: Equations, judged: Sequence[Judged]) -> tuple[Judged, ...]:
-    """The same with what is wrong, where something is refuted."""
-    if all(entry.finding.verdict is not Verdict.REFUTED for entry in judged):
-        return tuple(judged)
-    findings = [entry.finding for entry in judged]
-    known = explanations(truth, [entry.statement for entry in judged], findings)
-    return tuple(
-        replace(entry, blame=replace(blame_of(truth, entry.statement), explanations=words))
-        if entry.finding.verdict is Verdict.REFUTED
-        else entry
-        for entry, words in zip(judged, known, strict=True)
-    )
 
 
 def _judge(truth: Equations, statement: Statement) -> Finding:

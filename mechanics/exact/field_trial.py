@@ -106,6 +106,26 @@ def trial(experiment: Experiment, log2_target: float, seed: int | None) -> Trial
     return first
 
 
+def look(experiment: Experiment) -> bool:
+    """Run an experiment at one admissible point, for what it notes itself; roots may be either.
+
+    Returns
+    -------
+    bool
+        Whether there was such a point.
+
+    Raises
+    ------
+    ExpressionError
+        If an operation has no meaning in a field.
+    """
+    try:
+        _Session(experiment, random.SystemRandom(), None, Memory()).point(SIZES[0])
+    except _FailedError:
+        return False
+    return True
+
+
 @cache
 def _seeded_prime(bits: int, index: int, seed: int) -> int:
     return draw_prime(bits, random.Random(f"{seed} {bits} {index}"))

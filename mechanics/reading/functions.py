@@ -17,6 +17,11 @@ def _logarithm(*arguments: Any) -> Any:
     return sympy.log(*arguments)
 
 
+def _extreme(function: Any) -> Made:
+    """The largest or smallest, as it was written: SymPy would compare every pair for long."""
+    return lambda *given: function(*given, evaluate=False) if len(given) > 1 else given[0]
+
+
 _ALIASES: dict[Any, str] = {
     sympy.sin: "sin", sympy.cos: "cos", sympy.tan: "tan tg", sympy.cot: "cot ctg",
     sympy.sec: "sec", sympy.csc: "csc cosec",
@@ -32,8 +37,10 @@ FUNCTIONS: dict[str, tuple[int, int, Made]] = {
     **{name: _one(f) for f, names in _ALIASES.items() for name in names.split()},
     "atan2": (2, 2, sympy.atan2),
     "arctan2": (2, 2, sympy.atan2),
-    "max": (1, 6, Max), "Max": (1, 6, Max), "maximum": (2, 2, Max), "fmax": (2, 2, Max),
-    "min": (1, 6, Min), "Min": (1, 6, Min), "minimum": (2, 2, Min), "fmin": (2, 2, Min),
+    **{name: (1, 6, _extreme(Max)) for name in ("max", "Max")},
+    **{name: (1, 6, _extreme(Min)) for name in ("min", "Min")},
+    **{name: (2, 2, _extreme(Max)) for name in ("maximum", "fmax")},
+    **{name: (2, 2, _extreme(Min)) for name in ("minimum", "fmin")},
 }  # fmt: skip
 """Least and largest number of arguments, and what makes the expression."""
 

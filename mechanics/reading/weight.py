@@ -64,6 +64,10 @@ def weight(node: Node, defined: Mapping[str, Weight]) -> Weight:
         case Call(function="transpose", arguments=(only,)):
             found = weight(only, defined)
             return Weight(found.amount, found.depth, found.shape and found.shape[::-1])
+        case Call(arguments=parts) if len(parts) > 1:
+            # The rate of a maximum compares each argument with all others.
+            found = _together([weight(part, defined) for part in parts])
+            return Weight(found.amount * len(parts), found.depth)
         case Sum(terms=parts) | Call(arguments=parts):
             return _together([weight(part, defined) for part in parts])
         case Table(rows=rows):

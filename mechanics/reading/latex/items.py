@@ -96,7 +96,7 @@ class Items:
         base, *scripts = tree.children
         at = base.start_pos if isinstance(base, Token) else start_of(base, tree)
         sub, primes, power = self._scripts(scripts)
-        *before, last = self._base(base, sub, at)
+        *before, last = self._base(base, sub, at) or [Item("bracket", at)]
         if last.node is not None and (isinstance(base, Token) or base.data in SPANNED):
             ended(last.node, end_of(base, scripts))
         if primes:

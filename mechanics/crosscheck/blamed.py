@@ -1,0 +1,92 @@
+"""What is wrong with what is refuted, as far as it can be looked for in bounded time.
+
+REFUTED  ->  Blame        the first `MOST` statements, each of at most `LARGEST` nodes
+"""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+from time import process_time
+
+from sympy import preorder_traversal
+
+from mechanics.blame.blame import blame as blame_of
+from mechanics.blame.explanations import explanations
+from mechanics.blame.result import Blame
+from mechanics.equations import Equations
+from mechanics.errors import MechanicsError
+from mechanics.exact import Verdict
+from mechanics.reading.place import Refused
+from mechanics.reading.statement import Statement
+from mechanics.reading.tree import Node, parts
+from mechanics.report.answer.judged import Judged
+
+MOST = 12
+"""Statements that are searched: where more are wrong, a name or sign is wrong in all of them."""
+
+LARGEST = 500
+"""Nodes of a row: an equation of half a page."""
+
+
+LONGEST = 20.0
+"""Seconds of the processor for all statements of a text."""
+
+
+def blamed(truth: Equations, judged: Sequence[Judged]) -> tuple[Judged, ...]:
+    """The same with what is wrong, where something is refuted.
+
+    Parameters
+    ----------
+    truth : Equations
+    judged : sequence of Judged
+    """
+    wrong = [k for k, e in enumerate(judged) if e.finding.verdict is Verdict.REFUTED]
+    if not wrong:
+        return tuple(judged)
+    small = [k for k, entry in enumerate(judged) if nodes(entry.statement) <= LARGEST]
+    searched = [k for k in wrong if k in small][:MOST]
+    beside = [k for k in small if k not in wrong][:MOST]
+    told = _explained(truth, [judged[k] for k in (*searched, *beside)])
+    found = list(judged)
+    for k in wrong:
+        words = "it is too large" if k not in small else f"{MOST} statements before it are wrong"
+        found[k] = replace(found[k], blame=Blame((), (), searched=f"not searched: {words}"))
+    end = process_time() + LONGEST
+    for k, reasons in zip(searched, told, strict=False):
+        late = Blame((), (), searched=f"not searched: those before it took {LONGEST:.0f} s")
+        blame = late if process_time() > end else _search(truth, judged[k].statement)
+        found[k] = replace(found[k], blame=replace(blame, explanations=reasons))
+    return tuple(found)
+
+
+def nodes(statement: Statement) -> int:
+    """How large a statement is: as it is written, where it is, else as it was traced."""
+    if statement.row is None:
+        return 0
+    if statement.written is not None:
+        defined = (tree for _, tree in statement.written.definitions)
+        return sum(1 for side in (*statement.written.sides, *defined) for _ in walked(side))
+    return sum(1 for side in statement.row.sides for _ in preorder_traversal(side))
+
+
+def walked(node: Node) -> Iterator[Node]:
+    """A tree, node by node."""
+    yield node
+    for part in parts(node):
+        yield from walked(part)
+
+
+def _search(truth: Equations, statement: Statement) -> Blame:
+    """The blame; the verdict stands whatever the search meets."""
+    try:
+        return blame_of(truth, statement)
+    except (MechanicsError, Refused, RecursionError) as error:
+        words = str(error) if not isinstance(error, RecursionError) else "it is nested too deeply"
+        return Blame((), (), searched=f"not searched: {words}")
+
+
+def _explained(truth: Equations, judged: Sequence[Judged]) -> Sequence[tuple[str, ...]]:
+    """Known mistakes that explain what is refuted."""
+    try:
+        return explanations(truth, [e.statement for e in judged], [e.finding for e in judged])
+    except (MechanicsError, Refused, RecursionError):
+        return [()] * len(judged)
