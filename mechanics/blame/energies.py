@@ -19,6 +19,7 @@ from mechanics.blame.terms import terms_of
 from mechanics.equations import Equations
 from mechanics.exact import Verdict
 from mechanics.exact.finding import Finding
+from mechanics.kinematics.momenta import momenta_written_out
 from mechanics.reading.statement import Statement
 from mechanics.scene import Scene
 from mechanics.scene.quantities import EquationOfMotion
@@ -56,7 +57,8 @@ def wrong_energies(
         row = statement.row
         if row is None or finding.verdict is not Verdict.REFUTED or type(row.quantity) not in SIGNS:
             continue
-        found.append(_off(truth.scene, index, row.sides[-1], SIGNS[type(row.quantity)]))
+        side = momenta_written_out(truth.scene, row.sides[-1])
+        found.append(_off(truth.scene, index, side, SIGNS[type(row.quantity)]))
     return found
 
 
@@ -132,6 +134,6 @@ def _shown(truth: Equations, statements: Sequence[Statement], energy: WrongEnerg
     row = statements[energy.index].row
     if row is None:
         return []
-    other, side = folded(truth, row.sides[-1])
+    other, side = folded(truth, momenta_written_out(truth.scene, row.sides[-1]))
     off = _off(other.scene, energy.index, side, SIGNS[type(row.quantity)])
     return [shortest(terms, {})[0] for terms in terms_of(wrong_rows(other.scene, [off]))]
