@@ -4,7 +4,7 @@ edits that make it right at a point  ->  proved  ->  what differs, term by term 
 """
 
 from collections.abc import Iterator
-from itertools import islice
+from itertools import islice, product
 
 from sympy import Expr
 
@@ -56,6 +56,9 @@ def blame(truth: Equations, statement: Statement) -> Blame:
     return Blame(told, tuple(repair for repair, _ in found), searched=words)
 
 
+BESIDE = 2
+"""Edits of one equality that are tried beside those of another one."""
+
 SEARCHED = (
     "every sign, factor, symbol, function and power, every term left out, every pair of them, and"
     " every missing term that is one product: none makes it right"
@@ -68,25 +71,24 @@ def _repairs(claim: Claim, statement: Statement) -> Iterator[tuple[Repair, Publi
     if not wrong:
         return
     first, *others = wrong
-    rest = [_first(claim, problem, statement) for problem in others]
-    fixed = tuple(solution for solution in rest if solution is not None)
-    if len(fixed) < len(others):
-        return
+    rest = [_cheapest(claim, problem, statement) for problem in others]
     smallest: float | None = None
     seen: set[tuple] = set()
     tried = 0
     for stage in solutions(claim, first, statement):
-        for solution in stage:
-            if smallest is not None and solution.cost > smallest + EQUALLY:
-                break
-            made = edited_row(claim, (solution, *fixed))
+        for solution, *fixed in product(stage, *rest):
+            group = (solution, *fixed)
+            cost = sum(part.cost for part in group)
+            if smallest is not None and cost > smallest + EQUALLY:
+                continue
+            made = edited_row(claim, group)
             if made is None or made[0].sides in seen:
                 continue
             seen.add(made[0].sides)
             tried += 1
-            repair = proved(claim, (solution, *fixed), statement.source)
+            repair = proved(claim, group, statement.source)
             if repair is not None:
-                smallest = solution.cost if smallest is None else smallest
+                smallest = cost if smallest is None else smallest
                 yield repair, made[0]
             if tried >= TRIED:
                 return
@@ -94,9 +96,10 @@ def _repairs(claim: Claim, statement: Statement) -> Iterator[tuple[Repair, Publi
             return
 
 
-def _first(claim: Claim, problem: Problem, statement: Statement) -> Solution | None:
-    """The cheapest solution of one equality among several."""
-    return next((stage[0] for stage in solutions(claim, problem, statement) if stage), None)
+def _cheapest(claim: Claim, problem: Problem, statement: Statement) -> list[Solution]:
+    """The cheapest solutions of one equality among several."""
+    found = next((stage for stage in solutions(claim, problem, statement) if stage), [])
+    return found[:BESIDE]
 
 
 def _differences(

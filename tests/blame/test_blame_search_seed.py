@@ -147,3 +147,11 @@ def test_blame_can_be_switched_off() -> None:
     (entry,) = mechanics.check(PENDULUM, SIX.replace("2 k", "3 k"), blame=False).judged
     assert entry.finding.verdict is Verdict.REFUTED
     assert entry.blame is None
+
+
+def test_two_terms_of_one_sum_are_both_missed() -> None:
+    """Two terms that are left out are two edits."""
+    text = SIX.replace("+2 k x", "").replace(r"-M \frac{L}{2} \dot{\theta}^{2} \sin \theta", "")
+    first, *_ = repairs(PENDULUM, text)
+    assert [edit.mistake for edit in first.edits] == [Mistake.MISSING] * 2
+    assert sum("k" in edit.right for edit in first.edits) == 1

@@ -96,10 +96,10 @@ def problems(claim: Claim) -> Iterator[Problem]:
     if isinstance(quantity, q.EquationOfMotion | q.Identity):
         rows = _width(claim.row)
         for k in range(rows, size):
-            yield _problem(claim, (k % rows, k), None)
+            yield from _problems(claim, (k % rows, k), None)
         return
     for k, target in enumerate(targets(claim.truth.scene, claim.row)):
-        yield _problem(claim, (k,), target)
+        yield from _problems(claim, (k,), target)
 
 
 def _width(row: Published) -> int:
@@ -137,21 +137,23 @@ def _kinetic(scene: Scene) -> Expr:
     return kinetic_energy(scene)
 
 
-def _problem(claim: Claim, numbers: tuple[int, ...], target: Expr | None) -> Problem:
+def _problems(claim: Claim, numbers: tuple[int, ...], target: Expr | None) -> Iterator[Problem]:
+    """One problem; of an energy with a constant two: what it is at rest, and the rest of it."""
+
     def wanted(point: Point) -> int:
         return 0 if target is None else point.value(target)
 
     quantity = claim.row.quantity
     if not isinstance(quantity, CONSTANT_FREE):
         free = not isinstance(quantity, (*ALONG, q.Identity))
-        return posed(claim, numbers, wanted, (Family(isinstance(quantity, ALONG), free=free),))
+        yield posed(claim, numbers, wanted, (Family(isinstance(quantity, ALONG), free=free),))
+        return
     states = (Family(False, free=True), Family(False, other_state=True, free=True))
-    rest = tuple(replace(family, still=True) for family in states)
-    if not posed(claim, numbers, wanted, rest).residual:
-        problem = posed(claim, numbers, _at_rest(claim, numbers[0], wanted), states[:1])
-        if problem.residual:
-            return problem
-    return posed(claim, numbers, wanted, states)
+    if isinstance(quantity, q.PotentialEnergy):
+        yield posed(claim, numbers, wanted, states)
+        return
+    yield posed(claim, numbers, wanted, [replace(family, still=True) for family in states])
+    yield posed(claim, numbers, _at_rest(claim, numbers[0], wanted), states[:1])
 
 
 def _at_rest(claim: Claim, number: int, wanted: Target) -> Target:

@@ -16,6 +16,7 @@ from mechanics.blame.search.judge import Problem
 from mechanics.blame.search.missing import Missing
 from mechanics.blame.search.pairs import pairs
 from mechanics.blame.search.solved import numbers
+from mechanics.blame.search.two import Two
 from mechanics.blame.search.whole import whole
 from mechanics.blame.search.words import Words
 from mechanics.reading.statement import Statement
@@ -56,6 +57,7 @@ def solutions(claim: Claim, problem: Problem, statement: Statement) -> Iterator[
     yield _sorted(problem, [(change,) for change in added])
     yield _sorted(problem, pairs(problem, changes))
     yield _sorted(problem, Both(growth).pairs())
+    yield _sorted(problem, Two(growth).pairs())
     yield _sorted(problem, whole(claim, problem, statement))
     yield _sorted(problem, [(change,) for change in lacking if change not in added])
 

@@ -59,7 +59,8 @@ class Growth:
         target, forest = self.problem.target, self.problem.forest
         sheets = []
         for sheet in self.problem.sheets:
-            family = replace(sheet.point.family, doubled=symbol)
+            before = sheet.point.family
+            family = replace(before, doubled=(*before.doubled, symbol))
             try:
                 (point,) = points_like(self.claim.truth, sheet.point, [family])
                 sheets.append(sheet_of(forest, point, sheet.builder, target(point)))
@@ -98,6 +99,11 @@ class Growth:
         """Exponents by the residues of the powers of two."""
         p = self.problem.prime
         return {pow(2, e, p): e for e in range(-MOST_EXPONENT, MOST_EXPONENT + 1)}
+
+    def after(self, symbol: Symbol) -> "Growth":
+        """How the problem grows from where a symbol is doubled already."""
+        problem = self.problems[symbol]
+        return Growth(self.claim, problem, words_at(self.words, problem))
 
     def edited(self, claim: Claim) -> "Growth | None":
         """The same for a claim with an edit in it; None where it has no value."""

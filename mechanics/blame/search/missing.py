@@ -112,7 +112,7 @@ class Missing:
             return None
         if not forest.single(index):
             return None
-        found = [term for lacks in self._series(index) for term in self._products(lacks)]
+        found = [term for lacks in self._series(index) for term in self.products(lacks)]
         term = min(found, key=lambda entry: entry[1], default=None)
         worths = None if term is None else worth(self.problem.sheets, term[0])
         if term is None or worths is None:
@@ -125,7 +125,7 @@ class Missing:
         wrap = partial(plus, added)
         return Change(index, wrap(node), Mistake.MISSING, cost, index, values, wrap)
 
-    def _products(self, lacks: Series) -> Iterator[tuple[Node, float]]:
+    def products(self, lacks: Series) -> Iterator[tuple[Node, float]]:
         """Products that a series is, with what each costs more."""
         for count in (0, 1, 2):
             for chosen in combinations(self.growth.dependent, count):

@@ -48,8 +48,8 @@ class Family:
     ----------
     moving : bool
         Whether accelerations and reactions are those of the motion, or free.
-    doubled : Symbol or None
-        A symbol whose value is doubled.
+    doubled : tuple of Symbol
+        Symbols whose values are doubled, as often as they stand there.
     other_state : bool
         Whether coordinates and speeds are others; parameters and inputs stay.
     still : bool
@@ -59,7 +59,7 @@ class Family:
     """
 
     moving: bool
-    doubled: Symbol | None = None
+    doubled: tuple[Symbol, ...] = ()
     other_state: bool = False
     still: bool = False
     free: bool = False
@@ -179,8 +179,7 @@ def _drawn(
         residue = residue * residue * (-1 if symbol.is_negative else 1) % a.prime
     if family.still and symbol in scene.u:
         return a.rational(0)
-    if symbol == family.doubled:
-        residue = 2 * residue % a.prime
+    residue = residue * 2 ** family.doubled.count(symbol) % a.prime
     return FieldNumber(a, residue, 1.0, 0.0, 0.0, 0)
 
 

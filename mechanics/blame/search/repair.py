@@ -59,7 +59,7 @@ def proved(claim: Claim, chosen: Sequence[Solution], source: str) -> Repair | No
         for change in solution.changes
     )
     new = edited_claim(claim, _changes(chosen))
-    words = spliced(spelling, source, edits, entries)
+    words = spliced(spelling, source, edits, entries, row)
     for name in dict.fromkeys(edit.definition for edit in edits if edit.definition):
         words += f", with {name} = {spelling(new.definitions[name])}"
     return Repair(edits, words, finding, row)

@@ -4,8 +4,10 @@ sign: "-" -> "+"       term added: "" -> "+ 2 k x"       anything else: what sta
 """
 
 import re
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from itertools import pairwise
+
+from sympy.matrices import MatrixBase
 
 from mechanics.blame.result import Edit, Mistake
 from mechanics.blame.search.change import Change, is_minus, minus
@@ -14,6 +16,7 @@ from mechanics.blame.search.forest import Forest
 from mechanics.blame.search.spell import Spelling, hidden_minus
 from mechanics.reading.tree import Call, Node, Power, Product, Sum
 from mechanics.reading.written import Trees
+from mechanics.scene.published import Published
 
 SIGN = re.compile(r"[-+\u2212]\s*$")
 TIMES_AFTER = re.compile(r"\s*(?:\.?\*(?!\*)|\\cdot(?![A-Za-z])|\\times(?![A-Za-z]))\s*")
@@ -101,16 +104,19 @@ def _fitting(forest: Forest, change: Change, spelling: Spelling) -> str:
         level = 2 if not spelling.latex and isinstance(new, Product) else 1
     if isinstance(around, Power):
         level = 3
-        # What stands in the numerator or denominator of a fraction has its own braces.
-        if spelling.latex and around.at >= forest.nodes[change.index].at:
-            level = 0 if change.index == forest.kids[above][0] else 3
-        if spelling.latex and change.index != forest.kids[above][0]:
+        # A denominator has its own braces, unless a slash stands before it; an exponent, too.
+        fraction = around.exponent.end < 0 and _in_braces(spelling, forest.nodes[change.index])
+        if spelling.latex and (fraction or change.index != forest.kids[above][0]):
             level = 0
     if isinstance(around, Sum) and is_minus(new):
         level = 0 if change.index == forest.kids[above][0] else 1
     if isinstance(around, Call) and spelling.latex and not isinstance(new, type(None)):
         level = 1
     return spelling.tight(new, level)
+
+
+def _in_braces(spelling: Spelling, node: Node) -> bool:
+    return spelling.written.text[: max(node.at, 0)].rstrip()[-1:] == "{"
 
 
 def _sign_before(claim: Claim, span: Span) -> Span | None:
@@ -131,16 +137,28 @@ def _within(claim: Claim, span: Span | None) -> Span | None:
     return place(span[0]), place(span[1])
 
 
-def spliced(spelling: Spelling, source: str, edits: Sequence[Edit], entries: Trees) -> str:
+def spliced(
+    spelling: Spelling, source: str, edits: Sequence[Edit], entries: Trees, row: Published
+) -> str:
     """The source with the edits put in; spelled anew where they have no place there."""
     here = [edit for edit in edits if not edit.definition]
     spans = sorted((edit.span, edit.right) for edit in here if edit.span is not None)
     apart = all(a[0][1] <= b[0][0] for a, b in pairwise(spans))
     if len(spans) < len(here) or not apart:
-        return " = ".join(spelling(entry) for entry in entries)
+        return " = ".join(sides_of(map(spelling, entries), row))
     found, at = "", 0
     for (start, end), right in spans:
         gap = " " if start == end and start and source[start - 1] != " " else ""
         found += source[at:start] + gap + right
         at = end
     return " ".join((found + source[at:]).split())
+
+
+def sides_of(texts: Iterator[str], row: Published) -> Iterator[str]:
+    """Texts of the entries, put together to the sides of the row; matrices row by row."""
+    for side in row.sides:
+        if isinstance(side, MatrixBase):
+            lines = (", ".join(next(texts) for _ in range(side.cols)) for _ in range(side.rows))
+            yield "[" + ", ".join(f"[{line}]" for line in lines) + "]"
+        else:
+            yield next(texts)
