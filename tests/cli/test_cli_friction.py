@@ -40,6 +40,36 @@ def test_friction_with_the_wrong_sign_is_blamed_on_its_load(run: Any, tmp_path: 
     assert "write - for +" in found.out and "load track on cart" in found.out
 
 
+CART = "xddot = (F + m_p*l*(thetadot**2*sin(theta) - thetaddot*cos(theta)) - {})/(m_c + m_p)\n"
+POLE = (
+    "thetaddot = (g*sin(theta) + cos(theta)*(-F - m_p*l*thetadot**2*sin(theta)"
+    " + mu_c*sign(xdot))/(m_c + m_p) - mu_p*thetadot/(m_p*l))"
+    "/(l*(4/3 - m_p*cos(theta)**2/(m_c + m_p)))\n"
+)
+MISTAKES = {
+    "weight": (
+        CART.format("mu_c*(m_c + m_p)*g*sign(xdot)"),
+        "because: friction track presses with what N_c is at rest, not in motion",
+    ),
+    "1983, cart": (
+        CART.format("mu_c*sign(xdot)"),
+        "because: friction track is its coefficient, without N_c",
+    ),
+    "1983, pole": (POLE, "because: friction track is its coefficient, without N_c"),
+}
+
+
+@pytest.mark.parametrize("name", MISTAKES)
+def test_friction_that_presses_wrongly_is_named(run: Any, tmp_path: Path, name: str) -> None:
+    """Barto, Sutton and Anderson left the normal force out; others take the weight for it."""
+    text, words = MISTAKES[name]
+    file = tmp_path / "wrong.txt"
+    file.write_text(text, encoding="utf-8")
+    found = run("check", "cartpole_friction", file)
+    assert found.code == 1
+    assert words in " ".join(found.out.split())
+
+
 def test_a_crosscheck_shows_everything(run: Any, tmp_path: Path) -> None:
     page = tmp_path / "friction.html"
     found = run("crosscheck", "cartpole_friction", "--states", 100, "--report", page)

@@ -2,11 +2,12 @@
 
 from collections.abc import Callable, Iterator
 
-from mechanics.blame.mistakes import held, inertia, loads, speeds, substituted
+from mechanics.blame.mistakes import friction, held, inertia, loads, speeds, substituted
 from mechanics.blame.mistakes.slip import Right, Slip
 
 KNOWN: tuple[Callable[[Right], Iterator[Slip]], ...] = (
     loads.slips,
+    friction.slips,
     inertia.slips,
     speeds.slips,
     held.slips,
