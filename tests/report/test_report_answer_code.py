@@ -4,6 +4,9 @@ import re
 
 import pytest
 from numpy import cos, sin
+from sympy import Matrix, symbols
+from sympy import cos as cosine
+from sympy.physics.mechanics import dynamicsymbols
 
 from mechanics.blame.result import Edit, Mistake
 from mechanics.crosscheck.check import check
@@ -79,6 +82,21 @@ def test_the_page_marks_the_formula(found: Check) -> None:
     assert re.findall(r'class="wrong"><mn>(\d+)</mn>', card) == ["3"]
     assert re.findall(r'class="right"><mn>(\d+)</mn>', card) == ["2"]
     assert re.search(r"<code>x_ddot = ", card) is None
+
+
+def test_a_matrix_is_told_as_a_matrix() -> None:
+    M, m, L = symbols("M m L")
+    theta = dynamicsymbols("theta")
+    mixed = M * L / 2 * cosine(theta)
+    wrong = Matrix([[M + m, mixed], [mixed, M * L**2 / 12]])
+    found = check(elastic_pendulum.scene(), wrong, about="mass matrix")
+    assert (
+        "    [[M + m, L*M*cos(theta)/2], [L*M*cos(theta)/2, L**2*M/12]]\n"
+        "                                                          ^^\n"
+        "    write 3 for 12: the factor is wrong\n"
+        "    then PROVED: [[M + m, L*M*cos(theta)/2], [L*M*cos(theta)/2, L**2*M/3]]\n"
+    ) in str(found)
+    assert "<mtable" in check_html(found)
 
 
 def test_an_edit_of_a_definition_says_so() -> None:

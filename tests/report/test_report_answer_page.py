@@ -195,6 +195,7 @@ def test_text_in_latex(text: str, latex: str) -> None:
         ("-a-b", ["-a", "- b"]),
         (r"a=-b", ["a", "= {-b}"]),
         (r"x^{-2}+\left(y-z\right]", ["x^{-2}", r"+ \left(y-z\right]"]),
+        (r"\begin{pmatrix}a-b & c\end{pmatrix}=d", [r"\begin{pmatrix}a-b & c\end{pmatrix}", "= d"]),
         (r"\frac{a-b}{2}-c", [r"\frac{a-b}{2}", "- c"]),
     ],
 )
@@ -224,6 +225,15 @@ def test_hostile_latex_becomes_neither_link_nor_element(hostile: str) -> None:
     assert page.classes <= {"eq", "terms", "typed"}
     assert page.attributes <= {"class", "displaystyle", "width", "form", "stretchy", "fence"}
     assert "\x1b" not in shown
+
+
+@pytest.mark.parametrize("name", ["pmatrix", "bmatrix", "matrix"])
+def test_matrices_are_typeset_and_marked(name: str) -> None:
+    source = rf"\begin{{{name}}} M+m & L \\ L & 12 \end{{{name}}} = x \tag{{6}}"
+    assert "<mtable" in equation(source, LATEX, [])
+    assert marks(source, LATEX, wrong(source, "12", "3")) == [("wrong", "12"), ("right", "3")]
+    early = equation(source, LATEX, [wrong(source, "M", "m")])
+    assert early.count("<mtd>") == 4
 
 
 def test_mathml_keeps_what_it_needs() -> None:

@@ -10,24 +10,29 @@ from mechanics.report.answer.marks import Piece
 
 NO_MATHEMATICS = re.compile(
     r"\\(?:tag|label)\s*\*?\s*\{[^{}]*\}|\\(?:nonumber|notag|limits|nolimits|displaystyle)\b"
-    r"|\\begin\s*\{[^{}]*\}|\\end\s*\{[^{}]*\}|(?<!\\)[&$]"
+    r"|\\(?:begin|end)\s*\{(?![^{}]*(?:matrix|array|cases))[^{}]*\}|(?<!\\)\$"
 )
+TABLE = re.compile(r"\\begin\s*\{[^{}]*(?:matrix|array|cases)")
+ALIGNED = re.compile(r"(?<!\\)&")
 SIGNS = re.compile(r"[-+=]")
-OPENS, CLOSES = re.compile(r"\{|\(|\[|\\left\b"), re.compile(r"\}|\)|\]|\\right\b")
+OPENS, CLOSES = re.compile(r"\{|\(|\[|\\(left|begin)\b"), re.compile(r"\}|\)|\]|\\(right|end)\b")
 TOKEN = re.compile(r"\\[A-Za-z]+|\\.|.", re.DOTALL)
 
 
 def marked(found: Sequence[Piece]) -> str:
     """LaTeX of pieces: what is wrong in the class ``wrong``, with ``right`` beside it."""
+    table = bool(TABLE.search("".join(piece.text for piece in found)))
     return "".join(
-        clean(piece.text) if piece.edit is None else both(piece.text, piece.edit.right)
+        clean(piece.text, table) if piece.edit is None else both(piece.text, piece.edit.right)
         for piece in found
     )
 
 
-def clean(latex: str) -> str:
-    """LaTeX without its numbers, labels and alignment."""
-    return NO_MATHEMATICS.sub(" ", latex)
+def clean(latex: str, table: bool | None = None) -> str:
+    """LaTeX without its numbers, labels and alignment, but of a table."""
+    bare = NO_MATHEMATICS.sub(" ", latex)
+    kept = bool(TABLE.search(bare)) if table is None else table
+    return bare if kept else ALIGNED.sub(" ", bare)
 
 
 def both(wrong: str, right: str) -> str:

@@ -6,9 +6,8 @@ simulator.py:rate, theta_ddot    ->    theta_ddot = -g*cos(theta)/l
 import re
 from dataclasses import replace
 
-from sympy.matrices import MatrixBase
-
 from mechanics.blame.search.spell import Spelling
+from mechanics.blame.search.told import sides_of
 from mechanics.reading.from_sympy import Untreeable
 from mechanics.reading.names import Naming, Vocabulary
 from mechanics.reading.place import Refused
@@ -62,10 +61,10 @@ def _formula(statement: Statement, scene: Scene) -> str:
     """The sides as the edits spell them; empty where they cannot be spelled."""
     written = statement.written or _code(scene)
     row = statement.row
-    if row is None or any(isinstance(side, MatrixBase) for side in row.sides):
+    if row is None:
         return ""
     try:
         trees = row_trees(row, written)
     except (Untreeable, Refused):
         return ""
-    return " = ".join(map(Spelling(written, frozenset()), trees))
+    return " = ".join(sides_of(map(Spelling(written, frozenset()), trees), row))
