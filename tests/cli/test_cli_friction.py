@@ -70,6 +70,7 @@ def test_friction_that_presses_wrongly_is_named(run: Any, tmp_path: Path, name: 
     assert words in " ".join(found.out.split())
 
 
+@pytest.mark.slow
 def test_a_crosscheck_shows_everything(run: Any, tmp_path: Path) -> None:
     page = tmp_path / "friction.html"
     found = run("crosscheck", "cartpole_friction", "--states", 100, "--report", page)
@@ -86,7 +87,7 @@ def test_a_motion_ends_where_sliding_does(run: Any, tmp_path: Path) -> None:
     assert "sticking is not modelled" in " ".join((found.out + found.err).split())
 
 
-@pytest.mark.parametrize("command", ["linearize", "modes", "trade", "fmu"])
+@pytest.mark.parametrize("command", ["linearize", "modes", "fmu"])
 def test_what_is_not_defined_with_friction_is_refused_in_one_line(
     run: Any, tmp_path: Path, command: str
 ) -> None:

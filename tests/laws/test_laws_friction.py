@@ -136,7 +136,11 @@ SCENES: dict[str, Callable[[], Scene]] = {
 }
 
 
-@pytest.mark.parametrize("name", SCENES)
+SLOW = ("wedge", "pulled")
+EVERY = [pytest.param(n, marks=pytest.mark.slow) if n in SLOW else n for n in SCENES]
+
+
+@pytest.mark.parametrize("name", EVERY)
 def test_friction_by_every_route(assert_laws: Any, name: str) -> None:
     assert_laws(SCENES[name]())
 
