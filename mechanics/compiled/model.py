@@ -15,6 +15,7 @@ from numpy.typing import ArrayLike, NDArray
 from mechanics.compiled.calls.checked import checked
 from mechanics.compiled.calls.direct_states import ManyStates
 from mechanics.compiled.calls.functions import Functions
+from mechanics.compiled.calls.given import as_doubles
 from mechanics.compiled.calls.many_states import look_at, written
 from mechanics.compiled.calls.one_state import CALLS, OneState
 from mechanics.compiled.fixed import read_fixed
@@ -55,11 +56,15 @@ class Model(Functions):
         a time: results differ by a few units in the last place from those of single states. They
         are written to `out`, if that is given; arrays are not copied, whatever their strides.
 
-        Arrays of float64 take the shortest way, half a microsecond for one state; lists, other
-        types, parameters by name and `out` take 30 us more. Threads pay from 1e5 states on.
+        Arrays of float64 take the shortest way, half a microsecond for one state, lists and other
+        types some more; parameters by name, `out`, and batches of fewer states take 30 us. Threads
+        pay from 1e5 states on.
         """
         if out is None:
-            found = self._one["forward_dynamics" if check else "unchecked"](q, u, inputs, p)
+            one = self._one["forward_dynamics" if check else "unchecked"]
+            found = one(q, u, inputs, p)
+            if found is None:
+                found = one(*map(as_doubles, (q, u, inputs, p)))
             if found is not None:
                 return found
         if threads == 1 and isinstance(q, np.ndarray) and q.ndim == 2:
@@ -95,7 +100,10 @@ class Model(Functions):
                 return found
         code, scene = self.program(name), self.equations.scene.name
         look_at(code, out or {}, count, np.float64, threads)
-        looked = checked(scene, code, self.entries, given, self.evaluate)
+        looked = checked(
+            scene, code, self.entries, given,
+            lambda watched: self._evaluated(watched, np.float64, given, count)[0],
+        )  # fmt: skip
         return found if several else written(looked, out or {})
 
     def mass_matrix(

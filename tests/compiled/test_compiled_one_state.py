@@ -361,3 +361,15 @@ def test_without_a_compiler_the_virtual_machine_does_it(derived) -> None:
     assert_array_equal(
         model.forward_dynamics(q, u), model.evaluate("forward_dynamics", q=q, u=u)["ud"]
     )
+
+
+@pytest.mark.parametrize("kind", [list, tuple, np.float32, np.int64])
+def test_other_types_take_the_same_way_as_doubles(
+    pendulum: Model, kind: Any, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """They are converted, not sent through the way that explains what is wrong."""
+    q, u = np.array([1.0, 2.0]), np.array([-3.0, 4.0])
+    expected = pendulum.forward_dynamics(q, u)
+    given = [a.astype(kind) if issubclass(kind, np.generic) else kind(a) for a in (q, u)]
+    monkeypatch.setattr(type(pendulum), "_solved", None)
+    assert_array_equal(pendulum.forward_dynamics(*given), expected)

@@ -24,7 +24,7 @@ def checked(
     code: Program,
     entries: Mapping[str, tuple[str, ...]],
     given: Mapping[str, Array],
-    evaluate: Callable[..., dict[str, Array]],
+    evaluate: Callable[[str], dict[str, Array]],
 ) -> dict[str, Array]:
     """Every output of a function, finite.
 
@@ -37,7 +37,7 @@ def checked(
     given : mapping of str to array
         (size,) or (batch, size) by input.
     evaluate : callable
-        Takes the name of the function that also gives what is watched.
+        Takes the name of the function that also gives what is watched; its outputs there.
 
     Raises
     ------
@@ -48,7 +48,7 @@ def checked(
     RangeError
         If a value is beyond the largest number.
     """
-    found = evaluate(f"{code.name}{WATCHED}", **given)
+    found = evaluate(f"{code.name}{WATCHED}")
     good = np.all([np.isfinite(v).all(axis=-1) for v in found.values()], axis=0)
     inside = found.pop("watched")
     if not np.all(good):

@@ -41,6 +41,19 @@ def given_array(group: str, names: Sequence[str], kind: type[np.floating], value
     return array
 
 
+def as_doubles(value: Any) -> Any:
+    """A list, or an array of another real type, as an array of doubles; all else as it is."""
+    if isinstance(value, np.ndarray):
+        return value.astype(np.float64, copy=False) if value.dtype.kind in "fiu" else value
+    if not isinstance(value, list | tuple):
+        return value
+    try:
+        return np.asarray(value, dtype=np.float64)
+    except (TypeError, ValueError):
+        # What it is instead is named by `given_array`, which meets it next.
+        return value
+
+
 def named_parameters(
     names: Sequence[str], given: Mapping[str, float], known: Quantities, fixed: Fixed
 ) -> Array:

@@ -39,6 +39,7 @@ class Programs:
     def __init__(self, graphs: Graphs, reciprocals: bool = True) -> None:
         self._graphs, self.reciprocals = graphs, reciprocals
         self._made: dict[str, Program] = {}
+        self._names: dict[str, dict[str, tuple[str, ...]]] = {}
 
     def __getitem__(self, name: str) -> Program:
         if name not in self._made:
@@ -83,5 +84,9 @@ class Programs:
 
     def names(self, name: str) -> dict[str, tuple[str, ...]]:
         """Names of the entries of every input of a function."""
-        groups = [group for group, _ in self[name].inputs]
-        return {g: self.hoisted.names if g == CONSTANTS else self.entries[g] for g in groups}
+        if name not in self._names:
+            groups = [group for group, _ in self[name].inputs]
+            self._names[name] = {
+                g: self.hoisted.names if g == CONSTANTS else self.entries[g] for g in groups
+            }
+        return self._names[name]
