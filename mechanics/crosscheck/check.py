@@ -57,7 +57,8 @@ def check(
     names : mapping of str to str, optional
         The person's names and the scene's: ``{"phi": "theta", "w": "theta_dot"}``; for an argument
         of code that is a vector, several: ``{"state": "x x_dot theta theta_dot"}``. What is not
-        given is the same name, or the best guess, which the result tells.
+        given is the same name, or the best guess, which the result tells. The generalized momentum
+        of a coordinate theta is ``"p_theta"``: ``{"pi_1": "p_theta"}``.
     notation : str, optional
         ``"latex"``, ``"text"`` or ``"c"``, where that is not plain.
     about : str, optional

@@ -81,3 +81,15 @@ def test_what_a_text_calls_p_itself_is_no_generalized_momentum(truth) -> None:
     assert any(remark.startswith("p_x is taken as defined by") for remark in found.remarks)
     assert all(entry.finding.verdict.name == "UNDECIDED" or entry.finding.shown
                for entry in found.judged)  # fmt: skip
+
+
+def test_an_energy_in_momenta_is_blamed_by_what_it_would_give(truth, edits) -> None:
+    text = """
+    phi1'' * (m1 + m2)*l1 + m2*l2*phi2''*cos(phi1 - phi2) ...
+        + m2*l2*phi2'^2*sin(phi1 - phi2) + (m1 + m2)*g*sin(phi1) = 0
+    L = (p1*phi1' + p2*phi2')/2 + (m1 + m2)*g*l1*cos(phi1) + m2*g*l2*sin(phi2)
+    """
+    equation, lagrangian = mechanics.check(truth("double_pendulum"), text).judged
+    assert equation.finding.verdict.name == "PROVED"
+    assert edits(lagrangian) == [("FUNCTION", "sin(phi2)", "cos(phi2)")]
+    assert any("the equations would differ by (0," in w for w in lagrangian.blame.explanations)
