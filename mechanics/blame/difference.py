@@ -24,6 +24,7 @@ from mechanics.blame.view import View, view_of
 from mechanics.equations import Equations
 from mechanics.errors import ExpressionError
 from mechanics.exact import TooLarge
+from mechanics.kinematics.momenta import momenta_written_out, momentum_symbols, rate_symbol
 from mechanics.reading.statement import Statement
 from mechanics.scene.published import Published
 from mechanics.scene.quantities import EquationOfMotion, ReactionValue
@@ -108,7 +109,7 @@ def groups(
         return tuple(
             Group(name, left, right, origins_of(pieces, apart(right, left)), about)
             for side in row.sides
-            for other, own in [folded(truth, side)]
+            for other, own in [folded(truth, momenta_written_out(truth.scene, side))]
             for name, about, left, right, pieces in entries_of(
                 other.scene, replace(row, sides=(own,))
             )
@@ -118,18 +119,28 @@ def groups(
 
 
 def _of_equation(truth: Equations, row: Published, repaired: Published | None) -> tuple[Group, ...]:
-    truth, expression = folded(truth, residual(row))
-    right = None if repaired is None else folded(truth, residual(repaired))[1]
-    found = meant(truth, expression, right)
-    if found is None:
-        return ()
-    scene, by_field = truth.scene, {}
+    scene, own = truth.scene, residual(row)
+    plain = momenta_written_out(scene, own)
+    if repaired is not None:
+        # Both are in the person's symbols, momenta among them.
+        truth, expression = folded(truth, own)
+        found = meant(truth, expression, folded(truth, residual(repaired))[1])
+    else:
+        truth, expression = folded(truth, plain)
+        found = meant(truth, expression)
+        if found is not None and found.multiplied and plain != own:
+            return ()  # momenta over sums, written out in speeds: nothing that one could read
+    return () if found is None else tuple(_by_group(truth, expression, found))
+
+
+def _by_group(truth: Equations, expression: Expr, found: Meant) -> Iterator[Group]:
+    scene = truth.scene
+    by_field: dict[str, tuple[str, ...]] = {}
     if not found.pieces:
-        by_field = origins_in_field(truth, written(found.right))
+        by_field = origins_in_field(truth, momenta_written_out(scene, written(found.right)))
     left, other = grouped(scene, found.written), grouped(scene, found.right)
     symbols = {f"{COEFFICIENT}{s.name}": s for s in meanings(scene).accelerations}
     summed = any(not node.args[0].is_Symbol for node in expression.atoms(sin, cos))
-    result = []
     for name in dict.fromkeys((*grouped(scene, found.different), *left, *other)):
         one, two = left.get(name, {}), other.get(name, {})
         if one == two:
@@ -138,9 +149,7 @@ def _of_equation(truth: Equations, row: Published, repaired: Published | None) -
         if found.pieces:
             parts = [(o, grouped(scene, terms).get(name, {})) for o, terms in found.pieces]
             origin = origins_of(parts, apart(two, one))
-        about = symbols.get(name)
-        result.append(Group(name, one, two, origin, about, summed, found.multiplied))
-    return tuple(result)
+        yield Group(name, one, two, origin, symbols.get(name), summed, found.multiplied)
 
 
 def residual(row: Published) -> Expr:
@@ -164,6 +173,8 @@ def meant(truth: Equations, expression: Expr, right: Expr | None = None) -> Mean
     view = view_of(truth, expression)
     moving = {*view.speeds, *view.accelerations, *truth.scene.input_symbols}
     moving |= {reaction.symbol for reaction in truth.scene.reactions}
+    momenta = momentum_symbols(truth.scene)
+    moving |= {*momenta, *map(rate_symbol, momenta)}
     left = _cleared(expression, moving, view.accelerations)
     multiplied = terms_of([expression]) != [left]
     if right is not None:
@@ -171,8 +182,9 @@ def meant(truth: Equations, expression: Expr, right: Expr | None = None) -> Mean
             "the repaired statement", ((GIVEN, _cleared(right, moving, view.accelerations)),)
         )
         aimed = nearest(left, [target], moving, view.accelerations)
-        if aimed is None:
-            return None
+        as_written = _as_written(expression, right)
+        if aimed is None or len(as_written.different) <= multiplied * len(aimed.different):
+            return as_written
         known = _candidates(view, expression)
         same = nearest(aimed.right, known, moving, view.accelerations)
         pieces = same.pieces if same is not None and not same.different else ()
@@ -181,6 +193,12 @@ def meant(truth: Equations, expression: Expr, right: Expr | None = None) -> Mean
     if found is None or not holds(truth, written(found.right)):
         return None
     return replace(found, multiplied=multiplied)
+
+
+def _as_written(expression: Expr, right: Expr) -> Meant:
+    """Both with the denominators that they have; a sum there counts as one factor."""
+    one, two = terms_of([expression, right])
+    return Meant("the repaired statement", one, two, ())
 
 
 def _cleared(expression: Expr, moving: set[Symbol], leading: Sequence[Symbol]) -> Terms:

@@ -1,4 +1,4 @@
-"""Energies and mass matrices, entry by entry, against what the engine derives.
+"""Energies, momenta and mass matrices, entry by entry, against what the engine derives.
 
 T = sum (m v . v + w . I w) / 2        V = -sum m g . r + sum k d^2 / 2        M_ij = d2T/du_i du_j
 """
@@ -63,7 +63,7 @@ def potential_pieces(scene: Scene) -> Pieces:
 
 
 def entries_of(scene: Scene, row: Published) -> Iterator[Entry]:
-    """The entries of an energy or mass matrix that differ; none for other quantities.
+    """The entries of an energy, momentum or mass matrix that differ; none for other quantities.
 
     The scene and the row are in the same symbols, as `folded` gives them.
     """
@@ -72,7 +72,11 @@ def entries_of(scene: Scene, row: Published) -> Iterator[Entry]:
         if row.sides[-1].shape == (size, size):
             yield from _matrix(scene, row.sides[-1])
     elif type(row.quantity) in SIGNS:
-        yield from _energy(scene, row)
+        for side in row.sides:
+            yield from _compared(scene, side, energy_pieces(scene, row), row)
+    elif isinstance(row.quantity, q.GeneralizedMomentum):
+        for side in row.sides:
+            yield from _compared(scene, side, _momentum(scene, row.quantity.coordinate), row)
 
 
 def energy_pieces(scene: Scene, row: Published) -> Pieces:
@@ -83,16 +87,20 @@ def energy_pieces(scene: Scene, row: Published) -> Pieces:
     return tuple(found)
 
 
-def _energy(scene: Scene, row: Published) -> Iterator[Entry]:
-    pieces = energy_pieces(scene, row)
-    for side in row.sides:
-        yield from _compared(scene, side, pieces, row)
+def _momentum(scene: Scene, coordinate: str) -> Pieces:
+    """dT/dq' of each piece of the kinetic energy; u may be other than q'."""
+    qd = next(qd for c, qd in zip(scene.q, scene.qd, strict=True) if c.name == coordinate)
+    table = {u: scene.rates(value) for u, (_, value) in zip(scene.u, scene.speeds, strict=False)}
+    return tuple(
+        (origin, scene.plain(value.xreplace(table).diff(qd)))
+        for origin, value in kinetic_pieces(scene)
+    )
 
 
 def _compared(scene: Scene, side: Expr, pieces: Pieces, row: Published) -> Iterator[Entry]:
     written, *others = terms_of([side, *(value for _, value in pieces)])
     parts = tuple((o, part) for (o, _), part in zip(pieces, others, strict=True))
-    constant = not isinstance(row.quantity, q.KineticEnergy)
+    constant = SIGNS.get(type(row.quantity), (1, 0))[1] != 0
     sides = _split(scene, written), _split(scene, total(part for _, part in parts))
     for speeds in dict.fromkeys((*sides[0], *sides[1])):
         left, right = (side.get(speeds, {}) for side in sides)

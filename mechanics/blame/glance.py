@@ -17,6 +17,7 @@ from mechanics.errors import ExpressionError
 from mechanics.exact import Arithmetic, Number, SingularHere
 from mechanics.exact.field_trial import look
 from mechanics.kinematics.manifold import settle
+from mechanics.kinematics.momenta import momenta_written_out
 from mechanics.scene import Scene
 from mechanics.scene.published import Published
 
@@ -131,6 +132,7 @@ def stated(scene: Scene, index: int, row: Published, residual: Expr, refuted: bo
         When it outgrows the normal form.
     """
     unknowns = (*scene.ud, *(reaction.symbol for reaction in scene.reactions))
+    residual = momenta_written_out(scene, residual)
     factors, rest = split(scene.plain(residual), unknowns)
     held = tuple(pair for pair in zip(unknowns, factors, strict=True) if pair[1] != 0)
     return Stated(index, row, residual, held, rest, refuted)

@@ -90,7 +90,7 @@ def _primitive(work: Reader, polynomial: fmpq_mpoly, moving: set[Symbol]) -> fmp
     for exponents, value in polynomial.terms():
         rest = tuple(0 if i in places else int(e) for i, e in enumerate(exponents))
         split.setdefault(tuple(int(exponents[p]) for p in places), {})[rest] = value
-    common = ring.constant(0)
+    common = ring.constant(0 if len(split) > 1 else 1)
     for part in split.values():
         common = common.gcd(ring.from_terms(part))
         if common.is_constant():

@@ -9,6 +9,7 @@ from sympy import Expr, S, Symbol, sympify
 
 import mechanics
 from mechanics.blame.difference import differences, groups
+from mechanics.blame.explanations import explanations
 from mechanics.blame.result import Difference
 from mechanics.blame.rows import generalized_rows
 from mechanics.blame.terms import Terms, terms_of, total, written
@@ -198,3 +199,52 @@ def test_what_shares_no_term_with_a_right_equation_has_no_differences(
     truth = truth_of("rocker")
     strange = truth.scene.ud[0] ** 3 - 7
     assert differences(truth, stated(strange)) == ()
+
+
+def test_beside_a_repair_terms_keep_the_denominators_that_were_written(
+    truth_of: Callable[[str], Equations],
+) -> None:
+    truth = truth_of("cartpole")
+    right = (
+        "theta_ddot = (g*sin(theta) - cos(theta)*(F + mp*l*theta_dot**2*sin(theta))/(mc+mp))"
+        "/(l*(4/3 - mp*cos(theta)**2/(mc+mp)))"
+    )
+    wrong = right.replace("(g*sin", "(-g*sin")
+    one, two = mechanics.check(truth, f"{wrong}\n{right}", blame=False).judged
+    (found,) = differences(truth, one.statement, repaired=two.statement.row)
+    assert (found.group, found.origin) == ("gravity", ("gravity on pole",))
+    assert sympify(found.written) == -sympify(found.right)
+
+
+def test_a_generalized_momentum_is_compared_rate_by_rate(
+    truth_of: Callable[[str], Equations],
+) -> None:
+    truth = truth_of("double_pendulum")
+    text = "p1 = (m1 + m2)*l1*phi1_dot + m2*l1*l2*cos(phi1 - phi2)*phi2_dot"
+    (entry,) = mechanics.check(truth, text, names={"p1": "p_phi1"}, blame=False).judged
+    (found,) = differences(truth, entry.statement)
+    assert found.group == "coefficient of phi1_dot"
+    assert (found.written, found.right) == ("l1*(m1 + m2)", "l1**2*(m1 + m2)")
+    assert len(found.origin) == 2
+
+
+def test_hamiltons_equations_are_compared_in_their_momenta(
+    truth_of: Callable[[str], Equations],
+) -> None:
+    truth = truth_of("double_pendulum")
+    right = (
+        "D = m1 + m2*sin(phi1 - phi2)**2\n"
+        "h1 = p1*p2*sin(phi1 - phi2)/(l1*l2*D)\n"
+        "h2 = (m2*l2**2*p1**2 + (m1 + m2)*l1**2*p2**2 - 2*m2*l1*l2*p1*p2*cos(phi1 - phi2))"
+        "/(2*l1**2*l2**2*D**2)\n"
+        "p2' = -m2*g*l2*sin(phi2) + h1 - h2*sin(2*(phi1 - phi2))"
+    )
+    wrong = right.replace("= -m2", "= m2")
+    names = {"p1": "p_phi1", "p2": "p_phi2"}
+    (one,) = mechanics.check(truth, wrong, names=names, blame=False).judged
+    (two,) = mechanics.check(truth, right, names=names, blame=False).judged
+    (found,) = differences(truth, one.statement, repaired=two.statement.row)
+    assert (found.group, found.written, found.right, found.origin) == (
+        "gravity", "-g*l2*m2*sin(phi2)", "g*l2*m2*sin(phi2)", ("gravity on lower",),
+    )  # fmt: skip
+    assert explanations(truth, [one.statement], [one.finding]) == (("gravity reversed",),)
