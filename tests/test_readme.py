@@ -5,6 +5,9 @@ import io
 import re
 from pathlib import Path
 
+import mechanics
+from systems import elastic_pendulum
+
 ROOT = Path(__file__).parents[1]
 README = (ROOT / "README.md").read_text(encoding="utf-8")
 
@@ -28,3 +31,9 @@ def test_files_that_the_readme_links_exist() -> None:
     assert links
     missing = [link for link in links if "://" not in link and not (ROOT / link).exists()]
     assert not missing
+
+
+def test_the_answer_to_wrong_equations_is_what_the_readme_says() -> None:
+    found = mechanics.check(elastic_pendulum.scene(), block("file: mine.tex"), notation="latex")
+    printed = str(found).splitlines()
+    assert set(block("output: check").splitlines()) <= set(printed)
