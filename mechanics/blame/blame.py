@@ -49,7 +49,11 @@ def blame(truth: Equations, statement: Statement) -> Blame:
         return Blame((), (), searched=f"not searched: it holds what has no tree: {reason}")
     if claim is None:
         return Blame((), (), searched="not searched: it could not be read")
-    found = list(islice(_repairs(claim, statement), SHOWN))
+    try:
+        found = list(islice(_repairs(claim, statement), SHOWN))
+    except (MechanicsError, Refused) as reason:
+        told = _differences(claim, statement, None)
+        return Blame(told, (), searched=f"not searched to the end: {reason}")
     row = found[0][1] if found else None
     told = _differences(claim, statement, row)
     words = "" if found else SEARCHED
@@ -60,8 +64,8 @@ BESIDE = 2
 """Edits of one equality that are tried beside those of another one."""
 
 SEARCHED = (
-    "every sign, factor, symbol, function and power, every term left out, every pair of them, and"
-    " every missing term that is one product: none makes it right"
+    "every sign, factor, symbol, function and power, every term left out, every missing term that"
+    " is one product, and pairs of these: none makes it right"
 )
 
 

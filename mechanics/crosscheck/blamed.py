@@ -11,7 +11,7 @@ from sympy import preorder_traversal
 
 from mechanics.blame.blame import blame as blame_of
 from mechanics.blame.explanations import explanations
-from mechanics.blame.result import Blame
+from mechanics.blame.result import Blame, Edit
 from mechanics.equations import Equations
 from mechanics.errors import MechanicsError
 from mechanics.exact import Verdict
@@ -23,8 +23,8 @@ from mechanics.report.answer.judged import Judged
 MOST = 12
 """Statements that are searched: where more are wrong, a name or sign is wrong in all of them."""
 
-LARGEST = 500
-"""Nodes of a row: an equation of half a page."""
+LARGEST = 1200
+"""Nodes of a row: an equation of a page, searched in some seconds."""
 
 
 LONGEST = 20.0
@@ -55,7 +55,33 @@ def blamed(truth: Equations, judged: Sequence[Judged]) -> tuple[Judged, ...]:
         late = Blame((), (), searched=f"not searched: those before it took {LONGEST:.0f} s")
         blame = late if process_time() > end else _search(truth, judged[k].statement)
         found[k] = replace(found[k], blame=replace(blame, explanations=reasons))
+    return named_once(found)
+
+
+def named_once(judged: Sequence[Judged]) -> tuple[Judged, ...]:
+    """One error in a definition of the person that spoils several statements is told to be one."""
+    tags: dict[Edit, list[str]] = {}
+    for entry in judged:
+        for edit in _in_definitions(entry):
+            tags.setdefault(edit, []).append(entry.statement.tag)
+    found = []
+    for entry in judged:
+        words = tuple(
+            f"one error in the definition of {edit.definition}: {', '.join(tags[edit])}"
+            for edit in _in_definitions(entry)
+            if len(tags[edit]) > 1
+        )
+        blame = entry.blame
+        if words and blame is not None:
+            blame = replace(blame, explanations=(*blame.explanations, *words))
+        found.append(replace(entry, blame=blame))
     return tuple(found)
+
+
+def _in_definitions(entry: Judged) -> list[Edit]:
+    """Edits of the first repair that stand in a definition of the person."""
+    repairs = entry.blame.repairs if entry.blame is not None else ()
+    return [edit for repair in repairs[:1] for edit in repair.edits if edit.definition]
 
 
 def nodes(statement: Statement) -> int:

@@ -110,6 +110,9 @@ def test_a_mistake_in_a_definition_is_named_there(
     assert edits[0] == edits[1]
     ((edit,), _) = edits
     assert (edit.mistake, edit.definition, edit.span) == (mistake, definition, None)
+    for entry in mechanics.check(SCENES["cartpole"], text).judged:
+        told = f"one error in the definition of {definition}: 1, 2"
+        assert entry.blame is not None and told in entry.blame.explanations
 
 
 def test_the_mass_matrix_entry_by_entry() -> None:

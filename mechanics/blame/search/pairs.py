@@ -109,12 +109,25 @@ def _multiplied(
     for child, value, change in here:
         if value and child in inverse:
             known[value * inverse[child] % p].append((child, change))
-    for ratio, group in known.items():
-        partners = known.get(wanted * pow(ratio, -1, p) % p, ())
+    for one, (_, group) in zip(inverses(list(known), p), known.items(), strict=True):
+        partners = known.get(wanted * one % p, ())
         for child, change in group:
             for other, partner in partners:
                 if other < child:
                     yield partner, change
+
+
+def inverses(values: Sequence[int], p: int) -> list[int]:
+    """One over each of many residues, by one division for all of them."""
+    before, found = 1, []
+    for value in values:
+        found.append(before)
+        before = before * value % p
+    after = pow(before, -1, p)
+    for i in reversed(range(len(values))):
+        found[i] = found[i] * after % p
+        after = after * values[i] % p
+    return found
 
 
 def _at_root(problem: Problem, changes: Sequence[Change]) -> Iterator[tuple[Change, Change]]:

@@ -18,6 +18,9 @@ from mechanics.scene.symbols import plain_symbol
 
 TRIGONOMETRIC = ("sin", "cos", "tan")
 
+LARGE = 400
+"""Nodes beyond which only symbols that were written are put in place of others."""
+
 
 @dataclass(frozen=True)
 class Word:
@@ -77,8 +80,9 @@ class Words:
                 if each in set(self.held):
                     kinds.setdefault(each, "momentum")
         first = [symbol for symbol in kinds if symbol in set(self.held)]
+        large = len(self.sheets[0].forest.nodes) > LARGE
         found = []
-        for symbol in dict.fromkeys([*first, *kinds]):
+        for symbol in dict.fromkeys(first if large else [*first, *kinds]):
             values = tuple(sheet.point.value(symbol) for sheet in self.sheets)
             found.append(Word(symbol, self.written.name_of(symbol), values, kinds[symbol]))
         return tuple(found)
