@@ -23,7 +23,7 @@ from sympy.physics.mechanics import (
 import mechanics
 from mechanics.crosscheck.check import derived
 from mechanics.errors import InputError
-from systems import elastic_pendulum
+from systems import cartpole, elastic_pendulum
 
 PENDULUM = derived(elastic_pendulum.scene())
 
@@ -219,3 +219,24 @@ def test_sympy_objects() -> None:
     assert judged(PENDULUM, [term, sp.Eq(M, 3 * L), x.diff() + theta]) == [
         "REFUTED", "REFUTED", "UNDECIDED",
     ]  # fmt: skip
+
+
+def separate(x, x_dot, theta, theta_dot, F, mc, mp, l, g):  # type: ignore[no-untyped-def]
+    sine, cosine = np.sin(theta), np.cos(theta)
+    push = (F + mp * l * theta_dot**2 * sine) / (mc + mp)
+    turn = (g * sine - cosine * push) / (l * (4 / 3 - mp * cosine**2 / (mc + mp)))
+    return np.array([x_dot, push - mp * l * turn * cosine / (mc + mp), theta_dot, turn])
+
+
+def separate_by_order(x, theta, x_dot, theta_dot, F, mc, mp, l, g):  # type: ignore[no-untyped-def]
+    return separate(x, x_dot, theta, theta_dot, F, mc, mp, l, g)
+
+
+def grouped(x, x_dot, theta, theta_dot, F, mc, mp, l, g):  # type: ignore[no-untyped-def]
+    return separate(x, x_dot, theta, theta_dot, F, mc, mp, l, g)[[0, 2, 1, 3]]
+
+
+@pytest.mark.parametrize("function", [separate, separate_by_order, grouped])
+def test_rates_of_a_state_that_is_passed_entry_by_entry(function: Callable) -> None:
+    found = mechanics.check(cartpole.scene(), function)
+    assert found.ok, str(found)

@@ -6,7 +6,7 @@ with u' among the arguments  residuals                       0 = output k
 a square matrix              the mass matrix                 with a vector beside it: M u' = f
 """
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 
 from sympy import Expr, Matrix, S
 
@@ -88,6 +88,23 @@ def in_order(scene: Scene, values: Sequence[Matrix], state: Sequence[Expr]) -> b
     table = rate_table(scene)
     pairs = zip(state, entries, strict=True)
     return all(table[s] == entry for s, entry in pairs if s in scene.q)
+
+
+def state_of_scalars(
+    scene: Scene, values: Sequence[Matrix], arguments: Iterable[object]
+) -> tuple[Expr, ...]:
+    """The state whose rates code returns that takes its entries one by one; empty for no state.
+
+    In the order of the arguments, or x, theta, ..., x_dot, theta_dot, ..., or x, x_dot, theta,
+    theta_dot, ...: the first in which the rates of the coordinates are where they belong.
+    """
+    both = (*scene.q, *scene.u)
+    given = tuple(symbol for symbol in arguments if symbol in both)
+    if set(given) != set(both):
+        return ()
+    mixed = tuple(symbol for pair in zip(scene.q, scene.u, strict=False) for symbol in pair)
+    orders = [given, both, mixed] if len(mixed) == len(both) else [given, both]
+    return next((order for order in orders if in_order(scene, values, order)), given)
 
 
 def statement(claim: Claim, title: str, notes: tuple[str, ...]) -> Statement:

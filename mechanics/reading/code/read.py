@@ -24,7 +24,7 @@ from mechanics.reading.assemble import Reading
 from mechanics.reading.code.arguments import Arguments, arguments_of
 from mechanics.reading.code.c_place import placed
 from mechanics.reading.code.c_wrapper import WRAPPER, wrapped
-from mechanics.reading.code.outputs import claims, in_order, statement
+from mechanics.reading.code.outputs import claims, in_order, state_of_scalars, statement
 from mechanics.reading.code.tracing import Outputs, trace
 from mechanics.reading.code.written import Written
 from mechanics.reading.guess import guess
@@ -194,7 +194,8 @@ def _read(
         again = run(other)
         if in_order(scene, again.values, other.state):
             arguments, outputs = other, again
-    found = claims(scene, outputs.values, arguments.state, about, title)
+    state = arguments.state or state_of_scalars(scene, outputs.values, arguments.values.values())
+    found = claims(scene, outputs.values, state, about, title)
     statements = tuple(statement(claim, title, outputs.notes) for claim in found)
     return Reading(statements, arguments.matches, ())
 
