@@ -155,3 +155,15 @@ def test_two_terms_of_one_sum_are_both_missed() -> None:
     first, *_ = repairs(PENDULUM, text)
     assert [edit.mistake for edit in first.edits] == [Mistake.MISSING] * 2
     assert sum("k" in edit.right for edit in first.edits) == 1
+
+
+def test_equally_small_repairs_are_all_shown() -> None:
+    """Halving one half of an equation, or doubling the other: both are right, both are told."""
+    text = (
+        r"(M+m) \ddot{x}+3 k x+M L \left(\ddot{\theta} \cos \theta"
+        r"-\dot{\theta}^{2} \sin \theta\right)=0"
+    )
+    found = repairs(PENDULUM, text)
+    assert len(found) > 1
+    assert len({repair.repaired for repair in found}) == len(found)
+    assert len({len(repair.edits) for repair in found}) == 1
