@@ -95,6 +95,22 @@ def swallows_errors(tree: ast.Module) -> Breaches:
                 )
 
 
+def runs_text(tree: ast.Module) -> Breaches:
+    """Calls that turn text into code; `sympify` does unless it is strict."""
+    names = {"eval", "exec", "compile", "__import__", "lambdify", "parse_expr", "parse_latex"}
+    shells = {"system", "popen", "Popen", "check_output", "check_call", "import_module"}
+    for node in ast.walk(tree):
+        if not isinstance(node, ast.Call):
+            continue
+        plain = isinstance(node.func, ast.Name) or ast.unparse(node.func).startswith("sympy.")
+        name = called_name(node)
+        strict = any(k.arg == "strict" for k in node.keywords)
+        if name in shells or (name in names and plain):
+            yield node.lineno, f"{name}: what a person gives is read, never run"
+        if name == "sympify" and not strict:
+            yield node.lineno, "sympify without strict=True evaluates text"
+
+
 def asserts_nothing(tree: ast.Module) -> Breaches:
     for node in ast.walk(tree):
         if not isinstance(node, ast.FunctionDef) or not node.name.startswith("test"):
@@ -164,6 +180,11 @@ def test_no_error_is_swallowed() -> None:
     assert breaches(swallows_errors, files(*PACKAGES, suffix=".py")) == []
 
 
+def test_what_a_person_gives_is_never_run() -> None:
+    readers = files("mechanics/reading", "mechanics/exact/c", suffix=".py")
+    assert breaches(runs_text, readers) == []
+
+
 def test_every_test_asserts_something() -> None:
     assert breaches(asserts_nothing, files("tests", suffix=".py")) == []
 
@@ -181,6 +202,10 @@ def test_every_import_is_installed_by_the_package() -> None:
         (simplifies, "from sympy import simplify as s"),
         (swallows_errors, "try: pass\nexcept: pass"),
         (swallows_errors, "try: pass\nexcept (ValueError, Exception): pass"),
+        (runs_text, "def f(text): return eval(text)"),
+        (runs_text, "import os\nos.system(text)"),
+        (runs_text, "sympify(text)"),
+        (runs_text, "sympy.lambdify(x, text)"),
         (asserts_nothing, "class TestA:\n    def test_a(self): print(1)"),
         (undeclared_imports, "import no_such_package.part"),
         (undeclared_imports, "from pytest import raises"),
@@ -193,6 +218,7 @@ def test_laws_find_a_breach(law: Callable[[ast.Module], Breaches], source: str) 
 @pytest.mark.parametrize(
     ("law", "source"),
     [
+        (runs_text, "re.compile(text)\nsympify(1, strict=True)"),
         (simplifies, "from sympy import nsimplify\nnsimplify(1)"),
         (swallows_errors, "try: pass\nexcept (KeyError, ValueError): pass"),
         (swallows_errors, "try: pass\nexcept Exception as e: raise ValueError(e) from None"),

@@ -22,6 +22,11 @@ def _extreme(function: Any) -> Made:
     return lambda *given: function(*given, evaluate=False) if len(given) > 1 else given[0]
 
 
+def magnitude(of: Any) -> Any:
+    """The absolute value; that of a formula as it was written: SymPy would factor it for long."""
+    return Abs(of, evaluate=of.is_Atom or of.is_number)
+
+
 _ALIASES: dict[Any, str] = {
     sympy.sin: "sin", sympy.cos: "cos", sympy.tan: "tan tg", sympy.cot: "cot ctg",
     sympy.sec: "sec", sympy.csc: "csc cosec",
@@ -30,7 +35,7 @@ _ALIASES: dict[Any, str] = {
     sympy.asinh: "asinh arcsinh arsinh", sympy.acosh: "acosh arccosh arcosh",
     sympy.atanh: "atanh arctanh artanh",
     sympy.exp: "exp", sympy.log: "ln log", sympy.sqrt: "sqrt",
-    Abs: "abs Abs fabs absolute", sympy.sign: "sign sgn",
+    magnitude: "abs Abs fabs absolute", sympy.sign: "sign sgn",
 }  # fmt: skip
 
 FUNCTIONS: dict[str, tuple[int, int, Made]] = {

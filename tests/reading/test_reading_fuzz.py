@@ -1,5 +1,6 @@
 """Any text gives statements or one line with a place: no traceback, no hang, nothing is run."""
 
+import random
 import re
 import time
 
@@ -7,10 +8,14 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
+from benchmarks.fuzz import corpus, law
+from benchmarks.fuzz.mutate import mutated
+from mechanics.crosscheck.check import derived
 from mechanics.errors import InputError
 from mechanics.reading.read import read_source
 from systems import elastic_pendulum
 
+TRUTH = derived(elastic_pendulum.scene())
 SCENE = elastic_pendulum.scene()
 PLACE = re.compile(r"line \d+, column \d+: |has no|it can be")
 LATEX_WORDS = r"""
@@ -22,6 +27,13 @@ TEXT_WORDS = r"""
 x theta M L 2 0 0.5 1e3 ( ) [ ] , ; = == + - * / ** ^ .diff(t) .diff( ' sin( cos( Eq( Rational(
 x(t) Derivative( t xdd log( sqrt( . .T ... % # : \ diff( é ² θ
 """
+C_WORDS = r"""
+double int const void return if else for ( ) { } [ ] ; , = + - * / < > == && ! ? : += ++ & x theta
+x_dot theta_dot M m L k g q[0] u[1] a[0] a[1] 0 1 2 0.5 1e308 sin( cos( sqrt( pow( fabs( #define
+#include "/etc/passwd" <math.h> #if #endif /* */ // 'a' struct while << % |= sizeof
+"""
+HEAD = "void f(const double q[2], const double u[2], double M, double k, double *a) {"
+C = st.lists(st.sampled_from([*C_WORDS.split(), "\n", " "]), max_size=40).map(" ".join)
 LATEX = st.lists(st.sampled_from(LATEX_WORDS.split()), max_size=40).map(" ".join)
 TEXT = st.lists(st.sampled_from([*TEXT_WORDS.split(), "\n", " "]), max_size=40).map("".join)
 
@@ -41,6 +53,11 @@ def assert_read_or_refused(text: str, notation: str) -> None:
     assert time.process_time() - start < 60
 
 
+def assert_kept(notation: str, data: bytes) -> None:
+    """A verdict, or one line with a line and a column."""
+    assert law.outcome(TRUTH, notation, data, blame=False).broken == ""
+
+
 FUZZ = settings(
     max_examples=150, deadline=None, suppress_health_check=list(HealthCheck), derandomize=True
 )
@@ -56,6 +73,25 @@ def test_latex_of_its_own_words(text: str) -> None:
 @given(TEXT)
 def test_text_of_its_own_words(text: str) -> None:
     assert_read_or_refused(text, "text")
+
+
+@FUZZ
+@given(C, st.booleans())
+def test_c_of_its_own_words(text: str, inside: bool) -> None:
+    assert_kept("c", (f"{HEAD} {text} }}" if inside else text).encode())
+
+
+@FUZZ
+@given(st.binary(max_size=80), st.sampled_from(["latex", "text", "c"]))
+def test_any_bytes(data: bytes, notation: str) -> None:
+    assert_kept(notation, data)
+
+
+@FUZZ
+@given(st.randoms(use_true_random=False), st.sampled_from(corpus.NOTATIONS))
+def test_documents_of_the_corpus_changed(source: random.Random, notation: str) -> None:
+    seeds = [entry.data for entry in corpus.load(notation) if len(entry.data) < 400]
+    assert_kept(notation, mutated(source.choice(seeds), notation, source, seeds))
 
 
 @FUZZ

@@ -9,8 +9,10 @@ condition are mostly equal. An integer that depends on conditions is a tree of c
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
+
+from mechanics.errors import ExpressionError
 
 
 @dataclass(frozen=True)
@@ -79,7 +81,15 @@ class Choice:
     condition: Condition
     yes: Decision
     no: Decision
+    cases: int = field(init=False, compare=False, default=2)
 
+    def __post_init__(self) -> None:
+        cases = sum(side.cases if isinstance(side, Choice) else 1 for side in (self.yes, self.no))
+        object.__setattr__(self, "cases", cases)
+
+
+MOST_CASES = 64
+"""Each condition can double them."""
 
 Decision = int | Choice
 
@@ -101,8 +111,11 @@ def choice(condition: Condition, yes: Decision, no: Decision) -> Decision:
         return choice(joined(True, condition, other), yes.yes if no == yes.no else yes.no, no)
     negative = isinstance(condition, Atom) and not condition.holds
     if negative or (isinstance(condition, Joined) and not condition.both):
-        return Choice(negation(condition), no, yes)
-    return Choice(condition, yes, no)
+        condition, yes, no = negation(condition), no, yes
+    found = Choice(condition, yes, no)
+    if found.cases > MOST_CASES:
+        raise ExpressionError(f"an integer that has more than {MOST_CASES} cases is not known here")
+    return found
 
 
 def renamed(decision: Decision, name: Callable[[Atom], Condition]) -> Decision:

@@ -294,6 +294,7 @@ def _integer(op: str, left: Whole, right: Whole, where: Any) -> Value:
     except ExpressionError as error:
         raise ExpressionError(f"{where}: {error}") from None
     x, y = left.known, right.known
-    if x is None or y is None or op not in INTEGERS:
+    far = op in ("<<", ">>") and y is not None and not 0 <= y < 32
+    if x is None or y is None or far or op not in INTEGERS:
         raise ExpressionError(f"{where}: {left} {op} {right} is not known here")
     return whole(int(INTEGERS[op](x, y)))

@@ -26,6 +26,9 @@ from mechanics.exact.c.whole import Whole, plus, unknown, whole
 MOST_TURNS = 4096
 """Of a loop with constant bounds."""
 
+MOST_TURNS_IN_ALL = 20_000
+"""Of all loops together: five that nest ask for a trillion."""
+
 
 class Guard(NamedTuple):
     """A condition under which statements run, and whether the other way is run too."""
@@ -63,6 +66,7 @@ class Loops(Expressions):
         self.block: Block | None = None
         self.guards: list[Guard] = []
         self.lane_scope = 0
+        self.turns = 0
 
     def statement(self, node: Any) -> None:
         """Run one statement; a subclass knows them."""
@@ -109,6 +113,9 @@ class Loops(Expressions):
         if last.known - first.known > MOST_TURNS:
             raise ExpressionError(f"{where}: more than {MOST_TURNS} turns of a loop")
         for turn in range(first.known, last.known, step):
+            self.turns += 1
+            if self.turns > MOST_TURNS_IN_ALL:
+                raise ExpressionError(f"{where}: more than {MOST_TURNS_IN_ALL} turns of all loops")
             self._turn(node, counter, whole(turn))
 
     def _step(self, node: Any, counter: str, where: Any) -> int:

@@ -109,7 +109,7 @@ def _kane(method: KanesMethod) -> list[Sides]:
 
 def _names(side: Any) -> list[Name]:
     """Every name in an expression, with the order of its derivative, in order of their names."""
-    side = side.doit() if hasattr(side, "doit") else sympify(side)
+    side = side.doit() if hasattr(side, "doit") else sympify(side, strict=True)
     found = [Name(0, *_function(d)) for d in side.atoms(Derivative)]
     found += [Name(0, f.func.__name__, 0, True) for f in side.atoms(AppliedUndef)]
     found += [Name(0, s.name) for s in side.free_symbols if s != dynamicsymbols._t]
@@ -126,7 +126,7 @@ def _plain(naming: Naming, side: Any, unknown: list[str]) -> Any:
     """A side in the scene's plain symbols."""
     if isinstance(side, MatrixBase):
         return Matrix(side).applyfunc(lambda entry: _plain(naming, entry, unknown))
-    side = decimals(sympify(side).doit())
+    side = decimals(sympify(side, strict=True).doit())
     table: dict[Any, Any] = {}
     for atom in (*side.atoms(Derivative), *side.atoms(AppliedUndef), *side.free_symbols):
         if isinstance(atom, Derivative):

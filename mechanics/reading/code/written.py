@@ -12,6 +12,7 @@ from sympy import Expr, Piecewise, Rational
 from mechanics.errors import ExpressionError
 from mechanics.exact.arithmetic import Arithmetic, Number, Term
 from mechanics.reading.code.constants import constant_from
+from mechanics.reading.functions import magnitude
 
 FUNCTIONS = {
     "log": sympy.log, "asin": sympy.asin, "acos": sympy.acos, "atan": sympy.atan,
@@ -60,7 +61,7 @@ class Written(Arithmetic):
 
     def absolute(self, number: Number) -> Number:
         """Return |x|."""
-        return sympy.Abs(number)
+        return magnitude(number)
 
     def sign(self, number: Number) -> Number:
         """Return the sign."""
