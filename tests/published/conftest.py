@@ -32,7 +32,7 @@ def _agrees(value: float, printed: str, scale: float) -> bool:
 
 
 @pytest.fixture(scope="session")
-def agree() -> Callable:
+def assert_agree() -> Callable:
     """Assert that numbers are those that were printed, to every digit that was."""
 
     def check(values, printed: tuple[str, ...]) -> None:

@@ -45,18 +45,18 @@ def dsdt(book_or_nips: str) -> Callable:
 @pytest.mark.parametrize(
     ("variant", "printed", "verdict"), [("book", RIGHT, "PROVED"), ("nips", NIPS, "REFUTED")]
 )
-def test_the_code_itself_gets_its_verdict(truth, agree, variant, printed, verdict) -> None:
+def test_the_code_itself_gets_its_verdict(truth, assert_agree, variant, printed, verdict) -> None:
     names = ("m1", "m2", "l1", "lc1", "lc2", "I1", "I2", "g")
     state = [POINT[n] for n in ("theta1", "theta2", "theta1_dot", "theta2_dot")]
-    agree(dsdt(variant)(state, POINT["tau"], *(POINT[n] for n in names))[2:], printed)
+    assert_agree(dsdt(variant)(state, POINT["tau"], *(POINT[n] for n in names))[2:], printed)
     found = mechanics.check(truth("acrobot"), dsdt(variant), names=STATE)
     assert {m.name: m.meaning for m in found.names}["s"] == STATE["s"]
     verdicts = [entry.finding.verdict.name for entry in found.judged]
     assert verdicts == ["PROVED", "PROVED", verdict, verdict]
 
 
-def test_the_engine_gives_the_right_values(truth, agree, accelerations) -> None:
-    agree(accelerations(truth("acrobot"), POINT), RIGHT)
+def test_the_engine_gives_the_right_values(truth, assert_agree, accelerations) -> None:
+    assert_agree(accelerations(truth("acrobot"), POINT), RIGHT)
 
 
 ROWS = """
@@ -93,7 +93,7 @@ def pendulum(th, thdot, u, g, m, l):
     return 3 * g / (2 * l) * np.sin(th) + 3.0 / (m * l**2) * u
 
 
-def test_the_rod_pendulum_is_proved(truth, agree, accelerations) -> None:
+def test_the_rod_pendulum_is_proved(truth, assert_agree, accelerations) -> None:
     names = {"th": "theta", "thdot": "theta_dot"}
     found = mechanics.check(truth("rod_pendulum"), pendulum, names=names)
     assert [entry.finding.verdict.name for entry in found.judged] == ["PROVED"]

@@ -53,10 +53,10 @@ def values(function: Callable) -> np.ndarray:
 
 
 @pytest.mark.parametrize("name", CASES)
-def test_the_code_itself_gets_its_verdict(truth, agree, name: str) -> None:
+def test_the_code_itself_gets_its_verdict(truth, assert_agree, name: str) -> None:
     function, printed, verdict = CASES[name]
     pairs = [(v, p) for v, p in zip(values(function), printed, strict=True) if p is not None]
-    agree([v for v, _ in pairs], tuple(p for _, p in pairs))
+    assert_agree([v for v, _ in pairs], tuple(p for _, p in pairs))
     found = mechanics.check(truth("cartpole"), function, names=STATE)
     assert [entry.finding.verdict.name for entry in found.judged] == [verdict] * 2
     meanings = {match.name: match.meaning for match in found.names}
@@ -68,8 +68,8 @@ def test_the_code_itself_gets_its_verdict(truth, agree, name: str) -> None:
         assert folded == ("1.3333333333333333 is read as 4/3",)
 
 
-def test_the_engine_gives_the_right_values(truth, agree, accelerations) -> None:
-    agree(accelerations(truth("cartpole"), POINT), RIGHT)
+def test_the_engine_gives_the_right_values(truth, assert_agree, accelerations) -> None:
+    assert_agree(accelerations(truth("cartpole"), POINT), RIGHT)
 
 
 TEXT = r"""

@@ -20,9 +20,9 @@ def rates(p1, p2, phi1, phi2, m1, m2, l1, l2, squared=True):
 
 
 @pytest.mark.parametrize(("squared", "printed"), [(True, RIGHT), (False, WRONG)])
-def test_the_printed_values_are_reproduced(agree, squared: bool, printed: str) -> None:
+def test_the_printed_values_are_reproduced(assert_agree, squared: bool, printed: str) -> None:
     arguments = (*POINT["p"], *POINT["phi"], *POINT["m"], *POINT["l"])
-    agree(rates(*arguments, squared=squared)[:1], (printed,))
+    assert_agree(rates(*arguments, squared=squared)[:1], (printed,))
 
 
 LINES = {

@@ -93,15 +93,15 @@ def judged(truth, method) -> Check:
     return mechanics.check(truth("rolling_disc"), method, names=NAMES)
 
 
-def test_kane_is_right(truth, agree) -> None:
+def test_kane_is_right(truth, assert_agree) -> None:
     method = by_kane()
-    agree(solved(method), RIGHT)
+    assert_agree(solved(method), RIGHT)
     found = judged(truth, method)
     assert {entry.finding.verdict.name for entry in found.judged} <= {"PROVED", "CERTIFIED"}
     assert len(found.judged) == 3
 
 
-def test_the_engine_gives_the_right_values(truth, agree) -> None:
+def test_the_engine_gives_the_right_values(truth, assert_agree) -> None:
     equations = truth("rolling_disc")
     scene = equations.scene
     (yaw, lean, _), (yaw_rate, lean_rate, spin_rate) = Q, RATES
@@ -113,15 +113,15 @@ def test_the_engine_gives_the_right_values(truth, agree) -> None:
     ud = mechanics.compile(equations, compiler=None).forward_dynamics(q, u, given)
     values = dict(zip((*scene.q, *scene.u, *scene.ud), (*q, *u, *ud), strict=True))
     second = [scene.plain(c.diff().diff()) for c in scene.coordinates[2:]]
-    agree([value.subs(values).evalf() for value in second], RIGHT)
+    assert_agree([value.subs(values).evalf() for value in second], RIGHT)
 
 
 @pytest.mark.parametrize("up", [1, -1])
-def test_lagrange_with_the_constraint_substituted_is_refuted(truth, agree, up: int) -> None:
+def test_lagrange_with_the_constraint_substituted_is_refuted(truth, assert_agree, up: int) -> None:
     method = by_lagrange(up)
     # As printed, gravity is reversed too, which moves only the lean.
     wanted = PRINTED if up < 0 else (PRINTED[0], RIGHT[1], PRINTED[2])
-    agree(solved(method), wanted)
+    assert_agree(solved(method), wanted)
     yaw, lean, spin = judged(truth, method).judged
     assert [yaw.finding.verdict.name, spin.finding.verdict.name] == ["REFUTED", "REFUTED"]
     assert lean.finding.shown is (up > 0)

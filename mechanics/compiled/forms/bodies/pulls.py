@@ -18,7 +18,7 @@ from mechanics.compiled.forms.bodies.reading import Reading
 from mechanics.scene import Body, RigidBody
 from mechanics.scene.actions import carrier_of
 from mechanics.scene.geometry import components, point_path
-from mechanics.scene.loads import Damper, Force, Gravity, Load, Spring, Torque
+from mechanics.scene.loads import Damper, Force, Gravity, Load, Spring, Torque, TorsionSpring
 
 
 def carried_gravity(reading: Reading) -> Graphs:
@@ -52,7 +52,7 @@ def pull(carried: Carried, load: Load) -> None:
             _force(carried, load.by, load.at, frame, minus(force))
     elif isinstance(load, Torque):
         _couples(carried, (load.on, load.by), load.vector, load.name, ca.SX(1))
-    else:
+    elif isinstance(load, TorsionSpring):  # friction has no form by bodies
         angle, stiffness = (scene.plain(e, load.name) for e in (load.angle, load.stiffness))
         torque = -(read(stiffness) * read(angle))
         _couples(carried, (load.on, load.by), load.axis, load.name, torque)
