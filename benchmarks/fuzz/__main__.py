@@ -1,8 +1,8 @@
 """``python -m benchmarks.fuzz --minutes 30``: every notation for its share of the time.
 
 Prints executions, coverage, what became of the inputs and what breaks the law; each finding is
-measured once more in a process of its own. Exit code 1 where one is left. `--keep` adds what the
-fuzzer found worth keeping, minimised, to the corpus.
+measured once more in a process of its own. Exit code 1 where one is left, with the
+file of its input: it belongs into the corpus, with a word on what it is.
 """
 
 import argparse
@@ -42,8 +42,6 @@ def main() -> None:
     parser.add_argument("--minutes", type=float, default=3.0, help="in all")
     parser.add_argument("--notation", nargs="+", choices=corpus.NOTATIONS,
                         default=list(corpus.NOTATIONS))  # fmt: skip
-    parser.add_argument("--keep", type=int, default=0, metavar="N",
-                        help="add up to N documents of each notation to the corpus")  # fmt: skip
     parser.add_argument("--work", type=Path, help="folder for what is found; a new one by default")
     options = parser.parse_args()
     work = options.work or Path(tempfile.mkdtemp(prefix="fuzz_"))
@@ -56,8 +54,6 @@ def main() -> None:
         while (left := share - tally.seconds) > 1:
             _round(name, folder, min(ROUND, left), tally)
         _show(name, tally)
-        if options.keep:
-            print(f"  kept {_keep(name, folder, options.keep)} documents")
     print(f"in {work}")
     raise SystemExit(1 if any(tally.findings for tally in tallies.values()) else 0)
 
@@ -127,28 +123,6 @@ def _show(notation: str, tally: Tally) -> None:
     for file, words in tally.findings.items():
         print(f"  FINDING {words}: {file}")
     print(f"  {len(tally.findings)} findings", flush=True)
-
-
-def _keep(notation: str, folder: Path, most: int) -> int:
-    """Add documents that reach what the corpus does not, the shortest first."""
-    kept, merged = folder / "seeds", folder / "merged"
-    for path in (kept, merged):
-        path.mkdir(exist_ok=True)
-    _seed(notation, kept)
-    for old in merged.iterdir():
-        old.unlink()
-    for seed in kept.iterdir():
-        (merged / seed.name).write_bytes(seed.read_bytes())
-    command = [
-        sys.executable, "-m", "benchmarks.fuzz.target", notation, str(folder), "-merge=1",
-        "-max_len=1000", "-rss_limit_mb=0", str(merged), str(folder / "corpus"),
-    ]  # fmt: skip
-    subprocess.run(command, capture_output=True, check=True)
-    new = sorted(
-        (path.read_bytes() for path in merged.iterdir() if not path.name.startswith("seed_")),
-        key=lambda data: (len(data), data),
-    )
-    return corpus.add(notation, [corpus.Entry("coverage", data) for data in new[:most]])
 
 
 if __name__ == "__main__":

@@ -5,6 +5,7 @@ edits that make it right at a point  ->  proved  ->  what differs, term by term 
 
 from collections.abc import Iterator
 from itertools import islice, product
+from time import process_time
 
 from sympy import Expr
 
@@ -26,6 +27,9 @@ SHOWN = 3
 
 TRIED = 12
 """Edits that are proved at most."""
+
+LONGEST = 8.0
+"""Seconds of the processor after which nothing more is tried; an equation takes less than one."""
 
 
 def blame(truth: Equations, statement: Statement) -> Blame:
@@ -49,14 +53,15 @@ def blame(truth: Equations, statement: Statement) -> Blame:
         return Blame((), (), searched=f"not searched: it holds what has no tree: {reason}")
     if claim is None:
         return Blame((), (), searched="not searched: it could not be read")
+    end = process_time() + LONGEST
     try:
-        found = list(islice(_repairs(claim, statement), SHOWN))
+        found = list(islice(_repairs(claim, statement, end), SHOWN))
     except (MechanicsError, Refused) as reason:
         told = _differences(claim, statement, None)
         return Blame(told, (), searched=f"not searched to the end: {reason}")
     row = found[0][1] if found else None
     told = _differences(claim, statement, row)
-    words = "" if found else SEARCHED
+    words = "" if found else SEARCHED if process_time() < end else STOPPED
     return Blame(told, tuple(repair for repair, _ in found), searched=words)
 
 
@@ -69,8 +74,11 @@ SEARCHED = (
 )
 
 
-def _repairs(claim: Claim, statement: Statement) -> Iterator[tuple[Repair, Published]]:
-    """Proved repairs, equally small ones, the likeliest first."""
+STOPPED = f"the simplest edits: none makes it right; the search was ended after {LONGEST:.0f} s"
+
+
+def _repairs(claim: Claim, statement: Statement, end: float) -> Iterator[tuple[Repair, Published]]:
+    """Proved repairs, equally small ones, the likeliest first, until a time of the processor."""
     wrong = [problem for problem in problems(claim) if problem.residual]
     if not wrong:
         return
@@ -94,9 +102,9 @@ def _repairs(claim: Claim, statement: Statement) -> Iterator[tuple[Repair, Publi
             if repair is not None:
                 smallest = cost if smallest is None else smallest
                 yield repair, made[0]
-            if tried >= TRIED:
+            if tried >= TRIED or process_time() > end:
                 return
-        if smallest is not None:
+        if smallest is not None or process_time() > end:
             return
 
 

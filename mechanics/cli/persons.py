@@ -76,9 +76,10 @@ def check(
 
     Each equation gets a verdict; a wrong one the smallest change that makes it right, the
     differences term by term, and a state at which its sides differ. Names are matched to those of
-    the scene; what was guessed is printed. Rows may be scaled, combined and swapped. Exit code: 0
-    when all is PROVED or CERTIFIED, 1 when something is REFUTED, 3 when something is in doubt, 2
-    for bad input.
+    the scene; what was guessed is printed. Rows may be scaled, combined and swapped. LaTeX, text
+    and C are read, never run; `file.py:function` runs that file, so give your own. Exit code: 0
+    when all is PROVED or CERTIFIED, 1 when something is REFUTED, 3 when something is in doubt,
+    2 for bad input.
 
     Examples
     --------
