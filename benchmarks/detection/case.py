@@ -12,7 +12,7 @@ from random import Random
 from benchmarks.detection.equivalent import same
 from benchmarks.detection.forms.every import FORMS
 from benchmarks.detection.forms.spelling import Written
-from benchmarks.detection.mutate import KINDS, Mutation, draw
+from benchmarks.detection.mutate import KINDS, Mutation, draw, made
 from benchmarks.detection.rewrite import REWRITERS, Rewriting
 from benchmarks.detection.rows import Row, Subject, holds, subject
 from benchmarks.detection.tree import Tree
@@ -101,10 +101,8 @@ def _mutant(name: str, about: Subject, row: Row, source: Random) -> Case | bool 
     mutations = draw(source, kinds, changed, vocabulary(about.scene))
     if mutations is None:
         return None
-    trees = changed
-    for mutation in sorted(mutations, key=lambda m: m.path, reverse=True):
-        trees = mutation.into(trees)
-    trees = (*row.trees[: len(row.trees) - len(changed)], *trees)
+    kept = row.trees[: len(row.trees) - len(changed)]
+    trees = (*kept, *made(changed, mutations))
     right = holds(about, row, trees)
     if right:
         return same(about, row, trees)

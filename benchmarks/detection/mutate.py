@@ -60,12 +60,6 @@ class Mutation:
         """What was changed."""
         return f"{written(self.was)} -> {written(self.now)}"
 
-    def into(self, trees: Sequence[Tree]) -> tuple[Tree, ...]:
-        """The trees with the mistake made."""
-        found = list(trees)
-        found[self.side] = put(found[self.side], self.path, self.now)
-        return tuple(found)
-
     def apart(self, other: "Mutation") -> bool:
         """Whether neither place lies inside the other."""
         if self.side != other.side:
@@ -178,6 +172,14 @@ def mutations(kind: str, trees: Sequence[Tree], vocabulary: Vocabulary) -> list[
         for path, now in find(tree, vocabulary)
         if at(tree, path) != now
     ]
+
+
+def made(trees: Sequence[Tree], mistakes: Sequence[Mutation]) -> tuple[Tree, ...]:
+    """The trees with mistakes made at places apart."""
+    return tuple(
+        put(tree, {m.path: m.now for m in mistakes if m.side == side})
+        for side, tree in enumerate(trees)
+    )
 
 
 def draw(

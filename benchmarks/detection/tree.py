@@ -8,7 +8,7 @@ and what it was before, are known exactly.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 from math import prod
@@ -142,13 +142,17 @@ def at(tree: Tree, path: Path) -> Tree:
     return tree
 
 
-def put(tree: Tree, path: Path, new: Tree) -> Tree:
-    """The tree with another node at a path, put together again as people write it."""
-    if not path:
-        return new
-    i, *rest = path
-    parts = list(tree.parts)
-    parts[i] = put(parts[i], tuple(rest), new)
+def put(tree: Tree, changes: Mapping[Path, Tree]) -> Tree:
+    """The tree with other nodes at some paths, put together again as people write it.
+
+    All at once: what is put together may move its neighbours.
+    """
+    if () in changes:
+        return changes[()]
+    parts = []
+    for i, part in enumerate(tree.parts):
+        inner = {path[1:]: new for path, new in changes.items() if path[0] == i}
+        parts.append(put(part, inner) if inner else part)
     return rebuilt(tree, parts)
 
 

@@ -14,7 +14,7 @@ from benchmarks.detection.case import NothingToDrawError, case
 from benchmarks.detection.equivalent import same
 from benchmarks.detection.figures import line, mended, missed, summary, tables
 from benchmarks.detection.forms.every import FORMS
-from benchmarks.detection.mutate import KINDS, mutations
+from benchmarks.detection.mutate import KINDS, made, mutations
 from benchmarks.detection.rows import Row, holds, subject
 from benchmarks.detection.tree import at, negative, number, places, product, put, read, written
 from benchmarks.detection.trial import Result, judged
@@ -77,7 +77,7 @@ def test_every_mistake_changes_its_place_and_nothing_else(name: str) -> None:
         for mutation in mutations(kind, row.trees, known):
             assert at(row.trees[mutation.side], mutation.path) == mutation.was != mutation.now
             others = [i for i in range(len(row.trees)) if i != mutation.side]
-            assert all(mutation.into(row.trees)[i] == row.trees[i] for i in others)
+            assert all(made(row.trees, [mutation])[i] == row.trees[i] for i in others)
 
 
 def test_every_kind_of_mistake_occurs() -> None:
@@ -119,7 +119,10 @@ def test_trees_are_put_together_as_people_write_them() -> None:
     x, y = (read(Symbol(name)) for name in "xy")
     tree = product(number(Fraction(-1, 2)), x, y)
     assert negative(tree) == product(number(Fraction(1, 2)), x, y)
-    assert put(tree, (1,), y) == product(number(Fraction(-1, 2)), y, y)
+    assert put(tree, {(1,): y}) == product(number(Fraction(-1, 2)), y, y)
+    # A number moves to the front, and must not move what is put in beside it.
+    both = put(product(x, y), {(0,): y, (1,): product(number(3), x)})
+    assert both == product(number(3), y, x)
     assert {path for path, _ in places(tree)} == {(), (0,), (1,), (2,)}
 
 
