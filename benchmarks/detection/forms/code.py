@@ -97,6 +97,7 @@ def program(
         columns = len(scene.u)
     elif (
         row.about == "acceleration"
+        and trees[0] == row.trees[0]
         and _explicit(about)
         # With accelerations among its arguments a function returns residuals.
         and not symbols(trees[1]) & set(scene.ud)
