@@ -32,6 +32,13 @@ MEMBERS = (
     Member("pendulum_chain", 4.0, 1e-10),
     Member("rolling_disc", 5.0, 1e-11),
     Member("four_bar", 2.0, 1e-11),
+    Member("cartpole", 4.0, 1e-11),
+    Member("acrobot", 2.0, 1e-10),
+    Member("double_inverted_pendulum", 1.0, 1e-10),
+    Member("rod_pendulum", 5.0, 1e-11),
+    Member("double_pendulum", 2.0, 1e-10),
+    # It rubs: it ends where it comes to rest, and loses what friction takes.
+    Member("cartpole_friction", 0.05, 0.0),
 )
 
 
@@ -47,7 +54,17 @@ def test_every_system_is_a_member() -> None:
     assert {member.name for member in MEMBERS} == {system.name for system in ALL}
 
 
-@pytest.mark.parametrize("member", MEMBERS, ids=lambda member: member.name)
+CONSERVATIVE = [member for member in MEMBERS if member.energy]
+
+
+def test_what_rubs_loses_energy(model_of: ModelOf) -> None:
+    for name in (member.name for member in MEMBERS if not member.energy):
+        motion = simulate(model_of(name), 0.05, samples=21, **FINE)
+        assert not motion.conservative
+        assert np.all(np.diff(motion.total) < 0)
+
+
+@pytest.mark.parametrize("member", CONSERVATIVE, ids=lambda member: member.name)
 def test_energy_is_conserved(model_of: ModelOf, member: Member) -> None:
     # The law is one of the equations, and holds beyond the domain in which they are the system.
     motion = simulate(
