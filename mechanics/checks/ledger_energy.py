@@ -3,14 +3,14 @@
     T = sum (m v . v + omega . I omega) / 2        M_ij = d2T / du_i du_j
 
 A potential energy is known up to a constant, and so is its sum or difference with T: what is
-compared is what they are above their values at q = u = 0, and where there is none, or where that is
-no state of the scene, their derivatives by q and u.
+compared is what they are above their values at q = u = u' = 0, and where there is none, or where
+that is no state of the scene, their derivatives by q, u and u'.
 """
 
 from collections.abc import Sequence
 from functools import lru_cache
 
-from sympy import Add, Expr, Rational, S, nan, oo, zoo
+from sympy import Add, Expr, Rational, S, Symbol, nan, oo, zoo
 from sympy.matrices import MatrixBase
 
 from mechanics.errors import InputError
@@ -64,16 +64,16 @@ def energy_pairs(
     above = None if scene.constraints else _above(scene, sides, kinetic, stored)
     if above is not None:
         return above
-    # By the speeds too: they have to be left out of a potential energy.
-    lefts = [side.diff(symbol) for side in sides for symbol in (*scene.q, *scene.u)]
+    # By what has to be left out too: no constant depends on it.
+    lefts = [side.diff(symbol) for side in sides for symbol in _moving(scene)]
     return lefts, list(_slopes(scene, kinetic, stored)) * len(sides)
 
 
 def _above(
     scene: Scene, sides: Sequence[Expr], kinetic: int, stored: int
 ) -> tuple[list[Expr], list[Expr]] | None:
-    """Energies less their values at q = u = 0; None where one of them has no value there."""
-    still = dict.fromkeys((*scene.q, *scene.u), S.Zero)
+    """Energies less their values at rest; None where one of them has no value there."""
+    still = dict.fromkeys(_moving(scene), S.Zero)
     energy = kinetic * kinetic_energy(scene) + stored * potential(scene)
     resting = [typed.xreplace(still) for typed in (energy, *sides)]
     if any(value.has(nan, zoo, oo, -oo) for value in resting):
@@ -84,9 +84,15 @@ def _above(
 
 @lru_cache(maxsize=64)
 def _slopes(scene: Scene, kinetic: int, stored: int) -> tuple[Expr, ...]:
-    """Derivatives of so many times T and V by the coordinates and speeds."""
+    """Derivatives of so many times T and V by the coordinates, speeds and accelerations."""
     energy = kinetic * kinetic_energy(scene) + stored * potential(scene)
-    return tuple(energy.diff(symbol) for symbol in (*scene.q, *scene.u))
+    return tuple(energy.diff(symbol) for symbol in _moving(scene))
+
+
+def _moving(scene: Scene) -> tuple[Symbol, ...]:
+    """What the constant in an energy does not depend on."""
+    reactions = (reaction.symbol for reaction in scene.reactions)
+    return (*scene.q, *scene.u, *scene.ud, *reactions)
 
 
 def _mass_matrix(

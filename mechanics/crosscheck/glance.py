@@ -146,7 +146,8 @@ def _sides(a: Arithmetic, scene: Scene, row: Published, table: Table) -> list[li
 @lru_cache(maxsize=32)
 def _elsewhere(scene: Scene) -> dict[Symbol, Expr]:
     """Another point with the same parameters."""
-    return {s: Symbol(f"{s.name} elsewhere", real=True) for s in (*scene.q, *scene.u)}
+    moving = (*scene.q, *scene.u, *scene.ud)
+    return {s: Symbol(f"{s.name} elsewhere", real=True) for s in moving}
 
 
 def _value(a: Arithmetic, expr: Expr, table: Table) -> Number:

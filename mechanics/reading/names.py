@@ -173,6 +173,9 @@ class Naming:
         for table in (self._given, self._guessed):
             if key(name) in table:
                 return self.vocabulary.target(table[key(name)])
+        exact = self.vocabulary.by_key.get(key(name))
+        if exact and key(exact[0]) not in (self._given | self._guessed):
+            return exact  # phi2_dot is no rate of phi
         # A name that the person gave away is no longer the scene's.
         return self._rate(name) or self.vocabulary.lookup(name)
 

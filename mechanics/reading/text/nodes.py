@@ -199,7 +199,7 @@ class Nodes:
             if not least <= len(given) <= most:
                 raise Refused(at, f"{name} with {len(given)} arguments")
             return Call(at, name, tuple(self.node(part) for part in given))
-        if name in DERIVATIVES and given:
+        if name in DERIVATIVES and given and not self.naming.knows(name):
             return self._derivative(self.node(given[0]), given[1:], at)
         if name in RATIONALS and given:
             return self._rational(name, given, at)
