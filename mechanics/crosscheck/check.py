@@ -12,9 +12,11 @@ from mechanics.checks.ledger import check_row
 from mechanics.crosscheck.black_box import check_box
 from mechanics.crosscheck.blamed import blamed
 from mechanics.crosscheck.cases import check_cases
+from mechanics.crosscheck.complete import redundancy
 from mechanics.crosscheck.readers import read
-from mechanics.crosscheck.right_if import declared, right_if
+from mechanics.crosscheck.right_if import declared, judged_under, right_if
 from mechanics.crosscheck.routes import derive
+from mechanics.crosscheck.vacuous import with_content
 from mechanics.equations import Equations
 from mechanics.errors import ExpressionError, InputError, SceneError, wanted
 from mechanics.exact import Finding, Verdict
@@ -23,6 +25,7 @@ from mechanics.reading.statement import Statement
 from mechanics.report.answer.check import Check
 from mechanics.report.answer.judged import Judged
 from mechanics.scene import Scene
+from mechanics.scene.symbols import plain_symbol
 from mechanics.scene.system import System
 
 
@@ -93,13 +96,16 @@ def check(
     statements = [statement for reading in readings for statement in reading.statements]
     names_of = declared([convention] if isinstance(convention, str) else convention)
     judged, told = _judged(truth, statements, names_of)
-    if blame:
+    # Edits are searched in equations as they stand, not as they would stand without a convention.
+    if blame and not names_of:
         judged = blamed(truth, judged)
     judged = (*judged, *(Judged(s, f) for entries, _ in boxed for s, f in entries))
     told_of = (*(reading.names for reading in readings), *(known for _, known in boxed))
     matches = {match.name: match for known in told_of for match in known}
     remarks = tuple(dict.fromkeys(r for reading in readings for r in reading.remarks))
-    return Check(truth.scene, judged, tuple(matches.values()), (*remarks, *told), truth)
+    twice = redundancy(truth, judged)
+    remarks = (*remarks, *told, *([twice] if twice else []))
+    return Check(truth.scene, judged, tuple(matches.values()), remarks, truth)
 
 
 def _judged(
@@ -112,9 +118,10 @@ def _judged(
         return tuple(map(Judged, statements, findings)), ()
     claimed = [k for k, s in enumerate(statements) if s.row is not None and not s.doubt]
     found = right_if(truth, [statements[k] for k in claimed], names)
+    if not found and names:
+        return _not_right_under(truth, statements, names, findings, claimed)
     if not found:
-        words = f"the equations are not right under {', '.join(names)}"
-        return tuple(map(Judged, statements, findings)), (words,) if names else ()
+        return tuple(map(Judged, statements, findings)), ()
     helping = tuple(" and ".join(c.words for c in change) for change, _ in found)
     if names:
         words = helping[0]
@@ -128,17 +135,49 @@ def _judged(
     return tuple(entries), ()
 
 
+def _not_right_under(
+    truth: Equations, statements: Sequence[Statement], names: Sequence[str],
+    findings: list[Finding], claimed: Sequence[int],
+) -> tuple[tuple[Judged, ...], tuple[str, ...]]:  # fmt: skip
+    """Verdicts under conventions that are declared, but do not make the statements right."""
+    told = ", ".join(names)
+    found = judged_under(truth, [statements[k] for k in claimed], names)
+    if found is None:
+        doubt = f"the convention {told} has no meaning for these statements"
+        findings = [Finding(f.subject, Verdict.UNDECIDED, doubt) for f in findings]
+        return tuple(map(Judged, statements, findings)), (doubt,)
+    change, others = found
+    words = " and ".join(convention.words for convention in change)
+    for k, finding in zip(claimed, others, strict=True):
+        findings[k] = replace(finding, evidence=f"{finding.evidence}, where {words}")
+    remark = (
+        f"convention: {words}: the statements are not all right under it; what is wrong is looked"
+        " for without a convention only"
+    )
+    return tuple(map(Judged, statements, findings)), (remark,)
+
+
 def _judge(truth: Equations, statement: Statement) -> Finding:
     subject = f"{statement.tag}: {statement.source}"
     if statement.doubt or statement.row is None:
         return Finding(subject, Verdict.UNDECIDED, statement.doubt)
+    if thirds := _third_rates(truth.scene, statement):
+        doubt = f"{thirds}: nothing determines a third derivative: write the equation itself"
+        return Finding(subject, Verdict.UNDECIDED, doubt)
     try:
         found = check_row(truth.scene, statement.row, truth)
         if found.verdict is Verdict.UNDECIDED:
             by_cases = check_cases(truth, statement.row)
             found = found if by_cases is None else by_cases
-        return found
+        return with_content(statement, found)
     except (InputError, SceneError, ExpressionError) as error:
         return Finding(subject, Verdict.UNDECIDED, str(error))
     except RecursionError:
         return Finding(subject, Verdict.UNDECIDED, "its expressions are nested too deeply")
+
+
+def _third_rates(scene: Scene, statement: Statement) -> str:
+    """Names the third derivatives of coordinates that a statement holds."""
+    sides = statement.row.sides if statement.row is not None else ()
+    held = {symbol.name for side in sides for symbol in side.free_symbols}
+    return ", ".join(sorted(held & {plain_symbol(q, 3).name for q in scene.coordinates}))

@@ -83,6 +83,24 @@ def right_if(
 Change = tuple[Convention, ...]
 
 
+def judged_under(
+    truth: Equations, statements: Sequence[Statement], names: Sequence[str]
+) -> tuple[Change, list[Finding]] | None:
+    """The first change made of the declared conventions, and what statements are under it.
+
+    None where the scene has nothing that such a convention could be about.
+    """
+    rows = [_plain(truth.scene, s.row) for s in statements if s.row is not None]
+    changes = [c for c in _changes(truth.scene) if {one.name for one in c} == set(names)]
+    for target, some in _by_target(truth, changes):
+        for change in some:
+            moved = [_moved(row, combined_table(change)) for row in rows]
+            findings = [_judged(target, row) for row in moved]
+            if all(finding is not None for finding in findings):
+                return change, [finding for finding in findings if finding is not None]
+    return None
+
+
 def _by_target(truth: Equations, changes: list[Change]) -> Iterator[tuple[Equations, list[Change]]]:
     """Changes with what they are compared with: the scene as it is, then with point masses."""
     yield truth, [change for change in changes if POINT_MASS not in change]

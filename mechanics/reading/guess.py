@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterable, Sequence
 
 from sympy import cos, sin
 
-from mechanics.reading.names import Match, Naming
+from mechanics.reading.names import GREEK, Match, Naming
 from mechanics.reading.spelled_rates import families, key
 from mechanics.reading.tree import Name
 from mechanics.scene import Scene
@@ -127,6 +127,8 @@ def _still_rules(scene: Scene, inputs: set[str]) -> list[Rule]:
     units = {symbol.name: getattr(symbol, "unit", "") for symbol in scene.parameters}
 
     def unit(name: str, target: str) -> bool:
+        if key(name).rstrip("0123456789") in GREEK:
+            return False  # alpha is no length, though it begins with an a
         return any(name[0] in letters and units.get(target) == u for letters, u in BY_UNIT)
 
     def force(name: str, target: str) -> bool:

@@ -1,0 +1,41 @@
+"""Statements that are true whatever moves, and so say nothing about a scene.
+
+0 = 0        m = m        sin(q)^2 + cos(q)^2 = 1        not:  omega = theta_dot
+"""
+
+from dataclasses import replace
+
+from sympy.matrices import MatrixBase
+
+from mechanics.exact import Finding, Verdict, is_zero
+from mechanics.reading.statement import Statement
+from mechanics.reading.tree import Name
+from mechanics.scene.quantities import Identity
+
+WORDS = "it is true whatever moves, so it says nothing about the scene"
+
+
+def with_content(statement: Statement, finding: Finding) -> Finding:
+    """The finding, but UNDECIDED for an identity that holds without anything of the scene.
+
+    One name for another (``omega = theta_dot``) says what the person calls things, and code that
+    returns the rate of a coordinate says which it is: these stay.
+    """
+    row, written = statement.row, statement.written
+    if row is None or written is None or not isinstance(row.quantity, Identity):
+        return finding
+    if not finding.shown or _names(statement):
+        return finding
+    first, *others = row.sides
+    if any(isinstance(side, MatrixBase) for side in row.sides):
+        return finding
+    if all(is_zero(first - side) for side in others):
+        return replace(finding, verdict=Verdict.UNDECIDED, evidence=WORDS, error_bound=None)
+    return finding
+
+
+def _names(statement: Statement) -> bool:
+    """Whether a side is a name, and no other side is the same one."""
+    sides = statement.written.sides if statement.written is not None else ()
+    named = [(side.name, side.order) for side in sides if isinstance(side, Name)]
+    return len(sides) > 1 and bool(named) and len(set(named)) == len(named)
