@@ -11,7 +11,7 @@ from sympy import Expr
 
 from mechanics.blame.difference import differences
 from mechanics.blame.result import Blame, Difference, Repair
-from mechanics.blame.search.claim import Claim, claim_of, problems
+from mechanics.blame.search.claim import Claim, at_once, claim_of, problems
 from mechanics.blame.search.find import EQUALLY, Solution, solutions
 from mechanics.blame.search.judge import Problem
 from mechanics.blame.search.repair import edited_row, proved, spelling_of
@@ -79,6 +79,12 @@ STOPPED = f"the simplest edits: none makes it right; the search was ended after 
 
 def _repairs(claim: Claim, statement: Statement, end: float) -> Iterator[tuple[Repair, Published]]:
     """Proved repairs, equally small ones, the likeliest first, until a time of the processor."""
+    single = False
+    for mended in _in_one_place(claim, statement):
+        single = True
+        yield mended
+    if single:
+        return
     wrong = [problem for problem in problems(claim) if problem.residual]
     if not wrong:
         return
@@ -106,6 +112,16 @@ def _repairs(claim: Claim, statement: Statement, end: float) -> Iterator[tuple[R
                 return
         if smallest is not None or process_time() > end:
             return
+
+
+def _in_one_place(claim: Claim, statement: Statement) -> Iterator[tuple[Repair, Published]]:
+    """Single edits of an energy as a whole."""
+    for problem in at_once(claim):
+        for solution in islice(next(solutions(claim, problem, statement)), TRIED):
+            made = edited_row(claim, (solution,))
+            repair = proved(claim, (solution,), statement.source) if made else None
+            if repair is not None and made is not None:
+                yield repair, made[0]
 
 
 def _cheapest(claim: Claim, problem: Problem, statement: Statement) -> list[Solution]:

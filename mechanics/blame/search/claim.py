@@ -102,6 +102,24 @@ def problems(claim: Claim) -> Iterator[Problem]:
         yield from _problems(claim, (k,), target)
 
 
+def at_once(claim: Claim) -> Iterator[Problem]:
+    """An energy as one problem: a wrong symbol may be in what it is at rest and in the rest of it.
+
+    What differs between two states tells of one edit, but not of a missing term.
+    """
+    if isinstance(claim.row.quantity, q.TotalEnergy | q.Lagrangian):
+        for k, target in enumerate(targets(claim.truth.scene, claim.row)):
+
+            def wanted(point: Point, target: Expr = target) -> int:
+                return point.value(target)
+
+            yield posed(claim, (k,), wanted, STATES)
+
+
+STATES = (Family(False, free=True), Family(False, other_state=True, free=True))
+"""Two states with the same parameters: what an energy is up to a constant."""
+
+
 def _width(row: Published) -> int:
     first = row.sides[0]
     return len(first) if isinstance(first, MatrixBase) else 1
@@ -148,12 +166,11 @@ def _problems(claim: Claim, numbers: tuple[int, ...], target: Expr | None) -> It
         free = not isinstance(quantity, (*ALONG, q.Identity))
         yield posed(claim, numbers, wanted, (Family(isinstance(quantity, ALONG), free=free),))
         return
-    states = (Family(False, free=True), Family(False, other_state=True, free=True))
     if isinstance(quantity, q.PotentialEnergy):
-        yield posed(claim, numbers, wanted, states)
+        yield posed(claim, numbers, wanted, STATES)
         return
-    yield posed(claim, numbers, wanted, [replace(family, still=True) for family in states])
-    yield posed(claim, numbers, _at_rest(claim, numbers[0], wanted), states[:1])
+    yield posed(claim, numbers, wanted, [replace(family, still=True) for family in STATES])
+    yield posed(claim, numbers, _at_rest(claim, numbers[0], wanted), STATES[:1])
 
 
 def _at_rest(claim: Claim, number: int, wanted: Target) -> Target:

@@ -172,7 +172,7 @@ def _drawn(
     a: FieldArithmetic, scene: Scene, symbol: Symbol, family: Family, attempt: int
 ) -> FieldNumber:
     """The value of a symbol, which its name tells, so that points of a family agree in it."""
-    other = family.other_state and symbol in (*scene.q, *scene.u)
+    other = family.other_state and symbol in (*scene.q, *scene.u, *scene.ud)
     source = random.Random(f"{SEED} {attempt} {symbol.name}{' other' if other else ''}")
     residue = source.randrange(1, a.prime)
     if symbol.is_nonnegative or symbol.is_negative:
