@@ -107,9 +107,9 @@ def state_of_scalars(
     return next((order for order in orders if in_order(scene, values, order)), given)
 
 
-def statement(claim: Claim, title: str, notes: tuple[str, ...]) -> Statement:
+def statement(claim: Claim, title: str, notes: tuple[str, ...], doubt: str = "") -> Statement:
     """A claim as a statement; constants that were read stand in its notes."""
     tag, quantity, sides = claim
     source = f"{title}: {tag}"
     row = published(tag, quantity, *sides, label=source)
-    return Statement(row, source, tag, notes=notes)
+    return Statement(row, source, tag, notes=notes, doubt=doubt)

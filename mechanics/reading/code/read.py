@@ -24,6 +24,7 @@ from mechanics.reading.assemble import Reading
 from mechanics.reading.code.arguments import Arguments, arguments_of
 from mechanics.reading.code.c_place import placed
 from mechanics.reading.code.c_wrapper import WRAPPER, wrapped
+from mechanics.reading.code.called import doubt_when_called
 from mechanics.reading.code.outputs import claims, in_order, state_of_scalars, statement
 from mechanics.reading.code.tracing import Outputs, trace
 from mechanics.reading.code.written import Written
@@ -49,6 +50,8 @@ def read_function(
     about: str | None = None,
 ) -> Reading:
     """Statements of a Python function on numbers and NumPy arrays, by tracing it.
+
+    It is then called with numbers: where it returns others than its formulas, they have a doubt.
 
     Parameters
     ----------
@@ -77,10 +80,12 @@ def read_function(
             raise InputError(f"function {title}: argument {name} has no name")
         if parameter.default is parameter.empty or name in (names or {}):
             wanted.append(name)
-    return _read(
-        scene, title, wanted, dict.fromkeys(wanted), lambda given: trace(function, given.values),
-        names, about,
-    )  # fmt: skip
+
+    def run(given: Arguments) -> Outputs:
+        outputs = trace(function, given.values)
+        return replace(outputs, doubt=doubt_when_called(function, given.values, outputs))
+
+    return _read(scene, title, wanted, dict.fromkeys(wanted), run, names, about)
 
 
 def read_casadi(
@@ -196,7 +201,7 @@ def _read(
             arguments, outputs = other, again
     state = arguments.state or state_of_scalars(scene, outputs.values, arguments.values.values())
     found = claims(scene, outputs.values, state, about, title)
-    statements = tuple(statement(claim, title, outputs.notes) for claim in found)
+    statements = tuple(statement(claim, title, outputs.notes, outputs.doubt) for claim in found)
     return Reading(statements, arguments.matches, ())
 
 

@@ -30,10 +30,16 @@ class Outputs:
         One for each thing that it returns; numbers are 1 x 1.
     notes : tuple of str
         Constants that were computed before the code was read, and ways that end in an error.
+    conditions : tuple of Boolean
+        What it decides upon.
+    doubt : str
+        Why the formulas are not what it computes, one line; empty where nothing says so.
     """
 
     values: tuple[Matrix, ...]
     notes: tuple[str, ...]
+    conditions: tuple[Boolean, ...] = ()
+    doubt: str = ""
 
 
 @dataclass(frozen=True)
@@ -77,7 +83,8 @@ def trace(function: Callable[..., Any], given: Given) -> Outputs:
     shapes = {tuple(value.shape for value in way.values or ()) for way in defined}
     if len(shapes) > 1:
         raise InputError(f"{_title(function)} returns arrays of different shapes")
-    return Outputs(_joined(defined, 0), tuple(notes))
+    conditions = dict.fromkeys(condition for way in ways for condition, _ in way.conditions)
+    return Outputs(_joined(defined, 0), tuple(notes), tuple(conditions))
 
 
 def _title(function: Callable[..., Any]) -> str:
@@ -106,7 +113,7 @@ def _called(
     except Exception as error:
         words = " ".join(str(error).split())
         raise InputError(f"{title} cannot be traced: {type(error).__name__}: {words}") from None
-    return tuple(_matrix(part, explorer, title) for part in _parts(result))
+    return tuple(_matrix(part, explorer, title) for part in parts_of(result))
 
 
 def _argument(value: Expr | Sequence[Expr], explorer: Explorer) -> Any:
@@ -117,7 +124,7 @@ def _argument(value: Expr | Sequence[Expr], explorer: Explorer) -> Any:
     return found
 
 
-def _parts(result: Any) -> list[Any]:
+def parts_of(result: Any) -> list[Any]:
     """Things that are returned; numbers side by side are one array."""
     if isinstance(result, dict):
         result = tuple(result.values())

@@ -1,0 +1,173 @@
+"""A Python function called with numbers, beside the formulas that tracing has found in it.
+
+    | f(numbers) - formulas at the numbers |  <=  2^-20 (largest of both) + what rounding explains
+
+Code can tell a traced number from a float, or keep what it has seen: ``np.zeros(2, dtype=int)``
+truncates floats only, ``type(x)`` and ``x.dtype`` differ, counters grow. Then its formulas are not
+what it computes, and nothing is proved of it. This is a guard and no proof: some states are tried.
+What is rounded to single precision stays within the bound.
+"""
+
+import warnings
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass
+from fractions import Fraction
+from math import inf, isfinite
+from random import Random
+from typing import Any
+
+import numpy as np
+from sympy import Expr, Piecewise, S, Symbol
+from sympy.logic.boolalg import Boolean
+
+from mechanics.errors import ExpressionError
+from mechanics.exact.balls import BallArithmetic, State, precision
+from mechanics.reading.code.tracing import Given, Outputs, parts_of
+
+STATES = 6
+"""That are tried whatever the code decides; each way through it that is met is tried besides."""
+DRAWN = 60
+SCALES = (1, 1, 8, Fraction(1, 8), 1, 64)
+BITS, ROUNDED = 64, 20
+"""Of the formulas' values; of the roughest rounding that is allowed: single precision has 24."""
+
+Numbers = Mapping[Symbol, Fraction]
+
+
+@dataclass(frozen=True)
+class _Formulas:
+    """Values of formulas at a state, and for each how far off rounding may be."""
+
+    numbers: Numbers
+    values: tuple[float, ...]
+    slack: tuple[float, ...]
+
+
+def doubt_when_called(function: Callable[..., Any], given: Given, outputs: Outputs) -> str:
+    """Why the formulas of a function are not what it computes, one line; empty where they are.
+
+    Parameters
+    ----------
+    function : callable
+        It is called twice at each state, scalars being floats of Python and of NumPy.
+    given : mapping of str to Symbol or sequence of Symbol
+        What its arguments stand for.
+    outputs : Outputs
+        As it was traced.
+    """
+    compared, failure = False, "its formulas have no value at random states"
+    try:
+        for formulas in _at_states(given, outputs):
+            results = [_returned(function, given, formulas, kind) for kind in (float, np.float64)]
+            failed = [r for r in results if isinstance(r, Exception)]
+            if len(failed) == len(results):
+                failure = f"{type(failed[0]).__name__}: {' '.join(str(failed[0]).split())}"
+                if isinstance(failed[0], ArithmeticError | ValueError | AssertionError):
+                    continue  # it has no value there, and others are drawn
+                return f"called with numbers it fails: {failure}"
+            for result in results:
+                if not isinstance(result, Exception) and (words := _differs(result, formulas)):
+                    return words
+            compared = True
+    except ExpressionError as error:
+        failure = str(error)
+    except RecursionError:
+        failure = "its expressions are nested too deeply"
+    return "" if compared else f"it cannot be called with numbers: {failure}"
+
+
+def _at_states(given: Given, outputs: Outputs) -> Iterator[_Formulas]:
+    """Formulas at random states, and at those that take another way through the code."""
+    source, tried, ways = Random(0), 0, set()
+    for k in range(DRAWN):
+        numbers = _drawn(given, source, Fraction(SCALES[k % len(SCALES)]))
+        with precision(BITS):
+            arithmetic = BallArithmetic(State(numbers))
+            way = tuple(_holds(arithmetic, condition) for condition in outputs.conditions)
+            if tried >= STATES and way in ways:
+                continue
+            formulas = _formulas(arithmetic, numbers, outputs)
+        if formulas is not None:
+            tried += 1
+            ways.add(way)
+            yield formulas
+        if tried >= STATES and not outputs.conditions:
+            return
+
+
+def _drawn(given: Given, source: Random, scale: Fraction) -> Numbers:
+    """A state of numbers that are exact in single precision and no integers."""
+    symbols: dict[Expr, None] = {}
+    for value in given.values():
+        symbols.update(dict.fromkeys([value] if isinstance(value, Expr) else value))
+    found: dict[Symbol, Fraction] = {}
+    for symbol in symbols:
+        size = Fraction(source.randrange(301, 3001, 2), 1024)
+        if symbol.is_nonnegative:
+            found[symbol] = size
+        else:
+            sign = -1 if symbol.is_negative or source.random() < 0.5 else 1
+            found[symbol] = sign * scale * size
+    return found
+
+
+def _holds(arithmetic: BallArithmetic, condition: Boolean) -> bool | None:
+    """Whether a condition holds; None where that cannot be told."""
+    held = arithmetic.value(Piecewise((S.One, condition), (S.Zero, True))).arb
+    return bool(held == 1) if held.is_finite() else None
+
+
+def _formulas(arithmetic: BallArithmetic, numbers: Numbers, outputs: Outputs) -> _Formulas | None:
+    """Values of all formulas; None where one has no value, or none that a float holds.
+
+    A ball's radius is what rounding to `BITS` digits does to the formula, hence grows by as many
+    powers of two as digits are fewer.
+    """
+    balls = [arithmetic.value(entry).arb for matrix in outputs.values for entry in matrix]
+    values = [float(ball.mid()) if ball.is_finite() else inf for ball in balls]
+    grown = [float(ball.rad()) * 2.0 ** (BITS - ROUNDED) for ball in balls]
+    if not all(isfinite(number) for number in (*values, *grown)):
+        return None
+    largest = max((float(abs(number)) for number in numbers.values()), default=0.0)
+    slack = [r + 2.0**-ROUNDED * max(abs(v), largest) for v, r in zip(values, grown, strict=True)]
+    return _Formulas(numbers, tuple(values), tuple(slack))
+
+
+def _returned(
+    function: Callable[..., Any], given: Given, formulas: _Formulas, kind: type[float]
+) -> list[float] | Exception:
+    """What a call returns as one list, or the exception by which it ends."""
+    arguments = {
+        name: kind(formulas.numbers[value])
+        if isinstance(value, Expr)
+        else np.array([float(formulas.numbers[entry]) for entry in value])
+        for name, value in given.items()
+    }
+    try:
+        with warnings.catch_warnings(), np.errstate(all="ignore"):
+            warnings.simplefilter("ignore")
+            found = [np.asarray(part, dtype=float) for part in parts_of(function(**arguments))]
+        numbers = [float(number) for part in found for number in part.flat]
+    except Exception as error:  # the person's code can fail in any way; it is told
+        return error
+    if not all(isfinite(number) for number in numbers):
+        return ArithmeticError("what it returns is not finite")
+    return numbers
+
+
+def _differs(result: list[float], formulas: _Formulas) -> str:
+    """How numbers are not those of the formulas; empty where they are."""
+    if len(result) != len(formulas.values):
+        return (
+            f"called with numbers it returns {len(result)} of them, traced it returns"
+            f" {len(formulas.values)}"
+        )
+    rows = zip(result, formulas.values, formulas.slack, strict=True)
+    for place, (number, value, slack) in enumerate(rows, 1):
+        if abs(number - value) > slack:
+            where = ", ".join(f"{s} = {float(x):.6g}" for s, x in formulas.numbers.items())
+            return (
+                f"called with numbers it returns other values than its formulas: output {place} is"
+                f" {number:.6g}, its formula {value:.6g}, at {where}"
+            )
+    return ""
