@@ -19,8 +19,8 @@ from mechanics.exact.c.condition import Atom
 from mechanics.exact.c.library import FAR, FUNCTIONS, FUSED, SINCOS
 from mechanics.exact.c.parse import Source
 from mechanics.exact.c.program import CProgram, Parameter
-from mechanics.exact.c.statements import Statements
 from mechanics.exact.c.types import declared, parameters, signature
+from mechanics.exact.c.unsigned import Integers, has_unsigned
 from mechanics.exact.c.values import (
     Address,
     Array,
@@ -82,11 +82,11 @@ def _returned(function: Any) -> Any:
     return c_ast.Typename(None, [], None, function.decl.type.type, function.coord)
 
 
-class Functions(Statements):
+class Functions(Integers):
     """Arguments and calls."""
 
     def __init__(self, source: Source) -> None:
-        super().__init__()
+        super().__init__(has_unsigned(source))
         self.source = source
         self.depth = 0
 
@@ -140,6 +140,8 @@ class Functions(Statements):
         """A call of the library, of what stands in for it, or of another function of the file."""
         name = getattr(node.name, "name", "")
         given = node.args.exprs if node.args else []
+        if any(name in scope for scope in self.scopes):
+            raise ExpressionError(f"{node.coord}: {name} is a variable here, and is called")
         if name == "isfinite" and len(given) == 1:
             value = self.value(given[0])
             if isinstance(value, Real):

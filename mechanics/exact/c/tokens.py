@@ -1,6 +1,7 @@
 """The tokens of a C source, line by line, comments taken out."""
 
 import re
+from itertools import accumulate
 
 from mechanics.errors import ExpressionError
 
@@ -30,13 +31,18 @@ def tokens(text: str, file: str) -> Line:
     """
     if "??" in text:
         raise ExpressionError(f"{file}: '??' may begin a trigraph: write it apart")
-    text = text.replace("\r\n", "\n").replace("\\\n", " ")
+    pieces = text.replace("\r\n", "\n").split("\\\n")
+    if any(re.search(r"\\[ \t\f\v\r]+\n", piece) for piece in pieces):
+        raise ExpressionError(f"{file}: blanks stand behind a \\ that ends a line: remove them")
+    # Where lines are joined: what follows the next end of line keeps its number.
+    joints = list(accumulate(len(piece) + 1 for piece in pieces[:-1]))
+    text = " ".join(pieces)
     found: Line = []
     at = 0
     while at < len(text):
         match = TOKEN.match(text, at)
         if match is None:
-            line = text.count("\n", 0, at) + 1
+            line = sum(k == "newline" for k, _ in found) + 1
             raise ExpressionError(f"{file}:{line}: {text[at]!r} is no token of C")
         kind, token = str(match.lastgroup), match.group()
         if kind == "comment":
@@ -44,6 +50,10 @@ def tokens(text: str, file: str) -> Line:
         else:
             found.append((kind, token))
         at = match.end()
+        if kind == "newline" or "\n" in token:
+            passed = sum(joint <= at for joint in joints)
+            found += [("newline", "\n")] * passed
+            del joints[:passed]
     return found
 
 

@@ -22,6 +22,7 @@ from mechanics.exact.graph_angles import Node
 from mechanics.reading.about import QUANTITIES
 from mechanics.reading.assemble import Reading
 from mechanics.reading.code.arguments import Arguments, arguments_of
+from mechanics.reading.code.c_person import known_meaning
 from mechanics.reading.code.c_place import placed
 from mechanics.reading.code.c_wrapper import WRAPPER, wrapped
 from mechanics.reading.code.called import doubt_when_called
@@ -136,7 +137,7 @@ def read_c(
         raise InputError(f"{origin}, line 1, column 1: {len(text)} characters: {LARGEST_C} at most")
     coord = ""
     try:
-        call = wrapped(parse(text, origin), text, function)
+        call = wrapped(known_meaning(parse(text, origin), text), text, function)
         coord, wanted = call.coord, list(call.inputs)
 
         def run(given: Arguments) -> Outputs:

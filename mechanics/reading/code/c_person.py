@@ -1,0 +1,158 @@
+"""What a person's own C file may say that no reader can know: refused by line and column.
+
+    static double sin(double x) { return x; }      what sin(x) means, the file says itself
+    #define M_PI 3                                 the header says otherwise
+    #ifdef __GNUC__                                what is compiled depends on the compiler
+
+Guards against being included twice, ``#ifdef __cplusplus`` around ``extern "C" {`` and a definition
+of M_PI with the value of pi stay.
+"""
+
+import math
+import re
+from collections.abc import Iterator
+from fractions import Fraction
+
+from mechanics.errors import ExpressionError
+from mechanics.exact.c.library import FAR, FUNCTIONS, FUSED, SINCOS
+from mechanics.exact.c.literal import literal
+from mechanics.exact.c.parse import Source
+from mechanics.exact.c.text import SYSTEM
+from mechanics.exact.c.tokens import TOKEN
+from mechanics.exact.c.types import signature
+
+LIBRARY = frozenset({*FUNCTIONS, *SINCOS, *FAR, *FUSED, "isfinite"})
+
+CONSTANTS = {
+    "M_E": math.e, "M_LOG2E": 1 / math.log(2), "M_LOG10E": 1 / math.log(10),
+    "M_LN2": math.log(2), "M_LN10": math.log(10), "M_PI": math.pi, "M_PI_2": math.pi / 2,
+    "M_PI_4": math.pi / 4, "M_1_PI": 1 / math.pi, "M_2_PI": 2 / math.pi,
+    "M_2_SQRTPI": 2 / math.sqrt(math.pi), "M_SQRT2": math.sqrt(2), "M_SQRT1_2": math.sqrt(0.5),
+}  # fmt: skip
+"""Macros that math.h of most compilers has."""
+
+HEADER = re.compile(
+    r"NAN|INFINITY|HUGE_VAL[FL]?|NULL|EOF|BUFSIZ|RAND_MAX|EXIT_\w+|math_errhandling"
+    r"|FP_(?:NAN|INFINITE|ZERO|SUBNORMAL|NORMAL|ILOGB\w+|FAST_\w+)"
+    r"|(?:DBL|FLT|LDBL|DECIMAL|U?(?:INT|LONG|LLONG)\w*|PTRDIFF|SIZE)"
+    r"_(?:MAX|MIN|EPSILON|DIG|WIDTH|RADIX|ROUNDS|EVAL_METHOD|\w+_DIG|\w+_EXP|TRUE_MIN|HAS_\w+)"
+)
+"""Names that headers of the C library define."""
+
+RESERVED = re.compile(r"_\w*|unix|linux|i386")
+"""Names that compilers define."""
+
+DIRECTIVE = re.compile(r"^[ \t\v]*#[ \t\v]*(ifdef|ifndef|if|elif)\b([^\n]*)", re.MULTILINE)
+EXTERN = re.compile(r'\s*(?:extern\s*"C"\s*\{|\})\s*#\s*endif\b')
+GUARD = re.compile(r"\w*_(?:H|HPP|C|INCLUDED)_*")
+
+
+def known_meaning(source: Source, text: str) -> Source:
+    """The same source, if its text alone says what it means.
+
+    Raises
+    ------
+    ExpressionError
+        By line and column.
+    """
+    for name, function in source.functions.items():
+        if name in LIBRARY:
+            raise ExpressionError(
+                f"{function.coord}: {name} is a function of the C library, and the file defines"
+                " its own: name it otherwise"
+            )
+    for name in LIBRARY & set(source.prototypes):
+        for declaration in source.prototypes[name]:
+            _as_in_the_library(name, declaration)
+    plain = _without_comments(text)
+    for name, body in source.macros.items():
+        if not _as_in_the_header(name, body):
+            where = _place(source.file, plain, rf"#[ ]*define[ ]+{name}\b")
+            raise ExpressionError(
+                f"{where}: {name} is a macro of the C library with another value: name it otherwise"
+            )
+    for name in source.asked:
+        if name in {*LIBRARY, *CONSTANTS} or HEADER.fullmatch(name) or RESERVED.fullmatch(name):
+            _asked(source.file, plain, name)
+    return source
+
+
+def _as_in_the_library(name: str, declaration: object) -> None:
+    """Refuse a prototype of another function than the one of the library."""
+    if name in FUNCTIONS:
+        kind, arity = FUNCTIONS[name].kind, FUNCTIONS[name].arity
+        types = ", ".join([kind] * arity)
+        found = signature(declaration.type).replace("const ", "")  # type: ignore[attr-defined]
+        if found == f"{kind}({types})" and "static" not in (declaration.storage or ()):  # type: ignore[attr-defined]
+            return
+    raise ExpressionError(
+        f"{declaration.coord}: {name} is a function of the C library, declared here as"  # type: ignore[attr-defined]
+        " another one: include math.h"
+    )
+
+
+def _as_in_the_header(name: str, body: str) -> bool:
+    """Whether a macro is none of a header, or has its value, to twelve digits at least."""
+    if name not in CONSTANTS:
+        return HEADER.fullmatch(name) is None
+    try:
+        value = literal(body.strip(" ()")).value
+    except ExpressionError:
+        return False
+    exact = Fraction(CONSTANTS[name])
+    return abs(value - exact) <= Fraction(1, 10**12) * exact
+
+
+def _asked(file: str, plain: str, name: str) -> None:
+    """Refuse a condition on a name of compilers."""
+    found = list(_conditions(plain, name))
+    for match in found:
+        if not _is_harmless(plain, match, name):
+            at = match.start(2) + (re.search(rf"\b{name}\b", match[2]) or match).start()
+            raise ExpressionError(f"{_coordinates(file, plain, at)}: {_words(name)}")
+    if not found:
+        raise ExpressionError(f"{file}: {_words(name)}")
+
+
+def _words(name: str) -> str:
+    return f"{name} in a condition: what is compiled depends on the compiler: write one branch"
+
+
+def _conditions(plain: str, name: str) -> Iterator[re.Match[str]]:
+    """Directives that ask for a name."""
+    return (m for m in DIRECTIVE.finditer(plain) if re.search(rf"\b{name}\b", m[2]))
+
+
+def _is_harmless(plain: str, match: re.Match[str], name: str) -> bool:
+    """Whether a condition guards an inclusion, ``extern "C" {`` or the value of a constant."""
+    rest = plain[match.end() :]
+    if name == "__cplusplus":
+        return match[1] in ("ifdef", "if") and EXTERN.match(rest) is not None
+    if match[1] != "ifndef" or not re.match(rf"\s*#[ \t]*define[ \t]+{name}\b", rest):
+        return False
+    if name in CONSTANTS:
+        # The value was looked at; either definition says the same.
+        return re.match(r"[^\n]*\n[^\n]*\n\s*#\s*endif\b", rest.lstrip(" \t")) is not None
+    header = re.sub(r"_h$", ".h", name.strip("_").lower())
+    return GUARD.fullmatch(name) is not None and header not in SYSTEM
+
+
+def _without_comments(text: str) -> str:
+    r"""The text with blanks for comments, and \v where lines are joined; all keeps its place."""
+    joined = text.replace("\r\n", " \n").replace("\\\n", " \v")
+    return re.sub(
+        TOKEN,
+        lambda m: re.sub(r"[^\n\v]", " ", m[0]) if m.lastgroup == "comment" else m[0],
+        joined,
+    )
+
+
+def _place(file: str, plain: str, pattern: str) -> str:
+    match = re.search(pattern, plain)
+    return _coordinates(file, plain, match.start()) if match else file
+
+
+def _coordinates(file: str, plain: str, at: int) -> str:
+    """``file:line:column``."""
+    before = plain[:at].replace("\v", "\n").split("\n")
+    return f"{file}:{len(before)}:{len(before[-1]) + 1}"
