@@ -12,6 +12,7 @@ import math
 import re
 from collections.abc import Iterator
 from fractions import Fraction
+from typing import Any
 
 from mechanics.errors import ExpressionError
 from mechanics.exact.c.library import FAR, FUNCTIONS, FUSED, SINCOS
@@ -19,7 +20,7 @@ from mechanics.exact.c.literal import literal
 from mechanics.exact.c.parse import Source
 from mechanics.exact.c.text import SYSTEM
 from mechanics.exact.c.tokens import TOKEN
-from mechanics.exact.c.types import signature
+from mechanics.exact.c.types import declared, signature
 
 LIBRARY = frozenset({*FUNCTIONS, *SINCOS, *FAR, *FUSED, "isfinite"})
 
@@ -77,17 +78,18 @@ def known_meaning(source: Source, text: str) -> Source:
     return source
 
 
-def _as_in_the_library(name: str, declaration: object) -> None:
+def _as_in_the_library(name: str, declaration: Any) -> None:
     """Refuse a prototype of another function than the one of the library."""
-    if name in FUNCTIONS:
+    if name in FUNCTIONS and "static" not in (declaration.storage or ()):
         kind, arity = FUNCTIONS[name].kind, FUNCTIONS[name].arity
-        types = ", ".join([kind] * arity)
-        found = signature(declaration.type).replace("const ", "")  # type: ignore[attr-defined]
-        if found == f"{kind}({types})" and "static" not in (declaration.storage or ()):  # type: ignore[attr-defined]
+        given = declaration.type.args.params if declaration.type.args else []
+        found = [declared(p).words.removeprefix("const ") for p in given]
+        returned = signature(declaration.type).partition("(")[0]
+        if returned == kind and found == [kind] * arity:
             return
     raise ExpressionError(
-        f"{declaration.coord}: {name} is a function of the C library, declared here as"  # type: ignore[attr-defined]
-        " another one: include math.h"
+        f"{declaration.coord}: {name} is a function of the C library, declared here as another"
+        " one: include math.h"
     )
 
 
