@@ -116,7 +116,7 @@ def decoded(data: bytes, origin: str) -> str:
     if len(data) > 4 * LARGEST_TEXT:
         raise InputError(f"{origin}, line 1, column 1: more than {4 * LARGEST_TEXT} bytes")
     try:
-        return data.decode("utf-8")
+        return data.decode("utf-8-sig")
     except UnicodeDecodeError as error:
         line = data.count(b"\n", 0, error.start) + 1
         column = error.start - (data.rfind(b"\n", 0, error.start) + 1) + 1

@@ -60,3 +60,14 @@ def test_equations_that_say_the_same_twice_are_told() -> None:
 def test_an_angle_by_a_greek_letter_is_no_length() -> None:
     found = mechanics.check(ROD, r"\ddot\theta = \alpha", notation="latex")
     assert found.verdict is Verdict.UNDECIDED
+
+
+def test_the_smallest_place_for_a_sign_is_named_first() -> None:
+    (judged,) = mechanics.check(ROD, "m*l^2*theta''/3 - m*g*l*sin(theta)/2 = -u").judged
+    assert judged.blame is not None
+    assert judged.blame.repairs[0].edits[0].written in ("-u", "-")
+
+
+def test_a_mark_of_the_byte_order_is_no_part_of_a_text() -> None:
+    text = f"\ufeff{RIGHT} = 0".encode()
+    assert mechanics.check(ROD, text).ok

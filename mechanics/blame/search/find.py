@@ -64,7 +64,14 @@ def solutions(claim: Claim, problem: Problem, statement: Statement) -> Iterator[
 
 def _sorted(problem: Problem, found: Sequence[tuple[Change, ...]]) -> list[Solution]:
     made = [Solution(problem, changes) for changes in found]
-    return sorted(made, key=lambda solution: solution.cost)
+
+    def size(solution: Solution) -> int:
+        """How much stands where something is exchanged: -S is likelier than -(all of a side)."""
+        nodes = problem.forest.nodes
+        there = (c for c in solution.changes if c.mistake is not Mistake.MISSING)
+        return sum(nodes[change.index].depth for change in there)
+
+    return sorted(made, key=lambda solution: (solution.cost, size(solution)))
 
 
 def words_of(claim: Claim, problem: Problem) -> Words:
