@@ -13,6 +13,7 @@ from mechanics.crosscheck.black_box import check_box
 from mechanics.crosscheck.blamed import blamed
 from mechanics.crosscheck.cases import check_cases
 from mechanics.crosscheck.complete import redundancy
+from mechanics.crosscheck.other_meaning import energy_instead
 from mechanics.crosscheck.readers import read
 from mechanics.crosscheck.right_if import declared, judged_under, right_if
 from mechanics.crosscheck.routes import derive
@@ -99,6 +100,7 @@ def check(
     # Edits are searched in equations as they stand, not as they would stand without a convention.
     if blame and not names_of:
         judged = blamed(truth, judged)
+    judged = tuple(energy_instead(truth, entry) for entry in judged)
     judged = (*judged, *(Judged(s, f) for entries, _ in boxed for s, f in entries))
     told_of = (*(reading.names for reading in readings), *(known for _, known in boxed))
     matches = {match.name: match for known in told_of for match in known}

@@ -71,3 +71,14 @@ def test_the_smallest_place_for_a_sign_is_named_first() -> None:
 def test_a_mark_of_the_byte_order_is_no_part_of_a_text() -> None:
     text = f"\ufeff{RIGHT} = 0".encode()
     assert mechanics.check(ROD, text).ok
+
+
+def test_an_energy_whose_name_the_scene_has_is_told() -> None:
+    scene = elastic_pendulum.scene()
+    text = "T = (M + m)*x'^2/2 + M*L/2*x'*theta'*cos(theta) + M*L^2*theta'^2/6"
+    (judged,) = mechanics.check(scene, text).judged
+    assert judged.finding.verdict is Verdict.REFUTED
+    assert any("T is the kinetic energy, not" in hint for hint in judged.right_if)
+    assert mechanics.check(scene, text, about="kinetic energy").ok
+    (wrong,) = mechanics.check(scene, text.replace("/6", "/7"), blame=False).judged
+    assert not wrong.right_if

@@ -58,15 +58,15 @@ def doubt_when_called(function: Callable[..., Any], given: Given, outputs: Outpu
     compared, failure = False, "its formulas have no value at random states"
     try:
         for formulas in _at_states(given, outputs):
-            results = [_returned(function, given, formulas, kind) for kind in (float, np.float64)]
-            failed = [r for r in results if isinstance(r, Exception)]
+            results = [_attempt(function, given, formulas, kind) for kind in (float, np.float64)]
+            failed = [r for r in results if isinstance(r, _Failed)]
             if len(failed) == len(results):
-                failure = f"{type(failed[0]).__name__}: {' '.join(str(failed[0]).split())}"
-                if isinstance(failed[0], ArithmeticError | ValueError | AssertionError):
+                failure = str(failed[0])
+                if failed[0].excused:
                     continue  # it has no value there, and others are drawn
                 return f"called with numbers it fails: {failure}"
             for result in results:
-                if not isinstance(result, Exception) and (words := _differs(result, formulas)):
+                if not isinstance(result, _Failed) and (words := _differs(result, formulas)):
                     return words
             compared = True
     except ExpressionError as error:
@@ -133,10 +133,28 @@ def _formulas(arithmetic: BallArithmetic, numbers: Numbers, outputs: Outputs) ->
     return _Formulas(numbers, tuple(values), tuple(slack))
 
 
+class _Failed(Exception):
+    """A call of the person's code ended with an error; at another state it may have a value."""
+
+    def __init__(self, error: Exception) -> None:
+        super().__init__(f"{type(error).__name__}: {' '.join(str(error).split())}")
+        self.excused = isinstance(error, ArithmeticError | ValueError | AssertionError)
+
+
+def _attempt(
+    function: Callable[..., Any], given: Given, formulas: _Formulas, kind: type[float]
+) -> list[float] | _Failed:
+    """What a call returns, or how it failed."""
+    try:
+        return _returned(function, given, formulas, kind)
+    except _Failed as failed:
+        return failed
+
+
 def _returned(
     function: Callable[..., Any], given: Given, formulas: _Formulas, kind: type[float]
-) -> list[float] | Exception:
-    """What a call returns as one list, or the exception by which it ends."""
+) -> list[float]:
+    """What a call returns as one list."""
     arguments = {
         name: kind(formulas.numbers[value])
         if isinstance(value, Expr)
@@ -148,10 +166,10 @@ def _returned(
             warnings.simplefilter("ignore")
             found = [np.asarray(part, dtype=float) for part in parts_of(function(**arguments))]
         numbers = [float(number) for part in found for number in part.flat]
-    except Exception as error:  # the person's code can fail in any way; it is told
-        return error
+    except Exception as error:
+        raise _Failed(error) from error
     if not all(isfinite(number) for number in numbers):
-        return ArithmeticError("what it returns is not finite")
+        raise _Failed(ArithmeticError("what it returns is not finite"))
     return numbers
 
 
