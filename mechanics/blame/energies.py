@@ -25,8 +25,6 @@ from mechanics.scene import Scene
 from mechanics.scene.quantities import EquationOfMotion
 from mechanics.scene.rates import coordinate_rate_table, rate
 
-QUICK = -40.0
-
 
 @dataclass(frozen=True)
 class WrongEnergy:

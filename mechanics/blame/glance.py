@@ -11,17 +11,14 @@ from dataclasses import dataclass
 from sympy import Expr, Symbol
 
 from mechanics.blame.mistakes.slip import Part, Slip, split
-from mechanics.checks.ledger_compare import ordered
+from mechanics.checks.ledger_compare import settle_defined
 from mechanics.equations import Equations
 from mechanics.errors import ExpressionError
 from mechanics.exact import Arithmetic, Number, SingularHere
 from mechanics.exact.field_trial import look
-from mechanics.kinematics.manifold import settle
 from mechanics.kinematics.momenta import momenta_written_out
 from mechanics.scene import Scene
 from mechanics.scene.published import Published
-
-QUICK = -40.0
 
 Motion = dict[Symbol, Number]
 
@@ -59,9 +56,7 @@ def glances(
 
     def experiment(a: Arithmetic) -> list[tuple[Number, Number]]:
         found.clear()
-        settle(truth.scene, a)
-        for symbol, expression in ordered(truth.scene.definitions):
-            a.assign(symbol, a.value(expression))
+        settle_defined(truth.scene, a)
         for slip in slips:
             motion = _motion(a, truth, slip)
             zero = frozenset(s.index for s in stated if motion and _vanishes(a, s, motion))

@@ -15,13 +15,12 @@ from sympy import Expr, S, Symbol
 from mechanics.blame.groups import COEFFICIENT, grouped
 from mechanics.blame.pieces import Kind, Origin, Piece, momenta
 from mechanics.blame.terms import Monomial, Terms, terms_of, written
-from mechanics.checks.ledger_compare import ordered
+from mechanics.checks.ledger_compare import settle_defined
 from mechanics.checks.ledger_motion import put_motion
 from mechanics.equations import Equations
 from mechanics.errors import ExpressionError
 from mechanics.exact import Arithmetic, Number, TooLarge, collect_linear
 from mechanics.exact.field_trial import Answer, trial
-from mechanics.kinematics.manifold import settle
 
 QUICK = -40.0
 """Bound, as a power of two, of the chance that a claim is wrong."""
@@ -40,7 +39,7 @@ def holds(truth: Equations, right: Expr) -> bool:
     value = truth.scene.plain(right)
 
     def experiment(a: Arithmetic) -> list[tuple[Number, Number]]:
-        _set(truth, a)
+        settle_defined(truth.scene, a)
         put_motion(a, truth)
         return [(a.value(value), a.rational(0))]
 
@@ -66,7 +65,7 @@ def origins_in_field(truth: Equations, right: Expr) -> dict[str, tuple[str, ...]
     found: dict[str, dict[str, None]] = {}
 
     def experiment(a: Arithmetic) -> list[tuple[Number, Number]]:
-        _set(truth, a)
+        settle_defined(truth.scene, a)
         columns = [[a.value(row[j]) for row in basis] for j in range(len(basis))]
         factors = a.solve(columns, [a.value(entry) for entry in target])
         found.clear()
@@ -83,13 +82,6 @@ def origins_in_field(truth: Equations, right: Expr) -> dict[str, tuple[str, ...]
     if trial(experiment, QUICK, None).answer is not Answer.ZERO:
         return {}
     return {group: tuple(words) for group, words in found.items()}
-
-
-def _set(truth: Equations, a: Arithmetic) -> None:
-    """A point where constraints and definitions hold."""
-    settle(truth.scene, a)
-    for symbol, expression in ordered(truth.scene.definitions):
-        a.assign(symbol, a.value(expression))
 
 
 def _unknowns(truth: Equations) -> tuple[Symbol, ...]:

@@ -8,15 +8,15 @@ from collections.abc import Sequence
 from sympy import Expr, S
 
 from mechanics.blame.entries import SIGNS
-from mechanics.blame.glance import QUICK, Stated
+from mechanics.blame.glance import Stated
+from mechanics.blame.origin import QUICK
 from mechanics.blame.pieces import motions_of
 from mechanics.blame.rows import generalized_rows
-from mechanics.checks.ledger_compare import ordered
+from mechanics.checks.ledger_compare import settle_defined
 from mechanics.checks.ledger_motion import put_motion
 from mechanics.equations import Equations
 from mechanics.exact import Arithmetic, Finding, Number, canonical
 from mechanics.exact.field_trial import Answer, trial
-from mechanics.kinematics.manifold import settle
 from mechanics.reading.statement import Statement
 from mechanics.scene import Scene
 from mechanics.scene.actions import frictions
@@ -28,9 +28,7 @@ def keeps(truth: Equations, value: Expr) -> bool:
     growth = rate(value, rate_table(truth.scene))
 
     def experiment(a: Arithmetic) -> list[tuple[Number, Number]]:
-        settle(truth.scene, a)
-        for symbol, expression in ordered(truth.scene.definitions):
-            a.assign(symbol, a.value(expression))
+        settle_defined(truth.scene, a)
         put_motion(a, truth)
         return [(a.value(growth), a.rational(0))]
 
@@ -61,8 +59,7 @@ def unbalanced(
     own = generalized_rows(scene)
 
     def experiment(a: Arithmetic) -> list[tuple[Number, Number]]:
-        for symbol, expression in ordered(scene.definitions):
-            a.assign(symbol, a.value(expression))
+        settle_defined(scene, a)
         matrix = [
             [a.value(dict(row.factors).get(symbol, S.Zero)) for symbol in scene.ud] for row in rows
         ]

@@ -51,16 +51,13 @@ def decide_in(
         True when it is plain beforehand that the statement needs its definitions.
     """
     used = symbols & scene.definitions.keys()
-    order = ordered(scene.definitions)
 
     def admissible(a: Arithmetic) -> Pairs:
         settle(scene, a)
         return experiment(a)
 
     def expanded(a: Arithmetic) -> Pairs:
-        settle(scene, a)
-        for symbol, expression in order:
-            a.assign(symbol, a.value(expression))
+        settle_defined(scene, a)
         return experiment(a)
 
     if not (used and expand):
@@ -70,6 +67,23 @@ def decide_in(
     finding = decide(subject, expanded)
     names = ", ".join(sorted(symbol.name for symbol in used))
     return replace(finding, evidence=f"{finding.evidence}, with {names} by definition")
+
+
+def settle_defined(scene: Scene, a: Arithmetic) -> None:
+    """Give what constraints and definitions determine the values that they ask for.
+
+    Must run before any other expression is evaluated in this arithmetic.
+
+    Raises
+    ------
+    ExpressionError
+        When no quantity is known for which a configuration constraint can be solved.
+    SceneError
+        When definitions go round in a circle.
+    """
+    settle(scene, a)
+    for symbol, expression in ordered(scene.definitions):
+        a.assign(symbol, a.value(expression))
 
 
 def ordered(definitions: Mapping[Symbol, Expr]) -> list[tuple[Symbol, Expr]]:

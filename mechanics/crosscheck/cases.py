@@ -12,7 +12,7 @@ from sympy import Dummy, Expr, Piecewise, S, Symbol
 from sympy.core.relational import Ge, Gt, Le, Lt, Relational
 from sympy.logic.boolalg import And, Boolean, Not
 
-from mechanics.checks.ledger_compare import ordered
+from mechanics.checks.ledger_compare import settle_defined
 from mechanics.checks.ledger_motion import put_motion
 from mechanics.equations import Equations
 from mechanics.errors import ExpressionError
@@ -111,8 +111,7 @@ def _in_region(truth: Equations, row: Published, region: Region) -> Callable[[Ar
     def experiment(a: Arithmetic) -> Pairs:
         for symbol, value in region.items():
             a.assign(symbol, a.value(value))
-        for symbol, expression in ordered(truth.scene.definitions):
-            a.assign(symbol, a.value(expression))
+        settle_defined(truth.scene, a)
         put_motion(a, truth)
         first, *others = row.sides
         return [(a.value(first), a.value(side)) for side in others]

@@ -14,7 +14,7 @@ from sympy import Expr, Symbol, cos, sin
 from sympy.functions.elementary.trigonometric import TrigonometricFunction
 from sympy.matrices import MatrixBase
 
-from mechanics.checks.ledger_compare import ordered
+from mechanics.checks.ledger_compare import settle_defined
 from mechanics.checks.ledger_energy import SHARES, kinetic_energy, mass_matrix
 from mechanics.checks.ledger_motion import put_motion
 from mechanics.equations import Equations
@@ -22,7 +22,7 @@ from mechanics.errors import ExpressionError
 from mechanics.exact import Arithmetic, Number
 from mechanics.exact.field_trial import look
 from mechanics.exact.signals import Inadmissible
-from mechanics.kinematics.manifold import settle, settle_accelerations
+from mechanics.kinematics.manifold import settle_accelerations
 from mechanics.scene import Scene
 from mechanics.scene import quantities as q
 from mechanics.scene.potential import potential
@@ -69,9 +69,7 @@ def _look(
     wrong: list[int] = []
 
     def experiment(a: Arithmetic) -> Pairs:
-        settle(truth.scene, a)
-        for symbol, expression in ordered(truth.scene.definitions):
-            a.assign(symbol, a.value(expression))
+        settle_defined(truth.scene, a)
         if moving:
             put_motion(a, truth)
         else:
