@@ -23,7 +23,7 @@ from mechanics.kinematics.momenta import momenta_written_out
 from mechanics.reading.statement import Statement
 from mechanics.scene import Scene
 from mechanics.scene.quantities import EquationOfMotion
-from mechanics.scene.rates import coordinate_rate_table, rate
+from mechanics.scene.rates import coordinate_rate_table, rate, speeds_in_rates
 
 
 @dataclass(frozen=True)
@@ -76,8 +76,7 @@ def _off(scene: Scene, index: int, side: Expr, signs: tuple[int, int]) -> WrongE
 def wrong_rows(scene: Scene, energies: Sequence[WrongEnergy]) -> tuple[Expr, ...]:
     """By how much Lagrange's equations from these energies differ, one for each coordinate."""
     total = Add(*(energy.kinetic - energy.potential for energy in energies))
-    speeds = {u: scene.rates(value) for u, (_, value) in zip(scene.u, scene.speeds, strict=False)}
-    total = total.xreplace(speeds)
+    total = total.xreplace(speeds_in_rates(scene))
     clock = coordinate_rate_table(scene)
     rows = [
         rate(total.diff(qd), clock) - total.diff(q) for q, qd in zip(scene.q, scene.qd, strict=True)

@@ -20,6 +20,7 @@ from mechanics.scene import quantities as q
 from mechanics.scene.loads import CONSERVATIVE
 from mechanics.scene.potential import load_potential
 from mechanics.scene.published import Published
+from mechanics.scene.rates import speeds_in_rates
 
 Pieces = tuple[tuple[Origin, Expr], ...]
 Parts = tuple[tuple[Origin, Terms], ...]
@@ -90,7 +91,7 @@ def energy_pieces(scene: Scene, row: Published) -> Pieces:
 def _momentum(scene: Scene, coordinate: str) -> Pieces:
     """dT/dq' of each piece of the kinetic energy; u may be other than q'."""
     qd = next(qd for c, qd in zip(scene.q, scene.qd, strict=True) if c.name == coordinate)
-    table = {u: scene.rates(value) for u, (_, value) in zip(scene.u, scene.speeds, strict=False)}
+    table = speeds_in_rates(scene)
     return tuple(
         (origin, scene.plain(value.xreplace(table).diff(qd)))
         for origin, value in kinetic_pieces(scene)

@@ -7,12 +7,13 @@ from collections.abc import Sequence
 from functools import lru_cache
 from itertools import combinations
 
-from sympy import Expr, Matrix, S, Symbol
+from sympy import Expr, S, Symbol
 
 from mechanics.blame.pieces import Piece, merged
 from mechanics.blame.rows import Row, generalized_rows
 from mechanics.blame.view import View
-from mechanics.exact import canonical, collect_linear, independent_rows
+from mechanics.exact import collect_linear, independent_rows
+from mechanics.exact.cramer import cramer
 from mechanics.scene.rates import rate
 
 
@@ -81,9 +82,6 @@ def tied_speeds(view: View, wanted: frozenset[Symbol]) -> tuple[int, ...] | None
 
 
 def _solved(forms: Sequence[Expr], tied: Sequence[Symbol]) -> list[Expr]:
-    """The tied speeds in the free ones, by Cramer's rule."""
-    split = [collect_linear(form, tied) for form in forms]
-    matrix = Matrix([factors for factors, _ in split])
-    rest = Matrix([-rest for _, rest in split])
-    determinant = canonical(matrix.det(method="berkowitz"))
-    return [canonical(entry) / determinant for entry in matrix.adjugate() * rest]
+    """The tied speeds in the free ones."""
+    numerators, denominator = cramer(forms, tied)
+    return [numerator / denominator for numerator in numerators]

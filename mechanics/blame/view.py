@@ -11,7 +11,7 @@ from sympy import Expr, Symbol
 from mechanics.equations import Equations
 from mechanics.kinematics.constraints import velocity_forms
 from mechanics.scene import Scene
-from mechanics.scene.rates import coordinate_rate_table, rate, rate_table
+from mechanics.scene.rates import coordinate_rate_table, rate, rate_table, speeds_in_rates
 from mechanics.scene.symbols import plain_symbol
 
 
@@ -54,7 +54,7 @@ class View:
         if not self.in_rates:
             return {}
         scene = self.scene
-        own = {u: scene.rates(value) for u, (_, value) in zip(scene.u, scene.speeds, strict=True)}
+        own = speeds_in_rates(scene)
         return own | {ud: rate(own[u], self.clock) for u, ud in zip(scene.u, scene.ud, strict=True)}
 
     def seen(self, expression: Expr) -> Expr:

@@ -29,7 +29,7 @@ from mechanics.scene import Scene
 from mechanics.scene.actions import frictions, load_actions
 from mechanics.scene.loads import CONSERVATIVE
 from mechanics.scene.potential import potential
-from mechanics.scene.rates import rate, rate_table
+from mechanics.scene.rates import rate, rate_table, speeds_in_rates
 
 
 def derive(scene: Scene) -> Equations:
@@ -38,7 +38,7 @@ def derive(scene: Scene) -> Equations:
     kinetic = kinetic_energy(scene, motions)
     stored = potential(scene)
     dynamic = dynamic_rates(scene)
-    back = _speeds_in_rates(scene)
+    back = speeds_in_rates(scene)
     constraints = [
         (dynamic.to(scene.rates(c.expression).xreplace(back)), c.holonomic)
         for c in scene.constraints
@@ -92,7 +92,7 @@ def _forces(
 
     SymPy drops, silently, loads on points whose velocities are written in speeds.
     """
-    back = _speeds_in_rates(scene)
+    back = speeds_in_rates(scene)
     found: list[tuple[object, object]] = []
 
     def vector(column: Matrix) -> object:
@@ -115,15 +115,6 @@ def _forces(
                 turning.set_ang_vel(frame, vector(motion.angular_velocity))
                 found.append((turning, vector(action.couple)))
     return found
-
-
-def _speeds_in_rates(scene: Scene) -> dict[Symbol, Expr]:
-    """u in q and q': loads are written in u, but enter here in q'."""
-    if not scene.speeds:
-        return {}
-    return {
-        u: scene.rates(definition) for u, (_, definition) in zip(scene.u, scene.speeds, strict=True)
-    }
 
 
 def _common_form(

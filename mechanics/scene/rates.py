@@ -37,6 +37,14 @@ def _given_rates(scene: Scene) -> dict[Symbol, Expr]:
     return table
 
 
+def speeds_in_rates(scene: Scene) -> dict[Symbol, Expr]:
+    """Every speed u in q and q', both plain symbols; empty where u is q'."""
+    if not scene.speeds:
+        return {}
+    pairs = zip(scene.u, scene.speeds, strict=True)
+    return {u: scene.rates(definition) for u, (_, definition) in pairs}
+
+
 def rate(expression: Expr, table: Mapping[Symbol, Expr]) -> Expr:
     """Time derivative of an expression, given the rate of each symbol in it.
 

@@ -9,11 +9,12 @@ term p_tied (d/dt(dq'_tied/dq') - dq'_tied/dq) is lost.
 from collections.abc import Iterator
 from itertools import combinations
 
-from sympy import Add, Expr, Matrix, S, Symbol
+from sympy import Add, Expr, S, Symbol
 
 from mechanics.blame.mistakes.slip import Right, Slip, once
 from mechanics.blame.pieces import Kind, Origin, Piece
 from mechanics.exact import canonical, collect_linear, independent_rows
+from mechanics.exact.cramer import cramer
 from mechanics.kinematics import differentiate
 from mechanics.routes.lagrange import kinetic_energy
 from mechanics.scene import Gravity, Scene
@@ -65,12 +66,9 @@ def _tied(scene: Scene, energy: Expr, forms: list[Expr]) -> Iterator[tuple[Symbo
 
 
 def _solved(forms: list[Expr], tied: tuple[Symbol, ...]) -> dict[Symbol, Expr]:
-    """The tied rates in the free ones, by Cramer's rule."""
-    split = [collect_linear(form, tied) for form in forms]
-    matrix = Matrix([factors for factors, _ in split])
-    rest = Matrix([-rest for _, rest in split])
-    solution = matrix.adjugate() * rest / matrix.det(method="berkowitz")
-    return {symbol: canonical(value) for symbol, value in zip(tied, solution, strict=True)}
+    """The tied rates in the free ones."""
+    numerators, denominator = cramer(forms, tied)
+    return {s: canonical(n / denominator) for s, n in zip(tied, numerators, strict=True)}
 
 
 def _rows(
