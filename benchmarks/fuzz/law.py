@@ -100,8 +100,6 @@ def _timed(act: Callable[[], Any]) -> tuple[Any, str, float]:
     except MechanicsError as error:
         broken = _line(str(error))
     except Exception as error:
-        if isinstance(error, KeyboardInterrupt):
-            raise
         broken = f"{type(error).__name__} {_origin(error)}"
     return found, broken, process_time() - start
 

@@ -51,7 +51,7 @@ def blamed(truth: Equations, judged: Sequence[Judged]) -> tuple[Judged, ...]:
         words = "it is too large" if k not in small else f"{MOST} statements before it are wrong"
         found[k] = replace(found[k], blame=Blame((), (), searched=f"not searched: {words}"))
     end = process_time() + LONGEST
-    for k, reasons in zip(searched, told, strict=False):
+    for k, reasons in zip(searched, told[: len(searched)], strict=True):
         late = Blame((), (), searched=f"not searched: those before it took {LONGEST:.0f} s")
         blame = late if process_time() > end else _search(truth, judged[k].statement)
         found[k] = replace(found[k], blame=replace(blame, explanations=reasons))

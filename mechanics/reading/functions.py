@@ -4,17 +4,13 @@ from collections.abc import Callable
 from typing import Any
 
 import sympy
-from sympy import Abs, Max, Min, Rational
+from sympy import Abs, Max, Min
 
 Made = Callable[..., Any]
 
 
 def _one(function: Any) -> tuple[int, int, Made]:
     return 1, 1, function
-
-
-def _logarithm(*arguments: Any) -> Any:
-    return sympy.log(*arguments)
 
 
 def _extreme(function: Any) -> Made:
@@ -48,8 +44,6 @@ FUNCTIONS: dict[str, tuple[int, int, Made]] = {
     **{name: (2, 2, _extreme(Min)) for name in ("minimum", "fmin")},
 }  # fmt: skip
 """Least and largest number of arguments, and what makes the expression."""
-
-CONSTANTS: dict[str, Any] = {"pi": sympy.pi, "half": Rational(1, 2)}
 
 INVERSES: dict[str, str] = {
     "sin": "asin", "cos": "acos", "tan": "atan", "sinh": "asinh", "cosh": "acosh", "tanh": "atanh",

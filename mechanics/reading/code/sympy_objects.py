@@ -4,7 +4,7 @@ x(t), Derivative(x(t), t), x_dot        are matched by name with the scene's x, 
 KanesMethod: M u' = f, with u solved for q'       LagrangesMethod: its equations, one a row
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import replace
 from typing import Any
 
@@ -176,8 +176,3 @@ def _statement(
 def is_sympy(thing: Any) -> bool:
     """Whether it is one of the objects that `read_sympy` takes."""
     return isinstance(thing, KINDS)
-
-
-def is_sequence(thing: Any) -> bool:
-    """Whether it is several things to be checked."""
-    return isinstance(thing, Sequence) and not isinstance(thing, str | bytes)
