@@ -13,10 +13,10 @@ from rich.markup import escape
 
 from mechanics.cli import (
     checking,
+    crosschecking,
     deriving,
     extremes,
     fmu,
-    persons,
     small_motions,
     trading,
     using,
@@ -55,9 +55,9 @@ def options(
     """What stands before a command."""
 
 
-app.command("systems")(checking.systems)
-app.command("crosscheck")(checking.crosscheck)
-app.command("check")(persons.check)
+app.command("systems")(crosschecking.systems)
+app.command("crosscheck")(crosschecking.crosscheck)
+app.command("check")(checking.check)
 app.command("derive")(deriving.derive)
 app.command("simulate")(using.simulate)
 app.command("codegen")(using.codegen)

@@ -1,196 +1,144 @@
-"""`mechanics systems` and `mechanics crosscheck`."""
+"""`mechanics check`."""
 
 import json
-import os
 import sys
-from collections import Counter
-from collections.abc import Sequence
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Any
 
 import typer
 from rich.console import Console
-from rich.markup import escape
-from rich.table import Column, Table
 
-from mechanics.cli.load import load
-from mechanics.crosscheck import CrossCheck
-from mechanics.crosscheck import crosscheck as check
-from mechanics.crosscheck.routes import named_routes
-from mechanics.crosscheck.system import DEFAULT_STATES
+from mechanics.cli.files import refuse_unwritable, write
+from mechanics.cli.load import load, run_file
+from mechanics.cli.values import assignments
+from mechanics.crosscheck.check import check as run
+from mechanics.crosscheck.check_json import to_json
 from mechanics.errors import InputError
-from mechanics.exact import Finding, Verdict
-from mechanics.report.html import to_html
-from mechanics.report.json_report import to_json
-from mechanics.report.result import SystemResult
-
-STYLES = {
-    Verdict.PROVED: "green",
-    Verdict.CERTIFIED: "green",
-    Verdict.SUPPORTED: "yellow",
-    Verdict.UNDECIDED: "yellow",
-    Verdict.REFUTED: "bold red",
-}
+from mechanics.exact import Verdict
+from mechanics.reading.code.black_box import BlackBox
+from mechanics.report.answer.page import check_html
 
 
-def systems() -> None:
-    """List the systems that come with the program.
-
-    Example: `mechanics systems`
-    """
-    from systems import ALL, SEED
-
-    name = Column("system", no_wrap=True)
-    table = Table(name, "scene", "coordinates", "published rows", box=None, pad_edge=False)
-    for system in ALL:
-        scene = system.scene()
-        mark = " *" if system in SEED else ""
-        names = ", ".join(q.name for q in scene.q)
-        table.add_row(system.name + mark, scene.name, names, str(len(system.published)))
-    Console().print(table)
-    Console().print("* checked when `mechanics crosscheck` is given no system", style="dim")
-
-
-def crosscheck(
-    names: Annotated[
+def check(
+    system: Annotated[str, typer.Argument(metavar="SYSTEM", help="A name or a .py file.")],
+    files: Annotated[
+        list[str],
+        typer.Argument(metavar="FILE...", help="LaTeX, text, C, file.py:function, or -."),
+    ],
+    name: Annotated[
         list[str] | None,
-        typer.Argument(
-            metavar="[SYSTEM]...",
-            help="Names, `pendulum_chain(10)`, or .py files with a function scene();"
-            " the seed's three when none is given.",
-            show_default=False,
-        ),
+        typer.Option("--name", metavar="MINE=SCENE'S", help="What a name of yours means."),
     ] = None,
+    notation: Annotated[
+        str | None, typer.Option(metavar="latex|text", help="Found out when not given.")
+    ] = None,
+    about: Annotated[
+        str | None,
+        typer.Option(help="What all of them are: 'kinetic energy', 'mass matrix', ..."),
+    ] = None,
+    convention: Annotated[
+        list[str] | None,
+        typer.Option(help="How you count otherwise: 'other vertical', 'half-length', ..."),
+    ] = None,
+    function: Annotated[
+        str | None,
+        typer.Option(metavar="NAME", help="Which function of a C file; else its last one."),
+    ] = None,
+    black_box: Annotated[
+        bool, typer.Option("--black-box", help="Only call Python functions: numbers, no proof.")
+    ] = False,
+    value: Annotated[
+        list[str] | None,
+        typer.Option(metavar="NAME=VALUE", help="What a parameter is inside a black box."),
+    ] = None,
+    step: Annotated[
+        float, typer.Option(min=0, help="Seconds by which a black box advances the state.")
+    ] = 0.0,
+    integrator: Annotated[
+        str, typer.Option(help="By which it does: euler, 'semi-implicit euler' or rk4.")
+    ] = "euler",
+    blame: Annotated[
+        bool,
+        typer.Option("--blame/--no-blame", help="Whether to look for the term that is wrong."),
+    ] = True,
     report: Annotated[
-        Path | None, typer.Option(metavar="FILE.html", help="Write a report for a browser.")
+        Path | None,
+        typer.Option(metavar="FILE.html", help="Write a page for a browser: yours, and derived."),
     ] = None,
     json_file: Annotated[
         str | None, typer.Option("--json", metavar="FILE|-", help="Write JSON; - for the screen.")
     ] = None,
-    routes: Annotated[
-        str, typer.Option(help="Routes to use, separated by commas; all when not given.")
-    ] = "",
-    states: Annotated[
-        int, typer.Option(min=0, help="Random states for the residuals of compiled functions.")
-    ] = DEFAULT_STATES,
+    quiet: Annotated[
+        bool, typer.Option("--quiet", "-q", help="Print nothing: the exit code tells.")
+    ] = False,
 ) -> None:
-    """Derive systems by four routes and prove that they agree with each other and their source.
+    """Check your own equations of motion, energies, reactions or mass matrix.
 
-    Exit code: 0 when all is PROVED or CERTIFIED, 1 when something is REFUTED, 3 when something is
-    UNDECIDED or only SUPPORTED, 2 for bad input.
+    Each equation gets a verdict; a wrong one the smallest change that makes it right, the
+    differences term by term, and a state at which its sides differ. Names are matched to those of
+    the scene; what was guessed is printed. Rows may be scaled, combined and swapped. LaTeX, text
+    and C are read, never run; `file.py:function` runs that file, so give your own. Exit code: 0
+    when all is PROVED or CERTIFIED, 1 when something is REFUTED, 3 when something is in doubt,
+    2 for bad input.
 
     Examples
     --------
-    `mechanics crosscheck`
+    `mechanics check elastic_pendulum equations.tex --report answer.html`
 
-    `mechanics crosscheck rocker --report rocker.html`
+    `mechanics check rocker mine.txt --name phi=theta --json -`
 
-    `mechanics crosscheck 'pendulum_chain(10)' my_system.py --json -`
+    `mechanics check elastic_pendulum simulator.py:rate --name 'state=x theta x_dot theta_dot'`
+
+    `mechanics check acrobot control.c --function accelerations`
+
+    `mechanics check rod_pendulum sim.py:step --black-box --value m=1 --step 0.01 --value l=2`
     """
-    chosen = tuple(name.strip() for name in routes.split(",") if name.strip())
-    named_routes(chosen)
-    for path in (report, None if json_file in (None, "-") else Path(str(json_file))):
-        if path is not None:
-            _writable(path)
-    loaded = [load(name) for name in names] if names else _seed()
-    errors = Console(stderr=True)
-    results = []
-    with errors.status("") as status:
-        for system in loaded:
-            options = CrossCheck(chosen, states, report is not None, status.update)
-            results.append(check(system, options))
-        if report is not None:
-            status.update(f"writing {report.name}")
-            report.write_text(to_html(results), encoding="utf-8")
+    refuse_unwritable(report, json_file)
+    scene = load(system).scene()
+    parts = [_part(file) for file in files]
+    if black_box:
+        held = {n: float(v) for n, v in assignments(value or [], "--value").items()}
+        parts = [BlackBox(p, held, step, integrator) if callable(p) else p for p in parts]
+    elif value or step:
+        raise InputError("--value and --step belong to a black box: add --black-box")
+    with Console(stderr=True).status(f"checking against {scene.name}"):
+        found = run(
+            scene, parts, names=_names(name or []), notation=notation, about=about,
+            convention=convention or (), function=function, blame=blame,
+        )  # fmt: skip
+    if report is not None:
+        report.write_text(check_html(found), encoding="utf-8")
     if json_file is not None:
-        text = json.dumps(to_json(results), indent=2, ensure_ascii=False)
-        if json_file == "-":
-            sys.stdout.write(text + "\n")
-        else:
-            Path(json_file).write_text(text + "\n", encoding="utf-8")
-    if json_file != "-":
-        _summary(Console(), results)
-    raise typer.Exit(exit_code(results))
+        write(json.dumps(to_json(found), indent=2, ensure_ascii=False), json_file)
+    if json_file != "-" and not quiet:
+        Console(highlight=False, emoji=False).print(found)
+    if found.verdict is Verdict.REFUTED:
+        raise typer.Exit(1)
+    raise typer.Exit(0 if found.ok else 3)
 
 
-def _writable(path: Path) -> None:
-    """Refuse a file that cannot be written, before the work is done."""
-    if not path.parent.is_dir():
-        raise InputError(f"file {path}: there is no folder {path.parent}: make it first")
-    if path.is_dir():
-        raise InputError(f"file {path}: it is a folder: name a file in it")
-    if not os.access(path if path.exists() else path.parent, os.W_OK):
-        raise InputError(f"file {path}: it cannot be written: choose another place")
+def _part(file: str) -> Any:
+    """A text, the path of a file, or a function of a person's own Python file, which is run."""
+    if file == "-":
+        return sys.stdin.read()
+    path, colon, name = file.rpartition(":")
+    if not (colon and path.endswith(".py")):
+        if file.endswith(".py"):
+            raise InputError(f"file {file}: name the function to check: {file}:function")
+        return Path(file)
+    function = getattr(run_file(Path(path)), name, None)
+    if function is None:
+        raise InputError(f"file {path}: it has no {name}")
+    return function
 
 
-def exit_code(results: Sequence[SystemResult]) -> int:
-    """0: all shown; 1: something refuted; 3: something in doubt."""
-    verdicts = {finding.verdict for result in results for finding in _findings(result)}
-    if Verdict.REFUTED in verdicts:
-        return 1
-    return 0 if all(result.ok for result in results) else 3
-
-
-def _seed() -> list:
-    from systems import SEED
-
-    return list(SEED)
-
-
-def _findings(result: SystemResult) -> list[Finding]:
-    return [*result.findings, *(entry.finding for entry in result.published)]
-
-
-def _summary(console: Console, results: Sequence[SystemResult]) -> None:
-    for result in results:
-        console.print(f"\n[bold]{escape(result.name)}[/]  {escape(result.scene.name)}")
-        table = Table("route", "seconds", "operations", box=None, pad_edge=False)
-        for name, route in result.routes.items():
-            table.add_row(name, f"{route.seconds:.3f}", str(route.operations))
-        console.print(table)
-        for title, findings in (
-            ("pairs of routes", list(result.pairs.values())),
-            ("laws, reactions and graphs", _others(result)),
-            ("published rows", [entry.finding for entry in result.published]),
-        ):
-            if findings:
-                console.print(f"{title}: {_counted(findings)}")
-        if result.compiled:
-            worst = max(result.compiled, key=lambda entry: entry.max_eps)
-            console.print(
-                f"compiled residuals: at most {worst.max_eps:.2f} epsilon of the sum of the terms"
-                f" at {worst.states} states ({escape(worst.subject)})"
-            )
-        for remark in result.remarks:
-            console.print(escape(remark), style="dim")
-        for finding in _findings(result):
-            if not finding.shown:
-                _explain(console, finding)
-
-
-def _others(result: SystemResult) -> list[Finding]:
-    pairs = {id(finding) for finding in result.pairs.values()}
-    return [finding for finding in result.findings if id(finding) not in pairs]
-
-
-def _counted(findings: Sequence[Finding]) -> str:
-    counts = Counter(finding.verdict for finding in findings)
-    words = [
-        f"[{STYLES[verdict]}]{counts[verdict]} {verdict.name}[/]"
-        for verdict in Verdict
-        if counts[verdict]
-    ]
-    return ", ".join(words)
-
-
-def _explain(console: Console, finding: Finding) -> None:
-    style = STYLES[finding.verdict]
-    name = finding.verdict.name
-    console.print(f"[{style}]{name}[/] {escape(finding.subject)}: {escape(finding.evidence)}")
-    if finding.witness is not None:
-        state = ", ".join(f"{symbol} = {value}" for symbol, value in finding.witness.state)
-        console.print(f"  at {escape(state)}")
-        if solved := ", ".join(f"{name} = {value}" for name, value in finding.witness.solved):
-            console.print(f"  from which follow {escape(solved)}")
-        console.print(f"  left  {escape(finding.witness.left)}")
-        console.print(f"  right {escape(finding.witness.right)}")
+def _names(entries: list[str]) -> dict[str, str]:
+    found: dict[str, str] = {}
+    for entry in entries:
+        mine, equals, theirs = (part.strip() for part in entry.partition("="))
+        if not (equals and mine and theirs):
+            raise InputError(f"--name {entry!r}: write mine=the scene's, for example phi=theta")
+        if mine in found:
+            raise InputError(f"--name {entry!r}: {mine} is given twice")
+        found[mine] = theirs
+    return found

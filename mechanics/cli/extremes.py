@@ -1,7 +1,6 @@
 """`mechanics extremes`: how far every quantity goes before something breaks."""
 
 import json
-import sys
 from collections import Counter
 from collections.abc import Sequence
 from pathlib import Path
@@ -12,7 +11,7 @@ from rich.console import Console
 from rich.markup import escape
 from rich.table import Table
 
-from mechanics.cli.checking import _writable
+from mechanics.cli.files import refuse_unwritable, write
 from mechanics.cli.load import load
 from mechanics.crosscheck import derive
 from mechanics.extremes import CAUSES, Cause, Extremes, to_record
@@ -64,9 +63,7 @@ def extremes(
     """
     if plot is not None:
         writable(plot, (".svg",))
-    for path in (report, None if json_file in (None, "-") else Path(str(json_file))):
-        if path is not None:
-            _writable(path)
+    refuse_unwritable(report, json_file)
     loaded = [load(name) for name in names] if names else _every()
     results = []
     with Console(stderr=True).status("") as status:
@@ -85,10 +82,7 @@ def extremes(
     if json_file is not None:
         record = {"systems": [to_record(found) for found in results]}
         text = json.dumps(record, allow_nan=False, separators=(",", ":"))
-        if json_file == "-":
-            sys.stdout.write(text + "\n")
-        else:
-            Path(json_file).write_text(text + "\n", encoding="utf-8")
+        write(text, json_file)
     if json_file != "-":
         _summary(Console(), results)
 

@@ -13,10 +13,10 @@ from rich.console import Console
 from rich.markup import escape
 from rich.table import Table
 
+from mechanics.cli.files import refuse_unwritable, write
 from mechanics.cli.load import load
 from mechanics.cli.values import points, sorted_out
 from mechanics.crosscheck import derive
-from mechanics.errors import InputError
 from mechanics.report.trade import trade_html
 from mechanics.report.trade_plot import standalone
 from mechanics.simulate.files import writable
@@ -85,11 +85,7 @@ def trade(
     if plot is not None:
         plot.write_text(standalone(found), encoding="utf-8")
     if json_file is not None:
-        text = json.dumps(to_record(found), allow_nan=False) + "\n"
-        if json_file == "-":
-            sys.stdout.write(text)
-        else:
-            Path(json_file).write_text(text, encoding="utf-8")
+        write(json.dumps(to_record(found), allow_nan=False), json_file)
     if json_file != "-":
         # What is not a terminal has no width of its own.
         _print(Console(width=None if sys.stdout.isatty() else WIDE), found)
@@ -101,10 +97,7 @@ def _checked(report: Path | None, json_file: str | None, plot: Path | None) -> N
         writable(report, (".html",))
     if plot is not None:
         writable(plot, (".svg",))
-    if json_file not in (None, "-"):
-        folder = Path(str(json_file)).parent
-        if not folder.is_dir():
-            raise InputError(f"--json {json_file}: there is no folder {folder}")
+    refuse_unwritable(json_file)
 
 
 def _print(console: Console, found: Trade) -> None:

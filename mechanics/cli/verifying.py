@@ -1,7 +1,6 @@
 """`mechanics verify`: generated code once more, from its files alone."""
 
 import json
-import sys
 from collections import Counter
 from pathlib import Path
 from typing import Annotated
@@ -10,7 +9,8 @@ import typer
 from rich.console import Console
 from rich.markup import escape
 
-from mechanics.cli.checking import STYLES, _counted, _explain
+from mechanics.cli.files import write
+from mechanics.cli.findings import STYLES, counted, explain
 from mechanics.cli.load import load
 from mechanics.crosscheck import derive
 from mechanics.equations import Equations
@@ -93,18 +93,14 @@ def _write(found: Verification, file: str) -> None:
         "missing": list(found.folder.missing),
         **chain_record(found.chain),
     }
-    text = json.dumps(record, indent=2, ensure_ascii=False) + "\n"
-    if file == "-":
-        sys.stdout.write(text)
-    else:
-        Path(file).write_text(text, encoding="utf-8")
+    write(json.dumps(record, indent=2, ensure_ascii=False), file)
 
 
 def _print(console: Console, found: Verification, remark: str) -> None:
     folder = found.folder
     console.print(f"[bold]{escape(str(folder.path))}[/]  {escape(str(folder.manifest['scene']))}")
     for title, findings in found.chain.steps:
-        console.print(f"  {escape(title)}: {_counted(findings)}")
+        console.print(f"  {escape(title)}: {counted(findings)}")
     worst = max(found.chain.measured, key=lambda one: one.ulp_terms, default=None)
     if worst is not None:
         states = sum(one.states for one in found.chain.measured)
@@ -123,7 +119,7 @@ def _print(console: Console, found: Verification, remark: str) -> None:
         if finding.verdict in (Verdict.REFUTED, Verdict.UNDECIDED)
     ]
     for finding in bad[:SHOWN_FINDINGS]:
-        _explain(console, finding)
+        explain(console, finding)
     if len(bad) > SHOWN_FINDINGS:
         counts = Counter(finding.verdict for finding in bad[SHOWN_FINDINGS:])
         words = ", ".join(f"[{STYLES[v]}]{n} more {v.name}[/]" for v, n in counts.items())

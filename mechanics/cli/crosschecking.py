@@ -1,0 +1,147 @@
+"""`mechanics systems` and `mechanics crosscheck`."""
+
+import json
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Annotated
+
+import typer
+from rich.console import Console
+from rich.markup import escape
+from rich.table import Column, Table
+
+from mechanics.cli.files import refuse_unwritable, write
+from mechanics.cli.findings import counted, explain
+from mechanics.cli.load import load
+from mechanics.crosscheck import CrossCheck
+from mechanics.crosscheck import crosscheck as check
+from mechanics.crosscheck.routes import named_routes
+from mechanics.crosscheck.system import DEFAULT_STATES
+from mechanics.exact import Finding, Verdict
+from mechanics.report.html import to_html
+from mechanics.report.json_report import to_json
+from mechanics.report.result import SystemResult
+
+
+def systems() -> None:
+    """List the systems that come with the program.
+
+    Example: `mechanics systems`
+    """
+    from systems import ALL, SEED
+
+    name = Column("system", no_wrap=True)
+    table = Table(name, "scene", "coordinates", "published rows", box=None, pad_edge=False)
+    for system in ALL:
+        scene = system.scene()
+        mark = " *" if system in SEED else ""
+        names = ", ".join(q.name for q in scene.q)
+        table.add_row(system.name + mark, scene.name, names, str(len(system.published)))
+    Console().print(table)
+    Console().print("* checked when `mechanics crosscheck` is given no system", style="dim")
+
+
+def crosscheck(
+    names: Annotated[
+        list[str] | None,
+        typer.Argument(
+            metavar="[SYSTEM]...",
+            help="Names, `pendulum_chain(10)`, or .py files with a function scene();"
+            " the seed's three when none is given.",
+            show_default=False,
+        ),
+    ] = None,
+    report: Annotated[
+        Path | None, typer.Option(metavar="FILE.html", help="Write a report for a browser.")
+    ] = None,
+    json_file: Annotated[
+        str | None, typer.Option("--json", metavar="FILE|-", help="Write JSON; - for the screen.")
+    ] = None,
+    routes: Annotated[
+        str, typer.Option(help="Routes to use, separated by commas; all when not given.")
+    ] = "",
+    states: Annotated[
+        int, typer.Option(min=0, help="Random states for the residuals of compiled functions.")
+    ] = DEFAULT_STATES,
+) -> None:
+    """Derive systems by four routes and prove that they agree with each other and their source.
+
+    Exit code: 0 when all is PROVED or CERTIFIED, 1 when something is REFUTED, 3 when something is
+    UNDECIDED or only SUPPORTED, 2 for bad input.
+
+    Examples
+    --------
+    `mechanics crosscheck`
+
+    `mechanics crosscheck rocker --report rocker.html`
+
+    `mechanics crosscheck 'pendulum_chain(10)' my_system.py --json -`
+    """
+    chosen = tuple(name.strip() for name in routes.split(",") if name.strip())
+    named_routes(chosen)
+    refuse_unwritable(report, json_file)
+    loaded = [load(name) for name in names] if names else _seed()
+    errors = Console(stderr=True)
+    results = []
+    with errors.status("") as status:
+        for system in loaded:
+            options = CrossCheck(chosen, states, report is not None, status.update)
+            results.append(check(system, options))
+        if report is not None:
+            status.update(f"writing {report.name}")
+            report.write_text(to_html(results), encoding="utf-8")
+    if json_file is not None:
+        write(json.dumps(to_json(results), indent=2, ensure_ascii=False), json_file)
+    if json_file != "-":
+        _summary(Console(), results)
+    raise typer.Exit(exit_code(results))
+
+
+def exit_code(results: Sequence[SystemResult]) -> int:
+    """0: all shown; 1: something refuted; 3: something in doubt."""
+    verdicts = {finding.verdict for result in results for finding in _findings(result)}
+    if Verdict.REFUTED in verdicts:
+        return 1
+    return 0 if all(result.ok for result in results) else 3
+
+
+def _seed() -> list:
+    from systems import SEED
+
+    return list(SEED)
+
+
+def _findings(result: SystemResult) -> list[Finding]:
+    return [*result.findings, *(entry.finding for entry in result.published)]
+
+
+def _summary(console: Console, results: Sequence[SystemResult]) -> None:
+    for result in results:
+        console.print(f"\n[bold]{escape(result.name)}[/]  {escape(result.scene.name)}")
+        table = Table("route", "seconds", "operations", box=None, pad_edge=False)
+        for name, route in result.routes.items():
+            table.add_row(name, f"{route.seconds:.3f}", str(route.operations))
+        console.print(table)
+        for title, findings in (
+            ("pairs of routes", list(result.pairs.values())),
+            ("laws, reactions and graphs", _others(result)),
+            ("published rows", [entry.finding for entry in result.published]),
+        ):
+            if findings:
+                console.print(f"{title}: {counted(findings)}")
+        if result.compiled:
+            worst = max(result.compiled, key=lambda entry: entry.max_eps)
+            console.print(
+                f"compiled residuals: at most {worst.max_eps:.2f} epsilon of the sum of the terms"
+                f" at {worst.states} states ({escape(worst.subject)})"
+            )
+        for remark in result.remarks:
+            console.print(escape(remark), style="dim")
+        for finding in _findings(result):
+            if not finding.shown:
+                explain(console, finding)
+
+
+def _others(result: SystemResult) -> list[Finding]:
+    pairs = {id(finding) for finding in result.pairs.values()}
+    return [finding for finding in result.findings if id(finding) not in pairs]
