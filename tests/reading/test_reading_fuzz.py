@@ -17,7 +17,7 @@ from systems import elastic_pendulum
 
 TRUTH = derived(elastic_pendulum.scene())
 SCENE = elastic_pendulum.scene()
-PLACE = re.compile(r"line \d+, column \d+: |has no|it can be")
+PLACE = re.compile(r"line \d+, column \d+: ")
 LATEX_WORDS = r"""
 \frac \dot \ddot { } ( ) [ ] ^ _ \left( \right) \left[ \right] \sin \cos \theta x M L & \\ = + -
 / \cdot 2 3 0 . , d t f(t) ' \tag{1} \begin{matrix} \end{matrix} \sqrt \bar \text{and} $ \prime
@@ -49,14 +49,16 @@ def assert_read_or_refused(text: str, notation: str) -> None:
         for statement in found.statements:
             assert statement.row is not None or PLACE.search(statement.doubt)
             assert "\n" not in statement.doubt
-    # A hang would not come back at all; this is far above what any input takes.
-    assert time.process_time() - start < 60
+    assert time.process_time() - start < SLOWER * law.LONGEST_READING
 
 
 def assert_kept(notation: str, data: bytes) -> None:
     """A verdict, or one line with a line and a column."""
     assert law.outcome(TRUTH, notation, data, blame=False).broken == ""
 
+
+SLOWER = 5
+"""How much slower a shared machine may be, under coverage, than the one that the law is for."""
 
 FUZZ = settings(
     max_examples=150, deadline=None, suppress_health_check=list(HealthCheck), derandomize=True
