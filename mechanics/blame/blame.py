@@ -115,11 +115,11 @@ def _repairs(claim: Claim, statement: Statement, end: float) -> Iterator[tuple[R
 
 
 def _in_one_place(claim: Claim, statement: Statement) -> Iterator[tuple[Repair, Published]]:
-    """Single edits of an energy as a whole."""
-    for problem in at_once(claim):
-        for solution in islice(next(solutions(claim, problem, statement)), TRIED):
-            made = edited_row(claim, (solution,))
-            repair = proved(claim, (solution,), statement.source) if made else None
+    """Single edits of an energy as a whole, or of what should be an equation of motion."""
+    for asked, problem in at_once(claim):
+        for solution in islice(next(solutions(asked, problem, statement)), TRIED):
+            made = edited_row(asked, (solution,))
+            repair = proved(asked, (solution,), statement.source) if made else None
             if repair is not None and made is not None:
                 yield repair, made[0]
 

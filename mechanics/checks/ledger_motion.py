@@ -135,13 +135,18 @@ def put_motion(a: Arithmetic, equations: Equations) -> None:
 
     A reaction that friction depends on presses there: other states are no motion of the scene.
     """
+    put_solution(a, equations)
+    for load in frictions(equations.scene):
+        if gives(equations, load.normal):
+            a.require_positive(a.value(Symbol(load.normal, real=True)))
+
+
+def put_solution(a: Arithmetic, equations: Equations) -> None:
+    """The same, whether or not the reactions press."""
     for symbol, number in zip(equations.unknowns, solve(a, equations), strict=True):
         a.assign(symbol, number)
     for symbol, expression in equations.reactions:
         a.assign(symbol, a.value(expression))
-    for load in frictions(equations.scene):
-        if gives(equations, load.normal):
-            a.require_positive(a.value(Symbol(load.normal, real=True)))
 
 
 def gradient(scene: Scene, sides: Sequence[Expr]) -> list[Expr]:

@@ -37,7 +37,7 @@ def evaluate(a: Arithmetic, function: Any, arguments: Sequence[Sequence[Any]]) -
             f"casadi function {function.name()} is no SX graph: call expand() on it first"
         )
     inputs = [_stored(function, index, group) for index, group in _checked(function, arguments)]
-    nodes, stores = _single_assignment(function)
+    nodes, stores = single_assignment(function)
     numbers = evaluated(a, nodes, inputs)
     outputs = [[a.rational(0)] * function.nnz_out(i) for i in range(function.n_out())]
     for output, entry, source in stores:
@@ -95,7 +95,7 @@ def _dense(a: Arithmetic, function: Any, index: int, entries: list[Any]) -> list
     return result
 
 
-def _single_assignment(function: Any) -> tuple[list[Node], list[tuple[int, int, int]]]:
+def single_assignment(function: Any) -> tuple[list[Node], list[tuple[int, int, int]]]:
     """Return the nodes in order, and (output, entry, node) for every stored output."""
     nodes: list[Node] = []
     stores: list[tuple[int, int, int]] = []

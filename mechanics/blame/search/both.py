@@ -7,6 +7,7 @@ What passes is looked at in full: the edit is put in, and the missing term looke
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
+from functools import cached_property
 
 from sympy import Symbol
 
@@ -15,7 +16,6 @@ from mechanics.blame.search.candidates import Candidates
 from mechanics.blame.search.change import ADDED, Change
 from mechanics.blame.search.claim import edited_claim
 from mechanics.blame.search.growth import Growth
-from mechanics.blame.search.judge import Problem
 from mechanics.blame.search.missing import Missing
 from mechanics.blame.search.sheet import Sheet
 from mechanics.blame.search.words import Words
@@ -27,8 +27,6 @@ TESTS = 3
 
 FULL = 6
 """Edits that are looked at in full."""
-
-Grown = dict[Symbol | None, Problem]
 
 
 @dataclass(frozen=True, eq=False)
@@ -52,8 +50,7 @@ class Both:
         grown = self.growth.problems
         if not self.growth.problem.plain or len(grown) < 2:
             return []
-        tests = self._tests(grown)
-        problems = [grown[None], *(grown[symbol] for symbol in tests)]
+        problems = [grown[None], *(grown[symbol] for symbol in self._tests)]
         sheets = tuple(problem.sheets[0] for problem in problems)
         words = self.growth.words
         words = Words(words.truth, words.written, sheets, words.held)
@@ -64,9 +61,10 @@ class Both:
             found += self._completed(change)
         return sorted(found, key=lambda pair: pair[0].cost + pair[1].cost)
 
-    def _tests(self, grown: Grown) -> list[Symbol]:
+    @cached_property
+    def _tests(self) -> list[Symbol]:
         """Parameters that stand in most terms: what is left tells most when these are doubled."""
-        scene = self.growth.claim.truth.scene
+        scene, grown = self.growth.claim.truth.scene, self.growth.problems
         held = [s for s in grown if s is not None and s in scene.parameters]
         return (held or [s for s in grown if s is not None])[:TESTS]
 
@@ -96,22 +94,22 @@ class Both:
             except (DivisionHere, ValueError):
                 return False
             lacks.append((need - value) % self._p)
-        return bool(lacks[0]) and any(
-            all(other in self._multiples(first) for other in others)
-            for first, *others in self._divided(sheets, lacks)
+        if not lacks[0]:
+            return False
+        inverse = pow(lacks[0], -1, self._p)
+        return all(
+            lack * inverse % self._p in ratios
+            for lack, ratios in zip(lacks[1:], self._ratios, strict=True)
         )
 
-    def _multiples(self, first: int) -> set[int]:
-        return {factor * first % self._p for factor in self.growth.doubling}
-
-    def _divided(self, sheets: Sequence[Sheet], lacks: Sequence[int]) -> Iterator[list[int]]:
-        yield list(lacks)
-        for inverses in self._accelerations(sheets):
-            yield [a * b % self._p for a, b in zip(lacks, inverses, strict=True)]
-
-    def _accelerations(self, sheets: Sequence[Sheet]) -> Iterator[list[int]]:
-        for word in self.growth.dependent:
-            yield [pow(sheet.point.value(word.symbol), -1, self._p) for sheet in sheets]
+    @cached_property
+    def _ratios(self) -> list[set[int]]:
+        """How a product may grow with each quantity that is doubled: with what it may hold."""
+        p, found = self._p, []
+        for symbol in self._tests:
+            steps = [f.inverse[None] * pow(f.inverse[symbol], -1, p) for f in self.growth.factors]
+            found.append({step * power % p for step in steps for power in self.growth.doubling})
+        return found
 
     def _completed(self, change: Change) -> Iterator[tuple[Change, Change]]:
         """An edit with the term that is missing beside it."""

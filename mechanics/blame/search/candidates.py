@@ -117,6 +117,10 @@ class Candidates:
             yield from self._factor(index, node)
         if isinstance(node, Name) and not self.forest.kids[index]:
             yield from self._name(index, node)
+        elif isinstance(node, Name):
+            yield from self._defined(index, node)
+        elif isinstance(node, Rate):
+            yield from self._rate(index, node)
         elif isinstance(node, Number):
             yield from self._number(index, node)
         elif isinstance(node, Power):
@@ -129,6 +133,10 @@ class Candidates:
     @cached_property
     def _circular(self) -> tuple[Circular, ...]:
         return circular(self.forest, self.sheets, self.words)
+
+    @cached_property
+    def _inserted(self) -> Inserted:
+        return Inserted(self.forest, self.sheets, self.words, self._circular)
 
     def _name(self, index: int, node: Name) -> Iterator[Change]:
         """Other symbols, the same kind first; squares and cubes."""
@@ -148,6 +156,28 @@ class Candidates:
             yield from self._plus(index, (node,), {own.kind if own is not None else ""})
         if not isinstance(around, Power):
             yield from self._powers(index, node, (2, 3))
+
+    def _defined(self, index: int, node: Name) -> Iterator[Change]:
+        """Another definition of the person's, or another function than the one defined."""
+        inner = self.forest.nodes[self.forest.kids[index][0]]
+        others: list[tuple[Node, Mistake]] = []
+        if isinstance(inner, Call):
+            others += [(call, Mistake.FUNCTION) for call in self.words.functions(inner)]
+        for name in self.forest.definitions:
+            if name != node.name:
+                others.append((Name(node.at, name), Mistake.SYMBOL))
+        for other, mistake in others:
+            values = worth(self.sheets, other)
+            if values is not None:
+                yield self._change(index, other, mistake, TOKEN, values)
+
+    def _rate(self, index: int, node: Rate) -> Iterator[Change]:
+        """A derivative of another order."""
+        for order in (1, 2):
+            other = Rate(node.at, node.of, order)
+            values = worth(self.sheets, other) if order != node.order else None
+            if values is not None:
+                yield self._change(index, other, Mistake.SYMBOL, TOKEN, values)
 
     def _powers(self, index: int, node: Node, exponents: tuple[int, ...]) -> Iterator[Change]:
         for exponent in exponents:
@@ -235,7 +265,7 @@ class Candidates:
         if not side or self._other_side(index):
             zero = (0,) * len(has)
             yield self._change(index, None, Mistake.EXTRA, DROPPED, zero)
-        yield from Inserted(self.forest, self.sheets, self.words, self._circular).of(index, far)
+        yield from self._inserted.of(index, far)
 
     def _other_side(self, index: int) -> bool:
         """Whether there is another side, so that this one may be zero."""
@@ -255,6 +285,9 @@ class Candidates:
             word = self.words.word(part) if isinstance(part, Name) else None
             kinds.add(word.kind if word is not None else "")
         yield from self._plus(index, node.terms, kinds)
+        above = self.forest.parent[index]
+        if above >= 0 and not isinstance(self.forest.nodes[above], Power):
+            yield from self._powers(index, node, (2,))
 
     def _plus(self, index: int, terms: tuple[Node, ...], kinds: set[str]) -> Iterator[Change]:
         present = [self.words.word(term) for term in terms if isinstance(term, Name)]

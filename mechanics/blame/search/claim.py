@@ -102,10 +102,13 @@ def problems(claim: Claim) -> Iterator[Problem]:
         yield from _problems(claim, (k,), target)
 
 
-def at_once(claim: Claim) -> Iterator[Problem]:
-    """An energy as one problem: a wrong symbol may be in what it is at rest and in the rest of it.
+def at_once(claim: Claim) -> Iterator[tuple[Claim, Problem]]:
+    """What one edit may mend that the equalities of a claim do not show.
 
+    An energy as one problem: a wrong symbol may be in what it is at rest and in the rest of it.
     What differs between two states tells of one edit, but not of a missing term.
+
+    An equation without accelerations as one of motion: an acceleration may have lost its dots.
     """
     if isinstance(claim.row.quantity, q.TotalEnergy | q.Lagrangian):
         for k, target in enumerate(targets(claim.truth.scene, claim.row)):
@@ -113,7 +116,11 @@ def at_once(claim: Claim) -> Iterator[Problem]:
             def wanted(point: Point, target: Expr = target) -> int:
                 return point.value(target)
 
-            yield posed(claim, (k,), wanted, STATES)
+            yield claim, posed(claim, (k,), wanted, STATES)
+    if isinstance(claim.row.quantity, q.Identity):
+        motion = replace(claim, row=replace(claim.row, quantity=q.EquationOfMotion()))
+        for problem in problems(motion):
+            yield motion, problem
 
 
 STATES = (Family(False, free=True), Family(False, other_state=True, free=True))

@@ -4,22 +4,20 @@ value(2 s) / value(s) = 2**e        ->  s**e divides the value
 """
 
 from dataclasses import dataclass, replace
-from fractions import Fraction
 from functools import cached_property
 
 from sympy import Symbol
 
 from mechanics.blame.search.claim import ALONG, Claim, posed
+from mechanics.blame.search.factors import Factor, factors
 from mechanics.blame.search.judge import Problem
 from mechanics.blame.search.point import dependent, points_like
 from mechanics.blame.search.sheet import sheet_of
-from mechanics.blame.search.words import Word, Words
+from mechanics.blame.search.words import Words
 from mechanics.exact.signals import Inadmissible, Restart
 from mechanics.reading.guess import angular
-from mechanics.reading.tree import Node, Number, Power, Sum, constant
 
 MOST_EXPONENT = 4
-MOST_DIVISORS = 3
 
 
 @dataclass(frozen=True, eq=False)
@@ -69,30 +67,16 @@ class Growth:
         return Problem(forest, self.problem.numbers, tuple(sheets), target)
 
     @cached_property
-    def dependent(self) -> tuple[Word, ...]:
-        """What cannot be doubled, as it follows from the rest: definitions, accelerations, ..."""
-        return tuple(word for word in self.words.symbols if word.symbol in self._following)
+    def factors(self) -> tuple[Factor, ...]:
+        """What a term may hold that does not grow as a power, nothing first."""
+        return factors(self.problems, self.words, self._following)
 
     @cached_property
     def _following(self) -> set[Symbol]:
+        """What cannot be doubled, as it follows from the rest: definitions, accelerations, ..."""
         scene, family = self.claim.truth.scene, self.problem.sheets[0].point.family
         held = () if family.free else dependent(scene)
         return {*scene.definitions, *held, *(scene.ud if self._moving else ())}
-
-    @cached_property
-    def divisors(self) -> tuple[tuple[Node, dict[Symbol | None, int]], ...]:
-        """Sums below a line that were written, one over them, and their values everywhere."""
-        forest = self.problem.forest
-        found: dict[int, tuple[Node, dict[Symbol | None, int]]] = {}
-        for index, node in enumerate(forest.nodes):
-            exponent = constant(node.exponent) if isinstance(node, Power) else None
-            below = forest.kids[index][0] if exponent is not None and exponent < 0 else index
-            if below == index or not isinstance(forest.nodes[below], Sum):
-                continue
-            values = {s: problem.sheets[0].has[below] for s, problem in self.problems.items()}
-            inverse = Power(0, forest.nodes[below], Number(0, Fraction(-1)))
-            found.setdefault(values[None], (inverse, values))
-        return tuple(found.values())[:MOST_DIVISORS]
 
     @cached_property
     def doubling(self) -> dict[int, int]:

@@ -6,15 +6,16 @@ k x  ->  2 k x, m k x, k x / m, cos(theta) k x, ...
 from collections.abc import Iterator
 from dataclasses import dataclass
 from fractions import Fraction
-from functools import partial
+from functools import cached_property, partial
 
 from mechanics.blame.result import Mistake
 from mechanics.blame.search.change import HINT, RATIOS, SECOND, TOKEN, Change, Wrap, size_of, times
 from mechanics.blame.search.circular import Circular
 from mechanics.blame.search.forest import Forest
+from mechanics.blame.search.inside import worth
 from mechanics.blame.search.sheet import Sheet, integer_exponent, scaled
 from mechanics.blame.search.words import Words
-from mechanics.reading.tree import Number, Power, Product
+from mechanics.reading.tree import Call, Node, Number, Power, Product
 
 
 @dataclass(frozen=True, eq=False)
@@ -68,15 +69,21 @@ class Inserted:
                 yield self._wrapped(index, partial(times, over), Mistake.FACTOR, cost, values)
 
     def _turned(self, index: int, far: float) -> Iterator[Change]:
-        """Sines and cosines in front of a term."""
-        for factor in self.circular[1:]:
-            if len(factor.factors) == 1:
-                values = tuple(
-                    a * b % self._p for a, b in zip(self._has(index), factor.values, strict=True)
-                )
-                wrap = partial(times, factor.factors[0])
-                cost = TOKEN + far + SECOND + HINT
-                yield self._wrapped(index, wrap, Mistake.FACTOR, cost, values)
+        """Sines, cosines and tangents in front of a term."""
+        for call, worths in self._calls:
+            values = tuple(a * b % self._p for a, b in zip(self._has(index), worths, strict=True))
+            cost = TOKEN + far + SECOND + HINT
+            yield self._wrapped(index, partial(times, call), Mistake.FACTOR, cost, values)
+
+    @cached_property
+    def _calls(self) -> tuple[tuple[Node, tuple[int, ...]], ...]:
+        found = [(c.factors[0], c.values) for c in self.circular if len(c.factors) == 1]
+        for call, _ in tuple(found):
+            if isinstance(call, Call) and call.function == "sin":
+                tangent = Call(0, "tan", call.arguments)
+                values = worth(self.sheets, tangent)
+                found += [] if values is None else [(tangent, values)]
+        return tuple(found)
 
     def _number_below(self, index: int) -> bool:
         """Whether a term has a number that can be another one."""

@@ -12,6 +12,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from mechanics.blame.result import Mistake
 from mechanics.blame.search.change import Change
 from mechanics.blame.search.judge import Problem
+from mechanics.blame.search.residues import inverses
 from mechanics.blame.search.sheet import Sheet
 from mechanics.exact.signals import DivisionHere
 from mechanics.reading.tree import Product, Sum
@@ -115,19 +116,6 @@ def _multiplied(
             for other, partner in partners:
                 if other < child:
                     yield partner, change
-
-
-def inverses(values: Sequence[int], p: int) -> list[int]:
-    """One over each of many residues, by one division for all of them."""
-    before, found = 1, []
-    for value in values:
-        found.append(before)
-        before = before * value % p
-    after = pow(before, -1, p)
-    for i in reversed(range(len(values))):
-        found[i] = found[i] * after % p
-        after = after * values[i] % p
-    return found
 
 
 def _at_root(problem: Problem, changes: Sequence[Change]) -> Iterator[tuple[Change, Change]]:

@@ -1,12 +1,9 @@
-"""Edits that are solved for: the number that would make it right, the term that is missing.
+"""Edits that are solved for: the number that would make it right.
 
-    number: needed = n / d         term: needed / has = n / d         sum: needed - has = a term
-
-A residue is a small fraction when the half-way remainder of Euclid's algorithm is.
+number: needed = n / d         term: needed / has = n / d
 """
 
 from collections.abc import Iterator
-from fractions import Fraction
 from functools import partial
 
 from mechanics.blame.result import Mistake
@@ -19,23 +16,8 @@ from mechanics.blame.search.change import (
     times,
 )
 from mechanics.blame.search.judge import Problem
+from mechanics.blame.search.residues import rational
 from mechanics.reading.tree import Number
-
-BOUND = 1 << 20
-"""Of numerators and denominators: 2**41 of them among 2**127 residues are hardly met by chance."""
-
-
-def rational(residue: int, p: int) -> Fraction | None:
-    """The fraction n / d with n and d below the bound that a residue is, if it is one."""
-    before, here = p, residue % p
-    d_before, d = 0, 1
-    while here >= BOUND:
-        q = before // here
-        before, here = here, before - q * here
-        d_before, d = d, d_before - q * d
-    if here == 0 or abs(d) >= BOUND:
-        return Fraction(0) if residue % p == 0 else None
-    return Fraction(here, d)
 
 
 def numbers(problem: Problem) -> Iterator[Change]:

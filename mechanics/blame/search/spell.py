@@ -187,6 +187,8 @@ class Spelling:
             return f"{node.function}({inside})"
         if node.function == "abs":
             return rf"\left|{inside}\right|"
+        if node.function == "sign":
+            return rf"\operatorname{{sgn}}\left({inside}\right)"
         if len(node.arguments) == 1:
             return rf"\{node.function}{self._argument(node.arguments[0])}"
         return rf"\operatorname{{{node.function}}}\left({inside}\right)"

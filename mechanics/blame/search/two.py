@@ -11,9 +11,10 @@ from functools import partial
 
 from mechanics.blame.result import Mistake
 from mechanics.blame.search.change import ADDED, Change, plus
+from mechanics.blame.search.factors import Series
 from mechanics.blame.search.growth import Growth
 from mechanics.blame.search.inside import worth
-from mechanics.blame.search.missing import Missing, Series
+from mechanics.blame.search.products import Products
 from mechanics.reading.tree import Node, Sum
 
 EXPONENTS = ((1, 0), (0, 1), (2, 0), (0, 2), (2, 1), (1, 2))
@@ -49,7 +50,7 @@ class Two:
         return sorted(found, key=lambda pair: pair[0].cost + pair[1].cost)
 
     def _at(self, index: int) -> Iterator[tuple[Change, Change]]:
-        missing = Missing(self.growth)
+        products = Products(self.growth)
         whole = self._series(self.growth, index)
         if not whole or not whole[None]:
             return
@@ -60,7 +61,7 @@ class Two:
             for a, b in EXPONENTS if grown else ():
                 first = self._split(whole, grown, a, b)
                 second = {s: (v - first[s]) % self._p for s, v in whole.items()}
-                one, two = self._told(missing, first), self._told(missing, second)
+                one, two = self._told(products, first), self._told(products, second)
                 if one is not None and two is not None:
                     yield self._change(index, *one), self._change(index, *two)
                     return
@@ -79,10 +80,10 @@ class Two:
         scale = pow(2**a - 2**b, -1, self._p)
         return {s: (grown[s] - 2**b * v) * scale % self._p for s, v in whole.items()}
 
-    def _told(self, missing: Missing, series: Series) -> tuple[Node, float] | None:
+    def _told(self, products: Products, series: Series) -> tuple[Node, float] | None:
         if not series[None]:
             return None
-        return min(missing.products(series), key=lambda entry: entry[1], default=None)
+        return min(products.of(series), key=lambda entry: entry[1], default=None)
 
     def _change(self, index: int, term: Node, extra: float) -> Change:
         sheets = self.growth.problem.sheets

@@ -9,10 +9,15 @@ a square matrix              the mass matrix                 with a vector besid
 from collections.abc import Iterable, Sequence
 
 from sympy import Expr, Matrix, S
+from sympy.matrices import MatrixBase
 
 from mechanics.errors import InputError
 from mechanics.reading.about import named_quantity
+from mechanics.reading.code.as_written import renamed
+from mechanics.reading.code.tracing import Outputs
+from mechanics.reading.names import Naming
 from mechanics.reading.statement import Statement
+from mechanics.reading.written import Written
 from mechanics.scene import Scene
 from mechanics.scene.published import Quantity, published
 from mechanics.scene.quantities import EquationOfMotion, Identity, MassMatrix
@@ -107,9 +112,14 @@ def state_of_scalars(
     return next((order for order in orders if in_order(scene, values, order)), given)
 
 
-def statement(claim: Claim, title: str, notes: tuple[str, ...], doubt: str = "") -> Statement:
+def statement(claim: Claim, title: str, outputs: Outputs, naming: Naming) -> Statement:
     """A claim as a statement; constants that were read stand in its notes."""
     tag, quantity, sides = claim
     source = f"{title}: {tag}"
     row = published(tag, quantity, *sides, label=source)
-    return Statement(row, source, tag, notes=notes, doubt=doubt)
+    names = Written((), (), naming, "code", "")
+    entries = [e for side in sides for e in (side if isinstance(side, MatrixBase) else [side])]
+    known = [outputs.formulas[entry] for entry in entries if entry in outputs.formulas]
+    trees = tuple(renamed(formula, names.name_of) for formula in known)
+    written = Written(trees, (), naming, "code", "") if trees else None
+    return Statement(row, source, tag, notes=outputs.notes, doubt=outputs.doubt, written=written)

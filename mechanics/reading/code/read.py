@@ -17,11 +17,12 @@ from mechanics.errors import ExpressionError, InputError
 from mechanics.exact.c.functions import lower
 from mechanics.exact.c.parse import parse
 from mechanics.exact.c.program import Parameter
-from mechanics.exact.graph import evaluated
+from mechanics.exact.graph import evaluated, single_assignment
 from mechanics.exact.graph_angles import Node
 from mechanics.reading.about import QUANTITIES
 from mechanics.reading.assemble import Reading
 from mechanics.reading.code.arguments import Arguments, arguments_of
+from mechanics.reading.code.as_written import Formula, Formulas, of_graph
 from mechanics.reading.code.c_person import known_meaning
 from mechanics.reading.code.c_place import placed
 from mechanics.reading.code.c_wrapper import WRAPPER, wrapped
@@ -106,7 +107,15 @@ def read_casadi(
         shapes = [function.size_out(i) for i in range(function.n_out())]
         # CasADi counts entries column by column.
         values = [Matrix(c, r, n).T for (r, c), n in zip(shapes, numbers, strict=True)]
-        return Outputs(tuple(values), tuple(a.notes))
+        nodes, stores = single_assignment(function)
+        held = [
+            [group[i] for i in function.sparsity_in(k).find()]
+            for k, group in enumerate(_entries(given.values[name]) for name in wanted)
+        ]
+        formulas = of_graph(nodes, held, a.rational)
+        places = [function.sparsity_out(i).find() for i in range(function.n_out())]
+        known = {numbers[out][places[out][entry]]: formulas[node] for out, entry, node in stores}
+        return Outputs(tuple(values), tuple(a.notes), formulas=_known(known))
 
     return _read(scene, function.name(), wanted, sizes, run, names, about)
 
@@ -171,6 +180,8 @@ def _c_outputs(
     a = Written()
     numbers = evaluated(a, program.nodes, entries)
     found: list[Expr] = []
+    formulas = of_graph(program.nodes, entries, a.rational)
+    known: dict[Expr, Formula] = {}
     place = len(wanted)
     for entry in range(size):
         if (place, entry) not in program.outputs:
@@ -179,7 +190,12 @@ def _c_outputs(
         if first.condition is not True or later:
             raise InputError(f"{origin}: output {entry} is written under a condition only")
         found.append(numbers[first.node])
-    return Outputs((Matrix(found),), tuple(a.notes))
+        known[numbers[first.node]] = formulas[first.node]
+    return Outputs((Matrix(found),), tuple(a.notes), formulas=_known(known))
+
+
+def _known(formulas: Mapping[Expr, Formula]) -> Formulas:
+    return {expression: known.node for expression, known in formulas.items() if known is not None}
 
 
 def _read(
@@ -202,7 +218,7 @@ def _read(
             arguments, outputs = other, again
     state = arguments.state or state_of_scalars(scene, outputs.values, arguments.values.values())
     found = claims(scene, outputs.values, state, about, title)
-    statements = tuple(statement(claim, title, outputs.notes, outputs.doubt) for claim in found)
+    statements = tuple(statement(claim, title, outputs, naming) for claim in found)
     return Reading(statements, arguments.matches, ())
 
 

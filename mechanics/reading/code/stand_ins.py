@@ -9,6 +9,7 @@ import builtins
 import math
 import types
 from collections.abc import Callable, Iterable
+from operator import methodcaller
 from typing import Any
 
 import numpy as np
@@ -21,6 +22,7 @@ ALIASES = {
     "asin": "arcsin", "acos": "arccos", "atan": "arctan", "asinh": "arcsinh", "acosh": "arccosh",
     "atanh": "arctanh",
 }  # fmt: skip
+SIGN = methodcaller("sign")
 DEEPEST = 6
 """Functions that call functions."""
 
@@ -88,8 +90,7 @@ def _signs(x: Any) -> Any:
     entries = np.asarray(x)
     if entries.dtype != object:
         return np.sign(x)
-    sign = ELEMENTARY["sign"]
-    signs = [e.new(sign(e.expr)) if isinstance(e, Traced) else np.sign(e) for e in entries.flat]
+    signs = [SIGN(e) if isinstance(e, Traced) else np.sign(e) for e in entries.flat]
     found = np.array(signs, dtype=object)
     return found.reshape(entries.shape) if entries.shape else found[0]
 

@@ -19,7 +19,22 @@ from sympy import Expr
 from sympy.logic.boolalg import Boolean, BooleanFalse, BooleanTrue
 
 from mechanics.errors import InputError
+from mechanics.reading.code.as_written import (
+    Formula,
+    added,
+    called,
+    divided,
+    leaf,
+    multiplied,
+    negated,
+    raised,
+    subtracted,
+)
 from mechanics.reading.code.constants import constant_of
+from mechanics.reading.tree import Node
+
+Operation = tuple[Callable[[Expr, Expr], Any], Callable[[Formula, Formula], Formula]]
+"""What is done with two expressions, and with two formulas."""
 
 MOST_PATHS = 64
 MOST_DECISIONS = 200
@@ -31,11 +46,15 @@ class TooManyPathsError(InputError):
 
 @dataclass
 class Explorer:
-    """The decisions of one call: those that are set beforehand, then `True` for every new one."""
+    """The decisions of one call: those that are set beforehand, then `True` for every new one.
+
+    `formulas` are those of the numbers that it returns, as its code has them.
+    """
 
     prefix: tuple[bool, ...] = ()
     taken: list[tuple[Boolean, bool]] = field(default_factory=list)
     notes: list[str] = field(default_factory=list)
+    formulas: dict[Expr, Node] = field(default_factory=dict)
 
     def decide(self, condition: Boolean) -> bool:
         """Which way to go at a condition."""
@@ -80,54 +99,64 @@ class Traced:
 
     __array_priority__ = 1000.0
 
-    def __init__(self, expr: Expr, explorer: Explorer) -> None:
-        self.expr, self.explorer = expr, explorer
+    def __init__(self, expr: Expr, explorer: Explorer, formula: Formula = None) -> None:
+        self.expr, self.explorer, self.formula = expr, explorer, formula
 
-    def new(self, expr: Expr) -> Traced:
-        """Another number of the same call."""
-        return Traced(expr, self.explorer)
+    def new(self, expr: Expr, formula: Formula = None) -> Traced:
+        """Another number of the same call; `formula` as the code has it, where that is known."""
+        return Traced(expr, self.explorer, formula)
 
-    def _both(self, other: Any, operation: Callable[[Expr, Expr], Any]) -> Any:
+    def _both(self, other: Any, operation: Operation, turned: bool = False) -> Any:
         if isinstance(other, np.ndarray):
             # NumPy goes through the entries and comes back here for each.
             return NotImplemented
         value = expression_of(other, self.explorer)
-        return NotImplemented if value is None else self.new(operation(self.expr, value))
+        if value is None:
+            return NotImplemented
+        formula = formula_of(other, value)
+        of_expressions, of_formulas = operation
+        if turned:
+            return self.new(of_expressions(value, self.expr), of_formulas(formula, self.formula))
+        return self.new(of_expressions(self.expr, value), of_formulas(self.formula, formula))
 
     def __add__(self, other: Any) -> Any:
-        return self._both(other, lambda a, b: a + b)
+        return self._both(other, ADD)
+
+    def __radd__(self, other: Any) -> Any:
+        return self._both(other, ADD, turned=True)
 
     def __sub__(self, other: Any) -> Any:
-        return self._both(other, lambda a, b: a - b)
+        return self._both(other, SUBTRACT)
 
     def __rsub__(self, other: Any) -> Any:
-        return self._both(other, lambda a, b: b - a)
+        return self._both(other, SUBTRACT, turned=True)
 
     def __mul__(self, other: Any) -> Any:
-        return self._both(other, lambda a, b: a * b)
+        return self._both(other, MULTIPLY)
+
+    def __rmul__(self, other: Any) -> Any:
+        return self._both(other, MULTIPLY, turned=True)
 
     def __truediv__(self, other: Any) -> Any:
-        return self._both(other, _quotient)
+        return self._both(other, DIVIDE)
 
     def __rtruediv__(self, other: Any) -> Any:
-        return self._both(other, lambda a, b: _quotient(b, a))
+        return self._both(other, DIVIDE, turned=True)
 
     def __pow__(self, other: Any) -> Any:
-        return self._both(other, _power)
+        return self._both(other, POWER)
 
     def __rpow__(self, other: Any) -> Any:
-        return self._both(other, lambda a, b: _power(b, a))
+        return self._both(other, POWER, turned=True)
 
     def __neg__(self) -> Traced:
-        return self.new(-self.expr)
+        return self.new(-self.expr, negated(self.formula))
 
     def __pos__(self) -> Traced:
         return self
 
     def __abs__(self) -> Traced:
-        return self.new(sympy.Abs(self.expr))
-
-    __radd__, __rmul__ = __add__, __mul__
+        return self.new(sympy.Abs(self.expr), called("abs", self.formula))
 
     def _compare(self, other: Any, relation: Any) -> Any:
         value = expression_of(other, self.explorer)
@@ -170,7 +199,8 @@ class Traced:
     def arctan2(self, other: Any) -> Traced:
         """The angle of (other, self)."""
         value = expression_of(other, self.explorer)
-        return self.new(sympy.atan2(self.expr, value))
+        formula = called("atan2", self.formula, formula_of(other, value))
+        return self.new(sympy.atan2(self.expr, value), formula)
 
 
 def _quotient(a: Expr, b: Expr) -> Expr:
@@ -183,6 +213,22 @@ def _power(a: Expr, b: Expr) -> Expr:
     if b.is_number and abs(b.n(5)) > 64:
         raise InputError(f"the exponent {b} is too large: 64 is the limit")
     return a**b
+
+
+ADD: Operation = (lambda a, b: a + b, added)
+SUBTRACT: Operation = (lambda a, b: a - b, subtracted)
+MULTIPLY: Operation = (lambda a, b: a * b, multiplied)
+DIVIDE: Operation = (_quotient, divided)
+POWER: Operation = (_power, raised)
+
+
+def formula_of(value: Any, expression: Expr) -> Formula:
+    """The formula of a number as the code has it, traced or not."""
+    if isinstance(value, Traced):
+        return value.formula
+    if isinstance(value, np.ndarray) and value.shape == ():
+        return formula_of(value.item(), expression)
+    return leaf(expression)
 
 
 def expression_of(value: Any, explorer: Explorer) -> Expr | None:
@@ -207,11 +253,18 @@ def expression_of(value: Any, explorer: Explorer) -> Expr | None:
     return None
 
 
+NAMES = {
+    "arcsin": "asin", "arccos": "acos", "arctan": "atan", "arcsinh": "asinh", "arccosh": "acosh",
+    "arctanh": "atanh", "fabs": "abs",
+}  # fmt: skip
+"""Functions that have other names in formulas."""
+
+
 def _method(name: str, function: Callable[[Expr], Expr]) -> None:
     """NumPy's functions call the method of that name on every entry."""
 
     def apply(self: Traced) -> Traced:
-        return self.new(function(self.expr))
+        return self.new(function(self.expr), called(NAMES.get(name, name), self.formula))
 
     apply.__name__, apply.__doc__ = name, f"{name} of the number."
     setattr(Traced, name, apply)

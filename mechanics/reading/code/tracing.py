@@ -6,7 +6,7 @@ The ways are put together as cases of the conditions they were taken under.
 """
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
@@ -14,6 +14,7 @@ from sympy import Expr, Matrix, Piecewise
 from sympy.logic.boolalg import Boolean
 
 from mechanics.errors import InputError, MechanicsError
+from mechanics.reading.code.as_written import Formulas, leaf
 from mechanics.reading.code.stand_ins import copy_of
 from mechanics.reading.code.traced import MOST_PATHS, Explorer, Traced, expression_of
 
@@ -34,18 +35,22 @@ class Outputs:
         What it decides upon.
     doubt : str
         Why the formulas are not what it computes, one line; empty where nothing says so.
+    formulas : mapping of Expr to Node
+        Values as the code has them, before SymPy puts terms together; those that are known.
     """
 
     values: tuple[Matrix, ...]
     notes: tuple[str, ...]
     conditions: tuple[Boolean, ...] = ()
     doubt: str = ""
+    formulas: Formulas = field(default_factory=dict)
 
 
 @dataclass(frozen=True)
 class _Way:
     conditions: tuple[tuple[Boolean, bool], ...]
     values: tuple[Matrix, ...] | None
+    formulas: Formulas
 
 
 def trace(function: Callable[..., Any], given: Given) -> Outputs:
@@ -73,7 +78,7 @@ def trace(function: Callable[..., Any], given: Given) -> Outputs:
         explorer = Explorer(prefix, notes=notes)
         values = _called(copied, given, explorer, _title(function))
         taken = tuple(explorer.taken)
-        ways.append(_Way(taken, values))
+        ways.append(_Way(taken, values, explorer.formulas))
         prefix = _next([answer for _, answer in taken])
     defined = [way for way in ways if way.values is not None]
     if not defined:
@@ -84,7 +89,8 @@ def trace(function: Callable[..., Any], given: Given) -> Outputs:
     if len(shapes) > 1:
         raise InputError(f"{_title(function)} returns arrays of different shapes")
     conditions = dict.fromkeys(condition for way in ways for condition, _ in way.conditions)
-    return Outputs(_joined(defined, 0), tuple(notes), tuple(conditions))
+    formulas = defined[0].formulas if len(ways) == 1 else {}
+    return Outputs(_joined(defined, 0), tuple(notes), tuple(conditions), formulas=formulas)
 
 
 def _title(function: Callable[..., Any]) -> str:
@@ -118,9 +124,9 @@ def _called(
 
 def _argument(value: Expr | Sequence[Expr], explorer: Explorer) -> Any:
     if isinstance(value, Expr):
-        return Traced(value, explorer)
+        return Traced(value, explorer, leaf(value))
     found = np.empty(len(value), dtype=object)
-    found[:] = [Traced(entry, explorer) for entry in value]
+    found[:] = [Traced(entry, explorer, leaf(entry)) for entry in value]
     return found
 
 
@@ -146,6 +152,9 @@ def _matrix(part: Any, explorer: Explorer, title: str) -> Matrix:
     entries = [expression_of(entry, explorer) for entry in array.flat]
     if any(entry is None for entry in entries):
         raise InputError(f"{title} returns {type(part).__name__}: numbers and arrays are known")
+    for entry in array.flat:
+        if isinstance(entry, Traced) and entry.formula is not None:
+            explorer.formulas.setdefault(entry.expr, entry.formula.node)
     rows = array.shape[0] if array.ndim else 1
     return Matrix(rows, len(entries) // rows, entries)
 
