@@ -8,7 +8,7 @@ A case of a function that is hardly ever entered would not be met by random stat
 from collections.abc import Callable, Iterator
 from dataclasses import replace
 
-from sympy import Dummy, Expr, Piecewise, S, Symbol
+from sympy import Dummy, Expr, Piecewise, Rational, S, Symbol, preorder_traversal
 from sympy.core.relational import Ge, Gt, Le, Lt, Relational
 from sympy.logic.boolalg import And, Boolean, Not
 
@@ -16,7 +16,7 @@ from mechanics.checks.ledger_compare import settle_defined
 from mechanics.checks.ledger_motion import put_motion
 from mechanics.equations import Equations
 from mechanics.errors import ExpressionError
-from mechanics.exact import Arithmetic, Finding, Verdict, collect_linear, decide
+from mechanics.exact import Arithmetic, Finding, Verdict, Witness, collect_linear, decide
 from mechanics.scene.published import Published
 from mechanics.scene.quantities import EquationOfMotion, Identity
 
@@ -47,7 +47,9 @@ def check_cases(truth: Equations, row: Published) -> Finding | None:
         finding = decide(f"{row.tag} {row.label}", _in_region(truth, case, region))
         if not finding.shown:
             words = " and ".join(str(condition) for condition in conditions)
-            return replace(finding, evidence=f"{finding.evidence}, where {words}")
+            witness = None if finding.witness is None else _of_scene(finding.witness, region)
+            evidence = f"{finding.evidence}, where {words}"
+            return replace(finding, evidence=evidence, witness=witness)
         findings.append(finding)
     worst = [f for f in findings if f.verdict is Verdict.CERTIFIED] or findings
     bound = max((f.error_bound or 0.0 for f in worst), default=0.0)
@@ -58,8 +60,9 @@ def check_cases(truth: Equations, row: Published) -> Finding | None:
 def _cases(
     sides: tuple[Expr, ...], known: tuple[Boolean, ...]
 ) -> Iterator[tuple[tuple[Boolean, ...], tuple[Expr, ...]]]:
-    """Sides without cases, each with the conditions under which they hold."""
-    found = next((p for side in sides for p in side.atoms(Piecewise)), None)
+    """Sides without cases, each with the conditions under which they hold, the outermost first."""
+    nodes = (node for side in sides for node in preorder_traversal(side))
+    found = next((node for node in nodes if isinstance(node, Piecewise)), None)
     if found is None:
         yield known, sides
         return
@@ -105,6 +108,21 @@ def _solved(positive: Expr, region: Region) -> tuple[Symbol, Expr] | None:
             more = Dummy(f"beyond_{symbol}", positive=True)
             return symbol, (more - rest) / slope
     return None
+
+
+def _of_scene(witness: Witness, region: Region) -> Witness:
+    """The witness in the symbols of the scene: none tells how far beyond a boundary it is."""
+    drawn = {name: Rational(value) for name, value in witness.state}
+    solved = dict(witness.solved)
+    state = dict(witness.state)
+    for symbol, value in region.items():
+        known = {s: drawn[str(s)] for s in value.free_symbols if str(s) in drawn}
+        exact = value.xreplace(known)
+        rounded = solved.pop(symbol.name)
+        state[symbol.name] = str(exact) if exact.is_Rational else rounded
+        for more in value.atoms(Dummy):
+            state.pop(str(more), None)
+    return replace(witness, state=tuple(sorted(state.items())), solved=tuple(solved.items()))
 
 
 def _in_region(truth: Equations, row: Published, region: Region) -> Callable[[Arithmetic], Pairs]:
