@@ -3,7 +3,7 @@
 import pytest
 from sympy import Add
 
-from mechanics.blame.candidates import implicit
+from mechanics.blame.candidates import constrained, implicit, solved, with_reactions
 from mechanics.blame.origin import holds, origins_in_field
 from mechanics.blame.rows import free_rows, generalized_rows, moving_rows
 from mechanics.blame.terms import terms_of, written
@@ -75,3 +75,21 @@ def test_candidates_hold_along_the_motion(truth: Equations) -> None:
     candidates = list(implicit(View(truth, in_rates=False)))
     assert candidates
     assert all(holds(truth, written(candidate.terms)) for candidate in candidates)
+
+
+def test_candidates_in_other_unknowns_hold_along_the_motion(truth: Equations) -> None:
+    """With the constraints put in, with reactions, and solved for each acceleration."""
+    view = View(truth, in_rates=bool(truth.scene.speeds))
+    tied = constrained(view, frozenset())
+    assert bool(tied) is bool(truth.scene.constraints)
+    found = [*tied, *with_reactions(view)]
+    for acceleration in view.accelerations:
+        found += solved(view, acceleration)
+    assert all(holds(truth, written(candidate.terms)) for candidate in found)
+
+
+def test_no_reaction_of_a_constraint_is_left_where_it_is_put_in(truth: Equations) -> None:
+    view = View(truth, in_rates=False)
+    forces = {reaction.symbol for reaction in truth.scene.reactions}
+    for candidate in constrained(view, frozenset()):
+        assert not written(candidate.terms).free_symbols & forces

@@ -47,6 +47,15 @@ def test_a_box_that_is_wrong_is_refuted_at_a_state() -> None:
     assert {"q1", "q1_dot", "F"} <= dict(witness.state).keys()
 
 
+def test_between_rounding_and_an_error_nothing_is_said() -> None:
+    def box(state, force):
+        return [rate * (1 + 1e-7) for rate in simulator(state, force)]
+
+    found = mechanics.check(CART, BlackBox(box, VALUES), names=NAMES)
+    assert [entry.finding.verdict.name for entry in found.judged] == ["UNDECIDED"] * 4
+    assert all("more than rounding" in entry.finding.evidence for entry in found.judged)
+
+
 def test_what_is_inside_has_to_be_told() -> None:
     with pytest.raises(InputError, match=re.escape("what is g, l0, m0, m1 inside?")):
         mechanics.check(CART, BlackBox(simulator), names=NAMES | {"sign": "q0"})

@@ -1,11 +1,14 @@
 """Equations that are right under another convention, and only there."""
 
 import pytest
+from sympy import Eq
 
 import mechanics
+from mechanics.blame.rows import generalized_rows
 from mechanics.crosscheck.check import derived
 from mechanics.errors import InputError
-from systems import elastic_pendulum, pendulum_chain
+from mechanics.scene.symbols import plain_symbol
+from systems import acrobot, double_pendulum, elastic_pendulum, pendulum_chain
 
 PENDULUM = derived(elastic_pendulum.scene())
 CART = derived(pendulum_chain.scene(1))
@@ -63,6 +66,44 @@ def test_a_change_of_one_equation_alone_is_none() -> None:
     found = mechanics.check(CART, f"{right}\n{second}")
     assert [entry.finding.verdict.name for entry in found.judged] == ["PROVED", "REFUTED"]
     assert all(entry.right_if == () for entry in found.judged)
+
+
+@pytest.mark.parametrize(
+    ("system", "sign", "declared", "words"),
+    [
+        (double_pendulum, 1, "relative angles", "counted from the link before"),
+        (acrobot, -1, "absolute angles", "counted from the fixed direction"),
+    ],
+)
+def test_joint_angles(system, sign: int, declared: str, words: str) -> None:
+    """The second angle is the scene's, less or more by the first one."""
+    truth = derived(system.scene())
+    one, two = truth.scene.coordinates
+    counted = {
+        plain_symbol(two, k): plain_symbol(two, k) + sign * plain_symbol(one, k) for k in range(3)
+    }
+    rows = [Eq(row.value.xreplace(counted), 0) for row in generalized_rows(truth.scene)]
+    found = mechanics.check(truth, rows, blame=False)
+    assert [entry.finding.verdict.name for entry in found.judged] == ["REFUTED"] * 2
+    assert all(len(e.right_if) == 1 and words in e.right_if[0] for e in found.judged)
+    assert mechanics.check(truth, rows, convention=declared).ok
+
+
+def test_the_simplest_changes_are_told_alone() -> None:
+    """The other vertical helps, and so would it with all else that does not matter."""
+    text = "M*L^2/3*theta'' - M*L/2*x''*cos(theta) - M*g*L/2*sin(theta) = 0"
+    (entry,) = mechanics.check(PENDULUM, text).judged
+    changes = [frozenset(words.split(" and ")) for words in entry.right_if]
+    assert changes
+    assert not any(one < other for one in changes for other in changes)
+
+
+def test_what_is_wrong_under_a_declared_convention_is_not_searched() -> None:
+    """An edit would be one of the statement as it stands, which is something else."""
+    text = about_the_pivot("L^2/5", "L/2")
+    (entry,) = mechanics.check(PENDULUM, text, convention="other vertical").judged
+    assert entry.finding.verdict.name == "REFUTED"
+    assert entry.blame is None
 
 
 def test_an_unknown_convention_is_refused() -> None:
