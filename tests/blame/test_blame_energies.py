@@ -93,6 +93,16 @@ def test_a_right_energy_is_not_blamed_for_wrong_equations(truth_of: TruthOf) -> 
     assert energy == ("PROVED", ())
 
 
+def test_a_check_looks_at_what_stands_beside(truth_of: TruthOf) -> None:
+    """The energy is right, and so it is not searched; it tells of the equation all the same."""
+    truth = truth_of("double_inverted_pendulum")
+    right = ENERGY.replace("J2*theta1_dot", "J2*theta2_dot")
+    wrong = EQUATIONS.replace("+ h8*sin", "- h8*sin")
+    *_, third, _ = mechanics.check(truth, wrong + right).judged
+    assert third.blame is not None
+    assert third.blame.explanations == ("gravity reversed", UNBALANCED)
+
+
 def test_a_wrong_equation_that_keeps_the_energy_is_not_called_unbalanced(
     truth_of: TruthOf,
 ) -> None:

@@ -77,6 +77,25 @@ def test_every_mistake_is_named_where_it_was_made(truth: Equations, stated: Stat
     assert fired or frictions(truth.scene)
 
 
+MADE = (
+    "gravity reversed", "gravity is missing", "spring k: half of its stiffness",
+    "spring k: its force has the wrong sign", "load tau has the wrong sign", "load tau is missing",
+    "friction track presses with what N_c is at rest", "friction track is its coefficient",
+    "parallel axis counted twice: pendulum", "parallel axis forgotten: pendulum",
+    "rotational inertia is missing: pendulum", "parallel axis counted twice: link1, link2",
+    "Coriolis terms are missing", "centrifugal terms are missing",
+    "Coriolis and centrifugal terms are missing", "coordinates treated as free that",
+    "the constraints, solved for x_dot, y_dot, substituted into the Lagrangian",
+)  # fmt: skip
+MAKERS = ("elastic_pendulum", "acrobot", "cartpole_friction", "rolling_disc", "four_bar")
+
+
+def test_every_kind_of_mistake_can_be_made(truth_of: Callable[[str], Equations]) -> None:
+    derivations = [right(truth_of(name).scene, with_reactions=False) for name in MAKERS]
+    found = [slip.words for one in derivations for known in KNOWN for slip in known(one)]
+    assert [made for made in MADE if not any(words.startswith(made) for words in found)] == []
+
+
 def test_friction_with_the_wrong_sign(truth_of: Callable[[str], Equations]) -> None:
     truth = truth_of("cartpole_friction")
     (track,) = frictions(truth.scene)
