@@ -1,10 +1,11 @@
 """Known mistakes: each fires on a scene made wrong that way, and none on right equations."""
 
 from collections.abc import Callable, Iterator
+from dataclasses import replace
 from itertools import count, islice
 
 import pytest
-from sympy import Add, Expr, cos, linsolve
+from sympy import Add, Expr, Symbol, cos, linsolve
 from sympy.physics.mechanics import (
     LagrangesMethod,
     Lagrangian,
@@ -25,8 +26,9 @@ from mechanics.checks.agreement import require_regular
 from mechanics.checks.ledger import check_row
 from mechanics.equations import Equations
 from mechanics.errors import SingularError
-from mechanics.exact import Finding, Verdict
+from mechanics.exact import Finding, Verdict, is_zero
 from mechanics.reading.statement import Statement
+from mechanics.scene import force
 from mechanics.scene.actions import frictions
 from systems import rolling_disc
 
@@ -216,6 +218,21 @@ def test_rolling_disc_whose_constraints_were_put_into_the_lagrangian(
     for finding, found in zip(findings, told, strict=True):
         assert found == ((words,) if finding.verdict is Verdict.REFUTED else ())
     assert findings[0].verdict is findings[2].verdict is Verdict.REFUTED
+
+
+def test_loads_without_potential_follow_the_constraints_that_were_put_in() -> None:
+    """A push at the centre along X does work where the disc rolls: Q_spin = P R cos yaw."""
+    plain = rolling_disc.scene()
+    push = Symbol("push", real=True)
+    centre = plain.bodies[0].centre
+    scene = replace(plain, loads=(*plain.loads, force("push", centre, push * plain.frame.x)))
+    (slip, *_) = substituted.slips(right(scene, with_reactions=False))
+    pushed = [
+        Add(*(times * piece.value for times, piece in row if piece.origin.name == "push"))
+        for row in slip.rows
+    ]
+    assert slip.words == SUBSTITUTED
+    assert is_zero(pushed[-1] + push * rolling_disc.R * cos(scene.q[2]))
 
 
 def test_the_tutorial_prints_what_these_two_mistakes_give() -> None:
