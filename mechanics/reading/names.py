@@ -61,7 +61,6 @@ class Vocabulary:
     """
 
     scene: Scene
-    _found: dict[str, tuple[Symbol, int]] = field(default_factory=dict)
 
     @cached_property
     def functions(self) -> dict[str, Symbol]:
