@@ -16,6 +16,7 @@ from mechanics.blame.search.candidates import Candidates
 from mechanics.blame.search.change import ADDED, Change
 from mechanics.blame.search.claim import edited_claim
 from mechanics.blame.search.growth import Growth
+from mechanics.blame.search.maker import Maker
 from mechanics.blame.search.missing import Missing
 from mechanics.blame.search.sheet import Sheet
 from mechanics.blame.search.words import Words
@@ -54,7 +55,7 @@ class Both:
         sheets = tuple(problem.sheets[0] for problem in problems)
         words = self.growth.words
         words = Words(words.truth, words.written, sheets, words.held)
-        changes = Candidates(self.growth.problem.forest, sheets, words).all()
+        changes = Candidates(Maker(self.growth.problem.forest, sheets, words)).all()
         hopeful = sorted(self._hopeful(sheets, changes), key=lambda change: change.cost)
         found: list[tuple[Change, Change]] = []
         for change in hopeful[:FULL]:
@@ -75,7 +76,8 @@ class Both:
                 continue
             for index in forest.ways_up(change.at):
                 top = isinstance(forest.nodes[index], Sum) or not forest.place[index][1]
-                if top and forest.written(index) and self._grows(sheets, change, index):
+                plain = forest.written(index) and not forest.rates[index]
+                if top and plain and self._grows(sheets, change, index):
                     yield change
                     break
 

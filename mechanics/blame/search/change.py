@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from mechanics.blame.result import Mistake
-from mechanics.reading.tree import Node, Number, Power, Product, Sum
+from mechanics.reading.tree import Call, Node, Number, Power, Product, Sum
 
 TOKEN, DROPPED, ADDED, REPLACED = 1.0, 1.4, 1.6, 2.6
 """Costs; two tokens are cheaper than a term that is replaced."""
@@ -95,10 +95,12 @@ def number_node(ratio: Fraction) -> Node:
 
 
 def times(factor: Node, node: Node) -> Node:
-    """A product with a factor in front, behind the sign."""
+    """A product with a factor in front, behind the sign; sines and cosines stand last."""
     if is_minus(node) and isinstance(node, Product):
         return minus(times(factor, minus(node)))
     inner = node.factors if isinstance(node, Product) else (node,)
+    if isinstance(factor, Call):
+        return Product(node.at, (*inner, factor))
     return Product(node.at, (factor, *inner))
 
 

@@ -15,6 +15,9 @@ from mechanics.blame.search.words import Words
 from mechanics.reading.guess import angular
 from mechanics.reading.tree import Call, Node, Number, Product, Sum
 
+NOBODY = -1
+"""Where twice a coordinate stands that nobody wrote."""
+
 MOST_ANGLES = 12
 MOST = 400
 
@@ -38,21 +41,23 @@ def circular(forest: Forest, sheets: Sequence[Sheet], words: Words) -> tuple[Cir
     """Products of at most two sines and cosines, one first."""
     p = sheets[0].point.prime
     known: dict[Node, tuple[int, ...]] = {}
+    doubled: set[Node] = set()
     for angle in _angles(forest, sheets[0], words):
         for function in ("sin", "cos"):
             call = Call(0, function, (angle,))
             values = worth(sheets, call)
             if values is not None and all(values):
                 known[call] = values
-    found = [Circular((), (1,) * len(sheets))]
-    singles = list(known.items())
-    found += [Circular((call,), values) for call, values in singles]
-    for (one, a), (two, b) in combinations_with_replacement(singles, 2):
+                # sin(x) cos(x) is likelier than sin(2 x), which nobody wrote.
+                doubled |= {call} if isinstance(angle, Product) and angle.at == NOBODY else set()
+    found = [Circular((call,), values) for call, values in known.items()]
+    for (one, a), (two, b) in combinations_with_replacement(known.items(), 2):
         if len(found) >= MOST:
             break
         values = tuple(x * y % p for x, y in zip(a, b, strict=True))
         found.append(Circular((one, two), values))
-    return tuple(found)
+    found.sort(key=lambda round_: bool(doubled.intersection(round_.factors)))
+    return (Circular((), (1,) * len(sheets)), *found)
 
 
 def _angles(forest: Forest, sheet: Sheet, words: Words) -> list[Node]:
@@ -77,4 +82,4 @@ def _from_scene(words: Words) -> Iterator[Node]:
         yield Sum(0, (one, Product(0, (Number(0, Fraction(-1)), two))))
         yield Sum(0, (one, two))
     for name in names:
-        yield Product(0, (Number(0, Fraction(2)), name))
+        yield Product(NOBODY, (Number(0, Fraction(2)), name))

@@ -13,8 +13,10 @@ from mechanics.blame.search.change import Change
 from mechanics.blame.search.claim import Claim
 from mechanics.blame.search.growth import Growth
 from mechanics.blame.search.judge import Problem
+from mechanics.blame.search.maker import Maker
 from mechanics.blame.search.missing import Missing
 from mechanics.blame.search.pairs import pairs
+from mechanics.blame.search.signs import signs
 from mechanics.blame.search.solved import numbers
 from mechanics.blame.search.two import Two
 from mechanics.blame.search.whole import whole
@@ -48,7 +50,7 @@ class Solution:
 def solutions(claim: Claim, problem: Problem, statement: Statement) -> Iterator[list[Solution]]:
     """Solutions stage by stage, those of a stage the cheapest first."""
     words = words_of(claim, problem)
-    changes = Candidates(problem.forest, problem.sheets, words).all()
+    changes = Candidates(Maker(problem.forest, problem.sheets, words)).all()
     singles = [change for change in changes if problem.mends(change)]
     yield _sorted(problem, [(change,) for change in (*singles, *numbers(problem))])
     growth = Growth(claim, problem, words)
@@ -56,6 +58,7 @@ def solutions(claim: Claim, problem: Problem, statement: Statement) -> Iterator[
     added = [change for change in lacking if change.mistake is Mistake.MISSING]
     yield _sorted(problem, [(change,) for change in added])
     yield _sorted(problem, pairs(problem, changes))
+    yield _sorted(problem, signs(problem))
     yield _sorted(problem, Both(growth).pairs())
     yield _sorted(problem, Two(growth).pairs())
     yield _sorted(problem, whole(claim, problem, statement))

@@ -46,6 +46,9 @@ class Forest:
     kids : list of list of int
     place : list of Place
     copies : dict of Place to list of int
+    rates : list of int
+        How often a node is differentiated: that of the derivative around it, through sums only.
+        Deeper inside 0: there a node alone tells nothing.
     """
 
     definitions: Mapping[str, Node]
@@ -54,21 +57,26 @@ class Forest:
     kids: list[list[int]] = field(default_factory=list)
     place: list[Place] = field(default_factory=list)
     copies: dict[Place, list[int]] = field(default_factory=dict)
+    rates: list[int] = field(default_factory=list)
 
-    def add(self, node: Node, parent: int, place: Place) -> int:
+    def add(self, node: Node, parent: int, place: Place, rate: int = 0) -> int:
         """Number a node and all below it."""
-        index = self._one(node, parent, place)
+        index = self._one(node, parent, place, rate)
         if isinstance(node, Name):
             inner = self.definitions.get(node.name)
             if inner is not None and not node.order and index < LARGEST:
                 self.kids[index].append(self.add(inner, index, (node.name, ())))
             return index
         home, way = place
+        below = rate if isinstance(node, Sum) else 0
+        if isinstance(node, Rate) and not rate:
+            below = node.order
         for i, part in enumerate(parts(node)):
-            self.kids[index].append(self.add(part, index, (home, (*way, i))))
+            self.kids[index].append(self.add(part, index, (home, (*way, i)), below))
         return index
 
-    def _one(self, node: Node, parent: int, place: Place) -> int:
+    def _one(self, node: Node, parent: int, place: Place, rate: int = 0) -> int:
+        self.rates.append(rate)
         self.nodes.append(node)
         self.parent.append(parent)
         self.kids.append([])
@@ -106,6 +114,17 @@ class Forest:
         if above < 0 or not self.place[index][1]:
             return True
         return isinstance(self.nodes[above], Sum)
+
+    def opaque(self, index: int) -> bool:
+        """Whether a node is known by its value only: its parts are looked at as a whole."""
+        return isinstance(self.nodes[index], Call) or (
+            self.rates[index] > 0 and not isinstance(self.nodes[index], Sum)
+        )
+
+    def as_told(self, index: int, node: Node) -> Node:
+        """What is worth the value of a node: its derivative, where it stands in one."""
+        rate = self.rates[index]
+        return Rate(node.at, node, rate) if rate else node
 
     def ways_up(self, index: int) -> list[int]:
         """The node and all above it."""

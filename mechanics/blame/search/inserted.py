@@ -9,12 +9,11 @@ from fractions import Fraction
 from functools import cached_property, partial
 
 from mechanics.blame.result import Mistake
-from mechanics.blame.search.change import HINT, RATIOS, SECOND, TOKEN, Change, Wrap, size_of, times
+from mechanics.blame.search.change import HINT, RATIOS, SECOND, TOKEN, Change, size_of, times
 from mechanics.blame.search.circular import Circular
-from mechanics.blame.search.forest import Forest
 from mechanics.blame.search.inside import worth
-from mechanics.blame.search.sheet import Sheet, integer_exponent, scaled
-from mechanics.blame.search.words import Words
+from mechanics.blame.search.maker import Maker
+from mechanics.blame.search.sheet import integer_exponent, scaled
 from mechanics.reading.tree import Call, Node, Number, Power, Product
 
 
@@ -24,29 +23,12 @@ class Inserted:
 
     Attributes
     ----------
-    forest : Forest
-    sheets : tuple of Sheet
-    words : Words
+    make : Maker
     circular : tuple of Circular
     """
 
-    forest: Forest
-    sheets: tuple[Sheet, ...]
-    words: Words
+    make: Maker
     circular: tuple[Circular, ...]
-
-    @property
-    def _p(self) -> int:
-        return self.sheets[0].point.prime
-
-    def _has(self, index: int) -> tuple[int, ...]:
-        return tuple(sheet.has[index] for sheet in self.sheets)
-
-    def _wrapped(
-        self, index: int, wrap: Wrap, mistake: Mistake, cost: float, values: tuple[int, ...]
-    ) -> Change:
-        node = wrap(self.forest.nodes[index])
-        return Change(index, node, mistake, cost, index, values, wrap)
 
     def of(self, index: int, far: float) -> Iterator[Change]:
         """Factors in front of a term: numbers where it has none, symbols and their inverses."""
@@ -54,26 +36,28 @@ class Inserted:
             for ratio in RATIOS:
                 wrap = partial(times, Number(0, ratio))
                 cost = TOKEN + far + size_of(ratio)
-                yield self._wrapped(
-                    index, wrap, Mistake.FACTOR, cost, scaled(self.sheets, index, ratio)
+                yield self.make.wrapped(
+                    index, wrap, Mistake.FACTOR, cost, scaled(self.make.sheets, index, ratio)
                 )
         yield from self._turned(index, far)
-        p, has = self._p, self._has(index)
-        for word in self.words.symbols:
+        p, has = self.make.p, self.make.has(index)
+        for word in self.make.words.symbols:
             values = tuple(a * b % p for a, b in zip(has, word.values, strict=True))
             cost = TOKEN + far + SECOND
-            yield self._wrapped(index, partial(times, word.name), Mistake.FACTOR, cost, values)
+            yield self.make.wrapped(index, partial(times, word.name), Mistake.FACTOR, cost, values)
             if all(word.values):
                 over = Power(0, word.name, Number(0, Fraction(-1)))
                 values = tuple(a * pow(b, -1, p) % p for a, b in zip(has, word.values, strict=True))
-                yield self._wrapped(index, partial(times, over), Mistake.FACTOR, cost, values)
+                yield self.make.wrapped(index, partial(times, over), Mistake.FACTOR, cost, values)
 
     def _turned(self, index: int, far: float) -> Iterator[Change]:
         """Sines, cosines and tangents in front of a term."""
         for call, worths in self._calls:
-            values = tuple(a * b % self._p for a, b in zip(self._has(index), worths, strict=True))
+            values = tuple(
+                a * b % self.make.p for a, b in zip(self.make.has(index), worths, strict=True)
+            )
             cost = TOKEN + far + SECOND + HINT
-            yield self._wrapped(index, partial(times, call), Mistake.FACTOR, cost, values)
+            yield self.make.wrapped(index, partial(times, call), Mistake.FACTOR, cost, values)
 
     @cached_property
     def _calls(self) -> tuple[tuple[Node, tuple[int, ...]], ...]:
@@ -81,17 +65,17 @@ class Inserted:
         for call, _ in tuple(found):
             if isinstance(call, Call) and call.function == "sin":
                 tangent = Call(0, "tan", call.arguments)
-                values = worth(self.sheets, tangent)
+                values = worth(self.make.sheets, tangent)
                 found += [] if values is None else [(tangent, values)]
         return tuple(found)
 
     def _number_below(self, index: int) -> bool:
         """Whether a term has a number that can be another one."""
-        node = self.forest.nodes[index]
+        node = self.make.forest.nodes[index]
         if isinstance(node, Number):
             return node.value not in (-1, 0)
         if isinstance(node, Product):
-            return any(self._number_below(kid) for kid in self.forest.kids[index])
+            return any(self._number_below(kid) for kid in self.make.forest.kids[index])
         if isinstance(node, Power) and integer_exponent(node) in (1, -1):
-            return self._number_below(self.forest.kids[index][0])
+            return self._number_below(self.make.forest.kids[index][0])
         return False

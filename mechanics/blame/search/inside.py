@@ -1,9 +1,9 @@
-"""Edits of what a function is taken of, or of what is differentiated, and what it is worth then.
+"""Edits of what a function is taken of, and what it is worth then.
 
 sin(theta_1 - theta_2)  ->  sin(theta_1 + theta_2), sin(theta_1), sin(theta_1 - theta_3), ...
 """
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 
@@ -20,11 +20,12 @@ from mechanics.blame.search.change import (
     times,
 )
 from mechanics.blame.search.forest import Forest, edited
+from mechanics.blame.search.maker import Maker
 from mechanics.blame.search.sheet import Sheet
 from mechanics.blame.search.words import Words
 from mechanics.errors import MechanicsError
 from mechanics.reading.place import Refused
-from mechanics.reading.tree import Call, Name, Node, Number, Rate, Sum, parts
+from mechanics.reading.tree import Call, Name, Node, Number, Sum, parts
 
 Inner = tuple[int, Node | None, Mistake, float]
 
@@ -37,21 +38,38 @@ def worth(sheets: Sequence[Sheet], node: Node) -> tuple[int, ...] | None:
         return None
 
 
-def inside_of(
-    forest: Forest, sheets: Sequence[Sheet], words: Words, index: int
-) -> Iterator[Change]:
-    """Edits below a function or a derivative."""
-    node = forest.nodes[index]
-    depth = len(forest.place[index][1])
-    for below, other, mistake, cost in _Inside(forest, words).of(index):
-        new = edited(node, [(forest.place[below][1][depth:], other)])
-        values = None if new == node else worth(sheets, new)
+def inside_of(make: Maker, index: int) -> Iterator[Change]:
+    """Edits below a function."""
+    return valued(make, index, Inside(make.forest, make.words).of(index))
+
+
+def valued(make: Maker, index: int, edits: Iterable[Inner]) -> Iterator[Change]:
+    """Edits at or below a node that is known as a whole only, with what it is worth then."""
+    forest = make.forest
+    node, depth = forest.nodes[index], len(forest.place[index][1])
+    for below, other, mistake, cost in edits:
+        if below == index:
+            new = other
+        else:
+            new = edited(node, [(forest.place[below][1][depth:], other)])
+        if new is None:
+            yield Change(below, None, mistake, cost, index, (0,) * len(make.sheets))
+            continue
+        values = None if new == node else worth(make.sheets, forest.as_told(index, new))
         if values is not None:
             yield Change(below, other, mistake, cost, index, values)
 
 
 @dataclass(frozen=True)
-class _Inside:
+class Inside:
+    """Edits of what a function is taken of.
+
+    Attributes
+    ----------
+    forest : Forest
+    words : Words
+    """
+
     forest: Forest
     words: Words
 
@@ -59,25 +77,29 @@ class _Inside:
         """Edits of the parts of a node, and of theirs."""
         node = self.forest.nodes[index]
         for kid in self.forest.kids[index]:
-            part = self.forest.nodes[kid]
             if self.forest.place[kid][0] != self.forest.place[index][0]:
                 continue  # a definition, which is worth something at other places, too
-            if isinstance(part, Name) and not self.forest.kids[kid]:
-                yield from self._symbols(kid, part)
-            if isinstance(part, Number) and part.value not in (-1, 0):
-                for ratio in RATIOS[:8]:
-                    value = part.value * ratio
-                    number = Number(part.at, value)
-                    yield kid, number, Mistake.FACTOR, TOKEN + size_of(value)
-            if isinstance(node, Sum):
-                yield kid, minus(part), Mistake.SIGN, TOKEN
-                yield kid, None, Mistake.EXTRA, DROPPED
-            elif isinstance(node, Call | Rate) and not isinstance(part, Number):
-                for ratio in (Fraction(2), Fraction(1, 2)):
-                    scaled = times(Number(0, ratio), part)
-                    yield kid, scaled, Mistake.FACTOR, TOKEN + SECOND
+            part = self.forest.nodes[kid]
+            yield from self.edits(kid, part, node)
             if parts(part):
                 yield from self.of(kid)
+
+    def edits(self, index: int, part: Node, around: Node) -> Iterator[Inner]:
+        """Edits of one part."""
+        if isinstance(part, Name) and not self.forest.kids[index]:
+            yield from self._symbols(index, part)
+        if isinstance(part, Number) and part.value not in (-1, 0):
+            for ratio in RATIOS[:8]:
+                value = part.value * ratio
+                number = Number(part.at, value)
+                yield index, number, Mistake.FACTOR, TOKEN + size_of(value)
+        if isinstance(around, Sum):
+            yield index, minus(part), Mistake.SIGN, TOKEN
+            yield index, None, Mistake.EXTRA, DROPPED
+        elif isinstance(around, Call) and not isinstance(part, Number):
+            for ratio in (Fraction(2), Fraction(1, 2)):
+                scaled = times(Number(0, ratio), part)
+                yield index, scaled, Mistake.FACTOR, TOKEN + SECOND
 
     def _symbols(self, kid: int, part: Name) -> Iterator[Inner]:
         own = self.words.word(part)

@@ -13,7 +13,7 @@ from mechanics.blame.search.forest import Forest
 from mechanics.blame.search.point import Point
 from mechanics.blame.search.sheet import Sheet, integer_exponent, power
 from mechanics.exact.signals import DivisionHere
-from mechanics.reading.tree import Name, Power, Product, Sum
+from mechanics.reading.tree import Name, Power, Product, Rate, Sum
 
 
 @dataclass(frozen=True, eq=False)
@@ -120,12 +120,14 @@ def _again(sheet: Sheet, index: int, values: Mapping[int, int]) -> int:
     parts = [values.get(kid, sheet.has[kid]) for kid in kids]
     if isinstance(node, Sum):
         return sum(parts) % p
+    if sheet.forest.opaque(index):
+        raise ValueError("what stands inside of a function is not known by its value")
     if isinstance(node, Product):
         total = 1
         for part in parts:
             total = total * part % p
         return total
-    if isinstance(node, Name):
+    if isinstance(node, Name | Rate):
         return parts[0]
     exponent = integer_exponent(node)
     if isinstance(node, Power) and exponent is not None and kids[1] not in values:

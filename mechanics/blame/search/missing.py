@@ -14,7 +14,7 @@ from mechanics.blame.search.growth import Growth
 from mechanics.blame.search.inside import worth
 from mechanics.blame.search.judge import Problem
 from mechanics.blame.search.products import Products
-from mechanics.reading.tree import Call, Node, Number, Power, Product, Sum, parts
+from mechanics.reading.tree import Call, Name, Node, Number, Power, Product, Sum, constant, parts
 
 
 @dataclass(frozen=True, eq=False)
@@ -97,15 +97,17 @@ class Missing:
             yield from self._added(index, term, ADDED + far + cost)
 
     def _open(self, index: int) -> bool:
-        """Whether a term may be missing at a node: a sum, a side, what is multiplied as a whole."""
+        """Whether a term may be missing at a node: a sum, a side, a factor, a divisor, a base."""
         forest = self.problem.forest
         node, above = forest.nodes[index], forest.parent[index]
         side = forest.term(index) and not forest.place[index][1]
         around = forest.nodes[above] if above >= 0 else None
-        inner = isinstance(node, Product) and isinstance(around, Product)
-        below = inner or isinstance(around, Power)
-        open_here = isinstance(node, Sum) or side or below
-        return open_here and forest.written(index) and forest.single(index)
+        factor = isinstance(node, Product | Name) and isinstance(around, Product)
+        below = isinstance(around, Power)
+        # Nothing is missing in 1/2; a number alone is another one.
+        open_here = isinstance(node, Sum) or side or ((factor or below) and constant(node) is None)
+        plain = forest.written(index) and forest.single(index) and not forest.rates[index]
+        return open_here and plain
 
     def _added(self, index: int, term: Node, cost: float) -> Iterator[Change]:
         worths = worth(self.problem.sheets, term)

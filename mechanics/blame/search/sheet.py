@@ -4,6 +4,8 @@
     needed(term) = needed(sum) - other terms        needed(factor) = needed(product) / others
     needed(base of 1/x) = 1 / needed                needed(radicand) = needed ** 2
 
+The terms below d/dt are worth their derivatives.
+
 A node is right as something else if that is worth what is needed there.
 """
 
@@ -15,7 +17,7 @@ from mechanics.blame.search.forest import Forest
 from mechanics.blame.search.point import Point
 from mechanics.exact.signals import DivisionHere
 from mechanics.reading.build import Builder
-from mechanics.reading.tree import Name, Node, Number, Power, Product, Sum, constant
+from mechanics.reading.tree import Name, Node, Number, Power, Product, Rate, Sum, constant
 
 
 @dataclass(eq=False)
@@ -62,6 +64,10 @@ class Sheet:
         p, node, has = self.point.prime, self.forest.nodes[parent], self.has
         if isinstance(node, Sum):
             return (has[parent] - has[child] + value) % p
+        if self.forest.opaque(parent):
+            raise ValueError("what stands inside of a function is not known by its value")
+        if isinstance(node, Rate):
+            return value
         if isinstance(node, Product):
             total = value
             for kid in self.forest.kids[parent]:
@@ -127,6 +133,10 @@ def _value(sheet: Sheet, index: int) -> int:
     values = [sheet.has[kid] for kid in kids]
     if isinstance(node, Sum):
         return sum(values) % p
+    if forest.opaque(index):
+        return sheet.opaque(forest.as_told(index, node))
+    if isinstance(node, Rate):
+        return values[0]
     if isinstance(node, Product):
         total = 1
         for value in values:
@@ -151,6 +161,10 @@ def _needed_below(sheet: Sheet, index: int) -> None:
     if isinstance(node, Sum):
         for kid in kids:
             sheet.needs[kid] = (need - has[index] + has[kid]) % p
+    elif forest.opaque(index):
+        return
+    elif isinstance(node, Rate):
+        sheet.needs[kids[0]] = need
     elif isinstance(node, Product):
         for kid, others in zip(kids, _others([has[kid] for kid in kids], p), strict=True):
             sheet.needs[kid] = need * pow(others, -1, p) % p if others else None

@@ -134,6 +134,8 @@ class Spelling:
     def _product(self, node: Product) -> str:
         above, below, minus = _split(node)
         sign = "-" if minus else ""
+        if not below and len(above) == 1:
+            return sign + self.tight(above[0], PRODUCT)
         if not below:
             return sign + self._side_by_side(above)
         if self.latex:

@@ -5,6 +5,7 @@ sign: "-" -> "+"       term added: "" -> "+ 2 k x"       anything else: what sta
 
 import re
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from itertools import pairwise
 
 from sympy.matrices import MatrixBase
@@ -19,6 +20,7 @@ from mechanics.reading.written import Trees
 from mechanics.scene.published import Published
 
 SIGN = re.compile(r"[-+\u2212]\s*$")
+PLUS = re.compile(r"\s*\+\s*")
 TIMES_AFTER = re.compile(r"\s*(?:\.?\*(?!\*)|\\cdot(?![A-Za-z])|\\times(?![A-Za-z]))\s*")
 TIMES_BEFORE = re.compile(r"\s*(?:(?<!\*)\.?\*|\\cdot|\\times)\s*$")
 Span = tuple[int, int]
@@ -33,6 +35,12 @@ def told(claim: Claim, spelling: Spelling, forest: Forest, change: Change) -> Ed
         return Edit(change.mistake, old, fitting, None, home)
     node, new = forest.nodes[change.index], change.node
     span = spelling.span(node)
+    above = forest.parent[change.index]
+    around = forest.nodes[above] if above >= 0 else None
+    if span is None and isinstance(around, Power) and new is not None and spelling.span(around):
+        # The sine of sin^2(x) has no place of its own.
+        power = Power(around.at, new, around.exponent)
+        return told(claim, spelling, forest, replace(change, index=above, node=power, wrap=None))
     sign = None if span is None else _sign_before(claim, span)
     if change.mistake is Mistake.SIGN and sign is not None:
         mark = claim.written.text[sign[0]]
@@ -49,6 +57,8 @@ def told(claim: Claim, spelling: Spelling, forest: Forest, change: Change) -> Ed
         if sign is not None and isinstance(forest.nodes[forest.parent[change.index]], Sum):
             written, span = f"{claim.written.text[sign[0]]} {written}", (sign[0], span[1])
             return _edit(claim, change, written, "", span)
+        if isinstance(around, Sum) and (plus := PLUS.match(claim.written.text, span[1])):
+            return _edit(claim, change, written, "", (span[0], plus.end()))
         span, right = _left_out(claim.written.text, span)
         return _edit(claim, change, written, right, span)
     if hidden_minus(node) and is_minus(new):
@@ -145,7 +155,9 @@ def spliced(
     spans = sorted((edit.span, edit.right) for edit in here if edit.span is not None)
     apart = all(a[0][1] <= b[0][0] for a, b in pairwise(spans))
     if len(spans) < len(here) or not apart:
-        return " = ".join(sides_of(map(spelling, entries), row))
+        sides = sides_of(map(spelling, entries), row)
+        named = spelling.written.sides[: len(spelling.written.sides) - len(row.sides)]
+        return " = ".join((*map(spelling, named), *sides))
     found, at = "", 0
     for (start, end), right in spans:
         gap = " " if start == end and start and source[start - 1] != " " else ""

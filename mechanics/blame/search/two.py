@@ -45,7 +45,8 @@ class Two:
         found: list[tuple[Change, Change]] = []
         for index, node in enumerate(forest.nodes):
             side = forest.term(index) and not forest.place[index][1]
-            if forest.written(index) and forest.single(index) and (isinstance(node, Sum) or side):
+            plain = forest.written(index) and forest.single(index) and not forest.rates[index]
+            if plain and (isinstance(node, Sum) or side):
                 found += self._at(index)
         return sorted(found, key=lambda pair: pair[0].cost + pair[1].cost)
 

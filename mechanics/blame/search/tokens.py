@@ -1,0 +1,151 @@
+"""Other symbols, numbers, exponents and functions at a node, with what it would be worth.
+
+m_1 -> m_2, m_1**2      2 -> 1/2      x**2 -> x**3, x y      sin -> cos      x' -> x''
+"""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from fractions import Fraction
+
+from mechanics.blame.result import Mistake
+from mechanics.blame.search.change import HINT, RATIOS, SECOND, TOKEN, Change, raised, size_of
+from mechanics.blame.search.inside import worth
+from mechanics.blame.search.maker import Maker
+from mechanics.blame.search.sheet import integer_exponent, power, scaled
+from mechanics.exact.signals import DivisionHere
+from mechanics.reading.tree import Call, Name, Node, Number, Power, Product, Rate, Sum
+
+
+@dataclass(frozen=True, eq=False)
+class Tokens:
+    """Makes these edits.
+
+    Attributes
+    ----------
+    make : Maker
+    """
+
+    make: Maker
+
+    def of(self, index: int, node: Node) -> Iterator[Change]:
+        """Every edit of a node alone."""
+        if isinstance(node, Name) and not self.make.forest.kids[index]:
+            yield from self._name(index, node)
+        elif isinstance(node, Name):
+            yield from self._defined(index, node)
+        elif isinstance(node, Number):
+            yield from self._number(index, node)
+        elif isinstance(node, Power):
+            yield from self._exponent(index, node)
+        elif isinstance(node, Call):
+            yield from self._function(index, node)
+        elif isinstance(node, Rate):
+            yield from self._rate(index, node)
+        elif isinstance(node, Sum) and not isinstance(self.make.around(index), Power | None):
+            yield from self._powers(index, node, (2,))
+
+    def _name(self, index: int, node: Name) -> Iterator[Change]:
+        """Other symbols, the same kind first; squares and cubes."""
+        own = self.make.words.word(node)
+        for word in self.make.words.symbols:
+            if own is not None and word.symbol == own.symbol:
+                continue
+            far = 0.0 if own is not None and word.kind == own.kind else HINT
+            yield self.make.change(index, word.name, Mistake.SYMBOL, TOKEN + far, word.values)
+            if word.kind == "speed":
+                squares = tuple(value * value % self.make.p for value in word.values)
+                square = raised(word.name, 2)
+                yield self.make.change(index, square, Mistake.SYMBOL, TOKEN + SECOND, squares)
+        if not isinstance(self.make.around(index), Power):
+            yield from self._powers(index, node, (2, 3))
+
+    def _defined(self, index: int, node: Name) -> Iterator[Change]:
+        """Another definition of the person's, or another function than the one defined."""
+        inner = self.make.forest.nodes[self.make.forest.kids[index][0]]
+        others: list[tuple[Node, Mistake]] = []
+        if isinstance(inner, Call):
+            others += [(call, Mistake.FUNCTION) for call in self.make.words.functions(inner)]
+        for name in self.make.forest.definitions:
+            if name != node.name:
+                others.append((Name(node.at, name), Mistake.SYMBOL))
+        for other, mistake in others:
+            values = worth(self.make.sheets, other)
+            if values is not None:
+                yield self.make.change(index, other, mistake, TOKEN, values)
+
+    def _rate(self, index: int, node: Rate) -> Iterator[Change]:
+        """A derivative of another order."""
+        for order in (1, 2):
+            other = Rate(node.at, node.of, order)
+            values = worth(self.make.sheets, other) if order != node.order else None
+            if values is not None:
+                yield self.make.change(index, other, Mistake.SYMBOL, TOKEN, values)
+
+    def _powers(self, index: int, node: Node, exponents: tuple[int, ...]) -> Iterator[Change]:
+        for exponent in exponents:
+            values = tuple(pow(value, exponent, self.make.p) for value in self.make.has(index))
+            yield self.make.change(
+                index, raised(node, exponent), Mistake.POWER, TOKEN + HINT * (exponent - 2), values
+            )
+
+    def _number(self, index: int, node: Number) -> Iterator[Change]:
+        """Other numbers; minus one is a sign, which is that of its term."""
+        if node.value in (-1, 0):
+            return
+        around = self.make.around(index)
+        for ratio in dict.fromkeys((*RATIOS, 1 / node.value**2)):
+            value = node.value * ratio
+            found = scaled(self.make.sheets, index, ratio)
+            number = None if value == 1 and isinstance(around, Product) else Number(node.at, value)
+            yield self.make.change(index, number, Mistake.FACTOR, TOKEN + size_of(value), found)
+        if isinstance(around, Sum):
+            for step in (1, -1, 2, -2):
+                value = node.value + step
+                values = tuple((v + step) % self.make.p for v in self.make.has(index))
+                number = Number(node.at, value)
+                yield self.make.change(index, number, Mistake.FACTOR, TOKEN + HINT, values)
+
+    def _exponent(self, index: int, node: Power) -> Iterator[Change]:
+        """Exponents one and two away, and of the other sign."""
+        exponent = integer_exponent(node)
+        if exponent is None:
+            return
+        base = self.make.forest.kids[index][0]
+        for other in (exponent + 1, exponent - 1, exponent + 2, exponent - 2, -exponent):
+            try:
+                values = tuple(power(value, other, self.make.p) for value in self.make.has(base))
+            except DivisionHere:
+                continue
+            new = raised(node.base, other) if other else Number(node.at, Fraction(1))
+            far = HINT * abs(other - exponent)
+            yield self.make.change(index, new, Mistake.POWER, TOKEN + far, values)
+        yield from self._split(index, node, base, exponent)
+
+    def _split(self, index: int, node: Power, base: int, exponent: int) -> Iterator[Change]:
+        """x**3 as x**2 y and x y**2: SymPy puts together what was written apart."""
+        if exponent < 0 or (self.make.forest.kids[base] and not isinstance(node.base, Call)):
+            return
+        others: list[tuple[Node, tuple[int, ...]]]
+        others = [(word.name, word.values) for word in self.make.words.symbols]
+        if isinstance(node.base, Call):
+            others = list(self.make.words.calls(node.base))
+        elif not isinstance(node.base, Name):
+            return
+        for taken in range(1, min(exponent, 3)):
+            left = raised(node.base, exponent - taken)
+            for other, worths in others:
+                values = tuple(
+                    pow(a, exponent - taken, self.make.p) * pow(b, taken, self.make.p) % self.make.p
+                    for a, b in zip(self.make.has(base), worths, strict=True)
+                )
+                new = Product(node.at, (left, raised(other, taken)))
+                cost = TOKEN + HINT * (1 + taken)
+                yield self.make.change(index, new, Mistake.SYMBOL, cost, values)
+
+    def _function(self, index: int, node: Call) -> Iterator[Change]:
+        for other in self.make.words.functions(node):
+            values = worth(self.make.sheets, other)
+            if values is not None:
+                yield self.make.change(index, other, Mistake.FUNCTION, TOKEN, values)
+        if not isinstance(self.make.around(index), Power):
+            yield from self._powers(index, node, (2,))
