@@ -57,24 +57,25 @@ def blame(truth: Equations, statement: Statement) -> Blame:
     try:
         found = list(islice(_repairs(claim, statement, end), SHOWN))
     except (MechanicsError, Refused) as reason:
-        told = _differences(claim, statement, None)
-        return Blame(told, (), searched=f"not searched to the end: {reason}")
+        told, doubt = _differences(claim, statement, None)
+        return Blame(told, (), searched="; ".join((f"not searched to the end: {reason}", *doubt)))
     row = found[0][1] if found else None
-    told = _differences(claim, statement, row)
-    words = "" if found else SEARCHED if process_time() < end else STOPPED
-    return Blame(told, tuple(repair for repair, _ in found), searched=words)
+    told, doubt = _differences(claim, statement, row)
+    words = () if found else (SEARCHED if process_time() < end else STOPPED,)
+    repairs = tuple(repair for repair, _ in found)
+    return Blame(told, repairs, searched="; ".join((*words, *doubt)))
 
 
 BESIDE = 2
 """Edits of one equality that are tried beside those of another one."""
 
 SEARCHED = (
-    "every sign, factor, symbol, function and power, every term left out, every missing term that"
-    " is one product, and pairs of these: none makes it right"
+    "no single edit was found that makes it right (sign, factor, symbol, function, power, a term"
+    " too many, one that is missing and is a product), and no likely pair of these"
 )
 
 
-STOPPED = f"the simplest edits: none makes it right; the search was ended after {LONGEST:.0f} s"
+STOPPED = f"none of the simplest edits makes it right; the search ended after {LONGEST:.0f} s"
 
 
 def _repairs(claim: Claim, statement: Statement, end: float) -> Iterator[tuple[Repair, Published]]:
@@ -132,7 +133,8 @@ def _cheapest(claim: Claim, problem: Problem, statement: Statement) -> list[Solu
 
 def _differences(
     claim: Claim, statement: Statement, row: Published | None
-) -> tuple[Difference, ...]:
+) -> tuple[tuple[Difference, ...], tuple[str, ...]]:
+    """What differs, term by term; or why that is not told."""
     spelling = spelling_of(claim)
 
     def spell(expression: Expr) -> str:
@@ -142,6 +144,6 @@ def _differences(
             return str(expression)
 
     try:
-        return differences(claim.truth, statement, repaired=row, spell=spell)
-    except MechanicsError:
-        return ()
+        return differences(claim.truth, statement, repaired=row, spell=spell), ()
+    except MechanicsError as reason:
+        return (), (f"the difference is not told term by term: {reason}",)

@@ -111,8 +111,9 @@ def _search(truth: Equations, statement: Statement) -> Blame:
 
 
 def _explained(truth: Equations, judged: Sequence[Judged]) -> Sequence[tuple[str, ...]]:
-    """Known mistakes that explain what is refuted."""
+    """Known mistakes that explain what is refuted; or why they were not looked for."""
     try:
         return explanations(truth, [e.statement for e in judged], [e.finding for e in judged])
-    except (MechanicsError, Refused, RecursionError):
-        return [()] * len(judged)
+    except (MechanicsError, Refused, RecursionError) as error:
+        words = str(error) if not isinstance(error, RecursionError) else "it is nested too deeply"
+        return [(f"known mistakes were not looked for: {words}",)] * len(judged)

@@ -18,7 +18,7 @@ from mechanics.blame.search.claim import edited_claim
 from mechanics.blame.search.growth import Growth
 from mechanics.blame.search.maker import Maker
 from mechanics.blame.search.missing import Missing
-from mechanics.blame.search.sheet import Sheet
+from mechanics.blame.search.sheet import InsideHere, Sheet
 from mechanics.blame.search.words import Words
 from mechanics.exact.signals import DivisionHere
 from mechanics.reading.tree import Sum
@@ -93,7 +93,7 @@ class Both:
                 while child != index:
                     above = sheet.forest.parent[child]
                     value, child = sheet.above(above, child, value), above
-            except (DivisionHere, ValueError):
+            except (DivisionHere, InsideHere):
                 return False
             lacks.append((need - value) % self._p)
         if not lacks[0]:

@@ -7,12 +7,26 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from mechanics.blame.result import Mistake
-from mechanics.blame.search.change import DROPPED, HINT, SECOND, TOKEN, Change, minus, raised, times
+from mechanics.blame.search.change import (
+    DROPPED,
+    HINT,
+    RATIOS,
+    SECOND,
+    TOKEN,
+    Change,
+    minus,
+    raised,
+    size_of,
+    times,
+)
 from mechanics.blame.search.inside import Inner, Inside, valued
 from mechanics.blame.search.maker import Maker
 from mechanics.blame.search.sheet import integer_exponent
 from mechanics.reading.guess import angular
 from mechanics.reading.tree import Call, Name, Node, Number, Power, Product, Sum, parts
+
+MOST_RATIOS = 12
+"""Numbers in front of a term, the simplest of them."""
 
 
 def differentiated(make: Maker, index: int) -> Iterator[Change]:
@@ -30,6 +44,9 @@ class _Term:
         if isinstance(self.make.around(index), Sum):
             yield index, minus(node), Mistake.SIGN, TOKEN
             yield index, None, Mistake.EXTRA, DROPPED
+        for ratio in RATIOS[:MOST_RATIOS]:
+            cost = TOKEN + size_of(ratio)
+            yield index, times(Number(0, ratio), node), Mistake.FACTOR, cost
         for factor in self._factors():
             yield index, times(factor, node), Mistake.FACTOR, TOKEN + SECOND
         yield from self._below(index)

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from mechanics.blame.search.change import Change
 from mechanics.blame.search.forest import Forest
 from mechanics.blame.search.point import Point
-from mechanics.blame.search.sheet import Sheet, integer_exponent, power
+from mechanics.blame.search.sheet import InsideHere, Sheet, integer_exponent, power
 from mechanics.exact.signals import DivisionHere
 from mechanics.reading.tree import Name, Power, Product, Rate, Sum
 
@@ -74,7 +74,7 @@ class Problem:
                     new[copy] = change.values[k]
             try:
                 roots.append(root_with(sheet, new))
-            except (DivisionHere, ValueError):
+            except (DivisionHere, InsideHere):
                 return False
         return self._difference(roots) == 0
 
@@ -85,7 +85,7 @@ class Problem:
             has, root, p = sheet.has[index], sheet.has[0], self.prime
             try:
                 one, two = (root_with(sheet, {index: has + step}) for step in (1, 2))
-            except (DivisionHere, ValueError):
+            except (DivisionHere, InsideHere):
                 return None
             if (two - one - one + root) % p:
                 return None
@@ -100,7 +100,7 @@ def root_with(sheet: Sheet, new: Mapping[int, int]) -> int:
     ------
     DivisionHere
         Where a divisor becomes zero.
-    ValueError
+    InsideHere
         Where one of the nodes stands inside of a function.
     """
     values = dict(new)
@@ -121,7 +121,7 @@ def _again(sheet: Sheet, index: int, values: Mapping[int, int]) -> int:
     if isinstance(node, Sum):
         return sum(parts) % p
     if sheet.forest.opaque(index):
-        raise ValueError("what stands inside of a function is not known by its value")
+        raise InsideHere
     if isinstance(node, Product):
         total = 1
         for part in parts:
@@ -132,4 +132,4 @@ def _again(sheet: Sheet, index: int, values: Mapping[int, int]) -> int:
     exponent = integer_exponent(node)
     if isinstance(node, Power) and exponent is not None and kids[1] not in values:
         return power(parts[0], exponent, p)
-    raise ValueError("what stands inside of a function is not known by its value")
+    raise InsideHere

@@ -13,7 +13,7 @@ from mechanics.blame.result import Mistake
 from mechanics.blame.search.change import Change
 from mechanics.blame.search.judge import Problem
 from mechanics.blame.search.residues import inverses
-from mechanics.blame.search.sheet import Sheet
+from mechanics.blame.search.sheet import InsideHere, Sheet
 from mechanics.exact.signals import DivisionHere
 from mechanics.reading.tree import Product, Sum
 
@@ -53,7 +53,7 @@ def _where_they_meet(
                 value = sheet.above(above, child, value)
                 child = above
             reached[child][value].append(change)
-        except (DivisionHere, ValueError):
+        except (DivisionHere, InsideHere):
             continue
     for change in changes:
         if change.wrap is not None and forest.single(change.at):
@@ -125,7 +125,7 @@ def _at_root(problem: Problem, changes: Sequence[Change]) -> Iterator[tuple[Chan
     for change in changes:
         try:
             steps = [_step(sheet, change, k) for k, sheet in enumerate(problem.sheets)]
-        except (DivisionHere, ValueError):
+        except (DivisionHere, InsideHere):
             continue
         step = (steps[0] - steps[1]) % p
         for partner in known.get((missing - step) % p, ()):

@@ -20,6 +20,12 @@ from mechanics.reading.build import Builder
 from mechanics.reading.tree import Name, Node, Number, Power, Product, Rate, Sum, constant
 
 
+class InsideHere(Exception):
+    """What stands inside of a function is not known by its value; nobody outside of the search
+    meets it.
+    """
+
+
 @dataclass(eq=False)
 class Sheet:
     """Residues by the numbers of the nodes.
@@ -58,14 +64,14 @@ class Sheet:
         ------
         DivisionHere
             For a power of zero.
-        ValueError
+        InsideHere
             For a part inside of a function.
         """
         p, node, has = self.point.prime, self.forest.nodes[parent], self.has
         if isinstance(node, Sum):
             return (has[parent] - has[child] + value) % p
         if self.forest.opaque(parent):
-            raise ValueError("what stands inside of a function is not known by its value")
+            raise InsideHere
         if isinstance(node, Rate):
             return value
         if isinstance(node, Product):
@@ -78,7 +84,7 @@ class Sheet:
             return value
         exponent = integer_exponent(node)
         if exponent is None or child != self.forest.kids[parent][0]:
-            raise ValueError("what stands inside of a function is not known by its value")
+            raise InsideHere
         return power(value, exponent, p)
 
 
