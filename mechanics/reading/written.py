@@ -128,7 +128,8 @@ def _cells(side: Node, definitions: Mapping[str, Node]) -> Trees:
 
 
 def _tree(entry: Expr, known: list[tuple[Expr, Node]], written: Written) -> Node:
-    for value, tree in known:
+    # The last one: in E_k = m v**2 / 2 the formula, not the name that it has from here on.
+    for value, tree in reversed(known):
         if value == entry:
             return tree
     return Number(0, Fraction(0)) if entry == 0 else written.tree(entry)
