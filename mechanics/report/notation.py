@@ -35,10 +35,13 @@ from sympy.printing.precedence import PRECEDENCE
 from sympy.printing.pretty.pretty_symbology import greek_unicode
 
 DOTTED = re.compile(r"(?P<base>.+)_(?P<dots>d{1,3})ot$")
+DOTTED_BASE = re.compile(r"(<msup>|<msubsup>)(<mover>(?:(?!</?mover>).)*</mover>)")
 # A component of a reaction: Ax, Ty1.
 COMPONENT = re.compile(r"([A-Z])([xyz]\d*)")
 ACCENTS = ("", r"\dot", r"\ddot", r"\dddot")
 GREEK = frozenset(greek_unicode)
+# A drawing has the letters of formulas: LaTeX's phi is the straight one.
+LETTERS = {**greek_unicode, "phi": "\N{GREEK PHI SYMBOL}", "varphi": greek_unicode["phi"]}
 # Bits of the precision of a number that was typed without regard to its digits.
 DOUBLE = 53
 COMBINING = ("", "\u0307", "\u0308", "\u20db")
@@ -78,11 +81,11 @@ def _greek(sub: str) -> str:
 def svg_name(name: str) -> str:
     """A plain name as the content of an SVG text element: a letter with dots and a subscript."""
     base, dots, sub = split_name(name)
-    letter = escape(greek_unicode.get(base, base)) + COMBINING[dots]
+    letter = escape(LETTERS.get(base, base)) + COMBINING[dots]
     style = "font-style:italic" if len(base) == 1 or base in greek_unicode else ""
     text = f'<tspan style="{style}">{letter}</tspan>'
     if sub:
-        small = escape(greek_unicode.get(sub, sub))
+        small = escape(LETTERS.get(sub, sub))
         text += f'<tspan dy=".28em" font-size="72%">{small}</tspan>'
     return text
 
@@ -249,6 +252,8 @@ def mathml(source: str) -> str:
     text = text.replace(' xmlns="http://www.w3.org/1998/Math/MathML"', "")
     text = text.replace('display="inline"', 'displaystyle="true"', 1)
     text = re.sub(r'(?:<mi mathvariant="normal">(\w)</mi>){2,}', _upright, text)
+    # As in TeX, an exponent stands beside the letter and not above its dots.
+    text = DOTTED_BASE.sub(r'\1<mpadded height="0.72em">\2</mpadded>', text)
     if source[:2] in ("+ ", "- ", "= "):
         # The piece continues a line, so its sign is spaced as one between two terms.
         text = text.replace("<mo>", '<mo form="infix">', 1)

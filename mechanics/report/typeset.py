@@ -1,7 +1,8 @@
 """Equations as HTML that breaks between terms: left = first term | + second | - third.
 
 MathML breaks no lines by itself, so every term of a sum is an element of its own, and a line of the
-page may end between two of them. What has one very long term scrolls inside its own box.
+page may end between two of them, and inside of a long one. What is wider still scrolls in its own
+box.
 """
 
 import re
@@ -12,6 +13,7 @@ from markupsafe import Markup, escape
 from sympy import Add
 
 from mechanics.equations import Line
+from mechanics.report.breaking import broken
 from mechanics.report.notation import GREEK, latex, latex_name, mathml, operations, pieces
 
 # Nodes of an expression beyond which it is folded away, and beyond which it is not printed.
@@ -84,7 +86,7 @@ def _joined(sign: str, expr: Any) -> list[str]:
 
 
 def _row(parts: Sequence[str], label: str) -> Markup:
-    body = Markup("<wbr>").join(maths(part) for part in parts)
+    body = Markup("<wbr>").join(broken(part, maths) or maths(part) for part in parts)
     note = Markup('<span class="label">{}</span>').format(label) if label else Markup("")
     return Markup('<div class="eq"><div class="terms">{}</div>{}</div>').format(body, note)
 

@@ -12,9 +12,9 @@ from mechanics.exact import Finding, Verdict
 from mechanics.reading.names import Match, Naming, Vocabulary
 from mechanics.report.answer.check import Check
 from mechanics.report.answer.page import check_html
-from mechanics.report.answer.person_latex import terms
 from mechanics.report.answer.safe_mathml import safe_mathml
 from mechanics.report.answer.typed import Hand, equation, formula
+from mechanics.report.latex_items import terms
 from systems import elastic_pendulum
 
 LATEX = Hand("latex", None)

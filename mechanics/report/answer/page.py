@@ -19,6 +19,9 @@ from mechanics.report.drawing import drawing
 from mechanics.report.environment import environment
 from mechanics.report.sections import SymbolRow, symbol_rows
 
+LONG = 120
+"""Characters of a statement that is shown once; what else may be changed in it is folded."""
+
 
 @dataclass(frozen=True)
 class Card:
@@ -30,6 +33,7 @@ class Card:
     place: str
     equation: Markup
     others: tuple[Markup, ...]
+    long: bool
     hand: typed.Hand
     sides: tuple[str, str]
     values: tuple[str, str]
@@ -86,6 +90,7 @@ def _card(number: int, entry: Judged) -> Card:
         place=place(statement),
         equation=shown[0] if shown else typed.equation(statement.source, hand),
         others=tuple(shown[1:]),
+        long=len(statement.source) > LONG,
         hand=hand,
         sides=sides(statement),
         values=short_values(witness.left, witness.right) if witness else ("", ""),

@@ -1,6 +1,6 @@
-r"""A person's LaTeX cut into lines that a page may break, wrong and right parts marked.
+r"""A person's LaTeX without what is no mathematics, wrong and right parts marked.
 
-M \frac{L^{2}}{12} \ddot{\theta} + k x    ->    M \frac{L^{2}}{{\class{wrong}{12}...}} ..., + k x
+M \frac{L^{2}}{12} \ddot{\theta} + k x    ->    M \frac{L^{2}}{{\class{wrong}{12}...}} ... + k x
 """
 
 import re
@@ -15,8 +15,6 @@ NO_MATHEMATICS = re.compile(
 TABLE = re.compile(r"\\begin\s*\{[^{}]*(?:matrix|array|cases)")
 ALIGNED = re.compile(r"(?<!\\)&")
 SIGNS = re.compile(r"[-+=]")
-OPENS, CLOSES = re.compile(r"\{|\(|\[|\\(left|begin)\b"), re.compile(r"\}|\)|\]|\\(right|end)\b")
-TOKEN = re.compile(r"\\[A-Za-z]+|\\.|.", re.DOTALL)
 
 
 def marked(found: Sequence[Piece]) -> str:
@@ -51,28 +49,3 @@ def _infix(latex: str) -> str:
     """A term with its sign, which is spaced as one between two terms."""
     signed = SIGNS.match(latex.strip()) and not SIGNS.fullmatch(latex.strip())
     return f"{{}}{latex}" if signed else latex
-
-
-def terms(latex: str) -> list[str]:
-    """LaTeX cut before the signs between its terms; an equality sign begins a part, too."""
-    parts, current, depth, before = [], "", 0, ""
-    for token in TOKEN.findall(latex):
-        depth += bool(OPENS.fullmatch(token)) - bool(CLOSES.fullmatch(token))
-        sign = depth == 0 and SIGNS.fullmatch(token)
-        if sign and current.strip() and not before.endswith(("=", "+", "-", "^", "_", "\\cdot")):
-            parts.append(current.strip())
-            current = ""
-        current += token
-        before = token if token.strip() else before
-    parts.append(current.strip())
-    return [_spaced(part, first=n == 0) for n, part in enumerate(parts) if part]
-
-
-def _spaced(part: str, *, first: bool) -> str:
-    """A part that goes on from another one, its sign set off as between two terms."""
-    sign, rest = part[0], part[1:].lstrip()
-    if first or not SIGNS.fullmatch(sign):
-        return part
-    if sign == "=" and rest.startswith("-"):
-        return f"= {{{rest}}}"
-    return f"{sign} {rest}"

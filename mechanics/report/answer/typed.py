@@ -17,9 +17,10 @@ from mechanics.reading.place import Refused
 from mechanics.reading.statement import Statement
 from mechanics.reading.text.read import read_text
 from mechanics.report.answer.marks import Piece, pieces, printable
-from mechanics.report.answer.person_latex import clean, marked, terms
+from mechanics.report.answer.person_latex import clean, marked
 from mechanics.report.answer.safe_mathml import safe_mathml
 from mechanics.report.answer.tree_latex import TreeLatex, function_latex
+from mechanics.report.breaking import broken
 
 
 @dataclass(frozen=True)
@@ -110,13 +111,10 @@ def block(text: str, hand: Hand) -> Markup:
 def _typeset(latex: str | None) -> Markup | None:
     if latex is None:
         return None
-    parts = [safe_mathml(part) for part in terms(latex)]
-    shown = [part for part in parts if part is not None]
-    if not shown or len(shown) < len(parts):
+    shown = broken(latex, safe_mathml)
+    if shown is None:
         return None
-    return Markup('<div class="eq"><div class="terms">{}</div></div>').format(
-        Markup("<wbr>").join(shown)
-    )
+    return Markup('<div class="eq"><div class="terms">{}</div></div>').format(shown)
 
 
 def _code(found: Sequence[Piece]) -> Markup:
