@@ -31,8 +31,8 @@ class Item:
     close: str = ""
 
 
-    """The items of LaTeX, in order; their texts together are the LaTeX."""
 def items(latex: str) -> Iterator[Item]:
+    """The items of LaTeX, in order; their texts together are the LaTeX."""
     tokens = TOKEN.findall(latex)
     at = 0
     while at < len(tokens):
