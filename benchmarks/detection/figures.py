@@ -58,6 +58,11 @@ def exactly(result: Result) -> bool:
     return result.undone is not None and result.undone.how == "exactly"
 
 
+def again(result: Result) -> bool:
+    """Whether the text of the first repair is right when it is read again."""
+    return result.undone is not None and result.undone.again in ("PROVED", "CERTIFIED")
+
+
 def summary(results: Sequence[Result]) -> Iterator[str]:
     """The figures against their goals, as Markdown."""
     wrong = [r for r in results if r.name[0] == "m"]
@@ -74,6 +79,8 @@ def summary(results: Sequence[Result]) -> Iterator[str]:
         some = [r for r in blamed if len(r.kinds) == count]
         yield f"| {words} mistakes undone by the first edit | {_share(some, mended)} | {goal} |"
         yield f"| ... exactly | {_share(some, exactly)} | |"
+    typed = [r for r in blamed if r.undone and r.undone.again]
+    yield f"| text of the first edit, read again: right | {_share(typed, again)} | 100 % |"
     yield f"| verdict, ms: median / 95 % / worst | {times([r.seconds for r in results])} | 50 |"
     spent = [r.undone.seconds for r in blamed if r.undone]
     yield f"| blame, ms: median / 95 % / worst | {times(spent)} | 1000 |"
@@ -128,6 +135,8 @@ def missed(result: Result) -> str:
         return f"other convention, but {result.verdict} without 'right if'"
     if result.undone is not None and not result.undone.success:
         return f"blame: {result.undone.how}"
+    if result.undone is not None and result.undone.again and not again(result):
+        return f"blame: its text, read again, is {result.undone.again}"
     return ""
 
 

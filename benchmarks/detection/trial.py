@@ -1,7 +1,7 @@
 """A case, judged: the verdict, its time, and whether the blame undoes the mistake."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from time import process_time
 from typing import Any
 
@@ -10,6 +10,9 @@ from benchmarks.detection.case import Case, case
 from benchmarks.detection.undone import Undone, undone
 from mechanics.crosscheck.check import Check, Judged
 from mechanics.errors import MechanicsError
+
+TEXTS = ("LaTeX", "MATLAB text", "SymPy text")
+"""Forms that a repair is told in."""
 
 
 @dataclass(frozen=True)
@@ -99,5 +102,23 @@ def _checked(drawn: Case, blame: bool) -> Check:
 
 def _blamed(drawn: Case, without: float) -> Undone:
     start = process_time()
-    entry: Judged = _checked(drawn, blame=True).judged[drawn.written.place]
-    return undone(drawn, entry, max(process_time() - start - without, 0.0))
+    found = _checked(drawn, blame=True)
+    spent = max(process_time() - start - without, 0.0)
+    entry: Judged = found.judged[drawn.written.place]
+    return replace(undone(drawn, entry, spent), again=_again(drawn, found))
+
+
+def _again(drawn: Case, found: Check) -> str:
+    """The verdict of what the first repair tells, typed as it is told."""
+    blame = found.judged[0].blame
+    if drawn.form not in TEXTS or len(found.judged) > 1 or blame is None or not blame.repairs:
+        return ""
+    first = blame.repairs[0]
+    if any(edit.definition for edit in first.edits):
+        return ""
+    options: dict[str, Any] = drawn.written.options
+    try:
+        again = mechanics.check(drawn.about.free_body, first.repaired, blame=False, **options)
+    except MechanicsError as error:
+        return f"{type(error).__name__}: {error}"
+    return " ".join(entry.finding.verdict.name for entry in again.judged)

@@ -41,12 +41,15 @@ class Undone:
         Of the first repair.
     repairs : int
         How many are shown.
+    again : str
+        Verdict of the repaired text when it is read again; empty where it is no text.
     """
 
     how: str
     seconds: float
     edits: tuple[str, ...]
     repairs: int
+    again: str = ""
 
     @property
     def success(self) -> bool:
