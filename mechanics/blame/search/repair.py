@@ -12,11 +12,11 @@ from mechanics.blame.search.claim import Claim, edited_claim
 from mechanics.blame.search.find import Solution
 from mechanics.blame.search.forest import Forest
 from mechanics.blame.search.point import Family, Point, at_points
-from mechanics.blame.search.spell import Spelling
 from mechanics.blame.search.told import spliced, told
 from mechanics.checks.ledger import check_row
 from mechanics.errors import ExpressionError, InputError, SceneError
 from mechanics.reading.place import Refused
+from mechanics.reading.spelling import Spelling
 from mechanics.reading.tree import parts
 from mechanics.reading.written import Trees, row_of
 from mechanics.scene.published import Published

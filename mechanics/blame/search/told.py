@@ -14,7 +14,7 @@ from mechanics.blame.result import Edit, Mistake
 from mechanics.blame.search.change import Change, is_minus, minus
 from mechanics.blame.search.claim import Claim
 from mechanics.blame.search.forest import Forest
-from mechanics.blame.search.spell import Spelling, hidden_minus
+from mechanics.reading.spelling import Spelling, hidden_minus
 from mechanics.reading.tree import Call, Node, Power, Product, Sum
 from mechanics.reading.written import Trees
 from mechanics.scene.published import Published

@@ -6,11 +6,11 @@ simulator.py:rate, theta_ddot    ->    theta_ddot = -g*cos(theta)/l
 import re
 from dataclasses import replace
 
-from mechanics.blame.search.spell import Spelling
 from mechanics.blame.search.told import sides_of
 from mechanics.reading.from_sympy import Untreeable
 from mechanics.reading.names import Naming, Vocabulary
 from mechanics.reading.place import Refused
+from mechanics.reading.spelling import Spelling
 from mechanics.reading.statement import Statement
 from mechanics.reading.written import Written, row_trees
 from mechanics.report.answer.judged import Judged
