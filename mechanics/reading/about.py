@@ -37,6 +37,9 @@ ENERGY_NAMES: dict[str, str] = {
 }
 """Names that mean an energy, where the scene has no such name and the line does not say more."""
 
+MATRIX_NAMES = frozenset(("M", "MM", "Mq", "M_q", "M_mat", "mass_matrix"))
+"""Names of the mass matrix, where the scene has no such name and nothing else uses it."""
+
 
 def named_quantity(words: str) -> Quantity:
     """The quantity that words name.

@@ -9,18 +9,29 @@ T = ..., V = ..., L = ...    energies, where the scene has no such names
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 
-from sympy import Expr, S
+from sympy import Expr, S, Symbol
 from sympy.matrices import MatrixBase
 
 from mechanics.errors import InputError
-from mechanics.reading.about import ENERGY_NAMES, QUANTITIES, as_asked, named_quantity
+from mechanics.reading.about import ENERGY_NAMES, MATRIX_NAMES, QUANTITIES, as_asked, named_quantity
 from mechanics.reading.build import Builder, Value
-from mechanics.reading.defined import defines, needed, own, used
+from mechanics.reading.defined import (
+    defines,
+    definitions,
+    gathers,
+    in_order,
+    needed,
+    own,
+    reached,
+    turned,
+    used,
+)
 from mechanics.reading.guess import guess
 from mechanics.reading.kind import kind_of
-from mechanics.reading.lines import Line, Unread
+from mechanics.reading.lines import Aside, Entry, Line, Unread
 from mechanics.reading.names import Naming, Vocabulary, unexplained
 from mechanics.reading.place import Refused, line_and_column, located
+from mechanics.reading.sides import holds, is_named, known_first, scalar, shape
 from mechanics.reading.statement import Reading, Statement
 from mechanics.reading.tree import Name, Node
 from mechanics.reading.weight import Weight, weight
@@ -37,7 +48,7 @@ DEEPEST = 100
 
 MOST_STATEMENTS = 200
 
-Read = Callable[[Naming], Sequence[Line | Unread]]
+Read = Callable[[Naming], Sequence[Entry]]
 
 
 def assemble(
@@ -63,12 +74,13 @@ def assemble(
     words = {name: meaning for name, meaning in given.items() if meaning in QUANTITIES}
     plain = {name: meaning for name, meaning in given.items() if meaning not in QUANTITIES}
     naming = Naming(Vocabulary(scene), plain)
-    lines = read(naming)
+    lines = turned(read(naming), naming)
     guessed = guess(naming, used(lines), own(lines, naming))
     if guessed:
         naming = replace(naming, guessed=guessed)
-        lines = read(naming)
+        lines = turned(read(naming), naming)
     work = _Assembly(scene, naming, text, origin, words, about, needed(lines), notation)
+    work.learn(lines)
     for line in lines:
         work.add(line)
     matches = naming.matches(name.name for name in used(lines))
@@ -76,7 +88,7 @@ def assemble(
 
 
 class _Assembly:
-    """Goes through the lines in order; definitions hold for those that follow."""
+    """Learns all definitions, then goes through the lines in order."""
 
     def __init__(
         self, scene: Scene, naming: Naming, text: str, origin: str,
@@ -90,47 +102,71 @@ class _Assembly:
         self.weights: dict[str, Weight] = {}
         self.weight = 0
         self.vague: dict[str, list[str]] = {}
+        self.learnt: dict[int, tuple[tuple[Value, ...], list[str]] | Refused] = {}
+        self.reached: frozenset[str] = frozenset()
         self.statements: list[Statement] = []
         self.remarks: list[str] = []
 
-    def add(self, line: Line | Unread) -> None:
+    def learn(self, lines: Sequence[Entry]) -> None:
+        """Build what lines define; it holds in those before them, too."""
+        if self.about is not None:
+            return
+        defined = {n: d for n, d in definitions(lines, self.naming).items() if n not in self.words}
+        silent = {id(d) for n, d in defined.items() if n not in ENERGY_NAMES or n in self.needed}
+        judged = [d for d in lines if isinstance(d, Line) and id(d) not in silent]
+        self.reached = reached(judged, defined)
+        for name in in_order(defined):
+            line = defined[name]
+            try:
+                self.learnt[id(line)] = self._learn(name, line)
+            except Refused as reason:
+                self.learnt[id(line)] = reason
+
+    def _learn(self, name: str, line: Line) -> tuple[tuple[Value, ...], list[str]]:
+        size = self._weighed(line)
+        builder = Builder(self.naming, self.defined, self.vague)
+        sides, first = known_first(builder, line)
+        self.weights[name] = size
+        self.defined[name], self.trees[name] = sides[0], first
+        self.vague[name] = [n for n in dict.fromkeys(builder.unknown) if holds(sides[0], n)]
+        return sides, builder.unknown
+
+    def add(self, line: Entry) -> None:
         """Take one line."""
         number, _ = line_and_column(self.text, line.at)
+        if isinstance(line, Aside):
+            self.remarks.append(f"line {number}: {line.words}")
+            return
         place = f"{self.origin}, line {number}"
         tag = line.tag or str(len(self.statements) + 1)
         if isinstance(line, Unread):
-            self.statements.append(Statement(None, line.source, tag, place, doubt=line.words))
+            self._append(Statement(None, line.source, tag, place, doubt=line.words), line.at)
             return
         try:
             self._line(line, tag, place)
         except Refused as reason:
             doubt = located(self.text, reason.at, reason.words, self.origin)
-            self.statements.append(Statement(None, line.source, tag, place, line.notes, doubt))
+            found = Statement(None, line.source, tag, place, line.notes, doubt)
+            self._append(found, line.at)
 
     def _line(self, line: Line, tag: str, place: str) -> None:
-        size = self._weighed(line)
-        builder = Builder(self.naming, self.defined, self.vague)
-        left = line.sides[0]
-        told = self.about is not None or (isinstance(left, Name) and left.name in self.words)
-        if not told and isinstance(left, Name) and defines(line, self.naming):
-            sides = self._known_first(builder, line)
-            self.weights.setdefault(left.name, size)
-            energy = None
-            if left.name not in (*self.defined, *self.needed):
-                energy = ENERGY_NAMES.get(left.name) if _scalar(sides) else None
-            if energy is not None:
-                self._energy(line, tag, place, energy, sides, builder.unknown)
-                self.defined.setdefault(left.name, sides[0])
-                self.trees.setdefault(left.name, self._first)
-                return
-            self._define(line, left.name, sides, builder.unknown, tag, place)
+        left, learnt = line.sides[0], self.learnt.get(id(line))
+        if isinstance(learnt, Refused):
+            raise learnt
+        if learnt is not None and isinstance(left, Name):
+            self._define(line, left.name, *learnt, tag, place)
             return
+        self._weighed(line)
+        builder = Builder(self.naming, self.defined, self.vague)
         sides = tuple(builder(side) for side in line.sides)
         energy = self._means_energy(left, sides) if self.about is None else None
         if energy is not None:
-            builder.unknown = [name for name in builder.unknown if not _is_named(left, name)]
+            builder.unknown = [name for name in builder.unknown if not is_named(left, name)]
             self._energy(line, tag, place, energy, sides[1:], builder.unknown)
             return
+        if self.about == "mass matrix" and defines(line, self.naming):
+            builder.unknown = [name for name in builder.unknown if not is_named(left, name)]
+            sides = sides[1:]
         if any(isinstance(side, MatrixBase) for side in sides):
             self._matrices(line, tag, place, sides, builder.unknown)
             return
@@ -154,7 +190,7 @@ class _Assembly:
         if left.name in self.words:
             return self.words[left.name]
         found = self.naming.lookup(left.name)
-        if found is None or found[0] in self.naming.vocabulary.reactions or not _scalar(sides):
+        if found is None or found[0] in self.naming.vocabulary.reactions or not scalar(sides):
             return None
         moving = {*self.scene.u, *self.scene.qd}
         if found[0] in self.naming.vocabulary.constants and sides[1].free_symbols & moving:
@@ -170,31 +206,33 @@ class _Assembly:
         note = f"{left.name} on the left is read as the {energy}" if isinstance(left, Name) else ""
         self._keep(line, tag, place, named_quantity(energy), sides, unknown, note)
 
-    def _known_first(self, builder: Builder, line: Line) -> tuple[Value, ...]:
-        """The sides of a definition, one without names that nothing explains first."""
-        built: list[tuple[bool, Value, Node]] = []
-        for side in line.sides[1:]:
-            before = len(builder.unknown)
-            value = builder(side)
-            built.append((len(builder.unknown) > before, value, side))
-        built.sort(key=lambda entry: entry[0])
-        self._first = built[0][2]
-        return tuple(value for _, value, _ in built)
-
     def _define(
         self, line: Line, name: str, sides: tuple[Value, ...], unknown: list[str], tag: str,
         place: str,
     ) -> None:  # fmt: skip
-        """Keep a definition; further sides of it have to be equal to the first."""
-        self.remarks.append(f"{name} is taken as defined by: {line.source}")
-        if name not in self.defined:
-            self.defined[name] = sides[0]
-            self.trees[name] = self._first
-            self.vague[name] = [n for n in dict.fromkeys(unknown) if _holds(sides[0], n)]
-        else:
-            sides = (self.defined[name], *sides)
-        if len(sides) > 1:
+        """A definition: it is judged where it is used, or is an energy or the mass matrix."""
+        energy = ENERGY_NAMES.get(name) if name not in self.needed and scalar(sides) else None
+        if energy is not None:
+            self._energy(line, tag, place, energy, sides, unknown)
+            return
+        size = len(self.scene.u)
+        unused = name not in self.reached
+        if unused and name in MATRIX_NAMES and all(shape(s) == (size, size) for s in sides):
+            note = f"{name}, a square matrix, is read as the mass matrix"
+            self._keep(line, tag, place, MassMatrix(), sides, unknown, note)
+            return
+        if len(sides) > 1 and scalar(sides):
+            # Further sides have to be equal to the first.
             self._keep(line, tag, place, Identity(), sides, unknown, f"{name} as defined")
+        if not unused or gathers(line.sides[1:]):
+            self.remarks.append(f"{name} is taken as defined by: {line.source}")
+            return
+        doubt = f"{name} is defined and never used, so it is NOT checked: say what it means"
+        tag = line.tag or str(len(self.statements) + 1)
+        value = () if isinstance(sides[0], MatrixBase) else (self.scene.pressed(sides[0]),)
+        row = published(tag, Identity(), Symbol(name, real=True), *value, label=line.source)
+        written = self._written(line)
+        self._append(Statement(row, line.source, tag, place, line.notes, doubt, written), line.at)
 
     def _matrices(
         self, line: Line, tag: str, place: str, sides: tuple[Value, ...], unknown: list[str]
@@ -239,9 +277,6 @@ class _Assembly:
         self, line: Line, tag: str, place: str, quantity: Quantity, sides: tuple[Value, ...],
         unknown: list[str], note: str = "",
     ) -> None:  # fmt: skip
-        if len(self.statements) >= MOST_STATEMENTS:
-            words = f"more than {MOST_STATEMENTS} statements: split them"
-            raise InputError(located(self.text, line.at, words, self.origin))
         doubt = ""
         if unknown:
             doubt = unexplained(self.scene, unknown)
@@ -249,19 +284,15 @@ class _Assembly:
             doubt = "an expression without an equals sign: say what it is about"
         notes = (*line.notes, note) if note else line.notes
         row = published(tag, quantity, *map(self.scene.pressed, sides), label=line.source)
+        found = Statement(row, line.source, tag, place, notes, doubt, self._written(line))
+        self._append(found, line.at)
+
+    def _written(self, line: Line) -> Written:
         trees = tuple(self.trees.items())
-        written = Written(line.sides, trees, self.naming, self.notation, self.text, line.at)
-        self.statements.append(Statement(row, line.source, tag, place, notes, doubt, written))
+        return Written(line.sides, trees, self.naming, self.notation, self.text, line.at)
 
-
-def _is_named(node: Node, name: str) -> bool:
-    return isinstance(node, Name) and node.name == name
-
-
-def _holds(side: Value, name: str) -> bool:
-    """Whether a side holds a name that nothing explains, with or without primes."""
-    return any(symbol.name.rstrip("'") == name for symbol in side.free_symbols)
-
-
-def _scalar(sides: Sequence[Value]) -> bool:
-    return not any(isinstance(side, MatrixBase) for side in sides)
+    def _append(self, found: Statement, at: int) -> None:
+        if len(self.statements) >= MOST_STATEMENTS:
+            words = f"more than {MOST_STATEMENTS} statements: split them"
+            raise InputError(located(self.text, at, words, self.origin))
+        self.statements.append(found)

@@ -1,30 +1,34 @@
 """Which names the lines of a person use, and which they define themselves.
 
-T = L - 2 x        T is defined where the scene has no such name
+    T = L - 2 x    T is defined where the scene has no such name        x' = v    defines v
+
+A definition holds in all lines, also in those before it. One that nothing judged uses is no part of
+any verdict.
 """
 
-from collections.abc import Sequence
+from collections import Counter
+from collections.abc import Container, Iterable, Mapping, Sequence
+from dataclasses import replace
 
 from mechanics.reading.about import ENERGY_NAMES
-from mechanics.reading.lines import Line, Unread
+from mechanics.reading.lines import Entry, Line
 from mechanics.reading.names import Naming
-from mechanics.reading.tree import Name, names
+from mechanics.reading.tree import Name, Node, Rate, Table, names, parts
 
 
-def used(lines: Sequence[Line | Unread]) -> list[Name]:
+def used(lines: Sequence[Entry]) -> list[Name]:
     """Every name, in order."""
     return [
         n for line in lines if isinstance(line, Line) for side in line.sides for n in names(side)
     ]
 
 
-def own(lines: Sequence[Line | Unread], naming: Naming) -> list[str]:
-    """Names that lines define."""
-    return [
-        line.sides[0].name
-        for line in lines
-        if isinstance(line, Line) and defines(line, naming) and isinstance(line.sides[0], Name)
-    ]
+def own(lines: Sequence[Entry], naming: Naming) -> list[str]:
+    """Names that lines define; those of momenta are the scene's."""
+    defined = definitions(lines, naming)
+    counts = Counter(name.name for name in used(lines))
+    again = {name for name, count in counts.items() if count > 1}
+    return [name for name, line in defined.items() if not _momentum(line, defined, again, naming)]
 
 
 def defines(line: Line, naming: Naming) -> bool:
@@ -38,7 +42,70 @@ def defines(line: Line, naming: Naming) -> bool:
     )
 
 
-def needed(lines: Sequence[Line | Unread]) -> frozenset[str]:
+def definitions(lines: Sequence[Entry], naming: Naming) -> dict[str, Line]:
+    """The first definition of each name."""
+    found: dict[str, Line] = {}
+    for line in lines:
+        if isinstance(line, Line) and defines(line, naming) and isinstance(line.sides[0], Name):
+            found.setdefault(line.sides[0].name, line)
+    return found
+
+
+def turned(lines: Sequence[Entry], naming: Naming) -> list[Entry]:
+    """The lines; ``x' = v`` is turned round where nothing else says what v is."""
+    known = set(definitions(lines, naming))
+    found: list[Entry] = []
+    for line in lines:
+        if isinstance(line, Line) and (name := _named_rate(line, naming)) not in (None, *known):
+            known.add(str(name))
+            line = replace(line, sides=line.sides[::-1])
+        found.append(line)
+    return found
+
+
+def _named_rate(line: Line, naming: Naming) -> str | None:
+    """The unknown name on the right of a rate of the scene."""
+    if len(line.sides) != 2:
+        return None
+    left, right = line.sides
+    if not (isinstance(left, Name) and isinstance(right, Name)) or right.order:
+        return None
+    if _order(left, naming) != 1 or naming.target(right.name) is not None:
+        return None
+    return right.name
+
+
+def _order(name: Name, naming: Naming) -> int:
+    """How often what a name of the scene means is differentiated; 0 for any other name."""
+    found = naming.lookup(name.name)
+    return 0 if found is None else name.order + found[1]
+
+
+def _momentum(
+    line: Line, defined: Mapping[str, Line], elsewhere: Container[str], naming: Naming
+) -> bool:
+    """Whether a definition is that of a generalized momentum: by its name, and it holds rates.
+
+    A text may call a position p_x; and what it goes on with is its own, as the momentum of a body.
+    """
+    left = line.sides[0]
+    if not isinstance(left, Name) or naming.vocabulary.momentum(left.name) is None:
+        return False
+    if left.name in elsewhere:
+        return False
+    todo, seen = list(line.sides[1:]), {left.name}
+    while todo:
+        node = todo.pop()
+        if isinstance(node, Rate) or (isinstance(node, Name) and _order(node, naming)):
+            return True
+        if isinstance(node, Name) and node.name in defined and node.name not in seen:
+            seen.add(node.name)
+            todo += defined[node.name].sides[1:]
+        todo += parts(node)
+    return False
+
+
+def needed(lines: Sequence[Entry]) -> frozenset[str]:
     """Names that lines use which are no definitions of energies themselves."""
     found: set[str] = set()
     for line in lines:
@@ -47,3 +114,44 @@ def needed(lines: Sequence[Line | Unread]) -> frozenset[str]:
             if not (isinstance(left, Name) and left.name in ENERGY_NAMES and len(line.sides) > 1):
                 found |= {name.name for side in line.sides for name in names(side)}
     return frozenset(found)
+
+
+def in_order(defined: Mapping[str, Line]) -> list[str]:
+    """Names, each behind those that its definition uses; of a circle, the first one last."""
+    needs = {name: iter(_needs(line, defined)) for name, line in defined.items()}
+    found: list[str] = []
+    begun: set[str] = set()
+    for start in defined:
+        path = [] if start in begun else [start]
+        while path:
+            begun.add(path[-1])
+            after = next((n for n in needs[path[-1]] if n not in begun), None)
+            if after is None:
+                found.append(path.pop())
+            else:
+                path.append(after)
+    return found
+
+
+def _needs(line: Line, defined: Mapping[str, Line]) -> list[str]:
+    return [n.name for side in line.sides[1:] for n in names(side) if n.name in defined]
+
+
+def reached(judged: Iterable[Line], defined: Mapping[str, Line]) -> frozenset[str]:
+    """Names that lines use, and that the definitions of these use in turn."""
+    found: set[str] = set()
+    todo = [n.name for line in judged for side in line.sides for n in names(side)]
+    while todo:
+        name = todo.pop()
+        if name not in found:
+            found.add(name)
+            todo += _needs(defined[name], defined) if name in defined else []
+    return frozenset(found)
+
+
+def gathers(sides: Sequence[Node]) -> bool:
+    """Whether a definition only puts names into a column or row, as code returns them."""
+    (side,) = sides if len(sides) == 1 else (None,)
+    if not isinstance(side, Table) or min(len(side.rows), len(side.rows[0])) > 1:
+        return False
+    return all(isinstance(cell, Name) for row in side.rows for cell in row)

@@ -7,16 +7,19 @@ another.
 """
 
 import re
+from collections import Counter
 from collections.abc import Callable, Iterable, Sequence
+from dataclasses import replace
 
 from sympy import cos, sin
 
 from mechanics.reading.names import GREEK, Match, Naming
-from mechanics.reading.spelled_rates import families, key
+from mechanics.reading.spelled_rates import bases, families, key
 from mechanics.reading.tree import Name
 from mechanics.scene import Scene
 from mechanics.scene.symbols import DOTS
 
+ALPHABET = "abcdefghijklmnopqrstuvwxyz"
 NUMBER = re.compile(r"(\d+)$")
 MOMENTUM = re.compile(r"(p|pi)_?\d+")
 BY_UNIT: tuple[tuple[str, str], ...] = (
@@ -39,7 +42,9 @@ def guess(naming: Naming, used: Sequence[Name], defined: Iterable[str]) -> tuple
     defined : iterable of str
         Names that the text defines itself.
     """
-    own = {key(name) for name in defined}
+    short = _short(naming, used)
+    naming = replace(naming, guessed=short)
+    own = {key(name) for name in defined if not naming.knows(name)}
     moving: set[str] = set()
     still: set[str] = set()
     taken: set[str] = set()
@@ -73,7 +78,37 @@ def guess(naming: Naming, used: Sequence[Name], defined: Iterable[str]) -> tuple
         [n for n in free if n in inputs and n not in {m.meaning for m in found_still}],
         [(lambda name, other: True, "the only input that is left")],
     )
-    return (*momenta, *found_moving, *found_still, *found_inputs)
+    return (*short, *momenta, *found_moving, *found_still, *found_inputs)
+
+
+def _short(naming: Naming, used: Sequence[Name]) -> tuple[Match, ...]:
+    """th for theta, where thdd or th'' is written, and no other name of the scene begins so."""
+    vocabulary = naming.vocabulary
+    orders: dict[str, int] = {}
+    for name in used:
+        if not naming.knows(name.name):
+            for base, order in ((key(name.name), 0), *bases(name.name)):
+                orders[base] = max(orders.get(base, 0), order + name.order)
+    found: dict[str, str] = {}
+    for base in (base for base, order in orders.items() if order > 1):
+        head = base.rstrip("0123456789")
+        fits = [
+            name for name in (*vocabulary.functions, *vocabulary.constants) if _begins(name, base)
+        ]
+        if len(fits) == 1 and len(head) > 1 and fits[0] in vocabulary.functions:
+            found[base] = fits[0]
+    once = Counter(found.values())
+    return tuple(
+        Match(base, name, f"short for {name}") for base, name in found.items() if once[name] == 1
+    )
+
+
+def _begins(name: str, base: str) -> bool:
+    """Whether a name begins with the letters of a base, and ends with its number."""
+    letters, whole = base.rstrip("0123456789"), key(name)
+    number = base[len(letters) :]
+    rest = whole.removeprefix(letters)
+    return whole.startswith(letters) and rest.lstrip(ALPHABET) == number
 
 
 def _momenta(naming: Naming, used: Sequence[Name], own: set[str], taken: set[str]) -> list[Match]:

@@ -38,3 +38,15 @@ class Unread:
     words: str
     at: int
     tag: str = ""
+
+
+@dataclass(frozen=True)
+class Aside:
+    """A part of a text that says nothing to be judged, as the value of a parameter."""
+
+    words: str
+    at: int
+
+
+Entry = Line | Unread | Aside
+"""What a reader finds in a text."""

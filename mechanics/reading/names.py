@@ -191,6 +191,10 @@ class Naming:
         """Whether a name stands for something."""
         return self.lookup(name) is not None
 
+    def target(self, name: str) -> tuple[str, int] | None:
+        """What a name stands for, or the momentum that it may be."""
+        return self.lookup(name) or self.vocabulary.momentum(name)
+
     def is_function(self, name: str) -> bool | None:
         """Whether it is a function of time; None where it is unknown."""
         found = self.lookup(name)

@@ -77,7 +77,9 @@ def test_numbers_alone_have_to_be_allowed() -> None:
 
 
 def test_nothing_to_check_is_no_success() -> None:
-    with pytest.raises(InputError, match="nothing to check: I is taken as defined by"):
+    with pytest.raises(InputError, match="nothing to check: q is taken as defined by"):
+        assert_equivalent("q = [x; theta]", SCENE)
+    with pytest.raises(AssertionError, match="I is defined and never used"):
         assert_equivalent("I = M*L**2/3", SCENE)
 
 

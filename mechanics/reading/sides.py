@@ -1,0 +1,43 @@
+"""The sides of a line as they were built: their shape, what they hold, which comes first.
+
+v = a w = x'    with a and w unknown:    x' is what v stands for
+"""
+
+from collections.abc import Sequence
+
+from sympy.matrices import MatrixBase
+
+from mechanics.reading.build import Builder, Value
+from mechanics.reading.lines import Line
+from mechanics.reading.tree import Name, Node
+
+
+def known_first(builder: Builder, line: Line) -> tuple[tuple[Value, ...], Node]:
+    """The sides of a definition, one without names that nothing explains first, and its tree."""
+    built: list[tuple[bool, Value, Node]] = []
+    for side in line.sides[1:]:
+        before = len(builder.unknown)
+        value = builder(side)
+        built.append((len(builder.unknown) > before, value, side))
+    built.sort(key=lambda entry: entry[0])
+    return tuple(value for _, value, _ in built), built[0][2]
+
+
+def is_named(node: Node, name: str) -> bool:
+    """Whether a side is this name."""
+    return isinstance(node, Name) and node.name == name
+
+
+def holds(side: Value, name: str) -> bool:
+    """Whether a side holds a name that nothing explains, with or without primes."""
+    return any(symbol.name.rstrip("'") == name for symbol in side.free_symbols)
+
+
+def shape(side: Value) -> tuple[int, int] | None:
+    """Of a matrix."""
+    return side.shape if isinstance(side, MatrixBase) else None
+
+
+def scalar(sides: Sequence[Value]) -> bool:
+    """Whether no side is a matrix."""
+    return not any(isinstance(side, MatrixBase) for side in sides)
