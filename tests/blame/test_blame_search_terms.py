@@ -135,3 +135,11 @@ def test_the_sign_of_a_whole_side_keeps_its_brackets() -> None:
     for repair in found:
         (again,) = mechanics.check(truth("pendulum"), repair.repaired, blame=False).judged
         assert again.finding.shown, repair.repaired
+
+
+def test_two_names_that_are_exchanged_throughout() -> None:
+    turned = OPENED.replace("m1", "m3").replace("m2", "m1").replace("m3", "m2")
+    found = repairs("double", turned)[0]
+    assert {(edit.written, edit.right) for edit in found.edits} <= {("m1", "m2"), ("m2", "m1")}
+    (again,) = mechanics.check(truth("double"), found.repaired, blame=False).judged
+    assert again.finding.shown

@@ -11,6 +11,7 @@ from mechanics.blame.search.both import Both
 from mechanics.blame.search.candidates import Candidates
 from mechanics.blame.search.change import Change
 from mechanics.blame.search.claim import Claim
+from mechanics.blame.search.exchanged import exchanged
 from mechanics.blame.search.growth import Growth
 from mechanics.blame.search.judge import Problem
 from mechanics.blame.search.maker import Maker
@@ -58,6 +59,7 @@ def solutions(claim: Claim, problem: Problem, statement: Statement) -> Iterator[
     added = [change for change in lacking if change.mistake is Mistake.MISSING]
     yield _sorted(problem, [(change,) for change in added])
     yield _sorted(problem, pairs(problem, changes))
+    yield _sorted(problem, exchanged(growth))
     yield _sorted(problem, signs(problem))
     yield _sorted(problem, Both(growth).pairs())
     yield _sorted(problem, Two(growth).pairs())
