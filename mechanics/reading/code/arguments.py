@@ -1,15 +1,17 @@
 """What the arguments of code are: a name of the scene, or a vector of them.
 
-f(x, theta, x_dot, theta_dot, F)        f(q, qd, u)        f(t, state, params)
+f(x, theta, x_dot, theta_dot, F)        f(q, qd, u)        f(t, state, params)        p["m"]
 """
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
+import numpy as np
 from sympy import Expr, Symbol
 
 from mechanics.errors import InputError
+from mechanics.reading.code.taken_apart import Apart, Record
 from mechanics.reading.names import Match, Naming
 from mechanics.scene.rates import TIME
 from mechanics.scene.symbols import DOTS
@@ -48,6 +50,7 @@ def arguments_of(
     sizes: Mapping[str, int | None],
     given: Mapping[str, str],
     interleaved: bool = False,
+    apart: Mapping[str, Apart] | None = None,
 ) -> Arguments:
     """Match arguments.
 
@@ -61,6 +64,8 @@ def arguments_of(
         By the person; several names of the scene are separated by blanks.
     interleaved : bool
         Whether a state is x, x_dot, theta, theta_dot, ...
+    apart : mapping of str to Apart, optional
+        How the code takes them apart.
 
     Raises
     ------
@@ -75,6 +80,13 @@ def arguments_of(
         (POSITIONS, scene.q), (SPEEDS, scene.u), (STATES, both), (ACCELERATIONS, scene.ud),
         (INPUTS, scene.input_symbols), (PARAMETERS, scene.parameters),
     )  # fmt: skip
+    told = {n: m for n, m in given.items() if naming.vocabulary.target(m) is not None}
+    aware = replace(naming, given={**naming.given, **told})
+    vectors = [n for n in names if n not in given and not naming.knows(n)]
+    whole = [n for n in vectors if n in STATES and sizes.get(n) in (None, len(both))]
+    if whole and not any(n in POSITIONS for n in names):
+        # Beside a whole state, u is no vector of speeds.
+        groups = tuple(group for group in groups if group[0] is not SPEEDS)
     values: dict[str, Value] = {}
     matches: list[Match] = []
     state: tuple[Expr, ...] = ()
@@ -85,6 +97,8 @@ def arguments_of(
             why = "as given"
         elif name in ("t", "time") and not naming.knows(name):
             values[name], why = TIME, "the time"
+        elif known := named_entries(aware, name, (apart or {}).get(name)):
+            values[name], why = known, "the names that the code gives its entries"
         elif naming.knows(name) and sizes.get(name) in (None, 1):
             symbol = naming.symbol(name, 0)
             values[name], why = symbol, naming.matches([name])[0].why
@@ -92,7 +106,7 @@ def arguments_of(
             values[name], why, k = _group(naming, name, sizes.get(name), groups, used)
             used.add(k)
         found = values[name]
-        entries = found if isinstance(found, tuple) else (found,)
+        entries = (found,) if isinstance(found, Expr) else tuple(found)
         if set(entries) == {*scene.q, *scene.u} and len(entries) > 1:
             state = entries
         matches.append(Match(name, " ".join(str(entry) for entry in entries), why))
@@ -115,6 +129,43 @@ def _given(naming: Naming, name: str, meaning: str, size: int | None) -> Value:
     return tuple(found) if len(found) > 1 or (size or 0) > 1 else found[0]
 
 
+def named_entries(naming: Naming, name: str, apart: Apart | None) -> Value:
+    """What the entries of an argument are by the names that code has for them; () if not plain.
+
+    Raises
+    ------
+    InputError
+        For a key or an attribute that the scene does not have.
+    """
+    if apart is None:
+        return ()
+    attributes = {a: line for a, line in apart.attributes.items() if not hasattr(np.ndarray, a)}
+    known = [a for a in attributes if naming.knows(a)]
+    if asked := apart.keys or (apart.attributes if known and not apart.places else {}):
+        symbols = []
+        for entry, line in asked.items():
+            symbol = naming.symbol(entry, 0) if naming.knows(entry) else None
+            if symbol is None:
+                words = f'{name}["{entry}"]' if apart.keys else f"{name}.{entry}"
+                scene = ", ".join([*naming.vocabulary.functions, *naming.vocabulary.constants])
+                raise InputError(
+                    f"{words} in line {line}: the scene has no {entry!r}: say what it is:"
+                    f" --name '{entry}=...' (names={{{entry!r}: ...}}); the scene has {scene}"
+                )
+            symbols.append(symbol)
+        return Record(tuple(asked), tuple(symbols), not apart.keys)
+    found = [naming.lookup(entry) for entry in apart.order]
+    if len(found) < 2 or None in found or len(set(found)) < len(found):
+        return ()
+    bases = {target[0] for target in found if target is not None}
+    inputs = {symbol.name for symbol in naming.vocabulary.scene.input_symbols}
+    constants = naming.vocabulary.constants.keys()
+    moving = naming.vocabulary.functions.keys() - inputs
+    if not (bases <= inputs or bases <= constants or bases <= moving):
+        return ()  # q, u = z takes a state apart, whatever the scene calls q and u
+    return tuple(naming.symbol(entry, 0) for entry in apart.order)
+
+
 def _group(
     naming: Naming, name: str, size: int | None,
     groups: Sequence[tuple[Sequence[str], Sequence[Expr]]], used: set[int],
@@ -125,9 +176,14 @@ def _group(
         if name in words and symbols and fits and k not in used:
             scalar = words is INPUTS and len(symbols) == 1 and size in (None, 1)
             value: Value = symbols[0] if scalar else tuple(symbols)
-            return value, "the usual name of such a vector", k
+            why = "the usual name of such a vector"
+            if words in (INPUTS, PARAMETERS) and not scalar and len(symbols) > 1:
+                order = " ".join(str(symbol) for symbol in symbols)
+                why = f"{why}, its order a guess: --name '{name}={order}' gives it"
+            return value, why, k
     known = ", ".join([*naming.vocabulary.functions, *naming.vocabulary.constants])
     raise InputError(
-        f"argument {name}: nothing says what it is: give names={{{name!r}: ...}}; the scene has"
+        f"argument {name}: nothing says what it is: give --name '{name}=...'"
+        f" (names={{{name!r}: ...}}), several names for a vector; the scene has"
         f" {known}"
     )

@@ -15,6 +15,7 @@ from sympy import Dummy, Expr, Matrix
 from mechanics.errors import InputError
 from mechanics.reading.code.arguments import Arguments, arguments_of
 from mechanics.reading.code.outputs import Claim, claims
+from mechanics.reading.code.tracing import Outputs
 from mechanics.reading.guess import guess
 from mechanics.reading.names import Naming, Vocabulary
 from mechanics.reading.tree import Name
@@ -133,7 +134,7 @@ def match_box(scene: Scene, box: BlackBox, names: Mapping[str, str] | None, coun
             f" has, {len(arguments.state)}; {count} found: say by names= which argument that is"
         )
     outputs = tuple(Dummy(f"output_{i}", real=True) for i in range(count))
-    found = claims(scene, [Matrix(outputs)], arguments.state, None, box.title)
+    found = claims(naming, Outputs((Matrix(outputs),), ()), arguments.state, None, box.title)
     return Box(box, arguments, outputs, tuple(found))
 
 

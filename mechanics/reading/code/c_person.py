@@ -65,7 +65,7 @@ def known_meaning(source: Source, text: str) -> Source:
     for name in LIBRARY & set(source.prototypes):
         for declaration in source.prototypes[name]:
             _as_in_the_library(name, declaration)
-    plain = _without_comments(text)
+    plain = without_comments(text)
     for name, body in source.macros.items():
         if not _as_in_the_header(name, body):
             where = _place(source.file, plain, rf"#[ ]*define[ ]+{name}\b")
@@ -139,7 +139,7 @@ def _is_harmless(plain: str, match: re.Match[str], name: str) -> bool:
     return GUARD.fullmatch(name) is not None and header not in SYSTEM
 
 
-def _without_comments(text: str) -> str:
+def without_comments(text: str) -> str:
     r"""The text with blanks for comments, and \v where lines are joined; all keeps its place."""
     joined = text.replace("\r\n", " \n").replace("\\\n", " \v")
     return re.sub(

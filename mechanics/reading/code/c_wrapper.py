@@ -37,6 +37,8 @@ class Call:
         Number of outputs.
     result : bool
         Whether it returns a number.
+    outputs : tuple of str
+        What the text calls the outputs, where each is a number of its own; its name for a result.
     coord : str
         Where it begins: file, line and column.
     """
@@ -48,6 +50,7 @@ class Call:
     size: int
     result: bool
     coord: str
+    outputs: tuple[str, ...] = ()
 
     def source(self, sizes: Mapping[str, int]) -> str:
         """The file with the wrapper below."""
@@ -81,6 +84,7 @@ def wrapped(source: Source, text: str, name: str | None) -> Call:
     inputs: dict[str, int | None] = {}
     arguments: list[str] = []
     size = 1 if result else 0
+    outputs = [chosen] if result else []
     for declaration in parameters(function.decl.type):
         kind = declared(declaration)
         if kind.kind != "double" or kind.depth > 1:
@@ -98,9 +102,11 @@ def wrapped(source: Source, text: str, name: str | None) -> Call:
             entries = kind.size or _written(text, declaration.name)
             arguments.append(f"outputs + {size}")
             size += entries
+            outputs.append(declaration.name)
     if not 0 < size <= LARGEST_ARRAY:
         raise InputError(f"{source.file}: {chosen} has {size} outputs")
-    return Call(chosen, text, inputs, tuple(arguments), size, result, str(function.decl.coord))
+    coord, named = str(function.decl.coord), tuple(outputs) if len(outputs) == size else ()
+    return Call(chosen, text, inputs, tuple(arguments), size, result, coord, named)
 
 
 def _returned(function: object) -> str:

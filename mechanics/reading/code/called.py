@@ -9,7 +9,7 @@ What is rounded to single precision stays within the bound.
 """
 
 import warnings
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from math import inf, isfinite
@@ -22,7 +22,9 @@ from sympy.logic.boolalg import Boolean
 
 from mechanics.errors import ExpressionError
 from mechanics.exact.balls import BallArithmetic, State, precision
-from mechanics.reading.code.tracing import Given, Outputs, parts_of
+from mechanics.reading.code.held import held
+from mechanics.reading.code.taken_apart import Record
+from mechanics.reading.code.tracing import NONE, Given, Outputs, Value, parts_of
 
 STATES = 6
 """That are tried whatever the code decides; each way through it that is met is tried besides."""
@@ -43,7 +45,10 @@ class _Formulas:
     slack: tuple[float, ...]
 
 
-def doubt_when_called(function: Callable[..., Any], given: Given, outputs: Outputs) -> str:
+def doubt_when_called(
+    function: Callable[..., Any], given: Given, outputs: Outputs,
+    standing: Mapping[str, Expr] = NONE,
+) -> str:  # fmt: skip
     """Why the formulas of a function are not what it computes, one line; empty where they are.
 
     Parameters
@@ -54,10 +59,16 @@ def doubt_when_called(function: Callable[..., Any], given: Given, outputs: Outpu
         What its arguments stand for.
     outputs : Outputs
         As it was traced.
+    standing : mapping of str to Expr
+        What numbers that it holds stand for.
     """
+    own = held(function, standing)
+    symbols = (*given.values(), *standing.values())
     compared, failure = False, "its formulas have no value at random states"
     try:
-        for formulas in _at_states(given, outputs):
+        for formulas in _at_states(symbols, outputs):
+            values = {name: float(formulas.numbers[s]) for name, s in standing.items()}
+            function = own.with_values(values)
             results = [_attempt(function, given, formulas, kind) for kind in (float, np.float64)]
             failed = [r for r in results if isinstance(r, _Failed)]
             if len(failed) == len(results):
@@ -76,11 +87,11 @@ def doubt_when_called(function: Callable[..., Any], given: Given, outputs: Outpu
     return "" if compared else f"it cannot be called with numbers: {failure}"
 
 
-def _at_states(given: Given, outputs: Outputs) -> Iterator[_Formulas]:
+def _at_states(symbols: Sequence[Value], outputs: Outputs) -> Iterator[_Formulas]:
     """Formulas at random states, and at those that take another way through the code."""
     source, tried, ways = Random(0), 0, set()
     for k in range(DRAWN):
-        numbers = _drawn(given, source, Fraction(SCALES[k % len(SCALES)]))
+        numbers = _drawn(symbols, source, Fraction(SCALES[k % len(SCALES)]))
         with precision(BITS):
             arithmetic = BallArithmetic(State(numbers))
             way = tuple(_holds(arithmetic, condition) for condition in outputs.conditions)
@@ -95,10 +106,10 @@ def _at_states(given: Given, outputs: Outputs) -> Iterator[_Formulas]:
             return
 
 
-def _drawn(given: Given, source: Random, scale: Fraction) -> Numbers:
+def _drawn(values: Sequence[Value], source: Random, scale: Fraction) -> Numbers:
     """A state of numbers that are exact in single precision and no integers."""
     symbols: dict[Expr, None] = {}
-    for value in given.values():
+    for value in values:
         symbols.update(dict.fromkeys([value] if isinstance(value, Expr) else value))
     found: dict[Symbol, Fraction] = {}
     for symbol in symbols:
@@ -155,12 +166,11 @@ def _returned(
     function: Callable[..., Any], given: Given, formulas: _Formulas, kind: type[float]
 ) -> list[float]:
     """What a call returns as one list."""
-    arguments = {
-        name: kind(formulas.numbers[value])
-        if isinstance(value, Expr)
-        else np.array([float(formulas.numbers[entry]) for entry in value])
-        for name, value in given.items()
-    }
+
+    def number(symbol: Expr) -> float:
+        return kind(formulas.numbers[symbol])
+
+    arguments = {name: _filled(value, number) for name, value in given.items()}
     try:
         with warnings.catch_warnings(), np.errstate(all="ignore"):
             warnings.simplefilter("ignore")
@@ -171,6 +181,15 @@ def _returned(
     if not all(isfinite(number) for number in numbers):
         raise _Failed(ArithmeticError("what it returns is not finite"))
     return numbers
+
+
+def _filled(value: Value, number: Callable[[Expr], float]) -> Any:
+    """An argument with numbers in place of symbols."""
+    if isinstance(value, Expr):
+        return number(value)
+    if isinstance(value, Record):
+        return value.filled(number)
+    return np.array([float(number(entry)) for entry in value])
 
 
 def _differs(result: list[float], formulas: _Formulas) -> str:

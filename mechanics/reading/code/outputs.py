@@ -12,7 +12,7 @@ from sympy import Expr, Matrix, S
 from sympy.matrices import MatrixBase
 
 from mechanics.errors import InputError
-from mechanics.reading.about import named_quantity
+from mechanics.reading.about import QUANTITIES, named_quantity
 from mechanics.reading.code.as_written import renamed
 from mechanics.reading.code.tracing import Outputs
 from mechanics.reading.names import Naming
@@ -27,7 +27,7 @@ Claim = tuple[str, Quantity, tuple[Expr | Matrix, ...]]
 
 
 def claims(
-    scene: Scene, values: Sequence[Matrix], state: Sequence[Expr], about: str | None, title: str
+    naming: Naming, outputs: Outputs, state: Sequence[Expr], about: str | None, title: str
 ) -> list[Claim]:
     """Rows of the ledger for outputs; `state` are the entries of a state vector, if there is one.
 
@@ -36,8 +36,9 @@ def claims(
     InputError
         When the number of outputs fits nothing.
     """
+    scene, values = naming.vocabulary.scene, outputs.values
     if about is not None:
-        return _asked(values, about)
+        return _asked(naming, values, about)
     size = len(scene.u)
     if len(values) == 2 and values[0].shape == (size, size) and len(values[1]) == size > 1:
         ud = Matrix(scene.ud)
@@ -55,6 +56,8 @@ def claims(
             (f"residual {i}", EquationOfMotion(), (entry, S.Zero))
             for i, entry in enumerate(entries, 1)
         ]
+    if named := _accelerations(naming, outputs.names or (title,), len(entries)):
+        return [_rate_of(scene, u, value) for u, value in zip(named, entries, strict=True)]
     if len(entries) == size:
         return [_rate_of(scene, u, value) for u, value in zip(scene.u, entries, strict=True)]
     both = tuple(state) or (*scene.q, *scene.u)
@@ -62,8 +65,33 @@ def claims(
         return [_rate_of(scene, symbol, value) for symbol, value in zip(both, entries, strict=True)]
     raise InputError(
         f"{title} returns {len(entries)} numbers: {scene.name} has {size} accelerations and"
-        f" {len(both)} rates of the state: say about= what they are"
+        f" {len(both)} rates of the state: say what it is: {_choices(naming)}"
     )
+
+
+def _accelerations(naming: Naming, names: Sequence[str], count: int) -> list[Expr]:
+    """The speeds whose rates code says that it returns; nothing unless all have such a name.
+
+    ``double theta_ddot(...)``, ``return xdd, thdd`` and ``*xdd = ...``: in this order, not ours.
+    """
+    table = {rate: u for u, rate in rate_table(naming.vocabulary.scene).items()}
+    found = [table.get(naming.symbol(*known)) for n in names if (known := _second(naming, n))]
+    speeds = [u for u in found if u in naming.vocabulary.scene.u]
+    return speeds if len(set(speeds)) == len(names) == count else []
+
+
+def _second(naming: Naming, name: str) -> tuple[str, int] | None:
+    """The scene's name, and no more dots, of what a name is an acceleration of."""
+    found = naming.lookup(name)
+    if found is None or found[0] not in naming.vocabulary.functions:
+        return None
+    symbol = naming.symbol(found[0], found[1])
+    return (found[0], found[1]) if symbol in naming.vocabulary.scene.ud else None
+
+
+def _choices(naming: Naming) -> str:
+    rates = [str(ud) for ud in naming.vocabulary.scene.ud]
+    return f"--about (about=) can be {', '.join([*QUANTITIES, *rates])}"
 
 
 def _rate_of(scene: Scene, symbol: Expr, value: Expr) -> Claim:
@@ -73,7 +101,15 @@ def _rate_of(scene: Scene, symbol: Expr, value: Expr) -> Claim:
     return f"{symbol}_dot", Identity(), (rate, value)
 
 
-def _asked(values: Sequence[Matrix], about: str) -> list[Claim]:
+def _asked(naming: Naming, values: Sequence[Matrix], about: str) -> list[Claim]:
+    count = sum(len(value) for value in values)
+    if about not in QUANTITIES:
+        named = _accelerations(naming, about.replace(",", " ").split(), count)
+        if not named:
+            raise InputError(f"about {about!r}, for {count} outputs of code: {_choices(naming)}")
+        entries = [entry for value in values for entry in value]
+        scene = naming.vocabulary.scene
+        return [_rate_of(scene, u, value) for u, value in zip(named, entries, strict=True)]
     quantity = named_quantity(about)
     if isinstance(quantity, MassMatrix):
         return [("mass matrix", quantity, (value,)) for value in values]

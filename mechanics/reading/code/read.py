@@ -5,7 +5,6 @@
 The code itself is read, so that its own formulas are judged, for all values of its arguments.
 """
 
-import inspect
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from typing import Any
@@ -23,11 +22,13 @@ from mechanics.reading.about import QUANTITIES
 from mechanics.reading.assemble import Reading
 from mechanics.reading.code.arguments import Arguments, arguments_of
 from mechanics.reading.code.as_written import Formula, Formulas, of_graph
-from mechanics.reading.code.c_person import known_meaning
+from mechanics.reading.code.c_person import known_meaning, without_comments
 from mechanics.reading.code.c_place import placed
 from mechanics.reading.code.c_wrapper import WRAPPER, wrapped
 from mechanics.reading.code.called import doubt_when_called
 from mechanics.reading.code.outputs import claims, in_order, state_of_scalars, statement
+from mechanics.reading.code.python_call import signature_of
+from mechanics.reading.code.taken_apart import Apart, in_c
 from mechanics.reading.code.tracing import Outputs, trace
 from mechanics.reading.code.written import Written
 from mechanics.reading.guess import guess
@@ -70,24 +71,17 @@ def read_function(
         When an argument is unexplained, or the code hides a formula.
     """
     title = getattr(function, "__name__", type(function).__name__)
-    try:
-        signature = inspect.signature(function)
-    except (TypeError, ValueError):
-        raise InputError(f"function {title}: its arguments are not known") from None
-    wanted: list[str] = []
-    for name, parameter in signature.parameters.items():
-        if parameter.kind in (parameter.VAR_POSITIONAL, parameter.VAR_KEYWORD):
-            continue
-        if parameter.kind is parameter.POSITIONAL_ONLY:
-            raise InputError(f"function {title}: argument {name} has no name")
-        if parameter.default is parameter.empty or name in (names or {}):
-            wanted.append(name)
+    called = signature_of(function, Naming(Vocabulary(scene)), names or {}, title)
+    standing = called.standing
 
     def run(given: Arguments) -> Outputs:
-        outputs = trace(function, given.values)
-        return replace(outputs, doubt=doubt_when_called(function, given.values, outputs))
+        outputs = trace(function, given.values, standing)
+        doubt = doubt_when_called(function, given.values, outputs, standing)
+        return replace(outputs, doubt=doubt, names=called.returned)
 
-    return _read(scene, title, wanted, dict.fromkeys(wanted), run, names, about)
+    sizes = dict.fromkeys(called.wanted)
+    found = _read(scene, title, called.wanted, sizes, run, names, about, called.apart)
+    return replace(found, remarks=(*found.remarks, *called.remarks))
 
 
 def read_casadi(
@@ -151,9 +145,11 @@ def read_c(
 
         def run(given: Arguments) -> Outputs:
             sizes = {name: len(_entries(given.values[name])) for name in wanted}
-            return _c_outputs(call.source(sizes), origin, wanted, given, call.size)
+            outputs = _c_outputs(call.source(sizes), origin, wanted, given, call.size)
+            return replace(outputs, names=call.outputs)
 
-        return _read(scene, call.name, wanted, call.inputs, run, names, about)
+        apart = in_c(without_comments(text))
+        return _read(scene, call.name, wanted, call.inputs, run, names, about, apart)
     except (ExpressionError, InputError) as error:
         raise InputError(placed(text, str(error), origin, coord)) from None
     except RecursionError:
@@ -201,23 +197,26 @@ def _known(formulas: Mapping[Expr, Formula]) -> Formulas:
 def _read(
     scene: Scene, title: str, wanted: Sequence[str], sizes: Mapping[str, int | None], run: Run,
     names: Mapping[str, str] | None, about: str | None,
+    apart: Mapping[str, Apart] | None = None,
 ) -> Reading:  # fmt: skip
+    apart = {n: a for n, a in (apart or {}).items() if n in wanted}
     given = {n: m for n, m in (names or {}).items() if m not in QUANTITIES}
     naming = Naming(Vocabulary(scene))
-    open_names = [Name(0, n) for n in wanted if n not in given and sizes.get(n) in (None, 1)]
+    sizes = {n: sizes.get(n) or (apart[n].size if n in apart else None) for n in wanted}
+    open_names = [Name(0, n) for n in wanted if n not in given and sizes[n] in (None, 1)]
     naming = replace(naming, guessed=guess(naming, open_names, ()))
-    arguments = arguments_of(naming, wanted, sizes, given)
+    arguments = arguments_of(naming, wanted, sizes, given, apart=apart)
     outputs = run(arguments)
     told = set(arguments.state) and any(
         m.why == "as given" for m in arguments.matches if len(m.meaning.split()) > 1
     )
     if arguments.state and not told and not in_order(scene, outputs.values, arguments.state):
-        other = arguments_of(naming, wanted, sizes, given, interleaved=True)
+        other = arguments_of(naming, wanted, sizes, given, interleaved=True, apart=apart)
         again = run(other)
         if in_order(scene, again.values, other.state):
             arguments, outputs = other, again
     state = arguments.state or state_of_scalars(scene, outputs.values, arguments.values.values())
-    found = claims(scene, outputs.values, state, about, title)
+    found = claims(naming, outputs, state, about, title)
     statements = tuple(statement(claim, title, outputs, naming) for claim in found)
     return Reading(statements, arguments.matches, ())
 
@@ -238,4 +237,4 @@ def bounded_code(nodes: Sequence[Node], origin: str) -> None:
 
 
 def _entries(value: Any) -> list[Expr]:
-    return list(value) if isinstance(value, tuple) else [value]
+    return [value] if isinstance(value, Expr) else list(value)

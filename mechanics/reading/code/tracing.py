@@ -5,9 +5,11 @@
 The ways are put together as cases of the conditions they were taken under.
 """
 
+import re
+import traceback
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import Any
+from typing import Any, TypeAlias
 
 import numpy as np
 from sympy import Expr, Matrix, Piecewise
@@ -15,10 +17,14 @@ from sympy.logic.boolalg import Boolean
 
 from mechanics.errors import InputError, MechanicsError
 from mechanics.reading.code.as_written import Formulas, leaf
+from mechanics.reading.code.held import held
 from mechanics.reading.code.stand_ins import copy_of
+from mechanics.reading.code.taken_apart import Record
 from mechanics.reading.code.traced import MOST_PATHS, Explorer, Traced, expression_of
 
-Given = Mapping[str, Expr | Sequence[Expr]]
+Value: TypeAlias = Expr | Sequence[Expr] | Record
+Given = Mapping[str, Value]
+NONE: Mapping[str, Expr] = {}
 
 
 @dataclass(frozen=True)
@@ -37,6 +43,8 @@ class Outputs:
         Why the formulas are not what it computes, one line; empty where nothing says so.
     formulas : mapping of Expr to Node
         Values as the code has them, before SymPy puts terms together; those that are known.
+    names : tuple of str
+        What the code calls its outputs, entry by entry; empty where that is not plain.
     """
 
     values: tuple[Matrix, ...]
@@ -44,6 +52,7 @@ class Outputs:
     conditions: tuple[Boolean, ...] = ()
     doubt: str = ""
     formulas: Formulas = field(default_factory=dict)
+    names: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -53,7 +62,9 @@ class _Way:
     formulas: Formulas
 
 
-def trace(function: Callable[..., Any], given: Given) -> Outputs:
+def trace(
+    function: Callable[..., Any], given: Given, standing: Mapping[str, Expr] = NONE
+) -> Outputs:
     """The formulas of a Python function.
 
     Parameters
@@ -62,12 +73,15 @@ def trace(function: Callable[..., Any], given: Given) -> Outputs:
         On numbers and NumPy arrays. A copy of it is called.
     given : mapping of str to Expr or sequence of Expr
         For each argument its symbol, or those of its entries.
+    standing : mapping of str to Expr
+        What numbers that the function holds stand for, by their names.
 
     Raises
     ------
     InputError
         When its code hides a formula: by ``float()``, by what is compiled, by too many decisions.
     """
+    own = held(function, standing)
     copied = copy_of(function)
     notes: list[str] = []
     ways: list[_Way] = []
@@ -76,6 +90,9 @@ def trace(function: Callable[..., Any], given: Given) -> Outputs:
         if len(ways) == MOST_PATHS:
             raise InputError(f"{_title(function)} has more than {MOST_PATHS} ways through it")
         explorer = Explorer(prefix, notes=notes)
+        if own.places:
+            traced = {n: _argument(value, explorer) for n, value in standing.items()}
+            copied = copy_of(own.with_values(traced))
         values = _called(copied, given, explorer, _title(function))
         taken = tuple(explorer.taken)
         ways.append(_Way(taken, values, explorer.formulas))
@@ -115,16 +132,32 @@ def _called(
     except (ValueError, ZeroDivisionError, AssertionError, FloatingPointError) as error:
         if explorer.taken:
             return None
-        raise InputError(f"{title}: {type(error).__name__}: {error}") from None
+        raise InputError(f"{title}{_where(function, error, given)}") from None
     except Exception as error:
-        words = " ".join(str(error).split())
-        raise InputError(f"{title} cannot be traced: {type(error).__name__}: {words}") from None
+        raise InputError(f"{title} cannot be traced{_where(function, error, given)}") from None
     return tuple(_matrix(part, explorer, title) for part in parts_of(result))
 
 
-def _argument(value: Expr | Sequence[Expr], explorer: Explorer) -> Any:
+def _where(function: Callable[..., Any], error: Exception, given: Given) -> str:
+    """In which line of a function something failed, how, and what its arguments were read as."""
+    words = f": {type(error).__name__}: {' '.join(str(error).split())}"
+    file = getattr(getattr(function, "__code__", None), "co_filename", None)
+    entries = [e for e in traceback.extract_tb(error.__traceback__) if e.filename == file]
+    if not entries:
+        return words
+    last = entries[-1]
+    code = last.line or ""
+    held = [n for n, v in given.items() if not isinstance(v, Expr) and re.search(rf"\b{n}\b", code)]
+    read = [f"{name} is read as {' '.join(str(entry) for entry in given[name])}" for name in held]
+    more = f" ({', '.join(read)}: if it is not, give --name '{held[0]}=...')" if held else ""
+    return f"{words}, in line {last.lineno}: {code}{more}"
+
+
+def _argument(value: Value, explorer: Explorer) -> Any:
     if isinstance(value, Expr):
         return Traced(value, explorer, leaf(value))
+    if isinstance(value, Record):
+        return value.filled(lambda symbol: Traced(symbol, explorer, leaf(symbol)))
     found = np.empty(len(value), dtype=object)
     found[:] = [Traced(entry, explorer, leaf(entry)) for entry in value]
     return found

@@ -1,0 +1,72 @@
+"""Outputs of code that are named like accelerations are these, in the order of the code."""
+
+import math
+
+import numpy as np
+import pytest
+
+from mechanics import check
+from mechanics.errors import InputError
+from mechanics.exact import Verdict
+from systems import elastic_pendulum
+
+SCENE = elastic_pendulum.scene()
+DET = "(M/3*(M + m) - M*M/4*c*c)"
+ANGLE = f"((M + m)*(-M*g*s/2) - M*c/2*(M*L/2*theta_dot*theta_dot*s - 2*k*x))/({DET}*L)"
+PLACE = f"(M/3*(M*L/2*theta_dot*theta_dot*s - 2*k*x) + M*M*g*s*c/4)/{DET}"
+HEAD = "double x, double theta, double theta_dot, double M, double m, double L, double k, double g"
+
+
+def _c(*lines: str, result: str = "void", name: str = "f", more: str = "") -> str:
+    body = " ".join(lines)
+    return (
+        f"#include <math.h>\n{result} {name}({HEAD}{more})"
+        f" {{ double s = sin(theta), c = cos(theta); {body} }}\n"
+    )
+
+
+def _verdict(code: object, **options: object) -> str:
+    return check(SCENE, code, blame=False, **options).verdict.name
+
+
+def test_one_acceleration_by_the_name_of_the_function_or_the_output() -> None:
+    named = _c(f"return {ANGLE};", result="double", name="theta_ddot")
+    assert _verdict(named, notation="c") == "PROVED"
+    output = _c(f"*thetadd = {ANGLE};", more=", double *thetadd")
+    assert _verdict(output, notation="c") == "PROVED"
+    wrong = _c(f"return {PLACE};", result="double", name="theta_ddot")
+    assert _verdict(wrong, notation="c") == "REFUTED"
+
+
+def test_accelerations_in_another_order_than_ours() -> None:
+    more = ", double *theta_ddot, double *x_ddot"
+    code = _c(f"*theta_ddot = {ANGLE};", f"*x_ddot = {PLACE};", more=more)
+    assert _verdict(code, notation="c") == "PROVED"
+
+    def swapped(x, theta, theta_dot, M, m, L, k, g):  # type: ignore[no-untyped-def]
+        s, c = np.sin(theta), np.cos(theta)
+        det = M / 3 * (M + m) - M * M / 4 * c * c
+        push = M * L / 2 * theta_dot**2 * s - 2 * k * x
+        thetadd = (-(M + m) * M * g * s / 2 - M * c / 2 * push) / (det * L)
+        xdd = (M / 3 * push + M * M * g * s * c / 4) / det
+        return thetadd, xdd
+
+    assert _verdict(swapped) == "PROVED"
+
+
+def test_about_takes_the_name_of_an_acceleration() -> None:
+    plain = _c(f"return {ANGLE};", result="double")
+    assert _verdict(plain, notation="c", about="theta_ddot") == "PROVED"
+    assert _verdict(plain, notation="c", about="x_ddot") == "REFUTED"
+    with pytest.raises(InputError, match=r"--about \(about=\) can be .*x_ddot, theta_ddot"):
+        check(SCENE, plain, notation="c")
+    with pytest.raises(InputError, match=r"about 'theta_dot', for 1 outputs of code"):
+        check(SCENE, plain, notation="c", about="theta_dot")
+
+
+def test_an_energy_is_asked_for_as_before() -> None:
+    def energy(x, k):  # type: ignore[no-untyped-def]
+        return k * x**2 + math.cos(0)
+
+    found = check(SCENE, energy, about="potential energy", blame=False)
+    assert found.verdict is Verdict.REFUTED
