@@ -19,6 +19,7 @@ def environment() -> Environment:
         undefined=StrictUndefined,
     )
     made.globals.update(
+        LEGEND=words.LEGEND,
         Markup=Markup,
         ROUTES=ROUTES,
         Verdict=Verdict,

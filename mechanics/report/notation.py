@@ -35,6 +35,8 @@ from sympy.printing.precedence import PRECEDENCE
 from sympy.printing.pretty.pretty_symbology import greek_unicode
 
 DOTTED = re.compile(r"(?P<base>.+)_(?P<dots>d{1,3})ot$")
+DOTLESS = "0.72em"
+"""Height of a letter without its dots."""
 DOTTED_BASE = re.compile(r"(<msup>|<msubsup>)(<mover>(?:(?!</?mover>).)*</mover>)")
 # A component of a reaction: Ax, Ty1.
 COMPONENT = re.compile(r"([A-Z])([xyz]\d*)")
@@ -253,7 +255,7 @@ def mathml(source: str) -> str:
     text = text.replace('display="inline"', 'displaystyle="true"', 1)
     text = re.sub(r'(?:<mi mathvariant="normal">(\w)</mi>){2,}', _upright, text)
     # As in TeX, an exponent stands beside the letter and not above its dots.
-    text = DOTTED_BASE.sub(r'\1<mpadded height="0.72em">\2</mpadded>', text)
+    text = DOTTED_BASE.sub(rf'\1<mpadded height="{DOTLESS}">\2</mpadded>', text)
     if source[:2] in ("+ ", "- ", "= "):
         # The piece continues a line, so its sign is spaced as one between two terms.
         text = text.replace("<mo>", '<mo form="infix">', 1)

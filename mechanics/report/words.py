@@ -17,6 +17,32 @@ SIGNS = {
     Verdict.UNDECIDED: "?",
 }
 
+LEGEND = {
+    Verdict.PROVED: (
+        "right for all states and values",
+        "both sides have the same normal form; a rounded number is within half a unit of its last"
+        " digit",
+    ),
+    Verdict.CERTIFIED: (
+        "right, but for a chance that is computed and told",
+        "both sides are equal at random points of a finite field",
+    ),
+    Verdict.SUPPORTED: (
+        "right at the states that were tried",
+        "supported by numbers only; nothing is proved",
+    ),
+    Verdict.REFUTED: (
+        "wrong",
+        "at the state that is shown the two sides differ by more than rounding can explain: their"
+        " enclosures are disjoint",
+    ),
+    Verdict.UNDECIDED: (
+        "neither shown to be right nor to be wrong",
+        "the reason stands with it",
+    ),
+}
+"""What each verdict means, and how it is known."""
+
 
 def chip(verdict: Verdict) -> Markup:
     """A verdict as a sign and a word."""

@@ -32,7 +32,7 @@ def test_wrong_equations_exit_with_one_and_show_a_state(tmp_path: Path) -> None:
     result = run("elastic_pendulum", str(file))
     assert result.exit_code == 1
     assert "REFUTED  (7)" in result.stdout
-    assert "at L=" in result.stdout
+    assert "the state: L=" in result.stdout
     assert "write 3 for 12: the factor is wrong" in result.stdout
 
 

@@ -11,6 +11,7 @@ from mechanics.blame.result import Blame, Edit, Mistake, Repair
 from mechanics.exact import Finding, Verdict
 from mechanics.reading.names import Match, Naming, Vocabulary
 from mechanics.report.answer.check import Check
+from mechanics.report.answer.judged import Judged
 from mechanics.report.answer.page import check_html
 from mechanics.report.answer.safe_mathml import safe_mathml
 from mechanics.report.answer.typed import Hand, equation, formula
@@ -92,13 +93,39 @@ def test_the_page_says_what_the_terminal_says(answered: Check) -> None:
         "Not everything is right", "the factor is wrong", "the sign is reversed",
         "a term is missing", "or, a change as small", "the parallel axis is left out: pendulum",
         "Right if", "208 edits were tried", "pendulum: rate of angular momentum", "load gravity",
-        "the only coordinate left", "is taken as defined by", "A state where the sides differ",
+        "the only coordinate left", "is taken as defined by", "At this state", "they differ",
         "what: the scene has no such name", "numbers agree",
     ):  # fmt: skip
         assert sentence in words, sentence
     verdicts = [entry.finding.verdict.name.lower() for entry in answered.judged]
     cards = re.findall(r'<article class="statement (\w+)"', check_html(answered))
     assert cards == verdicts
+
+
+def test_an_equation_of_matrices_stands_once_with_the_verdicts_of_its_rows(
+    answered: Check,
+) -> None:
+    first, *_ = answered.judged
+    rows = tuple(
+        replace(first, statement=replace(first.statement, tag=f"(9) row {n}")) for n in (1, 2, 3)
+    )
+    page = check_html(replace(answered, judged=rows))
+    assert Nesting(page).wrong == []
+    assert page.count('<article class="statement') == 1
+    assert page.count('<div class="eq">') < 3 + check_html(
+        replace(answered, judged=(first,))
+    ).count('<div class="eq">')
+    assert [f"row {n}" in page for n in (1, 2, 3)] == [True] * 3
+
+
+def test_long_statements_are_shown_once_and_other_changes_are_folded(answered: Check) -> None:
+    source = " + ".join(f"a_{n} x" for n in range(30)) + " = 0"
+    finding = answered.judged[0].finding
+    repairs = tuple(Repair((wrong(source, f"a_{n}", "b"),), source, finding) for n in (3, 7))
+    statement = replace(answered.judged[0].statement, source=source)
+    entry = Judged(statement, finding, (), Blame((), repairs))
+    page = check_html(replace(answered, judged=(entry,)))
+    assert page.count("where that is") == 1
 
 
 def test_the_derivation_stands_beside(answered: Check) -> None:

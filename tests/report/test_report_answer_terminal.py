@@ -9,14 +9,24 @@ from rich.console import Console
 
 from mechanics.blame.result import Blame, Difference, Edit, Mistake, Repair
 from mechanics.exact import Finding, Verdict, Witness
+from mechanics.reading.names import Match, Naming, Vocabulary
 from mechanics.reading.statement import Statement
 from mechanics.report.answer.check import Check
 from mechanics.report.answer.judged import Judged
 from mechanics.report.answer.marks import pieces, printable, shortened
+from mechanics.report.answer.parted import spoken
 from mechanics.report.answer.terminal import answer, plain
+from mechanics.report.answer.typed import Hand
 from mechanics.report.answer.witness import short_state, short_values
+from systems import elastic_pendulum
 
 PROVED = Finding("", Verdict.PROVED, "both sides have the same normal form")
+CERTIFIED = Finding(
+    "",
+    Verdict.CERTIFIED,
+    "zero modulo a random 127-bit prime; chance of error below 2^-99",
+    2.0**-99,
+)
 REFUTED = Finding(
     "",
     Verdict.REFUTED,
@@ -70,11 +80,58 @@ def test_the_whole_answer_of_one_statement() -> None:
         "\n"
         "    because: gravity reversed\n"
         "    right if theta is measured from the other vertical\n"
-        "    the enclosures at a real state are disjoint\n"
-        "    at L=211/64, theta=31/32\n"
+        "    at this state 3.01912 is written and 0 derived: they differ\n"
+        "    the state: L=211/64, theta=31/32\n"
         "    from which follow theta_ddot=-2.48253\n"
-        "    written = 3.01912, derived = 0"
+        "    (how it is known: the enclosures at a real state are disjoint)"
     )
+
+
+def test_rows_of_one_equation_and_notes_of_several_stand_once() -> None:
+    rows = [
+        Judged(Statement(None, "M u = f", f"(1) row {n}", "a.tex, line 1", ("ml is a product",)), f)
+        for n, f in enumerate((PROVED, CERTIFIED, PROVED), start=1)
+    ]
+    assert plain(answer(rows)) == (
+        "PROVED  (1) row 1  a.tex, line 1  M u = f\n"
+        "CERTIFIED  (1) row 2\n"
+        "    equal at random points of a finite field; the chance of a wrong verdict is\n"
+        "      below 2^-99\n"
+        "    (how it is known: zero modulo a random 127-bit prime)\n"
+        "PROVED  (1) row 3\n"
+        "\n"
+        "2 PROVED, 1 CERTIFIED\n"
+        "ml is a product"
+    )
+
+
+def test_words_of_the_arithmetic_stand_behind_plain_ones() -> None:
+    evidence = (
+        "not zero in a field of 127 bits, but no real state tells the sides apart (known by"
+        " congruence only: besselj)"
+    )
+    text = plain(answer([judged("a = b", finding=Finding("", Verdict.UNDECIDED, evidence))]))
+    assert text.splitlines()[1:3] == [
+        "    the two sides seem to differ, but no state shows that they do, because it",
+        "      holds besselj",
+    ]
+    assert "(how it is known: not zero in a field of 127 bits" in text
+
+
+def test_formulas_in_sentences_are_in_the_notation_of_the_person() -> None:
+    scene = elastic_pendulum.scene()
+    hand = Hand("latex", Naming(Vocabulary(scene)))
+    words = "derived from it, the equations would differ by (0, 2*M*g*sin(theta)); and more"
+    told = r"derived from it, the equations would differ by (0, 2 M g \sin \theta); and more"
+    assert spoken(words, hand) == told
+    assert spoken("q is taken as defined by: q &= 7 \\zeta", hand).endswith(": q = 7 \\zeta")
+    assert spoken(words, replace(hand, notation="text")) == words
+
+
+def test_a_name_that_stays_itself_is_said_to_be_what_it_is() -> None:
+    names = (Match("t", "t", "the time"), Match("y", "x", "the only one left"))
+    text = plain(answer([judged("a", finding=PROVED)], names))
+    assert text.endswith("t is the time\ny is read as x: the only one left")
 
 
 def test_missing_and_superfluous_terms_have_words_of_their_own() -> None:

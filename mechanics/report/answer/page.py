@@ -3,42 +3,20 @@
 Nothing is fetched from a network and no script runs, as with the report of a cross-check.
 """
 
-from dataclasses import dataclass
-
 from markupsafe import Markup
 
 from mechanics.equations import Equations, Line
 from mechanics.errors import wanted
 from mechanics.report import words
 from mechanics.report.answer import typed
+from mechanics.report.answer.cards import sheets_of
 from mechanics.report.answer.check import Check
-from mechanics.report.answer.judged import Judged
-from mechanics.report.answer.sentences import about, counted, order, place, sides, solved
-from mechanics.report.answer.witness import short_state, short_value, short_values
+from mechanics.report.answer.parted import parted
+from mechanics.report.answer.sentences import counted, order, read_as
+from mechanics.report.answer.sheets import shared_notes
 from mechanics.report.drawing import drawing
 from mechanics.report.environment import environment
 from mechanics.report.sections import SymbolRow, symbol_rows
-
-LONG = 120
-"""Characters of a statement that is shown once; what else may be changed in it is folded."""
-
-
-@dataclass(frozen=True)
-class Card:
-    """What the page shows of one statement."""
-
-    anchor: str
-    entry: Judged
-    about: str
-    place: str
-    equation: Markup
-    others: tuple[Markup, ...]
-    long: bool
-    hand: typed.Hand
-    sides: tuple[str, str]
-    values: tuple[str, str]
-    state: list[tuple[str, str]]
-    solved: list[tuple[str, str]]
 
 
 def check_html(found: Check) -> str:
@@ -55,12 +33,18 @@ def check_html(found: Check) -> str:
     """
     wanted(found, (Check,), "check_html", "pass check(scene, equations)")
     made = environment()
-    made.globals.update(block=typed.block, counted=counted, formula=typed.formula, order=order)
+    made.globals.update(
+        block=typed.block, counted=counted, formula=typed.formula, order=order,
+        parted=parted, read_as=read_as,
+    )  # fmt: skip
+    told, notes = shared_notes(found.told)
     state = dict(found.scene.example)
     return made.get_template("answer/page.html").render(
         found=found,
         scene=found.scene,
-        cards=[_card(n, entry) for n, entry in enumerate(found.told, start=1)],
+        sheets=sheets_of(told),
+        notes=notes,
+        hand=typed.hand_of(told[0].statement) if told else typed.Hand("", None),
         tally=words.tally(entry.finding for entry in found.judged),
         drawing=Markup(drawing(found.scene, state)),
         symbols=_symbols(found, state),
@@ -75,27 +59,3 @@ def _symbols(found: Check, state: dict[str, float]) -> list[SymbolRow]:
 
 def _result(derived: Equations | None) -> tuple[Line, ...]:
     return derived.result.lines if derived is not None else ()
-
-
-def _card(number: int, entry: Judged) -> Card:
-    statement, blame = entry.statement, entry.blame
-    repairs = blame.repairs if blame is not None else ()
-    hand = typed.hand_of(statement)
-    shown = [typed.equation(statement.source, hand, repair.edits) for repair in repairs]
-    witness = entry.finding.witness
-    return Card(
-        anchor=f"statement-{number}",
-        entry=entry,
-        about=about(statement),
-        place=place(statement),
-        equation=shown[0] if shown else typed.equation(statement.source, hand),
-        others=tuple(shown[1:]),
-        long=len(statement.source) > LONG,
-        hand=hand,
-        sides=sides(statement),
-        values=short_values(witness.left, witness.right) if witness else ("", ""),
-        state=[(n, short_state(v)) for n, v in witness.state] if witness else [],
-        solved=[(n, short_value(v)) for n, v in solved(statement, witness.solved)]
-        if witness
-        else [],
-    )

@@ -12,7 +12,7 @@ from xml.etree import ElementTree
 from latex2mathml import exceptions
 from markupsafe import Markup
 
-from mechanics.report.notation import mathml
+from mechanics.report.notation import DOTLESS, mathml
 
 ELEMENTS = frozenset((
     "math", "mrow", "mi", "mo", "mn", "ms", "mtext", "mspace", "mstyle", "msup", "msub", "msubsup",
@@ -25,6 +25,7 @@ ATTRIBUTES = frozenset((
     "largeop", "movablelimits",
 ))  # fmt: skip
 CLASSES = frozenset(("wrong", "right"))
+LOWERED = ("height", DOTLESS)
 VALUE = re.compile(r"[\w.%+-]*")
 UNREADABLE: tuple[type[Exception], ...] = (
     *(kind for kind in vars(exceptions).values() if isinstance(kind, type)),
@@ -47,7 +48,7 @@ def safe_mathml(latex: str) -> Markup | None:
 def _allowed(element: ElementTree.Element) -> bool:
     """Whether an element may stand on the page, without the attributes that may not."""
     for name, value in list(element.attrib.items()):
-        known = name in ATTRIBUTES and VALUE.fullmatch(value)
+        known = (name in ATTRIBUTES and VALUE.fullmatch(value)) or (name, value) == LOWERED
         if not known and not (name == "class" and value in CLASSES):
             del element.attrib[name]
     return element.tag in ELEMENTS and "\\" not in (element.text or "")

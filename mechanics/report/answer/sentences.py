@@ -6,6 +6,7 @@ write \frac{L^{2}}{3} for \frac{L^{2}}{12}: the factor is wrong
 from collections.abc import Sequence
 
 from mechanics.blame.result import Edit
+from mechanics.reading.names import Match
 from mechanics.reading.statement import Statement
 from mechanics.scene.quantities import EquationOfMotion, Identity, ReactionValue
 
@@ -32,6 +33,13 @@ def _where(edit: Edit, count: int) -> str:
     words = [f"in {count} places"] if count > 1 else []
     words += [f"in the definition of {edit.definition}"] if edit.definition else []
     return " ".join(words)
+
+
+def read_as(match: Match) -> str:
+    """What a name was taken for; a name that stays itself is said to be what it is."""
+    if match.name == match.meaning:
+        return f"{match.name} is {match.why}"
+    return f"{match.name} is read as {match.meaning}: {match.why}"
 
 
 def about(statement: Statement) -> str:

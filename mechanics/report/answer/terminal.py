@@ -21,8 +21,20 @@ from mechanics.report.answer.differences import Differences
 from mechanics.report.answer.judged import Judged
 from mechanics.report.answer.lines import Hanging, below, line
 from mechanics.report.answer.marks import pieces, printable, shortened
-from mechanics.report.answer.sentences import about, counted, order, place, sides, solved
+from mechanics.report.answer.meaning import difference, meaning
+from mechanics.report.answer.parted import spoken
+from mechanics.report.answer.sentences import (
+    about,
+    counted,
+    order,
+    place,
+    read_as,
+    sides,
+    solved,
+)
+from mechanics.report.answer.sheets import shared_notes, sheets
 from mechanics.report.answer.source import Source
+from mechanics.report.answer.typed import Hand, hand_of
 from mechanics.report.answer.witness import short_state, short_value, short_values
 
 STYLES = {
@@ -57,14 +69,17 @@ def answer(
     """
     parts: list[RenderableType] = []
     apart = False
-    for entry in judged:
-        made = list(one(entry))
+    told, notes = shared_notes(judged)
+    for sheet in sheets(told):
+        made = [line for n, entry in enumerate(sheet) for line in one(entry, again=n > 0)]
         if parts and (len(made) > 1 or apart):
             parts.append("")
         parts, apart = parts + made, len(made) > 1
+    hand = hand_of(judged[0].statement) if judged else Hand("", None)
     last: list[RenderableType] = [
         *_names(names),
-        *(Hanging(line(words, "dim")) for words in remarks),
+        *(Hanging(line(words, "dim")) for words in notes),
+        *(Hanging(line(spoken(words, hand), "dim")) for words in remarks),
     ]
     if len(judged) > 1:
         last.insert(0, Hanging(_counted(judged)))
@@ -73,19 +88,24 @@ def answer(
     return Group(*parts, *last)
 
 
-def one(entry: Judged) -> Iterator[RenderableType]:
-    """Everything about one statement."""
+def one(entry: Judged, *, again: bool = False) -> Iterator[RenderableType]:
+    """Everything about one statement; of a further row of an equation that is shown, its own."""
     statement, finding, blame = entry.statement, entry.finding, entry.blame
     repairs = blame.repairs if blame is not None else ()
     edits = repairs[0].edits if repairs else ()
-    head, source = _head(entry), printable(statement.source)
-    if not edits and cell_len(head.plain + source) + 2 <= PLAIN_WIDTH:
+    head, source = _head(entry, again), printable(statement.source)
+    if again and not edits:
+        yield Hanging(head)
+    elif not edits and cell_len(head.plain + source) + 2 <= PLAIN_WIDTH:
         yield Hanging(head.append(f"  {source}" if source else ""))
     else:
         yield Hanging(head)
         yield _source(statement.source, edits)
     if finding.verdict not in (Verdict.PROVED, Verdict.REFUTED):
-        yield below(line(finding.evidence))
+        plain_words, known = meaning(finding)
+        yield below(line(plain_words))
+        if known:
+            yield below(line(known, "dim", "(how it is known: ").append(")"))
     if blame is not None:
         yield from _blame(blame, statement)
     yield from (below(line(words, "yellow", "right if ")) for words in entry.right_if)
@@ -93,9 +113,10 @@ def one(entry: Judged) -> Iterator[RenderableType]:
     yield from (below(line(note, "dim")) for note in statement.notes)
 
 
-def _head(entry: Judged) -> Text:
+def _head(entry: Judged, again: bool = False) -> Text:
     statement, verdict = entry.statement, entry.finding.verdict
-    details = [words for words in (about(statement), place(statement)) if words]
+    where = "" if again else place(statement)
+    details = [words for words in (about(statement), where) if words]
     tag = f"  {printable(statement.tag)}"
     words = printable("".join(f"  {words}" for words in details))
     return Text.assemble((verdict.name, STYLES[verdict]), (tag, "bold"), (words, "dim"))
@@ -113,7 +134,7 @@ def _blame(blame: Blame, statement: Statement) -> Iterator[RenderableType]:
     if blame.differences:
         yield from ("", Differences(blame.differences), "")
     for words in blame.explanations:
-        yield below(line(words, "yellow", "because: "))
+        yield below(line(spoken(words, hand_of(statement)), "yellow", "because: "))
 
 
 def _repair(repair: Repair, statement: Statement, *, first: bool) -> Iterator[RenderableType]:
@@ -147,15 +168,14 @@ def _state(entry: Judged) -> Iterator[RenderableType]:
     if finding.witness is None:
         return
     witness = finding.witness
-    yield below(line(finding.evidence, "dim"))
+    values = short_values(witness.left, witness.right)
+    yield below(line(difference(sides(entry.statement), values)))
     state = [(name, short_state(value)) for name, value in witness.state]
-    yield below(line(f"at {_listed(state)}", "dim"))
+    yield below(line(f"the state: {_listed(state)}", "dim"))
     if held := solved(entry.statement, witness.solved):
         short = [(name, short_value(value)) for name, value in held]
         yield below(line(f"from which follow {_listed(short)}", "dim"))
-    left, right = short_values(witness.left, witness.right)
-    first, second = sides(entry.statement)
-    yield below(line(f"{first} = {left}, {second} = {right}"))
+    yield below(line(finding.evidence, "dim", "(how it is known: ").append(")", "dim"))
 
 
 def _listed(values: Iterable[tuple[str, str]]) -> str:
@@ -168,7 +188,7 @@ def _names(names: Sequence[Match]) -> Iterator[RenderableType]:
         yield Hanging(line(f"names as given: {_listed(given)}", "dim"))
     for match in names:
         if match.guessed:
-            yield Hanging(line(f"{match.name} is read as {match.meaning}: {match.why}"))
+            yield Hanging(line(read_as(match)))
 
 
 def _counted(judged: Sequence[Judged]) -> Text:

@@ -1,0 +1,42 @@
+"""What a verdict means, in words for somebody who knows mechanics and not this program.
+
+REFUTED     at this state the left side is 2.6 and the right side 1.3: they differ
+CERTIFIED   equal at random points of a finite field; the chance of a wrong verdict is below 2^-90
+"""
+
+import re
+from math import ceil, log2
+
+from mechanics.exact import Finding, Verdict
+
+SEEMING = re.compile(
+    r"not zero in a field of \d+ bits, but no real state tells the sides apart \((?P<why>.*)\)"
+)
+OPAQUE = re.compile(r"known by congruence only: (?P<names>[^()]*)")
+DISJOINT = "the enclosures at a real state are disjoint"
+
+
+def meaning(finding: Finding) -> tuple[str, str]:
+    """What was found in plain words, and how it is known in the words of the arithmetic."""
+    evidence = finding.evidence
+    if finding.verdict is Verdict.CERTIFIED and finding.error_bound is not None:
+        power = ceil(log2(finding.error_bound)) if finding.error_bound > 0 else -1000
+        plain = (
+            "equal at random points of a finite field; the chance of a wrong verdict is below"
+            f" 2^{power}"
+        )
+        return plain, evidence.replace(f"; chance of error below 2^{power}", "")
+    seeming = SEEMING.search(evidence)
+    if finding.verdict is Verdict.UNDECIDED and seeming:
+        opaque = OPAQUE.search(seeming["why"])
+        because = f", because it holds {opaque['names']}" if opaque else ""
+        return f"the two sides seem to differ, but no state shows that they do{because}", evidence
+    return evidence, ""
+
+
+def difference(sides: tuple[str, str], values: tuple[str, str]) -> str:
+    """The two values at a witness as a sentence."""
+    one, two = values
+    if sides == ("left", "right"):
+        return f"at this state the left side is {one} and the right side {two}: they differ"
+    return f"at this state {one} is {sides[0]} and {two} {sides[1]}: they differ"
