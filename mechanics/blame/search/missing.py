@@ -5,7 +5,7 @@ needed - has = m l theta_dot**2 sin(theta)
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from functools import partial
+from functools import cached_property, partial
 
 from mechanics.blame.result import Mistake
 from mechanics.blame.search.change import ADDED, HINT, Change, plus
@@ -37,6 +37,10 @@ class Missing:
     @property
     def _p(self) -> int:
         return self.problem.prime
+
+    @cached_property
+    def _products(self) -> Products:
+        return Products(self.growth)
 
     def changes(self) -> list[Change]:
         """A term added to each sum or side that lacks one product."""
@@ -87,7 +91,7 @@ class Missing:
             return
         likeliest: dict[bool, tuple[Node, float]] = {}
         for series in self._series(index):
-            for term, cost in Products(self.growth).of(series):
+            for term, cost in self._products.of(series):
                 held = (term, *parts(term))
                 kind = any(isinstance(part, Call) and part.function == "sign" for part in held)
                 if kind not in likeliest or cost < likeliest[kind][1]:

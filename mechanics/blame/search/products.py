@@ -12,7 +12,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
-from itertools import combinations
+from itertools import combinations, product
 
 from sympy import Symbol
 
@@ -24,8 +24,8 @@ from mechanics.blame.search.residues import inverses, rational
 from mechanics.blame.search.words import Words
 from mechanics.reading.tree import Name, Node, Number, Power, Product, Sum, constant
 
-PARTS = (2, 3)
-"""How many parts a sum in a missing term may have."""
+MOST_TWICE = 100
+"""Products of sines and cosines, the simplest of them, that are multiplied by each other."""
 
 MOTION = ("coordinate", "speed", "acceleration")
 """Kinds of words that stand behind parameters: m l theta_dot**2."""
@@ -73,10 +73,18 @@ class Products:
             yield from self._told(rest, exponents, factors, ())
             return
         parts = {s: (series[s] - series[None]) % self._p for s in unknown}
-        for count in PARTS:
-            for chosen in combinations(unknown, count):
-                if sum(parts[s] for s in chosen) % self._p == series[None]:
-                    yield from self._with_sum(parts, chosen, unknown, exponents, factors)
+        for chosen in self._adding_up(parts, series[None]):
+            yield from self._with_sum(parts, chosen, unknown, exponents, factors)
+
+    def _adding_up(self, parts: Mapping[Symbol, int], whole: int) -> Iterator[tuple[Symbol, ...]]:
+        """Two symbols, or three, whose parts make up the whole; the last one is looked up."""
+        last = {part: symbol for symbol, part in parts.items()}
+        order = {symbol: i for i, symbol in enumerate(parts)}
+        for count in (1, 2):
+            for chosen in combinations(parts, count):
+                other = last.get((whole - sum(parts[s] for s in chosen)) % self._p)
+                if other is not None and order[other] > order[chosen[-1]]:
+                    yield (*chosen, other)
 
     def _divided(self, value: int, exponents: Mapping[Symbol, int]) -> int:
         for symbol, exponent in exponents.items():
@@ -146,30 +154,27 @@ class Products:
             yield from self._of_four(rest * pow(states[0], -1, self._p) % self._p)
 
     def _of_four(self, rest: int) -> Iterator[tuple[Fraction, tuple[Node, ...]]]:
-        """More than two of them, or one over some: products of two, looked up in what is left."""
+        """More than two of them, or one over some: products of two are looked up."""
         p = self._p
         for ratio in (Fraction(1), *RATIOS):
-            without = rest * ratio.denominator * pow(ratio.numerator, -1, p) % p
-            for number, left in ((ratio, without), (-ratio, p - without)):
-                for one, inverse in self._inverse.items():
-                    above = self._by_value.get(left * inverse % p)
-                    below = self._by_value.get(left * one.values[0] % p)
-                    if above is not None:
-                        yield number, (*one.factors, *above.factors)
-                    elif below is not None:
-                        yield number, (*below.factors, *map(_over, one.factors))
+            left = rest * ratio.denominator * pow(ratio.numerator, -1, p) % p
+            for number, value in ((ratio, left), (-ratio, p - left)):
+                if value in self._twice:
+                    one, other, above = self._twice[value]
+                    yield number, (*other, *(one if above else map(_over, one)))
 
     @cached_property
-    def _by_value(self) -> dict[int, Circular]:
-        found: dict[int, Circular] = {}
-        for round_ in self._circular:
-            found.setdefault(round_.values[0], round_)
+    def _twice(self) -> dict[int, tuple[tuple[Node, ...], tuple[Node, ...], bool]]:
+        """Products and quotients of two products of sines and cosines, by what they are worth."""
+        p = self._p
+        known = [(round_.factors, round_.values[0]) for round_ in self._circular[:MOST_TWICE]]
+        below = inverses([value for _, value in known], p)
+        pairs = list(product(known, known))
+        found = {a * b % p: (one, other, True) for (one, a), (other, b) in reversed(pairs)}
+        for (one, _), inverse in zip(known, below, strict=True):
+            for other, b in known:
+                found.setdefault(b * inverse % p, (one, other, False))
         return found
-
-    @cached_property
-    def _inverse(self) -> dict[Circular, int]:
-        values = inverses([round_.values[0] for round_ in self._circular], self._p)
-        return dict(zip(self._circular, values, strict=True))
 
     @cached_property
     def _circular(self) -> tuple[Circular, ...]:

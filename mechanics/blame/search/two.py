@@ -7,7 +7,7 @@ Each of the two is then a product of its own, with the same question about every
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from functools import partial
+from functools import cached_property, partial
 
 from mechanics.blame.result import Mistake
 from mechanics.blame.search.change import ADDED, Change, plus
@@ -37,6 +37,10 @@ class Two:
     def _p(self) -> int:
         return self.growth.problem.prime
 
+    @cached_property
+    def _products(self) -> Products:
+        return Products(self.growth)
+
     def pairs(self) -> list[tuple[Change, Change]]:
         """Pairs of terms that are added to one sum, the cheapest first."""
         if not self.growth.problem.plain or not self.growth.problems:
@@ -51,7 +55,7 @@ class Two:
         return sorted(found, key=lambda pair: pair[0].cost + pair[1].cost)
 
     def _at(self, index: int) -> Iterator[tuple[Change, Change]]:
-        products = Products(self.growth)
+        products = self._products
         whole = self._series(self.growth, index)
         if not whole or not whole[None]:
             return
