@@ -87,7 +87,7 @@ def _doubt(outcome: Trial) -> str:
         return outcome.words
     known = ", ".join(outcome.opaque)
     why = f"known by congruence only: {known}" if known else "no operation is known to be the cause"
-    return f"{outcome.words}, but no real state tells the sides apart ({why})"
+    return f"{outcome.words}, but none of the real states tried tells the sides apart ({why})"
 
 
 def prove_equal(

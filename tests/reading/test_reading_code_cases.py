@@ -73,11 +73,47 @@ def test_the_witness_is_a_state_of_the_scene(function: Callable) -> None:
     assert not dict(finding.witness.solved).keys() & held
 
 
-def test_cases_that_are_not_entered_by_one_boundary_each_are_in_doubt() -> None:
-    def within(theta, theta_dot, u, m, l, g):
-        return 0 * u if 50 < theta_dot < 60 else right(theta, u, m, l, g)
+def within(theta, theta_dot, u, m, l, g):
+    return 0 * u if 50 < theta_dot < 60 else right(theta, u, m, l, g)
 
-    assert judged(within).verdict.name == "UNDECIDED"
+
+def clipped(theta, u, m, l, g):
+    return right(theta, np.clip(u, -100, 100), m, l, g)
+
+
+def dead_zone(theta, u, m, l, g):
+    return right(theta, u if abs(u) > 50 else 0 * u, m, l, g)
+
+
+def or_far(theta, theta_dot, u, m, l, g):
+    far = theta_dot < -70 or theta > 80
+    return 0 * u if far else right(theta, u, m, l, g)
+
+
+@pytest.mark.parametrize(
+    ("function", "inside"),
+    [
+        (within, lambda s: 50 < s["theta_dot"] < 60),
+        (clipped, lambda s: abs(s["u"]) > 100),
+        (dead_zone, lambda s: abs(s["u"]) < 50),
+        (or_far, lambda s: s.get("theta_dot", 0) < -70 or s["theta"] > 80),
+    ],
+)
+def test_states_between_two_boundaries_and_beyond_either_are_met(
+    function: Callable, inside: Callable[[dict[str, Fraction]], bool]
+) -> None:
+    finding = judged(function)
+    assert finding.verdict.name == "REFUTED"
+    assert inside(state_of(finding))
+
+
+def test_a_case_that_no_state_meets_is_left_out() -> None:
+    def never(theta, u, m, l, g):
+        if u > 100 and u < 50:
+            return 0 * u
+        return right(theta, u, m, l, g) + (abs(u) - u if u > 7 else 0)
+
+    assert judged(never).shown
 
 
 def test_a_case_at_one_state_alone_is_in_doubt() -> None:

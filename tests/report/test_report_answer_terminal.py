@@ -107,13 +107,13 @@ def test_rows_of_one_equation_and_notes_of_several_stand_once() -> None:
 
 def test_words_of_the_arithmetic_stand_behind_plain_ones() -> None:
     evidence = (
-        "not zero in a field of 127 bits, but no real state tells the sides apart (known by"
-        " congruence only: besselj)"
+        "not zero in a field of 127 bits, but none of the real states tried tells the sides apart"
+        " (known by congruence only: besselj)"
     )
     text = plain(answer([judged("a = b", finding=Finding("", Verdict.UNDECIDED, evidence))]))
     assert text.splitlines()[1:3] == [
-        "    the two sides seem to differ, but no state shows that they do, because it",
-        "      holds besselj",
+        "    the two sides seem to differ, but none of the states tried shows that they",
+        "      do, because it holds besselj",
     ]
     assert "(how it is known: not zero in a field of 127 bits" in text
 

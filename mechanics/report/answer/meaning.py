@@ -10,7 +10,8 @@ from math import ceil, log2
 from mechanics.exact import Finding, Verdict
 
 SEEMING = re.compile(
-    r"not zero in a field of \d+ bits, but no real state tells the sides apart \((?P<why>.*)\)"
+    r"not zero in a field of \d+ bits, but none of the real states tried tells the sides apart"
+    r" \((?P<why>.*)\)"
 )
 OPAQUE = re.compile(r"known by congruence only: (?P<names>[^()]*)")
 DISJOINT = "the enclosures at a real state are disjoint"
@@ -30,7 +31,8 @@ def meaning(finding: Finding) -> tuple[str, str]:
     if finding.verdict is Verdict.UNDECIDED and seeming:
         opaque = OPAQUE.search(seeming["why"])
         because = f", because it holds {opaque['names']}" if opaque else ""
-        return f"the two sides seem to differ, but no state shows that they do{because}", evidence
+        seems = "the two sides seem to differ, but none of the states tried shows that they do"
+        return f"{seems}{because}", evidence
     return evidence, ""
 
 
