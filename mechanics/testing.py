@@ -8,18 +8,22 @@ def test_my_simulator():
     assert_equivalent(my_right_hand_side, elastic_pendulum.scene(), names=names)
 """
 
+from dataclasses import replace
 from typing import Any
 
 from mechanics.crosscheck.check import check
 from mechanics.equations import Equations
-from mechanics.errors import InputError, wanted
+from mechanics.errors import InputError, MechanicsError, wanted
 from mechanics.exact import Verdict
+from mechanics.report.answer.check import Check
 from mechanics.scene import Scene
 from mechanics.scene.system import System
 
 __all__ = ["assert_equivalent"]
 
 SHOWN = (Verdict.PROVED, Verdict.CERTIFIED)
+ORDER = (Verdict.REFUTED, Verdict.UNDECIDED, Verdict.SUPPORTED)
+"""Of what fails; the rest follows."""
 
 
 def assert_equivalent(
@@ -59,8 +63,12 @@ def assert_equivalent(
     """
     __tracebackhide__ = True
     kinds = (Scene, System, Equations)
-    wanted(scene, kinds, "assert_equivalent", "pass the equations, then a scene")
-    found = check(scene, equations, **options)
+    try:
+        wanted(scene, kinds, "assert_equivalent", "pass the equations, then a scene")
+        found = _worst_first(check(scene, equations, **options))
+    except MechanicsError as error:
+        # Where in this program it was found out is of no use to somebody who reads a failed test.
+        raise error.with_traceback(None) from None
     if not found.judged:
         raise InputError(
             f"assert_equivalent: there is nothing to check: {'; '.join(found.remarks)}"
@@ -77,3 +85,10 @@ def assert_equivalent(
     else:
         words = f"it is undecided whether the equations are those of {found.scene.name}"
     raise AssertionError(f"{words}\n\n{found}")
+
+
+def _worst_first(found: Check) -> Check:
+    """The same, what fails in front."""
+    groups = [[e for e in found.judged if e.finding.verdict is verdict] for verdict in ORDER]
+    rest = [e for e in found.judged if e.finding.verdict not in ORDER]
+    return replace(found, judged=(*(entry for group in groups for entry in group), *rest))

@@ -1,5 +1,6 @@
 """Whatever a person has, as statements: text, files, SymPy's objects, code."""
 
+import re
 from collections.abc import Mapping
 from pathlib import Path
 from types import ModuleType
@@ -7,12 +8,15 @@ from typing import Any
 
 import casadi
 
-from mechanics.errors import WrongKindError
+from mechanics.errors import InputError, WrongKindError
 from mechanics.reading.assemble import Reading
 from mechanics.reading.code.read import read_c, read_casadi, read_function
 from mechanics.reading.code.sympy_objects import is_sympy, read_sympy
 from mechanics.reading.read import decoded, file_text, read_file, read_source
 from mechanics.scene import Scene
+
+FILE = re.compile(r"[^=\n\0]{0,400}\.(tex|txt|m|c|h|py|ipynb|md)", re.IGNORECASE)
+"""What no equation looks like, and a file's name does."""
 
 
 def read(
@@ -48,6 +52,7 @@ def read(
     if isinstance(thing, bytes):
         thing = decoded(thing, "bytes")
     if isinstance(thing, str):
+        _no_path(thing)
         if notation == "c":
             return read_c(scene, thing, function, names, about)
         return read_source(scene, thing, names=names, notation=notation, about=about)
@@ -61,3 +66,20 @@ def read(
             " CasADi Function or a Python function"
         )
     return read_function(scene, thing, names, about)
+
+
+def _no_path(text: str) -> None:
+    """Refuse the name of a file where its text is wanted.
+
+    Raises
+    ------
+    InputError
+    """
+    if FILE.fullmatch(text.strip()) is None:
+        return
+    name = text.strip()
+    if name.lower().endswith((".py", ".ipynb")):
+        raise InputError(f"check: {name!r} is the name of a file: import it and pass its function")
+    raise InputError(
+        f"check: {name!r} is the name of a file, not its text: pass pathlib.Path({name!r})"
+    )

@@ -94,3 +94,29 @@ def test_pytest_shows_the_line_of_the_test_and_not_the_helper() -> None:
     frames = [entry for entry in failed.traceback if entry.path.name == "testing.py"]
     assert frames
     assert all(entry.ishidden(failed) for entry in frames)
+
+
+def test_bad_input_shows_no_frame_of_the_program() -> None:
+    for wrong in ("x =", "", "right/c1.tex", "(", lambda omega_9: omega_9):
+        with pytest.raises(InputError) as failed:
+            assert_equivalent(wrong, SCENE)
+        inner = [entry for entry in failed.traceback if not entry.ishidden(failed)]
+        assert len(inner) == 1
+        assert failed.value.__cause__ is None
+        assert failed.value.__suppress_context__ or failed.value.__context__ is None
+        assert "\n" not in str(failed.value)
+
+
+def test_what_fails_is_told_first() -> None:
+    with pytest.raises(AssertionError) as failed:
+        assert_equivalent(f"{SEVEN}\n{SEVEN.replace('sin', 'cos')}", SCENE)
+    text = str(failed.value)
+    assert text.index("REFUTED") < text.index("PROVED  1")
+
+
+@pytest.mark.parametrize("name", ["right/c1.tex", "a b.txt", "mine.C"])
+def test_the_name_of_a_file_is_no_text(name: str) -> None:
+    with pytest.raises(InputError, match=r"is the name of a file, not its text: pass pathlib.Path"):
+        assert_equivalent(name, SCENE)
+    with pytest.raises(InputError, match="import it and pass its function"):
+        assert_equivalent("sim.py", SCENE)
