@@ -211,6 +211,21 @@ class Fold:
             )
 
 
+def applied(items: list[Item], naming: Naming, notes: list[str]) -> list[Item]:
+    """The left of a definition: ``M(q)`` with M unknown is M, which depends on q."""
+    if len(items) != 2 or items[1].kind != "bracket" or items[1].power is not None:
+        return items
+    name, inside = items[0].node, items[1].arguments
+    if not isinstance(name, Name) or naming.knows(name.name) or _is_time(items[1]):
+        return items
+    if not all(
+        isinstance(a, Name) and (a.name == "q" or naming.is_function(a.name)) for a in inside
+    ):
+        return items
+    notes.append(f"{name.name}(...) is read as {name.name}, which depends on what is in brackets")
+    return items[:1]
+
+
 def _is_pi(node: Node) -> bool:
     return isinstance(node, Call) and node.function == "pi"
 

@@ -56,7 +56,9 @@ def bare(text: str) -> str:
     return re.sub(r"[^A-Za-z0-9]", "", words.replace("'", "prime"))
 
 
-_FONTS = ("mathrm", "text", "textrm", "rm", "mathbf", "mathit", "operatorname")
+_FONTS = (
+    "mathrm", "text", "textrm", "textit", "rm", "mathbf", "mathit", "mathsf", "operatorname",
+)  # fmt: skip
 
 
 def letter_of(command: str) -> str:

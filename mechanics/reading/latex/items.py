@@ -10,17 +10,16 @@ from fractions import Fraction
 
 from lark import Token, Tree
 
-from mechanics.reading.functions import FUNCTIONS
 from mechanics.reading.latex.item import (
     Item,
     bare,
     end_of,
-    letter_of,
     pieces_of,
     rate_of,
     start_of,
 )
-from mechanics.reading.names import GREEK, Naming
+from mechanics.reading.latex.words import Words, named
+from mechanics.reading.names import Naming
 from mechanics.reading.place import Refused
 from mechanics.reading.tree import (
     Call,
@@ -44,8 +43,9 @@ SPANNED = (
 )  # fmt: skip
 """What a node is made of as a whole; of a bracket the node is what stands inside."""
 ORDERS = {"dot": 1, "ddot": 2, "dddot": 3}
+ORDER = re.compile(r"\^\s*\{\s*\(\s*([1-3])\s*\)\s*\}")
 PER_TIME = re.compile(
-    r"(?:d|\\(?:mathrm|text|rm)\s*\{\s*d\s*\})\s*t\s*(?:\^\s*\{?\s*([1-3])\s*\}?)?\s*"
+    r"(?:d|\\(?:mathrm|text|rm)\s*(?:\{\s*d\s*\}|\s+d)|\{\s*\\rm\s+d\s*\})\s*t\s*(?:\^\s*\{?\s*([1-3])\s*\}?)?\s*"
 )
 
 
@@ -88,9 +88,18 @@ class Items:
                 parts.append([])
             else:
                 parts[-1].append(piece)
-        nodes = [self.fold(self.of(part), at) for part in parts]
+        nodes = [self._over(part, at) for part in parts]
         self.depth -= 1
         return nodes
+
+    def _over(self, part: list[Tree | Token], at: int) -> Node:
+        r"""A part of a bracket, which may be a fraction: ``{a \over b}``."""
+        bars = [i for i, p in enumerate(part) if isinstance(p, Token) and p.type == "OVER"]
+        if not bars:
+            return self.fold(self.of(part), at)
+        above, below = part[: bars[0]], part[bars[0] + 1 :]
+        parts = [self.fold(self.of(above), at), inverse(self.fold(self.of(below), at))]
+        return product(at, parts)
 
     def _scripted(self, tree: Tree) -> list[Item]:
         base, *scripts = tree.children
@@ -100,10 +109,9 @@ class Items:
         if last.node is not None and (isinstance(base, Token) or base.data in SPANNED):
             ended(last.node, end_of(base, scripts))
         if primes:
-            if not isinstance(last.node, Name):
-                raise Refused(at, "a prime belongs behind a name")
-            order = last.node.order + primes
-            last = Item("node", at, ended(Name(at, last.node.name, order), end_of(base, scripts)))
+            if not (isinstance(last.node, Name) or (last.kind == "bracket" and last.node)):
+                raise Refused(at, "a prime belongs behind a name or bracket")
+            last = Item("node", at, ended(rate_of(last.node, primes, at), end_of(base, scripts)))
         end = int(tree.meta.end_pos)
         if power is not None:
             last = self._raised(last, power)
@@ -125,6 +133,8 @@ class Items:
                     if "circ" in inside.value:
                         raise Refused(where, "degrees are not known here: write radians")
                     primes += inside.value.count("prime") + inside.value.count("'")
+                elif order := ORDER.fullmatch(self._slice(script)):
+                    primes += int(order[1])
                 elif power is not None:
                     raise Refused(where, "two exponents")
                 elif isinstance(inside, Token):
@@ -152,14 +162,14 @@ class Items:
 
     def _base(self, base: Tree | Token, sub: str, at: int) -> list[Item]:
         if isinstance(base, Token):
-            return self._token(base, sub, at)
+            return Words(self.naming, self.notes).of(base, sub, at)
         match base.data:
             case "accent" | "short_accent":
                 return [self._accent(base, sub, at)]
             case "style":
                 inside = self.of(pieces_of(base.children[1]))
                 if sub and len(inside) == 1 and isinstance(inside[0].node, Name):
-                    return [self._name(inside[0].node.name, sub, at)]
+                    return [named(inside[0].node.name, sub, at)]
                 items = inside
             case "fraction" | "half_fraction" | "short_fraction":
                 items = [self._fraction(base, at)]
@@ -185,52 +195,6 @@ class Items:
         if isinstance(node, Table) and len(pieces) == 1:
             kind = "node"
         return Item(kind, at, node, arguments=tuple(nodes))
-
-    def _token(self, token: Token, sub: str, at: int) -> list[Item]:
-        text = token.value
-        if token.type == "NUMBER":
-            if sub:
-                raise Refused(at, f"the subscript {sub} belongs behind a name")
-            return [Item("node", at, Number(at, Fraction(text)))]
-        if token.type == "WORD":
-            return self._word(text, sub, at)
-        if token.type == "FONT":
-            inside = text[text.index("{") + 1 : -1].replace(" ", "")
-            if inside in FUNCTIONS and not self.naming.knows(inside):
-                return [Item("function", at, text=inside)]
-            return [self._name(inside, sub, at)]
-        if token.type == "BARRED":
-            (mark,) = re.match(r"\\(\w+?)(?=[^a-z]|$)", text).groups()  # type: ignore[union-attr]
-            mark = {"overline": "bar", "widehat": "hat", "widetilde": "tilde"}.get(mark, mark)
-            inside = bare(text[len(mark) + 1 :]) if f"\\{mark}" in text else bare(text[1:])
-            return [self._name(inside + mark, sub, at)]
-        command = text[1:]
-        if command in FUNCTIONS and not sub:
-            return [Item("function", at, text=command)]
-        letter = letter_of(command)
-        if letter not in GREEK and letter != "l":
-            raise Refused(at, f"the command {text} is not known here")
-        if letter == "pi" and not sub and not self.naming.knows("pi"):
-            return [Item("node", at, Call(at, "pi", ()))]
-        return [self._name(letter, sub, at)]
-
-    def _name(self, name: str, sub: str, at: int) -> Item:
-        return Item("node", at, Name(at, f"{name}_{sub}" if sub else name))
-
-    def _word(self, word: str, sub: str, at: int) -> list[Item]:
-        """A run of letters: one name of the scene, a function, or a product of letters."""
-        whole = f"{word}_{sub}" if sub else word
-        if len(word) == 1 or self.naming.knows(whole):
-            return [self._name(word, sub, at)]
-        if word in FUNCTIONS and not sub:
-            self.notes.append(f"{word} is read as the function, not as a product of letters")
-            return [Item("function", at, text=word)]
-        letters = " ".join((*word[:-1], whole[len(word) - 1 :]))
-        self.notes.append(f"{whole} is read as the product {letters}")
-        before = [self._name(letter, "", at + i) for i, letter in enumerate(word[:-1])]
-        for i, item in enumerate(before):
-            ended(item.node, at + i + 1)  # type: ignore[arg-type]
-        return [*before, self._name(word[-1], sub, at + len(word) - 1)]
 
     def _accent(self, base: Tree, sub: str, at: int) -> Item:
         mark = base.children[0]
@@ -274,13 +238,20 @@ class Items:
         if isinstance(d, Power):
             power = int(constant(d.exponent) or 0)
             d = d.base
-        if not (isinstance(d, Name) and d.name == "d" and d.order == 0):
+        if isinstance(d, Name) and self._is_rate_of_rest(d.name):
+            rest.insert(0, Item("node", d.at + 1, ended(Name(d.at + 1, d.name[1:]), d.end)))
+        elif not (isinstance(d, Name) and d.name == "d" and d.order == 0):
             return None
         if power != order:
             raise Refused(at, f"d^{power} over dt^{order}")
         if not rest:
             return Item("rate", at, order=order)
         return Item("node", at, rate_of(self.fold(rest, at), order, at))
+
+    def _is_rate_of_rest(self, name: str) -> bool:
+        """Whether dx is no name of the scene, but x is."""
+        known = self.naming.lookup(name)
+        return name[:1] == "d" and name[1:2] != "_" and known is not None and known[1] > 0
 
     def _root(self, base: Tree, at: int) -> Node:
         *degree, radicand = base.children[1:]

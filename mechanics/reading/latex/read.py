@@ -2,37 +2,39 @@ r"""LaTeX as people write it: ``read_latex(text, naming) -> lines``.
 
     \begin{equation*} (M+m) \ddot{x} + 2 k x + ... = 0 \tag{6} \end{equation*}
 
-A text that displays its equations ($$, \[, equation, align) is a document: what is displayed is
-read, or what stands between single $ where nothing is; the prose between is not. A line that begins
-with = or with a sign goes on from the one before.
+A text that displays its equations ($$, \[, equation, align), or writes them in prose between single
+$, is a document; the prose between is not read. A line that begins with = or with a sign goes on
+from the one before.
 """
 
 import re
 from collections.abc import Iterator
 from functools import lru_cache
+from itertools import pairwise
 
 from lark import Token, Tree
 from lark.exceptions import UnexpectedCharacters, UnexpectedEOF, UnexpectedInput, UnexpectedToken
 
-from mechanics.reading.latex.fold import Fold
+from mechanics.reading.latex.blocks import Block, blocks, claims, is_value
+from mechanics.reading.latex.fold import Fold, applied
 from mechanics.reading.latex.grammar import PARSER
 from mechanics.reading.latex.items import Items
-from mechanics.reading.lines import Line, Unread
+from mechanics.reading.latex.prepare import prepared
+from mechanics.reading.lines import Aside, Entry, Line, Unread
 from mechanics.reading.names import Naming
 from mechanics.reading.place import Refused, bounded, bounded_mathematics, located, refusal
-from mechanics.reading.tree import move
+from mechanics.reading.tree import Name, move, names
 
 Pieces = list[Tree | Token]
 
-OPENS = re.compile(
-    r"\$\$|(?<!\\)\\\[|\\begin\s*\{"
-    r"(?P<env>(?:equation|align|gather|multline|eqnarray|flalign|displaymath)\*?)\}"
-)
-INLINE = re.compile(r"(?<![\\$])\$([^$]+)\$")
+ABOUT = ("\u2248", r"\approx", r"\simeq", r"\sim")
+BY_CASES = re.compile(r"=[\s&]*(?:\\left\s*(?:\.|\\\{)\s*)?\\begin\s*\{d?cases\}")
+LABEL = re.compile(r"\\(?:q?quad\s*\\)?(?:text|mbox|intertext)")
+JOINS = re.compile(r"\{[\s,;.]*(and|or|where|with|so|then|hence|for|if|when|since|thus|from)\b")
 TAG = re.compile(r"\{\s*(.*?)\s*\}", re.DOTALL)
 
 
-def read_latex(text: str, naming: Naming, origin: str = "LaTeX") -> list[Line | Unread]:
+def read_latex(text: str, naming: Naming, origin: str = "LaTeX") -> list[Entry]:
     """Lines of a text in LaTeX, in order.
 
     Parameters
@@ -49,63 +51,57 @@ def read_latex(text: str, naming: Naming, origin: str = "LaTeX") -> list[Line | 
         When the text is too long.
     """
     bounded(text, origin)
-    found: list[Line | Unread] = []
-    spans, prose = _blocks(text)
+    clean = prepared(text)
+    spans = [b for b in blocks(clean) if not b.inline or claims(clean[b.start : b.end])]
     try:
-        bounded_mathematics(sum(end - start for start, end in spans), 0)
+        bounded_mathematics(sum(block.end - block.start for block in spans), 0)
     except Refused as reason:
         raise refusal(text, reason, origin) from None
-    for start, end in spans:
+    found: list[Entry] = []
+    for block in spans:
+        source = " ".join(text[block.start : block.end].split())
         try:
-            lines = _block(text[start:end], start, naming)
-            # What prose mentions in passing is no claim.
-            found += [line for line in lines if not prose or _claims(line)]
+            found += _entries(clean, text, block, naming, origin)
         except Refused as reason:
             words = located(text, reason.at, reason.words, origin)
-            source = " ".join(text[start:end].split())
-            found.append(Unread(source, words, start, _tag_of(source)))
+            found.append(Unread(source, words, block.start, _tag_of(source)))
     return found
 
 
-def _claims(line: Line | Unread) -> bool:
-    return isinstance(line, Line) and len(line.sides) > 1
+def _entries(clean: str, text: str, block: Block, naming: Naming, origin: str) -> list[Entry]:
+    """What a block says; what prose gives as a value is no claim."""
+    formula = clean[block.start : block.end]
+    if not block.closed:
+        raise Refused(block.start, "the end of this display is missing")
+    if not block.inline:
+        return _block(formula, text, block.start, naming, origin)
+    if is_value(formula):
+        return [_value(text, block.start, block.end)]
+    found: list[Entry] = []
+    for entry in _block(formula, text, block.start, naming, origin):
+        if not isinstance(entry, Line):
+            found.append(entry)
+        elif _gives(entry, naming):
+            found.append(_value(text, block.start, block.end))
+        elif len(entry.sides) > 1:
+            found.append(entry)
+    return found
 
 
-def _blocks(text: str) -> tuple[list[tuple[int, int]], bool]:
-    """What is displayed in a document, and whether it is part of its prose."""
-    spans = _displays(text)
-    prose = [match.span(1) for match in INLINE.finditer(text)] if not spans else []
-    whole = sum(end - start + 2 for start, end in prose) >= len(text.strip())
-    kept = spans or prose or [(0, len(text))]
-    return [(a, b) for a, b in kept if text[a:b].strip()], bool(prose) and not whole
+def _value(text: str, start: int, end: int) -> Aside:
+    words = " ".join(text[start:end].split())
+    return Aside(f"{words[:60]}: values and lists in the text are not used", start)
 
 
-def _displays(text: str) -> list[tuple[int, int]]:
-    """What stands between the beginning and the end of a display.
-
-    What ends a display is looked for once where it is missing: its time is linear in the text.
-    """
-    spans: list[tuple[int, int]] = []
-    missing: set[str] = set()
-    at = 0
-    while opens := OPENS.search(text, at):
-        at = opens.end()
-        ends = _ends(opens)
-        if ends in missing:
-            continue
-        closes = re.compile(ends).search(text, at)
-        if closes is None:
-            missing.add(ends)
-            continue
-        spans.append((at, closes.start()))
-        at = closes.end()
-    return spans
-
-
-def _ends(opens: re.Match[str]) -> str:
-    if opens["env"]:
-        return rf"\\end\s*\{{{re.escape(opens['env'])}\}}"
-    return r"\$\$" if opens[0] == "$$" else r"(?<!\\)\\\]"
+def _gives(line: Line, naming: Naming) -> bool:
+    """Whether an equation in prose sets a name to a number, or parameters to each other."""
+    if len(line.sides) < 2:
+        return False
+    plain = [side for side in line.sides if isinstance(side, Name)]
+    numbers = [side for side in line.sides if not names(side)]
+    if len(plain) + len(numbers) < len(line.sides) or not plain:
+        return False
+    return bool(numbers) or all(naming.is_function(side.name) is False for side in plain)
 
 
 @lru_cache(maxsize=64)
@@ -114,20 +110,30 @@ def _tree(text: str) -> Tree:
     return PARSER.parse(text)
 
 
-def _block(text: str, offset: int, naming: Naming) -> list[Line | Unread]:
+def _block(text: str, whole: str, offset: int, naming: Naming, origin: str) -> list[Entry]:
+    if by_cases := BY_CASES.search(text):
+        raise Refused(offset + by_cases.start(), "cases cannot be read here: give one of them")
     try:
         tree = _tree(text)
     except UnexpectedInput as error:
         raise _unexpected(error, text, offset) from None
-    found: list[Line | Unread] = []
+    found: list[Entry] = []
     for pieces in _joined(tree):
         try:
-            line = _line(pieces, text, offset, naming)
+            line = _line(pieces, text, whole, offset, naming)
         except Refused as reason:
-            raise Refused(offset + reason.at, reason.words) from None
+            # One line that cannot be read does not spoil the others.
+            line = _unread(pieces, whole, offset, Refused(offset + reason.at, reason.words), origin)
         if line is not None:
             found.append(line)
     return found
+
+
+def _unread(pieces: Pieces, whole: str, offset: int, reason: Refused, origin: str) -> Unread:
+    start, end = (offset + at for at in _span(pieces))
+    source = " ".join(whole[start:end].split())
+    words = located(whole, reason.at, reason.words, origin)
+    return Unread(source, words, start, _tag_of(source))
 
 
 def _unexpected(error: UnexpectedInput, text: str, offset: int) -> Refused:
@@ -146,17 +152,19 @@ def _joined(tree: Tree) -> Iterator[Pieces]:
     """Pieces of every equation; lines that go on from the one before belong to it."""
     current: Pieces = []
     broken = True
+    label = False
     for child in tree.children:
         if isinstance(child, Token):
-            broken = broken or not child.value.startswith("\\\\")
+            label = LABEL.match(child.value) is not None and not JOINS.search(child.value)
+            broken = broken or not (label or child.value.startswith("\\\\"))
             continue
         for part in _parts(child.children):
             if not part:
                 continue
             first = part[0]
-            on = isinstance(first, Token) and (
-                first.type == "REL" or (first.type == "SIGN" and not _related(part))
-            )
+            # A label between the terms of an equation does not end it.
+            whole = _related(part) and (not label or _related(current))
+            on = _is_rel(first) or (isinstance(first, Token) and first.type == "SIGN" and not whole)
             open_end = (
                 bool(current)
                 and isinstance(current[-1], Token)
@@ -193,7 +201,7 @@ def _parts(pieces: Pieces) -> Iterator[Pieces]:
     yield part
 
 
-def _line(pieces: Pieces, text: str, offset: int, naming: Naming) -> Line | None:
+def _line(pieces: Pieces, text: str, whole: str, offset: int, naming: Naming) -> Entry | None:
     tag, kept = "", []
     for piece in pieces:
         if isinstance(piece, Token) and piece.type == "TAG":
@@ -202,6 +210,10 @@ def _line(pieces: Pieces, text: str, offset: int, naming: Naming) -> Line | None
             kept.append(piece)
     if not kept:
         return None
+    start, end = _span(kept)
+    source = " ".join(whole[offset + start : offset + end].split())
+    if any(isinstance(piece, Token) and piece.type == "ORDER" for piece in kept):
+        return _condition(kept, source, offset + start)
     notes: list[str] = []
     fold = Fold(naming, notes)
     items = Items(text, naming, fold, notes)
@@ -211,12 +223,26 @@ def _line(pieces: Pieces, text: str, offset: int, naming: Naming) -> Line | None
             sides.append([])
         else:
             sides[-1].append(piece)
-    start, end = _span(kept)
-    nodes = tuple(fold(items.of(side), _span(side)[0] if side else end) for side in sides)
+    parts = [items.of(side) for side in sides]
+    if len(parts) > 1:
+        parts[0] = applied(parts[0], naming, notes)
+    nodes = tuple(
+        fold(part, _span(side)[0] if side else end) for part, side in zip(parts, sides, strict=True)
+    )
     for node in nodes:
         move(node, offset)
-    source = " ".join(text[start:end].split())
     return Line(nodes, tag, offset + start, source, tuple(dict.fromkeys(notes)))
+
+
+def _condition(pieces: Pieces, source: str, at: int) -> Aside:
+    """What compares names and numbers: ``b > 0``."""
+    kinds = [piece.type if isinstance(piece, Token) else "" for piece in pieces]
+    about = any(isinstance(p, Token) and p.value in ABOUT for p in pieces)
+    moves = any(isinstance(p, Tree) and isinstance(p.children[0], Tree) for p in pieces)
+    side_by_side = any(one == two == "" for one, two in pairwise(kinds))
+    if side_by_side or (about and moves) or set(kinds) - {"", "ORDER", "SIGN"}:
+        raise Refused(_span(pieces)[0], "an inequality or approximation cannot be judged")
+    return Aside(f"{source[:60]}: conditions in the text are not used", at)
 
 
 def _span(pieces: Pieces) -> tuple[int, int]:

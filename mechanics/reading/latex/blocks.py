@@ -1,0 +1,116 @@
+r"""Where the formulas of a document stand.
+
+    prose $c = \cos\theta$ prose \[ \ddot x = c \] prose        a text without $ and \[ is a formula
+
+What is displayed is read, and inline what is an equation: its value of a parameter is no claim.
+"""
+
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+OPENS = re.compile(
+    r"\$\$|(?<!\\)\\\[|\\begin\s*\{"
+    r"(?P<env>(?:equation|align|gather|multline|eqnarray|flalign|displaymath|math|dmath)\*?|"
+    r"(?:alignat|IEEEeqnarray)\*?(?=\}\s*\{[\w\s]{0,20}(?P<columns>\})?))\}"
+)
+INLINE = re.compile(
+    r"(?<![\\$])\$(?P<one>(?:[^$\n]|\n(?!\s*\n))+)\$(?!\$)|(?<!\\)\\\((?P<two>(?:[^$\\]|\\[^()\[\]])+)\\\)"
+)
+
+NAME = r"(?!\\d*dot)\\?[A-Za-z]+(?:\s?\{\s?\\?[A-Za-z]+\s?\})?(?:\s?_\s?(?:\{[^{}]*\}|\\?\w+))?"
+SPACE = r"(?:\\[,;:! ]|~|\s)*"
+FONT = r"\\(?:mathrm|text|textrm|rm|unit|si|SI|mathsf)\s?\{[^{}]*\}"
+UNIT = rf"(?:{FONT}(?:\s?\^\s?(?:\d|\{{\s?-?\d\s?\}}))?|/|\\degree|\^\s?\{{?\s?\\circ\s?\}}?)"
+NUMBER = r"[-+\u2212]?\s?\d[\d.,]*(?:\s?(?:\\cdot|\\times)\s?10\s?\^\s?(?:\d|\{\s?-?\d+\s?\}))?"
+BRACKET = r"(?:\\left\s?)?(?:\(|\[|\\\{)[^=+*/()\[\]]*,[^=+*/()\[\]]*(?:\\right\s?)?(?:\)|\]|\\\})"
+VALUES = (
+    re.compile(rf"{NAME}{SPACE}={SPACE}{NUMBER}{SPACE}{UNIT}(?:{SPACE}{UNIT})*{SPACE}[.,;]?"),
+    re.compile(rf"{NAME}{SPACE}\(\s?(?:0|t_0|t_\{{0\}})\s?\){SPACE}=[^=]*"),
+    re.compile(rf"{NAME}{SPACE}={SPACE}{BRACKET}\s?(?:\^\s?\{{?\s?\\?[A-Za-z]+\s?\}}?)?\s?[.,;]?"),
+)
+"""A number with its unit, a value at the beginning, a list of names."""
+LONGEST_VALUE = 200
+RELATED = re.compile(r"=|\\equiv(?![A-Za-z])")
+
+
+@dataclass(frozen=True)
+class Block:
+    """A part of a text.
+
+    Attributes
+    ----------
+    start, end : int
+    inline : bool
+        Whether it stands in prose.
+    closed : bool
+        Whether its end was found.
+    """
+
+    start: int
+    end: int
+    inline: bool = False
+    closed: bool = True
+
+
+def blocks(text: str) -> list[Block]:
+    """Formulas in their order; all of a text that marks none."""
+    shown = list(_displays(text))
+    inline = list(_inline(text, shown))
+    if not shown:
+        whole = sum(block.end - block.start + 2 for block in inline) >= len(text.strip())
+        if whole and inline:
+            return [Block(block.start, block.end) for block in inline]
+    if not inline and not any(block.closed for block in shown):
+        return [Block(0, len(text))]
+    found = sorted((*shown, *inline), key=lambda block: block.start)
+    kept = [block for block in found if text[block.start : block.end].strip()]
+    return kept
+
+
+def _displays(text: str) -> Iterator[Block]:
+    """What stands between the beginning and the end of a display.
+
+    What ends a display is looked for once where it is missing: its time is linear in the text.
+    """
+    missing: set[str] = set()
+    at = 0
+    while opens := OPENS.search(text, at):
+        at = max(opens.end(), opens.end("columns"))
+        ends = _ends(opens)
+        if ends in missing:
+            continue
+        closes = re.compile(ends).search(text, at)
+        if closes is None:
+            missing.add(ends)
+            yield Block(at, min(at + 60, len(text)), closed=False)
+            continue
+        yield Block(at, closes.start())
+        at = closes.end()
+
+
+def _ends(opens: re.Match[str]) -> str:
+    if opens["env"]:
+        return rf"\\end\s*\{{{re.escape(opens['env'])}\}}"
+    return r"\$\$" if opens[0] == "$$" else r"(?<!\\)\\\]"
+
+
+def _inline(text: str, shown: list[Block]) -> Iterator[Block]:
+    """What stands in prose between what is displayed."""
+    at = 0
+    for block in (*shown, Block(len(text), len(text))):
+        for match in INLINE.finditer(text, at, max(at, block.start)):
+            yield Block(*match.span("one" if match["one"] is not None else "two"), inline=True)
+        at = max(at, block.end) if block.closed else at
+
+
+def claims(formula: str) -> bool:
+    """Whether a formula in prose may be an equation."""
+    return RELATED.search(formula) is not None
+
+
+def is_value(formula: str) -> bool:
+    """Whether it gives a value with its unit, one at the beginning, or a list of names."""
+    formula = " ".join(formula.split())
+    short = len(formula) <= LONGEST_VALUE
+    return short and any(form.fullmatch(formula) for form in VALUES)

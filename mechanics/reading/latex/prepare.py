@@ -1,0 +1,52 @@
+r"""LaTeX before it is parsed: what only marks or labels a formula is blanked, place by place.
+
+    \boxed{a = b}  % result        \underbrace{F}_{\text{drive}}        ->        a = b        {F}
+
+No character moves, so that messages name the right place.
+"""
+
+import re
+
+COMMENT = re.compile(r"(?<!\\)%[^\n]*")
+MARKS = re.compile(r"\\(boxed|fbox|framebox|underbrace|overbrace|underline)\s*\{")
+LABEL = re.compile(r"\s*[_^]\s*\{")
+
+
+def prepared(text: str) -> str:
+    """The text with blanks for comments, frames, and braces under formulas with their labels."""
+    text = COMMENT.sub(lambda match: " " * len(match[0]), text)
+    marks = list(MARKS.finditer(text))
+    if not marks:
+        return text
+    closed = _closed(text)
+    out = list(text)
+    for mark in marks:
+        end = closed.get(mark.end() - 1)
+        if end is None:
+            continue
+        braced = mark[1].endswith("brace")
+        _blank(out, mark.start(), mark.end() - braced)
+        if not braced:
+            _blank(out, end, end + 1)
+            continue
+        label = LABEL.match(text, end + 1)
+        below = closed.get(label.end() - 1) if label else None
+        if label and below is not None:
+            _blank(out, label.start(), below + 1)
+    return "".join(out)
+
+
+def _blank(out: list[str], start: int, end: int) -> None:
+    out[start:end] = [c if c == "\n" else " " for c in out[start:end]]
+
+
+def _closed(text: str) -> dict[int, int]:
+    """Where each opening brace is closed."""
+    found: dict[int, int] = {}
+    opened: list[int] = []
+    for match in re.finditer(r"(?<!\\)[{}]", text):
+        if match[0] == "{":
+            opened.append(match.start())
+        elif opened:
+            found[opened.pop()] = match.start()
+    return found

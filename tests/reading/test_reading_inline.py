@@ -1,0 +1,105 @@
+"""Equations in prose are read beside those that are displayed; values in prose are no claims."""
+
+import time
+
+import pytest
+
+import mechanics
+from mechanics.crosscheck.check import derived
+from systems import cartpole
+
+CART = derived(cartpole.scene())
+RAIL = r"(m_c + m_p) \ddot x = F - m_p l (\ddot\theta \cos\theta - \dot\theta^2 \sin\theta)"
+SHOWN = rf"\[ {RAIL} \]"
+
+
+def verdicts(text: str, **options) -> list[str]:
+    found = mechanics.check(CART, text, notation="latex", blame=False, **options)
+    return [entry.finding.verdict.name for entry in found.judged]
+
+
+@pytest.mark.parametrize(
+    "prose",
+    [
+        rf"Newton gives {SHOWN} and ${RAIL.replace('F', '2 F')}$.",
+        rf"Newton gives {SHOWN} and \({RAIL.replace('F', '2 F')}\).",
+        rf"Newton gives {SHOWN}" "\nand % as $x$ says\n" rf"${RAIL.replace('F', '2 F')}\,.$",
+    ],
+)
+def test_an_equation_in_prose_is_judged(prose: str) -> None:
+    assert verdicts(prose) == ["PROVED", "REFUTED"]
+    assert verdicts(prose.replace("2 F", "F")) == ["PROVED", "PROVED"]
+
+
+@pytest.mark.parametrize(
+    "prose",
+    [
+        r"With $M = m_c + m_p$ one has {} .",
+        r"One has {} , where \(M = m_c + m_p\) is the mass.",
+        r"We write $\mu = m_c$. {} Here $M = \mu + m_p$.",
+    ],
+)
+def test_a_definition_in_prose_holds(prose: str) -> None:
+    shown = SHOWN.replace("(m_c + m_p)", "M")
+    assert verdicts(prose.format(shown)) == ["PROVED"]
+    assert verdicts(prose.format(shown).replace("+ m_p$", "- m_p$")
+                    .replace(r"+ m_p\)", r"- m_p\)")) == ["REFUTED"]  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    "formula",
+    [
+        "x", r"\theta > 0", r"\theta", r"\sin\theta \approx \theta", r"l \ll 1",
+        r"m_p = 2\,\mathrm{kg}", r"l = 0.5~\text{m}", r"g = 9.81\,\mathrm{m}\,\mathrm{s}^{-2}",
+        r"F = 3 \cdot 10^{-2}\,\mathrm{N}", r"\theta_0 = 30^\circ", "g = 9.81", r"\theta = 0",
+        r"\theta = \pi", r"\dot\theta = 0", "x(0) = 0.1", r"\theta(0) = \theta_0", "i = 1, 2",
+        r"q = (x, \theta)", r"\mathbf{q} = [x, \theta]^\top", r"q=\left[x,\theta\right]^T",
+        "m_c = m_p",
+    ],
+)  # fmt: skip
+def test_what_prose_mentions_is_no_claim(formula: str) -> None:
+    assert verdicts(f"Take ${formula}$ in {SHOWN} as usual.") == ["PROVED"]
+    # Beside another formula in prose, where nothing is displayed, too.
+    assert verdicts(f"Take ${formula}$ in the equation ${RAIL}$ as usual.") == ["PROVED"]
+
+
+def test_values_that_are_not_used_are_told() -> None:
+    found = mechanics.check(CART, r"Take $m_p = 2\,\mathrm{kg}$." "\n" + SHOWN, blame=False)
+    assert any("line 1: m_p = 2" in remark and "not used" in remark for remark in found.remarks)
+
+
+def test_an_equation_in_prose_that_cannot_be_read_leaves_a_doubt() -> None:
+    found = mechanics.check(CART, rf"{SHOWN} and $\sum F = \oint x$", blame=False)
+    assert not found.ok
+    assert "line 1, column" in found.judged[1].finding.evidence
+
+
+def test_a_display_without_an_end_leaves_a_doubt() -> None:
+    assert verdicts(rf"{SHOWN} \begin{{align}} {RAIL}") == ["PROVED", "UNDECIDED"]
+    # Alone, it is what there is.
+    assert verdicts(rf"\begin{{align}} {RAIL}") == ["PROVED"]
+
+
+@pytest.mark.parametrize("environment", ["alignat", "alignat*", "math", "IEEEeqnarray"])
+def test_other_displays_are_read(environment: str) -> None:
+    columns = "" if environment == "math" else "{2}"
+    begin, end = rf"\begin{{{environment}}}{columns}", rf"\end{{{environment}}}"
+    text = f"{SHOWN} {begin} {RAIL.replace('F', '2 F')} {end}"
+    assert verdicts(text) == ["PROVED", "REFUTED"]
+
+
+def test_a_price_in_dollars_hides_no_equation() -> None:
+    text = rf"It costs $5." "\n\n" rf"We have ${RAIL.replace('F', '2 F')}$ and {SHOWN}"
+    assert verdicts(text) == ["REFUTED", "PROVED"]
+
+
+@pytest.mark.parametrize(
+    "piece", ["$", "$a", r"\(", r"\(a\)", "$ ", "{", r"\boxed{", "%", "$\n", r"\["]
+)
+def test_long_documents_are_read_in_linear_time(piece: str) -> None:
+    start = time.process_time()
+    try:
+        mechanics.check(CART, piece * (90_000 // len(piece)), notation="latex", blame=False)
+    except mechanics.MechanicsError as error:
+        assert len(str(error).splitlines()) == 1
+    assert time.process_time() - start < 4
