@@ -23,6 +23,10 @@ from mechanics.scene.loads import Damper, Gravity, Spring, Torque
 WIDTH, HEIGHT, MARGIN = 460.0, 340.0, 74.0
 # Beyond this many bodies only the first and the last are named.
 FEW = 4
+CLEAR = 16.0
+"""Pixels between an arrow and the name of another one."""
+PLACES = ((44, 0), (70, 0), (96, 0), (-44, 24), (-70, 24))
+"""Where the arrow of a coordinate may begin: beside its body and ahead, in pixels."""
 CORNER = (160.0, 92.0)
 """Room for axes and gravity, in pixels."""
 
@@ -44,7 +48,7 @@ def drawing(scene: Scene, state: Mapping[str, float]) -> str:
     parts += [_body(view, paper, body, outlines[body.name]) for body in scene.bodies]
     parts += [load_symbol(view, paper, load) for load in scene.loads]
     parts += [_joints(view, paper)]
-    parts += [_coordinate(view, paper, q) for q in (scene.q if len(scene.q) <= FEW else ())]
+    parts += _coordinates(view, paper) if len(scene.q) <= FEW else []
     parts += [_label(view, paper, body) for body in named]
     x, y = _free_corner("".join(parts))
     directions = _axes(view, paper) + (gravity_arrow(view, paper) if _heavy(scene) else "")
@@ -191,8 +195,16 @@ def _axes(view: View, paper: Paper) -> str:
     return "".join(parts)
 
 
-def _coordinate(view: View, paper: Paper, coordinate: Symbol) -> str:
-    """An arrow for the way in which a coordinate moves the first body that it moves."""
+def _coordinates(view: View, paper: Paper) -> list[str]:
+    taken: list[np.ndarray] = []
+    return [_coordinate(view, paper, q, taken) for q in view.scene.q]
+
+
+def _coordinate(view: View, paper: Paper, coordinate: Symbol, taken: list[np.ndarray]) -> str:
+    """An arrow for the way in which a coordinate moves the first body that it moves.
+
+    It stands clear of the arrows before it, whose places are in `taken`.
+    """
     for body in view.scene.bodies:
         centre = paper.place(view.point(body.centre))
         if (
@@ -204,12 +216,28 @@ def _coordinate(view: View, paper: Paper, coordinate: Symbol) -> str:
         shift = view.shift(body.centre, coordinate)
         if np.hypot(*shift) > 1e-9:
             along = unit(paper.turn(shift))
-            start = centre + 44 * _aside(paper, centre, along)
+            side = _aside(paper, centre, along)
+            starts = [centre + away * side + ahead * along for away, ahead in PLACES]
+            start = next((s for s in starts if _free(s, along, taken)), starts[0])
             tip = start + 40 * along
+            taken += [start, start + 20 * along, tip, tip + 12 * along]
             return ink.arrow(start, tip, "motion") + ink.text(
                 tip + 12 * along, svg_name(coordinate.name), "motion-name"
             )
     return ""
+
+
+def _free(start: np.ndarray, along: np.ndarray, taken: list[np.ndarray]) -> bool:
+    """Whether an arrow with its name is on the paper, and clear of others."""
+    name = start + 52 * along
+    inside = np.all(name > CLEAR) and np.all(name < np.array([WIDTH, HEIGHT]) - CLEAR)
+    return bool(inside) and all(_apart(start, along, place) > CLEAR for place in taken)
+
+
+def _apart(start: np.ndarray, along: np.ndarray, place: np.ndarray) -> float:
+    """The distance of a place from an arrow with its name."""
+    way = float(np.clip((place - start) @ along, 0, 52))
+    return float(np.hypot(*(start + way * along - place)))
 
 
 def _aside(paper: Paper, centre: np.ndarray, along: np.ndarray) -> np.ndarray:

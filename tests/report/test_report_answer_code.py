@@ -1,14 +1,16 @@
 """Wrong code is shown as the formula that was read from it, with the wrong part marked."""
 
 import re
+from dataclasses import replace
 
 import pytest
+import sympy
 from numpy import cos, sin
 from sympy import Matrix, symbols
 from sympy import cos as cosine
 from sympy.physics.mechanics import dynamicsymbols
 
-from mechanics.blame.result import Edit, Mistake
+from mechanics.blame.result import Edit, Mistake, Repair
 from mechanics.crosscheck.check import check
 from mechanics.report.answer.check import Check
 from mechanics.report.answer.page import check_html
@@ -108,3 +110,28 @@ def test_an_edit_of_a_definition_says_so() -> None:
     found = check(elastic_pendulum.scene(), text)
     assert "write 3 for 12 in the definition of I_B: the factor is wrong\n" in str(found)
     assert "in the definition of <math" in check_html(found)
+
+
+def test_equations_of_sympy_are_numbered_and_spelled_alike() -> None:
+    x, theta = dynamicsymbols("x theta")
+    L, g = symbols("L g", positive=True)
+    t = dynamicsymbols._t
+    second = x.diff(t, 2) * cosine(theta) + 2 * L / 3 * theta.diff(t, 2) + g * sympy.sin(theta)
+    found = check(elastic_pendulum.scene(), [second, second + g])
+    assert [entry.statement.tag for entry in found.told] == ["1", "2"]
+    assert not any("Derivative" in entry.statement.source for entry in found.told)
+    assert all("theta_ddot" in entry.statement.source for entry in found.told)
+
+
+def test_a_term_that_may_be_added_on_either_side_is_told_once() -> None:
+    found = check(elastic_pendulum.scene(), "(M + m)*x'' + 2*k*x = 0")
+    (entry,) = found.judged
+    assert entry.blame is not None
+    repairs = tuple(
+        Repair((Edit(Mistake.MISSING, "", right, (0, 0)),), "", entry.finding)
+        for right in ("- a*b", "+ a*b", "+ a*c")
+    )
+    both = replace(entry, blame=replace(entry.blame, repairs=repairs))
+    (told,) = replace(found, judged=(both,)).told
+    assert told.blame is not None
+    assert [repair.edits[0].right for repair in told.blame.repairs] == ["- a*b", "+ a*c"]

@@ -175,3 +175,22 @@ def test_friction_points_against_the_sliding(side: int) -> None:
     (arrow,) = (line for line in arrows if abs(abs(line[1, 0] - line[0, 0]) - 40) < 0.2)
     assert np.sign(arrow[1, 0] - arrow[0, 0]) == -side
     assert arrow[0, 1] == pytest.approx(arrow[1, 1])
+
+
+def test_coordinates_of_one_body_stand_clear_of_each_other() -> None:
+    """A load on a rope: its length moves it down, its angle to the side."""
+    length, angle = dynamicsymbols("l theta")
+    ground = ReferenceFrame("N")
+    rope = ground.orientnew("A", "Axis", (angle, ground.z))
+    origin = Point("O")
+    load = origin.locatenew("P", -length * rope.y)
+    (m,) = parameters("m", units="kg", typical="1")
+    scene = Scene(
+        "load", ground, origin, coordinates=(length, angle), bodies=(Particle("load", load, m),)
+    )
+    text = drawing(scene, {"l": 3.0})
+    names = re.findall(r'<text class="motion-name" x="([-\d.]+)" y="([-\d.]+)"', text)
+    assert len(names) == 2
+    (one, two) = (np.array(list(map(float, name))) for name in names)
+    assert np.hypot(*(one - two)) > 16
+    assert all(0 < y < HEIGHT for _, y in (one, two))

@@ -13,7 +13,7 @@ from mechanics.exact import Verdict
 from mechanics.reading.names import Match
 from mechanics.report.answer.judged import Judged
 from mechanics.report.answer.notebook import notebook
-from mechanics.report.answer.spelled import spelled
+from mechanics.report.answer.spelled import numbered, once, spelled
 from mechanics.report.answer.terminal import answer, plain
 from mechanics.scene import Scene
 
@@ -57,8 +57,8 @@ class Check:
 
     @property
     def told(self) -> tuple[Judged, ...]:
-        """What was judged, as a reader is shown it: wrong code as the formula that it is."""
-        return tuple(spelled(entry, self.scene) for entry in self.judged)
+        """What was judged, as a reader is shown it: numbered, wrong code as its formula."""
+        return numbered([once(spelled(entry, self.scene)) for entry in self.judged])
 
     def __rich__(self) -> Group:
         return answer(self.told, self.names, self.remarks)

@@ -5,12 +5,12 @@ Nothing is fetched from a network and no script runs, as with the report of a cr
 
 from markupsafe import Markup
 
-from mechanics.equations import Equations, Line
 from mechanics.errors import wanted
 from mechanics.report import words
 from mechanics.report.answer import typed
 from mechanics.report.answer.cards import sheets_of
 from mechanics.report.answer.check import Check
+from mechanics.report.answer.follows import lines_of
 from mechanics.report.answer.parted import parted
 from mechanics.report.answer.sentences import counted, order, read_as
 from mechanics.report.answer.sheets import shared_notes
@@ -38,6 +38,7 @@ def check_html(found: Check) -> str:
         parted=parted, read_as=read_as,
     )  # fmt: skip
     told, notes = shared_notes(found.told)
+    route, result = lines_of(found.derived) if found.derived is not None else ("", ())
     state = dict(found.scene.example)
     return made.get_template("answer/page.html").render(
         found=found,
@@ -48,14 +49,11 @@ def check_html(found: Check) -> str:
         tally=words.tally(entry.finding for entry in found.judged),
         drawing=Markup(drawing(found.scene, state)),
         symbols=_symbols(found, state),
-        result=_result(found.derived),
+        route=route,
+        result=result,
         steps_before=found.derived.steps[:-1] if found.derived else (),
     )
 
 
 def _symbols(found: Check, state: dict[str, float]) -> list[SymbolRow]:
     return symbol_rows(found.scene, state)
-
-
-def _result(derived: Equations | None) -> tuple[Line, ...]:
-    return derived.result.lines if derived is not None else ()

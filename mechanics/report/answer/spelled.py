@@ -4,8 +4,10 @@ simulator.py:rate, theta_ddot    ->    theta_ddot = -g*cos(theta)/l
 """
 
 import re
+from collections.abc import Sequence
 from dataclasses import replace
 
+from mechanics.blame.result import Repair
 from mechanics.blame.search.told import sides_of
 from mechanics.reading.from_sympy import Untreeable
 from mechanics.reading.names import Naming, Vocabulary
@@ -27,25 +29,56 @@ LONGEST = 1000
 def spelled(entry: Judged, scene: Scene) -> Judged:
     """A statement of code with its formula as the source, and the edits with their places in it.
 
-    What was read from a text, what is not blamed, and what is too long, stays as it is.
+    What was read from a text, code that is not blamed, and what is too long, stays as it is.
     """
     statement, blame = entry.statement, entry.blame
-    if blame is None or statement.row is None or _is_text(statement):
+    titled = TITLE.fullmatch(statement.source) is not None
+    if statement.row is None or _is_text(statement) or (blame is None and titled):
         return entry
     formula = _formula(statement, scene)
     if not formula or len(formula) > LONGEST:
         return entry
-    title = statement.source if TITLE.fullmatch(statement.source) else ""
+    title = statement.source if titled else ""
     place = ", ".join(words for words in (title, statement.place) if words)
     written = statement.written or _code(scene)
+    statement = replace(statement, source=formula, place=place, written=written)
+    if blame is None:
+        return replace(entry, statement=statement)
     repairs = tuple(
         replace(repair, edits=placed(formula, repair.edits, repair.repaired))
         for repair in blame.repairs
     )
-    return replace(
-        entry,
-        statement=replace(statement, source=formula, place=place, written=written),
-        blame=replace(blame, repairs=repairs),
+    return replace(entry, statement=statement, blame=replace(blame, repairs=repairs))
+
+
+def once(entry: Judged) -> Judged:
+    """A statement without edits that are those before them on the other side of the equation."""
+    if entry.blame is None:
+        return entry
+    kept: list[Repair] = []
+    for repair in entry.blame.repairs:
+        if not any(_opposite(repair, other) for other in kept):
+            kept.append(repair)
+    return replace(entry, blame=replace(entry.blame, repairs=tuple(kept)))
+
+
+def _opposite(one: Repair, other: Repair) -> bool:
+    """Whether two repairs add the same term with different signs."""
+    edits = (*one.edits, *other.edits)
+    if len(edits) != 2 or any(edit.written for edit in edits):
+        return False
+    first, second = (edit.right.strip() for edit in edits)
+    return {first[:1], second[:1]} == {"+", "-"} and first[1:].strip() == second[1:].strip()
+
+
+def numbered(entries: Sequence[Judged]) -> tuple[Judged, ...]:
+    """Statements that were passed one by one, and are all called 1, by their places."""
+    tags = [entry.statement.tag for entry in entries]
+    if len(set(tags)) == len(tags) or not all(tag.isdigit() for tag in tags):
+        return tuple(entries)
+    return tuple(
+        replace(entry, statement=replace(entry.statement, tag=str(number)))
+        for number, entry in enumerate(entries, start=1)
     )
 
 
