@@ -1,6 +1,7 @@
 """Changes of convention, under which wrong equations may be right ones.
 
     angle from the other vertical    q -> q + pi        the other sign     q -> -q
+    angle from the horizontal        q -> pi/2 - q, ...
     relative joint angles            q2 -> q2 - q1      half-length        L -> L / 2, L -> 2 L
 
 Each is a substitution in the person's equations, the same in all of them.
@@ -12,8 +13,8 @@ from itertools import combinations, pairwise, product
 
 from sympy import Expr, Symbol, pi
 
-from mechanics.reading.guess import angular
-from mechanics.scene import Scene
+from mechanics.reading.kinds import angular
+from mechanics.scene import Gravity, Scene
 from mechanics.scene.symbols import plain_symbol
 
 Table = dict[Symbol, Expr]
@@ -39,7 +40,7 @@ class Convention:
 
 
 NAMES = (
-    "other vertical", "other sign of angles", "other sign of displacements",
+    "other vertical", "from the horizontal", "other sign of angles", "other sign of displacements",
     "other sign of inputs", "relative angles", "absolute angles", "half-length",
     "twice the length", "point mass",
 )  # fmt: skip
@@ -51,7 +52,7 @@ def conventions(scene: Scene) -> list[tuple[Convention, ...]]:
     angles = [q for q in scene.q if q in angular(scene)]
     others = [q for q in scene.q if q not in angles]
     turned = _some(
-        Convention("other vertical", _about(angles, "counted from the other vertical"),
+        Convention("other vertical", _about(angles, f"counted from the {_opposite(scene)}"),
                    {q: q + pi for q in angles}) if angles else None,
     )  # fmt: skip
     signed = _some(
@@ -69,7 +70,8 @@ def conventions(scene: Scene) -> list[tuple[Convention, ...]]:
     joints = list(_joints(scene, angles))
     sizes = list(_lengths(scene))
     groups = (turned, signed, moved, pushed)
-    singles = [(c,) for group in groups for c in group] + [(c,) for c in (*joints, *sizes)]
+    singles = [(c,) for group in groups for c in group]
+    singles += [(c,) for c in (*_level(scene, angles), *joints, *sizes)]
     combined = [
         tuple(c for group in chosen for c in group)
         for count in (2, 3, 4)
@@ -80,6 +82,21 @@ def conventions(scene: Scene) -> list[tuple[Convention, ...]]:
         for base, extra in product([(c,) for g in groups for c in g], (*joints, *sizes))
     ]
     return [*singles, *combined, *mixed]
+
+
+def _opposite(scene: Scene) -> str:
+    heavy = any(isinstance(load, Gravity) for load in scene.loads)
+    return "other vertical" if heavy else "opposite direction"
+
+
+def _level(scene: Scene, angles: list[Symbol]) -> Iterator[Convention]:
+    """Angles counted from a quarter turn away, either way round."""
+    for sense, start in product((-1, 1), (1, -1)) if angles else ():
+        table = _negative(scene, angles) if sense < 0 else {}
+        table |= {q: sense * q + start * pi / 2 for q in angles}
+        told = ", ".join(f"{q} is {table[q]} of the scene" for q in angles)
+        words = f"counted from a quarter turn away, such as the horizontal: {told}"
+        yield Convention("from the horizontal", _about(angles, words), table)
 
 
 def _some(convention: Convention | None) -> tuple[Convention, ...]:

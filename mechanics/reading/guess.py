@@ -11,8 +11,7 @@ from collections import Counter
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import replace
 
-from sympy import cos, sin
-
+from mechanics.reading.kinds import angular, kinds
 from mechanics.reading.names import GREEK, Match, Naming
 from mechanics.reading.spelled_rates import bases, families, key
 from mechanics.reading.tree import Name
@@ -72,7 +71,8 @@ def guess(naming: Naming, used: Sequence[Name], defined: Iterable[str]) -> tuple
     constants = [name for name in constants if name in held]
     left = [name for name in free if name in inputs] + constants
     found_still = _pairs(sorted(still), left + rest, _still_rules(scene, inputs))
-    missing = sorted(moving - {match.name for match in found_moving})
+    rated = {name.name for name in used if name.order}
+    missing = sorted(moving - {match.name for match in found_moving} - rated)
     found_inputs = _pairs(
         missing,
         [n for n in free if n in inputs and n not in {m.meaning for m in found_still}],
@@ -148,13 +148,12 @@ def _moving_rules(scene: Scene) -> list[Rule]:
     angles = {symbol.name for symbol in angular(scene)}
 
     def kind(name: str, target: str) -> bool:
-        return (name[0] in "xyzsr" and len(key(name)) <= 2) != (target in angles)
+        return ("angle" if target in angles else "length") in kinds(name)
 
     return [
         (_same_letters, "the same but for capitals"),
         (lambda n, t: kind(n, t) and _same_number(n, t), "an angle or not, the same number"),
         (kind, "the only coordinate of its kind that is left"),
-        (lambda n, t: True, "the only coordinate that is left"),
     ]
 
 
@@ -162,12 +161,17 @@ def _still_rules(scene: Scene, inputs: set[str]) -> list[Rule]:
     units = {symbol.name: getattr(symbol, "unit", "") for symbol in scene.parameters}
 
     def unit(name: str, target: str) -> bool:
-        if key(name).rstrip("0123456789") in GREEK:
+        if _greek(name):
             return False  # alpha is no length, though it begins with an a
         return any(name[0] in letters and units.get(target) == u for letters, u in BY_UNIT)
 
     def force(name: str, target: str) -> bool:
         return target in inputs and (name[0] in "FfuUQ" or name.startswith("tau"))
+
+    def first(name: str, target: str) -> bool:
+        # mu is no mass, though it begins with an m; th is theta.
+        alike = _greek(name) == _greek(target) or target.startswith(name)
+        return name[0] == target[0] and alike
 
     return [
         (_same_letters, "the same but for capitals"),
@@ -175,21 +179,12 @@ def _still_rules(scene: Scene, inputs: set[str]) -> list[Rule]:
         (lambda n, t: unit(n, t) and _initials(n, t), "the same unit, its letters in order"),
         (unit, "the only quantity of its unit that is left"),
         (force, "the only input that is left"),
-        (lambda n, t: n[0] == t[0], "the same first letter"),
+        (first, "the same first letter"),
     ]
 
 
-def angular(scene: Scene) -> set:
-    """Coordinates that are angles: those whose sine or cosine places or turns a body."""
-    found = set()
-    for body in scene.bodies:
-        matrices = [scene.position(body.centre)]
-        if hasattr(body, "frame"):
-            matrices.append(scene.rotation(body.frame))
-        for matrix in matrices:
-            for function in matrix.atoms(sin, cos):
-                found |= function.free_symbols & set(scene.q)
-    return found
+def _greek(name: str) -> bool:
+    return re.split(r"[_\d]", name, maxsplit=1)[0] in GREEK
 
 
 def _same_letters(name: str, target: str) -> bool:

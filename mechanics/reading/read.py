@@ -11,13 +11,13 @@ from mechanics.errors import InputError
 from mechanics.reading.about import QUANTITIES
 from mechanics.reading.assemble import Reading, assemble
 from mechanics.reading.latex.read import read_latex
-from mechanics.reading.lines import Line, Unread
+from mechanics.reading.lines import Entry
 from mechanics.reading.names import Naming
 from mechanics.reading.place import LARGEST_TEXT
 from mechanics.reading.text.read import read_text
 from mechanics.scene import Scene
 
-Reader = Callable[[str, Naming, str], Sequence[Line | Unread]]
+Reader = Callable[[str, Naming, str], Sequence[Entry]]
 
 NOTATIONS: dict[str, Reader] = {"latex": read_latex, "text": read_text}
 SUFFIXES: dict[str, str] = {".tex": "latex", ".m": "text", ".sympy": "text"}

@@ -12,7 +12,7 @@ from mechanics.blame.search.forest import Forest
 from mechanics.blame.search.inside import worth
 from mechanics.blame.search.sheet import Sheet
 from mechanics.blame.search.words import Words
-from mechanics.reading.guess import angular
+from mechanics.reading.kinds import angular
 from mechanics.reading.tree import Call, Node, Number, Product, Sum
 
 NOBODY = -1

@@ -22,7 +22,7 @@ from mechanics.blame.search.change import (
 from mechanics.blame.search.inside import Inner, Inside, valued
 from mechanics.blame.search.maker import Maker
 from mechanics.blame.search.sheet import integer_exponent
-from mechanics.reading.guess import angular
+from mechanics.reading.kinds import angular
 from mechanics.reading.tree import Call, Name, Node, Number, Power, Product, Sum, parts
 
 MOST_RATIOS = 12

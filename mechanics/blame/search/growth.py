@@ -15,7 +15,7 @@ from mechanics.blame.search.point import dependent, points_like
 from mechanics.blame.search.sheet import sheet_of
 from mechanics.blame.search.words import Words
 from mechanics.exact.signals import Inadmissible, Restart
-from mechanics.reading.guess import angular
+from mechanics.reading.kinds import angular
 
 MOST_EXPONENT = 4
 

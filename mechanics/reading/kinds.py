@@ -1,0 +1,54 @@
+"""What kind of coordinate a name may be, by what people call angles and displacements.
+
+theta, phi_1    an angle    x, s_2    a displacement    q, xi    either    E, v, omega    neither
+"""
+
+import re
+
+from sympy import Symbol, cos, sin
+
+from mechanics.scene import Scene
+
+ANGLES = frozenset(
+    ("theta", "phi", "psi", "alpha", "beta", "gamma", "vartheta", "varphi", "th", "ph", "ps")
+)
+LENGTHS = frozenset("xyzsrdlhuXYZSR")
+NEITHER = frozenset((*"vwVWETUKHLPpFfMmIJNGgkct", "tau", "omega", "Omega", "lambda", "Lambda"))
+"""Speeds, energies, forces, momenta, parameters."""
+WORDS = {"ang": "angle", "rot": "angle", "tilt": "angle", "pos": "length", "disp": "length"}
+
+
+def kinds(name: str) -> frozenset[str]:
+    """``"angle"``, ``"length"``, both or none."""
+    letters = re.split(r"[_\d]", name, maxsplit=1)[0]
+    if letters in NEITHER:
+        return frozenset()
+    if letters in ANGLES:
+        return frozenset(("angle",))
+    if letters in LENGTHS:
+        return frozenset(("length",))
+    said = {kind for word, kind in WORDS.items() if word in letters.lower()}
+    return frozenset(said or ("angle", "length"))
+
+
+def angular(scene: Scene) -> set[Symbol]:
+    """Coordinates that are angles: those whose sine or cosine places or turns a body."""
+    found: set[Symbol] = set()
+    for body in scene.bodies:
+        matrices = [scene.position(body.centre)]
+        if hasattr(body, "frame"):
+            matrices.append(scene.rotation(body.frame))
+        for matrix in matrices:
+            for function in matrix.atoms(sin, cos):
+                found |= function.free_symbols & set(scene.q)
+    return found
+
+
+def quantity(scene: Scene, name: str) -> str:
+    """What a name of the scene is: an angle, a length, an input, or a parameter of a unit."""
+    if name in {symbol.name for symbol in scene.input_symbols}:
+        return "input"
+    if name in {symbol.name for symbol in scene.q}:
+        return "angle" if name in {symbol.name for symbol in angular(scene)} else "length"
+    units = {symbol.name: getattr(symbol, "unit", "") for symbol in scene.parameters}
+    return f"parameter in {units[name]}" if name in units else ""
