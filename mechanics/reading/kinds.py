@@ -27,7 +27,7 @@ def kinds(name: str) -> frozenset[str]:
         return frozenset(("angle",))
     if letters in LENGTHS:
         return frozenset(("length",))
-    said = {kind for word, kind in WORDS.items() if word in letters.lower()}
+    said = {kind for word, kind in WORDS.items() if word in name.lower()}
     return frozenset(said or ("angle", "length"))
 
 

@@ -28,7 +28,7 @@ def test_what_a_name_may_be(name: str, found: set[str]) -> None:
     assert kinds(name) == found
 
 
-@pytest.mark.parametrize("name", ["E", "v", "omega", "x_1"])
+@pytest.mark.parametrize("name", ["E", "v", r"\omega", "x_1"])
 def test_no_guess_goes_across_kinds(name: str) -> None:
     # The angle is the only coordinate that is left.
     text = rf"(m_c + m_p) \ddot x = F - m_p l \dot {name}"
