@@ -49,7 +49,7 @@ def check(
     ] = False,
     value: Annotated[
         list[str] | None,
-        typer.Option(metavar="NAME=VALUE", help="What a parameter is inside a black box."),
+        typer.Option(metavar="NAME=VALUE", help="A parameter's value: judged where it has it."),
     ] = None,
     step: Annotated[
         float, typer.Option(min=0, help="Seconds by which a black box advances the state.")
@@ -96,15 +96,17 @@ def check(
     refuse_unwritable(report, json_file)
     scene = load(system).scene()
     parts = [_part(file) for file in files]
+    values = assignments(value or [], "--value")
     if black_box:
-        held = {n: float(v) for n, v in assignments(value or [], "--value").items()}
-        parts = [BlackBox(p, held, step, integrator) if callable(p) else p for p in parts]
-    elif value or step:
-        raise InputError("--value and --step belong to a black box: add --black-box")
+        inside = {n: float(v) for n, v in values.items()}
+        parts = [BlackBox(p, inside, step, integrator) if callable(p) else p for p in parts]
+        values = {}
+    elif step:
+        raise InputError("--step belongs to a black box: add --black-box")
     with Console(stderr=True).status(f"checking against {scene.name}"):
         found = run(
             scene, parts, names=_names(name or []), notation=notation, about=about,
-            convention=convention or (), function=function, blame=blame,
+            convention=convention or (), function=function, values=values, blame=blame,
         )  # fmt: skip
     if report is not None:
         report.write_text(check_html(found), encoding="utf-8")

@@ -9,6 +9,8 @@ from functools import lru_cache
 from typing import Any
 
 from mechanics.checks.ledger import check_row
+from mechanics.crosscheck.at_values import Values, judged_at, read_values, right_at
+from mechanics.crosscheck.at_values import words as in_words
 from mechanics.crosscheck.black_box import check_box
 from mechanics.crosscheck.blamed import blamed
 from mechanics.crosscheck.cases import check_cases
@@ -19,7 +21,7 @@ from mechanics.crosscheck.right_if import declared, judged_under, right_if
 from mechanics.crosscheck.routes import derive
 from mechanics.crosscheck.vacuous import with_content
 from mechanics.equations import Equations
-from mechanics.errors import ExpressionError, InputError, SceneError, wanted
+from mechanics.errors import ExpressionError, InputError, SceneError, SingularError, wanted
 from mechanics.exact import Finding, Verdict
 from mechanics.reading.code.black_box import BlackBox
 from mechanics.reading.statement import Statement
@@ -45,6 +47,7 @@ def check(
     about: str | None = None,
     convention: Sequence[str] | str = (),
     function: str | None = None,
+    values: Mapping[str, Any] | None = None,
     blame: bool = True,
 ) -> Check:
     """Check a person's equations of motion, energies, reactions or mass matrix.
@@ -73,6 +76,8 @@ def check(
         How the person counts otherwise than the scene: ``"other vertical"``, ``"half-length"``, ...
         Without it, equations that would be right under such a change are REFUTED, and the result
         says under which change.
+    values : mapping of str to number, optional
+        Values of parameters, ``{"g": 9.81}``: the statements are judged where the scene has these.
     blame : bool
         Whether to look for what is wrong with what is refuted, and for the edit that mends it.
 
@@ -95,10 +100,13 @@ def check(
     parts = [thing for thing in things if not isinstance(thing, BlackBox)]
     readings = [read(truth.scene, part, names, notation, about, function) for part in parts]
     statements = [statement for reading in readings for statement in reading.statements]
+    if values and convention:
+        raise InputError("check: values and a convention are given: give one of them")
     names_of = declared([convention] if isinstance(convention, str) else convention)
-    judged, told = _judged(truth, statements, names_of)
+    held = read_values(truth.scene, values or {})
+    judged, told = _judged(truth, statements, names_of, held)
     # Edits are searched in equations as they stand, not as they would stand without a convention.
-    if blame and not names_of:
+    if blame and not names_of and not held:
         judged = blamed(truth, judged)
     judged = tuple(energy_instead(truth, entry) for entry in judged)
     judged = (*judged, *(Judged(s, f) for entries, _ in boxed for s, f in entries))
@@ -111,10 +119,12 @@ def check(
 
 
 def _judged(
-    truth: Equations, statements: Sequence[Statement], names: Sequence[str]
+    truth: Equations, statements: Sequence[Statement], names: Sequence[str], values: Values
 ) -> tuple[tuple[Judged, ...], tuple[str, ...]]:
     """Verdicts; under a declared convention, or beside a refutation the one that would help."""
-    findings = [_judge(truth, statement) for statement in statements]
+    findings = [_judge(truth, statement, values) for statement in statements]
+    if values:
+        return tuple(map(Judged, statements, findings)), (f"judged where {in_words(values)}",)
     refuted = any(finding.verdict is Verdict.REFUTED for finding in findings)
     if not refuted and not names:
         return tuple(map(Judged, statements, findings)), ()
@@ -122,9 +132,9 @@ def _judged(
     found = right_if(truth, [statements[k] for k in claimed], names)
     if not found and names:
         return _not_right_under(truth, statements, names, findings, claimed)
-    if not found:
-        return tuple(map(Judged, statements, findings)), ()
     helping = tuple(" and ".join(c.words for c in change) for change, _ in found)
+    if not found:
+        helping = right_at(truth, [statements[k] for k in claimed])
     if names:
         words = helping[0]
         for k, finding in zip(claimed, found[0][1], strict=True):
@@ -159,7 +169,7 @@ def _not_right_under(
     return tuple(map(Judged, statements, findings)), (remark,)
 
 
-def _judge(truth: Equations, statement: Statement) -> Finding:
+def _judge(truth: Equations, statement: Statement, values: Values) -> Finding:
     subject = f"{statement.tag}: {statement.source}"
     if statement.doubt or statement.row is None:
         return Finding(subject, Verdict.UNDECIDED, statement.doubt)
@@ -167,12 +177,14 @@ def _judge(truth: Equations, statement: Statement) -> Finding:
         doubt = f"{thirds}: nothing determines a third derivative: write the equation itself"
         return Finding(subject, Verdict.UNDECIDED, doubt)
     try:
+        if values:
+            return with_content(statement, judged_at(truth, statement.row, values))
         found = check_row(truth.scene, statement.row, truth)
         if found.verdict is Verdict.UNDECIDED:
             by_cases = check_cases(truth, statement.row)
             found = found if by_cases is None else by_cases
         return with_content(statement, found)
-    except (InputError, SceneError, ExpressionError) as error:
+    except (InputError, SceneError, ExpressionError, SingularError) as error:
         return Finding(subject, Verdict.UNDECIDED, str(error))
     except RecursionError:
         return Finding(subject, Verdict.UNDECIDED, "its expressions are nested too deeply")

@@ -58,7 +58,7 @@ def right_if(
     declared_names : sequence of str
         Where given, only changes made of exactly these are looked at.
     """
-    rows = [_plain(truth.scene, s.row) for s in statements if s.row is not None]
+    rows = [in_plain_symbols(truth.scene, s.row) for s in statements if s.row is not None]
     held = set().union(*(side.free_symbols for row in rows for side in row.sides))
     changes = [
         change
@@ -90,7 +90,7 @@ def judged_under(
 
     None where the scene has nothing that such a convention could be about.
     """
-    rows = [_plain(truth.scene, s.row) for s in statements if s.row is not None]
+    rows = [in_plain_symbols(truth.scene, s.row) for s in statements if s.row is not None]
     changes = [c for c in _changes(truth.scene) if {one.name for one in c} == set(names)]
     for target, some in _by_target(truth, changes):
         for change in some:
@@ -116,20 +116,20 @@ def _changes(scene: Scene) -> list[tuple[Convention, ...]]:
     return [*plain, (POINT_MASS,), *((POINT_MASS, *change) for change in singles)]
 
 
-def _each(row: Published, change: Callable[[Expr], Expr]) -> Published:
+def each_side(row: Published, change: Callable[[Expr], Expr]) -> Published:
     """A row with every side changed."""
     sides = (s.applyfunc(change) if isinstance(s, MatrixBase) else change(s) for s in row.sides)
     return replace(row, sides=tuple(sides))
 
 
-def _plain(scene: Scene, row: Published) -> Published:
+def in_plain_symbols(scene: Scene, row: Published) -> Published:
     """A row in plain symbols."""
-    return _each(row, lambda side: momenta_written_out(scene, scene.plain(side)))
+    return each_side(row, lambda side: momenta_written_out(scene, scene.plain(side)))
 
 
 def _moved(row: Published, table: dict) -> Published:
     """A row with the person's symbols replaced; rates of what is replaced follow."""
-    return _each(row, lambda side: side.xreplace(table))
+    return each_side(row, lambda side: side.xreplace(table))
 
 
 def _judged(truth: Equations, row: Published) -> Finding | None:

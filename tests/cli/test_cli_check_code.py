@@ -89,7 +89,7 @@ def test_a_black_box_is_supported_and_no_more(simulator: str, call: str) -> None
         (("--black-box", *NAMES, *VALUES, "--integrator", "leapfrog"), "integrator 'leapfrog'"),
         (("--black-box", *NAMES, *VALUES, "--value", "x=1"), "the scene has no parameter 'x'"),
         (("--black-box", *NAMES, "--value", "g"), "write name=value"),
-        ((*NAMES, "--value", "g=1"), "belong to a black box: add --black-box"),
+        ((*NAMES, "--step", "0.1"), "belongs to a black box: add --black-box"),
     ],
 )
 def test_bad_options_of_a_black_box(simulator: str, options: tuple, words: str) -> None:
@@ -108,3 +108,12 @@ def test_a_scene_of_ones_own(tmp_path: Path) -> None:
     found = run(scene, file)
     assert found.exit_code == 1
     assert "REFUTED  (1)" in found.stdout
+
+
+def test_a_value_of_a_parameter_stands_for_it(tmp_path: Path) -> None:
+    file = tmp_path / "numbers.txt"
+    file.write_text("x''*cos(theta)/2 + L/3*theta'' + 9.81*sin(theta)/2 = 0")
+    found = run("elastic_pendulum", file, "--value", "g=9.81")
+    assert found.exit_code == 0, found.output
+    assert "judged where g = 9.81" in found.output
+    assert run("elastic_pendulum", file, "--no-blame").exit_code == 1

@@ -1,0 +1,139 @@
+"""Statements where parameters have values: 9.81 stands where the scene has g.
+
+    M(q, p, 981/100) u' = f(q, u, p, 981/100)     and 981/100 in the statement where it holds g
+
+The values are put into what is derived and into the statement. Lengths that constraints hold, and
+what definitions or speeds are made of, stand in more places: these have no value here.
+"""
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
+from itertools import islice
+from typing import Any
+
+from sympy import Expr, Integer, Rational, Symbol
+
+from mechanics.checks.ledger import check_row
+from mechanics.compiled.fixed import fix, read_fixed
+from mechanics.crosscheck.glance import glance
+from mechanics.crosscheck.right_if import each_side, in_plain_symbols
+from mechanics.equations import Equations
+from mechanics.errors import InputError, MechanicsError
+from mechanics.exact import Finding
+from mechanics.reading.statement import Statement
+from mechanics.scene import Scene
+from mechanics.scene.published import Published
+from mechanics.scene.quantities import EquationOfMotion, Identity, ReactionValue
+
+Values = Mapping[Symbol, Expr]
+
+KINDS = (EquationOfMotion, ReactionValue, Identity)
+"""What is compared with nothing but the equations."""
+
+MOST = 40
+"""Values that are tried."""
+
+TIMES = (Integer(1), Rational(1, 2), Integer(2))
+"""A coefficient is a value, or twice it, or half of it."""
+
+
+def read_values(scene: Scene, given: Mapping[str, Any]) -> dict[Symbol, Expr]:
+    """Exact values by symbol.
+
+    Raises
+    ------
+    InputError
+        For a name or a value that the scene cannot have, or one that stands elsewhere, too.
+    """
+    table = read_fixed(scene, given)
+    for symbol in table:
+        if symbol in _elsewhere(scene):
+            raise InputError(
+                f"value of {symbol.name}: constraints, definitions or speeds of {scene.name} hold"
+                " it: write the statement with the symbol, or give the scene the value"
+            )
+    return table
+
+
+def judged_at(truth: Equations, row: Published, values: Values) -> Finding:
+    """The finding of a row where parameters have values.
+
+    Raises
+    ------
+    InputError
+        For a row about something else than motion, which is compared with the scene itself.
+    """
+    if not isinstance(row.quantity, KINDS):
+        raise InputError("values of parameters are for equations of motion: leave them out here")
+    there = _put(in_plain_symbols(truth.scene, row), values)
+    found = check_row(truth.scene, there, fix(truth, values))
+    return replace(found, evidence=f"{found.evidence}, where {words(values)}")
+
+
+def right_at(truth: Equations, statements: Sequence[Statement]) -> tuple[str, ...]:
+    """Values of parameters that the statements do not hold for which all of them are right.
+
+    A value has to stand in them as a number; or all are the scene's typical ones.
+    """
+    rows = [in_plain_symbols(truth.scene, s.row) for s in statements if s.row is not None]
+    if not rows or not all(isinstance(row.quantity, KINDS) for row in rows):
+        return ()
+    for values in islice(_candidates(truth.scene, rows), MOST):
+        if _right(truth, rows, values):
+            for symbol in list(values):
+                fewer = {s: v for s, v in values.items() if s != symbol}
+                values = fewer if fewer and _right(truth, rows, fewer) else values
+            return (words(values),)
+    return ()
+
+
+def _right(truth: Equations, rows: Sequence[Published], values: Values) -> bool:
+    """Whether all rows are shown where parameters have values."""
+    try:
+        target = fix(truth, values)
+        return glance(target, rows, [{}]) == [True] and all(
+            check_row(truth.scene, row, target).shown for row in rows
+        )
+    except MechanicsError:
+        return False  # there the scene does not move, or a row is none
+
+
+def words(values: Values) -> str:
+    """``g = 9.81``."""
+    parts = []
+    for symbol, value in sorted(values.items(), key=lambda item: item[0].name):
+        decimal = repr(float(value))
+        parts.append(f"{symbol.name} = {decimal if Rational(decimal) == value else value}")
+    return ", ".join(part.removesuffix(".0") for part in parts)
+
+
+def _candidates(scene: Scene, rows: Sequence[Published]) -> Iterator[dict[Symbol, Expr]]:
+    sides = [side for row in rows for side in row.sides]
+    held = set().union(*(side.free_symbols for side in sides)) | _elsewhere(scene)
+    free = [p for p in scene.parameters if p not in held]
+    atoms = set().union(*(side.atoms(Rational) for side in sides))
+    # Decimals come from measurements; 1/3 and 4 come from mechanics.
+    numbers = sorted({abs(n) for n in atoms if n.q % 5 == 0 or abs(n) > 4}, key=lambda n: (-n.q, n))
+    values = [number * times for times in TIMES for number in numbers]
+    typical = {p: Rational(str(p.typical)) for p in free if getattr(p, "typical", None)}
+    # What a person leaves out is the scene's own value, as a rule.
+    yield from ({symbol: value} for symbol, value in typical.items() if value in values)
+    if numbers and len(typical) == len(free) > 1:
+        yield typical
+    yield from ({symbol: value} for value in values for symbol in free)
+
+
+def _elsewhere(scene: Scene) -> set[Symbol]:
+    """Symbols in what rows are compared on besides the equations."""
+    found: set[Symbol] = set()
+    for symbol, value in scene.definitions.items():
+        found |= {symbol, *value.free_symbols}
+    for rate in scene.coordinate_rates.values():
+        found |= rate.free_symbols
+    if scene.constraints:
+        found |= set(scene.parameters)
+    return found
+
+
+def _put(row: Published, values: Values) -> Published:
+    return each_side(row, lambda side: side.xreplace(dict(values)))
