@@ -16,6 +16,7 @@ from mechanics.crosscheck.blamed import blamed
 from mechanics.crosscheck.cases import check_cases
 from mechanics.crosscheck.complete import redundancy
 from mechanics.crosscheck.other_meaning import energy_instead
+from mechanics.crosscheck.other_names import best_names, doubtful
 from mechanics.crosscheck.readers import read
 from mechanics.crosscheck.right_if import declared, judged_under, right_if
 from mechanics.crosscheck.routes import derive
@@ -24,7 +25,7 @@ from mechanics.equations import Equations
 from mechanics.errors import ExpressionError, InputError, SceneError, SingularError, wanted
 from mechanics.exact import Finding, Verdict
 from mechanics.reading.code.black_box import BlackBox
-from mechanics.reading.statement import Statement
+from mechanics.reading.statement import Reading, Statement
 from mechanics.report.answer.check import Check
 from mechanics.report.answer.judged import Judged
 from mechanics.scene import Scene
@@ -98,7 +99,7 @@ def check(
     things = equations if isinstance(equations, list | tuple) else [equations]
     boxed = [check_box(truth, thing, names) for thing in things if isinstance(thing, BlackBox)]
     parts = [thing for thing in things if not isinstance(thing, BlackBox)]
-    readings = [read(truth.scene, part, names, notation, about, function) for part in parts]
+    readings = [_read(truth, part, names, notation, about, function) for part in parts]
     statements = [statement for reading in readings for statement in reading.statements]
     if values and convention:
         raise InputError("check: values and a convention are given: give one of them")
@@ -113,9 +114,19 @@ def check(
     told_of = (*(reading.names for reading in readings), *(known for _, known in boxed))
     matches = {match.name: match for known in told_of for match in known}
     remarks = tuple(dict.fromkeys(r for reading in readings for r in reading.remarks))
+    if any(entry.finding.verdict is Verdict.REFUTED for entry in judged):
+        remarks += doubtful(readings)
     twice = redundancy(truth, judged)
     remarks = (*remarks, *told, *([twice] if twice else []))
     return Check(truth.scene, judged, tuple(matches.values()), remarks, truth)
+
+
+def _read(truth: Equations, part: Any, names: Mapping[str, str] | None, *how: Any) -> Reading:
+    """A reading under the best choice of the names that are guessed."""
+    found = read(truth.scene, part, names, *how)
+    return best_names(
+        truth, found, lambda chosen: read(truth.scene, part, {**(names or {}), **chosen}, *how)
+    )
 
 
 def _judged(
