@@ -87,6 +87,10 @@ def wrapped(source: Source, text: str, name: str | None) -> Call:
     outputs = [chosen] if result else []
     for declaration in parameters(function.decl.type):
         kind = declared(declaration)
+        if not declaration.name:
+            raise InputError(
+                f"{declaration.coord}: an argument of {chosen} has no name: give it one"
+            )
         if kind.kind != "double" or kind.depth > 1:
             raise InputError(
                 f"{declaration.coord}: argument {declaration.name} is {kind.words}: numbers and"
