@@ -20,6 +20,7 @@ from mechanics.crosscheck.other_names import best_names, doubtful
 from mechanics.crosscheck.readers import read
 from mechanics.crosscheck.right_if import declared, judged_under, right_if
 from mechanics.crosscheck.routes import derive
+from mechanics.crosscheck.small_angles import right_for_small_angles
 from mechanics.crosscheck.vacuous import with_content
 from mechanics.equations import Equations
 from mechanics.errors import ExpressionError, InputError, SceneError, SingularError, wanted
@@ -145,7 +146,10 @@ def _judged(
         return _not_right_under(truth, statements, names, findings, claimed)
     helping = tuple(" and ".join(c.words for c in change) for change, _ in found)
     if not found:
-        helping = right_at(truth, [statements[k] for k in claimed])
+        some = [statements[k] for k in claimed]
+        helping = right_at(truth, some) or right_for_small_angles(
+            truth, some, [findings[k] for k in claimed]
+        )
     if names:
         words = helping[0]
         for k, finding in zip(claimed, found[0][1], strict=True):

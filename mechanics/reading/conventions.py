@@ -40,9 +40,9 @@ class Convention:
 
 
 NAMES = (
-    "other vertical", "from the horizontal", "other sign of angles", "other sign of displacements",
+    "other vertical", "other sign of angles", "other sign of displacements",
     "other sign of inputs", "relative angles", "absolute angles", "half-length",
-    "twice the length", "point mass",
+    "twice the length", "point mass", "from the horizontal",
 )  # fmt: skip
 """What may be declared; they may be combined with a comma."""
 
@@ -94,7 +94,8 @@ def _level(scene: Scene, angles: list[Symbol]) -> Iterator[Convention]:
     for sense, start in product((-1, 1), (1, -1)) if angles else ():
         table = _negative(scene, angles) if sense < 0 else {}
         table |= {q: sense * q + start * pi / 2 for q in angles}
-        told = ", ".join(f"{q} is {table[q]} of the scene" for q in angles)
+        quarter = "pi/2" if start > 0 else "-pi/2"
+        told = f"{quarter} minus the scene's" if sense < 0 else f"{quarter} plus the scene's"
         words = f"counted from a quarter turn away, such as the horizontal: {told}"
         yield Convention("from the horizontal", _about(angles, words), table)
 

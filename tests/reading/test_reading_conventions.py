@@ -1,5 +1,7 @@
 """Equations that are right under another convention, and only there."""
 
+from dataclasses import replace
+
 import pytest
 from sympy import Eq
 
@@ -7,6 +9,8 @@ import mechanics
 from mechanics.blame.rows import generalized_rows
 from mechanics.crosscheck.check import derived
 from mechanics.errors import InputError
+from mechanics.reading.conventions import conventions
+from mechanics.scene import Gravity
 from mechanics.scene.symbols import plain_symbol
 from systems import acrobot, double_pendulum, elastic_pendulum, pendulum_chain
 
@@ -109,3 +113,30 @@ def test_what_is_wrong_under_a_declared_convention_is_not_searched() -> None:
 def test_an_unknown_convention_is_refused() -> None:
     with pytest.raises(InputError, match="it can be other vertical, other sign of angles"):
         mechanics.check(CART, CLOCKWISE, convention="upside down")
+
+
+@pytest.mark.parametrize(
+    ("gravity", "carriage"),
+    [("- M*g*L/2*cos(theta)", "-sin(theta)"), ("+ M*g*L/2*cos(theta)", "sin(theta)")],
+)
+def test_an_angle_from_the_horizontal(gravity: str, carriage: str) -> None:
+    text = f"M*L^2/3*theta'' + M*L/2*x''*{carriage} {gravity} = 0"
+    (entry,) = mechanics.check(PENDULUM, text).judged
+    assert entry.finding.verdict.name == "REFUTED"
+    assert any("such as the horizontal" in words for words in entry.right_if)
+    assert mechanics.check(PENDULUM, text, convention="from the horizontal").ok
+
+
+def test_no_quarter_turn_helps_what_is_wrong() -> None:
+    text = "M*L^2/3*theta'' + M*L/2*x''*sin(theta) - M*g*L*cos(theta) = 0"
+    (entry,) = mechanics.check(PENDULUM, text).judged
+    assert entry.right_if == ()
+    (entry,) = mechanics.check(PENDULUM, text, convention="from the horizontal").judged
+    assert entry.finding.verdict.name == "REFUTED"
+
+
+def test_a_scene_without_gravity_has_no_vertical() -> None:
+    heavy = PENDULUM.scene
+    light = replace(heavy, loads=tuple(o for o in heavy.loads if not isinstance(o, Gravity)))
+    words = {change[0].words for change in conventions(light) if change[0].name == "other vertical"}
+    assert words == {"theta is counted from the opposite direction"}

@@ -1,0 +1,113 @@
+"""Whether refuted equations are right to first order in angles: people write theta for sin(theta).
+
+r(e theta, e theta', a(e))  =  r0 + e r1 + ...    r0 = 0 and r1 = 0 at all states
+M0 a0 = f0,    M0 a1 = f1 - M1 a0                 with M(e), f(e) expanded in the same way
+
+An equation counts as linearised only where an angle stands by itself, or no angle stands in a sine
+or cosine, and where no two of angles, rates, sines and cosines are multiplied: else a wrong term of
+higher order would be called right.
+"""
+
+from collections.abc import Sequence
+
+from sympy import Dummy, Expr, Matrix, S, Symbol
+from sympy.functions.elementary.trigonometric import TrigonometricFunction
+
+from mechanics.equations import Equations
+from mechanics.errors import MechanicsError
+from mechanics.exact import Finding, Verdict
+from mechanics.exact.decide import prove_zero
+from mechanics.reading.kinds import angular
+from mechanics.reading.statement import Statement
+from mechanics.scene import Scene
+from mechanics.scene.quantities import EquationOfMotion
+from mechanics.scene.symbols import plain_symbol
+
+MOST = 4
+"""Speeds up to which this is looked at."""
+
+E = Dummy("e")
+
+
+def right_for_small_angles(
+    truth: Equations, statements: Sequence[Statement], findings: Sequence[Finding]
+) -> tuple[str, ...]:
+    """What has to be so for all statements to be right: small angles; nothing where that is not.
+
+    Parameters
+    ----------
+    truth : Equations
+    statements : sequence of Statement
+    findings : sequence of Finding
+        Their verdicts as written.
+    """
+    scene = truth.scene
+    angles = [q for q in scene.coordinates if plain_symbol(q) in angular(scene)]
+    wrong = [s for s, f in zip(statements, findings, strict=True) if not f.shown]
+    unfit = scene.constraints or scene.speeds or truth.multipliers
+    if unfit or not wrong or not angles or len(scene.u) > MOST:
+        return ()
+    orders = [{plain_symbol(q, k) for q in angles} for k in range(3)]
+    try:
+        residuals = [_residual(scene, s) for s in wrong]
+        if not all(r is not None and _linearised(r, *orders) for r in residuals):
+            return ()
+        small = orders[0] | orders[1]
+        motion = _motion(truth, small)
+        shown = all(_first_order(scene, r, small, motion) for r in residuals if r is not None)
+    except (MechanicsError, ValueError):
+        return ()  # nothing to expand at angles of zero
+    names = ", ".join(f"{plain_symbol(q).name} = 0" for q in angles)
+    return (f"linearised about {names} (to first order, for small angles)",) if shown else ()
+
+
+def _residual(scene: Scene, statement: Statement) -> Expr | None:
+    """Left less right in plain symbols; None for what is no equation of motion alone."""
+    row = statement.row
+    if row is None or not isinstance(row.quantity, EquationOfMotion) or len(row.sides) != 2:
+        return None
+    left, right = map(scene.plain, row.sides)
+    known = {*scene.q, *scene.u, *scene.qd, *scene.ud, *scene.input_symbols, *scene.parameters}
+    residual = left - right
+    return residual if residual.free_symbols <= known else None
+
+
+def _linearised(residual: Expr, q: set[Symbol], qd: set[Symbol], qdd: set[Symbol]) -> bool:
+    """Whether an angle stands by itself, and no product of two that vanish with the angles."""
+    small = q | qd | qdd
+    circular = {f for f in residual.atoms(TrigonometricFunction) if f.free_symbols & small}
+    hidden = {function: Dummy() for function in circular}
+    bare = residual.xreplace(hidden)
+    moving = sorted({*small, *hidden.values()}, key=str)
+    if not bare.free_symbols & (q if hidden else small):
+        return False
+    return all(bare.diff(a, b) == S.Zero for a in moving for b in moving)
+
+
+def _motion(truth: Equations, small: set[Symbol]) -> tuple[Matrix, Matrix]:
+    """Accelerations at angles of zero, and how they grow with the angles."""
+    mass, forcing = (_scaled(m, small) for m in (truth.mass, truth.forcing))
+    at, force = mass.subs(E, 0), forcing.subs(E, 0)
+    inverse = at.adjugate() / at.det()
+    resting = inverse * force
+    growing = inverse * (forcing.diff(E).subs(E, 0) - mass.diff(E).subs(E, 0) * resting)
+    return resting, growing
+
+
+def _first_order(
+    scene: Scene, residual: Expr, small: set[Symbol], motion: tuple[Matrix, Matrix]
+) -> bool:
+    resting, growing = motion
+    scaled = _scaled(Matrix([residual]), small)[0]
+    there = dict(zip(scene.ud, resting, strict=True))
+    total = scaled.diff(E) + sum(
+        (scaled.diff(a) * b for a, b in zip(scene.ud, growing, strict=True)), S.Zero
+    )
+    orders = [scaled.subs(E, 0).xreplace(there), total.subs(E, 0).xreplace(there)]
+    return prove_zero("to first order", orders, try_normal=False).verdict in (
+        Verdict.PROVED, Verdict.CERTIFIED,
+    )  # fmt: skip
+
+
+def _scaled(entries: Matrix, small: set[Symbol]) -> Matrix:
+    return entries.xreplace({symbol: E * symbol for symbol in small})
