@@ -159,7 +159,10 @@ class Builder:
     def _call(self, node: Node, function: str, arguments: list[Any]) -> Any:
         if function == "transpose":
             (only,) = arguments
-            return only.T if isinstance(only, MatrixBase) else only
+            if not isinstance(only, MatrixBase):
+                words = "a prime or .T behind what is no matrix: write diff(..., t) for its rate"
+                raise Refused(node.at, words)
+            return only.T
         _, _, make = FUNCTIONS[function]
         numbers = [self._scalar(node, argument) for argument in arguments]
         if any(n.is_number and n.is_finite and abs(n.n(5)) > LARGEST_NUMBER for n in numbers):

@@ -215,6 +215,9 @@ class Nodes:
         moving = self.naming.is_function(name)
         if of_time and moving is not False and not self.naming.knows("t"):
             return Name(at, name, order, True)
+        if moving is None and constant(inside) is not None:
+            words = f"{name}({constant(inside)}), an element of an array, is written by its name"
+            raise Refused(at, f"the function {name} is not known here: {words}")
         if moving is None:
             raise Refused(at, f"the function {name} is not known here")
         self.notes.append(f"{name}(...) is read as a product: {name} is no function")

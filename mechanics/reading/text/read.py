@@ -11,6 +11,7 @@ from functools import lru_cache
 from lark import Tree
 from lark.exceptions import UnexpectedCharacters, UnexpectedInput, UnexpectedToken
 
+from mechanics.reading.functions import FUNCTIONS
 from mechanics.reading.lines import Line, Unread
 from mechanics.reading.names import Naming
 from mechanics.reading.place import Refused, bounded, bounded_mathematics, located, refusal
@@ -18,6 +19,7 @@ from mechanics.reading.text.grammar import PARSER
 from mechanics.reading.text.nodes import Nodes
 from mechanics.reading.text.prepare import prepared
 
+ENDS = ("end", "endfunction")
 TAG = re.compile(r"[%#]\s*(\([\w.']{1,12}\))")
 
 
@@ -44,7 +46,7 @@ def read_text(text: str, naming: Naming, origin: str = "text") -> list[Line | Un
         raise refusal(text, reason, origin) from None
     clean = prepared(text)
     try:
-        return _lines(clean, text, 0, naming)
+        return _lines(clean, text, 0, naming, origin)
     except Refused as reason:
         whole = reason
     # One line that cannot be read does not spoil the others.
@@ -53,7 +55,7 @@ def read_text(text: str, naming: Naming, origin: str = "text") -> list[Line | Un
         if not match[0].strip():
             continue
         try:
-            found += _lines(match[0], text, match.start(), naming)
+            found += _lines(match[0], text, match.start(), naming, origin)
         except Refused as reason:
             words = located(text, reason.at, reason.words, origin)
             found.append(Unread(" ".join(match[0].split()), words, match.start()))
@@ -69,13 +71,18 @@ def _tree(text: str) -> Tree:
     return PARSER.parse(text)
 
 
-def _lines(clean: str, text: str, offset: int, naming: Naming) -> list[Line | Unread]:
+def _lines(clean: str, text: str, offset: int, naming: Naming, origin: str) -> list[Line | Unread]:
     try:
         tree = _tree(clean)
     except UnexpectedInput as error:
         raise _unexpected(error, clean, offset) from None
     found: list[Line | Unread] = []
     for statement in tree.children:
+        if text[offset + statement.meta.start_pos : offset + statement.meta.end_pos] in ENDS:
+            at = offset + statement.meta.start_pos
+            words = "the end of a MATLAB function: keep its equations only, one a line"
+            found.append(Unread("end", located(text, at, words, origin), at))
+            continue
         notes: list[str] = []
         sides = Nodes(naming, offset, notes).sides(statement)
         start, end = offset + statement.meta.start_pos, offset + statement.meta.end_pos
@@ -91,9 +98,23 @@ def _lines(clean: str, text: str, offset: int, naming: Naming) -> list[Line | Un
 
 def _unexpected(error: UnexpectedInput, text: str, offset: int) -> Refused:
     if isinstance(error, UnexpectedCharacters):
-        at = error.pos_in_stream
-        return Refused(offset + at, f"{text[at : at + 1]!r} cannot be read here")
+        at, found = error.pos_in_stream, text[error.pos_in_stream : error.pos_in_stream + 1]
+        return Refused(offset + at, f"{found!r} cannot be read here{_advice(text, at, found)}")
     if isinstance(error, UnexpectedToken) and error.token.type != "$END":
-        word = "the end of a line" if error.token.type == "_END" else repr(str(error.token)[:20])
-        return Refused(offset + (error.token.start_pos or 0), f"{word} cannot be read here")
+        at, found = error.token.start_pos or 0, str(error.token)[:20]
+        word = "the end of a line" if error.token.type == "_END" else repr(found)
+        return Refused(offset + at, f"{word} cannot be read here{_advice(text, at, found)}")
     return Refused(offset + len(text.rstrip()), "something is missing at the end")
+
+
+def _advice(text: str, at: int, found: str) -> str:
+    """What to write instead where two operands stand side by side."""
+    before = text[max(0, text.rfind("\n", 0, at) + 1) : at].rstrip()[-60:]
+    if re.match(r"\s*function\b", before):
+        return ": a MATLAB function: keep its equations only, one a line, without function and end"
+    last = re.search(r"[\w'\u0307\u0308]+$|[)\]]$", before)
+    if last is None or not re.match(r"[\w(]", found):
+        return ""
+    if last[0] in FUNCTIONS:
+        return f": write {last[0]}({found})"
+    return ": write * between factors"
