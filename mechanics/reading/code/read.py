@@ -24,6 +24,7 @@ from mechanics.reading.code.arguments import Arguments, arguments_of
 from mechanics.reading.code.as_written import Formula, Formulas, of_graph
 from mechanics.reading.code.c_person import known_meaning, without_comments
 from mechanics.reading.code.c_place import placed
+from mechanics.reading.code.c_plain import plain
 from mechanics.reading.code.c_wrapper import WRAPPER, wrapped
 from mechanics.reading.code.called import doubt_when_called
 from mechanics.reading.code.outputs import claims, in_order, state_of_scalars, statement
@@ -140,15 +141,19 @@ def read_c(
         raise InputError(f"{origin}, line 1, column 1: {len(text)} characters: {LARGEST_C} at most")
     coord = ""
     try:
-        call = wrapped(known_meaning(parse(text, origin), text), text, function)
+        known_meaning(parse(text, origin), text)
+        written = plain(text, origin)
+        text = written.text
+        call = wrapped(parse(text, origin), text, function)
         coord, wanted = call.coord, list(call.inputs)
 
         def run(given: Arguments) -> Outputs:
             sizes = {name: len(_entries(given.values[name])) for name in wanted}
             outputs = _c_outputs(call.source(sizes), origin, wanted, given, call.size)
-            return replace(outputs, names=call.outputs)
+            notes = (*outputs.notes, *written.notes)
+            return replace(outputs, names=call.outputs, notes=notes)
 
-        apart = in_c(without_comments(text))
+        apart = {**in_c(without_comments(text)), **written.apart}
         return _read(scene, call.name, wanted, call.inputs, run, names, about, apart)
     except (ExpressionError, InputError) as error:
         raise InputError(placed(text, str(error), origin, coord)) from None
