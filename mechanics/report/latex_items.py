@@ -13,6 +13,8 @@ OPENS = re.compile(r"\{|\(|\[|\\(left|begin)\b")
 CLOSES = re.compile(r"\}|\)|\]|\\(right|end)\b")
 WORDS = re.compile(r"\\(sin|cos|tan|cot|sec|csc|sinh|cosh|tanh|exp|log|sqrt)")
 TABLE = re.compile(r"\\begin\b|\\\\")
+MARKED = re.compile(r"\\class\{wrong\}\{[-+]\}")
+"""A sign that is wrong; the right one stands behind it."""
 NO_WIDTH = re.compile(
     r"\s+|[\^_.{}]|\\(?:,|left|right|d+ot|class|operatorname|mathrm|[td]?frac|[bB]ig[lr])"
 )
@@ -109,9 +111,10 @@ def width(latex: str) -> int:
 def terms(latex: str) -> list[str]:
     """LaTeX cut before the signs between its terms; an equality sign begins a part, too."""
     parts, current, depth, before = [], "", 0, ""
-    for token in TOKEN.findall(latex):
+    for found in TOKEN.finditer(latex):
+        token = found[0]
         depth += bool(OPENS.fullmatch(token)) - bool(CLOSES.fullmatch(token))
-        sign = depth == 0 and SIGNS.fullmatch(token)
+        sign = depth == 0 and (SIGNS.fullmatch(token) or MARKED.match(latex, found.start()))
         if sign and current.strip() and not before.endswith(("=", "+", "-", "^", "_", "\\cdot")):
             parts.append(current.strip())
             current = ""

@@ -63,6 +63,11 @@ def test_what_belongs_together_is_not_cut() -> None:
     assert texts(rf"\sin \left({LONG}\right)")[0].startswith(r"\sin \bigl( m_{1}")
 
 
+def test_a_line_may_end_before_a_wrong_sign() -> None:
+    latex = r"x = a \class{wrong}{+}\class{right}{-} b"
+    assert texts(latex) == ["x", "= a", r"\class{wrong}{+}\class{right}{-} b"]
+
+
 @pytest.mark.parametrize(
     "hostile", ["(" * 4000, "{" * 4000 + "}" * 4000, r"\frac" * 3000, r"\left" * 3000, "x" * 30000]
 )

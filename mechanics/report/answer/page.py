@@ -37,6 +37,7 @@ def check_html(found: Check) -> str:
         block=typed.block, counted=counted, formula=typed.formula, order=order,
         parted=parted, read_as=read_as,
     )  # fmt: skip
+    made.tests["wide"] = typed.wide
     told, notes = shared_notes(found.told)
     route, result = lines_of(found.derived) if found.derived is not None else ("", ())
     state = dict(found.scene.example)

@@ -21,6 +21,10 @@ from mechanics.report.answer.person_latex import clean, marked
 from mechanics.report.answer.safe_mathml import safe_mathml
 from mechanics.report.answer.tree_latex import TreeLatex, function_latex
 from mechanics.report.breaking import broken
+from mechanics.report.latex_items import width
+
+COLUMN = 16
+"""Characters that fit into one of four columns."""
 
 
 @dataclass(frozen=True)
@@ -106,6 +110,11 @@ def formula(text: str, hand: Hand) -> Markup:
 def block(text: str, hand: Hand) -> Markup:
     """A formula on lines of its own."""
     return _typeset(hand.latex(text)) or _code((Piece(text),))
+
+
+def wide(text: str, hand: Hand) -> bool:
+    """Whether a formula is too wide for a column of a table."""
+    return width(hand.latex(text) or text) > COLUMN
 
 
 def _typeset(latex: str | None) -> Markup | None:
