@@ -28,7 +28,7 @@ from mechanics.reading.defined import (
 )
 from mechanics.reading.guess import guess
 from mechanics.reading.kind import kind_of
-from mechanics.reading.lines import Aside, Entry, Line, Unread
+from mechanics.reading.lines import Aside, Entry, Line, Unread, told_once
 from mechanics.reading.names import Naming, Vocabulary, unexplained
 from mechanics.reading.place import Refused, line_and_column, located
 from mechanics.reading.sides import holds, is_named, known_first, scalar, shape
@@ -79,12 +79,13 @@ def assemble(
     if guessed:
         naming = replace(naming, guessed=guessed)
         lines = turned(read(naming), naming)
+    lines, told = told_once(lines)
     work = _Assembly(scene, naming, text, origin, words, about, needed(lines), notation)
     work.learn(lines)
     for line in lines:
         work.add(line)
     matches = naming.matches(name.name for name in used(lines))
-    return Reading(tuple(work.statements), matches, tuple(work.remarks))
+    return Reading(tuple(work.statements), matches, (*work.remarks, *told))
 
 
 class _Assembly:
@@ -112,9 +113,7 @@ class _Assembly:
         if self.about is not None:
             return
         defined = {n: d for n, d in definitions(lines, self.naming).items() if n not in self.words}
-        silent = {id(d) for n, d in defined.items() if n not in ENERGY_NAMES or n in self.needed}
-        judged = [d for d in lines if isinstance(d, Line) and id(d) not in silent]
-        self.reached = reached(judged, defined)
+        self.reached = reached(lines, defined, self.needed)
         for name in in_order(defined):
             line = defined[name]
             try:

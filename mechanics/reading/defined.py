@@ -7,7 +7,7 @@ any verdict.
 """
 
 from collections import Counter
-from collections.abc import Container, Iterable, Mapping, Sequence
+from collections.abc import Container, Mapping, Sequence
 from dataclasses import replace
 
 from mechanics.reading.about import ENERGY_NAMES
@@ -137,10 +137,23 @@ def _needs(line: Line, defined: Mapping[str, Line]) -> list[str]:
     return [n.name for side in line.sides[1:] for n in names(side) if n.name in defined]
 
 
-def reached(judged: Iterable[Line], defined: Mapping[str, Line]) -> frozenset[str]:
-    """Names that lines use, and that the definitions of these use in turn."""
+def reached(
+    lines: Sequence[Entry], defined: Mapping[str, Line], needed: Container[str]
+) -> frozenset[str]:
+    """Names that judged lines use, and that the definitions of these use in turn.
+
+    A definition is no judged line, but for that of an energy: it is judged by its right.
+    """
+    names_of = {id(line): name for name, line in defined.items()}
+    todo: list[str] = []
+    for line in lines:
+        if isinstance(line, Line):
+            name = names_of.get(id(line))
+            if name is None:
+                todo += [n.name for side in line.sides for n in names(side)]
+            elif name in ENERGY_NAMES and name not in needed:
+                todo += [n.name for side in line.sides[1:] for n in names(side)]
     found: set[str] = set()
-    todo = [n.name for line in judged for side in line.sides for n in names(side)]
     while todo:
         name = todo.pop()
         if name not in found:

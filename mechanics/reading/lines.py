@@ -1,8 +1,12 @@
 """Lines of a text: equations with one side or more, each with the place where it stands."""
 
-from dataclasses import dataclass
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 
 from mechanics.reading.tree import Node
+
+PRODUCT = "is read as the product"
+"""In a note on letters that stand side by side."""
 
 
 @dataclass(frozen=True)
@@ -50,3 +54,15 @@ class Aside:
 
 Entry = Line | Unread | Aside
 """What a reader finds in a text."""
+
+
+def told_once(lines: Sequence[Entry]) -> tuple[list[Entry], list[str]]:
+    """The lines, and apart from them how letters were parted: it is the same in all of them."""
+    told: dict[str, None] = {}
+    found: list[Entry] = []
+    for line in lines:
+        if isinstance(line, Line):
+            told |= dict.fromkeys(note for note in line.notes if PRODUCT in note)
+            line = replace(line, notes=tuple(note for note in line.notes if note not in told))
+        found.append(line)
+    return found, list(told)

@@ -112,3 +112,7 @@ def test_rates_of_a_short_name_are_rates() -> None:
 def test_an_energy_that_is_used_below_is_judged_itself() -> None:
     lines = "T = (M + m)*x'^2/2; V = 7*x; L = T - V"
     assert verdicts(PIVOT, lines) == ["REFUTED"] * 3
+
+
+def test_a_matrix_with_the_name_of_an_energy_is_no_energy() -> None:
+    assert verdicts(CART, f"{RAIL}H = [mc + mp, 7*l]") == ["PROVED", "UNDECIDED"]

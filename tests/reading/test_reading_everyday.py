@@ -96,3 +96,10 @@ def test_what_cannot_be_judged_is_never_dropped(text: str, words: str) -> None:
 def test_a_line_that_cannot_be_read_does_not_spoil_the_others() -> None:
     text = rf"{LEFT} &= F \\ \frac{{\partial L}}{{\partial x}} &= 0"
     assert verdicts(rf"\begin{{align}} {text} \end{{align}}") == ["PROVED", "UNDECIDED"]
+
+
+def test_how_letters_were_parted_is_told_once() -> None:
+    text = r"m_c g = ml + a \\ 2 ml = 3 x"
+    found = mechanics.check(CART, text, notation="latex", blame=False)
+    assert sum("ml is read as the product m l" in remark for remark in found.remarks) == 1
+    assert not any("ml" in note for e in found.judged for note in e.statement.notes)

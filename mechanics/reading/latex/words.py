@@ -10,6 +10,7 @@ from lark import Token
 
 from mechanics.reading.functions import FUNCTIONS
 from mechanics.reading.latex.item import Item, bare, letter_of
+from mechanics.reading.lines import PRODUCT
 from mechanics.reading.names import GREEK, Naming
 from mechanics.reading.place import Refused
 from mechanics.reading.tree import Call, Name, Number, ended
@@ -65,7 +66,7 @@ class Words:
             self.notes.append(f"{word} is read as the function, not as a product of letters")
             return [Item("function", at, text=word)]
         letters = " ".join((*word[:-1], whole[len(word) - 1 :]))
-        self.notes.append(f"{whole} is read as the product {letters}")
+        self.notes.append(f"{whole} {PRODUCT} {letters}")
         before = [named(letter, "", at + i) for i, letter in enumerate(word[:-1])]
         for i, item in enumerate(before):
             ended(item.node, at + i + 1)  # type: ignore[arg-type]
