@@ -17,7 +17,7 @@ from mechanics.crosscheck.cases import check_cases
 from mechanics.crosscheck.complete import redundancy
 from mechanics.crosscheck.other_meaning import energy_instead
 from mechanics.crosscheck.other_names import best_names, doubtful
-from mechanics.crosscheck.readers import read
+from mechanics.crosscheck.readers import read, spread
 from mechanics.crosscheck.right_if import declared, judged_under, right_if
 from mechanics.crosscheck.routes import derive
 from mechanics.crosscheck.small_angles import right_for_small_angles
@@ -61,8 +61,8 @@ def check(
     equations : str, Path, SymPy object, function, or a sequence of them
         LaTeX, or text in SymPy's or MATLAB's notation, or the path of a file with such a text, or
         with C (``.c``); an expression, equation, matrix, `KanesMethod`, `LagrangesMethod` or
-        `System` of SymPy's; a CasADi `Function`; a Python function on numbers and NumPy arrays,
-        which is traced; a `BlackBox`, which is only called.
+        `System` of SymPy's, or what `sympy.solve` returns; a CasADi `Function`; a Python function
+        on numbers and NumPy arrays, which is traced; a `BlackBox`, which is only called.
     names : mapping of str to str, optional
         The person's names and the scene's: ``{"phi": "theta", "w": "theta_dot"}``; for an argument
         of code that is a vector, several: ``{"state": "x x_dot theta theta_dot"}``. What is not
@@ -97,7 +97,7 @@ def check(
         truth = scene
     else:
         truth = derived(scene.scene() if isinstance(scene, System) else scene)
-    things = equations if isinstance(equations, list | tuple) else [equations]
+    things = spread(equations)
     boxed = [check_box(truth, thing, names) for thing in things if isinstance(thing, BlackBox)]
     parts = [thing for thing in things if not isinstance(thing, BlackBox)]
     readings = [_read(truth, part, names, notation, about, function) for part in parts]

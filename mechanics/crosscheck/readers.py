@@ -7,6 +7,7 @@ from types import ModuleType
 from typing import Any
 
 import casadi
+from sympy import Eq, Expr, SympifyError, sympify
 
 from mechanics.errors import InputError, WrongKindError
 from mechanics.reading.assemble import Reading
@@ -17,6 +18,31 @@ from mechanics.scene import Scene
 
 FILE = re.compile(r"[^=\n\0]{0,400}\.(tex|txt|m|c|h|py|ipynb|md)", re.IGNORECASE)
 """What no equation looks like, and a file's name does."""
+
+
+def spread(equations: Any) -> list[Any]:
+    """The things that a person passes, one by one.
+
+    What `sympy.solve` returns, ``{x.diff(t, 2): ...}``, is an equation for each entry.
+    """
+    things = list(equations) if isinstance(equations, list | tuple) else [equations]
+    found: list[Any] = []
+    for thing in things:
+        if isinstance(thing, Mapping) and thing and all(isinstance(k, Expr) for k in thing):
+            found += [Eq(k, _expression(k, v), evaluate=False) for k, v in thing.items()]
+        else:
+            found.append(thing)
+    return found
+
+
+def _expression(name: Expr, value: Any) -> Expr:
+    try:
+        found = sympify(value, strict=True)
+    except SympifyError:
+        found = None
+    if not isinstance(found, Expr):
+        raise InputError(f"check: {name} is given as {type(value).__name__}: pass an expression")
+    return found
 
 
 def read(

@@ -1,8 +1,9 @@
 """Numbers in place of parameters: for which values a statement is right, and judged at values."""
 
 import pytest
+from sympy import Matrix, solve
 
-from mechanics import check
+from mechanics import check, derive
 from mechanics.errors import InputError
 from mechanics.exact import Verdict
 from systems import elastic_pendulum, four_bar
@@ -68,3 +69,16 @@ def test_values_that_stand_elsewhere_too_are_refused() -> None:
         check(scene, "0 = 0", values={name: 1})
     with pytest.raises(InputError, match="values and a convention"):
         check(SCENE, RIGHT, values={"g": 9.81}, convention="other vertical")
+
+
+def test_what_sympy_solve_returns_is_an_equation_for_each_entry() -> None:
+    known = derive(SCENE, "lagrange")
+    ud = Matrix(SCENE.ud)
+    solution = solve(list(known.mass * ud - known.forcing), list(ud), dict=True)
+    found = check(SCENE, solution)
+    assert [entry.finding.verdict.name for entry in found.judged] == ["PROVED", "PROVED"]
+    (table,) = solution
+    first = next(iter(table))
+    assert check(SCENE, {first: 2 * table[first]}, blame=False).verdict is Verdict.REFUTED
+    with pytest.raises(InputError, match="is given as str: pass an expression"):
+        check(SCENE, {first: "x"})
