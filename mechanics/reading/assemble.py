@@ -8,6 +8,7 @@ T = ..., V = ..., L = ...    energies, where the scene has no such names
 
 from collections.abc import Callable, Sequence
 from dataclasses import replace
+from functools import partial
 
 from sympy import Expr, S, Symbol
 from sympy.matrices import MatrixBase
@@ -31,7 +32,7 @@ from mechanics.reading.kind import kind_of
 from mechanics.reading.lines import Aside, Entry, Line, Unread, told_once
 from mechanics.reading.names import Naming, Vocabulary, unexplained
 from mechanics.reading.place import Refused, line_and_column, located
-from mechanics.reading.sides import holds, is_named, known_first, scalar, shape
+from mechanics.reading.sides import held, holds, is_named, known_first, scalar, shape
 from mechanics.reading.statement import Reading, Statement
 from mechanics.reading.tree import Name, Node
 from mechanics.reading.weight import Weight, weight
@@ -113,7 +114,9 @@ class _Assembly:
         if self.about is not None:
             return
         defined = {n: d for n, d in definitions(lines, self.naming).items() if n not in self.words}
-        self.reached = reached(lines, defined, self.needed)
+        if defined:
+            plain = partial(held, Builder(self.naming, {}, {}))
+            self.reached = reached(lines, defined, self.needed, plain)
         for name in in_order(defined):
             line = defined[name]
             try:

@@ -7,7 +7,7 @@ any verdict.
 """
 
 from collections import Counter
-from collections.abc import Container, Mapping, Sequence
+from collections.abc import Callable, Container, Mapping, Sequence
 from dataclasses import replace
 
 from mechanics.reading.about import ENERGY_NAMES
@@ -138,9 +138,12 @@ def _needs(line: Line, defined: Mapping[str, Line]) -> list[str]:
 
 
 def reached(
-    lines: Sequence[Entry], defined: Mapping[str, Line], needed: Container[str]
+    lines: Sequence[Entry],
+    defined: Mapping[str, Line],
+    needed: Container[str],
+    held: Callable[[Sequence[Node]], Sequence[str]],
 ) -> frozenset[str]:
-    """Names that judged lines use, and that the definitions of these use in turn.
+    """Names that judged lines hold, and that the definitions of these use in turn.
 
     A definition is no judged line, but for that of an energy: it is judged by its right.
     """
@@ -150,7 +153,7 @@ def reached(
         if isinstance(line, Line):
             name = names_of.get(id(line))
             if name is None:
-                todo += [n.name for side in line.sides for n in names(side)]
+                todo += held(line.sides)
             elif name in ENERGY_NAMES and name not in needed:
                 todo += [n.name for side in line.sides[1:] for n in names(side)]
     found: set[str] = set()

@@ -9,7 +9,8 @@ from sympy.matrices import MatrixBase
 
 from mechanics.reading.build import Builder, Value
 from mechanics.reading.lines import Line
-from mechanics.reading.tree import Name, Node
+from mechanics.reading.place import Refused
+from mechanics.reading.tree import Name, Node, Rate, names, parts
 
 
 def known_first(builder: Builder, line: Line) -> tuple[tuple[Value, ...], Node]:
@@ -21,6 +22,32 @@ def known_first(builder: Builder, line: Line) -> tuple[tuple[Value, ...], Node]:
         built.append((len(builder.unknown) > before, value, side))
     built.sort(key=lambda entry: entry[0])
     return tuple(value for _, value, _ in built), built[0][2]
+
+
+def held(builder: Builder, sides: Sequence[Node]) -> list[str]:
+    """Names that an equation holds when it is built: in N - N = 0 there is none.
+
+    Parameters
+    ----------
+    builder : Builder
+        That knows no definitions.
+    sides : sequence of Node
+    """
+    every = [name.name for side in sides for name in names(side)]
+    if len(sides) != 2 or any(differentiates(side) for side in sides):
+        return every  # what a name stands for may move
+    try:
+        left, right = (builder(side) for side in sides)
+    except Refused:
+        return every
+    if not scalar((left, right)):
+        return every
+    return [name for name in every if holds(left - right, name)]
+
+
+def differentiates(node: Node) -> bool:
+    """Whether a rate of more than a name is taken in a tree."""
+    return isinstance(node, Rate) or any(map(differentiates, parts(node)))
 
 
 def is_named(node: Node, name: str) -> bool:

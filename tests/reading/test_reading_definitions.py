@@ -116,3 +116,7 @@ def test_an_energy_that_is_used_below_is_judged_itself() -> None:
 
 def test_a_matrix_with_the_name_of_an_energy_is_no_energy() -> None:
     assert verdicts(CART, f"{RAIL}H = [mc + mp, 7*l]") == ["PROVED", "UNDECIDED"]
+
+
+def test_what_cancels_is_not_used() -> None:
+    assert verdicts(CART, f"R = 7*l\n{RAIL.strip()} + R - R + 0*R") == ["UNDECIDED", "PROVED"]
