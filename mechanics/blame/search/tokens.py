@@ -15,6 +15,9 @@ from mechanics.blame.search.sheet import integer_exponent, power, scaled
 from mechanics.exact.signals import DivisionHere
 from mechanics.reading.tree import Call, Name, Node, Number, Power, Product, Rate, Sum
 
+MOTION = ("coordinate", "speed", "acceleration", "momentum", "input")
+"""Kinds of words that nobody writes a number for."""
+
 
 @dataclass(frozen=True, eq=False)
 class Tokens:
@@ -98,6 +101,11 @@ class Tokens:
             found = scaled(self.make.sheets, index, ratio)
             number = None if value == 1 and isinstance(around, Product) else Number(node.at, value)
             yield self.make.change(index, number, Mistake.FACTOR, TOKEN + size_of(value), found)
+        for word in self.make.words.symbols:
+            if word.kind not in MOTION:
+                # 9.81 for g
+                cost = TOKEN + SECOND
+                yield self.make.change(index, word.name, Mistake.SYMBOL, cost, word.values)
         if isinstance(around, Sum):
             for step in (1, -1, 2, -2):
                 value = node.value + step
