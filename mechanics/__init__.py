@@ -7,14 +7,14 @@ scene --> routes --> Equations --> checks --> report
 
 from mechanics.compiled import Model, compile
 from mechanics.crosscheck import ROUTES, CrossCheck, crosscheck, derive
-from mechanics.crosscheck.check import check
-from mechanics.crosscheck.check_json import to_json as check_json
 from mechanics.crosscheck.fmu import write_fmu
 from mechanics.equations import Equations
 from mechanics.errors import MechanicsError
 from mechanics.exact import Finding, Verdict, Witness
 from mechanics.export import write_c
 from mechanics.extremes import extremes
+from mechanics.judge.check import check
+from mechanics.judge.check_json import to_json as check_json
 from mechanics.linear import damped_modes, linearise, modes
 from mechanics.reading.code.black_box import BlackBox
 from mechanics.report.answer.page import check_html

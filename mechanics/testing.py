@@ -11,10 +11,10 @@ def test_my_simulator():
 from dataclasses import replace
 from typing import Any
 
-from mechanics.crosscheck.check import check
 from mechanics.equations import Equations
 from mechanics.errors import InputError, MechanicsError, wanted
 from mechanics.exact import Verdict
+from mechanics.judge.check import check
 from mechanics.report.answer.check import Check
 from mechanics.scene import Scene
 from mechanics.scene.system import System

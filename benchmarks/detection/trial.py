@@ -8,8 +8,8 @@ from typing import Any
 import mechanics
 from benchmarks.detection.case import Case, case
 from benchmarks.detection.undone import Undone, undone
-from mechanics.crosscheck.check import Check, Judged
 from mechanics.errors import MechanicsError
+from mechanics.judge.check import Check, Judged
 
 TEXTS = ("LaTeX", "MATLAB text", "SymPy text")
 """Forms that a repair is told in."""

@@ -17,8 +17,8 @@ from benchmarks.detection.case import Case
 from benchmarks.detection.rows import holds
 from benchmarks.detection.tree import read, written
 from mechanics.blame.result import Mistake, Repair
-from mechanics.crosscheck.check import Judged
 from mechanics.exact import canonical
+from mechanics.judge.check import Judged
 from mechanics.scene.published import Published
 
 SIZES = {Mistake.MISSING: 2, Mistake.EXTRA: 2, Mistake.TERM: 3}

@@ -14,10 +14,10 @@ from dataclasses import dataclass
 from time import process_time
 from typing import Any
 
-from mechanics.crosscheck.check import Check, check
-from mechanics.crosscheck.readers import read
 from mechanics.equations import Equations
 from mechanics.errors import MechanicsError
+from mechanics.judge.check import Check, check
+from mechanics.judge.readers import read
 
 LONGEST_READING = 2.0
 LONGEST_VERDICT = 30.0

@@ -9,7 +9,7 @@ from dataclasses import asdict
 from pathlib import Path
 
 from benchmarks.fuzz import law
-from mechanics.crosscheck.check import derived
+from mechanics.judge.check import derived
 from systems import elastic_pendulum
 
 

@@ -23,7 +23,7 @@ PARTS = ("mechanics.reading", "mechanics.exact.c", "mechanics.crosscheck", "mech
 with atheris.instrument_imports(include=list(PARTS), enable_loader_override=False):
     from benchmarks.fuzz import corpus, law
     from benchmarks.fuzz.mutate import mutated
-    from mechanics.crosscheck.check import derived
+    from mechanics.judge.check import derived
     from systems import elastic_pendulum
 
 HANG = 60

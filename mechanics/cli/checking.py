@@ -11,10 +11,10 @@ from rich.console import Console
 from mechanics.cli.files import refuse_unwritable, write
 from mechanics.cli.load import load, run_file
 from mechanics.cli.values import assignments
-from mechanics.crosscheck.check import check as run
-from mechanics.crosscheck.check_json import to_json
 from mechanics.errors import InputError
 from mechanics.exact import Verdict
+from mechanics.judge.check import check as run
+from mechanics.judge.check_json import to_json
 from mechanics.reading.code.black_box import BlackBox
 from mechanics.report.answer.page import check_html
 

@@ -21,9 +21,9 @@ from benchmarks.detection.trial import Result, judged
 from benchmarks.detection.undone import distance, undone
 from benchmarks.detection.vocabulary import vocabulary
 from mechanics.blame.result import Blame, Edit, Mistake, Repair
-from mechanics.crosscheck.check import Judged
 from mechanics.errors import MechanicsError
 from mechanics.exact import Finding, Verdict
+from mechanics.judge.check import Judged
 from mechanics.reading.statement import Statement
 from mechanics.scene.published import published
 from mechanics.scene.quantities import EquationOfMotion

@@ -7,8 +7,8 @@ import pytest
 from sympy import Expr, S
 
 import systems
-from mechanics.crosscheck.check import derived
 from mechanics.equations import Equations
+from mechanics.judge.check import derived
 from mechanics.reading.statement import Statement
 from mechanics.scene.published import published
 from mechanics.scene.quantities import EquationOfMotion

@@ -10,9 +10,9 @@ import pytest
 
 import mechanics
 from mechanics.blame.result import Edit, Mistake
-from mechanics.crosscheck.check import derived
 from mechanics.equations import Equations
 from mechanics.exact import Verdict
+from mechanics.judge.check import derived
 from mechanics.reading.code.as_written import MOST_NODES, Known, added, leaf, multiplied
 from mechanics.reading.code.read import read_c, read_function
 from systems import two_mass_chain

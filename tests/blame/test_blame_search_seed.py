@@ -9,8 +9,8 @@ import pytest
 
 import mechanics
 from mechanics.blame.result import Mistake, Repair
-from mechanics.crosscheck.check import derived
 from mechanics.exact import Verdict
+from mechanics.judge.check import derived
 from systems import elastic_pendulum, rocker
 
 PENDULUM = derived(elastic_pendulum.scene())

@@ -9,9 +9,9 @@ import pytest
 
 import mechanics
 from mechanics.blame.result import Mistake, Repair
-from mechanics.crosscheck.check import derived
 from mechanics.equations import Equations
 from mechanics.exact import Verdict
+from mechanics.judge.check import derived
 from systems import (
     cartpole_friction,
     double_pendulum,

@@ -6,8 +6,8 @@ import pytest
 from sympy import Matrix, latex, sstr
 
 import mechanics
-from mechanics.crosscheck.check import derived
 from mechanics.equations import Equations
+from mechanics.judge.check import derived
 from systems import ALL
 
 NAMES = [system.name for system in ALL]

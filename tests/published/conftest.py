@@ -9,8 +9,8 @@ import pytest
 
 import systems
 from mechanics import compile
-from mechanics.crosscheck.check import Judged, derived
 from mechanics.equations import Equations
+from mechanics.judge.check import Judged, derived
 
 
 @cache

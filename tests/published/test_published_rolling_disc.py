@@ -19,7 +19,7 @@ from sympy.physics.mechanics import (
 )
 
 import mechanics
-from mechanics.crosscheck.check import Check
+from mechanics.judge.check import Check
 
 q1, q2, q3, u1, u2, u3 = dynamicsymbols("q1 q2 q3 u1 u2 u3")
 r, m, g = symbols("r m g")

@@ -7,8 +7,8 @@ import pytest
 
 import mechanics
 from mechanics import BlackBox
-from mechanics.crosscheck.check import derived
 from mechanics.errors import InputError
+from mechanics.judge.check import derived
 from systems import elastic_pendulum, pendulum_chain
 
 CART = derived(pendulum_chain.scene(1))

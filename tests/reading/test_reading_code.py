@@ -21,8 +21,8 @@ from sympy.physics.mechanics import (
 )
 
 import mechanics
-from mechanics.crosscheck.check import derived
 from mechanics.errors import InputError
+from mechanics.judge.check import derived
 from systems import cartpole, elastic_pendulum
 
 PENDULUM = derived(elastic_pendulum.scene())

@@ -10,7 +10,7 @@ import pytest
 import sympy as sp
 
 import mechanics
-from mechanics.crosscheck.check import derived
+from mechanics.judge.check import derived
 from mechanics.reading.code.called import doubt_when_called
 from mechanics.reading.code.tracing import trace
 from systems import rod_pendulum

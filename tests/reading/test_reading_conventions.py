@@ -7,8 +7,8 @@ from sympy import Eq
 
 import mechanics
 from mechanics.blame.rows import generalized_rows
-from mechanics.crosscheck.check import derived
 from mechanics.errors import InputError
+from mechanics.judge.check import derived
 from mechanics.reading.conventions import conventions
 from mechanics.scene import Gravity
 from mechanics.scene.symbols import plain_symbol

@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 
 from benchmarks.fuzz import corpus, law
-from mechanics.crosscheck.check import derived
+from mechanics.judge.check import derived
 from systems import elastic_pendulum
 
 TRUTH = derived(elastic_pendulum.scene())

@@ -3,7 +3,7 @@
 import pytest
 
 import mechanics
-from mechanics.crosscheck.check import derived
+from mechanics.judge.check import derived
 from mechanics.reading.defined import in_order
 from mechanics.reading.names import Naming, Vocabulary
 from mechanics.reading.text.read import read_text

@@ -10,8 +10,8 @@ from hypothesis import strategies as st
 
 from benchmarks.fuzz import corpus, law
 from benchmarks.fuzz.mutate import mutated
-from mechanics.crosscheck.check import derived
 from mechanics.errors import InputError
+from mechanics.judge.check import derived
 from mechanics.reading.read import read_source
 from systems import elastic_pendulum
 

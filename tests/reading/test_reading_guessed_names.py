@@ -5,7 +5,7 @@ from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
 import mechanics
 from mechanics import Particle, Scene, parameters
-from mechanics.crosscheck.check import derived
+from mechanics.judge.check import derived
 from mechanics.reading.kinds import kinds
 from mechanics.scene import force
 from systems import cartpole

@@ -5,7 +5,7 @@ import time
 import pytest
 
 import mechanics
-from mechanics.crosscheck.check import derived
+from mechanics.judge.check import derived
 from systems import cartpole
 
 CART = derived(cartpole.scene())

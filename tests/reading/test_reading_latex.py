@@ -6,9 +6,9 @@ from pathlib import Path
 import pytest
 
 import mechanics
-from mechanics.crosscheck.check import derived
 from mechanics.errors import InputError
 from mechanics.exact import Verdict
+from mechanics.judge.check import derived
 from systems import elastic_pendulum, rocker, two_mass_chain
 
 PENDULUM = derived(elastic_pendulum.scene())

@@ -15,7 +15,7 @@ from sympy.physics.mechanics import (
 )
 
 import mechanics
-from mechanics.crosscheck.check import derived
+from mechanics.judge.check import derived
 from systems import acrobot, cartpole, rod_pendulum, two_mass_chain
 
 CART = derived(cartpole.scene())

@@ -5,8 +5,8 @@ import re
 import pytest
 
 import mechanics
-from mechanics.crosscheck.check import derived
 from mechanics.errors import InputError
+from mechanics.judge.check import derived
 from systems import elastic_pendulum, pendulum_chain, rolling_disc
 
 PENDULUM = derived(elastic_pendulum.scene())

@@ -3,7 +3,7 @@
 import pytest
 
 import mechanics
-from mechanics.crosscheck.check import derived
+from mechanics.judge.check import derived
 from systems import cartpole
 
 CART = derived(cartpole.scene())

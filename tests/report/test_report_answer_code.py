@@ -11,7 +11,7 @@ from sympy import cos as cosine
 from sympy.physics.mechanics import dynamicsymbols
 
 from mechanics.blame.result import Edit, Mistake, Repair
-from mechanics.crosscheck.check import check
+from mechanics.judge.check import check
 from mechanics.report.answer.check import Check
 from mechanics.report.answer.page import check_html
 from mechanics.report.answer.places import placed

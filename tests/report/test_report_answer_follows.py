@@ -3,8 +3,8 @@
 import sympy
 from sympy import Add
 
-from mechanics.crosscheck.check import derived
 from mechanics.exact.decide import prove_zero
+from mechanics.judge.check import derived
 from mechanics.report.answer.follows import lines_of
 from systems import elastic_pendulum, four_bar
 

@@ -4,7 +4,7 @@ import json
 from typing import Any
 
 from mechanics.blame.result import Mistake
-from mechanics.crosscheck.check_json import to_json
+from mechanics.judge.check_json import to_json
 from mechanics.report.answer.check import Check
 
 STATEMENT = {

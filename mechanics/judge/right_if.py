@@ -13,11 +13,11 @@ from sympy import Expr
 from sympy.matrices import MatrixBase
 
 from mechanics.checks.ledger import check_row
-from mechanics.crosscheck.glance import glance
 from mechanics.crosscheck.routes import derive
 from mechanics.equations import Equations
 from mechanics.errors import ExpressionError, InputError, MechanicsError, SceneError
 from mechanics.exact import Finding
+from mechanics.judge.glance import glance
 from mechanics.kinematics.momenta import momenta_written_out
 from mechanics.reading.conventions import NAMES, Convention, combined_table, conventions
 from mechanics.reading.statement import Statement

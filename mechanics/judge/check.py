@@ -9,22 +9,22 @@ from functools import lru_cache
 from typing import Any
 
 from mechanics.checks.ledger import check_row
-from mechanics.crosscheck.at_values import Values, judged_at, read_values, right_at
-from mechanics.crosscheck.at_values import words as in_words
-from mechanics.crosscheck.black_box import check_box
-from mechanics.crosscheck.blamed import blamed
-from mechanics.crosscheck.cases import check_cases
-from mechanics.crosscheck.complete import redundancy
-from mechanics.crosscheck.other_meaning import energy_instead
-from mechanics.crosscheck.other_names import best_names, doubtful
-from mechanics.crosscheck.readers import read, spread
-from mechanics.crosscheck.right_if import declared, judged_under, right_if
 from mechanics.crosscheck.routes import derive
-from mechanics.crosscheck.small_angles import right_for_small_angles
-from mechanics.crosscheck.vacuous import with_content
 from mechanics.equations import Equations
 from mechanics.errors import ExpressionError, InputError, SceneError, SingularError, wanted
 from mechanics.exact import Finding, Verdict
+from mechanics.judge.at_values import Values, judged_at, read_values, right_at
+from mechanics.judge.at_values import words as in_words
+from mechanics.judge.black_box import check_box
+from mechanics.judge.blamed import blamed
+from mechanics.judge.cases import check_cases
+from mechanics.judge.complete import redundancy
+from mechanics.judge.other_meaning import energy_instead
+from mechanics.judge.other_names import best_names, doubtful
+from mechanics.judge.readers import read, spread
+from mechanics.judge.right_if import declared, judged_under, right_if
+from mechanics.judge.small_angles import right_for_small_angles
+from mechanics.judge.vacuous import with_content
 from mechanics.reading.code.black_box import BlackBox
 from mechanics.reading.statement import Reading, Statement
 from mechanics.report.answer.check import Check

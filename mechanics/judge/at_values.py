@@ -15,11 +15,11 @@ from sympy import Expr, Integer, Rational, Symbol
 
 from mechanics.checks.ledger import check_row
 from mechanics.compiled.fixed import fix, read_fixed
-from mechanics.crosscheck.glance import glance
-from mechanics.crosscheck.right_if import each_side, in_plain_symbols
 from mechanics.equations import Equations
 from mechanics.errors import InputError, MechanicsError
 from mechanics.exact import Finding
+from mechanics.judge.glance import glance
+from mechanics.judge.right_if import each_side, in_plain_symbols
 from mechanics.reading.statement import Statement
 from mechanics.scene import Scene
 from mechanics.scene.published import Published

@@ -14,10 +14,10 @@ from math import prod
 from sympy import Expr, Symbol
 
 from mechanics.checks.ledger import check_row
-from mechanics.crosscheck.glance import glance
-from mechanics.crosscheck.right_if import in_plain_symbols
 from mechanics.equations import Equations
 from mechanics.errors import ExpressionError, InputError, SceneError
+from mechanics.judge.glance import glance
+from mechanics.judge.right_if import in_plain_symbols
 from mechanics.reading.kinds import quantity
 from mechanics.reading.names import Match
 from mechanics.reading.statement import Reading, Statement
