@@ -120,3 +120,13 @@ def test_a_matrix_with_the_name_of_an_energy_is_no_energy() -> None:
 
 def test_what_cancels_is_not_used() -> None:
     assert verdicts(CART, f"R = 7*l\n{RAIL.strip()} + R - R + 0*R") == ["UNDECIDED", "PROVED"]
+
+
+def test_a_wrong_energy_beside_an_unused_definition_is_refuted() -> None:
+    """The name of an energy is defined by its line, too: that alone does not make it right."""
+    energy = (
+        r"L = \frac{1}{2} (M + m) \dot x^2 + \frac{1}{2} M L \dot x \dot\theta \cos\theta"
+        r" + \frac{1}{6} M L^2 \dot\theta^2 - k x^2 - \frac{1}{2} M g L \cos\theta"
+    )
+    text = rf"\begin{{align}} q &= 7 \zeta \\ {energy} \end{{align}}"
+    assert verdicts(PIVOT, text) == ["UNDECIDED", "REFUTED"]
