@@ -90,6 +90,14 @@ def negative(tree: Tree) -> Tree:
     return product(number(-1), tree)
 
 
+QUOTIENTS = {
+    sympy.cot: lambda x: sympy.Mul(sympy.cos(x), 1 / sympy.sin(x), evaluate=False),
+    sympy.sec: lambda x: 1 / sympy.cos(x),
+    sympy.csc: lambda x: 1 / sympy.sin(x),
+}
+"""What SymPy makes of functions of pi/2 - x, as people write it."""
+
+
 def read(expr: sympy.Expr) -> Tree:
     """The tree of a SymPy expression, terms and factors in the order of people."""
     if expr.is_Rational:
@@ -104,6 +112,8 @@ def read(expr: sympy.Expr) -> Tree:
         return power(read(expr.base), Fraction(int(expr.exp.p), int(expr.exp.q)))
     if type(expr).__name__ in FUNCTIONS:
         return Tree(type(expr).__name__, None, (read(expr.args[0]),))
+    if type(expr) in QUOTIENTS:
+        return read(QUOTIENTS[type(expr)](expr.args[0]))
     if expr is sympy.S.Pi:
         return Tree("pi")
     raise ValueError(f"{expr} cannot be written as a tree: {type(expr).__name__}")
