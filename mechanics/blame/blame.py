@@ -4,6 +4,7 @@ edits that make it right at a point  ->  proved  ->  what differs, term by term 
 """
 
 from collections.abc import Iterator
+from dataclasses import replace
 from itertools import islice, product
 from time import process_time
 
@@ -11,7 +12,7 @@ from sympy import Expr
 
 from mechanics.blame.difference import differences
 from mechanics.blame.result import Blame, Difference, Repair
-from mechanics.blame.search.claim import Claim, at_once, claim_of, problems
+from mechanics.blame.search.claim import Claim, as_motion, at_once, claim_of, problems
 from mechanics.blame.search.find import EQUALLY, Solution, solutions
 from mechanics.blame.search.judge import Problem
 from mechanics.blame.search.repair import edited_row, proved, spelling_of
@@ -55,7 +56,12 @@ def blame(truth: Equations, statement: Statement) -> Blame:
         return Blame((), (), searched="not searched: it could not be read")
     end = process_time() + LONGEST
     try:
-        found = list(islice(_repairs(claim, statement, end), SHOWN))
+        asked = (claim, *as_motion(claim))
+        searches = (
+            list(islice(_repairs(each, replace(statement, row=each.row), end), SHOWN))
+            for each in asked
+        )
+        found = next((repairs for repairs in searches if repairs), [])
     except (MechanicsError, Refused) as reason:
         told, doubt = _differences(claim, statement, None)
         return Blame(told, (), searched="; ".join((f"not searched to the end: {reason}", *doubt)))

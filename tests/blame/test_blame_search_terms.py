@@ -143,3 +143,10 @@ def test_two_names_that_are_exchanged_throughout() -> None:
     assert {(edit.written, edit.right) for edit in found.edits} <= {("m1", "m2"), ("m2", "m1")}
     (again,) = mechanics.check(truth("double"), found.repaired, blame=False).judged
     assert again.finding.shown
+
+
+def test_an_equation_that_lost_its_only_acceleration() -> None:
+    wrong = ROCKER.replace(r"(I_C + \frac{5}{4} M R^2 + M R^2 \cos\theta) \ddot\theta", "")
+    (edit,) = repairs("rocker", wrong)[0].edits
+    assert edit.mistake is Mistake.MISSING
+    assert r"\ddot" in edit.right

@@ -117,10 +117,15 @@ def at_once(claim: Claim) -> Iterator[tuple[Claim, Problem]]:
                 return point.value(target)
 
             yield claim, posed(claim, (k,), wanted, STATES)
-    if isinstance(claim.row.quantity, q.Identity):
-        motion = replace(claim, row=replace(claim.row, quantity=q.EquationOfMotion()))
+    for motion in as_motion(claim):
         for problem in problems(motion):
             yield motion, problem
+
+
+def as_motion(claim: Claim) -> Iterator[Claim]:
+    """A claim that holds no acceleration, as an equation of motion."""
+    if isinstance(claim.row.quantity, q.Identity):
+        yield replace(claim, row=replace(claim.row, quantity=q.EquationOfMotion()))
 
 
 STATES = (Family(False, free=True), Family(False, other_state=True, free=True))
