@@ -17,7 +17,7 @@ from mechanics.blame.search.find import EQUALLY, Solution, solutions
 from mechanics.blame.search.judge import Problem
 from mechanics.blame.search.repair import edited_row, proved, spelling_of
 from mechanics.equations import Equations
-from mechanics.errors import MechanicsError
+from mechanics.errors import ExpressionError, MechanicsError
 from mechanics.reading.from_sympy import Untreeable
 from mechanics.reading.place import Refused
 from mechanics.reading.statement import Statement
@@ -25,6 +25,9 @@ from mechanics.scene.published import Published
 
 SHOWN = 3
 """Repairs that are told, where several are equally small."""
+
+MOST = 40
+"""Equalities of a statement beside the first one, as of a mass matrix, that are searched."""
 
 TRIED = 12
 """Edits that are proved at most."""
@@ -87,7 +90,7 @@ STOPPED = f"none of the simplest edits makes it right; the search ended after {L
 def _repairs(claim: Claim, statement: Statement, end: float) -> Iterator[tuple[Repair, Published]]:
     """Proved repairs, equally small ones, the likeliest first, until a time of the processor."""
     single = False
-    for mended in _in_one_place(claim, statement):
+    for mended in _in_one_place(claim, statement, end):
         single = True
         yield mended
     if single:
@@ -96,6 +99,8 @@ def _repairs(claim: Claim, statement: Statement, end: float) -> Iterator[tuple[R
     if not wrong:
         return
     first, *others = wrong
+    if len(others) > MOST:
+        raise ExpressionError(f"{len(wrong)} equalities of it are wrong")
     rest = [_cheapest(claim, problem, statement) for problem in others]
     smallest: float | None = None
     seen: set[tuple] = set()
@@ -121,10 +126,14 @@ def _repairs(claim: Claim, statement: Statement, end: float) -> Iterator[tuple[R
             return
 
 
-def _in_one_place(claim: Claim, statement: Statement) -> Iterator[tuple[Repair, Published]]:
+def _in_one_place(
+    claim: Claim, statement: Statement, end: float
+) -> Iterator[tuple[Repair, Published]]:
     """Single edits of an energy as a whole, or of what should be an equation of motion."""
     for asked, problem in at_once(claim):
         for solution in islice(next(solutions(asked, problem, statement)), TRIED):
+            if process_time() > end:
+                return
             made = edited_row(asked, (solution,))
             repair = proved(asked, (solution,), statement.source) if made else None
             if repair is not None and made is not None:

@@ -123,8 +123,8 @@ def at_once(claim: Claim) -> Iterator[tuple[Claim, Problem]]:
 
 
 def as_motion(claim: Claim) -> Iterator[Claim]:
-    """A claim that holds no acceleration, as an equation of motion."""
-    if isinstance(claim.row.quantity, q.Identity):
+    """A claim of two sides that holds no acceleration, as an equation of motion."""
+    if isinstance(claim.row.quantity, q.Identity) and len(claim.entries) == 2:
         yield replace(claim, row=replace(claim.row, quantity=q.EquationOfMotion()))
 
 
