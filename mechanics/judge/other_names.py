@@ -3,7 +3,8 @@
     M x'' = F - b x' + T sin(theta)    M guessed as m: REFUTED    the one right choice: M is m_t
 
 A guess is no claim of the person. All choices are looked at in one point of a field; the one that
-can be right is read again and judged in full.
+can be right is read again and judged in full. A guess with a good reason stays, and names are never
+exchanged: what is right with m1 and m2 exchanged is wrong.
 """
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
@@ -18,6 +19,7 @@ from mechanics.equations import Equations
 from mechanics.errors import ExpressionError, InputError, SceneError
 from mechanics.judge.glance import glance
 from mechanics.judge.right_if import in_plain_symbols
+from mechanics.reading.guess import CAPITALS, SHORT, SURE
 from mechanics.reading.kinds import quantity
 from mechanics.reading.names import Match
 from mechanics.reading.statement import Reading, Statement
@@ -44,7 +46,7 @@ def best_names(truth: Equations, reading: Reading, again: Read) -> Reading:
     again : callable
         Reads the text with these names given, besides those of the person.
     """
-    guessed = _guessed(reading)
+    guessed = _weak(_guessed(reading))
     claimed = _claimed(reading)
     if not guessed or not claimed:
         return reading
@@ -84,6 +86,12 @@ def _guessed(reading: Reading) -> tuple[Match, ...]:
     return ()
 
 
+def _weak(guessed: Sequence[Match]) -> tuple[Match, ...]:
+    """Guesses that another choice may replace: M for m is one where nothing else is guessed."""
+    sure = (*SURE, CAPITALS) if len(guessed) > 1 else SURE
+    return tuple(m for m in guessed if m.why not in sure and not m.why.startswith(SHORT))
+
+
 def _claimed(reading: Reading) -> list[Statement]:
     return [s for s in reading.statements if s.row is not None and not s.doubt]
 
@@ -104,7 +112,7 @@ def _choices(
     if prod(map(len, pools)) > MOST_TRIED:
         return
     for choice in product(*pools):
-        if len(set(choice)) == len(choice) and choice != meanings:
+        if len(set(choice)) == len(choice) and set(choice) != set(meanings):
             yield choice
 
 

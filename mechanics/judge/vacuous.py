@@ -37,7 +37,7 @@ def with_content(statement: Statement, finding: Finding) -> Finding:
 
 
 def _names(statement: Statement) -> bool:
-    """Whether a side is a name, and no other side is the same one."""
+    """Whether every side is a name, and no two are the same one."""
     sides = statement.written.sides if statement.written is not None else ()
     named = [(side.name, side.order) for side in sides if isinstance(side, Name)]
-    return len(sides) > 1 and bool(named) and len(set(named)) == len(named)
+    return len(sides) > 1 and len(set(named)) == len(sides)

@@ -27,6 +27,14 @@ BY_UNIT: tuple[tuple[str, str], ...] = (
 )  # fmt: skip
 """First letters that are used for quantities of a unit."""
 
+SURE = (
+    "the same unit and number", "the same unit, its letters in order",
+    "an angle or not, the same number", "a momentum, the same number",
+)  # fmt: skip
+"""Reasons for a guess that nothing beside it turns."""
+CAPITALS = "the same but for capitals"
+SHORT = "short for "
+
 Rule = tuple[Callable[[str, str], bool], str]
 
 
@@ -99,7 +107,7 @@ def _short(naming: Naming, used: Sequence[Name]) -> tuple[Match, ...]:
             found[base] = fits[0]
     once = Counter(found.values())
     return tuple(
-        Match(base, name, f"short for {name}") for base, name in found.items() if once[name] == 1
+        Match(base, name, f"{SHORT}{name}") for base, name in found.items() if once[name] == 1
     )
 
 
@@ -151,7 +159,7 @@ def _moving_rules(scene: Scene) -> list[Rule]:
         return ("angle" if target in angles else "length") in kinds(name)
 
     return [
-        (_same_letters, "the same but for capitals"),
+        (_same_letters, CAPITALS),
         (lambda n, t: kind(n, t) and _same_number(n, t), "an angle or not, the same number"),
         (kind, "the only coordinate of its kind that is left"),
     ]
@@ -174,7 +182,7 @@ def _still_rules(scene: Scene, inputs: set[str]) -> list[Rule]:
         return name[0] == target[0] and alike
 
     return [
-        (_same_letters, "the same but for capitals"),
+        (_same_letters, CAPITALS),
         (lambda n, t: unit(n, t) and _same_number(n, t), "the same unit and number"),
         (lambda n, t: unit(n, t) and _initials(n, t), "the same unit, its letters in order"),
         (unit, "the only quantity of its unit that is left"),

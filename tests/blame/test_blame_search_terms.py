@@ -150,3 +150,11 @@ def test_an_equation_that_lost_its_only_acceleration() -> None:
     (edit,) = repairs("rocker", wrong)[0].edits
     assert edit.mistake is Mistake.MISSING
     assert r"\ddot" in edit.right
+
+
+def test_digits_are_not_put_together_where_a_factor_is_left_out() -> None:
+    text = r"2 k x + (m + M) \ddot x + \frac{M L}{2 L \cdot 2 L} 2 L"
+    wrong = text + r" (\ddot\theta\cos\theta - \dot\theta^2\sin\theta) = 0"
+    for repair in repairs("pendulum", wrong):
+        (again,) = mechanics.check(truth("pendulum"), repair.repaired, blame=False).judged
+        assert again.finding.shown, repair.repaired

@@ -162,6 +162,9 @@ def spliced(
     for (start, end), right in spans:
         gap = " " if start == end and start and source[start - 1] != " " else ""
         found += source[at:start] + gap + right
+        # 2 l times 3 without l is 2 times 3, not 23.
+        if found.rstrip()[-1:].isdigit() and source[end:].lstrip()[:1].isdigit():
+            found += r" \cdot " if spelling.latex else "*"
         at = end
     return " ".join((found + source[at:]).split())
 

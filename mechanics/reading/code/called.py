@@ -8,6 +8,7 @@ what it computes, and nothing is proved of it. This is a guard and no proof: som
 What is rounded to single precision stays within the bound.
 """
 
+import inspect
 import warnings
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
@@ -64,6 +65,7 @@ def doubt_when_called(
     """
     own = held(function, standing)
     symbols = (*given.values(), *standing.values())
+    kept = _kept(function, given) | {standing[name]: number for name, number in own.numbers.items()}
     compared, failure = False, "its formulas have no value at random states"
     try:
         for formulas in _at_states(symbols, outputs):
@@ -80,6 +82,10 @@ def doubt_when_called(
                 if not isinstance(result, _Failed) and (words := _differs(result, formulas)):
                     return words
             compared = True
+        if kept and (there := _at_kept(symbols, outputs, kept)) is not None:
+            result = _attempt(own.with_values(own.numbers), given, there, float, kept)
+            if not isinstance(result, _Failed) and (words := _differs(result, there)):
+                return words
     except ExpressionError as error:
         failure = str(error)
     except RecursionError:
@@ -104,6 +110,23 @@ def _at_states(symbols: Sequence[Value], outputs: Outputs) -> Iterator[_Formulas
             yield formulas
         if tried >= STATES and not outputs.conditions:
             return
+
+
+def _kept(function: Callable[..., Any], given: Given) -> dict[Expr, Any]:
+    """Defaults of arguments, as they are: integers make arrays of integers."""
+    parameters = inspect.signature(function).parameters
+    found = {value: parameters[n].default for n, value in given.items() if isinstance(value, Expr)}
+    return {s: v for s, v in found.items() if type(v) in (int, float) and isfinite(v)}
+
+
+def _at_kept(
+    symbols: Sequence[Value], outputs: Outputs, kept: Mapping[Expr, Any]
+) -> _Formulas | None:
+    """Formulas at a state with the person's own numbers."""
+    numbers = {**_drawn(symbols, Random(0), Fraction(1))}
+    numbers.update((s, Fraction(v)) for s, v in kept.items() if isinstance(s, Symbol))
+    with precision(BITS):
+        return _formulas(BallArithmetic(State(numbers)), numbers, outputs)
 
 
 def _drawn(values: Sequence[Value], source: Random, scale: Fraction) -> Numbers:
@@ -153,22 +176,24 @@ class _Failed(Exception):
 
 
 def _attempt(
-    function: Callable[..., Any], given: Given, formulas: _Formulas, kind: type[float]
-) -> list[float] | _Failed:
-    """What a call returns, or how it failed."""
+    function: Callable[..., Any], given: Given, formulas: _Formulas, kind: type[float],
+    kept: Mapping[Expr, Any] = NONE,
+) -> list[float] | _Failed:  # fmt: skip
+    """What a call returns, or how it failed; `kept` numbers are passed as they are."""
     try:
-        return _returned(function, given, formulas, kind)
+        return _returned(function, given, formulas, kind, kept)
     except _Failed as failed:
         return failed
 
 
 def _returned(
-    function: Callable[..., Any], given: Given, formulas: _Formulas, kind: type[float]
-) -> list[float]:
+    function: Callable[..., Any], given: Given, formulas: _Formulas, kind: type[float],
+    kept: Mapping[Expr, Any],
+) -> list[float]:  # fmt: skip
     """What a call returns as one list."""
 
-    def number(symbol: Expr) -> float:
-        return kind(formulas.numbers[symbol])
+    def number(symbol: Expr) -> Any:
+        return kept[symbol] if symbol in kept else kind(formulas.numbers[symbol])
 
     arguments = {name: _filled(value, number) for name, value in given.items()}
     try:

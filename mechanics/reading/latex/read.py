@@ -75,17 +75,31 @@ def _entries(clean: str, text: str, block: Block, naming: Naming, origin: str) -
         raise Refused(block.start, "the end of this display is missing")
     if not block.inline:
         return _block(formula, text, block.start, naming, origin)
-    if is_value(formula):
+    entries = _block(formula, text, block.start, naming, origin) if _moves(formula, naming) else []
+    if is_value(formula) and not entries:
         return [_value(text, block.start, block.end)]
     found: list[Entry] = []
-    for entry in _block(formula, text, block.start, naming, origin):
+    for entry in entries or _block(formula, text, block.start, naming, origin):
         if not isinstance(entry, Line):
             found.append(entry)
+        elif _gives(entry, naming) and entries:
+            words = located(text, block.start, SET, origin)
+            found.append(Unread(entry.source, words, block.start, entry.tag))
         elif _gives(entry, naming):
             found.append(_value(text, block.start, block.end))
         elif len(entry.sides) > 1:
             found.append(entry)
     return found
+
+
+SET = "an acceleration or reaction is given a value in the text, which is not judged: display it"
+ACCELERATED = re.compile(r"\\d{2,4}ot(?![a-z])|'{2,}")
+
+
+def _moves(formula: str, naming: Naming) -> bool:
+    """Whether an acceleration or a reaction stands in a formula: given a value, that is a claim."""
+    letters = set(re.findall(r"\w+", formula))
+    return ACCELERATED.search(formula) is not None or bool(letters & naming.vocabulary.reactions)
 
 
 def _value(text: str, start: int, end: int) -> Aside:
