@@ -16,7 +16,7 @@ from mechanics.reading.code.sympy_objects import is_sympy, read_sympy
 from mechanics.reading.read import decoded, file_text, read_file, read_source
 from mechanics.scene import Scene
 
-FILE = re.compile(r"[^=\n\0]{0,400}\.(tex|txt|m|c|h|py|ipynb|md)", re.IGNORECASE)
+FILE = re.compile(r"[\w~./\\ :-]{1,400}\.(tex|txt|m|c|h|py|ipynb|md)", re.IGNORECASE)
 """What no equation looks like, and a file's name does."""
 
 
@@ -105,7 +105,9 @@ def _no_path(text: str) -> None:
         return
     name = text.strip()
     if name.lower().endswith((".py", ".ipynb")):
-        raise InputError(f"check: {name!r} is the name of a file: import it and pass its function")
+        words = "import it and pass its function"
+        raise InputError(f"text, line 1, column 1: {name!r} is the name of a file: {words}")
+    words = f"pass pathlib.Path({name!r})"
     raise InputError(
-        f"check: {name!r} is the name of a file, not its text: pass pathlib.Path({name!r})"
+        f"text, line 1, column 1: {name!r} is the name of a file, not its text: {words}"
     )

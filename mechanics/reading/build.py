@@ -13,7 +13,7 @@ from typing import Any
 
 from sympy import Add, Expr, I, Integer, Matrix, Rational, S, Symbol, nan, oo, zoo
 from sympy.matrices import MatrixBase
-from sympy.matrices.exceptions import ShapeError
+from sympy.matrices.exceptions import NonInvertibleMatrixError, ShapeError
 
 from mechanics.reading.functions import FUNCTIONS
 from mechanics.reading.names import Naming
@@ -142,7 +142,10 @@ class Builder:
         exponent = self._scalar(node, exponent)
         if isinstance(base, MatrixBase):
             if exponent == -1 and base.rows == base.cols <= 3:
-                return base.inv(method="ADJ")
+                try:
+                    return base.inv(method="ADJ")
+                except NonInvertibleMatrixError:
+                    raise Refused(node.at, "this matrix has no inverse") from None
             raise Refused(node.at, "a power of a matrix is not known here")
         if base == 0 and exponent.is_negative:
             raise Refused(node.at, "a division by zero")

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 import mechanics
+from mechanics.errors import InputError
 from mechanics.judge.check import derived
 from systems import cartpole, double_pendulum
 
@@ -78,3 +79,8 @@ def decimal(x, theta, x_dot, theta_dot, F, mc=2.0, mp=1.0, l=1.0, g=10.0):
 def test_whole_numbers_are_tried_as_they_are() -> None:
     assert verdicts(CART, decimal) == ["PROVED", "PROVED"]
     assert verdicts(CART, whole) == ["UNDECIDED", "UNDECIDED"]
+
+
+def test_a_matrix_without_an_inverse_has_a_place() -> None:
+    with pytest.raises(InputError, match="line 1, column 1: this matrix has no inverse"):
+        mechanics.check(CART, "[1, 2; 2, 4]^-1*[x''; theta''] = [0; 0]", notation="text")
