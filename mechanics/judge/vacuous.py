@@ -37,7 +37,16 @@ def with_content(statement: Statement, finding: Finding) -> Finding:
 
 
 def _names(statement: Statement) -> bool:
-    """Whether every side is a name, and no two are the same one."""
-    sides = statement.written.sides if statement.written is not None else ()
-    named = [(side.name, side.order) for side in sides if isinstance(side, Name)]
-    return len(sides) > 1 and len(set(named)) == len(sides)
+    """Whether a side is a name of the person's own, or every side a name; no two are the same.
+
+    What is left after definitions cancel (``R + u = F`` for ``R = F - u``) is no excuse: F is the
+    scene's.
+    """
+    written = statement.written
+    if written is None or len(written.sides) < 2:
+        return False
+    own = dict(written.definitions)
+    named = [(side.name, side.order) for side in written.sides if isinstance(side, Name)]
+    if len(set(named)) < len(named):
+        return False
+    return len(named) == len(written.sides) or any(name in own for name, _ in named)

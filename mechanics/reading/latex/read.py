@@ -93,12 +93,14 @@ def _entries(clean: str, text: str, block: Block, naming: Naming, origin: str) -
 
 
 SET = "an acceleration or reaction is given a value in the text, which is not judged: display it"
+UPRIGHT = re.compile(r"\\(?:mathrm|text|operatorname|si|SI|unit)\s*\{[^{}]*\}")
 ACCELERATED = re.compile(r"\\d{2,4}ot(?![a-z])|'{2,}")
 
 
 def _moves(formula: str, naming: Naming) -> bool:
     """Whether an acceleration or a reaction stands in a formula: given a value, that is a claim."""
-    letters = set(re.findall(r"\w+", formula))
+    # N is the unit newton, too.
+    letters = set(re.findall(r"\w+", UPRIGHT.sub(" ", formula)))
     return ACCELERATED.search(formula) is not None or bool(letters & naming.vocabulary.reactions)
 
 
