@@ -183,8 +183,10 @@ def meant(truth: Equations, expression: Expr, right: Expr | None = None) -> Mean
         )
         aimed = nearest(left, [target], moving, view.accelerations)
         as_written = _as_written(expression, right)
-        if aimed is None or len(as_written.different) <= multiplied * len(aimed.different):
+        if aimed is None or (multiplied and len(as_written.different) <= len(aimed.different)):
             return as_written
+        if not multiplied:
+            aimed = as_written  # of the same scale, for a repair is an edit of what is written
         known = _candidates(view, expression)
         same = nearest(aimed.right, known, moving, view.accelerations)
         pieces = same.pieces if same is not None and not same.different else ()

@@ -3,6 +3,7 @@
 import random
 from collections.abc import Callable
 from dataclasses import replace
+from fractions import Fraction
 
 import pytest
 from sympy import Expr, S, Symbol, sympify
@@ -30,7 +31,8 @@ def wrong_rows(truth: Equations, seed: str, count: int = 1) -> list[Expr]:
     for row in generalized_rows(truth.scene):
         terms = total(terms_of([piece.value for piece in row.pieces]))
         changed: Terms = dict(terms)
-        for monomial in source.sample(sorted(terms, key=str), min(count, len(terms))):
+        ordered = sorted(terms, key=lambda monomial: str(written({monomial: Fraction(1)})))
+        for monomial in source.sample(ordered, min(count, len(terms))):
             changed[monomial] = source.choice([-1, 2, 3]) * terms[monomial]
         found.append(written(changed))
     return found
@@ -100,13 +102,25 @@ def test_a_right_equation_has_no_differences(truth: Equations, stated: Stated) -
         assert differences(truth, stated(row.value)) == ()
 
 
-def test_the_repaired_statement_is_what_is_meant(truth: Equations, stated: Stated) -> None:
-    rows = wrong_rows(truth, "repaired", 2)
+def test_one_changed_term_says_what_is_meant_without_the_repair(
+    truth: Equations, stated: Stated
+) -> None:
+    rows = wrong_rows(truth, "repaired")
     for row, right in zip(rows, generalized_rows(truth.scene), strict=True):
         statement = stated(row)
         repaired = replace(statement.row, sides=(right.value, S.Zero))
         found = differences(truth, statement, repaired=repaired)
         assert found == differences(truth, statement)
+
+
+def test_the_repaired_statement_is_what_is_meant(truth: Equations, stated: Stated) -> None:
+    """With two changed terms another right equation may be as near; the repair decides."""
+    rows = wrong_rows(truth, "repaired", 2)
+    for row, right in zip(rows, generalized_rows(truth.scene), strict=True):
+        statement = stated(row)
+        repaired = replace(statement.row, sides=(right.value, S.Zero))
+        rest = row - right.value - summed(truth, differences(truth, statement, repaired=repaired))
+        assert decide("repaired", lambda a, rest=rest: [(a.value(rest), a.value(S.Zero))]).shown
 
 
 PENDULUM = "(M+m)*x_ddot + 2*k*x + M*L/2*(theta_ddot*cos(theta) - theta_dot**2*sin(theta)) = 0"
