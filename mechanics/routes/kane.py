@@ -36,15 +36,10 @@ from mechanics.scene.topology import multipliers
 def derive(scene: Scene) -> Equations:
     """Equations of motion by Kane's method; dependent speeds where there are constraints."""
     dynamic = dynamic_speeds(scene)
-    model = build(scene, dynamic)
-    rubbing = [action for load in frictions(scene) for action in load_actions(scene, load)]
-    loads = _loads(scene, model, dynamic, (*applied_actions(scene), *rubbing))
     if scene.constraints:
-        return _with_dependent_speeds(scene, dynamic, model, loads)
-    method = _method(scene, dynamic, model, list(range(len(scene.u))))
-    method.kanes_equations(list(model.bodies.values()), loads)
-    mass, forcing = _matrices(scene, dynamic, method)
-    if rubbing:
+        return _with_dependent_speeds(scene, dynamic)
+    mass, forcing = _matrices(scene, dynamic, kanes_method(scene, dynamic))
+    if frictions(scene):
         return _with_friction(scene, mass, forcing)
     return Equations(
         scene,
@@ -59,6 +54,14 @@ def derive(scene: Scene) -> Equations:
         explain=partial(_steps, scene),
         of_bodies=True,
     )
+
+
+def kanes_method(scene: Scene, dynamic: Dynamic) -> KanesMethod:
+    """SymPy's object for a scene without its constraints, with the equations formed."""
+    model = build(scene, dynamic)
+    method = _method(scene, dynamic, model, list(range(len(scene.u))))
+    method.kanes_equations(list(model.bodies.values()), _applied(scene, model, dynamic))
+    return method
 
 
 def derive_with_multipliers(scene: Scene) -> Equations:
@@ -113,9 +116,9 @@ def _with_friction(scene: Scene, mass: Matrix, forcing: Matrix) -> Equations:
     )
 
 
-def _with_dependent_speeds(
-    scene: Scene, dynamic: Dynamic, model: SympyModel, loads: list[tuple[object, object]]
-) -> Equations:
+def _with_dependent_speeds(scene: Scene, dynamic: Dynamic) -> Equations:
+    model = build(scene, dynamic)
+    loads = _applied(scene, model, dynamic)
     dependent = dependent_speeds(scene)
     order = [i for i in range(len(scene.u)) if i not in dependent] + dependent
     method = _method(scene, dynamic, model, order, dependent)
@@ -191,6 +194,12 @@ def _method(
         constraint_solver="CRAMER",
         **options,
     )
+
+
+def _applied(scene: Scene, model: SympyModel, dynamic: Dynamic) -> list[tuple[object, object]]:
+    """All loads of a scene; friction with the reaction that presses as an unknown."""
+    rubbing = [action for load in frictions(scene) for action in load_actions(scene, load)]
+    return _loads(scene, model, dynamic, (*applied_actions(scene), *rubbing))
 
 
 def _loads(

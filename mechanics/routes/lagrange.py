@@ -35,9 +35,23 @@ from mechanics.scene.rates import rate, rate_table, speeds_in_rates
 def derive(scene: Scene) -> Equations:
     """Equations of motion by Lagrange's method, with multipliers for every constraint."""
     motions = {m.body.name: m for m in differentiate.body_motions_in_rates(scene)}
-    kinetic = kinetic_energy(scene, motions)
-    stored = potential(scene)
+    kinetic, stored = kinetic_energy(scene, motions), potential(scene)
     dynamic = dynamic_rates(scene)
+    method = _method(scene, motions, dynamic, kinetic - stored)
+    equations = _common_form(scene, method, dynamic, kinetic, stored)
+    return _with_friction(equations) if frictions(scene) else equations
+
+
+def lagranges_method(scene: Scene) -> LagrangesMethod:
+    """SymPy's object for a scene, with the equations formed."""
+    motions = {m.body.name: m for m in differentiate.body_motions_in_rates(scene)}
+    lagrangian = kinetic_energy(scene, motions) - potential(scene)
+    return _method(scene, motions, dynamic_rates(scene), lagrangian)
+
+
+def _method(
+    scene: Scene, motions: dict[str, BodyMotion], dynamic: Dynamic, lagrangian: Expr
+) -> LagrangesMethod:
     back = speeds_in_rates(scene)
     constraints = [
         (dynamic.to(scene.rates(c.expression).xreplace(back)), c.holonomic)
@@ -45,7 +59,7 @@ def derive(scene: Scene) -> Equations:
     ]
     frame = ReferenceFrame("inertial")
     method = LagrangesMethod(
-        dynamic.to(kinetic - stored),
+        dynamic.to(lagrangian),
         [dynamic.to(q) for q in scene.q],
         forcelist=_forces(scene, motions, dynamic, frame),
         frame=frame,
@@ -53,8 +67,7 @@ def derive(scene: Scene) -> Equations:
         nonhol_coneqs=[expression for expression, of_position in constraints if not of_position],
     )
     method.form_lagranges_equations()
-    equations = _common_form(scene, method, dynamic, kinetic, stored)
-    return _with_friction(equations) if frictions(scene) else equations
+    return method
 
 
 def _with_friction(equations: Equations) -> Equations:
