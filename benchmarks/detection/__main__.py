@@ -33,10 +33,11 @@ def names(count: int, rewritings: int, conventions: int) -> list[str]:
 
 
 def run(
-    wanted: Sequence[str], seed: int, systems: Sequence[str], blamed: int, jobs: int = 1
-) -> Iterator[Result]:
+    wanted: Sequence[str], seed: int, systems: Sequence[str], blamed: int, jobs: int = 1,
+    errors: int | None = None,
+) -> Iterator[Result]:  # fmt: skip
     """Results of cases, in order; the first `blamed` mutants are blamed too."""
-    ask = partial(_part, seed=seed, systems=tuple(systems), blamed=blamed)
+    ask = partial(_part, seed=seed, systems=tuple(systems), blamed=blamed, errors=errors)
     rest = iter(wanted)
     parts = iter(lambda: list(islice(rest, PART)), [])
     if jobs == 1:
@@ -48,9 +49,11 @@ def run(
             yield from found
 
 
-def _part(wanted: list[str], seed: int, systems: tuple[str, ...], blamed: int) -> list[Result]:
+def _part(
+    wanted: list[str], seed: int, systems: tuple[str, ...], blamed: int, errors: int | None
+) -> list[Result]:
     return [
-        judged(name, seed, systems, blame=name[0] == "m" and int(name[1:]) < blamed)
+        judged(name, seed, systems, name[0] == "m" and int(name[1:]) < blamed, errors)
         for name in wanted
     ]
 
@@ -73,6 +76,7 @@ def main() -> None:
     parser.add_argument("--rewritings", type=int, help="right rewritings; a quarter of the mutants")
     parser.add_argument("--conventions", type=int, help="undeclared ones; a fortieth")
     parser.add_argument("--blame", type=int, default=200, help="mutants that are blamed too")
+    parser.add_argument("--errors", type=int, help="mistakes of a mutant; one or two")
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--systems", nargs="+", choices=known, default=known, metavar="SYSTEM")
     parser.add_argument("--jobs", type=int, default=1, help="processes")
@@ -80,7 +84,9 @@ def main() -> None:
     parser.add_argument("--json", type=Path, help="file for all results")
     options = parser.parse_args()
     if options.only:
-        for result in run(options.only, options.seed, options.systems, 10**9):
+        for result in run(
+            options.only, options.seed, options.systems, 10**9, errors=options.errors
+        ):
             print(_told(result), "\n")
         return
     count = options.count
@@ -88,7 +94,9 @@ def main() -> None:
     conventions = count // 40 if options.conventions is None else options.conventions
     wanted = names(count, rewritings, conventions)
     results = []
-    for result in run(wanted, options.seed, options.systems, options.blame, options.jobs):
+    for result in run(
+        wanted, options.seed, options.systems, options.blame, options.jobs, options.errors
+    ):
         results.append(result)
         if len(results) % 1000 == 0:
             print(f"{len(results)} of {len(wanted)}", file=sys.stderr, flush=True)

@@ -1,12 +1,13 @@
 """One case of the campaign, the same for the same number: what is written, and what is known of it.
 
-m17    a wrong statement: one or two mistakes in a right one
+m17    a wrong statement: one or two mistakes in a right one, or as many as are asked for
 r17    a right statement, written otherwise
 c17    a right statement in another convention, which is not declared
 """
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from functools import partial
 from random import Random
 
 from benchmarks.detection.equivalent import same
@@ -62,15 +63,15 @@ class NothingToDrawError(ValueError):
     """No case of this kind can be made of these systems."""
 
 
-def case(name: str, seed: int, systems: Sequence[str]) -> Case:
-    """The case of a name.
+def case(name: str, seed: int, systems: Sequence[str], errors: int | None = None) -> Case:
+    """The case of a name; of a mutant with so many mistakes, or one or two.
 
     Raises
     ------
     NothingToDrawError
         When none is found in several hundred draws.
     """
-    make = {"m": _mutant, "r": _rewriting, "c": _undeclared}[name[0]]
+    make = {"m": partial(_mutant, errors=errors), "r": _rewriting, "c": _undeclared}[name[0]]
     source = Random(f"{seed} {name}")
     equivalent: list[bool] = []
     for _ in range(MOST_DRAWS):
@@ -92,10 +93,12 @@ def _row(about: Subject, source: Random) -> Row:
     return source.choice([row for row in about.rows if row.about == kind])
 
 
-def _mutant(name: str, about: Subject, row: Row, source: Random) -> Case | bool | None:
+def _mutant(
+    name: str, about: Subject, row: Row, source: Random, errors: int | None
+) -> Case | bool | None:
     """A mutant; for one that is right whether that is proved; None where there is none."""
-    kinds = tuple(source.choice([kind for kind, _ in KINDS])
-                  for _ in range(2 if source.random() < DOUBLE else 1))  # fmt: skip
+    count = errors or (2 if source.random() < DOUBLE else 1)
+    kinds = tuple(source.choice([kind for kind, _ in KINDS]) for _ in range(count))
     # The name on the left of a reaction or an acceleration is what the statement is about.
     changed = row.trees[1:] if row.about in ("acceleration", "reaction") else row.trees
     mutations = draw(source, kinds, changed, vocabulary(about.scene))

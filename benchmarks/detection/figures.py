@@ -58,6 +58,11 @@ def exactly(result: Result) -> bool:
     return result.undone is not None and result.undone.how == "exactly"
 
 
+def repaired(result: Result) -> bool:
+    """Whether there is a repair."""
+    return result.undone is not None and result.undone.repairs > 0
+
+
 def again(result: Result) -> bool:
     """Whether the text of the first repair is right when it is read again."""
     return result.undone is not None and result.undone.again in ("PROVED", "CERTIFIED")
@@ -79,6 +84,11 @@ def summary(results: Sequence[Result]) -> Iterator[str]:
         some = [r for r in blamed if len(r.kinds) == count]
         yield f"| {words} mistakes undone by the first edit | {_share(some, mended)} | {goal} |"
         yield f"| ... exactly | {_share(some, exactly)} | |"
+    several = [r for r in blamed if len(r.kinds) > 2]
+    if several:
+        yield f"| more mistakes undone by the first edits | {_share(several, mended)} | |"
+        yield f"| ... exactly | {_share(several, exactly)} | |"
+        yield f"| ... with a proved repair | {_share(several, repaired)} | |"
     typed = [r for r in blamed if r.undone and r.undone.again]
     yield f"| text of the first edit, read again: right | {_share(typed, again)} | 100 % |"
     yield f"| verdict, ms: median / 95 % / worst | {times([r.seconds for r in results])} | 50 |"

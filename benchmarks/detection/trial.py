@@ -60,9 +60,11 @@ class Result:
         return self.name.startswith("m")
 
 
-def judged(name: str, seed: int, systems: Sequence[str], blame: bool = False) -> Result:
+def judged(
+    name: str, seed: int, systems: Sequence[str], blame: bool = False, errors: int | None = None
+) -> Result:
     """Draw a case, and check it."""
-    drawn = case(name, seed, systems)
+    drawn = case(name, seed, systems, errors)
     verdict, words = "error", ""
     right_if: tuple[str, ...] = ()
     count, start = 1, process_time()
