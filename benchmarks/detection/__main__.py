@@ -20,15 +20,17 @@ from pathlib import Path
 
 from benchmarks.detection.figures import line, missed, summary, tables
 from benchmarks.detection.trial import Result, judged
+from benchmarks.detection.whole import WHOLE, judged_whole
 from systems import ALL
 
 PART = 50
 """Cases that a process takes at a time."""
 
 
-def names(count: int, rewritings: int, conventions: int) -> list[str]:
+def names(count: int, rewritings: int, conventions: int, whole: int) -> list[str]:
     """Names of all cases of a run."""
-    numbers = (("m", count), ("r", rewritings), ("c", conventions))
+    numbers = (("m", count), ("r", rewritings), ("c", conventions),
+               *((kind, whole) for kind in WHOLE))  # fmt: skip
     return [f"{kind}{i}" for kind, most in numbers for i in range(most)]
 
 
@@ -53,7 +55,9 @@ def _part(
     wanted: list[str], seed: int, systems: tuple[str, ...], blamed: int, errors: int | None
 ) -> list[Result]:
     return [
-        judged(name, seed, systems, name[0] == "m" and int(name[1:]) < blamed, errors)
+        judged_whole(name, seed, systems)
+        if name[0] in WHOLE
+        else judged(name, seed, systems, name[0] == "m" and int(name[1:]) < blamed, errors)
         for name in wanted
     ]
 
@@ -75,6 +79,7 @@ def main() -> None:
     parser.add_argument("--count", type=int, default=2000, help="wrong mutants")
     parser.add_argument("--rewritings", type=int, help="right rewritings; a quarter of the mutants")
     parser.add_argument("--conventions", type=int, help="undeclared ones; a fortieth")
+    parser.add_argument("--whole", type=int, help="models, wrong and right boxes; a fortieth each")
     parser.add_argument("--blame", type=int, default=200, help="mutants that are blamed too")
     parser.add_argument("--errors", type=int, help="mistakes of a mutant; one or two")
     parser.add_argument("--seed", type=int, default=1)
@@ -92,7 +97,8 @@ def main() -> None:
     count = options.count
     rewritings = count // 4 if options.rewritings is None else options.rewritings
     conventions = count // 40 if options.conventions is None else options.conventions
-    wanted = names(count, rewritings, conventions)
+    whole = count // 40 if options.whole is None else options.whole
+    wanted = names(count, rewritings, conventions, whole)
     results = []
     for result in run(
         wanted, options.seed, options.systems, options.blame, options.jobs, options.errors

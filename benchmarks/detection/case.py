@@ -5,13 +5,13 @@ r17    a right statement, written otherwise
 c17    a right statement in another convention, which is not declared
 """
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 from random import Random
 
 from benchmarks.detection.equivalent import same
-from benchmarks.detection.forms.every import FORMS
+from benchmarks.detection.forms.every import FORMS, Form
 from benchmarks.detection.forms.spelling import Written
 from benchmarks.detection.mutate import KINDS, Mutation, draw, made
 from benchmarks.detection.rewrite import REWRITERS, Rewriting
@@ -59,6 +59,9 @@ class Case:
     equivalent: tuple[bool, ...] = ()
 
 
+Maker = Callable[[str, Subject, Row, Random], Case | bool | None]
+
+
 class NothingToDrawError(ValueError):
     """No case of this kind can be made of these systems."""
 
@@ -71,7 +74,9 @@ def case(name: str, seed: int, systems: Sequence[str], errors: int | None = None
     NothingToDrawError
         When none is found in several hundred draws.
     """
-    make = {"m": partial(_mutant, errors=errors), "r": _rewriting, "c": _undeclared}[name[0]]
+    makers: dict[str, Maker] = {"m": partial(mutant, errors=errors), "r": rewriting,
+                                "c": _undeclared}  # fmt: skip
+    make = makers[name[0]]
     source = Random(f"{seed} {name}")
     equivalent: list[bool] = []
     for _ in range(MOST_DRAWS):
@@ -93,9 +98,10 @@ def _row(about: Subject, source: Random) -> Row:
     return source.choice([row for row in about.rows if row.about == kind])
 
 
-def _mutant(
-    name: str, about: Subject, row: Row, source: Random, errors: int | None
-) -> Case | bool | None:
+def mutant(
+    name: str, about: Subject, row: Row, source: Random, forms: Sequence[tuple[str, Form]] = FORMS,
+    errors: int | None = None,
+) -> Case | bool | None:  # fmt: skip
     """A mutant; for one that is right whether that is proved; None where there is none."""
     count = errors or (2 if source.random() < DOUBLE else 1)
     kinds = tuple(source.choice([kind for kind, _ in KINDS]) for _ in range(count))
@@ -111,19 +117,22 @@ def _mutant(
         return same(about, row, trees)
     if right is None:
         return None
-    form, make = source.choice(FORMS)
+    form, make = source.choice(forms)
     written = make(about, row, trees, {}, source)
     if written is None:
         return None
     return Case(name, about, row, trees, form, written, kinds, mutations)
 
 
-def _rewriting(name: str, about: Subject, row: Row, source: Random) -> Case | None:
+def rewriting(
+    name: str, about: Subject, row: Row, source: Random, forms: Sequence[tuple[str, Form]] = FORMS
+) -> Case | None:
+    """A right statement, written otherwise; None where that cannot be."""
     kind, rewrite = source.choice(REWRITERS)
     done = rewrite(about, row, source)
     if done is None:
         return None
-    return _rewritten(name, about, row, (kind,), done, source)
+    return _rewritten(name, about, row, (kind,), done, source, forms)
 
 
 def _undeclared(name: str, about: Subject, row: Row, source: Random) -> Case | None:
@@ -133,17 +142,18 @@ def _undeclared(name: str, about: Subject, row: Row, source: Random) -> Case | N
     if done is None or holds(about, row, done.trees) is not False:
         return None
     kinds, done = done.convention, replace(done, convention=())
-    return _rewritten(name, about, row, kinds, done, source)
+    return _rewritten(name, about, row, kinds, done, source, FORMS)
 
 
 def _rewritten(
-    name: str, about: Subject, row: Row, kinds: tuple[str, ...], done: Rewriting, source: Random
-) -> Case | None:
+    name: str, about: Subject, row: Row, kinds: tuple[str, ...], done: Rewriting, source: Random,
+    forms: Sequence[tuple[str, Form]],
+) -> Case | None:  # fmt: skip
     if max(tree.size for tree in done.trees) > LARGEST_REWRITTEN:
         return None
     if holds(about, row, done.meant or done.trees) is not True:
         raise ValueError(f"{name}: {kinds} made a wrong statement of {row.name}")
-    form, make = source.choice(FORMS)
+    form, make = source.choice(forms)
     # Beside an acceleration in another convention a function would have to return others in it.
     alone = Row(row.name, "motion", row.trees) if done.meant and row.equation else row
     written = make(about, alone, done.trees, done.names, source)

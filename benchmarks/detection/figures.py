@@ -68,6 +68,15 @@ def again(result: Result) -> bool:
     return result.undone is not None and result.undone.again in ("PROVED", "CERTIFIED")
 
 
+def supported(result: Result) -> bool:
+    """Whether a right function that can only be called was found to be so, as far as that goes."""
+    return result.verdict == "SUPPORTED"
+
+
+WHOLE = (("k", "wrong SymPy models REFUTED", refuted), ("b", "wrong black boxes REFUTED", refuted),
+         ("s", "right black boxes SUPPORTED", supported))  # fmt: skip
+
+
 def summary(results: Sequence[Result]) -> Iterator[str]:
     """The figures against their goals, as Markdown."""
     wrong = [r for r in results if r.name[0] == "m"]
@@ -80,6 +89,9 @@ def summary(results: Sequence[Result]) -> Iterator[str]:
     yield f"| right rewritings falsely REFUTED | {_share(right, falsely)} | 0 |"
     yield f"| right rewritings PROVED or CERTIFIED | {_share(right, shown)} | |"
     yield f"| undeclared convention: REFUTED, 'right if ...' | {_share(other, told)} | |"
+    for kind, words, good in WHOLE:
+        if some := [r for r in results if r.name[0] == kind]:
+            yield f"| {words} | {_share(some, good)} | 100 % |"
     for count, words, goal in ((1, "single", "99 %"), (2, "double", "90 %")):
         some = [r for r in blamed if len(r.kinds) == count]
         yield f"| {words} mistakes undone by the first edit | {_share(some, mended)} | {goal} |"
@@ -91,7 +103,8 @@ def summary(results: Sequence[Result]) -> Iterator[str]:
         yield f"| ... with a proved repair | {_share(several, repaired)} | |"
     typed = [r for r in blamed if r.undone and r.undone.again]
     yield f"| text of the first edit, read again: right | {_share(typed, again)} | 100 % |"
-    yield f"| verdict, ms: median / 95 % / worst | {times([r.seconds for r in results])} | 50 |"
+    judged = [r.seconds for r in (*wrong, *right, *other)]
+    yield f"| verdict, ms: median / 95 % / worst | {times(judged)} | 50 |"
     spent = [r.undone.seconds for r in blamed if r.undone]
     yield f"| blame, ms: median / 95 % / worst | {times(spent)} | 1000 |"
     yield ""
@@ -143,6 +156,9 @@ def missed(result: Result) -> str:
         return f"right, but {result.verdict}"
     if result.name[0] == "c" and not told(result):
         return f"other convention, but {result.verdict} without 'right if'"
+    for kind, words, good in WHOLE:
+        if result.name[0] == kind and not good(result):
+            return f"not among {words}, but {result.verdict}"
     if result.undone is not None and not result.undone.success:
         return f"blame: {result.undone.how}"
     if result.undone is not None and result.undone.again and not again(result):

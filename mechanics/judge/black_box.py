@@ -13,6 +13,7 @@ from functools import partial
 from typing import Any
 
 import numpy as np
+from sympy import Symbol
 
 from mechanics.checks.ledger_compare import definitions_in_full
 from mechanics.compiled import compile
@@ -83,10 +84,13 @@ def _state(truth: Equations, box: BlackBox, source: random.Random) -> State:
         symbol.name: source.randrange(-128, 128) / 64
         for symbol in (*scene.q, *scene.u, *scene.input_symbols)
     }
-    for symbol in scene.parameters:
+    definitions = definitions_in_full(scene)
+    # A density stands in a definition only.
+    below = set[Symbol]().union(*(value.free_symbols for value in definitions.values()))
+    for symbol in (*scene.parameters, *sorted(below - {*scene.parameters}, key=str)):
         state[symbol.name] = source.randrange(32, 128) / 64
     state |= {name: float(value) for name, value in box.values.items()}
-    for symbol, value in definitions_in_full(scene).items():
+    for symbol, value in definitions.items():
         state[symbol.name] = float(value.xreplace({s: state[s.name] for s in value.free_symbols}))
     return {**state, "t": 0.0}
 

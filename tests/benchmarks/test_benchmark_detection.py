@@ -9,17 +9,20 @@ from random import Random
 import pytest
 from sympy import Symbol, cos, sin, symbols, sympify
 
+import mechanics
 from benchmarks.detection import __main__ as campaign
 from benchmarks.detection.case import NothingToDrawError, case
 from benchmarks.detection.equivalent import same
 from benchmarks.detection.figures import line, mended, missed, summary, tables
 from benchmarks.detection.forms.every import FORMS
+from benchmarks.detection.models import OBJECTS, wrong_model
 from benchmarks.detection.mutate import KINDS, made, mutations
 from benchmarks.detection.rows import Row, holds, subject
 from benchmarks.detection.tree import at, negative, number, places, product, put, read, written
 from benchmarks.detection.trial import Result, judged
 from benchmarks.detection.undone import distance, undone
 from benchmarks.detection.vocabulary import vocabulary
+from benchmarks.detection.whole import judged_whole
 from mechanics.blame.result import Blame, Edit, Mistake, Repair
 from mechanics.errors import MechanicsError
 from mechanics.exact import Finding, Verdict
@@ -52,6 +55,22 @@ def test_no_right_rewriting_is_refuted(name: str) -> None:
     found = results(name, [f"r{i}" for i in range(REWRITINGS)])
     assert [line(result) for result in found if missed(result)] == []
     assert {result.verdict for result in found} <= {"PROVED", "CERTIFIED"}
+
+
+@pytest.mark.parametrize("kind", ["k", "b", "s"])
+def test_whole_models_and_boxes_are_judged(kind: str) -> None:
+    found = [judged_whole(f"{kind}{i}", 2, NAMES) for i in range(8)]
+    assert [line(result) for result in found if missed(result)] == []
+    assert len({result.system for result in found}) > 1
+
+
+def test_a_wrong_model_is_wrong_in_equations_that_sympy_forms() -> None:
+    about, source = subject("cartpole"), Random(5)
+    models = [model for _ in range(60) if (model := wrong_model(about, source)) is not None]
+    assert len({model.where for model in models}) > 3
+    for _, build in OBJECTS:
+        assert mechanics.check(about.free_body, build(about.scene), blame=False).ok
+        assert not mechanics.check(about.free_body, build(models[0].scene), blame=False).ok
 
 
 def test_conventions_that_are_not_declared_are_named() -> None:

@@ -4,12 +4,13 @@ import math
 import re
 
 import pytest
+from sympy import Symbol, lambdify, solve
 
 import mechanics
 from mechanics import BlackBox
 from mechanics.errors import InputError
 from mechanics.judge.check import derived
-from systems import elastic_pendulum, pendulum_chain
+from systems import elastic_pendulum, pendulum_chain, rocker
 
 CART = derived(pendulum_chain.scene(1))
 VALUES = {"m0": 2.0, "m1": 0.5, "l0": 0.7, "g": 9.8}
@@ -113,3 +114,14 @@ def test_definitions_of_the_scene_have_their_values() -> None:
     assert [entry.finding.verdict.name for entry in found.judged] == [
         "REFUTED", "SUPPORTED", "SUPPORTED",
     ]  # fmt: skip
+
+
+def test_a_density_that_stands_in_a_definition_only_has_a_value_too() -> None:
+    truth = derived(rocker.scene())
+    (theta_ddot,) = truth.scene.ud
+    (solution,) = solve(truth.residual, [theta_ddot]).values()
+    names = [*truth.scene.q, *truth.scene.u, *truth.scene.input_symbols, *truth.scene.parameters]
+    assert Symbol("rho", real=True, positive=True) not in names
+    box = lambdify(names, [solution], "math")
+    found = mechanics.check(truth, BlackBox(box))
+    assert [entry.finding.verdict.name for entry in found.judged] == ["SUPPORTED"]
