@@ -10,7 +10,7 @@ What is rounded to single precision stays within the bound.
 
 import inspect
 import warnings
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from math import inf, isfinite
@@ -18,7 +18,7 @@ from random import Random
 from typing import Any
 
 import numpy as np
-from sympy import Expr, Piecewise, S, Symbol
+from sympy import Expr, Piecewise, Rational, S, Symbol
 from sympy.logic.boolalg import Boolean
 
 from mechanics.errors import ExpressionError
@@ -64,12 +64,14 @@ def doubt_when_called(
         What numbers that it holds stand for.
     """
     own = held(function, standing)
-    symbols = (*given.values(), *standing.values())
-    kept = _kept(function, given) | {standing[name]: number for name, number in own.numbers.items()}
+    # What it computes from others beforehand has no number of its own.
+    plain = {name: s for name, s in standing.items() if isinstance(s, Symbol)}
+    symbols = (*given.values(), *plain.values(), *_within(standing.values()))
+    kept = _kept(function, given) | {s: own.numbers[name] for name, s in plain.items()}
     compared, failure = False, "its formulas have no value at random states"
     try:
         for formulas in _at_states(symbols, outputs):
-            values = {name: float(formulas.numbers[s]) for name, s in standing.items()}
+            values = {name: _value(s, formulas.numbers) for name, s in standing.items()}
             function = own.with_values(values)
             results = [_attempt(function, given, formulas, kind) for kind in (float, np.float64)]
             failed = [r for r in results if isinstance(r, _Failed)]
@@ -83,7 +85,9 @@ def doubt_when_called(
                     return words
             compared = True
         if kept and (there := _at_kept(symbols, outputs, kept)) is not None:
-            result = _attempt(own.with_values(own.numbers), given, there, float, kept)
+            values = {name: _value(s, there.numbers) for name, s in standing.items()}
+            function = own.with_values({**values, **{n: own.numbers[n] for n in plain}})
+            result = _attempt(function, given, there, float, kept)
             if not isinstance(result, _Failed) and (words := _differs(result, there)):
                 return words
     except ExpressionError as error:
@@ -127,6 +131,19 @@ def _at_kept(
     numbers.update((s, Fraction(v)) for s, v in kept.items() if isinstance(s, Symbol))
     with precision(BITS):
         return _formulas(BallArithmetic(State(numbers)), numbers, outputs)
+
+
+def _within(formulas: Iterable[Expr]) -> list[Expr]:
+    symbols = set().union(*(formula.free_symbols for formula in formulas))
+    return sorted(symbols, key=str)
+
+
+def _value(formula: Expr, numbers: Numbers) -> float:
+    """What a number that the code holds is at a state."""
+    if isinstance(formula, Symbol):
+        return float(numbers[formula])
+    table = {s: Rational(n.numerator, n.denominator) for s, n in numbers.items()}
+    return float(formula.xreplace(table))
 
 
 def _drawn(values: Sequence[Value], source: Random, scale: Fraction) -> Numbers:

@@ -15,7 +15,11 @@ from dis import get_instructions
 from functools import partial
 from typing import Any
 
+from mechanics.errors import InputError
+from mechanics.reading.code.objects import methods_used, with_methods
+
 Put = Callable[[Any], None]
+Learn = Callable[[str, float, Put], None]
 OF_MODULES = ("LOAD_GLOBAL", "LOAD_NAME")
 DEEPEST = 6
 """Functions that call functions."""
@@ -46,71 +50,91 @@ class Held:
 
 
 def held(function: Callable[..., Any], names: Iterable[str]) -> Held:
-    """The numbers of these names that a function and those of its file that it calls hold."""
+    """The numbers of these names that a function and those of its file that it calls hold.
+
+    Raises
+    ------
+    InputError
+        When one name has two values.
+    """
     wanted = frozenset(names)
+    inner, bound = owner_of(function)
+    if inner is None:
+        return Held(function, {}, ())
+    numbers: dict[str, float] = {}
+    places: list[tuple[str, Put]] = []
+
+    def learn(name: str, value: float, put: Put) -> None:
+        if numbers.setdefault(name, value) != value:
+            raise InputError(
+                f"function {inner.__name__}: {name} is {numbers[name]} in one place and {value} in"
+                " another: name one of them otherwise"
+            )
+        places.append((name, put))
+
+    copies = _copies(inner, bound, wanted, learn)
+    if bound is None:
+        return Held(copies[inner] if places else function, numbers, tuple(places))
+    methods = {n: copies[f] for n, f in methods_used(bound, [inner]).items() if f in copies}
+    other = _object(bound, wanted, learn, methods)
+    if not places:
+        return Held(function, {}, ())
+    return Held(types.MethodType(copies[inner], other), numbers, tuple(places))
+
+
+def owner_of(function: Callable[..., Any]) -> tuple[types.FunctionType | None, Any]:
+    """The plain function in what can be called, and the object whose method it is."""
     inner = function.__func__ if isinstance(function, types.MethodType) else function
     bound = getattr(function, "__self__", None)
     if not isinstance(inner, types.FunctionType):
         inner, bound = type(function).__call__, function
     if not isinstance(inner, types.FunctionType) or isinstance(bound, type | types.ModuleType):
-        return Held(function, {}, ())
-    numbers: dict[str, float] = {}
-    places: list[tuple[str, Put]] = []
-    copied = _copied(inner, wanted, numbers, places)
-    if bound is None:
-        return Held(copied if places else function, numbers, tuple(places))
-    other = _object(bound, wanted, numbers, places)
-    if not places:
-        return Held(function, {}, ())
-    return Held(types.MethodType(copied, other), numbers, tuple(places))
+        return None, None
+    return inner, bound
 
 
-def _copied(
-    function: types.FunctionType, wanted: frozenset[str], numbers: dict[str, float],
-    places: list[tuple[str, Put]],
-) -> types.FunctionType:  # fmt: skip
-    """A function with names of its own, which it shares with the copies of those that it calls."""
+def _copies(
+    function: types.FunctionType, bound: Any, wanted: frozenset[str], learn: Learn
+) -> dict[types.FunctionType, types.FunctionType]:
+    """Functions with names of their own, which they share with the copies of those they call."""
     table = dict(function.__globals__)
-    called = _called(function)
+    called = called_by(function, bound)
     for name in dict.fromkeys(name for f in called for name in _named(f.__code__)):
-        if name in wanted and _is_number(table.get(name)):
-            numbers[name] = table[name]
-            places.append((name, partial(table.__setitem__, name)))
-    copies = {f: _over(f, table, wanted, numbers, places) for f in called}
+        if name in wanted and is_number(table.get(name)):
+            learn(name, table[name], partial(table.__setitem__, name))
+    copies = {f: _over(f, table, wanted, learn) for f in called}
     for name, value in function.__globals__.items():
         if isinstance(value, types.FunctionType) and value in copies:
             table[name] = copies[value]
-    return copies[function]
+    return copies
 
 
-def _called(function: types.FunctionType) -> list[types.FunctionType]:
-    """The function and those of the same file that it calls."""
+def called_by(function: types.FunctionType, bound: Any = None) -> list[types.FunctionType]:
+    """The function and those of the same file, and methods of its object, that it calls."""
     found, open_ones = [function], [function]
     for _ in range(DEEPEST):
         names = [name for f in open_ones for name in _named(f.__code__)]
         called = [function.__globals__.get(name) for name in dict.fromkeys(names)]
+        if bound is not None:
+            called += methods_used(bound, open_ones).values()
         open_ones = [
-            f for f in called
-            if isinstance(f, types.FunctionType)
-            and f.__globals__ is function.__globals__
-            and f not in found
+            f for f in dict.fromkeys(f for f in called if isinstance(f, types.FunctionType))
+            if f.__globals__ is function.__globals__ and f not in found
         ]  # fmt: skip
         found += open_ones
     return found
 
 
 def _over(
-    function: types.FunctionType, table: dict[str, Any], wanted: frozenset[str],
-    numbers: dict[str, float], places: list[tuple[str, Put]],
-) -> types.FunctionType:  # fmt: skip
+    function: types.FunctionType, table: dict[str, Any], wanted: frozenset[str], learn: Learn
+) -> types.FunctionType:
     """The function with another table of names, and cells of its own for numbers."""
     cells = []
     for name, cell in zip(function.__code__.co_freevars, function.__closure__ or (), strict=True):
-        value = _content(cell)
-        if name in wanted and _is_number(value):
+        value = content(cell)
+        if name in wanted and is_number(value):
             cell = types.CellType(value)
-            numbers[name] = value
-            places.append((name, partial(setattr, cell, "cell_contents")))
+            learn(name, value, partial(setattr, cell, "cell_contents"))
         cells.append(cell)
     made = types.FunctionType(
         function.__code__, table, function.__name__, function.__defaults__, tuple(cells) or None
@@ -120,32 +144,24 @@ def _over(
     return made
 
 
-def _content(cell: types.CellType) -> Any:
+def content(cell: types.CellType) -> Any:
+    """What is in a cell; None where it is not set yet."""
     try:
         return cell.cell_contents
     except ValueError:
-        return None  # it is not set yet
+        return None
 
 
 def _object(
-    bound: Any, wanted: Iterable[str], numbers: dict[str, float], places: list[tuple[str, Put]]
+    bound: Any, wanted: Iterable[str], learn: Learn, methods: Mapping[str, types.FunctionType]
 ) -> Any:
     """Another object of the same kind, with the same attributes but for the numbers put there."""
-    own = getattr(bound, "__dict__", None)
-    if not isinstance(own, dict) or isinstance(bound, types.ModuleType):
+    other = with_methods(bound, methods)
+    if other is bound:
         return bound
-    known = {**_of_classes(type(bound)), **own}
-    found = {n: v for n, v in known.items() if n in wanted and _is_number(v)}
-    if not found:
-        return bound
-    try:
-        other = object.__new__(type(bound))
-    except TypeError:
-        return bound  # its kind is made in another way
-    other.__dict__.update(own)
-    for name, value in found.items():
-        numbers[name] = value
-        places.append((name, partial(other.__dict__.__setitem__, name)))
+    for name, value in {**_of_classes(type(bound)), **vars(bound)}.items():
+        if name in wanted and is_number(value):
+            learn(name, value, partial(other.__dict__.__setitem__, name))
     return other
 
 
@@ -163,5 +179,6 @@ def _named(code: types.CodeType) -> Iterator[str]:
             yield from _named(inner)
 
 
-def _is_number(value: Any) -> bool:
+def is_number(value: Any) -> bool:
+    """Whether a value is a number that may stand for a parameter."""
     return isinstance(value, int | float) and not isinstance(value, bool)

@@ -4,7 +4,7 @@ def f(t, z, m=2.0, g=9.81, tol=1e-9)    ->    t, z, m, g        m and g are name
 """
 
 import inspect
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
@@ -13,10 +13,14 @@ from sympy import Expr
 
 from mechanics.errors import InputError
 from mechanics.reading.code.arguments import named_entries
-from mechanics.reading.code.held import held
+from mechanics.reading.code.derived import derived
+from mechanics.reading.code.held import called_by, held, is_number, owner_of
 from mechanics.reading.code.taken_apart import Apart, in_python
 from mechanics.reading.names import Naming
 from mechanics.reading.spelled_rates import key
+
+MOST = 8
+"""Numbers that are told."""
 
 
 @dataclass(frozen=True)
@@ -71,9 +75,9 @@ def signature_of(
         elif _of_scene(naming, name, default, apart.get(name)):
             wanted.append(name)
             freed.append(name if name in ("t", "time") else f"{name} = {default}")
-        elif _is_number(default):
+        elif is_number(default):
             kept.append(f"{name} = {default}")
-    standing, numbers = _standing(function, naming, names)
+    standing, numbers, others = _standing(function, naming, names)
     remarks = [
         *([f"{title}: {', '.join(freed)}: read as the scene's, for all values, not the default"]
           if freed else []),
@@ -81,13 +85,15 @@ def signature_of(
            " it as the scene's"] if kept else []),
         *([f"{title}: {', '.join(numbers)} of the code: read as the scene's, for all values"]
           if numbers else []),
+        *([f"{title}: {', '.join(others)} of the code: numbers; --name 'mine=scene' (names=) reads"
+           " them as the scene's"] if others else []),
     ]  # fmt: skip
     return Signature(tuple(wanted), apart, returned, standing, tuple(remarks))
 
 
 def _of_scene(naming: Naming, name: str, default: Any, apart: Apart | None) -> bool:
     """Whether an argument with a default is one of the scene."""
-    if _is_number(default):
+    if is_number(default):
         if name in ("t", "time"):
             return True
         known = key(name) in naming.vocabulary.by_key
@@ -99,23 +105,53 @@ def _of_scene(naming: Naming, name: str, default: Any, apart: Apart | None) -> b
 
 def _standing(
     function: Callable[..., Any], naming: Naming, names: Mapping[str, str]
-) -> tuple[dict[str, Expr], list[str]]:
-    """What numbers that a function holds stand for, and the same in words."""
+) -> tuple[dict[str, Expr], list[str], list[str]]:
+    """What numbers that a function holds stand for, these in words, and those that stay numbers."""
     constants = naming.vocabulary.constants
     own = held(function, constants).numbers
-    named = {n: s for n, s in constants.items() if n in own and _may_be(s, own[n])}
-    given = {n: constants[m] for n, m in names.items() if m in constants}
-    known: dict[str, Expr] = {**named, **given}
+    # Beside what is named, the file may compute from numbers that only it uses.
+    whole = getattr(owner_of(function)[0], "__globals__", {})
+    values = {n: v for n, v in whole.items() if is_number(v)} | own
+    named = {n: s for n, s in constants.items() if n not in values or _may_be(s, values[n])}
+    known: dict[str, Expr] = {
+        **named,
+        **{n: constants[m] for n, m in names.items() if m in constants},
+    }
+    known |= derived(function, known)
     numbers = held(function, known).numbers
     told = [f"{n} = {v}" + ("" if n == str(known[n]) else f" ({known[n]})")
             for n, v in numbers.items()]  # fmt: skip
-    return {name: known[name] for name in numbers}, told
+    others = [f"{n} = {v}" for n, v in held(function, _used(function)).numbers.items()
+              if n not in known]  # fmt: skip
+    return {name: known[name] for name in numbers}, told, others[:MOST]
+
+
+def _used(function: Callable[..., Any]) -> list[str]:
+    """Names that a function and what it calls use."""
+    inner, bound = owner_of(function)
+    codes = [f.__code__ for f in called_by(inner, bound)] if inner is not None else []
+    return [name for code in codes for name in (*code.co_names, *code.co_freevars)]
+
+
+def beside(
+    function: Callable[..., Any], standing: Mapping[str, Expr], arguments: Iterable[Expr]
+) -> tuple[dict[str, Expr], list[str]]:
+    """What numbers stand for beside arguments, and in words which ones do not.
+
+    A number of the file does not follow an argument that is passed.
+    """
+    passed = set(arguments)
+    kept = {n: s for n, s in standing.items() if not s.free_symbols & passed}
+    numbers = held(function, standing).numbers
+    told = [
+        f"{n} = {numbers[n]} of the code stays a number: {', '.join(sorted(map(str, both)))} of the"
+        " scene is passed as an argument, which it does not follow: pass it too, or compute it"
+        " inside the function"
+        for n, s in standing.items() if (both := s.free_symbols & passed)
+    ]  # fmt: skip
+    return kept, told
 
 
 def _may_be(symbol: Expr, value: float) -> bool:
     """Whether a symbol can have a value: g = -9.81 is not the g > 0 of a scene."""
     return value >= 0 or not (symbol.is_positive or symbol.is_nonnegative)
-
-
-def _is_number(value: Any) -> bool:
-    return isinstance(value, int | float) and not isinstance(value, bool)

@@ -28,7 +28,8 @@ from mechanics.reading.code.c_plain import plain
 from mechanics.reading.code.c_wrapper import WRAPPER, wrapped
 from mechanics.reading.code.called import doubt_when_called
 from mechanics.reading.code.outputs import claims, in_order, state_of_scalars, statement
-from mechanics.reading.code.python_call import signature_of
+from mechanics.reading.code.python_call import beside, signature_of
+from mechanics.reading.code.repeated import doubt_when_repeated
 from mechanics.reading.code.taken_apart import Apart, in_c
 from mechanics.reading.code.tracing import Outputs, trace
 from mechanics.reading.code.written import Written
@@ -73,12 +74,15 @@ def read_function(
     """
     title = getattr(function, "__name__", type(function).__name__)
     called = signature_of(function, Naming(Vocabulary(scene)), names or {}, title)
-    standing = called.standing
 
     def run(given: Arguments) -> Outputs:
+        passed = [symbol for value in given.values.values() for symbol in _entries(value)]
+        standing, told = beside(function, called.standing, passed)
         outputs = trace(function, given.values, standing)
-        doubt = doubt_when_called(function, given.values, outputs, standing)
-        return replace(outputs, doubt=doubt, names=called.returned)
+        doubt = doubt_when_repeated(function, given.values, outputs, standing)
+        doubt = doubt or doubt_when_called(function, given.values, outputs, standing)
+        notes = (*outputs.notes, *told)
+        return replace(outputs, notes=notes, doubt=doubt, names=called.returned)
 
     sizes = dict.fromkeys(called.wanted)
     found = _read(scene, title, called.wanted, sizes, run, names, about, called.apart)

@@ -7,6 +7,7 @@ A function is not changed: a copy of it is made whose names mean these.
 
 import builtins
 import math
+import random
 import types
 from collections.abc import Callable, Iterable
 from operator import methodcaller
@@ -16,6 +17,7 @@ import numpy as np
 import sympy
 
 from mechanics.errors import InputError
+from mechanics.reading.code.objects import methods_used, with_methods
 from mechanics.reading.code.traced import ELEMENTARY, Explorer, Traced, expression_of
 
 ALIASES = {
@@ -95,12 +97,41 @@ def _signs(x: Any) -> Any:
     return found.reshape(entries.shape) if entries.shape else found[0]
 
 
+RANDOM = (random.Random, np.random.RandomState, np.random.Generator)
+CHANGING = ("random", "numpy.random", "secrets", "time", "datetime", "uuid")
+"""Modules whose functions return something else at each call."""
+OUTSIDE = ("input", "open", "eval", "exec", "globals")
+
+
+class Changing:
+    """What returns something else at each call, or reads what is no argument."""
+
+    def __init__(self, name: str) -> None:
+        self.__name__ = name
+
+    def __call__(self, *_: Any, **__: Any) -> Any:
+        """Refuse it.
+
+        Raises
+        ------
+        InputError
+        """
+        raise InputError(
+            f"it calls {self.__name__}: its result depends on more than its arguments: leave that"
+            " out, or make it an argument"
+        )
+
+    def __getattr__(self, name: str) -> Any:
+        return Changing(f"{self.__name__}.{name}")
+
+
 NUMPY: dict[str, Any] = {
     **{name: _objects(getattr(np, name)) for name in (
         "array", "asarray", "zeros", "ones", "empty", "eye", "zeros_like", "empty_like",
         "ones_like", "full", "identity", "ascontiguousarray",
     )},
     **{name: _identity for name in ("float64", "float32", "double")},
+    "random": Changing("np.random"),
     "linalg": Module(np.linalg, {"solve": _exact_system, "inv": _inverse}),
     "arctan2": lambda y, x: y.arctan2(x) if isinstance(y, Traced) else np.arctan2(y, x),
     "sign": _signs,
@@ -115,8 +146,21 @@ MATH: dict[str, Any] = {
 NUMPY["sqrt_of"] = MATH["sqrt"]
 
 
+def _changing(value: Any) -> str:
+    """A name of what returns something else at each call; empty for other things."""
+    owner = getattr(value, "__self__", None)
+    if isinstance(value, RANDOM) or isinstance(owner, RANDOM):
+        return f"random numbers ({getattr(value, '__name__', type(value).__name__)})"
+    if isinstance(value, types.ModuleType):
+        return value.__name__ if value.__name__ in CHANGING else ""
+    module, name = getattr(value, "__module__", None), getattr(value, "__name__", "")
+    return f"{module}.{name}" if module in CHANGING and callable(value) else ""
+
+
 def stand_in(value: Any, depth: int = 0) -> Any:
     """What a name of a traced function means."""
+    if name := _changing(value):
+        return Changing(name)
     if value is math:
         return Module(math, MATH)
     if value is np:
@@ -148,11 +192,11 @@ def copy_of(function: Callable[..., Any], depth: int = 0) -> Callable[..., Any]:
         When it is no Python function, or calls go too deep.
     """
     if isinstance(function, types.MethodType):
-        return types.MethodType(copy_of(function.__func__, depth), function.__self__)
+        return _method(function.__func__, function.__self__, depth)
     if not isinstance(function, types.FunctionType):
         called = type(function).__call__
         if isinstance(called, types.FunctionType):
-            return types.MethodType(copy_of(called, depth), function)
+            return _method(called, function, depth)
         raise InputError(f"{function!r} is no Python function: its code cannot be traced")
     if depth > DEEPEST:
         return function
@@ -163,6 +207,8 @@ def copy_of(function: Callable[..., Any], depth: int = 0) -> Callable[..., Any]:
             table[name] = stand_in(table[name], depth)
         elif name == "abs":
             table[name] = builtins.abs
+        elif name in OUTSIDE and name not in table:
+            table[name] = Changing(name)
     cells = tuple(
         types.CellType(stand_in(cell.cell_contents, depth)) for cell in function.__closure__ or ()
     )
@@ -173,6 +219,14 @@ def copy_of(function: Callable[..., Any], depth: int = 0) -> Callable[..., Any]:
     # It calls its copy, not itself.
     table[function.__name__] = copied
     return copied
+
+
+def _method(function: Callable[..., Any], bound: Any, depth: int) -> Callable[..., Any]:
+    """A copy of a method, of an object whose other methods are copies, too."""
+    if isinstance(function, types.FunctionType):
+        others = methods_used(bound, [function])
+        bound = with_methods(bound, {n: copy_of(f, depth + 1) for n, f in others.items()})
+    return types.MethodType(copy_of(function, depth), bound)
 
 
 def _used(code: types.CodeType) -> set[str]:

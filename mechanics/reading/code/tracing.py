@@ -18,6 +18,7 @@ from sympy.logic.boolalg import Boolean
 from mechanics.errors import InputError, MechanicsError
 from mechanics.reading.code.as_written import Formulas, leaf
 from mechanics.reading.code.held import held
+from mechanics.reading.code.lasting import changed, seen
 from mechanics.reading.code.stand_ins import copy_of
 from mechanics.reading.code.taken_apart import Record
 from mechanics.reading.code.traced import MOST_PATHS, Explorer, Traced, expression_of
@@ -45,6 +46,8 @@ class Outputs:
         Values as the code has them, before SymPy puts terms together; those that are known.
     names : tuple of str
         What the code calls its outputs, entry by entry; empty where that is not plain.
+    changed : tuple of str
+        What a call changes that outlives it.
     """
 
     values: tuple[Matrix, ...]
@@ -53,6 +56,7 @@ class Outputs:
     doubt: str = ""
     formulas: Formulas = field(default_factory=dict)
     names: tuple[str, ...] = ()
+    changed: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -84,6 +88,7 @@ def trace(
     own = held(function, standing)
     copied = copy_of(function)
     notes: list[str] = []
+    lasting: dict[str, None] = {}
     ways: list[_Way] = []
     prefix: tuple[bool, ...] | None = ()
     while prefix is not None:
@@ -93,7 +98,10 @@ def trace(
         if own.places:
             traced = {n: _argument(value, explorer) for n, value in standing.items()}
             copied = copy_of(own.with_values(traced))
-        values = _called(copied, given, explorer, _title(function))
+        arguments = {name: _argument(value, explorer) for name, value in given.items()}
+        before = seen(copied, arguments)
+        values = _called(copied, arguments, given, explorer, _title(function))
+        lasting |= dict.fromkeys(changed(before, seen(copied, arguments)))
         taken = tuple(explorer.taken)
         ways.append(_Way(taken, values, explorer.formulas))
         prefix = _next([answer for _, answer in taken])
@@ -107,7 +115,10 @@ def trace(
         raise InputError(f"{_title(function)} returns arrays of different shapes")
     conditions = dict.fromkeys(condition for way in ways for condition, _ in way.conditions)
     formulas = defined[0].formulas if len(ways) == 1 else {}
-    return Outputs(_joined(defined, 0), tuple(notes), tuple(conditions), formulas=formulas)
+    return Outputs(
+        _joined(defined, 0), tuple(notes), tuple(conditions), formulas=formulas,
+        changed=tuple(lasting),
+    )  # fmt: skip
 
 
 def _title(function: Callable[..., Any]) -> str:
@@ -122,9 +133,9 @@ def _next(answers: list[bool]) -> tuple[bool, ...] | None:
 
 
 def _called(
-    function: Callable[..., Any], given: Given, explorer: Explorer, title: str
-) -> tuple[Matrix, ...] | None:
-    arguments = {name: _argument(value, explorer) for name, value in given.items()}
+    function: Callable[..., Any], arguments: Mapping[str, Any], given: Given, explorer: Explorer,
+    title: str,
+) -> tuple[Matrix, ...] | None:  # fmt: skip
     try:
         result = function(**arguments)
     except MechanicsError:

@@ -1,0 +1,142 @@
+"""What a call changes beyond itself is found; code that only stores its results is proved."""
+
+import itertools
+import time
+from collections.abc import Callable
+from random import random
+
+import numpy as np
+import pytest
+
+from mechanics import check
+from mechanics.errors import InputError
+from mechanics.exact import Verdict
+from systems.rod_pendulum import scene
+
+SCENE = scene()
+NUMBER, SEEN, TICKS = 0, [], itertools.count()  # type: ignore[var-annotated]
+
+
+def law(y, u, m, l, g, k=1.0):  # type: ignore[no-untyped-def]
+    return [y[1], 3 * g / (2 * l) * np.sin(y[0]) * k + 3 * u / (m * l**2)]
+
+
+def later(n: int) -> float:
+    """A factor that is wrong after many calls only."""
+    return 1.0 if n < 100_000 else 2.0
+
+
+class Rod:
+    calls = 0
+
+    def __init__(self) -> None:
+        self.m, self.l, self.g = 1.0, 2.0, 9.81
+        self.number, self.rate = 0, 0.0
+        self.last: list | None = None
+
+    def counts(self, y, u):  # type: ignore[no-untyped-def]
+        self.number += 1
+        return law(y, u, self.m, self.l, self.g, later(self.number))
+
+    def wears(self, y, u):  # type: ignore[no-untyped-def]
+        found = law(y, u, self.m, self.l, self.g)
+        self.m *= 0.99
+        return found
+
+    def keeps(self, y, u):  # type: ignore[no-untyped-def]
+        if self.last is not None and y[0] > 100:
+            return self.last
+        self.last = law(y, u, self.m, self.l, self.g)
+        return self.last
+
+    def of_class(self, y, u):  # type: ignore[no-untyped-def]
+        Rod.calls += 1
+        return law(y, u, self.m, self.l, self.g, later(Rod.calls))
+
+    @property
+    def inertia(self):  # type: ignore[no-untyped-def]
+        return self.m * self.l**2 / 3
+
+    def _moment(self, angle):  # type: ignore[no-untyped-def]
+        return self.m * self.g * self.l / 2 * np.sin(angle)
+
+    def stores(self, y, u):  # type: ignore[no-untyped-def]
+        rates = np.zeros(2)
+        self.number += 1
+        self.rate = (self._moment(y[0]) + u) / self.inertia
+        rates[:] = y[1], self.rate
+        return rates
+
+
+def changes_the_caller(y, u, p):  # type: ignore[no-untyped-def]
+    p["l"] *= 2
+    return law(y, u, p["m"], p["l"] / 2, p["g"])
+
+
+def turns_the_caller(y, u, m, l, g):  # type: ignore[no-untyped-def]
+    y[0] += 2 * np.pi
+    return law(y, u, m, l, g)
+
+
+def counts_in_the_file(y, u, m, l, g):  # type: ignore[no-untyped-def]
+    global NUMBER
+    NUMBER += 1
+    return law(y, u, m, l, g, later(NUMBER))
+
+
+def counts_in_a_list(y, u, m, l, g):  # type: ignore[no-untyped-def]
+    SEEN.append(1)
+    return law(y, u, m, l, g, later(len(SEEN)))
+
+
+def ticks(y, u, m, l, g):  # type: ignore[no-untyped-def]
+    return law(y, u, m, l, g, later(next(TICKS)))
+
+
+def around() -> Callable:
+    number = 0
+
+    def counts(y, u, m, l, g):  # type: ignore[no-untyped-def]
+        nonlocal number
+        number += 1
+        return law(y, u, m, l, g, later(number))
+
+    return counts
+
+
+LASTING = [
+    changes_the_caller, turns_the_caller, counts_in_the_file, counts_in_a_list, ticks, around(),
+    Rod().counts, Rod().wears, Rod().keeps, Rod().of_class,
+]  # fmt: skip
+
+
+@pytest.mark.parametrize("function", LASTING)
+def test_what_outlives_a_call_is_doubted(function: Callable) -> None:
+    found = check(SCENE, function)
+    assert {judged.finding.verdict for judged in found.judged} == {Verdict.UNDECIDED}
+    assert "a call changes" in found.judged[0].finding.evidence
+
+
+def test_what_is_written_before_it_is_read_is_proved() -> None:
+    rod = Rod()
+    found = check(SCENE, rod.stores)
+    assert found.verdict is Verdict.PROVED
+    assert (rod.number, rod.m) == (0, 1.0)
+
+
+def by_chance(y, u, m, l, g):  # type: ignore[no-untyped-def]
+    return law(y, u + 1e-12 * random(), m, l, g)
+
+
+def by_numpy(y, u, m, l, g):  # type: ignore[no-untyped-def]
+    return law(y, u + 1e-12 * np.random.randn(), m, l, g)
+
+
+def by_the_clock(y, u, m, l, g):  # type: ignore[no-untyped-def]
+    return law(y, u, m, l, g, later(time.time() - 4e9))  # type: ignore[arg-type]
+
+
+@pytest.mark.parametrize("function", [by_chance, by_numpy, by_the_clock])
+def test_chance_and_the_clock_are_refused(function: Callable) -> None:
+    with pytest.raises(InputError, match="depends on more than its arguments"):
+        check(SCENE, function)
