@@ -210,6 +210,8 @@ def _other_speeds(about: Subject, row: Row, source: Random) -> Rewriting | None:
 
 def _convention(about: Subject, row: Row, source: Random) -> Rewriting | None:
     """Counted as another person counts, who says so."""
+    if row.about == "mass matrix":
+        return None  # it belongs to the person's coordinates: more than symbols changes
     known = conventions(about.scene)
     single = [change for change in known if len(change) == 1]
     change = source.choice(single if source.random() < 0.6 else known)

@@ -19,7 +19,7 @@ from mechanics.equations import Equations
 from mechanics.errors import InputError, MechanicsError
 from mechanics.exact import Finding
 from mechanics.judge.glance import glance
-from mechanics.judge.right_if import each_side, in_plain_symbols
+from mechanics.judge.moved import each_side, in_plain_symbols
 from mechanics.reading.statement import Statement
 from mechanics.scene import Scene
 from mechanics.scene.published import Published

@@ -4,33 +4,31 @@ statements  --ledger-->  PROVED, CERTIFIED, REFUTED with a witness, UNDECIDED
 """
 
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
 from functools import lru_cache
 from typing import Any
 
-from mechanics.checks.ledger import check_row
 from mechanics.crosscheck.routes import derive
 from mechanics.equations import Equations
-from mechanics.errors import ExpressionError, InputError, SceneError, SingularError, wanted
-from mechanics.exact import Finding, Verdict
-from mechanics.judge.at_values import Values, judged_at, read_values, right_at
+from mechanics.errors import InputError, wanted
+from mechanics.exact import Verdict
+from mechanics.judge.at_values import Values, read_values, right_at
 from mechanics.judge.at_values import words as in_words
 from mechanics.judge.black_box import check_box
 from mechanics.judge.blamed import blamed
-from mechanics.judge.cases import check_cases
 from mechanics.judge.complete import redundancy
 from mechanics.judge.other_meaning import energy_instead
 from mechanics.judge.other_names import best_names, doubtful
 from mechanics.judge.readers import read, spread
-from mechanics.judge.right_if import declared, judged_under, right_if
+from mechanics.judge.right_if import right_if
+from mechanics.judge.single import judge
 from mechanics.judge.small_angles import right_for_small_angles
-from mechanics.judge.vacuous import with_content
+from mechanics.judge.under import judge_under
 from mechanics.reading.code.black_box import BlackBox
+from mechanics.reading.declared import Declared, read_declared
 from mechanics.reading.statement import Reading, Statement
 from mechanics.report.answer.check import Check
 from mechanics.report.answer.judged import Judged
 from mechanics.scene import Scene
-from mechanics.scene.symbols import plain_symbol
 from mechanics.scene.system import System
 
 
@@ -104,11 +102,11 @@ def check(
     statements = [statement for reading in readings for statement in reading.statements]
     if values and convention:
         raise InputError("check: values and a convention are given: give one of them")
-    names_of = declared([convention] if isinstance(convention, str) else convention)
+    counted = read_declared([convention] if isinstance(convention, str) else convention)
     held = read_values(truth.scene, values or {})
-    judged, told = _judged(truth, statements, names_of, held)
+    judged, told = _judged(truth, statements, counted, held)
     # Edits are searched in equations as they stand, not as they would stand without a convention.
-    if blame and not names_of and not held:
+    if blame and not counted and not held:
         judged = blamed(truth, judged)
     judged = tuple(energy_instead(truth, entry) for entry in judged)
     judged = (*judged, *(Judged(s, f) for entries, _ in boxed for s, f in entries))
@@ -131,82 +129,25 @@ def _read(truth: Equations, part: Any, names: Mapping[str, str] | None, *how: An
 
 
 def _judged(
-    truth: Equations, statements: Sequence[Statement], names: Sequence[str], values: Values
+    truth: Equations, statements: Sequence[Statement], counted: Sequence[Declared], values: Values
 ) -> tuple[tuple[Judged, ...], tuple[str, ...]]:
     """Verdicts; under a declared convention, or beside a refutation the one that would help."""
-    findings = [_judge(truth, statement, values) for statement in statements]
+    if counted:
+        return judge_under(truth, statements, counted)
+    findings = [judge(truth, statement, values) for statement in statements]
     if values:
         return tuple(map(Judged, statements, findings)), (f"judged where {in_words(values)}",)
-    refuted = any(finding.verdict is Verdict.REFUTED for finding in findings)
-    if not refuted and not names:
+    if not any(finding.verdict is Verdict.REFUTED for finding in findings):
         return tuple(map(Judged, statements, findings)), ()
     claimed = [k for k, s in enumerate(statements) if s.row is not None and not s.doubt]
-    found = right_if(truth, [statements[k] for k in claimed], names)
-    if not found and names:
-        return _not_right_under(truth, statements, names, findings, claimed)
-    helping = tuple(" and ".join(c.words for c in change) for change, _ in found)
-    if not found:
-        some = [statements[k] for k in claimed]
+    some = [statements[k] for k in claimed]
+    helping = tuple(" and ".join(c.words for c in change) for change in right_if(truth, some))
+    if not helping:
         helping = right_at(truth, some) or right_for_small_angles(
             truth, some, [findings[k] for k in claimed]
         )
-    if names:
-        words = helping[0]
-        for k, finding in zip(claimed, found[0][1], strict=True):
-            findings[k] = replace(finding, evidence=f"{finding.evidence}, where {words}")
-        return tuple(map(Judged, statements, findings)), (f"convention: {words}",)
     entries = [
         Judged(s, f, helping if f.verdict is Verdict.REFUTED else ())
         for s, f in zip(statements, findings, strict=True)
     ]
     return tuple(entries), ()
-
-
-def _not_right_under(
-    truth: Equations, statements: Sequence[Statement], names: Sequence[str],
-    findings: list[Finding], claimed: Sequence[int],
-) -> tuple[tuple[Judged, ...], tuple[str, ...]]:  # fmt: skip
-    """Verdicts under conventions that are declared, but do not make the statements right."""
-    told = ", ".join(names)
-    found = judged_under(truth, [statements[k] for k in claimed], names)
-    if found is None:
-        doubt = f"the convention {told} has no meaning for these statements"
-        findings = [Finding(f.subject, Verdict.UNDECIDED, doubt) for f in findings]
-        return tuple(map(Judged, statements, findings)), (doubt,)
-    change, others = found
-    words = " and ".join(convention.words for convention in change)
-    for k, finding in zip(claimed, others, strict=True):
-        findings[k] = replace(finding, evidence=f"{finding.evidence}, where {words}")
-    remark = (
-        f"convention: {words}: the statements are not all right under it; what is wrong is looked"
-        " for without a convention only"
-    )
-    return tuple(map(Judged, statements, findings)), (remark,)
-
-
-def _judge(truth: Equations, statement: Statement, values: Values) -> Finding:
-    subject = f"{statement.tag}: {statement.source}"
-    if statement.doubt or statement.row is None:
-        return Finding(subject, Verdict.UNDECIDED, statement.doubt)
-    if thirds := _third_rates(truth.scene, statement):
-        doubt = f"{thirds}: nothing determines a third derivative: write the equation itself"
-        return Finding(subject, Verdict.UNDECIDED, doubt)
-    try:
-        if values:
-            return with_content(statement, judged_at(truth, statement.row, values))
-        found = check_row(truth.scene, statement.row, truth)
-        if found.verdict is Verdict.UNDECIDED:
-            by_cases = check_cases(truth, statement.row)
-            found = found if by_cases is None else by_cases
-        return with_content(statement, found)
-    except (InputError, SceneError, ExpressionError, SingularError) as error:
-        return Finding(subject, Verdict.UNDECIDED, str(error))
-    except RecursionError:
-        return Finding(subject, Verdict.UNDECIDED, "its expressions are nested too deeply")
-
-
-def _third_rates(scene: Scene, statement: Statement) -> str:
-    """Names the third derivatives of coordinates that a statement holds."""
-    sides = statement.row.sides if statement.row is not None else ()
-    held = {symbol.name for side in sides for symbol in side.free_symbols}
-    return ", ".join(sorted(held & {plain_symbol(q, 3).name for q in scene.coordinates}))

@@ -18,7 +18,7 @@ from mechanics.checks.ledger import check_row
 from mechanics.equations import Equations
 from mechanics.errors import ExpressionError, InputError, SceneError
 from mechanics.judge.glance import glance
-from mechanics.judge.right_if import in_plain_symbols
+from mechanics.judge.moved import in_plain_symbols
 from mechanics.reading.guess import CAPITALS, SHORT, SURE
 from mechanics.reading.kinds import quantity
 from mechanics.reading.names import Match

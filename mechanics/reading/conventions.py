@@ -1,87 +1,144 @@
 """Changes of convention, under which wrong equations may be right ones.
 
     angle from the other vertical    q -> q + pi        the other sign     q -> -q
-    angle from the horizontal        q -> pi/2 - q, ...
     relative joint angles            q2 -> q2 - q1      half-length        L -> L / 2, L -> 2 L
+    from a definite direction        q -> q - pi/2, ...
 
-Each is a substitution in the person's equations, the same in all of them.
+Each is a substitution in the person's equations, the same in all of them. Generalized speeds that
+are no rates are the scene's own under all of them.
 """
 
-from collections.abc import Iterator
-from dataclasses import dataclass
+from collections.abc import Sequence
 from itertools import combinations, pairwise, product
 
 from sympy import Expr, Symbol, pi
 
+from mechanics.reading.convention import (
+    Change,
+    Convention,
+    Table,
+    about,
+    combined_table,
+    negative,
+)
+from mechanics.reading.directed import directed, is_another
+from mechanics.reading.directions import counted
 from mechanics.reading.kinds import angular
 from mechanics.scene import Gravity, Scene
 from mechanics.scene.symbols import plain_symbol
 
-Table = dict[Symbol, Expr]
+__all__ = [
+    "combined_table", "conventions", "joints", "lengths", "other_sign", "other_signs",
+    "other_vertical",
+]  # fmt: skip
 
 
-@dataclass(frozen=True)
-class Convention:
-    """One change of convention.
-
-    Attributes
-    ----------
-    name : str
-        As a person declares it: ``"other vertical"``.
-    words : str
-        What has to be so for the equations to be right.
-    table : dict of Symbol to Expr
-        What stands for the person's symbols.
-    """
-
-    name: str
-    words: str
-    table: Table
-
-
-NAMES = (
-    "other vertical", "other sign of angles", "other sign of displacements",
-    "other sign of inputs", "relative angles", "absolute angles", "half-length",
-    "twice the length", "point mass", "from the horizontal",
-)  # fmt: skip
-"""What may be declared; they may be combined with a comma."""
-
-
-def conventions(scene: Scene) -> list[tuple[Convention, ...]]:
+def conventions(scene: Scene) -> list[Change]:
     """Single changes first, then those that people combine."""
-    angles = [q for q in scene.q if q in angular(scene)]
-    others = [q for q in scene.q if q not in angles]
-    turned = _some(
-        Convention("other vertical", _about(angles, f"counted from the {_opposite(scene)}"),
-                   {q: q + pi for q in angles}) if angles else None,
-    )  # fmt: skip
-    signed = _some(
-        Convention("other sign of angles", _about(angles, "counted the other way round"),
-                   _negative(scene, angles)) if angles else None,
-    )  # fmt: skip
-    moved = _some(
-        Convention("other sign of displacements", _about(others, "counted the other way"),
-                   _negative(scene, others)) if others else None,
-    )  # fmt: skip
-    pushed = _some(
-        Convention("other sign of inputs", _about(scene.input_symbols, "counted the other way"),
-                   {f: -f for f in scene.input_symbols}) if scene.input_symbols else None,
-    )  # fmt: skip
-    joints = list(_joints(scene, angles))
-    sizes = list(_lengths(scene))
-    groups = (turned, signed, moved, pushed)
+    turned = other_vertical(scene)
+    groups = [[turned] if turned else [], *([c] for c in other_signs(scene))]
+    level = [c for _, _, c in directed(scene) if is_another(c)]
+    sizes = lengths(scene)
+    before = joints(scene)
     singles = [(c,) for group in groups for c in group]
-    singles += [(c,) for c in (*_level(scene, angles), *joints, *sizes)]
+    singles += [(c,) for c in (*level, *before, *sizes)]
+    every = [tuple(sizes[k::2]) for k in (0, 1)] if len(sizes) > 2 else []
     combined = [
         tuple(c for group in chosen for c in group)
         for count in (2, 3, 4)
         for chosen in combinations([g for g in groups if g], count)
     ]
+    # Joints first: a person's joint angle is between the person's own directions.
     mixed = [
-        (*base, extra)
-        for base, extra in product([(c,) for g in groups for c in g], (*joints, *sizes))
+        (extra, *base)
+        for base, extra in product([(c,) for g in groups for c in g], (*before, *sizes))
     ]
-    return [*singles, *combined, *mixed]
+    return [*singles, *every, *combined, *mixed]
+
+
+def other_vertical(scene: Scene, only: str = "") -> Convention | None:
+    """Angles from a fixed direction counted from the opposite one; in space, from the other pole.
+
+    Parameters
+    ----------
+    scene : Scene
+    only : str
+        One angle; all of them when not given.
+    """
+    turned = [c for c in counted(scene) if c.fixed and only in ("", c.symbol.name)]
+    table: Table = {}
+    for angle in turned:
+        q = angle.symbol
+        table |= {q: q + pi} if angle.sense else negative(scene, [q]) | {q: pi - q}
+    if not turned:
+        return None
+    words = about([c.symbol for c in turned], f"counted from the {_opposite(scene)}")
+    name = f"other vertical of {only}" if only else "other vertical"
+    return Convention(name, words, table, "turn")
+
+
+def other_signs(scene: Scene) -> list[Convention]:
+    """All angles, all displacements or all inputs with the other sign."""
+    angles = [q for q in scene.q if q in angular(scene)]
+    others = [q for q in scene.q if q not in angles]
+    kinds = (("angles", angles), ("displacements", others), ("inputs", scene.input_symbols))
+    return [other_sign(scene, symbols, name) for name, symbols in kinds if symbols]
+
+
+def other_sign(scene: Scene, symbols: Sequence[Symbol], name: str) -> Convention:
+    """Coordinates or inputs with the other sign."""
+    way = "the other way round" if set(symbols) <= angular(scene) else "the other way"
+    table = negative(scene, symbols)
+    table |= {f: -f for f in scene.input_symbols if f in symbols}
+    return Convention(f"other sign of {name}", about(symbols, f"counted {way}"), table, "sign")
+
+
+def joints(scene: Scene) -> list[Convention]:
+    """Angles of a chain counted from the link before, or from what is fixed.
+
+    Only what the scene does not do itself; all of its angles have to grow the same way.
+    """
+    known = counted(scene)
+    if len(known) < 2 or scene.speeds or len({c.sense for c in known} | {0}) != 2:
+        return []
+    functions = [f for f in scene.coordinates if plain_symbol(f) in {c.symbol for c in known}]
+    names = ", ".join(c.symbol.name for c in known[1:])
+    if all(c.fixed for c in known):
+        if len({c.quarter for c in known}) > 1:
+            return []
+        relative: Table = {}
+        for order in range(3):
+            symbols = [plain_symbol(f, order) for f in functions]
+            relative |= {symbol: symbol - before for before, symbol in pairwise(symbols)}
+        words = f"{names} are counted from the link before"
+        return [Convention("relative angles", _one(words, known), relative, "joints")]
+    if not known[0].fixed or any(c.fixed for c in known[1:]):
+        return []
+    absolute: Table = {}
+    for order in range(3):
+        total: Expr = plain_symbol(functions[0], order)
+        for function in functions[1:]:
+            symbol = plain_symbol(function, order)
+            total = total + symbol
+            absolute[symbol] = total
+    words = f"{names} are counted from the fixed direction"
+    return [Convention("absolute angles", _one(words, known), absolute, "joints")]
+
+
+def lengths(scene: Scene) -> list[Convention]:
+    """Half of each length, and twice it."""
+    found = []
+    for symbol in scene.parameters:
+        if getattr(symbol, "unit", "") == "m":
+            half = f"{symbol.name} is half of the scene's {symbol.name}"
+            twice = f"{symbol.name} is twice the scene's {symbol.name}"
+            found += [
+                Convention(f"half-length of {symbol.name}", half, {symbol: symbol / 2}, "size"),
+                Convention(
+                    f"twice the length of {symbol.name}", twice, {symbol: 2 * symbol}, "size"
+                ),
+            ]
+    return found
 
 
 def _opposite(scene: Scene) -> str:
@@ -89,74 +146,5 @@ def _opposite(scene: Scene) -> str:
     return "other vertical" if heavy else "opposite direction"
 
 
-def _level(scene: Scene, angles: list[Symbol]) -> Iterator[Convention]:
-    """Angles counted from a quarter turn away, either way round."""
-    for sense, start in product((-1, 1), (1, -1)) if angles else ():
-        table = _negative(scene, angles) if sense < 0 else {}
-        table |= {q: sense * q + start * pi / 2 for q in angles}
-        quarter = "pi/2" if start > 0 else "-pi/2"
-        told = f"{quarter} minus the scene's" if sense < 0 else f"{quarter} plus the scene's"
-        words = f"counted from a quarter turn away, such as the horizontal: {told}"
-        yield Convention("from the horizontal", _about(angles, words), table)
-
-
-def _some(convention: Convention | None) -> tuple[Convention, ...]:
-    return () if convention is None else (convention,)
-
-
-def _about(symbols: list[Symbol] | tuple[Symbol, ...], words: str) -> str:
-    return f"{', '.join(s.name for s in symbols)} {'is' if len(symbols) == 1 else 'are'} {words}"
-
-
-def _negative(scene: Scene, symbols: list[Symbol]) -> Table:
-    found: Table = {}
-    for function in scene.coordinates:
-        if plain_symbol(function) in symbols:
-            for order in range(3):
-                symbol = plain_symbol(function, order)
-                found[symbol] = -symbol
-    return found
-
-
-def _joints(scene: Scene, angles: list[Symbol]) -> Iterator[Convention]:
-    """Angles of a chain counted from the link before, or from what is fixed."""
-    if len(angles) < 2 or scene.speeds:
-        return
-    functions = [f for f in scene.coordinates if plain_symbol(f) in angles]
-    relative: Table = {}
-    absolute: Table = {}
-    for order in range(3):
-        symbols = [plain_symbol(f, order) for f in functions]
-        total: Expr = symbols[0]
-        for before, symbol in pairwise(symbols):
-            relative[symbol] = symbol - before
-            total = total + symbol
-            absolute[symbol] = total
-    names = ", ".join(angle.name for angle in angles[1:])
-    yield Convention("relative angles", f"{names} are counted from the link before", relative)
-    yield Convention("absolute angles", f"{names} are counted from the fixed direction", absolute)
-
-
-def _lengths(scene: Scene) -> Iterator[Convention]:
-    for symbol in scene.parameters:
-        if getattr(symbol, "unit", "") != "m":
-            continue
-        yield Convention(
-            "half-length",
-            f"{symbol.name} is half of the scene's {symbol.name}",
-            {symbol: symbol / 2},
-        )
-        yield Convention(
-            "twice the length", f"{symbol.name} is twice the scene's {symbol.name}",
-            {symbol: 2 * symbol},
-        )  # fmt: skip
-
-
-def combined_table(conventions: tuple[Convention, ...]) -> Table:
-    """One substitution for all changes, the last applied to what the first gives."""
-    found: Table = {}
-    for convention in conventions:
-        found = {symbol: value.xreplace(convention.table) for symbol, value in found.items()}
-        for symbol, value in convention.table.items():
-            found.setdefault(symbol, value)
-    return found
+def _one(words: str, known: Sequence[object]) -> str:
+    return words.replace(" are ", " is ") if len(known) == 2 else words

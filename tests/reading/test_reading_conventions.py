@@ -115,26 +115,6 @@ def test_an_unknown_convention_is_refused() -> None:
         mechanics.check(CART, CLOCKWISE, convention="upside down")
 
 
-@pytest.mark.parametrize(
-    ("gravity", "carriage"),
-    [("- M*g*L/2*cos(theta)", "-sin(theta)"), ("+ M*g*L/2*cos(theta)", "sin(theta)")],
-)
-def test_an_angle_from_the_horizontal(gravity: str, carriage: str) -> None:
-    text = f"M*L^2/3*theta'' + M*L/2*x''*{carriage} {gravity} = 0"
-    (entry,) = mechanics.check(PENDULUM, text).judged
-    assert entry.finding.verdict.name == "REFUTED"
-    assert any("such as the horizontal" in words for words in entry.right_if)
-    assert mechanics.check(PENDULUM, text, convention="from the horizontal").ok
-
-
-def test_no_quarter_turn_helps_what_is_wrong() -> None:
-    text = "M*L^2/3*theta'' + M*L/2*x''*sin(theta) - M*g*L*cos(theta) = 0"
-    (entry,) = mechanics.check(PENDULUM, text).judged
-    assert entry.right_if == ()
-    (entry,) = mechanics.check(PENDULUM, text, convention="from the horizontal").judged
-    assert entry.finding.verdict.name == "REFUTED"
-
-
 def test_a_scene_without_gravity_has_no_vertical() -> None:
     heavy = PENDULUM.scene
     light = replace(heavy, loads=tuple(o for o in heavy.loads if not isinstance(o, Gravity)))

@@ -1,0 +1,46 @@
+"""The verdict of one statement.
+
+statement  --ledger, by cases where it has some-->  PROVED, CERTIFIED, REFUTED, UNDECIDED
+"""
+
+from mechanics.checks.ledger import check_row
+from mechanics.equations import Equations
+from mechanics.errors import ExpressionError, InputError, SceneError, SingularError
+from mechanics.exact import Finding, Verdict
+from mechanics.judge.at_values import Values, judged_at
+from mechanics.judge.cases import check_cases
+from mechanics.judge.vacuous import with_content
+from mechanics.reading.statement import Statement
+from mechanics.scene import Scene
+from mechanics.scene.symbols import plain_symbol
+
+FAILURES = (InputError, SceneError, ExpressionError, SingularError)
+
+
+def judge(truth: Equations, statement: Statement, values: Values) -> Finding:
+    """The finding of a statement; where parameters have values, if some are given."""
+    subject = f"{statement.tag}: {statement.source}"
+    if statement.doubt or statement.row is None:
+        return Finding(subject, Verdict.UNDECIDED, statement.doubt)
+    if thirds := _third_rates(truth.scene, statement):
+        doubt = f"{thirds}: nothing determines a third derivative: write the equation itself"
+        return Finding(subject, Verdict.UNDECIDED, doubt)
+    try:
+        if values:
+            return with_content(statement, judged_at(truth, statement.row, values))
+        found = check_row(truth.scene, statement.row, truth)
+        if found.verdict is Verdict.UNDECIDED:
+            by_cases = check_cases(truth, statement.row)
+            found = found if by_cases is None else by_cases
+        return with_content(statement, found)
+    except FAILURES as error:
+        return Finding(subject, Verdict.UNDECIDED, str(error))
+    except RecursionError:
+        return Finding(subject, Verdict.UNDECIDED, "its expressions are nested too deeply")
+
+
+def _third_rates(scene: Scene, statement: Statement) -> str:
+    """Names the third derivatives of coordinates that a statement holds."""
+    sides = statement.row.sides if statement.row is not None else ()
+    held = {symbol.name for side in sides for symbol in side.free_symbols}
+    return ", ".join(sorted(held & {plain_symbol(q, 3).name for q in scene.coordinates}))
