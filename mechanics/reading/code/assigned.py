@@ -10,7 +10,8 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from mechanics.reading.code.held import called_by, content, is_number, owner_of
+from mechanics.reading.code.containers import is_number
+from mechanics.reading.code.held import called_by, content, owner_of
 
 Stores = Iterable[tuple[str, ast.expr | None]]
 

@@ -19,7 +19,7 @@ from sympy import Expr, Rational
 from mechanics.errors import InputError
 from mechanics.reading.code.assigned import Scope, scopes
 from mechanics.reading.code.constants import ULPS, constant_of
-from mechanics.reading.code.held import is_number
+from mechanics.reading.code.containers import is_number
 
 LARGEST, DEEPEST = 60, 12
 """Operations of a formula, and names that stand for names."""

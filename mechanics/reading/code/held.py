@@ -2,6 +2,7 @@
 
     m_t = 5.0; g = 9.81            at the top of a file
     self.m = 2.0                   of an object whose method it is
+    P = {"m": 2.0}; P.m            of what it finds there
     def make(l=0.3): def f(q): ... around it
 
 Where such a number has the name of a parameter, the function is followed with the parameter itself:
@@ -16,10 +17,16 @@ from functools import partial
 from typing import Any
 
 from mechanics.errors import InputError
+from mechanics.reading.code.containers import (
+    Learn,
+    Put,
+    is_number,
+    of_classes,
+    with_numbers,
+    words_in,
+)
 from mechanics.reading.code.objects import methods_used, with_methods
 
-Put = Callable[[Any], None]
-Learn = Callable[[str, float, Put], None]
 OF_MODULES = ("LOAD_GLOBAL", "LOAD_NAME")
 DEEPEST = 6
 """Functions that call functions."""
@@ -76,7 +83,8 @@ def held(function: Callable[..., Any], names: Iterable[str]) -> Held:
     if bound is None:
         return Held(copies[inner] if places else function, numbers, tuple(places))
     methods = {n: copies[f] for n, f in methods_used(bound, [inner]).items() if f in copies}
-    other = _object(bound, wanted, learn, methods)
+    asked = wanted & {word for f in copies for word in words_in(f.__code__)}
+    other = _object(bound, wanted, asked, learn, methods)
     if not places:
         return Held(function, {}, ())
     return Held(types.MethodType(copies[inner], other), numbers, tuple(places))
@@ -99,10 +107,13 @@ def _copies(
     """Functions with names of their own, which they share with the copies of those they call."""
     table = dict(function.__globals__)
     called = called_by(function, bound)
+    asked = wanted & {word for f in called for word in words_in(f.__code__)}
     for name in dict.fromkeys(name for f in called for name in _named(f.__code__)):
         if name in wanted and is_number(table.get(name)):
             learn(name, table[name], partial(table.__setitem__, name))
-    copies = {f: _over(f, table, wanted, learn) for f in called}
+        elif name in table:
+            table[name] = with_numbers(table[name], asked, learn)
+    copies = {f: _over(f, table, wanted, asked, learn) for f in called}
     for name, value in function.__globals__.items():
         if isinstance(value, types.FunctionType) and value in copies:
             table[name] = copies[value]
@@ -126,8 +137,9 @@ def called_by(function: types.FunctionType, bound: Any = None) -> list[types.Fun
 
 
 def _over(
-    function: types.FunctionType, table: dict[str, Any], wanted: frozenset[str], learn: Learn
-) -> types.FunctionType:
+    function: types.FunctionType, table: dict[str, Any], wanted: frozenset[str],
+    asked: frozenset[str], learn: Learn,
+) -> types.FunctionType:  # fmt: skip
     """The function with another table of names, and cells of its own for numbers."""
     cells = []
     for name, cell in zip(function.__code__.co_freevars, function.__closure__ or (), strict=True):
@@ -135,6 +147,8 @@ def _over(
         if name in wanted and is_number(value):
             cell = types.CellType(value)
             learn(name, value, partial(setattr, cell, "cell_contents"))
+        elif (other := with_numbers(value, asked, learn)) is not value:
+            cell = types.CellType(other)
         cells.append(cell)
     made = types.FunctionType(
         function.__code__, table, function.__name__, function.__defaults__, tuple(cells) or None
@@ -153,20 +167,19 @@ def content(cell: types.CellType) -> Any:
 
 
 def _object(
-    bound: Any, wanted: Iterable[str], learn: Learn, methods: Mapping[str, types.FunctionType]
-) -> Any:
+    bound: Any, wanted: frozenset[str], asked: frozenset[str], learn: Learn,
+    methods: Mapping[str, types.FunctionType],
+) -> Any:  # fmt: skip
     """Another object of the same kind, with the same attributes but for the numbers put there."""
     other = with_methods(bound, methods)
     if other is bound:
         return bound
-    for name, value in {**_of_classes(type(bound)), **vars(bound)}.items():
+    for name, value in {**of_classes(type(bound)), **vars(bound)}.items():
         if name in wanted and is_number(value):
             learn(name, value, partial(other.__dict__.__setitem__, name))
+        elif (inner := with_numbers(value, asked, learn)) is not value:
+            other.__dict__[name] = inner
     return other
-
-
-def _of_classes(kind: type) -> dict[str, Any]:
-    return {name: value for base in reversed(kind.__mro__) for name, value in vars(base).items()}
 
 
 def _named(code: types.CodeType) -> Iterator[str]:
@@ -177,8 +190,3 @@ def _named(code: types.CodeType) -> Iterator[str]:
     for inner in code.co_consts:
         if isinstance(inner, types.CodeType):
             yield from _named(inner)
-
-
-def is_number(value: Any) -> bool:
-    """Whether a value is a number that may stand for a parameter."""
-    return isinstance(value, int | float) and not isinstance(value, bool)

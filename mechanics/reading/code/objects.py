@@ -8,10 +8,14 @@ The person's object is not changed.
 import inspect
 import types
 from collections.abc import Callable, Iterable, Iterator, Mapping
+from functools import cached_property
 from typing import Any
+
+from mechanics.reading.code.unwrapped import unwrapped
 
 Function = types.FunctionType
 Kept = (property, staticmethod, classmethod)
+Getter = (property, cached_property)
 
 
 def methods_used(bound: Any, functions: Iterable[Function]) -> dict[str, Function]:
@@ -49,14 +53,18 @@ def with_methods(bound: Any, copies: Mapping[str, Callable[..., Any]]) -> Any:
 
 def _inner(value: Any) -> Function | None:
     """The function of a method or of the getter of a property."""
-    if isinstance(value, Kept):
-        value = value.fget if isinstance(value, property) else value.__func__
+    if isinstance(value, Getter):
+        value = value.fget if isinstance(value, property) else value.func
+    elif isinstance(value, staticmethod | classmethod):
+        value = value.__func__
+    value = unwrapped(value)
     return value if isinstance(value, Function) else None
 
 
 def _like(value: Any, copy: Callable[..., Any]) -> Any:
-    kind: Callable[..., Any] = type(value) if isinstance(value, Kept) else lambda f: f
-    return kind(copy)
+    if isinstance(value, Getter):
+        return property(copy)
+    return type(value)(copy) if isinstance(value, Kept) else copy
 
 
 def names_in(code: types.CodeType) -> Iterator[str]:

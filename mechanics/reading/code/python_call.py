@@ -13,8 +13,9 @@ from sympy import Expr
 
 from mechanics.errors import InputError
 from mechanics.reading.code.arguments import named_entries
+from mechanics.reading.code.containers import is_number
 from mechanics.reading.code.derived import derived
-from mechanics.reading.code.held import called_by, held, is_number, owner_of
+from mechanics.reading.code.held import called_by, held, owner_of
 from mechanics.reading.code.taken_apart import Apart, in_python
 from mechanics.reading.names import Naming
 from mechanics.reading.spelled_rates import key

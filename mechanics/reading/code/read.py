@@ -32,6 +32,7 @@ from mechanics.reading.code.python_call import beside, signature_of
 from mechanics.reading.code.repeated import doubt_when_repeated
 from mechanics.reading.code.taken_apart import Apart, in_c
 from mechanics.reading.code.tracing import Outputs, trace
+from mechanics.reading.code.unwrapped import unwrapped
 from mechanics.reading.code.written import Written
 from mechanics.reading.guess import guess
 from mechanics.reading.names import Naming, Vocabulary
@@ -72,6 +73,7 @@ def read_function(
     InputError
         When an argument is unexplained, or the code hides a formula.
     """
+    function = unwrapped(function)
     title = getattr(function, "__name__", type(function).__name__)
     called = signature_of(function, Naming(Vocabulary(scene)), names or {}, title)
 

@@ -19,6 +19,7 @@ import sympy
 from mechanics.errors import InputError
 from mechanics.reading.code.objects import methods_used, with_methods
 from mechanics.reading.code.traced import ELEMENTARY, Explorer, Traced, expression_of
+from mechanics.reading.code.unwrapped import unwrapped
 
 ALIASES = {
     "asin": "arcsin", "acos": "arccos", "atan": "arctan", "asinh": "arcsinh", "acosh": "arccosh",
@@ -159,6 +160,7 @@ def _changing(value: Any) -> str:
 
 def stand_in(value: Any, depth: int = 0) -> Any:
     """What a name of a traced function means."""
+    value = unwrapped(value)
     if name := _changing(value):
         return Changing(name)
     if value is math:
