@@ -16,6 +16,7 @@ from mechanics.exact import Verdict
 from mechanics.judge.check import check as run
 from mechanics.judge.check_json import to_json
 from mechanics.reading.code.black_box import BlackBox
+from mechanics.reading.declared import NAMES
 from mechanics.report.answer.page import check_html
 
 
@@ -38,7 +39,7 @@ def check(
     ] = None,
     convention: Annotated[
         list[str] | None,
-        typer.Option(help="How you count otherwise: 'other vertical', 'half-length', ..."),
+        typer.Option(help=f"How you count otherwise: {', '.join(NAMES)}; or 'half-length of L'."),
     ] = None,
     function: Annotated[
         str | None,

@@ -73,9 +73,11 @@ def check(
     function : str, optional
         Which function of a C file; its last one when not given.
     convention : str or sequence of str
-        How the person counts otherwise than the scene: ``"other vertical"``, ``"half-length"``, ...
-        Without it, equations that would be right under such a change are REFUTED, and the result
-        says under which change.
+        How the person counts otherwise than the scene: ``"other vertical"``,
+        ``"half-length of L"``, ``"right horizontal, counterclockwise"``, ... One choice for all
+        equations; what is left open (``"from the horizontal"``) is shown only where equations hold
+        in every sense. Without it, equations that would be right under such a change are REFUTED,
+        and the result says under which change.
     values : mapping of str to number, optional
         Values of parameters, ``{"g": 9.81}``: the statements are judged where the scene has these.
     blame : bool

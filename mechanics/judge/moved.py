@@ -34,9 +34,9 @@ def in_plain_symbols(scene: Scene, row: Published) -> Published:
 
 
 def moved(scene: Scene, row: Published, table: Table) -> Published:
-    """A row with what stands for the person's symbols, in plain symbols."""
+    """A row with what stands for the person's symbols."""
     if not table:
-        return in_plain_symbols(scene, row)
+        return row
     slopes = Matrix([[table.get(q, q).diff(s) for s in scene.q] for q in scene.q])
     momenta = _momenta(scene, slopes)
     there = {**table, **momenta}
@@ -55,7 +55,7 @@ def moved(scene: Scene, row: Published, table: Table) -> Published:
             share = value.coeff(own)
             others = value - share * own
             found = replace(found, sides=tuple((side - others) / share for side in found.sides))
-    return in_plain_symbols(scene, found)
+    return found
 
 
 def moves_more(scene: Scene, row: Published) -> bool:

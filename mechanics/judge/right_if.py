@@ -38,12 +38,14 @@ def right_if(truth: Equations, statements: Sequence[Statement]) -> list[Change]:
     rows = [s.row for s in statements if s.row is not None]
     quick = [in_plain_symbols(truth.scene, row) for row in rows if not moves_more(truth.scene, row)]
     held = set().union(*(side.free_symbols for row in quick for side in row.sides))
-    changes = [
-        change
-        for change in _changes(truth.scene)
+    changes = _changes(truth.scene)
+    if len(quick) == len(rows):
         # What the statements do not hold cannot matter to them.
-        if len(quick) < len(rows) or all(c is POINT_MASS or held & c.table.keys() for c in change)
-    ]
+        trimmed = (
+            tuple(c for c in x if c.kind != "size" or held & c.table.keys()) for x in changes
+        )
+        whole = (x for x in trimmed if all(c is POINT_MASS or held & c.table.keys() for c in x))
+        changes = list({tuple(c.name for c in x): x for x in whole if x}.values())
     right: list[Change] = []
     for target, some in _by_target(truth, changes):
         tables = [combined_table(change) for change in some]

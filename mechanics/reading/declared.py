@@ -192,11 +192,14 @@ def _sizes(scene: Scene, one: Declared, held: frozenset[Symbol]) -> list[Change]
 
 def _ordered(change: list[Convention], declared: Sequence[Declared]) -> Change:
     """Joints first: a person's joint angle is between the person's own directions."""
+    alone = any(d.of for d in declared)
     for one, other in combinations(change, 2):
         kinds = {one.kind, other.kind}
-        if one.table.keys() & other.table.keys() and kinds != {"turn", "sign"}:
-            if "joints" in kinds and len(kinds) == 2:
-                continue
+        # Beside joint angles, one angle alone that is counted otherwise could mean two things.
+        together = kinds == {"turn", "sign"} or (
+            "joints" in kinds and len(kinds) == 2 and not alone
+        )
+        if one.table.keys() & other.table.keys() and not together:
             raise InputError(
                 f"conventions {', '.join(d.told for d in declared)}: {one.name} and {other.name}"
                 " contradict each other: give one of them"
