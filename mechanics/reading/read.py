@@ -10,6 +10,7 @@ from pathlib import Path
 from mechanics.errors import InputError
 from mechanics.reading.about import QUANTITIES
 from mechanics.reading.assemble import Reading, assemble
+from mechanics.reading.latex.macros import expanded
 from mechanics.reading.latex.read import read_latex
 from mechanics.reading.lines import Entry
 from mechanics.reading.names import Naming
@@ -21,7 +22,7 @@ Reader = Callable[[str, Naming, str], Sequence[Entry]]
 
 NOTATIONS: dict[str, Reader] = {"latex": read_latex, "text": read_text}
 SUFFIXES: dict[str, str] = {".tex": "latex", ".m": "text", ".sympy": "text"}
-LATEX = re.compile(r"\\[A-Za-z]{2,}|\\\\|[\^_]\s*\{|\$")
+LATEX = re.compile(r"\\[A-Za-z]{2,}|\\\\|[\^_]\s*\{|\$|^\s*\\\[", re.MULTILINE)
 
 
 def notation_of(text: str) -> str:
@@ -65,6 +66,7 @@ def read_source(
         raise InputError(f"about {about!r}: it can be {', '.join(QUANTITIES)}")
     chosen = notation or notation_of(text[:LARGEST_TEXT])
     title = origin or ("LaTeX" if chosen == "latex" else "text")
+    text = expanded(text, title) if chosen == "latex" else text
     reader = NOTATIONS[chosen]
     try:
         found = assemble(

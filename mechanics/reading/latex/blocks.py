@@ -31,6 +31,7 @@ VALUES = (
 )
 """A number with its unit, a value at the beginning, a list of names."""
 LONGEST_VALUE = 200
+ONE = ("multline", "dmath")
 RELATED = re.compile(r"=|\\equiv(?![A-Za-z])")
 
 
@@ -45,12 +46,15 @@ class Block:
         Whether it stands in prose.
     closed : bool
         Whether its end was found.
+    one : bool
+        Whether all its lines are one equation.
     """
 
     start: int
     end: int
     inline: bool = False
     closed: bool = True
+    one: bool = False
 
 
 def blocks(text: str) -> list[Block]:
@@ -85,7 +89,7 @@ def _displays(text: str) -> Iterator[Block]:
             missing.add(ends)
             yield Block(at, min(at + 60, len(text)), closed=False)
             continue
-        yield Block(at, closes.start())
+        yield Block(at, closes.start(), one=(opens["env"] or "").rstrip("*") in ONE)
         at = closes.end()
 
 

@@ -7,6 +7,7 @@ function: \sin^2 2 \theta \cos \theta         numbers and then one factor are th
 
 from fractions import Fraction
 
+from mechanics.reading.columns import dependent
 from mechanics.reading.functions import FUNCTIONS, INVERSES
 from mechanics.reading.latex.item import Item, rate_of
 from mechanics.reading.names import Naming
@@ -120,6 +121,8 @@ class Fold:
             raise Refused(item.at, "two numbers side by side: write \\cdot between them")
         if isinstance(node, Name) and queue and _is_time(queue[0]):
             return self._of_time(node, queue)
+        if isinstance(node, Name) and queue and queue[0].kind == "bracket":
+            return self._dependent(node, queue)
         return node
 
     def _of_time(self, node: Name, queue: list[Item]) -> Node:
@@ -134,6 +137,16 @@ class Fold:
         named = Name(node.at, node.name, node.order, True)
         if bracket.power is not None:
             return ended(Power(node.at, named, bracket.power), bracket.end)
+        return ended(named, bracket.end)
+
+    def _dependent(self, node: Name, queue: list[Item]) -> Node:
+        r"""A name before ``(q, \dot q)``: it depends on these, or is a factor."""
+        bracket = queue[0]
+        named = dependent(self.naming, node, bracket.arguments)
+        if named is None or bracket.power is not None:
+            return node
+        del queue[0]
+        self.notes.append(DEPENDS.format(name=node.name))
         return ended(named, bracket.end)
 
     def _function(self, item: Item, queue: list[Item]) -> Node:
@@ -211,6 +224,9 @@ class Fold:
             )
 
 
+DEPENDS = "{name}(...) is read as {name}, which depends on what is in brackets"
+
+
 def applied(items: list[Item], naming: Naming, notes: list[str]) -> list[Item]:
     """The left of a definition: ``M(q)`` with M unknown is M, which depends on q."""
     if len(items) != 2 or items[1].kind != "bracket" or items[1].power is not None:
@@ -222,7 +238,7 @@ def applied(items: list[Item], naming: Naming, notes: list[str]) -> list[Item]:
         isinstance(a, Name) and (a.name == "q" or naming.is_function(a.name)) for a in inside
     ):
         return items
-    notes.append(f"{name.name}(...) is read as {name.name}, which depends on what is in brackets")
+    notes.append(DEPENDS.format(name=name.name))
     return items[:1]
 
 

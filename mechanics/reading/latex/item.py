@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from lark import Token, Tree
 
 from mechanics.reading.names import GREEK
+from mechanics.reading.place import Refused
 from mechanics.reading.tree import Name, Node, Rate
 
 ACCENTED = re.compile(r"\\(dot|ddot)\s*\{\s*([A-Za-z0-9]*)\s*\}")
@@ -85,6 +86,9 @@ def _alone(tree: Tree) -> Tree | Token:
     first = tree.children[0]
     if isinstance(first, Token) and first.type == "ACCENT":
         return Tree("accent", list(tree.children), tree.meta)
+    if isinstance(first, Token) and first.type in ("WORD", "NUMBER") and len(first.value) > 1:
+        # TeX takes one letter or digit, the eye often more.
+        raise Refused(int(first.start_pos or 0), f"{first.value}: write braces around an argument")
     if isinstance(first, Token) and first.type in ("ACCENT1", "FRAC2"):
         data = "short_accent" if first.type == "ACCENT1" else "short_fraction"
         return Tree(data, list(tree.children), tree.meta)

@@ -7,14 +7,25 @@ No character moves, so that messages name the right place.
 
 import re
 
-COMMENT = re.compile(r"(?<!\\)%[^\n]*")
-MARKS = re.compile(r"\\(boxed|fbox|framebox|underbrace|overbrace|underline)\s*\{")
+from mechanics.reading.latex.hidden import blank, without_hidden
+from mechanics.reading.latex.over_lines import on_one_line
+
+MARKS = re.compile(
+    r"\\(boxed|fbox|framebox|underbrace|overbrace|underline|shove(?:left|right)|smash|math[rl]lap|"
+    r"ensuremath|[hv]?phantom|color|(?:textcolor|colorbox)\s*\{[^{}]{0,40}\})\s*\{"
+)
 LABEL = re.compile(r"\s*[_^]\s*\{")
 
 
 def prepared(text: str) -> str:
-    """The text with blanks for comments, frames, and braces under formulas with their labels."""
-    text = COMMENT.sub(lambda match: " " * len(match[0]), text)
+    """The text with blanks for comments, frames, and braces under formulas with their labels.
+
+    Raises
+    ------
+    Refused
+        Where it is not known what is printed.
+    """
+    text = on_one_line(without_hidden(text))
     marks = list(MARKS.finditer(text))
     if not marks:
         return text
@@ -24,20 +35,19 @@ def prepared(text: str) -> str:
         end = closed.get(mark.end() - 1)
         if end is None:
             continue
+        if mark[1] == "color" or mark[1].endswith("phantom"):
+            blank(out, mark.start(), end + 1)
+            continue
         braced = mark[1].endswith("brace")
-        _blank(out, mark.start(), mark.end() - braced)
+        blank(out, mark.start(), mark.end() - braced)
         if not braced:
-            _blank(out, end, end + 1)
+            blank(out, end, end + 1)
             continue
         label = LABEL.match(text, end + 1)
         below = closed.get(label.end() - 1) if label else None
         if label and below is not None:
-            _blank(out, label.start(), below + 1)
+            blank(out, label.start(), below + 1)
     return "".join(out)
-
-
-def _blank(out: list[str], start: int, end: int) -> None:
-    out[start:end] = [c if c == "\n" else " " for c in out[start:end]]
 
 
 def _closed(text: str) -> dict[int, int]:

@@ -8,7 +8,6 @@ from the one before.
 """
 
 import re
-from collections.abc import Iterator
 from functools import lru_cache
 from itertools import pairwise
 
@@ -20,17 +19,14 @@ from mechanics.reading.latex.fold import Fold, applied
 from mechanics.reading.latex.grammar import PARSER
 from mechanics.reading.latex.items import Items
 from mechanics.reading.latex.prepare import prepared
+from mechanics.reading.latex.rows import Pieces, is_kind, rows
 from mechanics.reading.lines import Aside, Entry, Line, Unread
 from mechanics.reading.names import Naming
 from mechanics.reading.place import Refused, bounded, bounded_mathematics, located, refusal
 from mechanics.reading.tree import Name, move, names
 
-Pieces = list[Tree | Token]
-
 ABOUT = ("\u2248", r"\approx", r"\simeq", r"\sim")
 BY_CASES = re.compile(r"=[\s&]*(?:\\left\s*(?:\.|\\\{)\s*)?\\begin\s*\{d?cases\}")
-LABEL = re.compile(r"\\(?:q?quad\s*\\)?(?:text|mbox|intertext)")
-JOINS = re.compile(r"\{[\s,;.]*(and|or|where|with|so|then|hence|for|if|when|since|thus|from)\b")
 TAG = re.compile(r"\{\s*(.*?)\s*\}", re.DOTALL)
 
 
@@ -51,9 +47,9 @@ def read_latex(text: str, naming: Naming, origin: str = "LaTeX") -> list[Entry]:
         When the text is too long.
     """
     bounded(text, origin)
-    clean = prepared(text)
-    spans = [b for b in blocks(clean) if not b.inline or claims(clean[b.start : b.end])]
     try:
+        clean = prepared(text)
+        spans = [b for b in blocks(clean) if not b.inline or claims(clean[b.start : b.end])]
         bounded_mathematics(sum(block.end - block.start for block in spans), 0)
     except Refused as reason:
         raise refusal(text, reason, origin) from None
@@ -74,7 +70,7 @@ def _entries(clean: str, text: str, block: Block, naming: Naming, origin: str) -
     if not block.closed:
         raise Refused(block.start, "the end of this display is missing")
     if not block.inline:
-        return _block(formula, text, block.start, naming, origin)
+        return _block(formula, text, block.start, naming, origin, block.one)
     entries = _block(formula, text, block.start, naming, origin) if _moves(formula, naming) else []
     if is_value(formula) and not entries:
         return [_value(text, block.start, block.end)]
@@ -126,7 +122,9 @@ def _tree(text: str) -> Tree:
     return PARSER.parse(text)
 
 
-def _block(text: str, whole: str, offset: int, naming: Naming, origin: str) -> list[Entry]:
+def _block(
+    text: str, whole: str, offset: int, naming: Naming, origin: str, one: bool = False
+) -> list[Entry]:
     if by_cases := BY_CASES.search(text):
         raise Refused(offset + by_cases.start(), "cases cannot be read here: give one of them")
     try:
@@ -134,8 +132,11 @@ def _block(text: str, whole: str, offset: int, naming: Naming, origin: str) -> l
     except UnexpectedInput as error:
         raise _unexpected(error, text, offset) from None
     found: list[Entry] = []
-    for pieces in _joined(tree):
+    for row in rows(tree, text, one):
+        pieces = row.pieces
         try:
+            if row.doubt:
+                raise Refused(_span(pieces)[0], row.doubt)
             line = _line(pieces, text, whole, offset, naming)
         except Refused as reason:
             # One line that cannot be read does not spoil the others.
@@ -164,59 +165,6 @@ def _unexpected(error: UnexpectedInput, text: str, offset: int) -> Refused:
     raise error
 
 
-def _joined(tree: Tree) -> Iterator[Pieces]:
-    """Pieces of every equation; lines that go on from the one before belong to it."""
-    current: Pieces = []
-    broken = True
-    label = False
-    for child in tree.children:
-        if isinstance(child, Token):
-            label = LABEL.match(child.value) is not None and not JOINS.search(child.value)
-            broken = broken or not (label or child.value.startswith("\\\\"))
-            continue
-        for part in _parts(child.children):
-            if not part:
-                continue
-            first = part[0]
-            # A label between the terms of an equation does not end it.
-            whole = _related(part) and (not label or _related(current))
-            on = _is_rel(first) or (isinstance(first, Token) and first.type == "SIGN" and not whole)
-            open_end = (
-                bool(current)
-                and isinstance(current[-1], Token)
-                and current[-1].type in ("REL", "SIGN", "TIMES", "SLASH")
-            )
-            if current and ((on and not broken) or open_end or _is_rel(first)):
-                current += part
-            else:
-                if current:
-                    yield current
-                current = part
-            broken = False
-    if current:
-        yield current
-
-
-def _is_rel(piece: Tree | Token) -> bool:
-    return isinstance(piece, Token) and piece.type == "REL"
-
-
-def _related(part: Pieces) -> bool:
-    return any(_is_rel(piece) for piece in part)
-
-
-def _parts(pieces: Pieces) -> Iterator[Pieces]:
-    """A comma or full stop at the outermost level ends an equation."""
-    part: Pieces = []
-    for piece in pieces:
-        if isinstance(piece, Token) and piece.type in ("COMMA", "DOT"):
-            yield part
-            part = []
-        elif not (isinstance(piece, Token) and piece.type == "AMP"):
-            part.append(piece)
-    yield part
-
-
 def _line(pieces: Pieces, text: str, whole: str, offset: int, naming: Naming) -> Entry | None:
     tag, kept = "", []
     for piece in pieces:
@@ -235,7 +183,7 @@ def _line(pieces: Pieces, text: str, whole: str, offset: int, naming: Naming) ->
     items = Items(text, naming, fold, notes)
     sides: list[Pieces] = [[]]
     for piece in kept:
-        if _is_rel(piece):
+        if is_kind(piece, "REL"):
             sides.append([])
         else:
             sides[-1].append(piece)
