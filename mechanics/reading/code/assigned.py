@@ -40,6 +40,9 @@ def scopes(function: Callable[..., Any]) -> Iterator[Scope]:
     inner, bound = owner_of(function)
     if inner is None:
         return
+    # What wraps a function has a file of its own.
+    origin = inspect.unwrap(inner)
+    inner = origin if isinstance(origin, types.FunctionType) else inner
     tree = _tree(inner)
     names = {
         n for f in called_by(inner, bound) for n in (*f.__code__.co_names, *f.__code__.co_freevars)

@@ -105,35 +105,54 @@ def _copies(
     function: types.FunctionType, bound: Any, wanted: frozenset[str], learn: Learn
 ) -> dict[types.FunctionType, types.FunctionType]:
     """Functions with names of their own, which they share with the copies of those they call."""
-    table = dict(function.__globals__)
     called = called_by(function, bound)
     asked = wanted & {word for f in called for word in words_in(f.__code__)}
-    for name in dict.fromkeys(name for f in called for name in _named(f.__code__)):
-        if name in wanted and is_number(table.get(name)):
-            learn(name, table[name], partial(table.__setitem__, name))
-        elif name in table:
-            table[name] = with_numbers(table[name], asked, learn)
-    copies = {f: _over(f, table, wanted, asked, learn) for f in called}
-    for name, value in function.__globals__.items():
-        if isinstance(value, types.FunctionType) and value in copies:
-            table[name] = copies[value]
+    tables: dict[int, dict[str, Any]] = {}
+    for f in called:
+        table = tables.setdefault(id(f.__globals__), dict(f.__globals__))
+        for name in _named(f.__code__):
+            if name not in table or table[name] is not f.__globals__[name]:
+                continue  # it is a builtin, or was met before
+            value = table[name]
+            if name in wanted and is_number(value):
+                learn(name, value, partial(table.__setitem__, name))
+            else:
+                table[name] = with_numbers(value, asked, learn)
+    copies = {f: _over(f, tables[id(f.__globals__)], wanted, asked, learn) for f in called}
+    for f, copy in copies.items():
+        for name in _named(f.__code__):
+            value = f.__globals__.get(name)
+            if isinstance(value, types.FunctionType) and value in copies:
+                copy.__globals__[name] = copies[value]
+        for cell in copy.__closure__ or ():
+            value = content(cell)
+            if isinstance(value, types.FunctionType) and value in copies:
+                cell.cell_contents = copies[value]
     return copies
 
 
 def called_by(function: types.FunctionType, bound: Any = None) -> list[types.FunctionType]:
-    """The function and those of the same file, and methods of its object, that it calls."""
+    """The function and those that it calls: of its file, of its object, and around which it is."""
     found, open_ones = [function], [function]
     for _ in range(DEEPEST):
-        names = [name for f in open_ones for name in _named(f.__code__)]
-        called = [function.__globals__.get(name) for name in dict.fromkeys(names)]
-        if bound is not None:
-            called += methods_used(bound, open_ones).values()
-        open_ones = [
-            f for f in dict.fromkeys(f for f in called if isinstance(f, types.FunctionType))
-            if f.__globals__ is function.__globals__ and f not in found
+        called = [
+            g for f in open_ones for name in _named(f.__code__)
+            if isinstance(g := f.__globals__.get(name), types.FunctionType)
+            and g.__globals__ is f.__globals__
         ]  # fmt: skip
+        if bound is not None:
+            methods = methods_used(bound, open_ones).values()
+            called += [g for g in methods if g.__globals__ is function.__globals__]
+        cells = [content(cell) for f in open_ones for cell in f.__closure__ or ()]
+        called += [g for g in cells if isinstance(g, types.FunctionType) and not foreign(g)]
+        open_ones = [g for g in dict.fromkeys(called) if g not in found]
         found += open_ones
     return found
+
+
+def foreign(function: types.FunctionType) -> bool:
+    """Whether a function is one of a library of numbers."""
+    return (function.__module__ or "").partition(".")[0] in ("numpy", "scipy", "sympy", "casadi")
 
 
 def _over(
@@ -147,6 +166,8 @@ def _over(
         if name in wanted and is_number(value):
             cell = types.CellType(value)
             learn(name, value, partial(setattr, cell, "cell_contents"))
+        elif isinstance(value, types.FunctionType):
+            cell = types.CellType(value)  # a copy may come here
         elif (other := with_numbers(value, asked, learn)) is not value:
             cell = types.CellType(other)
         cells.append(cell)

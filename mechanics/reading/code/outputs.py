@@ -60,7 +60,7 @@ def claims(
         return [_rate_of(scene, u, value) for u, value in zip(named, entries, strict=True)]
     if len(entries) == size:
         return [_rate_of(scene, u, value) for u, value in zip(scene.u, entries, strict=True)]
-    both = tuple(state) or (*scene.q, *scene.u)
+    both = _rates(naming, outputs.names) or tuple(state) or (*scene.q, *scene.u)
     if len(entries) == len(both):
         return [_rate_of(scene, symbol, value) for symbol, value in zip(both, entries, strict=True)]
     raise InputError(
@@ -78,6 +78,20 @@ def _accelerations(naming: Naming, names: Sequence[str], count: int) -> list[Exp
     found = [table.get(naming.symbol(*known)) for n in names if (known := _second(naming, n))]
     speeds = [u for u in found if u in naming.vocabulary.scene.u]
     return speeds if len(set(speeds)) == len(names) == count else []
+
+
+def _rates(naming: Naming, names: Sequence[str]) -> tuple[Expr, ...]:
+    """The state in the order in which code names the rates that it returns; () for other names.
+
+    ``{"theta_ddot": ..., "theta_dot": ...}``
+    """
+    scene = naming.vocabulary.scene
+    table = {rate: s for s, rate in rate_table(scene).items()}
+    found = [naming.lookup(name) for name in names]
+    moving = [known for known in found if known and known[0] in naming.vocabulary.functions]
+    state = [table.get(naming.symbol(*known)) for known in moving]
+    whole = len(state) == len(names) and set(state) == {*scene.q, *scene.u}
+    return tuple(s for s in state if s is not None) if whole else ()
 
 
 def _second(naming: Naming, name: str) -> tuple[str, int] | None:

@@ -27,6 +27,7 @@ from mechanics.reading.code.c_place import placed
 from mechanics.reading.code.c_plain import plain
 from mechanics.reading.code.c_wrapper import WRAPPER, wrapped
 from mechanics.reading.code.called import doubt_when_called
+from mechanics.reading.code.out_arguments import returning
 from mechanics.reading.code.outputs import claims, in_order, state_of_scalars, statement
 from mechanics.reading.code.python_call import beside, signature_of
 from mechanics.reading.code.repeated import doubt_when_repeated
@@ -73,7 +74,8 @@ def read_function(
     InputError
         When an argument is unexplained, or the code hides a formula.
     """
-    function = unwrapped(function)
+    size = len(scene.q) + len(scene.u)
+    function = returning(unwrapped(function), size, names or {})
     title = getattr(function, "__name__", type(function).__name__)
     called = signature_of(function, Naming(Vocabulary(scene)), names or {}, title)
 
@@ -84,7 +86,7 @@ def read_function(
         doubt = doubt_when_repeated(function, given.values, outputs, standing)
         doubt = doubt or doubt_when_called(function, given.values, outputs, standing)
         notes = (*outputs.notes, *told)
-        return replace(outputs, notes=notes, doubt=doubt, names=called.returned)
+        return replace(outputs, notes=notes, doubt=doubt, names=outputs.names or called.returned)
 
     sizes = dict.fromkeys(called.wanted)
     found = _read(scene, title, called.wanted, sizes, run, names, about, called.apart)

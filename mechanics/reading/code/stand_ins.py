@@ -9,16 +9,17 @@ import builtins
 import math
 import random
 import types
-from collections.abc import Callable, Iterable
+from collections.abc import Callable
 from operator import methodcaller
 from typing import Any
 
 import numpy as np
-import sympy
 
 from mechanics.errors import InputError
+from mechanics.reading.code import linear_systems
+from mechanics.reading.code.held import content, foreign
 from mechanics.reading.code.objects import methods_used, with_methods
-from mechanics.reading.code.traced import ELEMENTARY, Explorer, Traced, expression_of
+from mechanics.reading.code.traced import ELEMENTARY, Traced
 from mechanics.reading.code.unwrapped import unwrapped
 
 ALIASES = {
@@ -46,31 +47,9 @@ class Module:
     def __getattr__(self, name: str) -> Any:
         if name in self._names:
             return self._names[name]
-        return getattr(self._module, name)
-
-
-def _exact_system(a: Any, b: Any) -> np.ndarray:
-    """Solve a linear system of traced numbers by Cramer's rule, for few unknowns."""
-    matrix, right = np.asarray(a, dtype=object), np.asarray(b, dtype=object)
-    explorer = _explorer([*matrix.flat, *right.flat])
-    if explorer is None:
-        return np.linalg.solve(np.asarray(a, dtype=float), np.asarray(b, dtype=float))
-    if len(matrix) > 4:
-        raise InputError("a linear system of more than four unknowns cannot be traced")
-    left = sympy.Matrix(len(matrix), len(matrix), [expression_of(x, explorer) for x in matrix.flat])
-    columns = right.reshape(len(matrix), -1)
-    adjugate, determinant = left.adjugate(), left.det(method="berkowitz")
-    target = sympy.Matrix(*columns.shape, [expression_of(x, explorer) for x in columns.flat])
-    found = adjugate * target / determinant
-    return np.array([Traced(x, explorer) for x in found], dtype=object).reshape(right.shape)
-
-
-def _inverse(a: Any) -> np.ndarray:
-    return _exact_system(a, np.eye(len(a), dtype=int).astype(object))
-
-
-def _explorer(entries: Iterable[Any]) -> Explorer | None:
-    return next((x.explorer for x in entries if isinstance(x, Traced)), None)
+        found = getattr(self._module, name)
+        inside = getattr(found, "__name__", "") if isinstance(found, types.ModuleType) else ""
+        return Module(found, MODULES[inside]) if inside in MODULES else found
 
 
 def _objects(make: Callable[..., np.ndarray]) -> Callable[..., np.ndarray]:
@@ -133,7 +112,7 @@ NUMPY: dict[str, Any] = {
     )},
     **{name: _identity for name in ("float64", "float32", "double")},
     "random": Changing("np.random"),
-    "linalg": Module(np.linalg, {"solve": _exact_system, "inv": _inverse}),
+    "linalg": Module(np.linalg, linear_systems.NUMPY),
     "arctan2": lambda y, x: y.arctan2(x) if isinstance(y, Traced) else np.arctan2(y, x),
     "sign": _signs,
 }  # fmt: skip
@@ -145,6 +124,10 @@ MATH: dict[str, Any] = {
     "hypot": lambda x, y: NUMPY["sqrt_of"](x * x + y * y),
 }
 NUMPY["sqrt_of"] = MATH["sqrt"]
+MODULES: dict[str, dict[str, Any]] = {
+    "math": MATH, "numpy": NUMPY, "scipy": {}, "numpy.linalg": linear_systems.NUMPY,
+    "scipy.linalg": linear_systems.SCIPY,
+}  # fmt: skip
 
 
 def _changing(value: Any) -> str:
@@ -163,10 +146,8 @@ def stand_in(value: Any, depth: int = 0) -> Any:
     value = unwrapped(value)
     if name := _changing(value):
         return Changing(name)
-    if value is math:
-        return Module(math, MATH)
-    if value is np:
-        return Module(np, NUMPY)
+    if isinstance(value, types.ModuleType) and value.__name__ in MODULES:
+        return Module(value, MODULES[value.__name__])
     if value is float:
         return _identity
     if value is np.sign:
@@ -176,13 +157,23 @@ def stand_in(value: Any, depth: int = 0) -> Any:
     for name, replacement in NUMPY.items():
         if value is getattr(np, name, None) and not isinstance(value, np.ufunc):
             return replacement
-    if isinstance(value, types.FunctionType) and not _foreign(value):
+    if found := _of_linear_systems(value):
+        return found
+    if isinstance(value, types.FunctionType) and not foreign(value):
         return copy_of(value, depth + 1)
+    if isinstance(value, types.MethodType) and isinstance(value.__func__, types.FunctionType):
+        return value if foreign(value.__func__) else copy_of(value, depth + 1)
     return value
 
 
-def _foreign(function: types.FunctionType) -> bool:
-    return (function.__module__ or "").partition(".")[0] in ("numpy", "scipy", "sympy", "casadi")
+def _of_linear_systems(value: Any) -> Any:
+    """What stands for ``from numpy.linalg import solve``; None for other things."""
+    module, name = getattr(value, "__module__", None) or "", getattr(value, "__name__", "")
+    if not callable(value) or isinstance(value, type):
+        return None
+    if module.startswith("scipy.linalg"):
+        return linear_systems.SCIPY.get(name)
+    return linear_systems.NUMPY.get(name) if module.startswith("numpy.linalg") else None
 
 
 def copy_of(function: Callable[..., Any], depth: int = 0) -> Callable[..., Any]:
@@ -212,7 +203,7 @@ def copy_of(function: Callable[..., Any], depth: int = 0) -> Callable[..., Any]:
         elif name in OUTSIDE and name not in table:
             table[name] = Changing(name)
     cells = tuple(
-        types.CellType(stand_in(cell.cell_contents, depth)) for cell in function.__closure__ or ()
+        types.CellType(stand_in(content(cell), depth)) for cell in function.__closure__ or ()
     )
     copied = types.FunctionType(
         function.__code__, table, function.__name__, function.__defaults__, cells or None

@@ -48,13 +48,15 @@ class TooManyPathsError(InputError):
 class Explorer:
     """The decisions of one call: those that are set beforehand, then `True` for every new one.
 
-    `formulas` are those of the numbers that it returns, as its code has them.
+    `formulas` are those of the numbers that it returns, as its code has them; `names` are the keys
+    that they have, where they are entries of a dictionary.
     """
 
     prefix: tuple[bool, ...] = ()
     taken: list[tuple[Boolean, bool]] = field(default_factory=list)
     notes: list[str] = field(default_factory=list)
     formulas: dict[Expr, Node] = field(default_factory=dict)
+    names: tuple[str, ...] = ()
 
     def decide(self, condition: Boolean) -> bool:
         """Which way to go at a condition."""
@@ -107,9 +109,14 @@ class Traced:
         return Traced(expr, self.explorer, formula)
 
     def _both(self, other: Any, operation: Operation, turned: bool = False) -> Any:
-        if isinstance(other, np.ndarray):
+        if isinstance(other, np.ndarray) and not turned:
             # NumPy goes through the entries and comes back here for each.
             return NotImplemented
+        if isinstance(other, np.ndarray):
+            found = np.empty(other.shape, dtype=object)
+            for place, entry in np.ndenumerate(other):
+                found[place] = self._both(entry, operation, turned)
+            return found if other.shape else found.item()
         value = expression_of(other, self.explorer)
         if value is None:
             return NotImplemented
@@ -191,6 +198,14 @@ class Traced:
         raise TypeError("a traced number has no value: float(), int() and the like hide a formula")
 
     __int__ = __index__ = __float__
+
+    def __mod__(self, _: Any) -> Any:
+        raise TypeError(
+            "% of a traced number hides a formula: leave the wrapping of angles out, which sines"
+            " and cosines do not need"
+        )
+
+    __rmod__ = __floordiv__ = __rfloordiv__ = __divmod__ = __rdivmod__ = __mod__
 
     def item(self) -> Traced:
         """Itself, as of an array with one entry."""

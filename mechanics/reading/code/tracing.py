@@ -64,6 +64,7 @@ class _Way:
     conditions: tuple[tuple[Boolean, bool], ...]
     values: tuple[Matrix, ...] | None
     formulas: Formulas
+    names: tuple[str, ...]
 
 
 def trace(
@@ -103,7 +104,7 @@ def trace(
         values = _called(copied, arguments, given, explorer, _title(function))
         lasting |= dict.fromkeys(changed(before, seen(copied, arguments)))
         taken = tuple(explorer.taken)
-        ways.append(_Way(taken, values, explorer.formulas))
+        ways.append(_Way(taken, values, explorer.formulas, explorer.names))
         prefix = _next([answer for _, answer in taken])
     defined = [way for way in ways if way.values is not None]
     if not defined:
@@ -117,6 +118,7 @@ def trace(
     formulas = defined[0].formulas if len(ways) == 1 else {}
     return Outputs(
         _joined(defined, 0), tuple(notes), tuple(conditions), formulas=formulas,
+        names=ways[0].names if len({way.names for way in ways}) == 1 else (),
         changed=tuple(lasting),
     )  # fmt: skip
 
@@ -146,6 +148,7 @@ def _called(
         raise InputError(f"{title}{_where(function, error, given)}") from None
     except Exception as error:
         raise InputError(f"{title} cannot be traced{_where(function, error, given)}") from None
+    explorer.names = _keys(result)
     return tuple(_matrix(part, explorer, title) for part in parts_of(result))
 
 
@@ -172,6 +175,12 @@ def _argument(value: Value, explorer: Explorer) -> Any:
     found = np.empty(len(value), dtype=object)
     found[:] = [Traced(entry, explorer, leaf(entry)) for entry in value]
     return found
+
+
+def _keys(result: Any) -> tuple[str, ...]:
+    """Names of numbers in a dictionary, or of the fields of a tuple."""
+    keys = tuple(result) if isinstance(result, dict) else getattr(result, "_fields", ())
+    return keys if all(isinstance(key, str) for key in keys) else ()
 
 
 def parts_of(result: Any) -> list[Any]:
