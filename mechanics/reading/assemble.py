@@ -16,6 +16,7 @@ from sympy.matrices import MatrixBase
 from mechanics.errors import InputError
 from mechanics.reading.about import ENERGY_NAMES, MATRIX_NAMES, QUANTITIES, as_asked, named_quantity
 from mechanics.reading.build import Builder, Value
+from mechanics.reading.columns import columns
 from mechanics.reading.defined import (
     defines,
     definitions,
@@ -26,13 +27,14 @@ from mechanics.reading.defined import (
     reached,
     turned,
     used,
+    without_unknown_rates,
 )
 from mechanics.reading.guess import guess
-from mechanics.reading.kind import kind_of
+from mechanics.reading.kind import energy_named, kind_of
 from mechanics.reading.lines import Aside, Entry, Line, Unread, told_once
 from mechanics.reading.names import Naming, Vocabulary, unexplained
 from mechanics.reading.place import Refused, line_and_column, located
-from mechanics.reading.sides import held, holds, is_named, known_first, scalar, shape
+from mechanics.reading.sides import distinct, held, holds, is_named, known_first, scalar, shape
 from mechanics.reading.statement import Reading, Statement
 from mechanics.reading.tree import Name, Node
 from mechanics.reading.weight import Weight, weight
@@ -75,18 +77,23 @@ def assemble(
     words = {name: meaning for name, meaning in given.items() if meaning in QUANTITIES}
     plain = {name: meaning for name, meaning in given.items() if meaning not in QUANTITIES}
     naming = Naming(Vocabulary(scene), plain)
-    lines = turned(read(naming), naming)
+    lines = _lines(read, naming)
     guessed = guess(naming, used(lines), own(lines, naming))
     if guessed:
         naming = replace(naming, guessed=guessed)
-        lines = turned(read(naming), naming)
-    lines, told = told_once(lines)
+        lines = _lines(read, naming)
+    lines, told = told_once(without_unknown_rates(lines, naming))
     work = _Assembly(scene, naming, text, origin, words, about, needed(lines), notation)
     work.learn(lines)
     for line in lines:
         work.add(line)
     matches = naming.matches(name.name for name in used(lines))
     return Reading(tuple(work.statements), matches, (*work.remarks, *told))
+
+
+def _lines(read: Read, naming: Naming) -> list[Entry]:
+    lines = turned(read(naming), naming)
+    return [*columns(lines, naming, [*definitions(lines, naming)]), *lines]
 
 
 class _Assembly:
@@ -161,7 +168,7 @@ class _Assembly:
         self._weighed(line)
         builder = Builder(self.naming, self.defined, self.vague)
         sides = tuple(builder(side) for side in line.sides)
-        energy = self._means_energy(left, sides) if self.about is None else None
+        energy = energy_named(self.naming, self.words, left, sides) if self.about is None else None
         if energy is not None:
             builder.unknown = [name for name in builder.unknown if not is_named(left, name)]
             self._energy(line, tag, place, energy, sides[1:], builder.unknown)
@@ -184,21 +191,6 @@ class _Assembly:
             words = f"nested too deeply with the definitions put in: {DEEPEST} levels are the limit"
             raise Refused(line.at, words)
         return max(sides, key=lambda side: side.amount)
-
-    def _means_energy(self, left: Node, sides: tuple[Value, ...]) -> str | None:
-        """The energy that the name on the left means, though the scene has such a name."""
-        if not isinstance(left, Name) or left.order or len(sides) < 2:
-            return None
-        if left.name in self.words:
-            return self.words[left.name]
-        found = self.naming.lookup(left.name)
-        if found is None or found[0] in self.naming.vocabulary.reactions or not scalar(sides):
-            return None
-        moving = {*self.scene.u, *self.scene.qd}
-        if found[0] in self.naming.vocabulary.constants and sides[1].free_symbols & moving:
-            # A length has no speeds in it, so this L is the Lagrangian.
-            return ENERGY_NAMES.get(left.name)
-        return None
 
     def _energy(
         self, line: Line, tag: str, place: str, energy: str, sides: tuple[Value, ...],
@@ -223,10 +215,15 @@ class _Assembly:
             note = f"{name}, a square matrix, is read as the mass matrix"
             self._keep(line, tag, place, MassMatrix(), sides, unknown, note)
             return
-        if len(sides) > 1 and scalar(sides):
-            # Further sides have to be equal to the first.
-            self._keep(line, tag, place, Identity(), sides, unknown, f"{name} as defined")
-        if not unused or gathers(line.sides[1:]):
+        before, moves = len(self.statements), False
+        if len(sides) > 1:
+            # The other sides have to be equal; where these move, the name says nothing more.
+            noted = replace(line, notes=(*line.notes, f"{name} as defined"))
+            judge = self._scalars if scalar(sides) else self._matrices
+            judge(noted, tag, place, sides, unknown)
+            rows = [found.row for found in self.statements[before:] if found.row is not None]
+            moves = any(not isinstance(row.quantity, Identity) for row in rows)
+        if not unused or moves or gathers(line.sides[1:]):
             self.remarks.append(f"{name} is taken as defined by: {line.source}")
             return
         doubt = f"{name} is defined and never used, so it is NOT checked: say what it means"
@@ -264,7 +261,7 @@ class _Assembly:
         if self.about is not None:
             self._asked(line, tag, place, sides, unknown)
             return
-        quantity, sides, note = kind_of(self.scene, sides)
+        quantity, sides, note = kind_of(self.scene, distinct(sides))
         self._keep(line, tag, place, quantity, sides, unknown, note)
 
     def _asked(

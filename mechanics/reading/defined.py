@@ -52,15 +52,53 @@ def definitions(lines: Sequence[Entry], naming: Naming) -> dict[str, Line]:
 
 
 def turned(lines: Sequence[Entry], naming: Naming) -> list[Entry]:
-    """The lines; ``x' = v`` is turned round where nothing else says what v is."""
+    """The lines; ``x' = v`` is turned round where nothing else says what v is.
+
+    So is ``a = v = b``: a name amid other sides is what the person calls them.
+    """
     known = set(definitions(lines, naming))
     found: list[Entry] = []
     for line in lines:
-        if isinstance(line, Line) and (name := _named_rate(line, naming)) not in (None, *known):
+        amid = _named_amid(line, naming, known) if isinstance(line, Line) else None
+        if isinstance(line, Line) and amid is not None:
+            known.add(amid.name)
+            rest = tuple(side for side in line.sides if side is not amid)
+            line = replace(line, sides=(amid, *rest))
+        elif isinstance(line, Line) and (name := _named_rate(line, naming)) not in (None, *known):
             known.add(str(name))
             line = replace(line, sides=line.sides[::-1])
         found.append(line)
     return found
+
+
+def without_unknown_rates(lines: Sequence[Entry], naming: Naming) -> list[Entry]:
+    """The lines without sides that only name the rate of what nothing explains: x'' = w' = ... ."""
+    known = set(definitions(lines, naming))
+    found: list[Entry] = []
+    for line in lines:
+        if isinstance(line, Line) and len(line.sides) > 2:
+            kept = tuple(side for side in line.sides if not _unknown_rate(side, naming, known))
+            if 1 < len(kept) < len(line.sides):
+                note = "the rate of a name that the scene does not have is what the others are"
+                line = replace(line, sides=kept, notes=(*line.notes, note))
+        found.append(line)
+    return found
+
+
+def _unknown_rate(side: Node, naming: Naming, known: Container[str]) -> bool:
+    if not isinstance(side, Name) or not side.order or side.name in known:
+        return False
+    return naming.target(side.name) is None
+
+
+def _named_amid(line: Line, naming: Naming, known: Container[str]) -> Name | None:
+    """A name that nothing explains among more than two sides of which the first is no such name."""
+    if len(line.sides) < 3 or defines(line, naming):
+        return None
+    for side in line.sides[1:]:
+        if isinstance(side, Name) and not side.order and naming.target(side.name) is None:
+            return None if side.name in known else side
+    return None
 
 
 def _named_rate(line: Line, naming: Naming) -> str | None:

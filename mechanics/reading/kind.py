@@ -6,9 +6,16 @@ p_theta = ...  a generalized momentum; with its rate p_theta' an equation of mot
 neither        an identity
 """
 
+from collections.abc import Mapping
+from typing import Any
+
 from sympy import Expr, S
 
 from mechanics.kinematics.momenta import momentum_symbols, rate_symbol
+from mechanics.reading.about import ENERGY_NAMES
+from mechanics.reading.names import Naming
+from mechanics.reading.sides import scalar
+from mechanics.reading.tree import Name, Node
 from mechanics.scene import Scene
 from mechanics.scene.published import Quantity
 from mechanics.scene.quantities import (
@@ -45,3 +52,31 @@ def kind_of(scene: Scene, sides: tuple[Expr, ...]) -> tuple[Quantity, tuple[Expr
     if reactions and len(sides) > 1:
         return EquationOfMotion(), sides, "it holds reactions, so it is looked at along the motion"
     return Identity(), sides, ""
+
+
+def energy_named(
+    naming: Naming, words: Mapping[str, str], left: Node, sides: tuple[Any, ...]
+) -> str | None:
+    """The energy that the name on the left means, though the scene has such a name.
+
+    Parameters
+    ----------
+    naming : Naming
+    words : mapping of str to str
+        Quantities that the person gave names.
+    left : Node
+    sides : tuple
+        As they were built.
+    """
+    if not isinstance(left, Name) or left.order or len(sides) < 2:
+        return None
+    if left.name in words:
+        return words[left.name]
+    found = naming.lookup(left.name)
+    if found is None or found[0] in naming.vocabulary.reactions or not scalar(sides):
+        return None
+    scene = naming.vocabulary.scene
+    if found[0] in naming.vocabulary.constants and sides[1].free_symbols & {*scene.u, *scene.qd}:
+        # A length has no speeds in it, so this L is the Lagrangian.
+        return ENERGY_NAMES.get(left.name)
+    return None

@@ -24,6 +24,12 @@ def known_first(builder: Builder, line: Line) -> tuple[tuple[Value, ...], Node]:
     return tuple(value for _, value, _ in built), built[0][2]
 
 
+def distinct(sides: tuple[Value, ...]) -> tuple[Value, ...]:
+    """The sides without those that are there twice, of which two are left: x'' = w' = ... ."""
+    found = tuple(dict.fromkeys(sides))
+    return found if len(found) > 1 else sides[:2]
+
+
 def held(builder: Builder, sides: Sequence[Node]) -> list[str]:
     """Names that an equation holds when it is built: in N - N = 0 there is none.
 

@@ -7,7 +7,7 @@ function: \sin^2 2 \theta \cos \theta         numbers and then one factor are th
 
 from fractions import Fraction
 
-from mechanics.reading.columns import dependent
+from mechanics.reading.columns import dependent, stacked
 from mechanics.reading.functions import FUNCTIONS, INVERSES
 from mechanics.reading.latex.item import Item, rate_of
 from mechanics.reading.names import Naming
@@ -116,7 +116,10 @@ class Fold:
         if node is None:
             raise Refused(item.at, "an operand is missing here")
         if item.kind == "bracket" and len(item.arguments) > 1:
-            raise Refused(item.at, "a comma is out of place here")
+            if before or queue:
+                raise Refused(item.at, "a comma is out of place here")
+            self.notes.append("(a, b) is read as a column")
+            return stacked(item.at, item.arguments)
         if isinstance(node, Number) and before and not operator and isinstance(before[-1], Number):
             raise Refused(item.at, "two numbers side by side: write \\cdot between them")
         if isinstance(node, Name) and queue and _is_time(queue[0]):

@@ -10,6 +10,7 @@ from fractions import Fraction
 
 from lark import Token, Tree
 
+from mechanics.reading.columns import transposed
 from mechanics.reading.latex.item import (
     Item,
     bare,
@@ -18,7 +19,7 @@ from mechanics.reading.latex.item import (
     rate_of,
     start_of,
 )
-from mechanics.reading.latex.words import Words, named
+from mechanics.reading.latex.words import Words, named, summed
 from mechanics.reading.names import Naming
 from mechanics.reading.place import Refused
 from mechanics.reading.tree import (
@@ -38,6 +39,8 @@ from mechanics.reading.tree import (
 Fold = Callable[[list[Item], int], Node]
 
 DEEPEST_BRACKETS = 40
+MOST_ENTRIES = 50
+"""Of a bracket with commas."""
 SPANNED = (
     "accent", "short_accent", "fraction", "half_fraction", "short_fraction", "root", "matrix",
 )  # fmt: skip
@@ -70,14 +73,14 @@ class Items:
                 found.append(Item(kind, piece.start_pos, text=text))
             else:
                 found += self._scripted(piece)
-        return found
+        return summed(found)
 
     def group(self, tree: Tree, at: int) -> Node:
         """What stands in a bracket or argument, as one node."""
         (node,) = self._separated(tree, at, 1)
         return node
 
-    def _separated(self, tree: Tree, at: int, most: int = 3) -> list[Node]:
+    def _separated(self, tree: Tree, at: int, most: int = MOST_ENTRIES) -> list[Node]:
         """What stands between the commas of a bracket."""
         self.depth += 1
         if self.depth > DEEPEST_BRACKETS:
@@ -152,6 +155,10 @@ class Items:
             return Item("function", item.at, text=item.text, power=power)
         if item.node is None:
             raise Refused(item.at, "this cannot have an exponent")
+        if turned := transposed(self.naming, item.node, item.arguments, power):
+            return Item("node", item.at, turned)
+        if len(item.arguments) > 1:
+            raise Refused(item.at, "a comma is out of place here")
         euler = isinstance(item.node, Name) and item.node.name == "e"
         if euler and not self.naming.knows("e"):
             return Item("node", item.at, Call(item.at, "exp", (power,)))

@@ -21,6 +21,31 @@ def named(name: str, sub: str, at: int) -> Item:
     return Item("node", at, Name(at, f"{name}_{sub}" if sub else name))
 
 
+SUM = r"\sum"
+
+
+def summed(items: list[Item]) -> list[Item]:
+    r"""The items; ``\sum F_x`` of a name is a name of the person, too.
+
+    Raises
+    ------
+    Refused
+        For a sum of anything else: what it runs over is not known.
+    """
+    found: list[Item] = []
+    for item in items:
+        if found and found[-1].kind == "sum":
+            before, node = found.pop(), item.node
+            if not isinstance(node, Name) or node.order:
+                raise Refused(before.at, f"the command {SUM} is not known here")
+            name = ended(Name(before.at, f"sum{node.name}"), node.end)
+            item = Item("node", before.at, name, end=item.end)
+        found.append(item)
+    if found and found[-1].kind == "sum":
+        raise Refused(found[-1].at, f"the command {SUM} is not known here")
+    return found
+
+
 class Words:
     """Reads tokens; how it read what can be read in two ways is noted."""
 
@@ -51,6 +76,8 @@ class Words:
         if command in FUNCTIONS and not sub:
             return [Item("function", at, text=command)]
         letter = letter_of(command)
+        if text == SUM and not sub:
+            return [Item("sum", at)]
         if letter not in GREEK and letter != "l":
             raise Refused(at, f"the command {text} is not known here")
         if letter == "pi" and not sub and not self.naming.knows("pi"):
