@@ -3,7 +3,8 @@
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
-from mechanics.reading.tree import Node
+from mechanics.reading.names import Naming
+from mechanics.reading.tree import Name, Node, names
 
 PRODUCT = "is read as the product"
 """In a note on letters that stand side by side."""
@@ -50,6 +51,37 @@ class Aside:
 
     words: str
     at: int
+
+
+def gives(line: Line, naming: Naming) -> bool:
+    """Whether an equation sets a name to a number, or parameters to each other."""
+    if len(line.sides) < 2:
+        return False
+    plain = [side for side in line.sides if isinstance(side, Name)]
+    numbers = [side for side in line.sides if not names(side)]
+    if len(plain) + len(numbers) < len(line.sides) or not plain:
+        return False
+    return bool(numbers) or all(naming.is_function(side.name) is False for side in plain)
+
+
+def gives_constants(line: Line, naming: Naming) -> bool:
+    """Whether all that it sets are parameters: a reaction that is given a value is a claim."""
+    plain = [side.name for side in line.sides if isinstance(side, Name)]
+    return gives(line, naming) and all(is_constant(name, naming) for name in plain)
+
+
+def is_constant(name: str, naming: Naming) -> bool:
+    """Whether a name is that of a parameter of the scene."""
+    found = naming.lookup(name)
+    if found is None or naming.is_function(name) is not False:
+        return False
+    return found[0] not in naming.vocabulary.reactions
+
+
+def value(source: str, at: int) -> Aside:
+    """The value of a parameter, which says nothing that could be judged."""
+    words = " ".join(source.split())
+    return Aside(f"{words[:60]}: values and lists in the text are not used", at)
 
 
 Entry = Line | Unread | Aside

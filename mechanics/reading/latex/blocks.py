@@ -19,14 +19,21 @@ INLINE = re.compile(
 )
 
 NAME = r"(?!\\d*dot)\\?[A-Za-z]+(?:\s?\{\s?\\?[A-Za-z]+\s?\})?(?:\s?_\s?(?:\{[^{}]*\}|\\?\w+))?"
+RATE = rf"(?:\\dot\s?\{{\s?{NAME}\s?\}}|(?:\\dot\s?)?{NAME})"
 SPACE = r"(?:\\[,;:! ]|~|\s)*"
-FONT = r"\\(?:mathrm|text|textrm|rm|unit|si|SI|mathsf)\s?\{[^{}]*\}"
-UNIT = rf"(?:{FONT}(?:\s?\^\s?(?:\d|\{{\s?-?\d\s?\}}))?|/|\\degree|\^\s?\{{?\s?\\circ\s?\}}?)"
+FONT = (
+    r"\\(?:(?:mathrm|text|textrm|rm|unit|si|SI|mathsf|operatorname)\s?\{(?:[^{}]|\{[^{}]*\})*\}"
+    r"|mathrm\s[A-Za-z]|rm\s[A-Za-z]+)"
+)
+UNIT = (
+    rf"(?:{FONT}(?:\s?\^\s?(?:\d|\{{\s?-?\d\s?\}}))?|/|\\cdot|\\degree|\^\s?\{{?\s?\\circ\s?\}}?)"
+)
 NUMBER = r"[-+\u2212]?\s?\d[\d.,]*(?:\s?(?:\\cdot|\\times)\s?10\s?\^\s?(?:\d|\{\s?-?\d+\s?\}))?"
 BRACKET = r"(?:\\left\s?)?(?:\(|\[|\\\{)[^=+*/()\[\]]*,[^=+*/()\[\]]*(?:\\right\s?)?(?:\)|\]|\\\})"
 VALUES = (
     re.compile(rf"{NAME}{SPACE}={SPACE}{NUMBER}{SPACE}{UNIT}(?:{SPACE}{UNIT})*{SPACE}[.,;]?"),
-    re.compile(rf"{NAME}{SPACE}\(\s?(?:0|t_0|t_\{{0\}})\s?\){SPACE}=[^=]*"),
+    re.compile(rf"{NAME}{SPACE}={SPACE}\\(?:SI|qty)\s?\{{\s?{NUMBER}\s?\}}\s?\{{[^{{}}]*\}}[.,;]?"),
+    re.compile(rf"{RATE}{SPACE}\(\s?(?:0|t_0|t_\{{0\}})\s?\){SPACE}=[^=]*"),
     re.compile(rf"{NAME}{SPACE}={SPACE}{BRACKET}\s?(?:\^\s?\{{?\s?\\?[A-Za-z]+\s?\}}?)?\s?[.,;]?"),
 )
 """A number with its unit, a value at the beginning, a list of names."""

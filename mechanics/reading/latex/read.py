@@ -17,13 +17,14 @@ from lark.exceptions import UnexpectedCharacters, UnexpectedEOF, UnexpectedInput
 from mechanics.reading.latex.blocks import Block, blocks, claims, is_value
 from mechanics.reading.latex.fold import Fold, applied
 from mechanics.reading.latex.grammar import PARSER
+from mechanics.reading.latex.item import bare
 from mechanics.reading.latex.items import Items
 from mechanics.reading.latex.prepare import prepared
 from mechanics.reading.latex.rows import Pieces, is_kind, rows
-from mechanics.reading.lines import Aside, Entry, Line, Unread
+from mechanics.reading.lines import Aside, Entry, Line, Unread, gives, gives_constants, value
 from mechanics.reading.names import Naming
 from mechanics.reading.place import Refused, bounded, bounded_mathematics, located, refusal
-from mechanics.reading.tree import Name, move, names
+from mechanics.reading.tree import move
 
 ABOUT = ("\u2248", r"\approx", r"\simeq", r"\sim")
 BY_CASES = re.compile(r"=[\s&]*(?:\\left\s*(?:\.|\\\{)\s*)?\\begin\s*\{d?cases\}")
@@ -70,24 +71,40 @@ def _entries(clean: str, text: str, block: Block, naming: Naming, origin: str) -
     if not block.closed:
         raise Refused(block.start, "the end of this display is missing")
     if not block.inline:
-        return _block(formula, text, block.start, naming, origin, block.one)
+        lines = _block(formula, text, block.start, naming, origin, block.one)
+        return [_claim_or_value(entry, naming) for entry in lines]
     entries = _block(formula, text, block.start, naming, origin) if _moves(formula, naming) else []
     if is_value(formula) and not entries:
-        return [_value(text, block.start, block.end)]
+        return [value(text[block.start : block.end], block.start)]
     found: list[Entry] = []
     for entry in entries or _block(formula, text, block.start, naming, origin):
         if not isinstance(entry, Line):
             found.append(entry)
-        elif _gives(entry, naming) and entries:
+        elif gives(entry, naming) and entries:
             words = located(text, block.start, SET, origin)
             found.append(Unread(entry.source, words, block.start, entry.tag))
-        elif _gives(entry, naming):
-            found.append(_value(text, block.start, block.end))
+        elif gives(entry, naming):
+            found.append(value(text[block.start : block.end], block.start))
         elif len(entry.sides) > 1:
             found.append(entry)
     return found
 
 
+def _claim_or_value(entry: Entry, naming: Naming) -> Entry:
+    """What is displayed, but for the value of a parameter and one at the beginning."""
+    if isinstance(entry, Aside) or _moves(entry.source, naming):
+        return entry
+    if isinstance(entry, Line) and gives_constants(entry, naming):
+        return value(entry.source, entry.at)
+    source = entry.source.replace("&", "")
+    given = is_value(source) and (
+        BEGINNING.search(source) is not None
+        or naming.is_function(bare(source.split("=")[0])) is not True
+    )
+    return value(entry.source, entry.at) if given else entry
+
+
+BEGINNING = re.compile(r"\(\s?(?:0|t_0|t_\{0\})\s?\)\s?=")
 SET = "an acceleration or reaction is given a value in the text, which is not judged: display it"
 UPRIGHT = re.compile(r"\\(?:mathrm|text|operatorname|si|SI|unit)\s*\{[^{}]*\}")
 ACCELERATED = re.compile(r"\\d{2,4}ot(?![a-z])|'{2,}")
@@ -98,22 +115,6 @@ def _moves(formula: str, naming: Naming) -> bool:
     # N is the unit newton, too.
     letters = set(re.findall(r"\w+", UPRIGHT.sub(" ", formula)))
     return ACCELERATED.search(formula) is not None or bool(letters & naming.vocabulary.reactions)
-
-
-def _value(text: str, start: int, end: int) -> Aside:
-    words = " ".join(text[start:end].split())
-    return Aside(f"{words[:60]}: values and lists in the text are not used", start)
-
-
-def _gives(line: Line, naming: Naming) -> bool:
-    """Whether an equation in prose sets a name to a number, or parameters to each other."""
-    if len(line.sides) < 2:
-        return False
-    plain = [side for side in line.sides if isinstance(side, Name)]
-    numbers = [side for side in line.sides if not names(side)]
-    if len(plain) + len(numbers) < len(line.sides) or not plain:
-        return False
-    return bool(numbers) or all(naming.is_function(side.name) is False for side in plain)
 
 
 @lru_cache(maxsize=64)

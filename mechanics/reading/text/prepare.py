@@ -8,6 +8,8 @@ moves, so that messages name the right place.
 
 import re
 
+from mechanics.reading.text.continued import on_one_line, sentences
+
 COMMENT = re.compile(r"[%#][^\n]*|\.\.\.[^\n]*\n|\\[ \t]*\r?\n")
 ENDS = re.compile(r"[\w)\]'.\u0307\u0308\u00b2\u00b3]")
 STARTS = re.compile(r"[\w(\[.]")
@@ -15,7 +17,7 @@ STARTS = re.compile(r"[\w(\[.]")
 
 def prepared(text: str) -> str:
     """The text with blanks for comments and for ends of lines inside round brackets."""
-    text = COMMENT.sub(lambda m: " " * len(m[0]), text)
+    text = on_one_line(sentences(COMMENT.sub(lambda m: " " * len(m[0]), text)))
     out = list(text)
     open_brackets: list[str] = []
     for i, character in enumerate(text):

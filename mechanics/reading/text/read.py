@@ -6,24 +6,30 @@ A whitelist grammar makes a tree; no text is ever evaluated.
 """
 
 import re
+from collections.abc import Iterator
 from functools import lru_cache
 
 from lark import Tree
 from lark.exceptions import UnexpectedCharacters, UnexpectedInput, UnexpectedToken
 
 from mechanics.reading.functions import FUNCTIONS
-from mechanics.reading.lines import Line, Unread
+from mechanics.reading.lines import Entry, Line, Unread, gives_constants, is_constant, value
 from mechanics.reading.names import Naming
 from mechanics.reading.place import Refused, bounded, bounded_mathematics, located, refusal
 from mechanics.reading.text.grammar import PARSER
 from mechanics.reading.text.nodes import Nodes
 from mechanics.reading.text.prepare import prepared
 
+BASE = r"(?:[kcm]?m|k?g|m?s|k?N|J|rad|W|Pa|Hz)(?:\^?-?[1-4]|\*\*-?[1-4])?"
+VALUE = re.compile(
+    rf"(\w+) ?= ?[-+]?\d[\d.]*(?:[eE][-+]?\d+)? \[?{BASE}(?:[ */.]{{0,3}}{BASE}){{0,5}}\]?"
+)
+"""The value of a parameter with its unit."""
 ENDS = ("end", "endfunction")
-TAG = re.compile(r"[%#]\s*(\([\w.']{1,12}\))")
+TAG = re.compile(r"(?:[%#]|^[ \t]{2,})\s*(\([\w.']{1,12}\))")
 
 
-def read_text(text: str, naming: Naming, origin: str = "text") -> list[Line | Unread]:
+def read_text(text: str, naming: Naming, origin: str = "text") -> list[Entry]:
     """Lines of a plain text, in order.
 
     Parameters
@@ -50,19 +56,33 @@ def read_text(text: str, naming: Naming, origin: str = "text") -> list[Line | Un
     except Refused as reason:
         whole = reason
     # One line that cannot be read does not spoil the others.
-    found: list[Line | Unread] = []
-    for match in re.finditer(r"[^\n]+", clean):
-        if not match[0].strip():
+    found: list[Entry] = []
+    for part, start in _statements(clean):
+        source = " ".join(part.split())
+        if (given := VALUE.fullmatch(source)) and is_constant(given[1], naming):
+            found.append(value(source, start))
             continue
         try:
-            found += _lines(match[0], text, match.start(), naming, origin)
+            found += _lines(part, text, start, naming, origin)
         except Refused as reason:
             words = located(text, reason.at, reason.words, origin)
-            found.append(Unread(" ".join(match[0].split()), words, match.start()))
+            found.append(Unread(source, words, start))
     if not any(isinstance(line, Line) for line in found):
         words = located(text, whole.at, whole.words, origin)
         return [Unread(" ".join(text.split())[:200], words, whole.at)]
     return found
+
+
+def _statements(clean: str) -> Iterator[tuple[str, int]]:
+    """Lines, and what semicolons set apart in them outside of brackets; each with its place."""
+    for line in re.finditer(r"[^\n]+", clean):
+        depth, start = 0, 0
+        for i, character in enumerate(f"{line[0]};"):
+            depth += (character in "([") - (character in ")]")
+            if character == ";" and (depth == 0 or i == len(line[0])):
+                if line[0][start:i].strip():
+                    yield line[0][start:i], line.start() + start
+                start = i + 1
 
 
 @lru_cache(maxsize=64)
@@ -71,12 +91,12 @@ def _tree(text: str) -> Tree:
     return PARSER.parse(text)
 
 
-def _lines(clean: str, text: str, offset: int, naming: Naming, origin: str) -> list[Line | Unread]:
+def _lines(clean: str, text: str, offset: int, naming: Naming, origin: str) -> list[Entry]:
     try:
         tree = _tree(clean)
     except UnexpectedInput as error:
         raise _unexpected(error, clean, offset) from None
-    found: list[Line | Unread] = []
+    found: list[Entry] = []
     for statement in tree.children:
         if text[offset + statement.meta.start_pos : offset + statement.meta.end_pos] in ENDS:
             at = offset + statement.meta.start_pos
@@ -88,11 +108,11 @@ def _lines(clean: str, text: str, offset: int, naming: Naming, origin: str) -> l
         start, end = offset + statement.meta.start_pos, offset + statement.meta.end_pos
         rest = text[end:].split("\n", 1)[0]
         tag = TAG.search(rest)
-        found.append(
-            Line(
-                sides, tag[1] if tag else "", start, " ".join(text[start:end].split()), tuple(notes)
-            )
-        )
+        source = " ".join(text[start:end].split())
+        line = Line(sides, tag[1] if tag else "", start, source, tuple(notes))
+        told = VALUE.fullmatch(source)
+        given = is_constant(told[1], naming) if told else gives_constants(line, naming)
+        found.append(value(source, start) if given else line)
     return found
 
 

@@ -1,0 +1,60 @@
+"""Sentences and lines of a plain text as statements: what goes on, and what is told beside.
+
+    a + b             x'' = mu*F, where mu = 1/M and g = 9.81.
+      - c = 0         x'' = mu*F ;        mu = 1/M ;   g = 9.81
+
+No character moves: an end of a line becomes a blank, a word the semicolon that it stands for.
+"""
+
+import re
+
+WORDS = re.compile(
+    r"(?:[,.:][ \t]*|(?<![ \t])[ \t]+|^)(?:(?:where|with|and)\b[:\s]*)+"
+    r"(?=[^\W\d]\w*[ \t]*(?:\(t\)|'{1,3})?[ \t]*=)",
+    re.MULTILINE,
+)
+STOP = re.compile(r"(?<=[^\W\d_])\.(?=[ \t\r]*$)|(?<=[)\]'])\.(?=[ \t\r]*$)", re.MULTILINE)
+NUMBERED = re.compile(
+    r"(?:(?<! ) {2,}|\t[ \t]*)\((?:[A-Z]\.)?\d{1,3}(?:\.\d{1,3}){0,2}[a-z]?\)[ \t\r]*$",
+    re.MULTILINE,
+)
+DECIMAL = re.compile(r"\d,\d")
+BEGINS = re.compile(r"[ \t]*(?:(?P<sign>[-+*/\u2212])|=)")
+ENDS = re.compile(r"(?:[-+*/=^\u2212]|\*\*)[ \t\r]*$")
+
+
+def sentences(text: str) -> str:
+    """The text with semicolons for words and commas between equations, and without full stops."""
+    text = NUMBERED.sub(lambda m: " " * len(m[0]), text)
+    text = WORDS.sub(lambda m: ";".ljust(len(m[0])), text)
+    text = STOP.sub(" ", text)
+    out, depth = list(text), 0
+    for i, character in enumerate(text):
+        depth += (character in "([") - (character in ")]")
+        if character == "," and depth == 0 and not DECIMAL.match(text, max(i - 1, 0)):
+            out[i] = ";"
+    return "".join(out)
+
+
+def on_one_line(text: str) -> str:
+    """The text with blanks for the ends of lines within an equation."""
+    out = list(text)
+    related = False
+    held: list[int] = []  # ends of lines that lie within an equation if a relation follows
+    depth = at = 0
+    before = ""
+    for line in text.split("\n"):
+        open_ended = before.strip() and depth == 0 and not before.rstrip().endswith(";")
+        begins = BEGINS.match(line) if open_ended else None
+        has = "=" in line
+        if begins is None and not ENDS.search(before):
+            held, related = [], has
+        elif begins is None or not begins["sign"] or ENDS.search(before) or related != has:
+            for place in [*held, at - 1]:
+                out[place] = " "
+            held, related = [], related or has
+        elif not has:
+            held.append(at - 1)
+        depth += sum((c in "([") - (c in ")]") for c in line)
+        before, at = line, at + len(line) + 1
+    return "".join(out)
