@@ -6,7 +6,7 @@ x.diff(t, 2), Derivative(x(t), (t, 2)), diff(x, t, t), x''    ->    x with two d
 import unicodedata
 from fractions import Fraction
 
-from lark import Tree
+from lark import Token, Tree
 
 from mechanics.reading.functions import FUNCTIONS
 from mechanics.reading.latex.item import rate_of
@@ -116,13 +116,13 @@ class Nodes:
         )
 
     def scaled(self, tree: Tree, at: int) -> Node:
-        """A number before a name: ``2x``."""
+        """A number before a name: ``2x^2`` is 2 (x^2)."""
         number, name = tree.children
         first = self.number(Tree("number", [number], tree.meta), at)
-        self.notes.append(f"{number} {name} is read as a product")
-        second = self._named(str(name), at + len(number))
         ended(first, at + len(number))
-        return Product(at, (first, ended(second, second.at + len(name))))
+        second = self.node(name)
+        self.notes.append(f"{number} {_letters(name)} is read as a product")
+        return Product(at, (first, second))
 
     def name(self, tree: Tree, at: int) -> Node:
         """A name."""
@@ -241,6 +241,11 @@ class Nodes:
         ):
             return Table(node.at, tuple((cell,) for cell in node.rows[0]))
         return node
+
+
+def _letters(tree: Tree | Token) -> str:
+    """The name that a tree begins with."""
+    return str(tree) if isinstance(tree, Token) else _letters(tree.children[0])
 
 
 def plain(text: str) -> tuple[str, int]:
