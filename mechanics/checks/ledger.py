@@ -6,6 +6,8 @@ A row that holds only when the scene's definitions (I_C for what the shapes give
 proved too; its evidence says so. A rounded number stands for all that round to it.
 """
 
+from collections.abc import Sequence
+
 from sympy import Expr, Float, Matrix
 from sympy.matrices import MatrixBase
 
@@ -27,7 +29,9 @@ QUANTITIES: tuple[type[Quantity], ...] = (
 """What this ledger can check; rows about other quantities belong to other checks."""
 
 
-def check_row(scene: Scene, row: Published, equations: Equations | None = None) -> Finding:
+def check_row(
+    scene: Scene, row: Published, equations: Equations | None = None, where: Sequence[Expr] = ()
+) -> Finding:
     """Compare every typed side of a row with the quantity that the row is about.
 
     Parameters
@@ -36,6 +40,9 @@ def check_row(scene: Scene, row: Published, equations: Equations | None = None) 
     row : Published
     equations : Equations, optional
         Of one route; needed by rows about equations of motion and reactions along the motion.
+    where : sequence of Expr
+        What is positive at all states that are looked at, in coordinates and parameters; for rows
+        about equations of motion, reactions and identities.
 
     Returns
     -------
@@ -61,12 +68,17 @@ def check_row(scene: Scene, row: Published, equations: Equations | None = None) 
                 " those of this one"
             )
         if isinstance(quantity, ReactionValue):
-            return check_reaction(subject, quantity.name, _enough(sides, 1, subject), equations)
-        return check_equation(subject, _enough(sides, 2, subject), equations)
+            return check_reaction(
+                subject, quantity.name, _enough(sides, 1, subject), equations, where
+            )
+        return check_equation(subject, _enough(sides, 2, subject), equations, where)
     if isinstance(quantity, Identity):
         first, *others = _enough(sides, 2, subject)
         ones = [entry for _ in others for entry in _entries(first)]
-        return equal(scene, subject, ones, [entry for side in others for entry in _entries(side)])
+        rights = [entry for side in others for entry in _entries(side)]
+        return equal(scene, subject, ones, rights, where)
+    if where:
+        raise InputError(f"{subject}: it is judged at all states: leave out where= for it")
     if isinstance(quantity, ENERGIES):
         return equal(scene, subject, *energy_pairs(scene, quantity, sides, subject))
     targets = derived(scene, quantity)

@@ -37,6 +37,7 @@ def decide_in(
     symbols: set[Symbol],
     *,
     expand: bool = False,
+    where: Sequence[Expr] = (),
 ) -> Finding:
     """`decide`, and where that does not show the statement, once more with definitions put in.
 
@@ -49,15 +50,19 @@ def decide_in(
         What the statement holds; definitions of other symbols do not matter to it.
     expand : bool
         True when it is plain beforehand that the statement needs its definitions.
+    where : sequence of Expr
+        What is positive at all states that are looked at, in coordinates and parameters.
     """
     used = symbols & scene.definitions.keys()
 
     def admissible(a: Arithmetic) -> Pairs:
         settle(scene, a)
+        _require(a, where)
         return experiment(a)
 
     def expanded(a: Arithmetic) -> Pairs:
         settle_defined(scene, a)
+        _require(a, where)
         return experiment(a)
 
     if not (used and expand):
@@ -67,6 +72,11 @@ def decide_in(
     finding = decide(subject, expanded)
     names = ", ".join(sorted(symbol.name for symbol in used))
     return replace(finding, evidence=f"{finding.evidence}, with {names} by definition")
+
+
+def _require(a: Arithmetic, where: Sequence[Expr]) -> None:
+    for expression in where:
+        a.require_positive(a.value(expression))
 
 
 def settle_defined(scene: Scene, a: Arithmetic) -> None:
@@ -120,7 +130,10 @@ def definitions_in_full(scene: Scene, but: Collection[Symbol] = ()) -> dict[Symb
     return table
 
 
-def equal(scene: Scene, subject: str, lefts: Sequence[Expr], rights: Sequence[Expr]) -> Finding:
+def equal(
+    scene: Scene, subject: str, lefts: Sequence[Expr], rights: Sequence[Expr],
+    where: Sequence[Expr] = (),
+) -> Finding:  # fmt: skip
     """Whether expressions are equal, entry by entry, for all accelerations that are admissible."""
 
     def experiment(a: Arithmetic) -> Pairs:
@@ -130,7 +143,7 @@ def equal(scene: Scene, subject: str, lefts: Sequence[Expr], rights: Sequence[Ex
     left, right = symbols_of(lefts), symbols_of(rights)
     # A symbol that only one side knows can hardly cancel: the first attempt would be in vain.
     expand = bool((left ^ right) & scene.definitions.keys())
-    return decide_in(scene, subject, experiment, left | right, expand=expand)
+    return decide_in(scene, subject, experiment, left | right, expand=expand, where=where)
 
 
 def symbols_of(expressions: Sequence[Expr]) -> set[Symbol]:

@@ -27,7 +27,9 @@ from mechanics.scene.rates import TIME, rate_table
 Pairs = list[tuple[Number, Number]]
 
 
-def check_equation(subject: str, sides: Sequence[Expr], equations: Equations) -> Finding:
+def check_equation(
+    subject: str, sides: Sequence[Expr], equations: Equations, where: Sequence[Expr] = ()
+) -> Finding:
     """Whether a typed equation of motion holds, and says something, along the motion."""
     scene = equations.scene
     if strange := _strange(scene, sides) or _untold(equations, sides):
@@ -38,13 +40,13 @@ def check_equation(subject: str, sides: Sequence[Expr], equations: Equations) ->
         first, *others = sides
         return [(a.value(first), a.value(side)) for side in others]
 
-    found = decide_in(scene, subject, experiment, symbols_of(sides))
+    found = decide_in(scene, subject, experiment, symbols_of(sides), where=where)
     if found.verdict is Verdict.REFUTED:
         return found
     rates = gradient(scene, sides)
     # What holds a reaction says what that is, without accelerations too.
     said = [*rates, *((sides[0] - sides[1]).diff(r.symbol) for r in scene.reactions)]
-    static = equal(scene, subject, said, [S.Zero] * len(said))
+    static = equal(scene, subject, said, [S.Zero] * len(said), where)
     if static.verdict is not Verdict.REFUTED:
         return Finding(
             subject, Verdict.UNDECIDED, "it holds no acceleration, so it is no equation of motion"
@@ -53,7 +55,7 @@ def check_equation(subject: str, sides: Sequence[Expr], equations: Equations) ->
         # A ratio of accelerations is as good as its numerator.
         above, _ = fraction(together(sides[0] - sides[1]))
         curved = [above.diff(one, other) for one in scene.ud for other in scene.ud]
-        if not equal(scene, subject, curved, [S.Zero] * len(curved)).shown:
+        if not equal(scene, subject, curved, [S.Zero] * len(curved), where).shown:
             return Finding(
                 subject,
                 Verdict.UNDECIDED,
@@ -93,7 +95,10 @@ def _bent(scene: Scene, rates: Sequence[Expr]) -> bool:
     return any(rate.free_symbols & set(scene.ud) for rate in rates)
 
 
-def check_reaction(subject: str, name: str, sides: Sequence[Expr], equations: Equations) -> Finding:
+def check_reaction(
+    subject: str, name: str, sides: Sequence[Expr], equations: Equations,
+    where: Sequence[Expr] = (),
+) -> Finding:  # fmt: skip
     """Whether every typed side is the reaction, along the motion.
 
     Raises
@@ -119,7 +124,7 @@ def check_reaction(subject: str, name: str, sides: Sequence[Expr], equations: Eq
         put_motion(a, equations)
         return [(a.value(side), a.value(symbol)) for side in sides]
 
-    return decide_in(equations.scene, subject, experiment, symbols_of(sides))
+    return decide_in(equations.scene, subject, experiment, symbols_of(sides), where=where)
 
 
 def gives(equations: Equations, name: str) -> bool:

@@ -52,6 +52,10 @@ def check(
         list[str] | None,
         typer.Option(metavar="NAME=VALUE", help="A parameter's value: judged where it has it."),
     ] = None,
+    where: Annotated[
+        list[str] | None,
+        typer.Option(metavar="'cos(q) > 0'", help="What holds: judged there only, as one branch."),
+    ] = None,
     step: Annotated[
         float, typer.Option(min=0, help="Seconds by which a black box advances the state.")
     ] = 0.0,
@@ -107,7 +111,8 @@ def check(
     with Console(stderr=True).status(f"checking against {scene.name}"):
         found = run(
             scene, parts, names=_names(name or []), notation=notation, about=about,
-            convention=convention or (), function=function, values=values, blame=blame,
+            convention=convention or (), function=function, values=values, where=where or (),
+            blame=blame,
         )  # fmt: skip
     if report is not None:
         report.write_text(check_html(found), encoding="utf-8")

@@ -23,6 +23,7 @@ from mechanics.judge.right_if import right_if
 from mechanics.judge.single import judge
 from mechanics.judge.small_angles import right_for_small_angles
 from mechanics.judge.under import judge_under
+from mechanics.judge.where import Where, judge_where, read_where, right_where
 from mechanics.reading.code.black_box import BlackBox
 from mechanics.reading.declared import Declared, read_declared
 from mechanics.reading.statement import Reading, Statement
@@ -48,6 +49,7 @@ def check(
     convention: Sequence[str] | str = (),
     function: str | None = None,
     values: Mapping[str, Any] | None = None,
+    where: Sequence[str] | str = (),
     blame: bool = True,
 ) -> Check:
     """Check a person's equations of motion, energies, reactions or mass matrix.
@@ -80,6 +82,9 @@ def check(
         and the result says under which change.
     values : mapping of str to number, optional
         Values of parameters, ``{"g": 9.81}``: the statements are judged where the scene has these.
+    where : str or sequence of str
+        What holds of coordinates and parameters, ``"cos(phi) > 0"``: equations are judged there
+        only, and the result says so. One branch of a loop, for example.
     blame : bool
         Whether to look for what is wrong with what is refuted, and for the edit that mends it.
 
@@ -102,13 +107,16 @@ def check(
     parts = [thing for thing in things if not isinstance(thing, BlackBox)]
     readings = [_read(truth, part, names, notation, about, function) for part in parts]
     statements = [statement for reading in readings for statement in reading.statements]
-    if values and convention:
-        raise InputError("check: values and a convention are given: give one of them")
+    if sum(map(bool, (values, convention, where))) > 1:
+        raise InputError("check: of values, a convention and where, give one only")
     counted = read_declared([convention] if isinstance(convention, str) else convention)
     held = read_values(truth.scene, values or {})
-    judged, told = _judged(truth, statements, counted, held)
+    known = [match for reading in readings for match in reading.names]
+    texts = [where] if isinstance(where, str) else where
+    region = read_where(truth, texts, known, names or {})
+    judged, told = _judged(truth, statements, counted, held, region)
     # Edits are searched in equations as they stand, not as they would stand without a convention.
-    if blame and not counted and not held:
+    if blame and not counted and not held and not region:
         judged = blamed(truth, judged)
     judged = tuple(energy_instead(truth, entry) for entry in judged)
     judged = (*judged, *(Judged(s, f) for entries, _ in boxed for s, f in entries))
@@ -131,11 +139,15 @@ def _read(truth: Equations, part: Any, names: Mapping[str, str] | None, *how: An
 
 
 def _judged(
-    truth: Equations, statements: Sequence[Statement], counted: Sequence[Declared], values: Values
-) -> tuple[tuple[Judged, ...], tuple[str, ...]]:
+    truth: Equations, statements: Sequence[Statement], counted: Sequence[Declared], values: Values,
+    where: Sequence[Where],
+) -> tuple[tuple[Judged, ...], tuple[str, ...]]:  # fmt: skip
     """Verdicts; under a declared convention, or beside a refutation the one that would help."""
     if counted:
         return judge_under(truth, statements, counted)
+    if where:
+        found = (Judged(s, judge_where(truth, s, where)) for s in statements)
+        return tuple(found), (f"judged where {' and '.join(w.words for w in where)}",)
     findings = [judge(truth, statement, values) for statement in statements]
     if values:
         return tuple(map(Judged, statements, findings)), (f"judged where {in_words(values)}",)
@@ -145,8 +157,11 @@ def _judged(
     some = [statements[k] for k in claimed]
     helping = tuple(" and ".join(c.words for c in change) for change in right_if(truth, some))
     if not helping:
-        helping = right_at(truth, some) or right_for_small_angles(
-            truth, some, [findings[k] for k in claimed]
+        verdicts = [findings[k] for k in claimed]
+        helping = (
+            right_at(truth, some)
+            or right_for_small_angles(truth, some, verdicts)
+            or right_where(truth, some, verdicts)
         )
     entries = [
         Judged(s, f, helping if f.verdict is Verdict.REFUTED else ())

@@ -91,11 +91,21 @@ def settle_configuration(scene: Scene, a: Arithmetic) -> None:
     for symbol, (square, slope, rest) in _quadratic(scene, closing):
         two, one, zero = (a.value(entry) for entry in (square, slope, rest))
         root = a.sqrt(one * one - 4 * two * zero)
-        # The larger of the two solutions: the positive one, where the symbol is positive.
-        number = ((-root if square.is_negative else root) - one) / (2 * two)
+        if symbol.is_positive and slope == 0:
+            # Of two opposite solutions, the positive one.
+            root = -root if square.is_negative else root
+        else:
+            root = root * _either_sign(a, symbol)
+        number = (root - one) / (2 * two)
         if symbol.is_positive:
             a.require_positive(number)
         a.assign(symbol, number)
+
+
+def _either_sign(a: Arithmetic, symbol: Symbol) -> Number:
+    """1 or -1, sqrt(z^2) / z of a free z: what holds on one branch only is not shown."""
+    free = a.value(Symbol(f"branch_of_{symbol.name}", real=True))
+    return a.sqrt(free * free) / free
 
 
 def _solve(

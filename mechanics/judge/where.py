@@ -1,0 +1,197 @@
+"""Statements where something is positive: one branch of a loop, one sign of a root.
+
+    s = r cos(theta) + sqrt(l^2 - r^2 sin(theta)^2)    right where cos(phi) > 0, wrong elsewhere
+
+The states that are drawn meet the conditions, and there has to be such a state. A condition holds
+coordinates and parameters; a boundary is looked at from inside.
+"""
+
+import re
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from itertools import combinations
+
+from sympy import Abs, Expr, Pow, cos, sign, sin
+from sympy.matrices import MatrixBase
+
+from mechanics.checks.ledger import check_row
+from mechanics.checks.ledger_compare import settle_defined
+from mechanics.equations import Equations
+from mechanics.errors import InputError, MechanicsError
+from mechanics.exact import Arithmetic, Finding, Number, Verdict, decide
+from mechanics.judge.moved import in_plain_symbols
+from mechanics.judge.readers import read
+from mechanics.judge.single import FAILURES, judge
+from mechanics.judge.vacuous import WORDS
+from mechanics.reading.kinds import angular
+from mechanics.reading.names import Match
+from mechanics.reading.statement import Statement
+from mechanics.scene import Scene
+from mechanics.scene.published import Published
+from mechanics.scene.quantities import EquationOfMotion, Identity, ReactionValue
+
+KINDS = (EquationOfMotion, ReactionValue, Identity)
+"""What can be right on a branch alone."""
+
+MOST = 40
+"""Branches that are tried."""
+
+
+@dataclass(frozen=True)
+class Where:
+    """A condition: words as ``cos(phi) > 0``, and what is positive."""
+
+    words: str
+    positive: Expr
+
+
+def read_where(
+    truth: Equations, texts: Sequence[str], names: Sequence[Match], given: Mapping[str, str]
+) -> tuple[Where, ...]:
+    """Conditions of a person, in the scene's symbols.
+
+    Parameters
+    ----------
+    truth : Equations
+    texts : sequence of str
+        ``"cos(phi) > 0"``; several in one are parted by ``and``.
+    names : sequence of Match
+        What names of the person were taken for in the statements.
+    given : mapping of str to str
+        What the person says of names.
+
+    Raises
+    ------
+    InputError
+        For what is no inequality in coordinates and parameters, or holds at no state that is found.
+    """
+    known = {match.name: match.meaning for match in names} | dict(given)
+    parts = [part.strip() for text in texts for part in re.split(r"\band\b|,|&&?", text)]
+    found = tuple(_condition(truth.scene, part, known) for part in parts if part)
+    if found and not _there(truth, found):
+        told = " and ".join(one.words for one in found)
+        raise InputError(f"where {told}: no state of {truth.scene.name} was found where that holds")
+    return found
+
+
+def judge_where(truth: Equations, statement: Statement, where: Sequence[Where]) -> Finding:
+    """The finding of a statement where conditions hold; what is right everywhere is right there."""
+    everywhere = judge(truth, statement, {})
+    row = statement.row
+    if everywhere.shown or row is None or statement.doubt or not isinstance(row.quantity, KINDS):
+        return everywhere
+    if everywhere.verdict is Verdict.UNDECIDED and not _branched(statement):
+        return everywhere
+    words = " and ".join(one.words for one in where)
+    try:
+        found = check_row(truth.scene, row, truth, [one.positive for one in where])
+        if found.shown and isinstance(row.quantity, Identity) and _empty(truth.scene, row, where):
+            return Finding(everywhere.subject, Verdict.UNDECIDED, f"where {words}, {WORDS}")
+    except FAILURES as error:
+        return Finding(everywhere.subject, Verdict.UNDECIDED, str(error))
+    return replace(found, evidence=f"{found.evidence}, where {words}")
+
+
+def right_where(
+    truth: Equations, statements: Sequence[Statement], findings: Sequence[Finding]
+) -> tuple[str, ...]:
+    """A branch on which all statements are right; nothing where there is none, or no root.
+
+    Parameters
+    ----------
+    truth : Equations
+    statements : sequence of Statement
+    findings : sequence of Finding
+        Their verdicts as written.
+    """
+    wrong = [s for s, f in zip(statements, findings, strict=True) if not f.shown]
+    if not wrong or not all(_branched(s) for s in wrong):
+        return ()
+    for number, one in enumerate(_candidates(truth.scene, wrong)):
+        if number == MOST:
+            break
+        try:
+            if all(
+                s.row is not None and check_row(truth.scene, s.row, truth, [one.positive]).shown
+                for s in wrong
+            ) and _there(truth, [one]):
+                return (f"{one.words}, on that branch only (--where {one.words!r})",)
+        except MechanicsError:
+            return ()  # the ledger compares it with something else than the motion
+    return ()
+
+
+def _condition(scene: Scene, text: str, names: Mapping[str, str]) -> Where:
+    wrong = f"where {text[:80]!r}: write one inequality in coordinates and parameters: cos(phi) > 0"
+    match = re.fullmatch(r"([^<>=]+)([<>])=?([^<>=]+)", text)
+    if match is None or len(text) > 1000 or "\n" in text:
+        raise InputError(wrong)
+    left, relation, right = match.groups()
+    reading = read(scene, f"{left} = {right}", names, "text", None)
+    rows = [s.row for s in reading.statements if not s.doubt and s.row is not None]
+    guessed = [m.name for m in reading.names if m.name not in names and m.name != m.meaning]
+    if guessed:
+        raise InputError(f"where {text!r}: {guessed[0]} is no name of {scene.name}: use its own")
+    if len(rows) != 1 or len(reading.statements) != 1 or len(rows[0].sides) != 2:
+        raise InputError(wrong)
+    one, other = rows[0].sides
+    positive = one - other if relation == ">" else other - one
+    free = positive.free_symbols
+    if not isinstance(rows[0].quantity, Identity) or not free:
+        raise InputError(wrong)
+    if not free <= {*scene.q, *scene.parameters}:
+        raise InputError(wrong)
+    return Where(f"{left.strip()} {relation} {right.strip()}", positive)
+
+
+def _empty(scene: Scene, row: Published, where: Sequence[Where]) -> bool:
+    """Whether sides are the same on the branch without anything of the scene."""
+    first, *others = in_plain_symbols(scene, row).sides
+
+    def experiment(a: Arithmetic) -> list[tuple[Number, Number]]:
+        for one in where:
+            a.require_positive(a.value(one.positive))
+        return [(a.value(first), a.value(side)) for side in others]
+
+    return not isinstance(first, MatrixBase) and decide("an identity", experiment).shown
+
+
+def _there(truth: Equations, where: Sequence[Where]) -> bool:
+    """Whether a real state is found where conditions hold: nothing is proved of none."""
+
+    def experiment(a: Arithmetic) -> list[tuple[Number, Number]]:
+        settle_defined(truth.scene, a)
+        for one in where:
+            a.require_positive(a.value(one.positive))
+        return [(a.rational(0), a.rational(1))]
+
+    try:
+        found = decide("a state", experiment, target=2.0**-20, try_normal=False)
+    except MechanicsError:
+        return False
+    return found.verdict is Verdict.REFUTED
+
+
+def _branched(statement: Statement) -> bool:
+    """Whether roots or moduli are in a statement, which have branches."""
+    row = statement.row
+    if row is None or not isinstance(row.quantity, KINDS):
+        return False
+    roots = [p for side in row.sides for p in side.atoms(Pow) if not p.exp.is_integer]
+    return bool(roots) or any(side.has(Abs, sign) for side in row.sides)
+
+
+def _candidates(scene: Scene, wrong: Sequence[Statement]) -> Iterator[Where]:
+    """Signs of sines and cosines, of displacements, and of how two rods cross."""
+    rows = [statement.row for statement in wrong if statement.row is not None]
+    held = set().union(*(side.free_symbols for row in rows for side in row.sides))
+    angles = [q for q in scene.q if q in angular(scene)]
+    # Where a root stands for a coordinate, that is the one that the statement leaves out.
+    order = sorted(angles, key=lambda q: q in held)
+    signed = [f(q) for q in order for f in (cos, sin)]
+    signed += [sin(two - one) for one, two in combinations(angles, 2)]
+    signed += [q for q in scene.q if q not in angles]
+    for crossing in signed:
+        expression = -crossing if crossing.could_extract_minus_sign() else crossing
+        yield Where(f"{expression} > 0", expression)
+        yield Where(f"{expression} < 0", -expression)
