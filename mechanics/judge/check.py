@@ -18,6 +18,7 @@ from mechanics.judge.blamed import blamed
 from mechanics.judge.complete import redundancy
 from mechanics.judge.other_meaning import energy_instead
 from mechanics.judge.other_names import best_names, doubtful
+from mechanics.judge.other_reading import read_otherwise
 from mechanics.judge.readers import read, spread
 from mechanics.judge.right_if import right_if
 from mechanics.judge.single import judge
@@ -118,7 +119,7 @@ def check(
     # Edits are searched in equations as they stand, not as they would stand without a convention.
     if blame and not counted and not held and not region:
         judged = blamed(truth, judged)
-    judged = tuple(energy_instead(truth, entry) for entry in judged)
+    judged = tuple(read_otherwise(truth, energy_instead(truth, entry)) for entry in judged)
     judged = (*judged, *(Judged(s, f) for entries, _ in boxed for s, f in entries))
     told_of = (*(reading.names for reading in readings), *(known for _, known in boxed))
     matches = {match.name: match for known in told_of for match in known}

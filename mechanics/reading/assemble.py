@@ -283,7 +283,8 @@ class _Assembly:
             doubt = "an expression without an equals sign: say what it is about"
         notes = (*line.notes, note) if note else line.notes
         row = published(tag, quantity, *map(self.scene.pressed, sides), label=line.source)
-        found = Statement(row, line.source, tag, place, notes, doubt, self._written(line))
+        written = self._written(line)
+        found = Statement(row, line.source, tag, place, notes, doubt, written, line.others)
         self._append(found, line.at)
 
     def _written(self, line: Line) -> Written:

@@ -26,6 +26,8 @@ class Line:
         The text of it.
     notes : tuple of str
         How what can be read in two ways was read.
+    others : tuple of (str, tuple of Node)
+        Other ways to read it, in words, and its sides then.
     """
 
     sides: tuple[Node, ...]
@@ -33,6 +35,7 @@ class Line:
     at: int
     source: str
     notes: tuple[str, ...] = ()
+    others: tuple[tuple[str, tuple[Node, ...]], ...] = ()
 
 
 @dataclass(frozen=True)

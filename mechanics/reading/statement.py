@@ -6,7 +6,7 @@ source -> row.sides, in the scene's plain symbols; row.quantity is what it is ab
 from dataclasses import dataclass
 
 from mechanics.reading.names import Match
-from mechanics.reading.written import Written
+from mechanics.reading.written import Trees, Written
 from mechanics.scene.published import Published
 
 
@@ -31,6 +31,8 @@ class Statement:
         explains. Empty otherwise.
     written : Written or None
         The trees of what was written, where it was read from a text.
+    others : tuple of (str, tuple of Node)
+        Other ways to read it, in words, and its sides then.
     """
 
     row: Published | None
@@ -40,6 +42,7 @@ class Statement:
     notes: tuple[str, ...] = ()
     doubt: str = ""
     written: Written | None = None
+    others: tuple[tuple[str, Trees], ...] = ()
 
 
 @dataclass(frozen=True)

@@ -27,12 +27,17 @@ from mechanics.reading.tree import (
     total,
 )
 
+SLASH = "a / b c is read as (a / b) c"
+ONE, GLUED, ALL = "one", "glued", "all"
+"""How many factors stand below a slash: one, those without a space between, or all."""
+
 
 class Fold:
     """Puts items together; how it read what can be read in two ways is noted."""
 
-    def __init__(self, naming: Naming, notes: list[str]) -> None:
-        self.naming, self.notes = naming, notes
+    def __init__(self, naming: Naming, notes: list[str], below: str = ONE) -> None:
+        self.naming, self.notes, self.below = naming, notes, below
+        self.slash: tuple[int, int] | None = None
         self.depth = 0
 
     def __call__(self, items: list[Item], at: int) -> Node:
@@ -80,15 +85,28 @@ class Fold:
                 continue
             factor = self._factor(item, queue, factors, operator)
             if divide:
-                factor = inverse(factor)
                 if queue and queue[0].kind not in ("times", "slash", "sign"):
-                    self.notes.append("a / b c is read as (a / b) c")
+                    self.notes.append(SLASH)
+                factor = inverse(self._below(factor, item, queue))
             factors.append(factor)
             operator = divide = False
         if operator:
             raise Refused(items[-1].at, "a factor is missing behind this")
         node = product(items[0].at, factors)
         return node if len(factors) == 1 else ended(node, max(node.end, items[-1].end))
+
+    def _below(self, factor: Node, item: Item, queue: list[Item]) -> Node:
+        """What a slash divides by: one factor, or as many as another reading says."""
+        found, end = [factor], max(item.end, factor.end)
+        while queue and queue[0].kind not in ("times", "slash", "sign"):
+            if self.below == ONE or (self.below == GLUED and queue[0].at > end):
+                break
+            head = queue.pop(0)
+            found.append(self._factor(head, queue, found, False))
+            end = max(head.end, found[-1].end)
+        if len(found) > 1 and self.slash is None:
+            self.slash = (item.at, end)
+        return product(item.at, found)
 
     def _factor(self, item: Item, queue: list[Item], before: list[Node], operator: bool) -> Node:
         """The factor that begins with an item; what belongs to it leaves the queue."""

@@ -15,7 +15,7 @@ from lark import Token, Tree
 from lark.exceptions import UnexpectedCharacters, UnexpectedEOF, UnexpectedInput, UnexpectedToken
 
 from mechanics.reading.latex.blocks import Block, blocks, claims, is_value
-from mechanics.reading.latex.fold import Fold, applied
+from mechanics.reading.latex.fold import ALL, GLUED, SLASH, Fold, applied
 from mechanics.reading.latex.grammar import PARSER
 from mechanics.reading.latex.item import bare
 from mechanics.reading.latex.items import Items
@@ -24,7 +24,7 @@ from mechanics.reading.latex.rows import Pieces, is_kind, rows
 from mechanics.reading.lines import Aside, Entry, Line, Unread, gives, gives_constants, value
 from mechanics.reading.names import Naming
 from mechanics.reading.place import Refused, bounded, bounded_mathematics, located, refusal
-from mechanics.reading.tree import move
+from mechanics.reading.tree import Node, move
 
 ABOUT = ("\u2248", r"\approx", r"\simeq", r"\sim")
 BY_CASES = re.compile(r"=[\s&]*(?:\\left\s*(?:\.|\\\{)\s*)?\\begin\s*\{d?cases\}")
@@ -179,24 +179,43 @@ def _line(pieces: Pieces, text: str, whole: str, offset: int, naming: Naming) ->
     source = " ".join(whole[offset + start : offset + end].split())
     if any(isinstance(piece, Token) and piece.type == "ORDER" for piece in kept):
         return _condition(kept, source, offset + start)
-    notes: list[str] = []
-    fold = Fold(naming, notes)
-    items = Items(text, naming, fold, notes)
     sides: list[Pieces] = [[]]
     for piece in kept:
         if is_kind(piece, "REL"):
             sides.append([])
         else:
             sides[-1].append(piece)
+    notes: list[str] = []
+    nodes = _sides(sides, text, end, Fold(naming, notes))
+    others = _others(sides, text, end, naming, nodes) if SLASH in notes else ()
+    for tree in (*nodes, *(node for _, other in others for node in other)):
+        move(tree, offset)
+    unique = tuple(dict.fromkeys(notes))
+    return Line(nodes, tag, offset + start, source, unique, others)
+
+
+def _sides(sides: list[Pieces], text: str, end: int, fold: Fold) -> tuple[Node, ...]:
+    items = Items(text, fold.naming, fold, fold.notes)
     parts = [items.of(side) for side in sides]
     if len(parts) > 1:
-        parts[0] = applied(parts[0], naming, notes)
-    nodes = tuple(
+        parts[0] = applied(parts[0], fold.naming, fold.notes)
+    return tuple(
         fold(part, _span(side)[0] if side else end) for part, side in zip(parts, sides, strict=True)
     )
-    for node in nodes:
-        move(node, offset)
-    return Line(nodes, tag, offset + start, source, tuple(dict.fromkeys(notes)))
+
+
+def _others(
+    sides: list[Pieces], text: str, end: int, naming: Naming, first: tuple[Node, ...]
+) -> tuple[tuple[str, tuple[Node, ...]], ...]:
+    """The sides with more than one factor below a slash."""
+    found: dict[tuple[Node, ...], str] = {}
+    for below in (GLUED, ALL):
+        fold = Fold(naming, [], below)
+        nodes = _sides(sides, text, end, fold)
+        if fold.slash is not None and nodes != first:
+            words = " ".join(text[slice(*fold.slash)].split())
+            found.setdefault(nodes, f"/{words} is /({words}): write the brackets")
+    return tuple((words, nodes) for nodes, words in found.items())
 
 
 def _condition(pieces: Pieces, source: str, at: int) -> Aside:

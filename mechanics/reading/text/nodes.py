@@ -38,8 +38,9 @@ DOTS = {"\u0307": 1, "\u0308": 2}
 class Nodes:
     """Makes nodes of the parser's trees."""
 
-    def __init__(self, naming: Naming, offset: int, notes: list[str]) -> None:
-        self.naming, self.offset, self.notes = naming, offset, notes
+    def __init__(self, naming: Naming, offset: int, notes: list[str], below: bool = True) -> None:
+        self.naming, self.offset, self.notes, self.below = naming, offset, notes, below
+        self.slash = ""
         self.depth = 0
 
     def sides(self, statement: Tree) -> tuple[Node, ...]:
@@ -81,11 +82,23 @@ class Nodes:
         factors: list[Node] = []
         while isinstance(tree, Tree) and tree.data == "multiply":
             left, sign, right = tree.children
-            factor = self.node(right)
-            factors.append(inverse(factor) if "/" in sign else factor)
+            factors += self._divided(right) if "/" in sign else [self.node(right)]
             tree = left
         factors.append(self.node(tree))
         return Product(at, tuple(reversed(factors)))
+
+    def _divided(self, tree: Tree) -> list[Node]:
+        """What a slash divides by: ``/2L`` may be 1/(2 L), or L/2."""
+        node = self.node(tree)
+        if tree.data != "scaled" or not isinstance(node, Product):
+            return [inverse(node)]
+        words = f"{tree.children[0]}{_letters(tree.children[1])}"
+        self.slash = f"/{words} is /{words[: len(tree.children[0])]} * {_letters(tree.children[1])}"
+        if self.below:
+            self.notes.append(f"/{words} is read as /({words})")
+            return [inverse(node)]
+        number, name = node.factors
+        return [name, inverse(number)]
 
     def signed(self, tree: Tree, at: int) -> Node:
         """A factor with a sign."""

@@ -104,12 +104,15 @@ def _lines(clean: str, text: str, offset: int, naming: Naming, origin: str) -> l
             found.append(Unread("end", located(text, at, words, origin), at))
             continue
         notes: list[str] = []
-        sides = Nodes(naming, offset, notes).sides(statement)
+        nodes = Nodes(naming, offset, notes)
+        sides = nodes.sides(statement)
+        other = Nodes(naming, offset, [], below=False).sides(statement) if nodes.slash else ()
+        others = ((f"{nodes.slash}: write the brackets", other),) if other else ()
         start, end = offset + statement.meta.start_pos, offset + statement.meta.end_pos
         rest = text[end:].split("\n", 1)[0]
         tag = TAG.search(rest)
         source = " ".join(text[start:end].split())
-        line = Line(sides, tag[1] if tag else "", start, source, tuple(notes))
+        line = Line(sides, tag[1] if tag else "", start, source, tuple(notes), others)
         told = VALUE.fullmatch(source)
         given = is_constant(told[1], naming) if told else gives_constants(line, naming)
         found.append(value(source, start) if given else line)

@@ -1,0 +1,50 @@
+"""What stands behind a slash: one reading is taken and told, the other is a hint if right."""
+
+import pytest
+
+import mechanics
+from mechanics.judge.check import derived
+from systems import cartpole, elastic_pendulum
+
+PIVOT = derived(elastic_pendulum.scene())
+CART = derived(cartpole.scene())
+
+
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        (r"\ddot\theta + 3\ddot x\cos\theta/2L + 3 g\sin\theta/2L = 0", "/2L is /(2L)"),
+        (r"\ddot\theta + 3/2L \ddot x\cos\theta + 3/2L g\sin\theta = 0", "/2L is /(2L)"),
+        (r"\ddot\theta = -3(\ddot x\cos\theta + g\sin\theta)/ 2 L", "/2 L is /(2 L)"),
+        (r"V = k x^2 - M g \cos\theta/2L^{-1}", "/2L^{-1} is /(2L^{-1})"),
+        ("theta'' = -3*(x''*cos(theta) + g*sin(theta))*M^2/(M^2*2L)", ""),
+        ("V = k*x^2 - M*g*L/2*cos(theta)", ""),
+        ("I_C = M*L/12L", "/12L is /12 * L"),
+    ],
+)
+def test_the_other_reading_is_a_hint_where_it_is_right(text: str, words: str) -> None:
+    found = mechanics.check(PIVOT, text, blame=False)
+    (entry,) = found.judged
+    assert entry.finding.verdict.name == ("REFUTED" if words else "PROVED")
+    assert [hint for hint in entry.right_if if "is /" in hint] == (
+        [f"{words}: write the brackets"] if words else []
+    )
+
+
+def test_which_reading_was_taken_is_told() -> None:
+    (entry,) = mechanics.check(PIVOT, "theta'' = -3/2L*(x''*cos(theta) + g*sin(theta))").judged
+    assert "/2L is read as /(2L)" in entry.statement.notes
+    assert entry.finding.verdict.name == "PROVED"
+    text = r"ML/2\,\ddot x\cos\theta + 1/3 M L^2\ddot\theta + M g L/2 \sin\theta = 0"
+    (entry,) = mechanics.check(PIVOT, text).judged
+    assert "a / b c is read as (a / b) c" in entry.statement.notes
+    assert entry.finding.verdict.name == "PROVED"
+
+
+def test_a_wrong_equation_gets_no_hint() -> None:
+    text = r"4 l \ddot\theta/3 + \ddot x\cos\theta = g\cos\theta/2l\cdot 2l"
+    (entry,) = mechanics.check(CART, text, blame=False).judged
+    assert entry.finding.verdict.name == "REFUTED"
+    assert not entry.right_if
+    (entry,) = mechanics.check(CART, text.replace(r"g\cos", r"g\sin"), blame=False).judged
+    assert entry.right_if == ("/2l is /(2l): write the brackets",)
