@@ -1,0 +1,90 @@
+"""Columns that a letter stands for, as in robotics, and matrices that depend on them.
+
+D(q) q'' + C(q, q') q' + g(q) = tau        q = (q1, q2), tau = (tau1, tau2)
+"""
+
+from collections.abc import Iterator, Sequence
+
+from mechanics.reading.lines import Entry, Line
+from mechanics.reading.names import Naming
+from mechanics.reading.tree import Call, Name, Node, Table, names, parts
+
+COORDINATES = "q"
+"""What everybody calls the column of all coordinates."""
+
+FIRST = (0, 1)
+"""Numbers at which people begin to count."""
+
+
+def column(naming: Naming, name: str) -> tuple[str, ...]:
+    """What the entries of a column are called; empty for any other name.
+
+    ``theta`` is the column of theta_1, theta_2, ... where the scene has no theta of its own.
+    """
+    if naming.knows(name):
+        return ()
+    for first in FIRST:
+        numbered: list[str] = []
+        while naming.is_function(entry := f"{name}_{first + len(numbered)}"):
+            numbered.append(entry)
+        if len(numbered) > 1:
+            return tuple(numbered)
+    coordinates = tuple(q.name for q in naming.vocabulary.scene.q)
+    return coordinates if name == COORDINATES and len(coordinates) > 1 else ()
+
+
+def columns(lines: Sequence[Entry], naming: Naming, defined: Sequence[str]) -> Iterator[Line]:
+    """A definition of every column that is used beside matrices and that no line defines."""
+    sides = [side for line in lines if isinstance(line, Line) for side in line.sides]
+    if not any(map(_holds_matrix, sides)):
+        return
+    for name in dict.fromkeys(n.name for side in sides for n in names(side)):
+        entries = column(naming, name) if name not in defined else ()
+        if entries:
+            table = Table(0, tuple((Name(0, entry),) for entry in entries))
+            source = f"{name} = ({', '.join(entries)})"
+            yield Line((Name(0, name), table), "", 0, source)
+
+
+def _holds_matrix(node: Node) -> bool:
+    return isinstance(node, Table) or any(map(_holds_matrix, parts(node)))
+
+
+def dependent(naming: Naming, name: Name, arguments: Sequence[Node]) -> Name | None:
+    """The name before ``(q)`` or ``(q, q')``, where that is no product; None where it may be one.
+
+    A name of the scene stays what it is: g(q) is the person's own beside the constant g.
+    """
+    inside = [a for a in arguments if isinstance(a, Name)]
+    vectors = [a for a in inside if column(naming, a.name)]
+    moving = all(a in vectors or a.name == "t" or naming.is_function(a.name) for a in inside)
+    if len(inside) != len(arguments) or not moving or not (vectors or len(inside) > 1):
+        return None
+    if naming.is_function(name.name) is not False:
+        return name
+    told = ", ".join(a.name + "'" * a.order for a in inside)
+    return Name(name.at, f"{name.name}({told})", name.order)
+
+
+TRANSPOSED = ("T", "top", "intercal")
+"""What stands above a matrix that is turned."""
+
+
+def transposed(naming: Naming, base: Node, arguments: Sequence[Node], power: Node) -> Node | None:
+    """``A^T`` or ``(a, b)^T``; None for a power.
+
+    Where the scene has a T of its own, only what is seen to be a matrix is turned.
+    """
+    if not isinstance(power, Name) or power.name not in TRANSPOSED or power.order:
+        return None
+    if len(arguments) > 1:
+        return stacked(base.at, arguments)  # a row that is turned
+    matrix = isinstance(base, Table) or (isinstance(base, Name) and column(naming, base.name))
+    if naming.knows(power.name) and not matrix:
+        return None
+    return Call(base.at, "transpose", (base,))
+
+
+def stacked(at: int, entries: Sequence[Node]) -> Table:
+    """A column: of vectors people write (a, b), as a row as well."""
+    return Table(at, tuple((entry,) for entry in entries))
