@@ -104,15 +104,17 @@ def check(
     else:
         truth = derived(scene.scene() if isinstance(scene, System) else scene)
     things = spread(equations)
+    if (convention or where) and any(isinstance(thing, BlackBox) for thing in things):
+        raise InputError("check: a black box is only called: leave out a convention and where")
     boxed = [check_box(truth, thing, names) for thing in things if isinstance(thing, BlackBox)]
     parts = [thing for thing in things if not isinstance(thing, BlackBox)]
     readings = [_read(truth, part, names, notation, about, function) for part in parts]
     statements = [statement for reading in readings for statement in reading.statements]
     if sum(map(bool, (values, convention, where))) > 1:
         raise InputError("check: of values, a convention and where, give one only")
-    counted = read_declared([convention] if isinstance(convention, str) else convention)
-    held = read_values(truth.scene, values or {})
     known = [match for reading in readings for match in reading.names]
+    counted = read_declared([convention] if isinstance(convention, str) else convention, known)
+    held = read_values(truth.scene, values or {})
     texts = [where] if isinstance(where, str) else where
     region = read_where(truth, texts, known, names or {})
     judged, told = _judged(truth, statements, counted, held, region)

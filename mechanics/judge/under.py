@@ -10,6 +10,7 @@ sign of gravity tells them apart. Declared above or below the horizontal, it is 
 
 from collections.abc import Sequence
 from dataclasses import replace
+from itertools import combinations
 
 from sympy import Symbol
 
@@ -19,7 +20,7 @@ from mechanics.judge.moved import in_plain_symbols, moved, moves_more
 from mechanics.judge.right_if import target_of
 from mechanics.judge.single import FAILURES, judge
 from mechanics.reading.convention import POINT_MASS, Change
-from mechanics.reading.conventions import combined_table
+from mechanics.reading.conventions import combined_table, joints, other_signs
 from mechanics.reading.declared import Declared, readings
 from mechanics.reading.statement import Statement
 from mechanics.report.answer.judged import Judged
@@ -63,8 +64,26 @@ def judge_under(
     claimed = [f for s, f in zip(statements, findings, strict=True) if not s.doubt]
     right = all(f.shown for f in claimed)
     remarks = (f"convention: {words}" if right else f"convention: {words}: {NOT_RIGHT}",)
-    entries = [Judged(s, _where(f, words)) for s, f in zip(statements, findings, strict=True)]
+    helping = () if right else _more(changes[0][1], statements, change)
+    entries = [
+        Judged(s, _where(f, words), helping if f.verdict is Verdict.REFUTED else ())
+        for s, f in zip(statements, findings, strict=True)
+    ]
     return tuple(entries), (*remarks, *_unused(change, held))
+
+
+def _more(target: Equations, statements: Sequence[Statement], change: Change) -> tuple[str, ...]:
+    """What else has to be counted otherwise, the signs of inputs for example."""
+    claimed = [s for s in statements if s.row is not None and not s.doubt]
+    touched = {symbol for convention in change for symbol in convention.table}
+    every = (*other_signs(target.scene), *joints(target.scene))
+    free = [c for c in every if not touched & c.table.keys()]
+    for count in range(1, len(free) + 1):
+        for extra in combinations(free, count):
+            if claimed and all(_under(target, s, (*change, *extra)).shown for s in claimed):
+                names = ", ".join(c.name for c in extra)
+                return (f"{_words(extra)} as well (--convention {names!r} besides)",)
+    return ()
 
 
 def _open(
@@ -89,7 +108,7 @@ def _open(
         elif not finding.shown:
             entries.append(Judged(statement, _where(finding, words[best])))
         else:
-            where = " or ".join(words[k] for k in helping)
+            where = " or ".join(words[k] for k in helping if shown[k][i])
             doubt = f"right where {where}: {told!r} leaves that open: say --convention {say!r}"
             entries.append(Judged(statement, Finding(finding.subject, Verdict.UNDECIDED, doubt)))
     among = f"convention {told}: it can mean {len(changes)} things"

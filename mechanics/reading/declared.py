@@ -18,6 +18,7 @@ from mechanics.reading.convention import POINT_MASS, Change, Convention, combine
 from mechanics.reading.conventions import joints, lengths, other_sign, other_signs, other_vertical
 from mechanics.reading.directed import SENSES, directed
 from mechanics.reading.directions import DIRECTIONS
+from mechanics.reading.names import Match
 from mechanics.scene import Scene
 
 SIGNS = ("other sign of angles", "other sign of displacements", "other sign of inputs")
@@ -62,8 +63,14 @@ class Declared:
     of: str = ""
 
 
-def read_declared(names: Sequence[str]) -> tuple[Declared, ...]:
+def read_declared(names: Sequence[str], known: Sequence[Match] = ()) -> tuple[Declared, ...]:
     """Conventions that a person declares, none twice.
+
+    Parameters
+    ----------
+    names : sequence of str
+    known : sequence of Match
+        What names of the person were taken for.
 
     Raises
     ------
@@ -71,20 +78,20 @@ def read_declared(names: Sequence[str]) -> tuple[Declared, ...]:
         For a name that is none.
     """
     found: dict[tuple[str, str], Declared] = {}
+    meanings = {match.name: match.meaning for match in known}
     for part in (p for told in names for p in _parts(told)):
-        known = _known()
+        every = _known()
         name, of = _plain(part), ""
-        if name not in known:
+        if name not in every:
             head, _, of = part.rpartition(" of ")
             name, of = _plain(head), of.strip()
-            if (
-                name not in {*known, "other sign"} - set(map(_plain, SIGNS))
-                or not of.isidentifier()
-            ):
+            heads = {*every, "other sign"} - {_plain(sign) for sign in SIGNS}
+            if name not in heads or not of.isidentifier():
                 raise InputError(
                     f"convention {part!r}: it can be {', '.join(NAMES)}; or one of these of one"
                     " name: half-length of L, other sign of theta"
                 )
+            of = meanings.get(of, of)
         found.setdefault((name, of), Declared(part, name, of))
     return tuple(found.values())
 

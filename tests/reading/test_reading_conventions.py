@@ -3,14 +3,16 @@
 from dataclasses import replace
 
 import pytest
-from sympy import Eq, Matrix, Symbol, cos
+from sympy import Eq, Matrix, Symbol, cos, pi
+from sympy.physics.mechanics import Point, ReferenceFrame
 
 import mechanics
 from mechanics.blame.rows import generalized_rows
 from mechanics.errors import InputError
 from mechanics.judge.check import derived
 from mechanics.reading.conventions import conventions
-from mechanics.scene import Gravity
+from mechanics.reading.declared import DEFINITE
+from mechanics.scene import Gravity, Particle, RigidBody, Scene, gravity, reaction, spring
 from mechanics.scene.symbols import plain_symbol
 from systems import (
     acrobot,
@@ -239,3 +241,60 @@ def test_a_convention_may_be_the_scene_s_own_or_make_no_difference() -> None:
 def test_conventions_that_cannot_be_are_refused(declared: str, words: str) -> None:
     with pytest.raises(InputError, match=words):
         mechanics.check(double_pendulum.scene(), "phi1'' = 0", convention=declared)
+
+
+def pointing(quarter: int, sense: int) -> Scene:
+    """The pendulum with its angle from another direction, by geometry alone."""
+    heavy = elastic_pendulum
+    ground, origin = ReferenceFrame("N"), Point("O")
+    rod = ground.orientnew("A", "Axis", (quarter * pi / 2 + sense * heavy.theta, ground.z))
+    pivot = origin.locatenew("B", heavy.x * ground.x)
+    centre = pivot.locatenew("C", heavy.L / 2 * rod.x)
+    scene = heavy.scene()
+    carriage, pendulum = scene.bodies
+    on_rail = spring("k", origin, pivot, 2 * heavy.k, along=ground.x)
+    return Scene(
+        "turned", ground, origin, coordinates=scene.coordinates,
+        bodies=(Particle("carriage", pivot, carriage.mass),
+                RigidBody("pendulum", centre, rod, pendulum.mass, heavy.PENDULUM.inertia)),
+        loads=(gravity(-heavy.g * ground.y), on_rail),
+        reactions=(reaction("T", at=pivot, on="carriage", by="pendulum", along=ground.x),
+                   reaction("N", at=pivot, on="pendulum", by="carriage", along=ground.y),
+                   reaction("N1", at=pivot, on="carriage", by=None, along=ground.y)),
+    )  # fmt: skip
+
+
+@pytest.mark.parametrize("place", range(8))
+def test_a_direction_is_what_it_says(place: int) -> None:
+    """Equations of a scene that is built so are right under that name, and under no other."""
+    built = [(quarter, sense) for quarter in range(4) for sense in (1, -1)]
+    rows = [Eq(row.value, 0) for row in generalized_rows(pointing(*built[place]))]
+    for k, name in enumerate(DEFINITE):
+        found = mechanics.check(PENDULUM, rows, convention=name, blame=False)
+        assert found.verdict.name == ("PROVED" if k == place else "REFUTED"), name
+
+
+def test_a_sign_that_is_left_besides_is_told() -> None:
+    """The torque grows with the angle, as people take it."""
+    text = "m*l^2/3*theta'' - m*g*l/2*cos(theta) = u"
+    rod = derived(rod_pendulum.scene())
+    (entry,) = mechanics.check(rod, text, convention="right horizontal clockwise").judged
+    assert entry.finding.verdict.name == "REFUTED"
+    assert entry.right_if == (
+        "u is counted the other way as well (--convention 'other sign of inputs' besides)",
+    )
+    both = "right horizontal clockwise, other sign of inputs"
+    assert mechanics.check(rod, text, convention=both).ok
+
+
+def test_a_convention_is_of_the_person_s_own_name() -> None:
+    text = "m*l^2/3*a'' + m*g*l/2*cos(a) = u"
+    rod = derived(rod_pendulum.scene())
+    declared = "right horizontal counterclockwise of a"
+    assert mechanics.check(rod, text, names={"a": "theta"}, convention=declared).ok
+
+
+def test_a_black_box_has_no_convention() -> None:
+    box = mechanics.BlackBox(lambda state: state)
+    with pytest.raises(InputError, match="a black box is only called"):
+        mechanics.check(PENDULUM, box, convention="other vertical")
