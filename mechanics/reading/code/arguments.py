@@ -161,7 +161,7 @@ def named_entries(naming: Naming, name: str, apart: Apart | None) -> Value:
     inputs = {symbol.name for symbol in naming.vocabulary.scene.input_symbols}
     constants = naming.vocabulary.constants.keys()
     moving = naming.vocabulary.functions.keys() - inputs
-    if not (bases <= inputs or bases <= constants or bases <= moving):
+    if not apart.fields and not (bases <= inputs or bases <= constants or bases <= moving):
         return ()  # q, u = z takes a state apart, whatever the scene calls q and u
     return tuple(naming.symbol(entry, 0) for entry in apart.order)
 

@@ -147,7 +147,8 @@ def _as_arrays(text: str, struct: re.Match[str], origin: str, apart: dict[str, A
     for name in variables:
         if name in apart:
             raise ExpressionError(f"{origin}:1: {name} is of two structs: name one otherwise")
-        apart[name] = Apart({k: {field} for k, field in enumerate(fields)}, size=len(fields))
+        places = {k: {field} for k, field in enumerate(fields)}
+        apart[name] = Apart(places, size=len(fields), fields=True)
         for k, field in enumerate(fields):
             tail = re.sub(rf"\b{name}\s*(?:->|\.)\s*{field}\b", f"{name}[{k}]", tail)
     return head + gone + tail

@@ -11,6 +11,9 @@ first output.
 import re
 from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import Any
+
+from pycparser import c_ast
 
 from mechanics.errors import ExpressionError, InputError
 from mechanics.exact.c.parse import Source
@@ -104,6 +107,7 @@ def wrapped(source: Source, text: str, name: str | None) -> Call:
             arguments.append(declaration.name)
         else:
             entries = kind.size or _written(text, declaration.name)
+            entries = max(entries, *_passed(source, function.body, declaration.name), 1)
             arguments.append(f"outputs + {size}")
             size += entries
             outputs.append(declaration.name)
@@ -119,6 +123,20 @@ def _returned(function: object) -> str:
     if names is None:
         raise ExpressionError("a function that returns a pointer or struct is not known here")
     return " ".join(names)
+
+
+def _passed(source: Source, node: Any, name: str) -> list[int]:
+    """Sizes that other functions of the file say that an argument has, to which it is passed."""
+    found: list[int] = [0]
+    if isinstance(node, c_ast.FuncCall) and node.args is not None:
+        called = source.functions.get(getattr(node.name, "name", ""))
+        known = parameters(called.decl.type) if called is not None else []
+        for declaration, argument in zip(known, node.args.exprs, strict=False):
+            if getattr(argument, "name", None) == name:
+                found.append(declared(declaration).size or 0)
+    for _, child in node.children():
+        found += _passed(source, child, name)
+    return found
 
 
 def _written(text: str, name: str) -> int:

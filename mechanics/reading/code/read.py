@@ -22,6 +22,9 @@ from mechanics.reading.about import QUANTITIES
 from mechanics.reading.assemble import Reading
 from mechanics.reading.code.arguments import Arguments, arguments_of
 from mechanics.reading.code.as_written import Formula, Formulas, of_graph
+from mechanics.reading.code.c_constants import with_constants
+from mechanics.reading.code.c_flat import flat
+from mechanics.reading.code.c_macros import without_macros
 from mechanics.reading.code.c_person import known_meaning, without_comments
 from mechanics.reading.code.c_place import placed
 from mechanics.reading.code.c_plain import plain
@@ -149,10 +152,11 @@ def read_c(
         raise InputError(f"{origin}, line 1, column 1: {len(text)} characters: {LARGEST_C} at most")
     coord = ""
     try:
+        text = with_constants(without_macros(text, origin), origin)
         known_meaning(parse(text, origin), text)
         written = plain(text, origin)
         text = written.text
-        call = wrapped(parse(text, origin), text, function)
+        call = wrapped(flat(parse(text, origin)), text, function)
         coord, wanted = call.coord, list(call.inputs)
 
         def run(given: Arguments) -> Outputs:
@@ -173,7 +177,7 @@ def read_c(
 def _c_outputs(
     text: str, origin: str, wanted: Sequence[str], given: Arguments, size: int
 ) -> Outputs:
-    source = parse(text, origin)
+    source = flat(parse(text, origin))
     entries = [_entries(given.values[name]) for name in wanted]
     parameters = [
         *(

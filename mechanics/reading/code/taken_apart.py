@@ -51,12 +51,15 @@ class Apart:
         Names by which it asks for entries, and the line where it does first.
     size : int, optional
         How many entries there are, where it takes them all at once.
+    fields : bool
+        Whether the names are those of a type, not of variables.
     """
 
     places: dict[int, set[str]] = field(default_factory=dict)
     keys: dict[str, int] = field(default_factory=dict)
     attributes: dict[str, int] = field(default_factory=dict)
     size: int | None = None
+    fields: bool = False
 
     def give(self, place: int, name: str) -> None:
         """Learn a name of an entry."""

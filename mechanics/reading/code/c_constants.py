@@ -1,0 +1,108 @@
+"""Constants of a file of C, declared once more in each function that uses them.
+
+    static const double g = 9.81;        double f(double x) {...g...}
+    ->                                   double f(double x) { const double g = 9.81; ...g...}
+
+A static number that nothing changes is one, too. What others may change is refused elsewhere.
+"""
+
+import re
+
+from mechanics.errors import ExpressionError
+
+DECLARED = re.compile(
+    r"(?P<words>(?:\b(?:static|const|double|float)\b\s*){2,})(?P<rest>\w+\s*(?:\[[^][;]*\])?\s*=[^;{}]*"
+    r"(?:\{[^;{}]*\})?[^;{}]*);"
+)
+NAME = re.compile(r"(\w+)\s*(?:\[[^][]*\])?\s*=")
+MOST = 64
+
+
+def with_constants(text: str, origin: str) -> str:
+    """The text with constants in functions; it has no comments that hold code."""
+    found = [m for m in DECLARED.finditer(text) if _depth(text, m.start()) == 0]
+    found = [m for m in found if "const" in m["words"].split() or "[" not in m["rest"]]
+    found = [m for m in found if len({"double", "float"} & set(m["words"].split())) == 1]
+    if not found:
+        return text
+    if len(found) > MOST:
+        raise ExpressionError(f"{origin}:1: it has {len(found)} constants: {MOST} at most")
+    constants: dict[str, str] = {}
+    for match in found:
+        names = [m[1] for m in NAME.finditer(re.sub(r"\{[^}]*\}", "{}", match["rest"]))]
+        rest = text[: match.start()] + text[match.end() :]
+        for name in names:
+            if "const" not in match["words"].split() and re.search(
+                rf"(?:&\s*|\+\+\s*|--\s*)\b{name}\b|\b{name}\b\s*(?:\[[^]]*\]\s*)?"
+                r"(?:[-+*/]?=(?!=)|\+\+|--)", rest,
+            ):  # fmt: skip
+                break
+        else:
+            words = " ".join(match["rest"].split())
+            kind = "float" if "float" in match["words"].split() else "double"
+            constants |= dict.fromkeys(names, f" const {kind} {words};")
+            gone = re.sub(r"[^\n]", " ", match[0])
+            text = text[: match.start()] + gone + text[match.end() :]
+    return _inserted(text, constants, origin)
+
+
+def _inserted(text: str, constants: dict[str, str], origin: str) -> str:
+    pieces, at = [], 0
+    for start, end in _bodies(text):
+        head = text[text.rfind(")", 0, start) - _length(text, start) : start]
+        body = text[start:end]
+        wanted = _used(body, constants)
+        own = [name for name in constants if re.search(rf"\b{name}\b", head)]
+        lines = dict.fromkeys(constants[name] for name in wanted if name not in own)
+        for line in lines:
+            hidden = [n for n in own if re.search(rf"=[^=]*\b{n}\b", line)]
+            if hidden:
+                place = text.count("\n", 0, start) + 1
+                raise ExpressionError(
+                    f"{origin}:{place}: {hidden[0]} is an argument here and a constant of the file"
+                    " that another one is made of: name it otherwise"
+                )
+        pieces += [text[at : start + 1], *lines]
+        at = start + 1
+    return "".join((*pieces, text[at:]))
+
+
+def _used(body: str, constants: dict[str, str]) -> list[str]:
+    """Constants that a body uses, and those that these are made of, in their order."""
+    words, found = body, set()
+    while True:
+        more = {n for n in constants if n not in found and re.search(rf"\b{n}\b", words)}
+        if not more:
+            return [name for name in constants if name in found]
+        found |= more
+        words = " ".join(constants[name] for name in sorted(more))
+
+
+def _bodies(text: str) -> list[tuple[int, int]]:
+    """Where functions open and close."""
+    found, depth, start = [], 0, 0
+    for match in re.finditer(r"[{}]", text):
+        if match[0] == "{":
+            if depth == 0:
+                start = match.start()
+            depth += 1
+        else:
+            depth -= 1
+            if depth == 0 and text[:start].rstrip().endswith(")"):
+                found.append((start, match.end()))
+    return found
+
+
+def _length(text: str, start: int) -> int:
+    """How many characters the arguments before a body have."""
+    end = text.rfind(")", 0, start)
+    depth = 0
+    for at in range(end, -1, -1):
+        depth += (text[at] == ")") - (text[at] == "(")
+        if depth == 0:
+            return end - at
+    return 0
+
+
+def _depth(text: str, at: int) -> int:
+    return text.count("{", 0, at) - text.count("}", 0, at)

@@ -1,0 +1,227 @@
+"""C in fewer ways of saying: arrays of arrays as arrays, loops that count up from a declaration.
+
+double A[2][3];  A[i][j]                  ->  double A[6];  A[i*3 + j]
+int i;  for (i = 0; i <= n; i++)          ->  for (int i = 0; i < n + 1; i++)
+for (int i = n; i >= a; i--) s            ->  for (int k = 0; k < n - a + 1; ++k) {int i = n - k; s}
+"""
+
+from collections.abc import Iterator
+from copy import deepcopy
+from dataclasses import replace
+from itertools import pairwise
+from typing import Any
+
+from pycparser import c_ast
+
+from mechanics.errors import ExpressionError
+from mechanics.exact.c.parse import Source
+
+LARGEST = 64
+"""Entries of an array of arrays."""
+
+Columns = dict[str, int]
+
+
+def flat(source: Source) -> Source:
+    """The source in fewer ways of saying; its own tree is not changed.
+
+    Raises
+    ------
+    ExpressionError
+        For an array of arrays that is used in parts, by line and column.
+    """
+    functions, prototypes = deepcopy((dict(source.functions), dict(source.prototypes)))
+    declarations = [(f, f.decl) for f in functions.values()]
+    heads = {name: [_flat_declared(p, {}) for p in _parameters(f.decl)]
+             for name, f in functions.items()}  # fmt: skip
+    for known in prototypes.values():
+        for declaration in known:
+            if all(declaration is not own for _, own in declarations):
+                _ = [_flat_declared(p, {}) for p in _parameters(declaration)]
+    for name, function in functions.items():
+        columns: Columns = {
+            p.name: n for p, n in zip(_parameters(function.decl), heads[name], strict=True) if n
+        }
+        for node in _below(function.body):
+            if isinstance(node, c_ast.Decl):
+                _flat_declared(node, columns)
+        _uses(function.body, columns, heads)
+        _loops(function.body, _plain_counters(function.body))
+        _assignments(function.body)
+    return replace(source, functions=functions, prototypes=prototypes)
+
+
+def _parameters(declaration: Any) -> list[Any]:
+    arguments = declaration.type.args
+    return [p for p in (arguments.params if arguments else []) if isinstance(p, c_ast.Decl)]
+
+
+def _below(node: Any) -> Iterator[Any]:
+    yield node
+    for _, child in node.children():
+        yield from _below(child)
+
+
+def _number(node: Any) -> int | None:
+    try:
+        return int(node.value, 0) if isinstance(node, c_ast.Constant) else None
+    except ValueError:
+        return None
+
+
+def _flat_declared(node: Any, columns: Columns) -> int:
+    """Declare an array of arrays as an array; its columns, 0 for what is none."""
+    outer = node.type
+    if not (isinstance(outer, c_ast.ArrayDecl) and isinstance(outer.type, c_ast.ArrayDecl)):
+        if node.name in columns:
+            raise ExpressionError(f"{node.coord}: {node.name} is declared twice: name it otherwise")
+        return 0
+    rows, width = _number(outer.dim) if outer.dim else 1, _number(outer.type.dim)
+    if rows is None or width is None or not 0 < rows * width <= LARGEST:
+        raise ExpressionError(f"{node.coord}: the sizes of {node.name} are not known here")
+    if columns.get(node.name, width) != width:
+        raise ExpressionError(f"{node.coord}: {node.name} is declared twice: name it otherwise")
+    columns[node.name] = width
+    inner = outer.type.type
+    size = c_ast.Constant("int", str(rows * width), node.coord) if outer.dim else None
+    node.type = c_ast.ArrayDecl(inner, size, outer.dim_quals, outer.coord)
+    if node.init is not None:
+        node.init = c_ast.InitList(_entries(node, rows, width), node.coord)
+    return width
+
+
+def _entries(node: Any, rows: int, width: int) -> list[Any]:
+    """Entries of an array of arrays in one row; those that are left out are 0."""
+    zero = c_ast.Constant("double", "0.0", node.coord)
+    given = node.init.exprs if isinstance(node.init, c_ast.InitList) else []
+    found: list[Any] = []
+    for row in given:
+        if not isinstance(row, c_ast.InitList):
+            if len(given) not in (1, rows * width):
+                raise ExpressionError(f"{node.coord}: write the rows of {node.name} in braces")
+            found.append(row)
+            continue
+        if len(row.exprs) > width:
+            raise ExpressionError(f"{node.coord}: a row of {node.name} is longer than {width}")
+        found += [*row.exprs, *[zero] * (width - len(row.exprs))]
+    if not found or len(found) > rows * width:
+        raise ExpressionError(f"{node.coord}: write the rows of {node.name} in braces")
+    return [*found, *[zero] * (rows * width - len(found))]
+
+
+def _uses(node: Any, columns: Columns, heads: dict[str, list[int]]) -> None:
+    """Put two places into one, wherever an array of arrays is used."""
+    match node:
+        case c_ast.ArrayRef(name=c_ast.ArrayRef(name=c_ast.ID(name=name), subscript=row)) if (
+            name in columns
+        ):
+            place, width = node.subscript, columns[name]
+            if (_number(place) or 0) >= width:
+                raise ExpressionError(f"{node.coord}: {name} has {width} columns")
+            _uses(row, columns, heads)
+            _uses(place, columns, heads)
+            factor = c_ast.Constant("int", str(width), node.coord)
+            first = c_ast.BinaryOp("*", row, factor, node.coord)
+            node.name = node.name.name
+            node.subscript = c_ast.BinaryOp("+", first, place, node.coord)
+            return
+        case c_ast.FuncCall(name=c_ast.ID(name=name), args=c_ast.ExprList(exprs=given)):
+            widths = heads.get(name, [])
+            for k, argument in enumerate(given):
+                wanted = widths[k] if k < len(widths) else 0
+                own = isinstance(argument, c_ast.ID) and columns.get(argument.name)
+                if own and own == wanted:
+                    continue
+                if wanted:
+                    words = f"{name}() takes an array of arrays with {wanted} columns"
+                    raise ExpressionError(f"{node.coord}: {words}: pass one as it is")
+                _uses(argument, columns, heads)
+            return
+        case c_ast.ID(name=name) if name in columns:
+            raise ExpressionError(
+                f"{node.coord}: {name} is an array of arrays: give both places, {name}[i][j]"
+            )
+    for _, child in node.children():
+        _uses(child, columns, heads)
+
+
+def _plain_counters(body: Any) -> dict[str, Any]:
+    """Integers that are declared without a value."""
+    return {
+        node.name: node
+        for node in _below(body)
+        if isinstance(node, c_ast.Decl) and node.init is None
+        and isinstance(node.type, c_ast.TypeDecl)
+        and getattr(node.type.type, "names", None) == ["int"]
+    }  # fmt: skip
+
+
+def _loops(node: Any, counters: dict[str, Any]) -> None:
+    """Write loops as counting up from their own declaration."""
+    for _, child in node.children():
+        _loops(child, counters)
+    if not isinstance(node, c_ast.For):
+        return
+    match node.init:
+        case c_ast.Assignment(op="=", lvalue=c_ast.ID(name=name)) if name in counters:
+            own = deepcopy(counters[name])
+            own.init, own.coord = node.init.rvalue, node.init.coord
+            node.init = c_ast.DeclList([own], node.coord)
+    if not (isinstance(node.init, c_ast.DeclList) and len(node.init.decls) == 1):
+        return
+    counter, condition = node.init.decls[0], node.cond
+    if not (isinstance(condition, c_ast.BinaryOp) and isinstance(condition.left, c_ast.ID)):
+        return
+    if condition.left.name != counter.name or counter.init is None:
+        return
+    one = c_ast.Constant("int", "1", node.coord)
+    if condition.op == "<=":
+        last = c_ast.BinaryOp("+", condition.right, one, node.coord)
+        node.cond = c_ast.BinaryOp("<", condition.left, last, node.coord)
+    elif condition.op in (">=", ">") and _counts_down(node.next, counter.name):
+        _turned(node, counter, one)
+
+
+def _counts_down(node: Any, name: str) -> bool:
+    down = isinstance(node, c_ast.UnaryOp) and node.op in ("--", "p--")
+    return down and getattr(node.expr, "name", None) == name
+
+
+def _turned(node: Any, counter: Any, one: Any) -> None:
+    """A loop that counts down as one that counts up."""
+    turn = f"{counter.name}_turn"
+    if any(getattr(below, "name", None) == turn for below in _below(node)):
+        return
+    first, last = counter.init, node.cond.right
+    length = c_ast.BinaryOp("-", deepcopy(first), last, node.coord)
+    if node.cond.op == ">=":
+        length = c_ast.BinaryOp("+", length, one, node.coord)
+    up = deepcopy(counter)
+    up.name = up.type.declname = turn
+    up.init = c_ast.Constant("int", "0", node.coord)
+    counter.init = c_ast.BinaryOp("-", first, c_ast.ID(turn, node.coord), node.coord)
+    node.init = c_ast.DeclList([up], node.coord)
+    node.cond = c_ast.BinaryOp("<", c_ast.ID(turn, node.coord), length, node.coord)
+    node.next = c_ast.UnaryOp("++", c_ast.ID(turn, node.coord), node.coord)
+    node.stmt = c_ast.Compound([counter, node.stmt], node.coord)
+
+
+def _assignments(node: Any) -> None:
+    """Write assignments of assignments one by one, the inner one first."""
+    for _, child in node.children():
+        _assignments(child)
+    if not isinstance(node, c_ast.Compound) or not node.block_items:
+        return
+    found: list[Any] = []
+    for item in node.block_items:
+        chain = [item]
+        while _assigns(chain[-1]) and _assigns(chain[-1].rvalue):
+            chain.append(chain[-1].rvalue)
+        for outer, inner in pairwise(chain):
+            outer.rvalue = deepcopy(inner.lvalue)
+        found += reversed(chain)
+    node.block_items = found
+
+
+def _assigns(node: Any) -> bool:
+    return isinstance(node, c_ast.Assignment) and node.op == "="
