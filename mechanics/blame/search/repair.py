@@ -17,7 +17,7 @@ from mechanics.checks.ledger import check_row
 from mechanics.errors import ExpressionError, InputError, SceneError
 from mechanics.reading.place import Refused
 from mechanics.reading.spelling import Spelling
-from mechanics.reading.tree import parts
+from mechanics.reading.tree import Name, parts
 from mechanics.reading.written import Trees, row_of
 from mechanics.scene.published import Published
 from mechanics.scene.quantities import EquationOfMotion, Identity
@@ -61,7 +61,9 @@ def proved(claim: Claim, chosen: Sequence[Solution], source: str) -> Repair | No
     new = edited_claim(claim, _changes(chosen))
     words = spliced(spelling, source, edits, entries, row)
     for name in dict.fromkeys(edit.definition for edit in edits if edit.definition):
-        words += f", with {name} = {spelling(new.definitions[name])}"
+        # As it can be read again.
+        joint = r", \text{with } " if spelling.latex else ", with "
+        words += f"{joint}{spelling(Name(0, name))} = {spelling(new.definitions[name])}"
     return Repair(edits, words, finding, row)
 
 

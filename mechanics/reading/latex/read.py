@@ -104,6 +104,7 @@ def _claim_or_value(entry: Entry, naming: Naming) -> Entry:
     return value(entry.source, entry.at) if given else entry
 
 
+FRAMED = re.compile(r"\\(?:under|over)brace\s*$")
 BEGINNING = re.compile(r"\(\s?(?:0|t_0|t_\{0\})\s?\)\s?=")
 SET = "an acceleration or reaction is given a value in the text, which is not judged: display it"
 UPRIGHT = re.compile(r"\\(?:mathrm|text|operatorname|si|SI|unit)\s*\{[^{}]*\}")
@@ -176,6 +177,8 @@ def _line(pieces: Pieces, text: str, whole: str, offset: int, naming: Naming) ->
     if not kept:
         return None
     start, end = _span(kept)
+    if framed := FRAMED.search(whole[max(0, offset + start - 14) : offset + start]):
+        start -= len(framed[0])
     source = " ".join(whole[offset + start : offset + end].split())
     if any(isinstance(piece, Token) and piece.type == "ORDER" for piece in kept):
         return _condition(kept, source, offset + start)
