@@ -11,11 +11,12 @@ import re
 from mechanics.errors import ExpressionError
 
 DECLARED = re.compile(
-    r"(?P<words>(?:\b(?:static|const|double|float)\b\s*){2,})(?P<rest>\w+\s*(?:\[[^][;]*\])?\s*=[^;{}]*"
-    r"(?:\{[^;{}]*\})?[^;{}]*);"
+    r"(?P<words>\b(?:(?:static|const|double|float)\s++){2,5}+)"
+    r"(?P<rest>\w++\s*+(?:\[[^][;]*+\])?\s*+=[^;{}]*+(?:\{[^;{}]*+\})?[^;{}]*+);"
 )
-NAME = re.compile(r"(\w+)\s*(?:\[[^][]*\])?\s*=")
-MOST = 64
+NAME = re.compile(r"(\w++)\s*+(?:\[[^][]*+\])?\s*+=")
+MOST, LONGEST = 64, 100_000
+"""Constants, and characters with them in all functions."""
 
 
 def with_constants(text: str, origin: str) -> str:
@@ -49,10 +50,12 @@ def with_constants(text: str, origin: str) -> str:
 def _inserted(text: str, constants: dict[str, str], origin: str) -> str:
     pieces, at = [], 0
     for start, end in _bodies(text):
+        wanted = _used(text[start:end], constants)
+        if not wanted:
+            continue
         head = text[text.rfind(")", 0, start) - _length(text, start) : start]
-        body = text[start:end]
-        wanted = _used(body, constants)
-        own = [name for name in constants if re.search(rf"\b{name}\b", head)]
+        words = set(re.findall(r"\w+", head))
+        own = [name for name in constants if name in words]
         lines = dict.fromkeys(constants[name] for name in wanted if name not in own)
         for line in lines:
             hidden = [n for n in own if re.search(rf"=[^=]*\b{n}\b", line)]
@@ -64,14 +67,18 @@ def _inserted(text: str, constants: dict[str, str], origin: str) -> str:
                 )
         pieces += [text[at : start + 1], *lines]
         at = start + 1
-    return "".join((*pieces, text[at:]))
+    done = "".join((*pieces, text[at:]))
+    if len(done) > LONGEST:
+        raise ExpressionError(f"{origin}:1: its constants are used too often: pass arguments")
+    return done
 
 
 def _used(body: str, constants: dict[str, str]) -> list[str]:
     """Constants that a body uses, and those that these are made of, in their order."""
-    words, found = body, set()
+    words = body
+    found: set[str] = set()
     while True:
-        more = {n for n in constants if n not in found and re.search(rf"\b{n}\b", words)}
+        more = (constants.keys() & re.findall(r"\w+", words)) - found
         if not more:
             return [name for name in constants if name in found]
         found |= more

@@ -88,7 +88,7 @@ def _directive(
 
 def _replaced(text: str, macros: dict[str, Macro], where: str, made: list[int]) -> str:
     """A text with macros replaced; what a call has of ends of lines stands behind it."""
-    if not any(re.search(rf"\b{name}\b", text) for name in macros):
+    if macros.keys().isdisjoint(re.findall(r"\w+", text)):
         return text
     joined = text.count("\v")
     found = _expanded(tokens(text.replace("\v", " "), where), macros, where, (), made)
