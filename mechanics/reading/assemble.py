@@ -16,7 +16,7 @@ from sympy.matrices import MatrixBase
 from mechanics.errors import InputError
 from mechanics.reading.about import ENERGY_NAMES, MATRIX_NAMES, QUANTITIES, as_asked, named_quantity
 from mechanics.reading.build import Builder, Value
-from mechanics.reading.columns import columns
+from mechanics.reading.columns import with_columns
 from mechanics.reading.defined import (
     defines,
     definitions,
@@ -77,11 +77,11 @@ def assemble(
     words = {name: meaning for name, meaning in given.items() if meaning in QUANTITIES}
     plain = {name: meaning for name, meaning in given.items() if meaning not in QUANTITIES}
     naming = Naming(Vocabulary(scene), plain)
-    lines = _lines(read, naming)
+    lines = with_columns(turned(read(naming), naming), naming)
     guessed = guess(naming, used(lines), own(lines, naming))
     if guessed:
         naming = replace(naming, guessed=guessed)
-        lines = _lines(read, naming)
+        lines = with_columns(turned(read(naming), naming), naming)
     lines, told = told_once(without_unknown_rates(lines, naming))
     work = _Assembly(scene, naming, text, origin, words, about, needed(lines), notation)
     work.learn(lines)
@@ -89,11 +89,6 @@ def assemble(
         work.add(line)
     matches = naming.matches(name.name for name in used(lines))
     return Reading(tuple(work.statements), matches, (*work.remarks, *told))
-
-
-def _lines(read: Read, naming: Naming) -> list[Entry]:
-    lines = turned(read(naming), naming)
-    return [*columns(lines, naming, [*definitions(lines, naming)]), *lines]
 
 
 class _Assembly:

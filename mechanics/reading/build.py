@@ -134,9 +134,11 @@ class Builder:
         if not any(isinstance(factor, MatrixBase) for factor in factors):
             return reduce(mul, factors, S.One)
         try:
-            return reduce(mul, factors)
+            found = reduce(mul, factors)
         except ShapeError:
             raise Refused(node.at, "matrices of these shapes cannot be multiplied") from None
+        # q'^T M q' is a number.
+        return found[0, 0] if found.shape == (1, 1) else found
 
     def _power(self, node: Node, base: Any, exponent: Any) -> Any:
         exponent = self._scalar(node, exponent)

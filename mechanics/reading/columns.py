@@ -3,8 +3,9 @@
 D(q) q'' + C(q, q') q' + g(q) = tau        q = (q1, q2), tau = (tau1, tau2)
 """
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 
+from mechanics.reading.defined import definitions
 from mechanics.reading.lines import Entry, Line
 from mechanics.reading.names import Naming
 from mechanics.reading.tree import Call, Name, Node, Table, names, parts
@@ -33,17 +34,20 @@ def column(naming: Naming, name: str) -> tuple[str, ...]:
     return coordinates if name == COORDINATES and len(coordinates) > 1 else ()
 
 
-def columns(lines: Sequence[Entry], naming: Naming, defined: Sequence[str]) -> Iterator[Line]:
-    """A definition of every column that is used beside matrices and that no line defines."""
+def with_columns(lines: Sequence[Entry], naming: Naming) -> list[Entry]:
+    """The lines behind a definition of every column that is used beside matrices undefined."""
     sides = [side for line in lines if isinstance(line, Line) for side in line.sides]
+    used = dict.fromkeys(n.name for side in sides for n in names(side))
     if not any(map(_holds_matrix, sides)):
-        return
-    for name in dict.fromkeys(n.name for side in sides for n in names(side)):
-        entries = column(naming, name) if name not in defined else ()
-        if entries:
-            table = Table(0, tuple((Name(0, entry),) for entry in entries))
-            source = f"{name} = ({', '.join(entries)})"
-            yield Line((Name(0, name), table), "", 0, source)
+        return list(lines)
+    defined = definitions(lines, naming)
+    found = {name: column(naming, name) for name in used if name not in defined}
+    return [*(_defined(name, entries) for name, entries in found.items() if entries), *lines]
+
+
+def _defined(name: str, entries: Sequence[str]) -> Line:
+    table = stacked(0, [Name(0, entry) for entry in entries])
+    return Line((Name(0, name), table), "", 0, f"{name} = ({', '.join(entries)})")
 
 
 def _holds_matrix(node: Node) -> bool:

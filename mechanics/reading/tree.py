@@ -14,6 +14,9 @@ from mechanics.reading.place import Refused
 LARGEST = 2048
 """Size: the degree in all symbols together, or the bits of a number."""
 
+COMPOSED = -1
+"""Where a node begins that nobody wrote: an entry of a product of matrices."""
+
 DEEPEST = 80
 LARGEST_EXPONENT = 64
 

@@ -15,7 +15,7 @@ from sympy.matrices import MatrixBase
 from mechanics.reading.build import Builder, Value
 from mechanics.reading.from_sympy import tree_of
 from mechanics.reading.names import Naming
-from mechanics.reading.tree import Name, Node, Number, Table, names
+from mechanics.reading.tree import Name, Node, Number, Table, names, parts
 from mechanics.scene.published import Published
 from mechanics.scene.symbols import DOTS
 
@@ -101,7 +101,7 @@ class Written:
 def row_trees(row: Published, written: Written) -> Trees:
     """Trees of the entries that a row compares: one for each side, matrices entry by entry.
 
-    What the row holds beyond what was written (a zero, an entry of a product of matrices) gets the
+    What the row holds beyond what was written (a zero, what products of matrices come to) gets the
     tree of its expression.
 
     Raises
@@ -115,9 +115,18 @@ def row_trees(row: Published, written: Written) -> Trees:
     for side in written.sides:
         for tree in _cells(side, dict(written.definitions)):
             value = builder(tree)
-            if not isinstance(value, MatrixBase):
+            if not isinstance(value, MatrixBase) and not _through_matrices(tree, builder):
                 known.append((value, tree))
     return tuple(_tree(entry, known, written) for entry in entries)
+
+
+def _through_matrices(tree: Node, builder: Builder) -> bool:
+    """Whether a number is made of matrices, whose parts are worth no numbers: q'^T M q'."""
+    if isinstance(tree, Table):
+        return True
+    if isinstance(tree, Name):
+        return isinstance(builder.defined.get(tree.name), MatrixBase)
+    return any(_through_matrices(part, builder) for part in parts(tree))
 
 
 def _cells(side: Node, definitions: Mapping[str, Node]) -> Trees:

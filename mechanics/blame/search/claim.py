@@ -20,6 +20,7 @@ from mechanics.blame.search.sheet import Sheet, sheet_of
 from mechanics.checks.ledger_energy import ENERGIES, kinetic_energy
 from mechanics.checks.ledger_momenta import derived
 from mechanics.equations import Equations
+from mechanics.reading.entrywise import entrywise
 from mechanics.reading.names import Naming, Vocabulary
 from mechanics.reading.statement import Statement
 from mechanics.reading.tree import Node
@@ -87,6 +88,7 @@ def claim_of(truth: Equations, statement: Statement) -> Claim | None:
     written = statement.written
     if written is None:
         written = Written((), (), Naming(Vocabulary(truth.scene)), "code", "")
+    written = entrywise(written)
     return Claim(truth, row, written, row_trees(row, written))
 
 

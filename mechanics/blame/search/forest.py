@@ -9,7 +9,9 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
 
+from mechanics.reading.place import Refused
 from mechanics.reading.tree import (
+    COMPOSED,
     Call,
     Name,
     Node,
@@ -60,11 +62,19 @@ class Forest:
     rates: list[int] = field(default_factory=list)
 
     def add(self, node: Node, parent: int, place: Place, rate: int = 0) -> int:
-        """Number a node and all below it."""
+        """Number a node and all below it.
+
+        Raises
+        ------
+        Refused
+            When an edit has put a name into its own definition.
+        """
         index = self._one(node, parent, place, rate)
         if isinstance(node, Name):
             inner = self.definitions.get(node.name)
             if inner is not None and not node.order and index < LARGEST:
+                if any(self.place[above] == (node.name, ()) for above in self.ways_up(index)):
+                    raise Refused(node.at, f"the definition of {node.name} holds itself")
                 self.kids[index].append(self.add(inner, index, (node.name, ())))
             return index
         home, way = place
@@ -102,7 +112,7 @@ class Forest:
 
     def written(self, index: int) -> bool:
         """Whether somebody wrote the node."""
-        return self.place[index][0] != SYNTHETIC
+        return self.place[index][0] != SYNTHETIC and self.nodes[index].at != COMPOSED
 
     def single(self, index: int) -> bool:
         """Whether a node stands at one place only."""

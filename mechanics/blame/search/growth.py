@@ -16,6 +16,7 @@ from mechanics.blame.search.sheet import sheet_of
 from mechanics.blame.search.words import Words
 from mechanics.exact.signals import Inadmissible, Restart
 from mechanics.reading.kinds import angular
+from mechanics.reading.place import Refused
 
 MOST_EXPONENT = 4
 
@@ -94,7 +95,7 @@ class Growth:
         families = [sheet.point.family for sheet in self.problem.sheets]
         try:
             problem = posed(claim, self.problem.numbers, self.problem.target, families)
-        except (Inadmissible, Restart):
+        except (Inadmissible, Restart, Refused):
             return None
         return Growth(claim, problem, words_at(self.words, problem))
 

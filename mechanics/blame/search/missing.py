@@ -90,9 +90,12 @@ class Missing:
         if not self._open(index):
             return
         likeliest: dict[bool, tuple[Node, float]] = {}
+        inside = isinstance(self._around(index), Product | Power)
         for series in self._series(index):
             for term, cost in self._products.of(series):
                 held = (term, *parts(term))
+                if inside and any(isinstance(p, Power) and isinstance(p.base, Call) for p in held):
+                    continue  # what stands around it would cancel the sine below the line
                 kind = any(isinstance(part, Call) and part.function == "sign" for part in held)
                 if kind not in likeliest or cost < likeliest[kind][1]:
                     likeliest[kind] = term, cost
@@ -100,12 +103,15 @@ class Missing:
         for term, cost in likeliest.values():
             yield from self._added(index, term, ADDED + far + cost)
 
+    def _around(self, index: int) -> Node | None:
+        above = self.problem.forest.parent[index]
+        return self.problem.forest.nodes[above] if above >= 0 else None
+
     def _open(self, index: int) -> bool:
         """Whether a term may be missing at a node: a sum, a side, a factor, a divisor, a base."""
         forest = self.problem.forest
-        node, above = forest.nodes[index], forest.parent[index]
+        node, around = forest.nodes[index], self._around(index)
         side = forest.term(index) and not forest.place[index][1]
-        around = forest.nodes[above] if above >= 0 else None
         factor = isinstance(node, Product | Name) and isinstance(around, Product)
         below = isinstance(around, Power)
         # Nothing is missing in 1/2; a number alone is another one.

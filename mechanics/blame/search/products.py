@@ -130,7 +130,12 @@ class Products:
         self, rest: int, exponents: Mapping[Symbol, int], factors: Sequence[Node],
         sums: Sequence[Node],
     ) -> Iterator[tuple[Node, float]]:  # fmt: skip
-        """The simplest sines and cosines that leave a number."""
+        """The simplest sines and cosines that leave a number.
+
+        Nobody leaves out a term that is divided by a speed: a product around it would cancel that.
+        """
+        if any(e < 0 and self._words.by_symbol[s].kind in MOTION for s, e in exponents.items()):
+            return
         size = sum(abs(e) + (2 if e < 0 else 0) for e in exponents.values())
         for number, angles in self._left(rest, exponents):
             below = sum(isinstance(angle, Power) for angle in angles)

@@ -123,7 +123,8 @@ class Items:
         return [*before, replace(last, end=end)]
 
     def _scripts(self, scripts: list[Tree | Token]) -> tuple[str, int, Node | None]:
-        sub, primes, power = "", 0, None
+        sub, primes = "", 0
+        power: Node | None = None
         for script in scripts:
             if isinstance(script, Token) and script.type == "PRIME":
                 primes += len(script.value)
@@ -135,6 +136,8 @@ class Items:
                 if isinstance(inside, Token) and inside.type == "SUPC":
                     if "circ" in inside.value:
                         raise Refused(where, "degrees are not known here: write radians")
+                    turned = re.search("top|intercal", inside.value)
+                    power = Name(where, turned[0]) if turned else power
                     primes += inside.value.count("prime") + inside.value.count("'")
                 elif order := ORDER.fullmatch(self._slice(script)):
                     primes += int(order[1])

@@ -1,0 +1,142 @@
+r"""Manipulator equations: columns by one letter, matrices that depend on them, entry by entry."""
+
+import re
+from collections.abc import Sequence
+
+import pytest
+
+import mechanics
+from mechanics.judge.check import Check, derived
+from systems import acrobot, cartpole
+
+ARM = derived(acrobot.scene())
+EQUATION = r"\[ M(q)\ddot q + C(q,\dot q)\dot q + g(q) = B\tau \]"
+PARTS = (
+    r"\[ M(q) = \begin{bmatrix} m_1 l_{c1}^2 + m_2(l_1^2 + l_{c2}^2 + 2 l_1 l_{c2}\cos\theta_2)"
+    r" + I_1 + I_2 & m_2(l_{c2}^2 + l_1 l_{c2}\cos\theta_2) + I_2 \\"
+    r" m_2(l_{c2}^2 + l_1 l_{c2}\cos\theta_2) + I_2 & m_2 l_{c2}^2 + I_2 \end{bmatrix} \]",
+    r"\[ C = \begin{bmatrix} h\dot\theta_2 & h(\dot\theta_1+\dot\theta_2) \\"
+    r" -h\dot\theta_1 & 0 \end{bmatrix}, \qquad h = -m_2 l_1 l_{c2}\sin\theta_2 \]",
+    r"\[ g(q) = \begin{bmatrix} (m_1 l_{c1}+m_2 l_1) g\sin\theta_1"
+    r" + m_2 l_{c2} g\sin(\theta_1+\theta_2) \\ m_2 l_{c2} g\sin(\theta_1+\theta_2)\end{bmatrix},"
+    r" \quad B = \begin{bmatrix} 0 \\ 1 \end{bmatrix} \]",
+)
+
+
+def checked(*texts: str, blame: bool = False) -> Check:
+    return mechanics.check(ARM, "\n".join(texts), notation="latex", blame=blame)
+
+
+def verdicts(*texts: str) -> list[str]:
+    return [entry.finding.verdict.name for entry in checked(*texts).judged]
+
+
+def changed(old: str, new: str) -> list[str]:
+    assert sum(part.count(old) for part in (EQUATION, *PARTS)) >= 1
+    return [part.replace(old, new, 1) for part in (EQUATION, *PARTS)]
+
+
+@pytest.mark.parametrize(
+    "column",
+    [
+        "",
+        r"\[ q = \begin{bmatrix} \theta_1 \\ \theta_2 \end{bmatrix} \]",
+        r"with $\mathbf q = (\theta_1, \theta_2)^T$",
+        r"\[ q = [\theta_1, \theta_2]^\top \]",
+        r"\[ q = \begin{bmatrix} \theta_1 & \theta_2 \end{bmatrix}^{\mathsf T} \]",
+    ],
+)
+def test_the_manipulator_form_is_proved(column: str) -> None:
+    assert verdicts(EQUATION, *PARTS, column) == ["PROVED", "PROVED"]
+
+
+def test_theta_is_the_column_of_numbered_thetas() -> None:
+    texts = [re.sub(r"\bq\b", r"\\theta", text) for text in (EQUATION, *PARTS)]
+    found = checked(*texts)
+    assert [entry.finding.verdict.name for entry in found.judged] == ["PROVED", "PROVED"]
+    assert any("theta = (theta_1, theta_2)" in remark for remark in found.remarks)
+
+
+def test_what_a_letter_is_taken_for_is_told() -> None:
+    found = checked(EQUATION, *PARTS)
+    assert any("q = (theta1, theta2)" in remark for remark in found.remarks)
+    notes = [note for entry in found.judged for note in entry.statement.notes]
+    assert any(note.startswith("C(...) is read as C") for note in notes)
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "rows"),
+    [
+        ("+ 2 l_1 l_{c2}", "+ l_1 l_{c2}", ["REFUTED", "PROVED"]),
+        (r"-h\dot\theta_1 &", r"h\dot\theta_1 &", ["PROVED", "REFUTED"]),
+        ("+ g(q)", "- g(q)", ["REFUTED", "REFUTED"]),
+        (r"0 \\ 1", r"1 \\ 0", ["REFUTED", "REFUTED"]),
+        (r"m_2 l_{c2}^2 + I_2 \end", r"m_2 l_{c2}^2 \end", ["PROVED", "REFUTED"]),
+    ],
+)
+def test_a_wrong_entry_is_refuted_where_it_stands(old: str, new: str, rows: Sequence[str]) -> None:
+    assert verdicts(*changed(old, new)) == rows
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "definition", "right"),
+    [
+        ("+ 2 l_1 l_{c2}", "+ l_1 l_{c2}", "M_11", r"2 l_1 l_{c2} \cos\theta_2"),
+        (r"-h\dot\theta_1 &", r"h\dot\theta_1 &", "C_21", r"-h\dot\theta_1"),
+        (r"+ m_2 l_{c2} g\sin(\theta_1+\theta_2) \\", r"+ m_2 l_{c2} g\cos(\theta_1+\theta_2) \\",
+         "g(q)_1", r"\sin(\theta_1+\theta_2)"),
+    ],
+)  # fmt: skip
+def test_the_entry_is_blamed_by_its_place(old: str, new: str, definition: str, right: str) -> None:
+    found = checked(*changed(old, new), blame=True)
+    (blame,) = [entry.blame for entry in found.judged if entry.blame is not None]
+    (edit,) = blame.repairs[0].edits
+    assert edit.definition == definition
+    assert edit.right.replace(" ", "").replace(r"\left", "").replace(
+        r"\right", ""
+    ) == right.replace(" ", "")
+    assert blame.repairs[0].finding.shown
+
+
+def test_a_sign_before_a_matrix_is_found_in_every_row() -> None:
+    found = checked(*changed("+ g(q)", "- g(q)"), blame=True)
+    for entry in found.judged:
+        assert entry.blame is not None
+        (edit,) = entry.blame.repairs[0].edits
+        assert (edit.written, edit.right) == ("-", "+")
+
+
+def test_an_entry_that_is_nought_can_lack_a_term() -> None:
+    texts = changed(r"h(\dot\theta_1+\dot\theta_2)", "0")
+    blame = checked(*texts, blame=True).judged[0].blame
+    assert blame is not None
+    assert {edit.definition for edit in blame.repairs[0].edits} == {"C_12"}
+
+
+def test_energies_as_quadratic_forms() -> None:
+    kinetic = r"$T = \frac12 \dot q^T M(q) \dot q$"
+    assert verdicts(kinetic, PARTS[0]) == ["PROVED"]
+    wrong = verdicts(kinetic, PARTS[0].replace("2 l_1", "l_1", 1))
+    assert wrong == ["REFUTED"]
+    found = checked(kinetic, PARTS[0].replace("2 l_1", "l_1", 1), blame=True).judged[0].blame
+    assert found is not None
+    assert found.repairs[0].edits[0].definition == "M_11"
+
+
+def test_a_name_before_a_bracket_stays_a_factor_where_it_may_be_one() -> None:
+    found = mechanics.check(cartpole.scene(), r"m_p(l) = 0", notation="latex", blame=False)
+    assert found.judged[0].finding.verdict.name in ("REFUTED", "UNDECIDED")
+    assert not any("depends on" in note for note in found.judged[0].statement.notes)
+
+
+def test_a_pair_that_is_raised_is_no_number() -> None:
+    found = mechanics.check(ARM, r"\ddot\theta_1 + (l_1, l_2)^2 = 0; \ddot\theta_1 = \tau",
+                            notation="latex", blame=False)  # fmt: skip
+    assert "a comma is out of place here" in found.judged[0].statement.doubt
+
+
+def test_an_error_in_its_own_definition_ends_the_search_with_an_answer() -> None:
+    """The name of an entry may not be put into its own definition."""
+    blame = checked(*changed(r"h(\dot\theta_1+\dot\theta_2)", "0"), blame=True).judged[0].blame
+    assert blame is not None
+    assert "nested" not in blame.searched
