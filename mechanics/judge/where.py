@@ -36,6 +36,9 @@ KINDS = (EquationOfMotion, ReactionValue, Identity)
 MOST = 40
 """Branches that are tried."""
 
+MOST_CONDITIONS = 8
+LONGEST = 300
+
 
 @dataclass(frozen=True)
 class Where:
@@ -67,7 +70,9 @@ def read_where(
     """
     known = {match.name: match.meaning for match in names} | dict(given)
     parts = [part.strip() for text in texts for part in re.split(r"\band\b|,|&&?", text)]
-    found = tuple(_condition(truth.scene, part, known) for part in parts if part)
+    if len(parts) > MOST_CONDITIONS or any(len(part) > LONGEST for part in parts):
+        raise InputError(f"where: at most {MOST_CONDITIONS} conditions of {LONGEST} characters")
+    found = tuple(_condition(truth.scene, part, known) for part in parts)
     if found and not _there(truth, found):
         told = " and ".join(one.words for one in found)
         raise InputError(f"where {told}: no state of {truth.scene.name} was found where that holds")
@@ -122,9 +127,9 @@ def right_where(
 
 
 def _condition(scene: Scene, text: str, names: Mapping[str, str]) -> Where:
-    wrong = f"where {text[:80]!r}: write one inequality in coordinates and parameters: cos(phi) > 0"
+    wrong = f"where {text!r}: write one inequality in coordinates and parameters: cos(phi) > 0"
     match = re.fullmatch(r"([^<>=]+)([<>])=?([^<>=]+)", text)
-    if match is None or len(text) > 1000 or "\n" in text:
+    if match is None or "\n" in text:
         raise InputError(wrong)
     left, relation, right = match.groups()
     reading = read(scene, f"{left} = {right}", names, "text", None)

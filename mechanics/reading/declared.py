@@ -32,7 +32,7 @@ NAMES = ("other vertical", *SIGNS, *JOINTS, *SIZES, "point mass", *OPEN, *DEFINI
 Places = frozenset[tuple[int | None, int]]
 """Which of `directed` a name admits."""
 
-MOST = 64
+MOST = 32
 """Choices that are looked at."""
 
 UP = frozenset(((0, 1), (2, -1), (None, 1)))
@@ -88,8 +88,8 @@ def read_declared(names: Sequence[str], known: Sequence[Match] = ()) -> tuple[De
             heads = {*every, "other sign"} - {_plain(sign) for sign in SIGNS}
             if name not in heads or not of.isidentifier():
                 raise InputError(
-                    f"convention {part!r}: it can be {', '.join(NAMES)}; or one of these of one"
-                    " name: half-length of L, other sign of theta"
+                    f"convention {part[:80]!r}: it can be {', '.join(NAMES)};"
+                    " or one of these of one name: half-length of L, other sign of theta"
                 )
             of = meanings.get(of, of)
         found.setdefault((name, of), Declared(part, name, of))
