@@ -183,7 +183,8 @@ def reached(
 ) -> frozenset[str]:
     """Names that judged lines hold, and that the definitions of these use in turn.
 
-    A definition is no judged line, but for that of an energy: it is judged by its right.
+    A definition is no judged line, but for that of an energy, and where further sides are equal to
+    it: these are judged by their right.
     """
     names_of = {id(line): name for name, line in defined.items()}
     todo: list[str] = []
@@ -192,6 +193,8 @@ def reached(
             name = names_of.get(id(line))
             if name is None:
                 todo += held(line.sides)
+            elif len(line.sides) > 2:
+                todo += held(line.sides[1:])
             elif name in ENERGY_NAMES and name not in needed:
                 todo += [n.name for side in line.sides[1:] for n in names(side)]
     found: set[str] = set()

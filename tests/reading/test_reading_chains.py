@@ -52,6 +52,14 @@ def test_a_chain_of_matrices_is_judged_too() -> None:
     assert verdicts(text)[0] == "REFUTED"
 
 
+def test_what_a_chain_holds_is_used() -> None:
+    text = (
+        r"-2kx = F_x = \frac{dp_x}{dt}, \qquad p_x = (M+m)\dot x + \frac{ML}{2}\dot\theta\cos\theta"
+    )
+    assert verdicts(text) == ["PROVED"]
+    assert verdicts(text.replace("+m", "-m")) == ["REFUTED"]
+
+
 def test_what_only_names_forces_is_in_doubt() -> None:
     assert verdicts(rf"\sum F_x = 0, \quad {RATE} = -2kx") == ["UNDECIDED", "PROVED"]
     assert verdicts(rf"R = M + M = 2 M, \quad {RATE} = -2kx") == [

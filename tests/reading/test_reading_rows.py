@@ -49,6 +49,12 @@ def test_equations_with_a_wide_space_between_are_two(space: str) -> None:
     assert verdicts(text.replace("= g", "= -g")) == ["REFUTED", "PROVED"]
 
 
+def test_an_equation_beside_another_may_begin_with_a_minus() -> None:
+    text = rf"\[ {POLE} \qquad -F + {LEFT} - {REST} = 0 \]".replace("&", "")
+    assert verdicts(text) == ["PROVED", "PROVED"]
+    assert verdicts(text.replace("-F", "F")) == ["PROVED", "REFUTED"]
+
+
 def test_zero_on_the_left_twice_is_no_chain() -> None:
     text = rf"0 &= {POLE.replace('&=', '- (')}) & 0 &= {RAIL.replace('&=', '- (')})"
     assert verdicts(display(text)) == ["PROVED", "PROVED"]
@@ -71,7 +77,7 @@ def test_marks_beside_a_sign_set_nothing_apart(text: str) -> None:
     "text",
     [
         rf"{LEFT} = F \quad {REST}",
-        rf"a = {LEFT} \quad -b = F",
+        rf"a = {LEFT} \quad +b = F",
         rf"{LEFT} = F \quad l \quad x = 0",
         rf"{LEFT} \\ ({REST}) = F",
         rf"{LEFT} = F + m_p l \\ \dot\theta^2\sin\theta",

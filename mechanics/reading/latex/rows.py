@@ -212,10 +212,13 @@ def _side_by_side(part: Pieces, columns: dict[int, int]) -> Iterator[Row]:
         if len(between) > 1:
             doubt = SEVERAL
         for start, end in between[:1]:
-            around = is_kind(part[start - 1], *OPERATORS) or is_kind(part[end + 1], *OPERATORS)
-            if not around or _column(part, (start, end), columns):
+            if is_kind(part[start - 1], *OPERATORS):
+                continue
+            behind = part[end + 1]
+            minus = is_kind(behind, "SIGN") and behind != "+" and _wide(part[start : end + 1])
+            if not is_kind(behind, *OPERATORS) or minus or _column(part, (start, end), columns):
                 cuts.append(end + 1)
-            elif not is_kind(part[start - 1], *OPERATORS) and is_kind(part[end + 1], "SIGN"):
+            elif is_kind(behind, "SIGN"):
                 doubt = SEVERAL
     for start, end in pairwise([*cuts, len(part)]):
         doubt = doubt or _factor(part[start:end], columns)
@@ -232,8 +235,7 @@ def _factor(part: Pieces, columns: dict[int, int]) -> str:
             is_kind(piece, "REL", "TAG", "ORDER", *OPERATORS) for piece in around
         ):
             continue
-        wide = any(isinstance(piece, Tree) for piece in part[start : end + 1])
-        if wide or _column(part, (start, end), columns):
+        if _wide(part[start : end + 1]) or _column(part, (start, end), columns):
             return FACTOR
     return ""
 
@@ -246,6 +248,11 @@ def _runs(part: Pieces) -> list[tuple[int, int]]:
             start = found.pop()[0] if found and found[-1][1] == i - 1 else i
             found.append((start, i))
     return found
+
+
+def _wide(run: Pieces) -> bool:
+    """Whether there is a wide space in a run."""
+    return any(isinstance(piece, Tree) for piece in run)
 
 
 def _column(part: Pieces, run: tuple[int, int], columns: dict[int, int]) -> bool:
