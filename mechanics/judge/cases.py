@@ -8,28 +8,27 @@ A case of a function that is hardly ever entered would not be met by random stat
 from collections.abc import Callable, Iterator
 from dataclasses import replace
 
-from sympy import Abs, Dummy, Expr, Piecewise, Rational, S, Symbol, oo, preorder_traversal
-from sympy.core.relational import Ge, Gt, Le, Lt, Relational
+from sympy import Abs, Dummy, Expr, Piecewise, Rational, S, preorder_traversal
+from sympy.core.relational import Eq, Ge, Gt, Le, Lt, Ne, Relational
 from sympy.logic.boolalg import And, Boolean, Not, Or
 
 from mechanics.checks.ledger_compare import settle_defined
 from mechanics.checks.ledger_motion import put_motion
 from mechanics.equations import Equations
-from mechanics.errors import ExpressionError
 from mechanics.exact import (
     Arithmetic,
     Finding,
     Inadmissible,
     Verdict,
     Witness,
-    collect_linear,
     decide,
 )
+from mechanics.judge.entered import Region, entered
+from mechanics.judge.regions import region_of, slice_of
 from mechanics.scene.published import Published
 from mechanics.scene.quantities import EquationOfMotion, Identity
 
 Pairs = list[tuple]
-Region = dict[Symbol, Expr]
 
 MOST = 64
 """Alternatives of the conditions of one case."""
@@ -49,30 +48,69 @@ def check_cases(truth: Equations, row: Published) -> Finding | None:
         return None
     if not any(side.has(Piecewise) for side in row.sides):
         return None
-    findings = []
+    findings, open_ones = [], []
     for conditions, sides in _parts(row):
         if conditions is None:
             return None
         try:
-            region = _region(conditions)
+            finding = _judged(truth, replace(row, sides=sides), conditions)
         except Inadmissible:
             continue
-        if region is None:
-            return None
-        case = replace(row, sides=sides)
-        finding = decide(f"{row.tag} {row.label}", _in_region(truth, case, region))
-        if not finding.shown:
-            words = " and ".join(str(condition) for condition in conditions)
-            witness = None if finding.witness is None else _of_scene(finding.witness, region)
-            evidence = f"{finding.evidence}, where {words}"
-            return replace(finding, evidence=evidence, witness=witness)
-        findings.append(finding)
-    if not findings:
-        return None
+        words = " and ".join(map(_in_words, conditions))
+        if finding.verdict is Verdict.REFUTED:
+            return replace(finding, evidence=f"{finding.evidence}, where {words}")
+        if finding.shown:
+            findings.append(finding)
+        else:
+            open_ones.append(
+                replace(finding, evidence=f"{finding.evidence}: not shown where {words}")
+            )
+    if open_ones or not findings:
+        return open_ones[0] if open_ones else None
     worst = [f for f in findings if f.verdict is Verdict.CERTIFIED] or findings
     bound = max((f.error_bound or 0.0 for f in worst), default=0.0)
     words = f"{worst[0].evidence}, in each of {len(findings)} cases"
     return replace(worst[0], evidence=words, error_bound=bound or None)
+
+
+def _in_words(condition: Relational) -> str:
+    signs = {Eq: "=", Ne: "!="}
+    sign = signs.get(type(condition))
+    return f"{condition.lhs} {sign} {condition.rhs}" if sign else str(condition)
+
+
+def _judged(truth: Equations, row: Published, conditions: tuple[Relational, ...]) -> Finding:
+    """The finding of a case where its conditions hold.
+
+    Where no symbols are found that make them hold, the case may be right everywhere, or wrong at a
+    state that happens to enter it.
+
+    Raises
+    ------
+    Inadmissible
+        When no state meets the conditions, but for boundaries.
+    """
+    subject = f"{row.tag} {row.label}"
+    equal = [condition for condition in conditions if isinstance(condition, Eq)]
+    others = tuple(c for c in conditions if not isinstance(c, Eq | Ne))
+    region = region_of(others) if not equal else slice_of(equal, others)
+    if region is not None:
+        finding = decide(subject, _in_region(truth, row, region))
+        if finding.verdict is Verdict.REFUTED and equal:
+            # What differs at single states only may be meant to be another limit.
+            return Finding(subject, Verdict.UNDECIDED, "it is something else at single states")
+        witness = None if finding.witness is None else _of_scene(finding.witness, region)
+        return replace(finding, witness=witness)
+    everywhere = decide(subject, _in_region(truth, row, {}))
+    if everywhere.shown or equal:
+        return everywhere if everywhere.shown else replace(
+            everywhere, verdict=Verdict.UNDECIDED, witness=None, evidence="not right everywhere"
+        )  # fmt: skip
+    for point in entered(conditions):
+        finding = decide(subject, _in_region(truth, row, point))
+        if finding.verdict is Verdict.REFUTED and finding.witness is not None:
+            return replace(finding, witness=_of_scene(finding.witness, point))
+    return Finding(subject, Verdict.UNDECIDED, "right at no state that was tried, and none entered")
 
 
 def _cases(
@@ -118,6 +156,8 @@ def _alternatives(condition: Boolean) -> list[tuple[Relational, ...]] | None:
     if isinstance(condition, Or):
         some = [_alternatives(part) for part in condition.args]
         return None if None in some else [one for more in some for one in more or ()]
+    if isinstance(condition, Eq | Ne):
+        return [(condition,)]
     if not isinstance(condition, Gt | Ge | Lt | Le):
         return None
     moduli = [m for m in (condition.gts - condition.lts).atoms(Abs) if not m.args[0].has(Abs)]
@@ -131,85 +171,6 @@ def _alternatives(condition: Boolean) -> list[tuple[Relational, ...]] | None:
     ]
     some = [_split(half) for half in halves]
     return None if None in some else [one for more in some for one in more or ()]
-
-
-def _region(conditions: tuple[Relational, ...]) -> Region | None:
-    """Symbols in terms of positive ones such that conditions hold; None where none are found.
-
-    A symbol between numbers a < b is (a + b s)/(1 + s). Any other condition has to be linear in a
-    symbol that the ones before leave free.
-
-    Raises
-    ------
-    Inadmissible
-        When no state meets the conditions, but for boundaries.
-    """
-    bounds: dict[Symbol, tuple[Expr, Expr]] = {}
-    others: list[Relational] = []
-    for condition in conditions:
-        bound = _bound(condition)
-        if bound is None:
-            others.append(condition)
-            continue
-        symbol, low, high = bound
-        lowest, highest = bounds.get(symbol, (-oo, oo))
-        bounds[symbol] = low, high = max(low, lowest), min(high, highest)
-        own = [c for c in conditions if c.free_symbols == {symbol}]
-        if low == high and all(c.xreplace({symbol: low}) == S.true for c in own):
-            return None  # one point only, which no random state is
-        if low >= high:
-            raise Inadmissible("no state meets the conditions")
-    region = {symbol: _between(symbol, *bound) for symbol, bound in bounds.items()}
-    for condition in others:
-        rest = (condition.gts - condition.lts).xreplace(region)
-        solved = _solved(rest, region)
-        if solved is None:
-            return None
-        symbol, value = solved
-        region = {s: e.xreplace({symbol: value}) for s, e in region.items()}
-        region[symbol] = value
-    return region
-
-
-def _bound(condition: Relational) -> tuple[Symbol, Expr, Expr] | None:
-    """A condition on one symbol that may have any sign: between which numbers it is."""
-    positive = condition.gts - condition.lts
-    symbols = positive.free_symbols
-    if len(symbols) != 1 or any(s.is_positive or isinstance(s, Dummy) for s in symbols):
-        return None
-    (symbol,) = symbols
-    try:
-        (slope,), rest = collect_linear(positive, (symbol,))
-    except ExpressionError:
-        return None
-    if not (slope.is_Rational and rest.is_Rational and slope != 0):
-        return None
-    bound = -rest / slope
-    return (symbol, bound, oo) if slope > 0 else (symbol, -oo, bound)
-
-
-def _between(symbol: Symbol, low: Expr, high: Expr) -> Expr:
-    more = Dummy(f"beyond_{symbol}", positive=True)
-    if high == oo:
-        return low + more
-    if low == -oo:
-        return high - more
-    return (low + high * more) / (1 + more)
-
-
-def _solved(positive: Expr, region: Region) -> tuple[Symbol, Expr] | None:
-    """A symbol that makes an expression equal to a positive one."""
-    for symbol in sorted(positive.free_symbols - region.keys(), key=str):
-        if isinstance(symbol, Dummy) or symbol.is_positive:
-            continue
-        try:
-            (slope,), rest = collect_linear(positive, (symbol,))
-        except ExpressionError:
-            continue
-        if slope.is_number and slope != 0:
-            more = Dummy(f"beyond_{symbol}", positive=True)
-            return symbol, (more - rest) / slope
-    return None
 
 
 def _of_scene(witness: Witness, region: Region) -> Witness:

@@ -120,7 +120,55 @@ def test_a_case_at_one_state_alone_is_in_doubt() -> None:
     def at_zero(theta, u, m, l, g):
         return 0 * u if theta == 0 else right(theta, u, m, l, g)
 
-    assert judged(at_zero).verdict.name == "UNDECIDED"
+    found = judged(at_zero)
+    assert found.verdict.name == "UNDECIDED"
+    assert found.evidence.endswith("not shown where theta = 0")
+
+
+def test_a_limit_that_is_right_is_shown() -> None:
+    def without_torque(theta, u, m, l, g):
+        return 3 * g / (2 * l) * np.sin(theta) if u == 0 else right(theta, u, m, l, g)
+
+    assert judged(without_torque).shown
+
+
+def otherwise_written(theta, u, m, l, g):
+    return 3 * g / l * np.sin(theta / 2) * np.cos(theta / 2) + 3 * u / (m * l**2)
+
+
+CONDITIONS = [
+    lambda theta, u, m, l, g: np.sin(theta) > 0.999,
+    lambda theta, u, m, l, g: theta * u > 5000,
+    lambda theta, u, m, l, g: u / (m * l) > 300 * g,
+    lambda theta, u, m, l, g: m * g * l * np.cos(theta) < -0.999 * m * g * l,
+]
+
+
+@pytest.mark.parametrize("condition", CONDITIONS)
+def test_conditions_of_all_kinds(condition: Callable) -> None:
+    def both(theta, u, m, l, g):
+        if condition(theta, u, m, l, g):
+            return otherwise_written(theta, u, m, l, g)
+        return right(theta, u, m, l, g)
+
+    def wrong(theta, u, m, l, g):
+        if condition(theta, u, m, l, g):
+            return otherwise_written(theta, u, m, l, g) * (1 + 1e-6)
+        return right(theta, u, m, l, g)
+
+    assert judged(both).shown
+    found = judged(wrong)
+    assert found.verdict.name == "REFUTED"
+    state = {n: float(v) for n, v in state_of(found).items() if n != "theta_dot"}
+    assert condition(**state)
+
+
+def test_selections() -> None:
+    def selected(theta, theta_dot, u, m, l, g):
+        sign = np.select([theta_dot > 0, theta_dot < 0], [1.0, -1.0], default=1.0)
+        return right(theta, u, m, l, g) * sign * np.where(theta_dot < 0, -1, 1)
+
+    assert judged(selected).shown
 
 
 def test_cases_that_are_all_right_are_shown() -> None:

@@ -77,6 +77,19 @@ def _signs(x: Any) -> Any:
     return found.reshape(entries.shape) if entries.shape else found[0]
 
 
+def _selected(conditions: Any, choices: Any, default: Any = 0) -> Any:
+    """`np.select`, which wants conditions that are known."""
+    if any(np.ndim(part) for part in (*conditions, *choices, default)):
+        parts = np.broadcast_arrays(*(np.asarray(p, object) for p in (*conditions, *choices)))
+        base = np.broadcast_to(np.asarray(default, object), parts[0].shape)
+        found, k = np.empty(base.shape, dtype=object), len(conditions)
+        for place in np.ndindex(base.shape):
+            row = [part[place] for part in parts]
+            found[place] = _selected(row[:k], row[k:], base[place])
+        return found
+    return next((c for known, c in zip(conditions, choices, strict=True) if known), default)
+
+
 RANDOM = (random.Random, np.random.RandomState, np.random.Generator)
 CHANGING = ("random", "numpy.random", "secrets", "time", "datetime", "uuid")
 """Modules whose functions return something else at each call."""
@@ -114,7 +127,7 @@ NUMPY: dict[str, Any] = {
     "random": Changing("np.random"),
     "linalg": Module(np.linalg, linear_systems.NUMPY),
     "arctan2": lambda y, x: y.arctan2(x) if isinstance(y, Traced) else np.arctan2(y, x),
-    "sign": _signs,
+    "sign": _signs, "select": _selected,
 }  # fmt: skip
 MATH: dict[str, Any] = {
     **{name: _elementary(name, getattr(math, name, abs)) for name in ELEMENTARY},
