@@ -3,12 +3,14 @@
 D(q) q'' + C(q, q') q' + g(q) = tau        q = (q1, q2), tau = (tau1, tau2)
 """
 
-from collections.abc import Sequence
+from collections.abc import Container, Sequence
 
 from mechanics.reading.defined import definitions
 from mechanics.reading.lines import Entry, Line
 from mechanics.reading.names import Naming
+from mechanics.reading.spelled_rates import bases, key
 from mechanics.reading.tree import Call, Name, Node, Table, names, parts
+from mechanics.scene.symbols import DOTS
 
 COORDINATES = "q"
 """What everybody calls the column of all coordinates."""
@@ -41,13 +43,25 @@ def with_columns(lines: Sequence[Entry], naming: Naming) -> list[Entry]:
     if not any(map(_holds_matrix, sides)):
         return list(lines)
     defined = definitions(lines, naming)
-    found = {name: column(naming, name) for name in used if name not in defined}
-    return [*(_defined(name, entries) for name, entries in found.items() if entries), *lines]
+    found = (_defined(naming, name, {*map(key, used)}) for name in used if name not in defined)
+    return [*(line for line in found if line is not None), *lines]
 
 
-def _defined(name: str, entries: Sequence[str]) -> Line:
-    table = stacked(0, [Name(0, entry) for entry in entries])
-    return Line((Name(0, name), table), "", 0, f"{name} = ({', '.join(entries)})")
+def _defined(naming: Naming, name: str, used: Container[str]) -> Line | None:
+    """What a column is, or one that is differentiated: qdd."""
+    # q2_dot is the rate of q2 rather than the second one of q.
+    rates = () if any(map(str.isdigit, name)) else bases(name)
+    for base, order in ((name, 0), *rates):
+        entries = column(naming, base)
+        # The person's own q1, q2 beside q: what they mean is guessed as for any other name.
+        own = tuple(f"{COORDINATES}{i}" for i in range(1, len(entries) + 1))
+        if base == COORDINATES and all(entry in used for entry in own):
+            entries = own
+        if entries and not naming.knows(name):
+            table = stacked(0, [Name(0, entry, order, True) for entry in entries])
+            words = ", ".join(entry + DOTS[order] for entry in entries)
+            return Line((Name(0, name), table), "", 0, f"{name} = ({words})")
+    return None
 
 
 def _holds_matrix(node: Node) -> bool:

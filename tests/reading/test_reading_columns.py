@@ -140,3 +140,19 @@ def test_an_error_in_its_own_definition_ends_the_search_with_an_answer() -> None
     blame = checked(*changed(r"h(\dot\theta_1+\dot\theta_2)", "0"), blame=True).judged[0].blame
     assert blame is not None
     assert "nested" not in blame.searched
+
+
+@pytest.mark.parametrize(
+    "rates", [("qdd", "qd"), ("q_ddot", "q_dot"), ("ddq", "dq"), ("q''", "q'")]
+)
+@pytest.mark.parametrize("own", ["theta", "q"])
+def test_the_manipulator_form_in_text(rates: tuple[str, str], own: str) -> None:
+    text = """h = -m2*l1*lc2*sin(theta2)
+d = m2*(lc2^2 + l1*lc2*cos(theta2)) + I2
+M = [m1*lc1^2 + m2*(l1^2 + lc2^2 + 2*l1*lc2*cos(theta2)) + I1 + I2, d; d, m2*lc2^2 + I2];
+C = [h*theta2_dot, h*(theta1_dot + theta2_dot); -h*theta1_dot, 0];
+G = [(m1*lc1 + m2*l1)*g*sin(theta1) + m2*lc2*g*sin(theta1 + theta2); m2*lc2*g*sin(theta1 + theta2)];
+M*Q2 + C*Q1 + G == [0; tau]"""
+    text = text.replace("Q2", rates[0]).replace("Q1", rates[1]).replace("theta", own)
+    found = mechanics.check(ARM, text, notation="text", blame=False)
+    assert [entry.finding.verdict.name for entry in found.judged] == ["PROVED", "PROVED"]
