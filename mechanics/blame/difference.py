@@ -170,31 +170,44 @@ def meant(truth: Equations, expression: Expr, right: Expr | None = None) -> Mean
     right : Expr, optional
         The residual of what is meant, where that is known.
     """
+    if right is None:
+        return next(iter(nearly(truth, expression, 1)), None)
+    view, moving = _view(truth, expression)
+    left = _cleared(expression, moving, view.accelerations)
+    multiplied = terms_of([expression]) != [left]
+    target = Candidate(
+        "the repaired statement", ((GIVEN, _cleared(right, moving, view.accelerations)),)
+    )
+    aimed = next(iter(nearest(left, [target], moving, view.accelerations)), None)
+    as_written = _as_written(expression, right)
+    if aimed is None or (multiplied and len(as_written.different) <= len(aimed.different)):
+        return as_written
+    if not multiplied:
+        aimed = as_written  # of the same scale, for a repair is an edit of what is written
+    known = nearest(aimed.right, _candidates(view, expression), moving, view.accelerations)
+    pieces = known[0].pieces if known and not known[0].different else ()
+    return replace(aimed, pieces=pieces, multiplied=multiplied)
+
+
+def nearly(truth: Equations, expression: Expr, count: int) -> list[Meant]:
+    """The right equations that a residual is nearest to, as many as are wanted."""
+    view, moving = _view(truth, expression)
+    left = _cleared(expression, moving, view.accelerations)
+    multiplied = terms_of([expression]) != [left]
+    return [
+        replace(found, multiplied=multiplied)
+        for found in nearest(left, _candidates(view, expression), moving, view.accelerations, count)
+        if holds(truth, written(found.right))
+    ]
+
+
+def _view(truth: Equations, expression: Expr) -> tuple[View, set[Symbol]]:
+    """The speeds that a residual is written in, and all that no factor of an equation holds."""
     view = view_of(truth, expression)
     moving = {*view.speeds, *view.accelerations, *truth.scene.input_symbols}
     moving |= {reaction.symbol for reaction in truth.scene.reactions}
     momenta = momentum_symbols(truth.scene)
-    moving |= {*momenta, *map(rate_symbol, momenta)}
-    left = _cleared(expression, moving, view.accelerations)
-    multiplied = terms_of([expression]) != [left]
-    if right is not None:
-        target = Candidate(
-            "the repaired statement", ((GIVEN, _cleared(right, moving, view.accelerations)),)
-        )
-        aimed = nearest(left, [target], moving, view.accelerations)
-        as_written = _as_written(expression, right)
-        if aimed is None or (multiplied and len(as_written.different) <= len(aimed.different)):
-            return as_written
-        if not multiplied:
-            aimed = as_written  # of the same scale, for a repair is an edit of what is written
-        known = _candidates(view, expression)
-        same = nearest(aimed.right, known, moving, view.accelerations)
-        pieces = same.pieces if same is not None and not same.different else ()
-        return replace(aimed, pieces=pieces, multiplied=multiplied)
-    found = nearest(left, _candidates(view, expression), moving, view.accelerations)
-    if found is None or not holds(truth, written(found.right)):
-        return None
-    return replace(found, multiplied=multiplied)
+    return view, moving | {*momenta, *map(rate_symbol, momenta)}
 
 
 def _as_written(expression: Expr, right: Expr) -> Meant:

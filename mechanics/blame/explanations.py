@@ -109,7 +109,7 @@ def _of_one_equation(truth: Equations, one: Stated) -> list[str]:
         return []
     found = []
     for candidate in candidates:
-        near = nearest(written, [candidate], moving, scene.ud)
+        near = next(iter(nearest(written, [candidate], moving, scene.ud)), None)
         if near is not None and not near.different:
             found.append(candidate.words)
     return found

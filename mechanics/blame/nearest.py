@@ -1,4 +1,4 @@
-"""Which right equation was meant: the one with the smallest share of different terms.
+"""Which right equation was meant: the one with the fewest different terms.
 
     written  ~  factor * row,      factor = rational * monomial
 
@@ -7,7 +7,7 @@ that makes them equal; the factors with most votes are tried.
 """
 
 from collections import Counter
-from collections.abc import Collection, Iterable
+from collections.abc import Collection, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property, lru_cache
@@ -73,15 +73,19 @@ class Meant:
         return difference(self.written, self.right)
 
 
-Rank = tuple[Fraction, int, int, int, bool]
-"""Share of the terms that differ, accelerations among them, how odd the factor is, the place."""
+Rank = tuple[bool, Fraction | int, bool, int, int, int, int, bool]
+"""Whether it is no nearer than nothing at all; terms that differ, of these their share; whether
+another factor than one stands in front; accelerations that nobody wrote, those in terms that
+differ; how odd the factor is, the place, the sign."""
+
+Found = tuple[Rank, Candidate, Monomial, Fraction]
 
 
 def nearest(
     written: Terms, candidates: Iterable[Candidate], moving: Collection[Symbol],
-    accelerations: Collection[Symbol],
-) -> Meant | None:  # fmt: skip
-    """The candidate and its factor with the smallest share of different terms; the first of equals.
+    accelerations: Collection[Symbol], count: int = 1,
+) -> list[Meant]:  # fmt: skip
+    """The candidates, each with a factor, that leave the fewest different terms.
 
     Parameters
     ----------
@@ -91,38 +95,62 @@ def nearest(
         Speeds, accelerations and inputs, which no factor holds.
     accelerations : collection of Symbol
         Where two are equally near, the one with the accelerations as written is meant.
+    count : int
+        How many are wanted.
 
     Returns
     -------
-    Meant or None
-        None where no candidate shares a term with what is written.
+    list of Meant
+        The nearest first, the first of equals; empty where no candidate shares a term with what
+        is written.
     """
-    fast, lead = frozenset(moving), set(accelerations)
-    best: tuple[Rank, Candidate, Monomial, Fraction] | None = None
+    fast, lead = frozenset(moving), frozenset(accelerations)
+    best: list[Found] = []
     for place, candidate in enumerate(candidates):
-        right = candidate.terms
-        size = max(len(written) + len(right), 1)
-        if best is not None and Fraction(_fewest(written, candidate, fast), size) > best[0][0]:
+        if len(best) == count and _farther(_fewest(written, candidate, fast), best[-1]):
             continue
-        for monomial, factor, votes in _factors(written, candidate, fast):
-            # So many terms are left at least: each vote is for one that agrees.
-            fewest = Fraction(max(len(written), len(right)) - votes, size)
-            if best is not None and fewest > best[0][0] and not _turns(monomial):
-                continue
-            left = difference(written, product(right, monomial, factor))
-            if _near(written, left, monomial):
-                share = Fraction(len(left), size)
-                held = _held(left, lead)
-                rank = share, held, _odd(monomial, factor), place, factor < 0
-                if best is None or rank < best[0]:
-                    best = rank, candidate, monomial, factor
-        if best is not None and best[0][0] * size <= 1:
+        found = _with_factors(written, candidate, fast, lead, place, best[count - 1 :])
+        best = sorted((*best, *found), key=lambda each: each[0])[:count]
+        if len(best) == count and best[-1][0][:4] <= (False, 1, False, 0):
             break  # nothing is nearer than one term
-    if best is None:
-        return None
-    _, candidate, monomial, factor = best
+    return [_meant(written, *found) for found in best]
+
+
+def _meant(
+    written: Terms, _: Rank, candidate: Candidate, monomial: Monomial, factor: Fraction
+) -> Meant:
     pieces = tuple((o, product(t, monomial, factor)) for o, t in candidate.pieces)
     return Meant(candidate.words, written, product(candidate.terms, monomial, factor), pieces)
+
+
+def _farther(fewest: int, found: Found) -> bool:
+    """Whether so many different terms are more than those of what was found."""
+    useless, left, *_ = found[0]
+    return not useless and fewest > left
+
+
+def _with_factors(
+    written: Terms, candidate: Candidate, moving: frozenset[Symbol],
+    accelerations: frozenset[Symbol], place: int, worst: Sequence[Found],
+) -> Iterator[Found]:  # fmt: skip
+    """A candidate with each of its likely factors."""
+    right = candidate.terms
+    for monomial, factor, votes in _factors(written, candidate, moving):
+        # So many terms are left at least: each vote is for one that agrees.
+        fewest = max(len(written), len(right)) - votes
+        if not _turns(monomial) and any(_farther(fewest, other) for other in worst):
+            continue
+        scaled = product(right, monomial, factor)
+        left = difference(written, scaled)
+        if not _near(written, left, monomial):
+            continue
+        useless = len(left) >= len(written)
+        share = Fraction(len(left), len(written) + len(right)) if useless else len(left)
+        odd = _odd(monomial, factor)
+        unwritten = len(_held(scaled, accelerations) - _held(written, accelerations))
+        differing = sum(bool(_held({one: value}, accelerations)) for one, value in left.items())
+        rank = useless, share, odd > 0, unwritten, differing, odd, place, factor < 0
+        yield rank, candidate, monomial, factor
 
 
 def _turns(factor: Monomial) -> bool:
@@ -137,8 +165,9 @@ def _near(written: Terms, left: Terms, factor: Monomial) -> bool:
     return agreeing > 1 or (agreeing == 1 and plain)
 
 
-def _held(terms: Terms, accelerations: set[Symbol]) -> int:
-    return sum(any(atom in accelerations for atom, _ in monomial) for monomial in terms)
+def _held(terms: Terms, accelerations: frozenset[Symbol]) -> set[Expr]:
+    """Accelerations that terms hold."""
+    return {atom for monomial in terms for atom, _ in monomial if atom in accelerations}
 
 
 def _odd(monomial: Monomial, factor: Fraction) -> int:

@@ -1,6 +1,6 @@
-"""The cheapest edits that make an equality hold at its points: one, else two, else a term.
+"""The cheapest edits that make an equality hold at its points: one, two, several, else a term.
 
-one token  <  one term dropped  <  a term added  <  two of these  <  a term replaced
+one token  <  one term dropped  <  a term added  <  two of these  <  several, or a term replaced
 """
 
 from collections.abc import Iterator, Sequence
@@ -17,6 +17,7 @@ from mechanics.blame.search.judge import Problem
 from mechanics.blame.search.maker import Maker
 from mechanics.blame.search.missing import Missing
 from mechanics.blame.search.pairs import pairs
+from mechanics.blame.search.several import Several
 from mechanics.blame.search.signs import signs
 from mechanics.blame.search.solved import numbers
 from mechanics.blame.search.two import Two
@@ -61,9 +62,12 @@ def solutions(claim: Claim, problem: Problem, statement: Statement) -> Iterator[
     yield _sorted(problem, pairs(problem, changes))
     yield _sorted(problem, exchanged(growth))
     yield _sorted(problem, signs(problem))
+    many = Several(growth, changes)
+    yield _sorted(problem, many.pairs())
     yield _sorted(problem, Both(growth).pairs())
     yield _sorted(problem, Two(growth).pairs())
-    yield _sorted(problem, whole(claim, problem, statement))
+    groups = whole(claim, problem, statement)
+    yield _sorted(problem, [*many.all(), *groups])
     yield _sorted(problem, [(change,) for change in lacking if change not in added])
 
 

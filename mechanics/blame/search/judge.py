@@ -117,9 +117,11 @@ def root_with(sheet: Sheet, new: Mapping[int, int]) -> int:
 
 def _again(sheet: Sheet, index: int, values: Mapping[int, int]) -> int:
     node, kids, p = sheet.forest.nodes[index], sheet.forest.kids[index], sheet.point.prime
-    parts = [values.get(kid, sheet.has[kid]) for kid in kids]
     if isinstance(node, Sum):
-        return sum(parts) % p
+        # A term may have been added to it.
+        steps = (values[kid] - sheet.has[kid] for kid in kids if kid in values)
+        return (sheet.has[index] + sum(steps)) % p
+    parts = [values.get(kid, sheet.has[kid]) for kid in kids]
     if sheet.forest.opaque(index):
         raise InsideHere
     if isinstance(node, Product):

@@ -57,16 +57,7 @@ class Missing:
                 return []
             return [-problem.residual * pow(slopes[0], -1, self._p) % self._p]
         (sheet,) = problem.sheets
-        need = sheet.needs[index]
-        if need is not None:
-            return [(need - sheet.has[index]) % self._p]
-        square = sheet.squares.get(index)
-        if square is None:
-            return []
-        root = pow(square, (self._p + 1) // 4, self._p)
-        if root * root % self._p != square:
-            return []
-        return [(sign * root - sheet.has[index]) % self._p for sign in (1, -1)]
+        return [(need - sheet.has[index]) % self._p for need in sheet.needed(index)]
 
     def _series(self, index: int) -> Iterator[Series]:
         """What a node lacks at every point; of two roots the one that tells an exponent."""

@@ -59,13 +59,13 @@ def _where_they_meet(
         if change.wrap is not None and forest.single(change.at):
             yield from _around(sheet, change, reached[change.index])
     for index, here in entries.items():
-        need = sheet.needs[index]
-        if need is None or need == sheet.has[index]:
-            continue
-        if isinstance(forest.nodes[index], Sum):
-            yield from _added(sheet, need - sheet.has[index], here)
-        elif sheet.has[index]:
-            yield from _multiplied(sheet, index, need, here)
+        for need in sheet.needed(index):
+            if need == sheet.has[index]:
+                continue
+            if isinstance(forest.nodes[index], Sum):
+                yield from _added(sheet, need - sheet.has[index], here)
+            elif sheet.has[index]:
+                yield from _multiplied(sheet, index, need, here)
 
 
 def _around(

@@ -10,7 +10,7 @@ A node is right as something else if that is worth what is needed there.
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from fractions import Fraction
 
 from mechanics.blame.search.forest import Forest
@@ -56,6 +56,17 @@ class Sheet:
     def opaque(self, node: Node) -> int:
         """The residue of a node as an expression."""
         return self.point.value(self.builder(node))
+
+    def needed(self, index: int) -> list[int]:
+        """What a node has to be; one of two below a square."""
+        need, p = self.needs[index], self.point.prime
+        if need is not None:
+            return [need]
+        square = self.squares.get(index)
+        if square is None:
+            return []
+        root = pow(square, (p + 1) // 4, p)
+        return [root, p - root] if root * root % p == square else []
 
     def above(self, parent: int, child: int, value: int) -> int:
         """What a node is worth when one part of it has another value.
@@ -122,8 +133,20 @@ def sheet_of(forest: Forest, point: Point, builder: Builder, target: int) -> She
     sheet = Sheet(forest, point, builder, target, [0] * count, [None] * count)
     for index in reversed(range(count)):
         sheet.has[index] = _value(sheet, index)
-    sheet.needs[0] = target % point.prime
-    for index in range(count):
+    return _from_root(sheet)
+
+
+def again(sheet: Sheet) -> Sheet:
+    """What is needed where the nodes have other values."""
+    needs: list[int | None] = [None] * len(sheet.has)
+    return _from_root(replace(sheet, needs=needs, squares={}))
+
+
+def _from_root(sheet: Sheet) -> Sheet:
+    """What is needed from the root down; not where a node stands at several places."""
+    forest = sheet.forest
+    sheet.needs[0] = sheet.target % sheet.point.prime
+    for index in range(len(forest.nodes)):
         if sheet.needs[index] is not None and forest.kids[index]:
             _needed_below(sheet, index)
     for indices in forest.copies.values():

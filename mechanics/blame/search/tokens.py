@@ -53,6 +53,8 @@ class Tokens:
         for word in self.make.words.symbols:
             if own is not None and word.symbol == own.symbol:
                 continue
+            if not any(word.values):
+                continue  # a speed at rest is nothing to exchange a symbol for
             far = 0.0 if own is not None and word.kind == own.kind else HINT
             yield self.make.change(index, word.name, Mistake.SYMBOL, TOKEN + far, word.values)
             if word.kind == "speed":

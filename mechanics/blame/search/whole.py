@@ -48,7 +48,9 @@ def _changes(claim: Claim, problem: Problem, found: tuple[Group, ...]) -> Iterat
             return
         wrap = partial(plus, term)
         mistake = Mistake.TERM if group.written else Mistake.MISSING
-        cost = REPLACED if group.written else ADDED + HINT
+        # What replaces a term may be a long sum.
+        count = len(difference(group.right, group.written))
+        cost = max(REPLACED, ADDED * (count - 1)) if group.written else ADDED + HINT
         sums = tuple((a + b) % problem.prime for a, b in zip(has, values, strict=True))
         yield Change(index, wrap(node), mistake, cost, index, sums, wrap)
 
