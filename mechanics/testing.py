@@ -43,7 +43,8 @@ def assert_equivalent(
     allow_supported : bool
         Whether SUPPORTED is enough, which is the most that a `BlackBox` can reach: numbers only.
     **options
-        As for `mechanics.check`: ``names``, ``notation``, ``about``, ``convention``, ``blame``.
+        As for `mechanics.check`: ``names``, ``notation``, ``about``, ``convention``,
+        ``where``, ``blame``.
 
     Raises
     ------

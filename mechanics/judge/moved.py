@@ -19,7 +19,7 @@ from mechanics.reading.convention import Table
 from mechanics.scene import Scene
 from mechanics.scene.published import Published
 from mechanics.scene.quantities import GeneralizedMomentum, MassMatrix
-from mechanics.scene.symbols import plain_table, to_plain
+from mechanics.scene.symbols import plain_symbol, plain_table, to_plain
 
 
 def each_side(row: Published, change: Callable[[Expr], Expr]) -> Published:
@@ -59,14 +59,20 @@ def moved(scene: Scene, row: Published, table: Table) -> Published:
 
 
 def moves_more(scene: Scene, row: Published) -> bool:
-    """Whether more than symbols has to be replaced in a row."""
-    if isinstance(row.quantity, MassMatrix | GeneralizedMomentum) or scene.speeds:
+    """Whether more than the symbols of a row in plain symbols has to be replaced."""
+    if isinstance(row.quantity, GeneralizedMomentum):
         return True
-    momenta = {s for p in momentum_symbols(scene) for s in (p, rate_symbol(p))}
-    functions = {str(s) for s in momenta}
-    return any(
-        side.free_symbols & momenta or {f.name for f in side.atoms(AppliedUndef)} & functions
-        for side in map(sympify, row.sides)
+    if isinstance(row.quantity, MassMatrix):
+        return not scene.speeds
+    special = {s.name for p in momentum_symbols(scene) for s in (p, rate_symbol(p))}
+    if scene.speeds:
+        special |= {plain_symbol(q, order).name for q in scene.coordinates for order in (1, 2)}
+    held = {s.name for side in row.sides for s in sympify(side).free_symbols}
+    functions = {f for side in row.sides for f in sympify(side).atoms(AppliedUndef)}
+    return (
+        bool(held & special)
+        or bool(functions and scene.speeds)
+        or bool({f.name for f in functions} & special)
     )
 
 

@@ -81,7 +81,12 @@ def _changes(scene: Scene) -> list[Change]:
 
 def _judged(truth: Equations, row: Published, table: dict) -> Finding | None:
     try:
-        return check_row(truth.scene, moved(truth.scene, row, table), truth)
+        there = moved(truth.scene, row, table)
+        if moves_more(truth.scene, row):
+            plain = in_plain_symbols(truth.scene, there)
+            if not all(glance(truth, [plain], [{}])):
+                return None
+        return check_row(truth.scene, there, truth)
     except (InputError, SceneError, ExpressionError):
         return None
 

@@ -69,7 +69,13 @@ def judge_under(
         Judged(s, _where(f, words), helping if f.verdict is Verdict.REFUTED else ())
         for s, f in zip(statements, findings, strict=True)
     ]
-    return tuple(entries), (*remarks, *_unused(change, held))
+    return tuple(entries), (*remarks, *_unused(change, held), *_speeds(truth.scene, change))
+
+
+def _speeds(scene: Scene, change: Change) -> tuple[str, ...]:
+    turned = any(set(scene.q) & convention.table.keys() for convention in change)
+    names = ", ".join(speed.name for speed in scene.u)
+    return (f"speeds are the scene's own: {names}",) if scene.speeds and turned else ()
 
 
 def _more(target: Equations, statements: Sequence[Statement], change: Change) -> tuple[str, ...]:
