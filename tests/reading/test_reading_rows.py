@@ -165,3 +165,44 @@ def test_long_documents_are_unframed_in_linear_time(piece: str) -> None:
         with contextlib.suppress(InputError):
             mechanics.check(CART, r"\[ " + piece * (length // len(piece)), notation="latex")
         assert time.process_time() - start < 4
+
+
+def bare(text: str) -> str:
+    return text.replace("&", "")
+
+
+@pytest.mark.parametrize(
+    "end", ["\n", "\n\n", "\\tag{1}\n\n", " \\eqno(3)\n", "\\cdots(1)\n", ",\n"]
+)
+def test_lines_of_a_bare_text_are_equations(end: str) -> None:
+    text = bare(f"{POLE}{end}{RAIL}{end}- F + {LEFT} - {REST} = 0")
+    assert verdicts(text) == ["PROVED"] * 3
+    assert verdicts(text.replace("= g", "= -g")) == ["REFUTED", "PROVED", "PROVED"]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        LEFT + "\n = F\n + " + REST,
+        LEFT + " = F +\n" + REST,
+        LEFT + "\n - " + REST + " = F",
+        "(m_c+m_p)\\ddot x + m_p l\n\\ddot\\theta\\cos\\theta = F + " + REST,
+    ],
+)
+def test_an_equation_of_a_bare_text_goes_on_over_lines(text: str) -> None:
+    assert verdicts(text) == ["PROVED"]
+    assert verdicts(f"{bare(POLE)}\n\n{text}\n{bare(POLE)}") == ["PROVED"] * 3
+
+
+def test_a_line_of_a_bare_text_that_begins_with_a_factor_is_in_doubt() -> None:
+    assert verdicts(f"{bare(POLE)}\n{LEFT}\n = F + {REST}") == ["UNDECIDED"]
+    assert verdicts(f"{LEFT} = F + m_p l\n\\dot\\theta^2\\sin\\theta") == ["UNDECIDED"]
+
+
+@pytest.mark.parametrize(
+    "label",
+    [r"(1)\quad ", r"(1):\quad ", "x: ", r"\text{cart: }", r"\rightarrow ", r"\therefore\quad "],
+)
+def test_what_stands_before_an_equation_is_its_label(label: str) -> None:
+    assert verdicts(rf"\[ {label} {bare(RAIL)} \]") == ["PROVED"]
+    assert verdicts(rf"\[ {label} {bare(RAIL).replace('F', '2 F')} \]") == ["REFUTED"]

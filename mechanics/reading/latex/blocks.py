@@ -55,6 +55,8 @@ class Block:
         Whether its end was found.
     one : bool
         Whether all its lines are one equation.
+    bare : bool
+        Whether it is a text that marks no formula, so that its lines mean something.
     """
 
     start: int
@@ -62,6 +64,7 @@ class Block:
     inline: bool = False
     closed: bool = True
     one: bool = False
+    bare: bool = False
 
 
 def blocks(text: str) -> list[Block]:
@@ -73,7 +76,7 @@ def blocks(text: str) -> list[Block]:
         if whole and inline:
             return [Block(block.start, block.end) for block in inline]
     if not inline and not any(block.closed for block in shown):
-        return [Block(0, len(text))]
+        return [Block(0, len(text), bare=True)]
     found = sorted((*shown, *inline), key=lambda block: block.start)
     kept = [block for block in found if text[block.start : block.end].strip()]
     return kept

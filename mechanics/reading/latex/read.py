@@ -19,8 +19,9 @@ from mechanics.reading.latex.fold import ALL, GLUED, SLASH, Fold, applied
 from mechanics.reading.latex.grammar import PARSER
 from mechanics.reading.latex.item import bare
 from mechanics.reading.latex.items import Items
+from mechanics.reading.latex.pieces import Pieces, is_kind
 from mechanics.reading.latex.prepare import prepared
-from mechanics.reading.latex.rows import Pieces, is_kind, rows
+from mechanics.reading.latex.rows import rows
 from mechanics.reading.lines import Aside, Entry, Line, Unread, gives, gives_constants, value
 from mechanics.reading.names import Naming
 from mechanics.reading.place import Refused, bounded, bounded_mathematics, located, refusal
@@ -28,7 +29,7 @@ from mechanics.reading.tree import Node, move
 
 ABOUT = ("\u2248", r"\approx", r"\simeq", r"\sim")
 BY_CASES = re.compile(r"=[\s&]*(?:\\left\s*(?:\.|\\\{)\s*)?\\begin\s*\{d?cases\}")
-TAG = re.compile(r"\{\s*(.*?)\s*\}", re.DOTALL)
+TAG = re.compile(r"[{(]\s*(.*?)\s*[})]", re.DOTALL)
 
 
 def read_latex(text: str, naming: Naming, origin: str = "LaTeX") -> list[Entry]:
@@ -71,6 +72,8 @@ def _entries(clean: str, text: str, block: Block, naming: Naming, origin: str) -
     if not block.closed:
         raise Refused(block.start, "the end of this display is missing")
     if not block.inline:
+        if block.bare:
+            formula = formula.replace("\n", END_OF_LINE)
         lines = _block(formula, text, block.start, naming, origin, block.one)
         return [_claim_or_value(entry, naming) for entry in lines]
     entries = _block(formula, text, block.start, naming, origin) if _moves(formula, naming) else []
@@ -104,6 +107,7 @@ def _claim_or_value(entry: Entry, naming: Naming) -> Entry:
     return value(entry.source, entry.at) if given else entry
 
 
+END_OF_LINE = "\u2028"
 FRAMED = re.compile(r"\\(?:under|over)brace\s*$")
 BEGINNING = re.compile(r"\(\s?(?:0|t_0|t_\{0\})\s?\)\s?=")
 SET = "an acceleration or reaction is given a value in the text, which is not judged: display it"
