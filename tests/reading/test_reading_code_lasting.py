@@ -53,6 +53,10 @@ class Rod:
         Rod.calls += 1
         return law(y, u, self.m, self.l, self.g, later(Rod.calls))
 
+    def of_its_type(self, y, u):  # type: ignore[no-untyped-def]
+        type(self).calls += 1
+        return law(y, u, self.m, self.l, self.g, later(type(self).calls))
+
     @property
     def inertia(self):  # type: ignore[no-untyped-def]
         return self.m * self.l**2 / 3
@@ -66,6 +70,29 @@ class Rod:
         self.rate = (self._moment(y[0]) + u) / self.inertia
         rates[:] = y[1], self.rate
         return rates
+
+
+class Slots:
+    __slots__ = ("g", "l", "m", "number")
+
+    def __init__(self) -> None:
+        self.m, self.l, self.g, self.number = 1.0, 2.0, 9.81, 0
+
+    def counts(self, y, u, m, l, g):  # type: ignore[no-untyped-def]
+        self.number += 1
+        return law(y, u, m, l, g, later(self.number))
+
+
+CYCLE, BYTES = itertools.cycle([1.0] * 100_000 + [2.0]), bytearray(1)
+
+
+def goes_round(y, u, m, l, g):  # type: ignore[no-untyped-def]
+    return law(y, u, m, l, g, next(CYCLE))
+
+
+def counts_in_bytes(y, u, m, l, g):  # type: ignore[no-untyped-def]
+    BYTES[0] = min(BYTES[0] + 1, 255)
+    return law(y, u, m, l, g, 1.0 if BYTES[0] < 250 else 2.0)
 
 
 def changes_the_caller(y, u, p):  # type: ignore[no-untyped-def]
@@ -107,6 +134,7 @@ def around() -> Callable:
 LASTING = [
     changes_the_caller, turns_the_caller, counts_in_the_file, counts_in_a_list, ticks, around(),
     Rod().counts, Rod().wears, Rod().keeps, Rod().of_class,
+    Rod().of_its_type, Slots().counts, goes_round, counts_in_bytes,
 ]  # fmt: skip
 
 
@@ -136,7 +164,23 @@ def by_the_clock(y, u, m, l, g):  # type: ignore[no-untyped-def]
     return law(y, u, m, l, g, later(time.time() - 4e9))  # type: ignore[arg-type]
 
 
-@pytest.mark.parametrize("function", [by_chance, by_numpy, by_the_clock])
+def by_an_import(y, u, m, l, g):  # type: ignore[no-untyped-def]
+    from random import random as chance
+
+    return law(y, u + 1e-12 * chance(), m, l, g)
+
+
+@pytest.mark.parametrize("function", [by_chance, by_numpy, by_the_clock, by_an_import])
 def test_chance_and_the_clock_are_refused(function: Callable) -> None:
     with pytest.raises(InputError, match="depends on more than its arguments"):
         check(SCENE, function)
+
+
+def test_an_import_inside_and_defaults_of_entries() -> None:
+    def rates(y, u, p):  # type: ignore[no-untyped-def]
+        import math
+
+        m, l = p.get("m", 1.0), p.get("l", 2.0)
+        return [y[1], 3 * p["g"] / (2 * l) * math.sin(y[0]) + 3 * u / (m * l**2)]
+
+    assert check(SCENE, rates).verdict is Verdict.PROVED

@@ -87,7 +87,8 @@ def _object(bound: Any, file: Scope) -> Iterator[Scope]:
                 stores = list(_stores(method.body))
                 assigned += [(n, v if own else None) for n, v in stores if n.startswith(".")]
                 local += [(n, v) for n, v in stores if own and not n.startswith(".")]
-    values = {f".{name}": value for name, value in {**parts, **vars(bound)}.items()}
+    parts |= getattr(bound, "__dict__", {})
+    values = {f".{name}": value for name, value in parts.items()}
     once = _once(assigned)
     # self.m = m says that m in __init__ is what self.m is.
     same = {v.id: _attribute(n) for n, v in once.items() if isinstance(v, ast.Name)}

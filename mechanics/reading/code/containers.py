@@ -1,10 +1,11 @@
 """Numbers in dictionaries, objects and classes that code finds under a name.
 
-    P = {"m": 2.0};  P["m"]        P = Parameters();  P.m        class P: m = 2.0
+    P = {"m": 2.0}; P["m"]     P = Parameters(); P.m     class P: m = 2.0     import P; P.m
 
 Another of the same kind stands in for each; the person's own is not changed.
 """
 
+import sys
 import types
 from collections.abc import Callable, Iterator
 from functools import cached_property, partial
@@ -16,7 +17,8 @@ Put = Callable[[Any], None]
 Learn = Callable[[str, float, Put], None]
 """What is told of a number: its name, its value, and what puts another there."""
 
-NO_DATA = (types.FunctionType, types.MethodType, types.BuiltinFunctionType, types.ModuleType)
+NO_DATA = (types.FunctionType, types.MethodType, types.BuiltinFunctionType)
+LIBRARIES = frozenset({"numpy", "scipy", "sympy", "casadi"})
 
 
 def with_numbers(value: Any, asked: frozenset[str], learn: Learn) -> Any:
@@ -27,6 +29,8 @@ def with_numbers(value: Any, asked: frozenset[str], learn: Learn) -> Any:
         for name, number in known.items():
             learn(name, number, partial(other.__setitem__, name))
         return other
+    if isinstance(value, types.ModuleType):
+        return _module(value, asked, learn)
     if isinstance(value, NO_DATA) or not hasattr(value, "__dict__"):
         return value
     kind = value if isinstance(value, type) else type(value)
@@ -36,6 +40,18 @@ def with_numbers(value: Any, asked: frozenset[str], learn: Learn) -> Any:
     if other is not value:
         for name, number in known.items():
             learn(name, number, _put(other, name))
+    return other
+
+
+def _module(value: types.ModuleType, asked: frozenset[str], learn: Learn) -> Any:
+    """A file of a person's numbers: ``import parameters as p``."""
+    known = {n: v for n, v in vars(value).items() if n in asked and is_number(v)}
+    if not known or value.__name__.partition(".")[0] in sys.stdlib_module_names | LIBRARIES:
+        return value
+    other = types.ModuleType(value.__name__)
+    other.__dict__.update(vars(value))
+    for name, number in known.items():
+        learn(name, number, partial(other.__dict__.__setitem__, name))
     return other
 
 

@@ -18,6 +18,7 @@ from typing import Any
 
 from mechanics.errors import InputError
 from mechanics.reading.code.containers import (
+    LIBRARIES,
     Learn,
     Put,
     is_number,
@@ -152,7 +153,7 @@ def called_by(function: types.FunctionType, bound: Any = None) -> list[types.Fun
 
 def foreign(function: types.FunctionType) -> bool:
     """Whether a function is one of a library of numbers."""
-    return (function.__module__ or "").partition(".")[0] in ("numpy", "scipy", "sympy", "casadi")
+    return (function.__module__ or "").partition(".")[0] in LIBRARIES
 
 
 def _over(

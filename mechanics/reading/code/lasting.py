@@ -8,6 +8,7 @@ closes over, names of its file, attributes of its object and of classes.
 
 import random
 import types
+from array import array
 from collections import deque
 from collections.abc import Callable, Iterator, Mapping
 from itertools import count
@@ -34,6 +35,7 @@ def seen(function: Callable[..., Any], arguments: Mapping[str, Any]) -> Seen:
     for name, value in _reached(function, set()):
         found.setdefault(name, ())
         found[name] += (_still(value, left, 0),)
+    found["random numbers"] = hash(random.getstate()), repr(np.random.get_state())
     return found
 
 
@@ -50,9 +52,8 @@ def _reached(function: Any, known: set[int]) -> Iterator[tuple[str, Any]]:
         return
     known.add(id(inner))
     if bound is not None:
-        own = getattr(bound, "__dict__", {})
-        yield from ((f"self.{name}", value) for name, value in own.items())
-        yield from _of_class(type(bound), "self")
+        yield from ((f"self.{name}", value) for name, value in _attributes(bound).items())
+        yield from _of_class(type(bound), "its class")
         for method in methods_used(bound, [inner]).values():
             yield from _reached(method, known)
     names = dict.fromkeys(names_in(inner.__code__))
@@ -68,14 +69,29 @@ def _reached(function: Any, known: set[int]) -> Iterator[tuple[str, Any]]:
             yield from _reached(value, known)
         elif isinstance(value, type):
             yield from _of_class(value, name)
-        elif not isinstance(value, types.ModuleType):
+        elif isinstance(value, types.ModuleType):
+            parts = [(n, vars(value)[n]) for n in names if n in vars(value)]
+            yield from ((f"{name}.{n}", part) for n, part in parts if not callable(part))
+        else:
             yield name, value
 
 
 def _of_class(kind: type, name: str) -> Iterator[tuple[str, Any]]:
-    for attribute, value in vars(kind).items():
-        if not attribute.startswith("__") and not callable(value):
-            yield f"{name}.{attribute}", value
+    for base in kind.__mro__:
+        for attribute, value in vars(base).items():
+            if not attribute.startswith("__") and not callable(value):
+                yield f"{name}.{attribute}", value
+
+
+def _attributes(value: Any) -> dict[str, Any]:
+    """Attributes of an object, in slots or not."""
+    names = [n for base in type(value).__mro__ for n in _slots(base) if hasattr(value, n)]
+    return {n: getattr(value, n) for n in names} | dict(getattr(value, "__dict__", {}))
+
+
+def _slots(kind: type) -> tuple[str, ...]:
+    slots = vars(kind).get("__slots__", ())
+    return (slots,) if isinstance(slots, str) else tuple(slots)
 
 
 def _still(value: Any, left: Iterator[int], depth: int) -> Any:
@@ -99,15 +115,19 @@ def _still(value: Any, left: Iterator[int], depth: int) -> Any:
             entries = ((_still(k, left, depth + 1), _still(v, left, depth + 1))
                        for k, v in value.items())  # fmt: skip
             return dict, tuple(entries)
+        case bytearray() | memoryview() | array():
+            return type(value), bytes(value)
         case random.Random():
             return hash(value.getstate())
+        case np.random.RandomState():
+            return repr(value.get_state())
         case np.random.Generator():
             return repr(value.bit_generator.state)
         case set() | frozenset():
             return type(value), frozenset(_still(v, left, depth + 1) for v in value)
-    own = getattr(value, "__dict__", None)
-    if isinstance(own, dict) and not isinstance(
-        value, type | types.FunctionType | types.ModuleType
-    ):
-        return type(value), _still(dict(own), left, depth + 1)
-    return id(value)
+    if isinstance(value, type | types.FunctionType | types.MethodType | types.ModuleType):
+        return id(value)
+    if hasattr(type(value), "__next__"):
+        return object()  # an iterator: each call may find it somewhere else
+    own = _attributes(value)
+    return (type(value), _still(own, left, depth + 1)) if own else id(value)

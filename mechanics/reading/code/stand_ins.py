@@ -91,8 +91,8 @@ def _selected(conditions: Any, choices: Any, default: Any = 0) -> Any:
 
 
 RANDOM = (random.Random, np.random.RandomState, np.random.Generator)
-CHANGING = ("random", "numpy.random", "secrets", "time", "datetime", "uuid")
-"""Modules whose functions return something else at each call."""
+CHANGING = ("random", "numpy.random", "secrets", "time", "datetime", "uuid", "os")
+"""Modules whose functions return something else at each call, or elsewhere."""
 OUTSIDE = ("input", "open", "eval", "exec", "globals")
 
 
@@ -208,6 +208,7 @@ def copy_of(function: Callable[..., Any], depth: int = 0) -> Callable[..., Any]:
         return function
     table = dict(function.__globals__)
     table["float"] = _identity
+    table["__builtins__"] = {**vars(builtins), "__import__": _imported}
     for name in _used(function.__code__):
         if name in table and table[name] is not function and name != "float":
             table[name] = stand_in(table[name], depth)
@@ -225,6 +226,11 @@ def copy_of(function: Callable[..., Any], depth: int = 0) -> Callable[..., Any]:
     # It calls its copy, not itself.
     table[function.__name__] = copied
     return copied
+
+
+def _imported(*arguments: Any, **options: Any) -> Any:
+    """What ``import`` inside of a function finds."""
+    return stand_in(builtins.__import__(*arguments, **options))
 
 
 def _method(function: Callable[..., Any], bound: Any, depth: int) -> Callable[..., Any]:

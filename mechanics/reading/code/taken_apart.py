@@ -101,6 +101,9 @@ def in_python(function: Callable[..., Any]) -> tuple[dict[str, Apart], tuple[str
                 _of(found, mine).give(place, local)
             case ast.Subscript(value=ast.Name(id=mine), slice=ast.Constant(value=str(key))):
                 _of(found, mine).keys.setdefault(key, line)
+            case ast.Call(func=ast.Attribute(value=ast.Name(id=mine), attr="get"),
+                          args=[ast.Constant(value=str(key)), *_]):  # fmt: skip
+                _of(found, mine).keys.setdefault(key, line)
             case ast.Attribute(value=ast.Name(id=mine), attr=attribute):
                 _of(found, mine).attributes.setdefault(attribute, line)
             case ast.Return(value=value) if value is not None:
