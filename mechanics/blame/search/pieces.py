@@ -25,7 +25,6 @@ from mechanics.blame.search.change import (
 from mechanics.blame.search.cover import Piece
 from mechanics.blame.search.judge import Problem
 from mechanics.blame.search.residues import rational
-from mechanics.blame.search.steps import steps
 from mechanics.blame.search.wrongs import Wrongs
 from mechanics.reading.tree import Node, Number, Power, Product, constant
 
@@ -40,13 +39,13 @@ class Pieces:
     Attributes
     ----------
     problem : Problem
-    changes : sequence of Change
-        Single edits, none of which is enough.
+    steps : sequence of (Change, sequence of int)
+        Single edits, none of which is enough, and what they add to the residual.
     wrongs : Wrongs
     """
 
     problem: Problem
-    changes: Sequence[Change]
+    steps: Sequence[tuple[Change, Sequence[int]]]
     wrongs: Wrongs
 
     def all(self) -> list[Piece]:
@@ -71,24 +70,21 @@ class Pieces:
             found += [((step - wrong.share) % self._p, bits | 1 << i) for step, bits in found]
         return dict(found[1:])
 
-    def _steps(self, change: Change) -> Iterator[int]:
-        return steps(self.problem, change, self.wrongs.cleared)
-
     def _single(self) -> Iterator[Piece]:
-        for change in self.changes:
-            for step in self._steps(change):
+        for change, found in self.steps:
+            for step in found:
                 if undone := self._sums.get(step):
                     yield Piece(undone, (change,))
 
     def _numbers(self) -> Iterator[Piece]:
         """Numbers that are not among the simple ones."""
         forest = self.problem.forest
-        for change in self.changes:
+        for change, found in self.steps:
             if change.node is not None or change.at != change.index:
                 continue
             if change.mistake is not Mistake.EXTRA or not forest.single(change.index):
                 continue
-            for step in self._steps(change):
+            for step in found:
                 inverse = pow(step, -1, self._p)
                 for undone, wanted in self._likely.items():
                     less = rational(wanted * inverse % self._p, self._p)

@@ -20,6 +20,7 @@ from mechanics.blame.search.judge import Problem
 from mechanics.blame.search.pieces import Pieces
 from mechanics.blame.search.rest import completed
 from mechanics.blame.search.squares import borrowed
+from mechanics.blame.search.steps import steps
 from mechanics.blame.search.wrongs import Wrongs, wrongs
 from mechanics.errors import ExpressionError
 from mechanics.exact import TooLarge
@@ -30,6 +31,9 @@ SHOWN = 6
 
 LOOKED_AT = (5, 2, 1, 1)
 """Sets of edits for which what they leave is looked for, for each right equation."""
+
+MOST_CHANGES = 20_000
+"""Single edits; with more a statement is too long for this search."""
 
 MOST_LEFT = 12
 """Wrongs that they may leave."""
@@ -88,6 +92,8 @@ class Several:
 
     @cached_property
     def _known(self) -> list[Wrongs]:
+        if len(self.changes) > MOST_CHANGES:
+            return []
         try:
             return wrongs(self.growth.claim, self._problem)
         except (ExpressionError, TooLarge, Inadmissible, Restart):
@@ -101,13 +107,19 @@ class Several:
         return [c for c in more if not (_drops_a_side(problem, c) or problem.mends(c))]
 
     @cached_property
+    def _steps(self) -> list[tuple[Change, list[int]]]:
+        """What each edit adds to the residual."""
+        cleared = any(known.cleared for known in self._known)
+        return [(c, list(steps(self._problem, c, cleared))) for c in self._open]
+
+    @cached_property
     def _options(self) -> list[Option]:
         """What is known for each right equation that may be meant."""
         return [self._option(known) for known in self._known]
 
     def _option(self, known: Wrongs) -> Option:
         problem, size = self._problem, len(known.each)
-        pieces = Pieces(problem, self._open, known).all()
+        pieces = Pieces(problem, self._steps, known).all()
         added = Added(self.growth.claim, problem, known).pieces()
         found = covers(problem.forest, [*pieces, *added], size, 0)
         return Option(size, pieces, [cover.changes for cover in islice(found, SHOWN)])
