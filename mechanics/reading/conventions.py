@@ -25,7 +25,7 @@ from mechanics.reading.directed import directed, is_another
 from mechanics.reading.directions import counted
 from mechanics.reading.kinds import angular
 from mechanics.scene import Gravity, Scene
-from mechanics.scene.symbols import plain_symbol
+from mechanics.scene.symbols import DOTS, plain_symbol
 
 __all__ = [
     "combined_table", "conventions", "joints", "lengths", "other_sign", "other_signs",
@@ -69,7 +69,7 @@ def other_vertical(scene: Scene, only: str = "") -> Convention | None:
     table: Table = {}
     for angle in turned:
         q = angle.symbol
-        table |= {q: q + pi} if angle.sense else negative(scene, [q]) | {q: pi - q}
+        table |= {q: q + pi} if angle.planar else negative(scene, [q]) | {q: pi - q}
     if not turned:
         return None
     words = about([c.symbol for c in turned], f"counted from the {_opposite(scene)}")
@@ -89,7 +89,10 @@ def other_sign(scene: Scene, symbols: Sequence[Symbol], name: str) -> Convention
     """Coordinates or inputs with the other sign."""
     way = "the other way round" if set(symbols) <= angular(scene) else "the other way"
     table = negative(scene, symbols)
-    table |= {f: -f for f in scene.input_symbols if f in symbols}
+    for function in scene.inputs:
+        if plain_symbol(function) in symbols:
+            rates = [plain_symbol(function, order) for order in range(len(DOTS))]
+            table |= {symbol: -symbol for symbol in rates}
     return Convention(f"other sign of {name}", about(symbols, f"counted {way}"), table, "sign")
 
 

@@ -37,7 +37,7 @@ def directed(scene: Scene, only: str = "") -> list[Directed]:
     fixed = [c for c in known if c.fixed]
     if not fixed or any(c.quarter is None for c in fixed):
         return []
-    if all(c.sense == 0 for c in fixed):
+    if not any(c.planar for c in fixed):
         return [(None, side, _from_the_pole(scene, fixed, side, only)) for side in (1, -1)]
     if any(c.sense == 0 for c in fixed):
         return []

@@ -32,18 +32,21 @@ class Counted:
     ----------
     symbol : Symbol
     sense : int
-        1 where it grows counterclockwise, -1 clockwise, 0 in space or where nothing tells.
+        1 where it grows counterclockwise, -1 clockwise, 0 where nothing tells.
     quarter : int or None
         Where it is zero, a place in `DIRECTIONS`; None for the angle of a joint, and where nothing
         points along an axis there.
     fixed : bool
         Whether it is counted from a fixed direction.
+    planar : bool
+        Whether the scene keeps to a plane; in space no angle has a sense.
     """
 
     symbol: Symbol
     sense: int
     quarter: int | None
     fixed: bool
+    planar: bool
 
 
 @lru_cache(maxsize=32)
@@ -99,13 +102,13 @@ def _in_plane(
             continue
         there, ahead = arm.xreplace(zero), slope.xreplace(zero)
         senses.append(_sign(there[0] * ahead[1] - there[1] * ahead[0]))
-        if not _alone(slope, q, angles):
+        if not (_alone(slope, q, angles) and _circular(arm, q)):
             continue
         fixed = True
         quarters.append(_quarter(there))
     senses += list(_turns(scene, q, zero, view))
     sense = next((s for s in senses if s), 0)
-    return Counted(q, sense, next((k for k in quarters if k is not None), None), fixed)
+    return Counted(q, sense, next((k for k in quarters if k is not None), None), fixed, True)
 
 
 def _turns(
@@ -127,15 +130,24 @@ def _in_space(scene: Scene, q: Symbol, angles: tuple[Symbol, ...], heights: list
         slope = height.diff(q)
         arm = -slope.diff(q).xreplace(zero)
         flat = slope.xreplace(zero) == 0
-        if slope != 0 and _alone(Matrix([slope]), q, angles):
+        turns = -Matrix([slope.diff(q)])
+        if slope != 0 and _alone(Matrix([slope]), q, angles) and _circular(turns, q):
             up = _sign(arm) if flat else 0
-            return Counted(q, 0, {1: 1, -1: 3}.get(up), True)
-    return Counted(q, 0, None, False)
+            return Counted(q, 0, {1: 1, -1: 3}.get(up), True, False)
+    return Counted(q, 0, None, False, False)
 
 
 def _zero(scene: Scene, angles: tuple[Symbol, ...]) -> dict[Symbol, Expr]:
     """All angles zero, and lengths that are coordinates positive, as people mean them."""
     return {q: S.Zero if q in angles else Dummy(positive=True) for q in scene.q}
+
+
+def _circular(arm: Matrix, q: Symbol) -> bool:
+    """Whether an arm turns by the angle itself, no multiple of it: arm'' = -arm."""
+    try:
+        return not arm.is_zero_matrix and all(is_zero(e.diff(q, 2) + e) for e in arm)
+    except ExpressionError:
+        return False
 
 
 def _alone(slope: Matrix, q: Symbol, angles: tuple[Symbol, ...]) -> bool:

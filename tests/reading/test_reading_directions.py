@@ -3,7 +3,7 @@
 from dataclasses import replace
 
 import pytest
-from sympy import Eq, Expr, Matrix, Symbol, cos, pi, sin
+from sympy import Eq, Expr, Matrix, S, Symbol, cos, pi, sin
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
 import mechanics
@@ -225,3 +225,34 @@ def test_in_space_the_height_tells(name: str, height: Expr, reach: Expr) -> None
         assert found.ok == (other == name), other
     found = mechanics.check(hanging, rows, convention="right horizontal clockwise", blame=False)
     assert found.verdict.name == "UNDECIDED"  # in space there is no right
+
+
+def hung(rod_angle: Expr, lift: Expr = S.Zero) -> Scene:
+    """A point mass on a massless rod of length l below a pivot that is lifted."""
+    ground, origin = ReferenceFrame("N"), Point("O")
+    rod = ground.orientnew("A", "Axis", (rod_angle, ground.z))
+    pivot = origin.locatenew("B", lift * ground.y)
+    bob = pivot.locatenew("P", -rod_pendulum.l * rod.y)
+    return Scene(
+        "pendulum", ground, origin, coordinates=(POLAR,),
+        bodies=(RigidBody("bob", bob, rod, rod_pendulum.m, 0),),
+        loads=(gravity(-rod_pendulum.g * ground.y),), inputs=(lift,) if lift else (),
+        reactions=(reaction("X", at=pivot, on="bob", by=None, along=ground.x),
+                   reaction("Y", at=pivot, on="bob", by=None, along=ground.y)),
+    )  # fmt: skip
+
+
+def test_rates_of_inputs_have_the_sign_of_the_inputs() -> None:
+    lifted = derived(hung(POLAR, dynamicsymbols("h")))
+    for sign, plain, declared in (("+", "PROVED", "REFUTED"), ("-", "REFUTED", "PROVED")):
+        text = f"l*theta'' + (g {sign} h'')*sin(theta) = 0"
+        assert mechanics.check(lifted, text, blame=False).verdict.name == plain
+        found = mechanics.check(lifted, text, convention="other sign of inputs")
+        assert found.verdict.name == declared
+
+
+def test_a_multiple_of_an_angle_has_no_direction() -> None:
+    """theta is half of the rod's angle: a quarter turn of one is none of the other."""
+    halved = derived(hung(2 * POLAR))
+    found = mechanics.check(halved, "2*l*theta'' - g*cos(2*theta) = 0", convention=DEFINITE[1])
+    assert found.verdict.name == "UNDECIDED"
