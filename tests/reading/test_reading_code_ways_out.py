@@ -11,6 +11,7 @@ from scipy import linalg
 from mechanics import check
 from mechanics.errors import InputError
 from mechanics.exact import Verdict
+from systems import cartpole
 from systems.double_pendulum import scene
 
 SCENE = scene()
@@ -128,3 +129,32 @@ def test_angles_that_are_wrapped_are_refused_in_words() -> None:
 
     with pytest.raises(InputError, match="leave the wrapping of angles out"):
         check(SCENE, rates)
+
+
+CART = cartpole.scene()
+
+
+def test_entries_of_x_are_no_coordinate_x() -> None:
+    def update(t, x, u, params={}):  # type: ignore[no-untyped-def]  # noqa: B006
+        mc, mp = params.get("mc", 1.0), params.get("mp", 0.1)
+        l, g = params.get("l", 0.5), params.get("g", 9.8)
+        other = mp * l * np.cos(x[1])
+        a = np.array([[mc + mp, other], [other, 4 / 3 * mp * l**2]])
+        b = [u[0] + mp * l * np.sin(x[1]) * x[3] ** 2, mp * g * l * np.sin(x[1])]
+        return np.concatenate((x[2:4], solve(a, b)))
+
+    assert check(CART, update, blame=False).verdict is Verdict.PROVED
+
+
+def test_what_has_no_name_is_told() -> None:
+    def star(t, y, *args):  # type: ignore[no-untyped-def]
+        (force,) = args
+        return [y[1], force, y[3], 0]
+
+    def by_settings(state, force, settings):  # type: ignore[no-untyped-def]
+        return [state[1], force / settings.cart_mass, state[3], 0]
+
+    with pytest.raises(InputError, match=r"\*args is read as nothing"):
+        check(CART, star)
+    with pytest.raises(InputError, match=r"settings.cart_mass are: give --name 'cart_mass=..."):
+        check(CART, by_settings)

@@ -23,6 +23,9 @@ ACCELERATIONS = ("a", "ud", "qdd", "ddq", "qddot", "q_ddot", "acc", "acceleratio
 INPUTS = ("u", "f", "F", "force", "tau", "torque", "action", "control", "inputs", "r")
 PARAMETERS = ("p", "params", "parameters", "args", "theta", "constants")
 
+MOST = 6
+"""Names that a message tells."""
+
 Value = Any
 """A symbol, or a tuple of them."""
 
@@ -82,7 +85,9 @@ def arguments_of(
     )  # fmt: skip
     told = {n: m for n, m in given.items() if naming.vocabulary.target(m) is not None}
     aware = replace(naming, given={**naming.given, **told})
-    vectors = [n for n in names if n not in given and not naming.knows(n)]
+    # x[2] is no coordinate x, whatever the scene calls x.
+    parted = {n for n, known in (apart or {}).items() if known.vector}
+    vectors = [n for n in names if n not in given and (n in parted or not naming.knows(n))]
     whole = [n for n in vectors if n in STATES and sizes.get(n) in (None, len(both))]
     if whole and not any(n in POSITIONS for n in names):
         # Beside a whole state, u is no vector of speeds.
@@ -99,12 +104,16 @@ def arguments_of(
             values[name], why = TIME, "the time"
         elif known := named_entries(aware, name, (apart or {}).get(name)):
             values[name], why = known, "the names that the code gives its entries"
-        elif naming.knows(name) and sizes.get(name) in (None, 1):
+        elif naming.knows(name) and sizes.get(name) in (None, 1) and name not in parted:
             symbol = naming.symbol(name, 0)
             values[name], why = symbol, naming.matches([name])[0].why
         else:
-            values[name], why, k = _group(naming, name, sizes.get(name), groups, used)
+            values[name], why, k = _group(
+                naming, name, sizes.get(name), groups, used, (apart or {}).get(name)
+            )
             used.add(k)
+            if name in parted and isinstance(values[name], Expr):
+                values[name] = (values[name],)
         found = values[name]
         entries = (found,) if isinstance(found, Expr) else tuple(found)
         if set(entries) == {*scene.q, *scene.u} and len(entries) > 1:
@@ -169,6 +178,7 @@ def named_entries(naming: Naming, name: str, apart: Apart | None) -> Value:
 def _group(
     naming: Naming, name: str, size: int | None,
     groups: Sequence[tuple[Sequence[str], Sequence[Expr]]], used: set[int],
+    apart: Apart | None = None,
 ) -> tuple[Value, str, int]:  # fmt: skip
     """The vector that an argument's name stands for, if that group is not taken already."""
     for k, (words, symbols) in enumerate(groups):
@@ -182,6 +192,12 @@ def _group(
                 why = f"{why}, its order a guess: --name '{name}={order}' gives it"
             return value, why, k
     known = ", ".join([*naming.vocabulary.functions, *naming.vocabulary.constants])
+    if asked := apart.attributes if apart is not None else {}:
+        words = ", ".join(f"{name}.{entry}" for entry in list(asked)[:MOST])
+        raise InputError(
+            f"argument {name}: nothing says what {words} are: give --name '{next(iter(asked))}=...'"
+            f" and so on (names={{...}}); the scene has {known}"
+        )
     raise InputError(
         f"argument {name}: nothing says what it is: give --name '{name}=...'"
         f" (names={{{name!r}: ...}}), several names for a vector; the scene has"

@@ -99,6 +99,9 @@ def _of_scene(naming: Naming, name: str, default: Any, apart: Apart | None) -> b
             return True
         known = key(name) in naming.vocabulary.by_key
         return known and _may_be(naming.symbol(name, 0), default)
+    if isinstance(default, dict) and not default:
+        keys = apart.keys if apart is not None else {}
+        return bool(keys) and all(naming.knows(entry) for entry in keys)
     if isinstance(default, tuple | list | dict | np.ndarray) and len(default):
         return bool(named_entries(naming, name, apart))
     return False

@@ -220,7 +220,9 @@ def _read(
     given = {n: m for n, m in (names or {}).items() if m not in QUANTITIES}
     naming = Naming(Vocabulary(scene))
     sizes = {n: sizes.get(n) or (apart[n].size if n in apart else None) for n in wanted}
-    open_names = [Name(0, n) for n in wanted if n not in given and sizes[n] in (None, 1)]
+    parted = {n for n, known in apart.items() if known.vector}
+    scalars = [n for n in wanted if n not in given and sizes[n] in (None, 1) and n not in parted]
+    open_names = [Name(0, n) for n in scalars]
     naming = replace(naming, guessed=guess(naming, open_names, ()))
     arguments = arguments_of(naming, wanted, sizes, given, apart=apart)
     outputs = run(arguments)

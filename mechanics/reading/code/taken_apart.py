@@ -53,6 +53,8 @@ class Apart:
         How many entries there are, where it takes them all at once.
     fields : bool
         Whether the names are those of a type, not of variables.
+    vector : bool
+        Whether it takes entries by their places.
     """
 
     places: dict[int, set[str]] = field(default_factory=dict)
@@ -60,6 +62,7 @@ class Apart:
     attributes: dict[str, int] = field(default_factory=dict)
     size: int | None = None
     fields: bool = False
+    vector: bool = False
 
     def give(self, place: int, name: str) -> None:
         """Learn a name of an entry."""
@@ -101,6 +104,8 @@ def in_python(function: Callable[..., Any]) -> tuple[dict[str, Apart], tuple[str
                 _of(found, mine).give(place, local)
             case ast.Subscript(value=ast.Name(id=mine), slice=ast.Constant(value=str(key))):
                 _of(found, mine).keys.setdefault(key, line)
+            case ast.Subscript(value=ast.Name(id=mine)):
+                _of(found, mine).vector = True
             case ast.Call(func=ast.Attribute(value=ast.Name(id=mine), attr="get"),
                           args=[ast.Constant(value=str(key)), *_]):  # fmt: skip
                 _of(found, mine).keys.setdefault(key, line)

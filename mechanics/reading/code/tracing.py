@@ -5,6 +5,7 @@
 The ways are put together as cases of the conditions they were taken under.
 """
 
+import inspect
 import re
 import traceback
 from collections.abc import Callable, Mapping, Sequence
@@ -157,6 +158,7 @@ def _where(function: Callable[..., Any], error: Exception, given: Given) -> str:
     words = f": {type(error).__name__}: {' '.join(str(error).split())}"
     file = getattr(getattr(function, "__code__", None), "co_filename", None)
     entries = [e for e in traceback.extract_tb(error.__traceback__) if e.filename == file]
+    words += _unnamed(function)
     if not entries:
         return words
     last = entries[-1]
@@ -165,6 +167,16 @@ def _where(function: Callable[..., Any], error: Exception, given: Given) -> str:
     read = [f"{name} is read as {' '.join(str(entry) for entry in given[name])}" for name in held]
     more = f" ({', '.join(read)}: if it is not, give --name '{held[0]}=...')" if held else ""
     return f"{words}, in line {last.lineno}: {code}{more}"
+
+
+def _unnamed(function: Callable[..., Any]) -> str:
+    """What to do about ``*args``, which nothing is passed as."""
+    try:
+        parameters = inspect.signature(function).parameters.values()
+    except (TypeError, ValueError):
+        return ""
+    found = [p.name for p in parameters if p.kind in (p.VAR_POSITIONAL, p.VAR_KEYWORD)]
+    return f" (*{found[0]} is read as nothing: give its parts names of their own)" if found else ""
 
 
 def _argument(value: Value, explorer: Explorer) -> Any:
