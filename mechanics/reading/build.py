@@ -31,7 +31,8 @@ from mechanics.reading.tree import (
     Sum,
     Table,
 )
-from mechanics.scene.rates import coordinate_rate_table, rate
+from mechanics.scene.rates import rate
+from mechanics.scene.symbols import by_name
 
 LARGEST_NUMBER = 1000
 """What a function may be taken of, where that is a number."""
@@ -92,7 +93,7 @@ class Builder:
             case Call(function=function, arguments=arguments):
                 return self._call(node, function, [self._value(x) for x in arguments])
             case Rate(of=inner, order=order):
-                return self._rate(self._value(inner), order)
+                return self._rate(self._value(inner), order, node.at)
             case Table(rows=rows):
                 return Matrix([[self._scalar(node, self._value(c)) for c in row] for row in rows])
         raise Refused(node.at, "this is not known here")
@@ -101,7 +102,7 @@ class Builder:
         if node.name in self.defined:
             value: Any = self.defined[node.name]
             self.unknown += self.vague.get(node.name, ())
-            return self._rate(value, node.order) if node.order else value
+            return self._rate(value, node.order, node.at) if node.order else value
         try:
             symbol = self.naming.symbol(node.name, node.order)
         except KeyError as error:
@@ -112,14 +113,19 @@ class Builder:
             return Symbol(node.name + dots, real=True)
         return symbol
 
-    def _rate(self, value: Any, order: int) -> Any:
-        table = coordinate_rate_table(self.naming.vocabulary.scene)
+    def _rate(self, value: Any, order: int, at: int) -> Any:
         for _ in range(order):
             if isinstance(value, MatrixBase):
-                value = value.applyfunc(lambda entry: rate(entry, table))
+                value = value.applyfunc(lambda entry: self._rate_once(entry, at))
             else:
-                value = rate(value, table)
+                value = self._rate_once(value, at)
         return value
+
+    def _rate_once(self, value: Expr, at: int) -> Expr:
+        vocabulary = self.naming.vocabulary
+        for symbol in sorted(value.free_symbols & vocabulary.without_rate, key=by_name):
+            raise Refused(at, f"the rate of {symbol} is not known")
+        return rate(value, vocabulary.rate_table)
 
     def _sum(self, node: Node, terms: list[Any]) -> Any:
         if any(isinstance(term, MatrixBase) for term in terms):
@@ -168,11 +174,22 @@ class Builder:
                 words = "a prime or .T behind what is no matrix: write diff(..., t) for its rate"
                 raise Refused(node.at, words)
             return only.T
+        if function == "cross":
+            return self._cross(node, *arguments)
         _, _, make = FUNCTIONS[function]
         numbers = [self._scalar(node, argument) for argument in arguments]
         if any(n.is_number and n.is_finite and abs(n.n(5)) > LARGEST_NUMBER for n in numbers):
             raise Refused(node.at, f"{function} of a number that is too large")
         return self._real(node, make(*numbers))
+
+    def _cross(self, node: Node, left: Any, right: Any) -> Any:
+        """A vector product; what turns out to be numbers is multiplied."""
+        both = [v for v in (left, right) if isinstance(v, MatrixBase)]
+        if len(both) < 2:
+            return self._product(node, [left, right])
+        if any(v.shape != (3, 1) for v in both):
+            raise Refused(node.at, "a vector product takes two columns of three")
+        return left.cross(right)
 
     def _scalar(self, node: Node, value: Any) -> Expr:
         if isinstance(value, MatrixBase):

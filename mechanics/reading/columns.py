@@ -4,12 +4,13 @@ D(q) q'' + C(q, q') q' + g(q) = tau        q = (q1, q2), tau = (tau1, tau2)
 """
 
 from collections.abc import Container, Sequence
+from fractions import Fraction
 
-from mechanics.reading.defined import definitions
+from mechanics.reading.defined import definitions, gathers
 from mechanics.reading.lines import Entry, Line
 from mechanics.reading.names import Naming
 from mechanics.reading.spelled_rates import bases, key
-from mechanics.reading.tree import Call, Name, Node, Table, names, parts
+from mechanics.reading.tree import Call, Name, Node, Number, Table, names, parts
 from mechanics.scene.symbols import DOTS
 
 COORDINATES = "q"
@@ -64,6 +65,13 @@ def _defined(naming: Naming, name: str, used: Container[str]) -> Line | None:
     return None
 
 
+def names_a_column(line: Line, naming: Naming) -> bool:
+    """Whether a line says which names a column of the person's own is made of."""
+    left, *right = line.sides
+    unknown = isinstance(left, Name) and left.order == 0 and not naming.knows(left.name)
+    return unknown and len(right) == 1 and gathers(right)
+
+
 def _holds_matrix(node: Node) -> bool:
     return isinstance(node, Table) or any(map(_holds_matrix, parts(node)))
 
@@ -106,3 +114,20 @@ def transposed(naming: Naming, base: Node, arguments: Sequence[Node], power: Nod
 def stacked(at: int, entries: Sequence[Node]) -> Table:
     """A column: of vectors people write (a, b), as a row as well."""
     return Table(at, tuple((entry,) for entry in entries))
+
+
+DIAGONAL = "diag"
+
+
+def diagonal(at: int, entries: Sequence[Node]) -> Table:
+    """A matrix with these entries on its diagonal: J = diag(I_x, I_y, I_z)."""
+    zero = Number(at, Fraction(0))
+    return Table(at, tuple(
+        tuple(entry if i == j else zero for j in range(len(entries)))
+        for i, entry in enumerate(entries)
+    ))  # fmt: skip
+
+
+def crossed(at: int, left: Node, right: Node) -> Call:
+    """A vector product; of what turns out to be numbers it is a product."""
+    return Call(at, "cross", (left, right))

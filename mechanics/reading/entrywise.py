@@ -22,6 +22,7 @@ from mechanics.reading.tree import (
     constant,
     ended,
     names,
+    negative,
     parts,
     total,
 )
@@ -69,6 +70,8 @@ class Entrywise:
             case Call(function="transpose", arguments=(only,)):
                 cells = self(only)
                 return cells if isinstance(cells, Node) else tuple(zip(*cells, strict=True))
+            case Call(function="cross", arguments=(left, right)):
+                return _crossed(self(left), self(right))
             case Call(function=function, arguments=arguments):
                 return Call(COMPOSED, function, tuple(map(self._number, arguments)))
             case Power(base=base, exponent=exponent):
@@ -87,7 +90,12 @@ class Entrywise:
         return _each(self(term), placed)
 
     def _holds(self, node: Node) -> bool:
-        if isinstance(node, Table) or (isinstance(node, Name) and node.name in self.matrices):
+        vectors = isinstance(node, Call) and node.function == "cross"
+        if (
+            vectors
+            or isinstance(node, Table)
+            or (isinstance(node, Name) and node.name in self.matrices)
+        ):
             return True
         return any(map(self._holds, parts(node)))
 
@@ -138,6 +146,18 @@ def _times(one: Cells, two: Cells) -> Cells:
         return total(COMPOSED, [Product(COMPOSED, pair) for pair in pairs])
 
     return tuple(tuple(entry(row, column) for column in columns) for row in one)
+
+
+def _crossed(one: Cells, two: Cells) -> Cells:
+    """A vector product, or the product of numbers."""
+    if isinstance(one, Node) or isinstance(two, Node):
+        return _times(one, two)
+    (a, b, c), (x, y, z) = ([cell for row in column for cell in row] for column in (one, two))
+
+    def less(left: tuple[Node, Node], right: tuple[Node, Node]) -> tuple[Node]:
+        return (Sum(COMPOSED, (Product(COMPOSED, left), negative(Product(COMPOSED, right)))),)
+
+    return less((b, z), (c, y)), less((c, x), (a, z)), less((a, y), (b, x))
 
 
 def _alone(cells: Cells) -> Cells:

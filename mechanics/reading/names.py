@@ -14,10 +14,10 @@ from sympy import Expr, Symbol
 from sympy.physics.vector import dynamicsymbols
 
 from mechanics.errors import InputError
-from mechanics.kinematics.momenta import momentum_symbols
+from mechanics.kinematics.momenta import momentum_symbols, rate_symbol
 from mechanics.reading.spelled_rates import bases, key
 from mechanics.scene import Scene
-from mechanics.scene.rates import TIME
+from mechanics.scene.rates import TIME, coordinate_rate_table
 from mechanics.scene.symbols import DOTS, by_name, plain_symbol
 
 LETTERS = (
@@ -86,6 +86,22 @@ class Vocabulary:
     def momenta(self) -> dict[str, Symbol]:
         """Generalized momenta by name, which no scene declares: p_phi1 belongs to phi1."""
         return {symbol.name: symbol for symbol in momentum_symbols(self.scene)}
+
+    @cached_property
+    def rate_table(self) -> dict[Symbol, Expr]:
+        """The rate of everything that moves and has one: q and q', declared speeds, momenta."""
+        scene = self.scene
+        speeds = dict(zip(scene.u, scene.ud, strict=True)) if scene.speeds else {}
+        momenta = {symbol: rate_symbol(symbol) for symbol in momentum_symbols(scene)}
+        return coordinate_rate_table(scene) | speeds | momenta
+
+    @cached_property
+    def without_rate(self) -> frozenset[Symbol]:
+        """What moves and has no rate here: accelerations, reactions, rates of momenta."""
+        moving = {symbol for name in self.functions for symbol in self.rates(name)}
+        moving |= {reaction.symbol for reaction in self.scene.reactions}
+        moving |= {rate_symbol(symbol) for symbol in momentum_symbols(self.scene)}
+        return frozenset(moving - self.rate_table.keys())
 
     @cached_property
     def reactions(self) -> frozenset[str]:

@@ -64,6 +64,10 @@ def weight(node: Node, defined: Mapping[str, Weight]) -> Weight:
         case Call(function="transpose", arguments=(only,)):
             found = weight(only, defined)
             return Weight(found.amount, found.depth, found.shape and found.shape[::-1])
+        case Call(function="cross", arguments=(left, right)):
+            one, two = weight(left, defined), weight(right, defined)
+            depth = 2 + max(one.depth, two.depth)
+            return Weight(min(2 * (one.amount + two.amount), HEAVIEST), depth, one.shape)
         case Call(arguments=parts) if len(parts) > 1:
             # The rate of a maximum compares each argument with all others.
             found = _together([weight(part, defined) for part in parts])

@@ -4,8 +4,11 @@ import re
 from collections.abc import Sequence
 
 import pytest
+from sympy import cos, sin
+from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols, inertia
 
 import mechanics
+from mechanics import RigidBody, Scene, parameters, torque
 from mechanics.judge.check import Check, derived
 from systems import acrobot, cartpole
 
@@ -156,3 +159,67 @@ M*Q2 + C*Q1 + G == [0; tau]"""
     text = text.replace("Q2", rates[0]).replace("Q1", rates[1]).replace("theta", own)
     found = mechanics.check(ARM, text, notation="text", blame=False)
     assert [entry.finding.verdict.name for entry in found.judged] == ["PROVED", "PROVED"]
+
+
+def rigid() -> Scene:
+    """A free rigid body under three torques, with its rates about its own axes."""
+    phi, theta, psi, p, q, r = dynamicsymbols("phi theta psi p q r")
+    torques = dynamicsymbols("tau_x tau_y tau_z")
+    inertias = parameters("I_x I_y I_z", units="kg*m^2 kg*m^2 kg*m^2")
+    ground, origin = ReferenceFrame("N"), Point("O")
+    first = ground.orientnew("N1", "Axis", (psi, ground.z))
+    second = first.orientnew("N2", "Axis", (theta, first.y))
+    body = second.orientnew("B", "Axis", (phi, second.x))
+    centre = origin.locatenew("C", 0 * ground.x)
+    return Scene(
+        "satellite", ground, origin, (phi, theta, psi),
+        (RigidBody("hub", centre, body, 0, inertia(body, *inertias)),),
+        loads=tuple(
+            torque(f"{t.func}", t * axis, on="hub") for t, axis in zip(torques, body, strict=True)
+        ),
+        inputs=tuple(torques),
+        speeds=(
+            (p, phi.diff() - psi.diff() * sin(theta)),
+            (q, theta.diff() * cos(phi) + psi.diff() * cos(theta) * sin(phi)),
+            (r, -theta.diff() * sin(phi) + psi.diff() * cos(theta) * cos(phi)),
+        ),
+    )  # fmt: skip
+
+
+BODY = derived(rigid())
+EULER = r"""\[ J\dot\omega + \omega\times J\omega = \tau \]
+where $J = \mathrm{diag}(I_x, I_y, I_z)$, $\omega = (p, q, r)^T$ and
+\[ \tau = [\tau_x, \tau_y, \tau_z]^{\top} \]"""
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        (EULER, "PROVED"),
+        (EULER.replace(r"+ \omega", r"- \omega"), "REFUTED"),
+        (EULER.replace(r"\omega\times J\omega", r"J\omega\times\omega"), "REFUTED"),
+        (EULER.replace(r"+ \omega\times J\omega", r"- (J\omega)\times\omega"), "PROVED"),
+        (EULER.replace("I_y, I_z)", "I_z, I_y)"), "REFUTED"),
+    ],
+)
+def test_euler_s_equations_as_vectors(text: str, expected: str) -> None:
+    found = mechanics.check(BODY, text, notation="latex", blame=False)
+    assert [entry.finding.verdict.name for entry in found.judged] == [expected] * 3
+
+
+def test_the_sign_of_a_vector_product_is_blamed_where_it_stands() -> None:
+    found = mechanics.check(BODY, EULER.replace(r"+ \omega", r"- \omega"), notation="latex")
+    for entry in found.judged:
+        assert entry.blame is not None
+        (edit,) = entry.blame.repairs[0].edits
+        assert (edit.written, edit.right) == ("-", "+")
+
+
+def test_times_between_numbers_is_a_product() -> None:
+    turned = r"(\ddot\theta\cos\theta - \dot\theta^2\sin\theta)"
+    text = rf"(m_c + m_p)\times\ddot x + m_p \times l\times{turned} = F"
+    found = mechanics.check(cartpole.scene(), text, notation="latex", blame=False)
+    assert [entry.finding.verdict.name for entry in found.judged] == ["PROVED"]
+    own = text.replace(r"m_p \times l", r"k_1 \times l") + r"\qquad k_1 = m_p \times 1"
+    found = mechanics.check(cartpole.scene(), own, notation="latex", blame=False)
+    assert [entry.finding.verdict.name for entry in found.judged] == ["PROVED"]

@@ -7,7 +7,7 @@ function: \sin^2 2 \theta \cos \theta         numbers and then one factor are th
 
 from fractions import Fraction
 
-from mechanics.reading.columns import dependent, stacked
+from mechanics.reading.columns import DIAGONAL, crossed, dependent, diagonal, stacked
 from mechanics.reading.functions import FUNCTIONS, INVERSES
 from mechanics.reading.latex.item import Item, rate_of
 from mechanics.reading.names import Naming
@@ -19,9 +19,11 @@ from mechanics.reading.tree import (
     Node,
     Number,
     Power,
+    Table,
     constant,
     ended,
     inverse,
+    names,
     negative,
     product,
     total,
@@ -78,6 +80,12 @@ class Fold:
         divide = operator = False
         while queue:
             item = queue.pop(0)
+            if item.text == CROSS and not operator and self._vectors(factors, queue):
+                rest, queue = queue, []
+                factors = [
+                    crossed(items[0].at, product(items[0].at, factors), self._term(rest, at))
+                ]
+                continue
             if item.kind in ("times", "slash"):
                 if operator or not factors:
                     raise Refused(item.at, "a factor is missing here")
@@ -107,6 +115,17 @@ class Fold:
         if len(found) > 1 and self.slash is None:
             self.slash = (item.at, end)
         return product(item.at, found)
+
+    def _vectors(self, factors: list[Node], queue: list[Item]) -> bool:
+        """Whether what stands on both sides may be a column: it holds one, or an unknown name."""
+        right = [part for item in queue for part in (item.node, *item.arguments)]
+        return any(map(self._may_be_column, factors)) and any(
+            part is not None and self._may_be_column(part) for part in right
+        )
+
+    def _may_be_column(self, node: Node) -> bool:
+        unknown = any(not self.naming.knows(name.name) for name in names(node))
+        return isinstance(node, Table) or unknown
 
     def _factor(self, item: Item, queue: list[Item], before: list[Node], operator: bool) -> Node:
         """The factor that begins with an item; what belongs to it leaves the queue."""
@@ -163,6 +182,9 @@ class Fold:
     def _dependent(self, node: Name, queue: list[Item]) -> Node:
         r"""A name before ``(q, \dot q)``: it depends on these, or is a factor."""
         bracket = queue[0]
+        if node.name == DIAGONAL and len(bracket.arguments) > 1 and bracket.power is None:
+            del queue[0]
+            return ended(diagonal(node.at, bracket.arguments), bracket.end)
         named = dependent(self.naming, node, bracket.arguments)
         if named is None or bracket.power is not None:
             return node
@@ -245,6 +267,7 @@ class Fold:
             )
 
 
+CROSS = "\\times"
 DEPENDS = "{name}(...) is read as {name}, which depends on what is in brackets"
 
 

@@ -14,6 +14,7 @@ from itertools import pairwise
 from lark import Token, Tree
 from lark.exceptions import UnexpectedCharacters, UnexpectedEOF, UnexpectedInput, UnexpectedToken
 
+from mechanics.reading.columns import names_a_column
 from mechanics.reading.latex.blocks import Block, blocks, claims, is_value
 from mechanics.reading.latex.fold import ALL, GLUED, SLASH, Fold, applied
 from mechanics.reading.latex.grammar import PARSER
@@ -78,7 +79,10 @@ def _entries(clean: str, text: str, block: Block, naming: Naming, origin: str) -
         return [_claim_or_value(entry, naming) for entry in lines]
     entries = _block(formula, text, block.start, naming, origin) if _moves(formula, naming) else []
     if is_value(formula) and not entries:
-        return [value(text[block.start : block.end], block.start)]
+        column = _column(formula, text, block, naming, origin)
+        return (
+            [column] if column is not None else [value(text[block.start : block.end], block.start)]
+        )
     found: list[Entry] = []
     for entry in entries or _block(formula, text, block.start, naming, origin):
         if not isinstance(entry, Line):
@@ -104,7 +108,20 @@ def _claim_or_value(entry: Entry, naming: Naming) -> Entry:
         BEGINNING.search(source) is not None
         or naming.is_function(bare(source.split("=")[0])) is not True
     )
+    if isinstance(entry, Line) and names_a_column(entry, naming):
+        return entry
     return value(entry.source, entry.at) if given else entry
+
+
+def _column(formula: str, text: str, block: Block, naming: Naming, origin: str) -> Line | None:
+    """A list that a name of the person's own stands for: a column of names."""
+    try:
+        entries = _block(formula, text, block.start, naming, origin)
+    except Refused:
+        return None
+    (entry,) = entries if len(entries) == 1 else (None,)
+    found = isinstance(entry, Line) and names_a_column(entry, naming)
+    return entry if isinstance(entry, Line) and found else None
 
 
 END_OF_LINE = "\u2028"
