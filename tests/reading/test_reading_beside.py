@@ -127,3 +127,15 @@ def test_a_number_before_a_power_is_a_factor(text: str, verdict: str) -> None:
 def test_a_name_behind_a_power_is_no_part_of_it() -> None:
     with pytest.raises(mechanics.MechanicsError, match=r"column 15.*write \* between factors"):
         mechanics.check(CART, "theta'' = l^2 theta")
+
+
+@pytest.mark.parametrize("label", ["{k}) ", "({k}) ", "eq{k}: ", "* ", "\u2022 "])
+def test_labels_of_lines_of_plain_text(label: str) -> None:
+    lines = ["4/3*l*theta'' + x''*cos(theta) = g*sin(theta)", TYPED, "M = mc + mp", "mu = mp/M"]
+    labelled = [label.format(k=k) + line for k, line in enumerate(lines)]
+    assert verdicts("\n".join(labelled)) == ["PROVED", "PROVED"]
+
+
+def test_a_number_in_brackets_may_be_a_factor() -> None:
+    assert verdicts("(4)/3*l*theta'' + x''*cos(theta) = g*sin(theta)") == ["PROVED"]
+    assert verdicts("(2)*x''*cos(theta) + 8/3*l*theta'' = 2*g*sin(theta)") == ["PROVED"]

@@ -206,3 +206,20 @@ def test_a_line_of_a_bare_text_that_begins_with_a_factor_is_in_doubt() -> None:
 def test_what_stands_before_an_equation_is_its_label(label: str) -> None:
     assert verdicts(rf"\[ {label} {bare(RAIL)} \]") == ["PROVED"]
     assert verdicts(rf"\[ {label} {bare(RAIL).replace('F', '2 F')} \]") == ["REFUTED"]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        r"(m_c+m_p)&\ddot x + m_p l\cos\theta&\ddot\theta &= F + m_p l\dot\theta^2\sin\theta",
+        r"(m_c+m_p)&\ddot x &{}+{}& m_p l\cos\theta&\ddot\theta &= F + m_p l\dot\theta^2\sin\theta",
+        r"(m_c+m_p)\ddot x &= F - m_p l\bigl( \ddot\theta\cos\theta \nonumber\\ &\qquad\qquad {} -"
+        r" \dot\theta^2\sin\theta \bigr)",
+        r"x:&& (m_c+m_p)\ddot x &= F - m_p l(\ddot\theta\cos\theta - \dot\theta^2\sin\theta)",
+        r"\begin{multlined} (m_c+m_p)\ddot x + m_p l\ddot\theta\cos\theta \\ - m_p l\dot\theta^2"
+        r"\sin\theta = F \end{multlined}",
+    ],
+)
+def test_columns_of_terms(text: str) -> None:
+    assert verdicts(display(text)) == ["PROVED"]
+    assert verdicts(display(text.replace("F", "2 F"))) == ["REFUTED"]

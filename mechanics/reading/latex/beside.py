@@ -145,7 +145,8 @@ def _factor(part: Pieces, columns: dict[int, int]) -> str:
             is_kind(piece, "REL", "TAG", "ORDER", *OPERATORS) for piece in around
         ):
             continue
-        if _wide(part[start : end + 1]) or _column(part, (start, end), columns):
+        behind = related(part[:start]) and _column(part, (start, end), columns)
+        if behind or _wide(part[start : end + 1]):
             return FACTOR
     return ""
 

@@ -19,6 +19,7 @@ from mechanics.reading.latex.item import (
     rate_of,
     start_of,
 )
+from mechanics.reading.latex.pieces import inside
 from mechanics.reading.latex.words import Words, named, summed
 from mechanics.reading.names import Naming
 from mechanics.reading.place import Refused
@@ -71,7 +72,7 @@ class Items:
                     raise Refused(piece.start_pos, f"{piece.value!r} is out of place here")
                 text = "-" if piece.value == "\u2212" else str(piece.value)
                 found.append(Item(kind, piece.start_pos, text=text))
-            else:
+            elif inside(piece, "braces") != []:  # {} only holds a place
                 found += self._scripted(piece)
         return summed(found)
 

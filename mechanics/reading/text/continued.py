@@ -18,6 +18,12 @@ NUMBERED = re.compile(
     r"(?:(?<! ) {2,}|\t[ \t]*)\((?:[A-Z]\.)?\d{1,3}(?:\.\d{1,3}){0,2}[a-z]?\)[ \t\r]*$",
     re.MULTILINE,
 )
+LABELLED = re.compile(
+    r"^[ \t]*(?:(?:\(?\d{1,2}[a-z]?\)|[*\u2022])[ \t]+(?=[^-+*/^=\s][^\n]*=)"
+    r"|[^\W\d]\w{0,20}[ \t]*:(?=[ \t]+\S[^\n]*=))",
+    re.MULTILINE,
+)
+"""A number, a name or a mark before an equation."""
 DECIMAL = re.compile(r"\d,\d")
 BEGINS = re.compile(r"[ \t]*(?:(?P<sign>[-+*/\u2212])|=)")
 ENDS = re.compile(r"(?:[-+*/=^\u2212]|\*\*)[ \t\r]*$")
@@ -25,6 +31,7 @@ ENDS = re.compile(r"(?:[-+*/=^\u2212]|\*\*)[ \t\r]*$")
 
 def sentences(text: str) -> str:
     """The text with semicolons for words and commas between equations, and without full stops."""
+    text = LABELLED.sub(lambda m: " " * len(m[0]), text)
     text = NUMBERED.sub(lambda m: " " * len(m[0]), text)
     text = WORDS.sub(lambda m: ";".ljust(len(m[0])), text)
     text = STOP.sub(" ", text)
