@@ -80,7 +80,8 @@ BESIDE = 2
 
 SEARCHED = (
     "no single edit was found that makes it right (sign, factor, symbol, function, power, a term"
-    " too many, one that is missing and is a product), and no likely pair of these"
+    " too many, one that is missing and is a product), no likely pair of these, and no more of them"
+    " in terms apart"
 )
 
 

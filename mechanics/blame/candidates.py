@@ -4,12 +4,13 @@ adj(M) (M u' - f) = det(M) u' - adj(M) f        where one acceleration stands al
 """
 
 from collections.abc import Iterable, Iterator
+from dataclasses import replace
 from functools import lru_cache
 
 from sympy import Matrix, Symbol
 
 from mechanics.blame.nearest import Candidate
-from mechanics.blame.pieces import Kind, Piece, merged
+from mechanics.blame.pieces import Kind, Origin, Piece, merged
 from mechanics.blame.reduced import reduced_rows, tied_speeds, view_rows
 from mechanics.blame.rows import Row, free_rows, moving_rows
 from mechanics.blame.terms import terms_of
@@ -80,6 +81,27 @@ def solved(view: View, acceleration: Symbol) -> tuple[Candidate, ...]:
     cofactors = [mass.cofactor(i, index) for i in range(size)]
     pieces = merged((cofactors[i], piece) for i, row in enumerate(rows) for piece in row.pieces)
     return _candidates([Row(f"solved for {acceleration.name}", pieces)])
+
+
+@lru_cache(maxsize=64)
+def solved_reaction(view: View, reaction: Symbol) -> tuple[Candidate, ...]:
+    """A reaction without accelerations: det(M) (R - value), the accelerations put in.
+
+    M u' + h = 0,   R = c u' + d      ->      det(M) (R - d) + c adj(M) h = 0
+    """
+    size, table = len(view.speeds), dict(view.truth.reactions)
+    if view.scene.constraints or size > LARGEST_SOLVED or reaction not in table:
+        return ()
+    rows = [_free(row, view.truth).value for row in view_rows(view)]
+    split = [collect_linear(row, view.accelerations) for row in rows]
+    mass = Matrix([factors for factors, _ in split])
+    factors, rest = collect_linear(view.seen(table[reaction]), view.accelerations)
+    value = mass.det(method="berkowitz") * (reaction - rest)
+    for k, factor in enumerate(factors):
+        value += factor * sum(mass.cofactor(i, k) * h for i, (_, h) in enumerate(split))
+    origin = Origin(Kind.REACTION, "", reaction.name)
+    found = _candidates([Row(f"solved for {reaction.name}", (Piece(origin, value),))])
+    return tuple(replace(each, known=False) for each in found)
 
 
 def _sums(rows: tuple[Row, ...]) -> Iterator[Row]:

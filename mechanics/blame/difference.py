@@ -10,7 +10,13 @@ from fractions import Fraction
 
 from sympy import Add, Expr, S, Symbol, cos, sin
 
-from mechanics.blame.candidates import constrained, implicit, solved, with_reactions
+from mechanics.blame.candidates import (
+    constrained,
+    implicit,
+    solved,
+    solved_reaction,
+    with_reactions,
+)
 from mechanics.blame.entries import entries_of
 from mechanics.blame.folded import folded
 from mechanics.blame.groups import COEFFICIENT, grouped, meanings
@@ -239,9 +245,12 @@ def _sign(terms: Terms, leading: Sequence[Symbol]) -> Fraction:
 def _candidates(view: View, expression: Expr) -> Iterator[Candidate]:
     """Right equations in the same unknowns, those with few terms first."""
     held = expression.free_symbols
-    if held & {reaction.symbol for reaction in view.scene.reactions}:
-        yield from with_reactions(view)
+    reactions = [r.symbol for r in view.scene.reactions if r.symbol in held]
     accelerations = [symbol for symbol in view.accelerations if symbol in held]
+    if reactions:
+        yield from with_reactions(view)
+    if len(reactions) == 1 and not accelerations:
+        yield from solved_reaction(view, reactions[0])
     if len(accelerations) == 1:
         yield from solved(view, accelerations[0])
     yield from constrained(view, frozenset(held & {*view.speeds, *view.accelerations}))

@@ -34,10 +34,13 @@ class Candidate:
     ----------
     words : str
     pieces : tuple of (Origin, Terms)
+    known : bool
+        Whether the pieces are those of the derivation.
     """
 
     words: str
     pieces: tuple[tuple[Origin, Terms], ...]
+    known: bool = True
 
     @cached_property
     def terms(self) -> Terms:
@@ -120,6 +123,7 @@ def _meant(
     written: Terms, _: Rank, candidate: Candidate, monomial: Monomial, factor: Fraction
 ) -> Meant:
     pieces = tuple((o, product(t, monomial, factor)) for o, t in candidate.pieces)
+    pieces = pieces if candidate.known else ()
     return Meant(candidate.words, written, product(candidate.terms, monomial, factor), pieces)
 
 

@@ -156,3 +156,23 @@ def test_covers_may_leave_what_nothing_undoes() -> None:
     piece = Piece(0b01, (Change(1, None, Mistake.SIGN, 1.0, 1, (0,)),))
     lefts = [cover.left for cover in covers(forest, [piece], 2, 2)]
     assert 0b10 in lefts
+
+
+def test_errors_of_a_reaction_solved_for_are_named() -> None:
+    repair = first(
+        "rocker",
+        "N = (I_C*M*R*theta_dot**2*cos(theta)/2 + I_C*M*g + 5*M**2*R**3*theta_dot**2*cos(theta)/8"
+        " + M**2*R**3*theta_dot**2*cos(theta)**2/4 + M**2*R**3*theta_dot**2/4"
+        " - M**2*R**2*g*cos(theta)**2/4 - M**2*R**2*g*cos(theta) - M**2*R**2*g"
+        " + M*R**2*f*sin(theta)**2/4 + M*R**2*f*sin(theta)/3)"
+        "/(-I_C - M*R**2*cos(theta) - 5*M*R**2/4)",
+    )
+    assert ("+", "-") in told(repair)
+    assert ("3", "2") in told(repair)
+    assert len(repair.edits) == 3
+
+
+def test_two_errors_in_one_term_of_a_potential_are_found() -> None:
+    # It is known up to a constant only, so that two states are compared.
+    repair = first("pendulum", "V = k*x**2 - M*g*L*sin(theta)/3")
+    assert sorted(edit.mistake.name for edit in repair.edits) == ["FACTOR", "FUNCTION"]

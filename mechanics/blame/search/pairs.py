@@ -14,6 +14,7 @@ from mechanics.blame.search.change import Change
 from mechanics.blame.search.judge import Problem
 from mechanics.blame.search.residues import inverses
 from mechanics.blame.search.sheet import InsideHere, Sheet
+from mechanics.blame.search.states import in_one_term
 from mechanics.exact.signals import DivisionHere
 from mechanics.reading.tree import Product, Sum
 
@@ -27,7 +28,7 @@ Entry = tuple[int, int, Change]
 def pairs(problem: Problem, changes: Sequence[Change]) -> list[tuple[Change, Change]]:
     """Pairs of edits that make a statement right, the cheapest first."""
     if not problem.plain:
-        found = list(_at_root(problem, changes))
+        found = [*_at_root(problem, changes), *in_one_term(problem, changes)]
     else:
         found = list(_where_they_meet(problem, changes))
     found.sort(key=lambda pair: pair[0].cost + pair[1].cost)
