@@ -223,3 +223,9 @@ def test_what_stands_before_an_equation_is_its_label(label: str) -> None:
 def test_columns_of_terms(text: str) -> None:
     assert verdicts(display(text)) == ["PROVED"]
     assert verdicts(display(text.replace("F", "2 F"))) == ["REFUTED"]
+
+
+@pytest.mark.parametrize("typed", [r"\text{ + 5x}", r"\quad\text{- x}", r"\mbox{+ 2 \ }"])
+def test_a_term_that_is_written_as_text_is_not_passed_over(typed: str) -> None:
+    assert verdicts(rf"\[ {bare(RAIL)} {typed} \]") == ["UNDECIDED"]
+    assert verdicts(rf"\[ {bare(RAIL)} \quad\text{{-- the cart}} \]") == ["PROVED"]
