@@ -17,6 +17,7 @@ from sympy.matrices.exceptions import NonInvertibleMatrixError, ShapeError
 
 from mechanics.reading.functions import FUNCTIONS
 from mechanics.reading.names import Naming
+from mechanics.reading.partials import PARTIAL, partial_value
 from mechanics.reading.place import Refused
 from mechanics.reading.tree import (
     LARGEST,
@@ -174,6 +175,9 @@ class Builder:
                 words = "a prime or .T behind what is no matrix: write diff(..., t) for its rate"
                 raise Refused(node.at, words)
             return only.T
+        if function == PARTIAL:
+            of, by = arguments
+            return partial_value(of, by, node.at)
         if function == "cross":
             return self._cross(node, *arguments)
         _, _, make = FUNCTIONS[function]

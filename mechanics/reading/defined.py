@@ -13,6 +13,7 @@ from dataclasses import replace
 from mechanics.reading.about import ENERGY_NAMES
 from mechanics.reading.lines import Entry, Line
 from mechanics.reading.names import Naming
+from mechanics.reading.partials import undifferentiated
 from mechanics.reading.tree import Name, Node, Rate, Table, names, parts
 
 
@@ -144,13 +145,16 @@ def _momentum(
 
 
 def needed(lines: Sequence[Entry]) -> frozenset[str]:
-    """Names that lines use which are no definitions of energies themselves."""
+    """Names that lines use which are no definitions of energies themselves.
+
+    An energy that is differentiated only, as in Lagrange's equations, is judged beside these.
+    """
     found: set[str] = set()
     for line in lines:
         if isinstance(line, Line):
             left = line.sides[0]
             if not (isinstance(left, Name) and left.name in ENERGY_NAMES and len(line.sides) > 1):
-                found |= {name.name for side in line.sides for name in names(side)}
+                found |= {name for side in line.sides for name in undifferentiated(side)}
     return frozenset(found)
 
 

@@ -70,6 +70,9 @@ class Entrywise:
             case Call(function="transpose", arguments=(only,)):
                 cells = self(only)
                 return cells if isinstance(cells, Node) else tuple(zip(*cells, strict=True))
+            case Call(at=at, function="partial", arguments=(of, by)):
+                inner = self._number(of)
+                return _each(self(by), lambda cell: Call(at, "partial", (inner, cell)))
             case Call(function="cross", arguments=(left, right)):
                 return _crossed(self(left), self(right))
             case Call(function=function, arguments=arguments):

@@ -9,8 +9,9 @@ from sympy.matrices import MatrixBase
 
 from mechanics.reading.build import Builder, Value
 from mechanics.reading.lines import Line
+from mechanics.reading.partials import PARTIAL
 from mechanics.reading.place import Refused
-from mechanics.reading.tree import Name, Node, Rate, names, parts
+from mechanics.reading.tree import Call, Name, Node, Rate, names, parts
 
 
 def known_first(builder: Builder, line: Line) -> tuple[tuple[Value, ...], Node]:
@@ -52,8 +53,9 @@ def held(builder: Builder, sides: Sequence[Node]) -> list[str]:
 
 
 def differentiates(node: Node) -> bool:
-    """Whether a rate of more than a name is taken in a tree."""
-    return isinstance(node, Rate) or any(map(differentiates, parts(node)))
+    """Whether a rate of more than a name, or a partial derivative, is taken in a tree."""
+    partial = isinstance(node, Call) and node.function == PARTIAL
+    return partial or isinstance(node, Rate) or any(map(differentiates, parts(node)))
 
 
 def is_named(node: Node, name: str) -> bool:

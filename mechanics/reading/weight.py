@@ -64,6 +64,11 @@ def weight(node: Node, defined: Mapping[str, Weight]) -> Weight:
         case Call(function="transpose", arguments=(only,)):
             found = weight(only, defined)
             return Weight(found.amount, found.depth, found.shape and found.shape[::-1])
+        case Call(function="partial", arguments=(of, by)):
+            found = _rate(weight(of, defined), 1)
+            times = (weight(by, defined).shape or (1, 1))[0]
+            amount = min(found.amount * times, HEAVIEST)
+            return Weight(amount, found.depth, weight(by, defined).shape)
         case Call(function="cross", arguments=(left, right)):
             one, two = weight(left, defined), weight(right, defined)
             depth = 2 + max(one.depth, two.depth)

@@ -11,6 +11,7 @@ from mechanics.reading.columns import DIAGONAL, crossed, dependent, diagonal, st
 from mechanics.reading.functions import FUNCTIONS, INVERSES
 from mechanics.reading.latex.item import Item, rate_of
 from mechanics.reading.names import Naming
+from mechanics.reading.partials import partial_of
 from mechanics.reading.place import Refused
 from mechanics.reading.tree import (
     DEEPEST,
@@ -148,7 +149,10 @@ class Fold:
             if not queue:
                 raise Refused(item.at, "what is differentiated is missing")
             rest, queue[:] = list(queue), []
-            return rate_of(self._term(rest, item.at), item.order, item.at)
+            of = self._term(rest, item.at)
+            if item.node is not None:
+                return partial_of(self.naming, of, item.node, item.at)
+            return rate_of(of, item.order, item.at)
         node = item.node
         if node is None:
             raise Refused(item.at, "an operand is missing here")

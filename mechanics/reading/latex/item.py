@@ -23,8 +23,8 @@ class Item:
     Attributes
     ----------
     kind : str
-        ``"node"``, ``"bracket"``, ``"function"``, ``"rate"`` (d/dt), ``"sign"``, ``"times"``,
-        ``"slash"``.
+        ``"node"``, ``"bracket"``, ``"function"``, ``"rate"`` (d/dt, or by a node), ``"sign"``,
+        ``"times"``, ``"slash"``.
     at : int
     node : Node or None
     text : str

@@ -19,9 +19,11 @@ from mechanics.reading.latex.item import (
     rate_of,
     start_of,
 )
+from mechanics.reading.latex.partials import partial
 from mechanics.reading.latex.pieces import inside
 from mechanics.reading.latex.words import Words, named, summed
 from mechanics.reading.names import Naming
+from mechanics.reading.partials import partial_of
 from mechanics.reading.place import Refused
 from mechanics.reading.tree import (
     Call,
@@ -236,8 +238,16 @@ class Items:
             rate = self._rate(above, int(per_time[1] or 1), at)
             if rate is not None:
                 return rate
+        if (pieces := partial(above, below)) is not None:
+            return self._partial(*pieces, at)
         parts = [self.group(above, at), inverse(self.group(below, at))]
         return Item("node", at, product(at, parts))
+
+    def _partial(self, of: list[Tree | Token], by: list[Tree | Token], at: int) -> Item:
+        name = self.fold(self.of(by), at)
+        if not of:
+            return Item("rate", at, name)
+        return Item("node", at, partial_of(self.naming, self.fold(self.of(of), at), name, at))
 
     def _rate(self, above: Tree, order: int, at: int) -> Item | None:
         """d/dt, d^2/dt^2, or dx/dt; None for a fraction whose numerator has no d."""

@@ -11,6 +11,7 @@ from lark import Token, Tree
 from mechanics.reading.functions import FUNCTIONS
 from mechanics.reading.latex.item import rate_of
 from mechanics.reading.names import Naming
+from mechanics.reading.partials import partial_of
 from mechanics.reading.place import Refused
 from mechanics.reading.tree import (
     Call,
@@ -29,6 +30,7 @@ from mechanics.reading.tree import (
 
 DEEPEST = 300
 """Nesting of the parser's tree; that of brackets is limited by the nodes themselves."""
+TIMES = ("t", "_t")
 DERIVATIVES = ("Derivative", "diff", "D")
 RATIONALS = ("Rational", "Integer", "Float", "S", "sympify", "Symbol")
 MATRICES = ("Matrix", "ImmutableMatrix", "array", "vertcat", "asarray")
@@ -187,6 +189,8 @@ class Nodes:
         return self._derivative(self.node(inner), arguments, at)
 
     def _derivative(self, node: Node, by: list[Tree], at: int) -> Node:
+        if len(by) == 1 and isinstance(name := self.node(by[0]), Name) and name.name not in TIMES:
+            return partial_of(self.naming, node, name, at)
         order = 0
         for tree in by:
             pair = tree.children if tree.data == "bracket" else [tree]
@@ -194,7 +198,7 @@ class Nodes:
             if len(parts) == 1 and constant(parts[0]) is not None and order:
                 order += int(constant(parts[0]) or 0) - 1
                 continue
-            if not (isinstance(parts[0], Name) and parts[0].name in ("t", "_t")):
+            if not (isinstance(parts[0], Name) and parts[0].name in TIMES):
                 raise Refused(at, "a derivative is by the time t")
             order += int(constant(parts[1]) or 0) if len(parts) == 2 else 1
         order = order if by else 1
