@@ -10,6 +10,7 @@ from fractions import Fraction
 from mechanics.reading.columns import DIAGONAL, crossed, dependent, diagonal, stacked
 from mechanics.reading.functions import FUNCTIONS, INVERSES
 from mechanics.reading.latex.item import Item, rate_of
+from mechanics.reading.latex.vectors import CROSS, DEPENDS, is_time, vectors
 from mechanics.reading.names import Naming
 from mechanics.reading.partials import partial_of
 from mechanics.reading.place import Refused
@@ -20,11 +21,9 @@ from mechanics.reading.tree import (
     Node,
     Number,
     Power,
-    Table,
     constant,
     ended,
     inverse,
-    names,
     negative,
     product,
     total,
@@ -81,7 +80,7 @@ class Fold:
         divide = operator = False
         while queue:
             item = queue.pop(0)
-            if item.text == CROSS and not operator and self._vectors(factors, queue):
+            if item.text == CROSS and not operator and vectors(self.naming, factors, queue):
                 rest, queue = queue, []
                 factors = [
                     crossed(items[0].at, product(items[0].at, factors), self._term(rest, at))
@@ -116,17 +115,6 @@ class Fold:
         if len(found) > 1 and self.slash is None:
             self.slash = (item.at, end)
         return product(item.at, found)
-
-    def _vectors(self, factors: list[Node], queue: list[Item]) -> bool:
-        """Whether what stands on both sides may be a column: it holds one, or an unknown name."""
-        right = [part for item in queue for part in (item.node, *item.arguments)]
-        return any(map(self._may_be_column, factors)) and any(
-            part is not None and self._may_be_column(part) for part in right
-        )
-
-    def _may_be_column(self, node: Node) -> bool:
-        unknown = any(not self.naming.knows(name.name) for name in names(node))
-        return isinstance(node, Table) or unknown
 
     def _factor(self, item: Item, queue: list[Item], before: list[Node], operator: bool) -> Node:
         """The factor that begins with an item; what belongs to it leaves the queue."""
@@ -163,7 +151,7 @@ class Fold:
             return stacked(item.at, item.arguments)
         if isinstance(node, Number) and before and not operator and isinstance(before[-1], Number):
             raise Refused(item.at, "two numbers side by side: write \\cdot between them")
-        if isinstance(node, Name) and queue and _is_time(queue[0]):
+        if isinstance(node, Name) and queue and is_time(queue[0]):
             return self._of_time(node, queue)
         if isinstance(node, Name) and queue and queue[0].kind == "bracket":
             return self._dependent(node, queue)
@@ -271,32 +259,5 @@ class Fold:
             )
 
 
-CROSS = "\\times"
-DEPENDS = "{name}(...) is read as {name}, which depends on what is in brackets"
-
-
-def applied(items: list[Item], naming: Naming, notes: list[str]) -> list[Item]:
-    """The left of a definition: ``M(q)`` with M unknown is M, which depends on q."""
-    if len(items) != 2 or items[1].kind != "bracket" or items[1].power is not None:
-        return items
-    name, inside = items[0].node, items[1].arguments
-    if not isinstance(name, Name) or naming.knows(name.name) or _is_time(items[1]):
-        return items
-    if not all(
-        isinstance(a, Name) and (a.name == "q" or naming.is_function(a.name)) for a in inside
-    ):
-        return items
-    notes.append(DEPENDS.format(name=name.name))
-    return items[:1]
-
-
 def _is_pi(node: Node) -> bool:
     return isinstance(node, Call) and node.function == "pi"
-
-
-def _is_time(item: Item) -> bool:
-    """Whether an item is ``(t)``."""
-    if item.kind != "bracket" or len(item.arguments) != 1:
-        return False
-    inside = item.arguments[0]
-    return isinstance(inside, Name) and inside.name == "t" and inside.order == 0

@@ -212,6 +212,8 @@ class _Expansion:
         if self.input.peek() == "=":
             self.input.character()
         meaning = self.input.argument(at, "\\let")
+        if not re.fullmatch(r"\\(?:[A-Za-z@]+|.)|[^\\]", meaning, re.DOTALL):
+            raise Refused(at, f"\\let: {meaning[:20]!r} is no command")
         known = self.known.get(meaning[1:]) if meaning[0] == "\\" else None
         # It keeps its meaning, whatever the other command is made later.
         self.known[name] = known or Macro(meaning, final=True)

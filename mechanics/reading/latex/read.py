@@ -16,13 +16,14 @@ from lark.exceptions import UnexpectedCharacters, UnexpectedEOF, UnexpectedInput
 
 from mechanics.reading.columns import names_a_column
 from mechanics.reading.latex.blocks import Block, blocks, claims, is_value
-from mechanics.reading.latex.fold import ALL, GLUED, SLASH, Fold, applied
+from mechanics.reading.latex.fold import ALL, GLUED, SLASH, Fold
 from mechanics.reading.latex.grammar import PARSER
 from mechanics.reading.latex.item import bare
 from mechanics.reading.latex.items import Items
 from mechanics.reading.latex.pieces import Pieces, is_kind
 from mechanics.reading.latex.prepare import prepared
 from mechanics.reading.latex.rows import rows
+from mechanics.reading.latex.vectors import applied
 from mechanics.reading.lines import Aside, Entry, Line, Unread, gives, gives_constants, value
 from mechanics.reading.names import Naming
 from mechanics.reading.place import Refused, bounded, bounded_mathematics, located, refusal
