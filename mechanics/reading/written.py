@@ -117,7 +117,7 @@ def row_trees(row: Published, written: Written) -> Trees:
             value = builder(tree)
             if not isinstance(value, MatrixBase) and not _through_matrices(tree, builder):
                 known.append((value, tree))
-    return tuple(_tree(entry, known, written) for entry in entries)
+    return tuple(_tree(entries, i, known, written) for i in range(len(entries)))
 
 
 def _through_matrices(tree: Node, builder: Builder) -> bool:
@@ -136,12 +136,16 @@ def _cells(side: Node, definitions: Mapping[str, Node]) -> Trees:
     return tuple(cell for row in side.rows for cell in row) if isinstance(side, Table) else (side,)
 
 
-def _tree(entry: Expr, known: list[tuple[Expr, Node]], written: Written) -> Node:
+def _tree(entries: list[Expr], i: int, known: list[tuple[Expr, Node]], written: Written) -> Node:
+    """The tree of an entry; of several that are equal each has its own place in the text."""
+    entry = entries[i]
+    alike = [tree for value, tree in known if value == entry]
+    if not alike:
+        return Number(0, Fraction(0)) if entry == 0 else written.tree(entry)
+    if len(alike) == entries.count(entry):
+        return alike[entries[:i].count(entry)]
     # The last one: in E_k = m v**2 / 2 the formula, not the name that it has from here on.
-    for value, tree in reversed(known):
-        if value == entry:
-            return tree
-    return Number(0, Fraction(0)) if entry == 0 else written.tree(entry)
+    return alike[-1]
 
 
 def row_of(row: Published, written: Written, trees: Trees) -> Published:

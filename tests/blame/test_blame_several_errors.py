@@ -176,3 +176,9 @@ def test_two_errors_in_one_term_of_a_potential_are_found() -> None:
     # It is known up to a constant only, so that two states are compared.
     repair = first("pendulum", "V = k*x**2 - M*g*L*sin(theta)/3")
     assert sorted(edit.mistake.name for edit in repair.edits) == ["FACTOR", "FUNCTION"]
+
+
+def test_equal_entries_of_a_matrix_are_mended_each_at_its_place() -> None:
+    right = "Matrix([[m + M, M*L*cos(theta)/2], [M*L*cos(theta)/2, M*L**2/3]])"
+    wrong = right.replace("cos", "sin").replace("/3", "/2")
+    assert first("pendulum", wrong).repaired == right

@@ -23,7 +23,7 @@ from mechanics.scene.quantities import Identity
 MEANT = 4
 """Right equations that are compared with."""
 
-MOST = 14
+MOST = 16
 """Terms that differ; of more there are too many choices."""
 
 
