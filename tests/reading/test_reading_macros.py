@@ -69,6 +69,7 @@ def test_a_saved_command_keeps_its_meaning() -> None:
         (r"\edef\a{x}\[ \a = 1 \]", r"column 14: \a is defined by \edef"),
         (r"{\def\a{x}} \[ \a = 1 \]", r"\def in braces or an environment"),
         (r"\begingroup\let\sin\cos\endgroup \[ x = \sin x \]", r"\let in braces"),
+        (r"\let\a{} \[ x = \a \]", r"column 1: \let: '' is no command"),
         (r"\newcommand{\f}[1]{#1} \[ x = \f", r"column 31: an argument of \f is missing"),
         (r"\newcommand{\f}[1]{#2} \[ x = \f x \]", r"column 31: \f has no argument #2"),
         (r"\catcode`\!=13 \def\a{b} \[ x = 1 \]", r"column 1: \catcode is not known here"),
