@@ -132,7 +132,10 @@ class Several:
         partly = covers(self._problem.forest, option.pieces, option.size, MOST_LEFT)
         for cover in islice(partly, looked_at):
             if cover.left and cover.pieces:
-                yield from completed(self._problem, cover.changes, self._open)
+                more = list(completed(self._problem, cover.changes, self._open))
+                yield from more
+                if any(map(_simple, more)):
+                    return
 
 
 def cost_of(changes: Sequence[Change]) -> float:
