@@ -189,7 +189,8 @@ class Nodes:
         return self._derivative(self.node(inner), arguments, at)
 
     def _derivative(self, node: Node, by: list[Tree], at: int) -> Node:
-        if len(by) == 1 and isinstance(name := self.node(by[0]), Name) and name.name not in TIMES:
+        name = self.node(by[0]) if len(by) == 1 and by[0].data != "bracket" else None
+        if isinstance(name, Name) and name.name not in TIMES and self.naming.target(name.name):
             return partial_of(self.naming, node, name, at)
         order = 0
         for tree in by:
