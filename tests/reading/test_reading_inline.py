@@ -103,3 +103,26 @@ def test_long_documents_are_read_in_linear_time(piece: str) -> None:
     except mechanics.MechanicsError as error:
         assert len(str(error).splitlines()) == 1
     assert time.process_time() - start < 4
+
+
+@pytest.mark.parametrize(
+    "stray",
+    [
+        r"\ddot x = 0",
+        r"\begin{bmatrix} \ddot x \\ 0 \end{bmatrix} = \begin{bmatrix} 1 \\ 0 \end{bmatrix}",
+        r"\begin{strange} m \frac{d v}{dt} = F \end{strange}",
+    ],
+)
+def test_an_equation_outside_of_every_formula_is_told(stray: str) -> None:
+    r"""TeX would stop there; a person has forgotten \[, or has an environment of their own."""
+    text = r"We have $\dot x = v$ and with it" + "\n\n" + stray + "\n\nas before."
+    found = mechanics.check(cartpole.scene(), text, notation="latex", blame=False)
+    (entry,) = [entry for entry in found.judged if "outside" in entry.statement.doubt]
+    assert entry.finding.verdict.name == "UNDECIDED"
+    assert "line 3, column" in entry.statement.doubt
+
+
+def test_prose_with_commands_and_without_an_equation_is_passed_over() -> None:
+    text = r"Of \textbf{all} parts, \sin. We have $\ddot x = 0$."
+    found = mechanics.check(cartpole.scene(), text, notation="latex", blame=False)
+    assert len(found.judged) == 1

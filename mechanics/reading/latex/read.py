@@ -23,6 +23,7 @@ from mechanics.reading.latex.items import Items
 from mechanics.reading.latex.pieces import Pieces, is_kind
 from mechanics.reading.latex.prepare import prepared
 from mechanics.reading.latex.rows import rows
+from mechanics.reading.latex.stray import stray
 from mechanics.reading.latex.vectors import applied
 from mechanics.reading.lines import Aside, Entry, Line, Unread, gives, gives_constants, value
 from mechanics.reading.names import Naming
@@ -53,7 +54,8 @@ def read_latex(text: str, naming: Naming, origin: str = "LaTeX") -> list[Entry]:
     bounded(text, origin)
     try:
         clean = prepared(text)
-        spans = [b for b in blocks(clean) if not b.inline or claims(clean[b.start : b.end])]
+        every = blocks(clean)
+        spans = [b for b in every if not b.inline or claims(clean[b.start : b.end])]
         bounded_mathematics(sum(block.end - block.start for block in spans), 0)
     except Refused as reason:
         raise refusal(text, reason, origin) from None
@@ -65,7 +67,10 @@ def read_latex(text: str, naming: Naming, origin: str = "LaTeX") -> list[Entry]:
         except Refused as reason:
             words = located(text, reason.at, reason.words, origin)
             found.append(Unread(source, words, block.start, _tag_of(source)))
-    return found
+    for start, end in stray(clean, every):
+        words = located(text, start, STRAY, origin)
+        found.append(Unread(" ".join(text[start:end].split()), words, start))
+    return sorted(found, key=lambda entry: entry.at)
 
 
 def _entries(clean: str, text: str, block: Block, naming: Naming, origin: str) -> list[Entry]:
@@ -125,6 +130,7 @@ def _column(formula: str, text: str, block: Block, naming: Naming, origin: str) 
     return entry if isinstance(entry, Line) and found else None
 
 
+STRAY = "an equation outside of a formula is not read: put it between \\[ and \\]"
 END_OF_LINE = "\u2028"
 FRAMED = re.compile(r"\\(?:under|over)brace\s*$")
 BEGINNING = re.compile(r"\(\s?(?:0|t_0|t_\{0\})\s?\)\s?=")

@@ -1,0 +1,34 @@
+r"""Equations that stand outside of every formula that was found: they are told, not passed over.
+
+Then \ddot x = -x holds.        \begin{unknown} \ddot x = -x \end{unknown}
+"""
+
+import re
+from collections.abc import Iterator, Sequence
+
+from mechanics.reading.latex.blocks import Block, claims
+
+MATHEMATICAL = re.compile(
+    r"\\(?:d{1,4}ot|[dt]?frac|partial|sin|cos|tan|left)(?![A-Za-z])"
+    r"|\\begin\s*\{(?:[bpvBV]?matrix|array|d?cases|aligned|split)\}"
+)
+"""What TeX takes in a formula only."""
+PARAGRAPH = re.compile(r"\n\s*\n")
+
+
+def stray(text: str, found: Sequence[Block]) -> Iterator[tuple[int, int]]:
+    """Where a paragraph of prose holds what may be an equation, from its first command on."""
+    at = 0
+    for block in (*found, Block(len(text), len(text))):
+        yield from _stray(text, at, block.start)
+        at = max(at, block.end)
+
+
+def _stray(text: str, start: int, end: int) -> Iterator[tuple[int, int]]:
+    while start < end:
+        gap = PARAGRAPH.search(text, start, end)
+        stop = gap.start() if gap else end
+        first = MATHEMATICAL.search(text, start, stop)
+        if first is not None and claims(text[start:stop]):
+            yield first.start(), stop
+        start = gap.end() if gap else end
