@@ -8,6 +8,7 @@ A function is not changed: a copy of it is made whose names mean these.
 import builtins
 import math
 import random
+import sys
 import types
 from collections.abc import Callable
 from operator import methodcaller
@@ -90,6 +91,7 @@ def _selected(conditions: Any, choices: Any, default: Any = 0) -> Any:
     return next((c for known, c in zip(conditions, choices, strict=True) if known), default)
 
 
+METHODS = (types.BuiltinFunctionType, types.MethodType)
 RANDOM = (random.Random, np.random.RandomState, np.random.Generator)
 CHANGING = ("random", "numpy.random", "secrets", "time", "datetime", "uuid", "os")
 """Modules whose functions return something else at each call, or elsewhere."""
@@ -137,21 +139,23 @@ MATH: dict[str, Any] = {
     "hypot": lambda x, y: NUMPY["sqrt_of"](x * x + y * y),
 }
 NUMPY["sqrt_of"] = MATH["sqrt"]
+LINEAR = {"numpy.linalg": linear_systems.NUMPY, "scipy.linalg": linear_systems.SCIPY}
 MODULES: dict[str, dict[str, Any]] = {
-    "math": MATH, "numpy": NUMPY, "scipy": {}, "numpy.linalg": linear_systems.NUMPY,
-    "scipy.linalg": linear_systems.SCIPY,
+    "math": MATH, "numpy": NUMPY, "scipy": {}, **LINEAR,
 }  # fmt: skip
 
 
 def _changing(value: Any) -> str:
     """A name of what returns something else at each call; empty for other things."""
-    owner = getattr(value, "__self__", None)
-    if isinstance(value, RANDOM) or isinstance(owner, RANDOM):
-        return f"random numbers ({getattr(value, '__name__', type(value).__name__)})"
+    # Nothing else is asked for its attributes: a person's object may answer anything.
     if isinstance(value, types.ModuleType):
         return value.__name__ if value.__name__ in CHANGING else ""
-    module, name = getattr(value, "__module__", None), getattr(value, "__name__", "")
-    return f"{module}.{name}" if module in CHANGING and callable(value) else ""
+    owner = value.__self__ if isinstance(value, METHODS) else None
+    if isinstance(value, RANDOM) or isinstance(owner, RANDOM):
+        return f"random numbers ({getattr(value, '__name__', type(value).__name__)})"
+    if not isinstance(value, type | types.FunctionType | types.BuiltinFunctionType):
+        return ""
+    return f"{value.__module__}.{value.__name__}" if value.__module__ in CHANGING else ""
 
 
 def stand_in(value: Any, depth: int = 0) -> Any:
@@ -181,12 +185,12 @@ def stand_in(value: Any, depth: int = 0) -> Any:
 
 def _of_linear_systems(value: Any) -> Any:
     """What stands for ``from numpy.linalg import solve``; None for other things."""
-    module, name = getattr(value, "__module__", None) or "", getattr(value, "__name__", "")
-    if not callable(value) or isinstance(value, type):
-        return None
-    if module.startswith("scipy.linalg"):
-        return linear_systems.SCIPY.get(name)
-    return linear_systems.NUMPY.get(name) if module.startswith("numpy.linalg") else None
+    for place, table in LINEAR.items():
+        module = sys.modules.get(place)
+        for name, replacement in table.items():
+            if module is not None and value is getattr(module, name, None):
+                return replacement
+    return None
 
 
 def copy_of(function: Callable[..., Any], depth: int = 0) -> Callable[..., Any]:

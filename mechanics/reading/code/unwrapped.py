@@ -22,7 +22,9 @@ def unwrapped(value: Any) -> Any:
             value = _filled(value)
         elif isinstance(value, functools._lru_cache_wrapper):  # what lru_cache makes
             value = value.__wrapped__
-        elif isinstance(inner := getattr(value, "py_func", None), types.FunctionType):
+        elif isinstance(
+            inner := inspect.getattr_static(value, "py_func", None), types.FunctionType
+        ):
             value = inner  # numba compiles this
         else:
             return value
