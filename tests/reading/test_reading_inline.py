@@ -123,6 +123,6 @@ def test_an_equation_outside_of_every_formula_is_told(stray: str) -> None:
 
 
 def test_prose_with_commands_and_without_an_equation_is_passed_over() -> None:
-    text = r"Of \textbf{all} parts, \sin. We have $\ddot x = 0$."
+    text = r"Of \textbf{all} parts, \sin. We have $\ddot x = \dot\theta^2$."
     found = mechanics.check(cartpole.scene(), text, notation="latex", blame=False)
     assert len(found.judged) == 1
