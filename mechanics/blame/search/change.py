@@ -105,7 +105,9 @@ def times(factor: Node, node: Node) -> Node:
 
 
 def plus(term: Node, node: Node) -> Node:
-    """A sum with one more term."""
+    """A sum with one more term; nought is nothing."""
+    if isinstance(node, Number) and node.value == 0:
+        return term
     terms = node.terms if isinstance(node, Sum) else (node,)
     return Sum(node.at, (*terms, term))
 

@@ -6,6 +6,7 @@ sign: "-" -> "+"       term added: "" -> "+ 2 k x"       anything else: what sta
 import re
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
+from fractions import Fraction
 from itertools import pairwise
 
 from sympy.matrices import MatrixBase
@@ -15,7 +16,7 @@ from mechanics.blame.search.change import Change, is_minus, minus
 from mechanics.blame.search.claim import Claim
 from mechanics.blame.search.forest import Forest
 from mechanics.reading.spelling import Spelling, hidden_minus
-from mechanics.reading.tree import Call, Node, Power, Product, Sum
+from mechanics.reading.tree import Call, Node, Number, Power, Product, Sum
 from mechanics.reading.written import Trees
 from mechanics.scene.published import Published
 
@@ -30,6 +31,9 @@ def told(claim: Claim, spelling: Spelling, forest: Forest, change: Change) -> Ed
     """An edit as a person makes it."""
     home = forest.place[change.index][0]
     if isinstance(home, str):
+        if _adds(forest, change) and change.wrap and not forest.place[change.index][1]:
+            term = change.wrap(Number(0, Fraction(0)))
+            return Edit(change.mistake, "", _signed(spelling, term), None, home)
         # It stands elsewhere, so that a sign alone would say nothing.
         old, fitting = spelling(forest.nodes[change.index]), _fitting(forest, change, spelling)
         return Edit(change.mistake, old, fitting, None, home)

@@ -31,7 +31,8 @@ def counted(edits: Sequence[Edit]) -> list[tuple[Edit, str]]:
 
 def _where(edit: Edit, count: int) -> str:
     words = [f"in {count} places"] if count > 1 else []
-    words += [f"in the definition of {edit.definition}"] if edit.definition else []
+    to = "in" if edit.written else "to"
+    words += [f"{to} the definition of {edit.definition}"] if edit.definition else []
     return " ".join(words)
 
 
