@@ -15,6 +15,7 @@ from sympy.matrices import MatrixBase
 
 from mechanics.errors import InputError
 from mechanics.reading.about import ENERGY_NAMES, MATRIX_NAMES, QUANTITIES, as_asked, named_quantity
+from mechanics.reading.arguments import applied, applied_alike
 from mechanics.reading.build import Builder, Value
 from mechanics.reading.columns import with_columns
 from mechanics.reading.defined import (
@@ -78,6 +79,9 @@ def assemble(
     plain = {name: meaning for name, meaning in given.items() if meaning not in QUANTITIES}
     naming = Naming(Vocabulary(scene), plain)
     lines = with_columns(turned(read(naming), naming), naming)
+    if functions := applied(lines, naming):
+        naming = replace(naming, applied=functions)
+        lines = with_columns(turned(read(naming), naming), naming)
     guessed = guess(naming, used(lines), own(lines, naming))
     if guessed:
         naming = replace(naming, guessed=guessed)
@@ -106,6 +110,7 @@ class _Assembly:
         self.weights: dict[str, Weight] = {}
         self.weight = 0
         self.vague: dict[str, list[str]] = {}
+        self.own: dict[str, Line] = {}
         self.learnt: dict[int, tuple[tuple[Value, ...], list[str]] | Refused] = {}
         self.reached: frozenset[str] = frozenset()
         self.statements: list[Statement] = []
@@ -116,6 +121,7 @@ class _Assembly:
         if self.about is not None:
             return
         defined = {n: d for n, d in definitions(lines, self.naming).items() if n not in self.words}
+        self.own = defined
         if defined:
             plain = partial(held, Builder(self.naming, {}, {}))
             self.reached = reached(lines, defined, self.needed, plain)
@@ -178,6 +184,7 @@ class _Assembly:
 
     def _weighed(self, line: Line) -> Weight:
         """What the sides of a line come to, if it is little enough to be built and judged."""
+        applied_alike(line.sides, self.own)
         sides = [weight(side, self.weights) for side in line.sides]
         self.weight += sum(side.amount for side in sides)
         if self.weight > LARGEST_WEIGHT:

@@ -158,11 +158,14 @@ class Naming:
     given : mapping of str to str
         By the person: name to name of the scene, which may carry ``_dot``.
     guessed : tuple of Match
+    applied : frozenset of str
+        What the person defines as functions: f in ``f(x) = ...``.
     """
 
     vocabulary: Vocabulary
     given: Mapping[str, str] = field(default_factory=dict)
     guessed: tuple[Match, ...] = ()
+    applied: frozenset[str] = frozenset()
 
     def __post_init__(self) -> None:
         for name, target in self.given.items():

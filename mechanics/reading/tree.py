@@ -66,12 +66,13 @@ class Number(Node):
 class Name(Node):
     """A name, without its dots; `order` is the number of dots.
 
-    `bracket` says that ``(t)`` stood behind it.
+    `bracket` says that ``(t)`` stood behind it, and `given` what else it is said to depend on.
     """
 
     name: str
     order: int = 0
     bracket: bool = False
+    given: tuple[str, ...] = field(default=(), compare=False)
 
 
 @dataclass(frozen=True)

@@ -7,6 +7,7 @@ function: \sin^2 2 \theta \cos \theta         numbers and then one factor are th
 
 from fractions import Fraction
 
+from mechanics.reading.arguments import at_one_time, told
 from mechanics.reading.columns import DIAGONAL, crossed, dependent, diagonal, stacked
 from mechanics.reading.functions import FUNCTIONS, INVERSES
 from mechanics.reading.latex.item import Item, rate_of
@@ -178,11 +179,18 @@ class Fold:
             del queue[0]
             return ended(diagonal(node.at, bracket.arguments), bracket.end)
         named = dependent(self.naming, node, bracket.arguments)
-        if named is None or bracket.power is not None:
+        if named is None and node.name in self.naming.applied:
+            named = node
+        if named is None:
+            at_one_time(self.naming, node, bracket.arguments[0])
             return node
         del queue[0]
         self.notes.append(DEPENDS.format(name=node.name))
-        return ended(named, bracket.end)
+        given = told(self.naming, node.name, bracket.arguments)
+        whole = ended(Name(named.at, named.name, named.order, given=given), bracket.end)
+        if bracket.power is None:
+            return whole
+        return ended(Power(node.at, whole, bracket.power), bracket.end)
 
     def _function(self, item: Item, queue: list[Item]) -> Node:
         """A function, its power and its argument."""

@@ -221,7 +221,7 @@ class Items:
                 raise Refused(at, f"the subscript {sub} belongs behind a name")
             return Item("node", at, Rate(at, node, order))
         name = f"{node.name}_{sub}" if sub else node.name
-        return Item("node", at, Name(at, name, node.order + order))
+        return Item("node", at, Name(at, name, node.order + order, given=node.given))
 
     def _fraction(self, base: Tree, at: int) -> Item:
         if base.data == "short_fraction":

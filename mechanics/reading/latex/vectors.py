@@ -5,7 +5,9 @@ M(q) = ...                    M, which depends on q
 """
 
 from collections.abc import Sequence
+from dataclasses import replace
 
+from mechanics.reading.arguments import told
 from mechanics.reading.latex.item import Item
 from mechanics.reading.names import Naming
 from mechanics.reading.tree import Name, Node, Table, names
@@ -39,7 +41,8 @@ def applied(items: list[Item], naming: Naming, notes: list[str]) -> list[Item]:
     ):
         return items
     notes.append(DEPENDS.format(name=name.name))
-    return items[:1]
+    given = told(naming, name.name, inside)
+    return [replace(items[0], node=Name(name.at, name.name, name.order, given=given))]
 
 
 def is_time(item: Item) -> bool:

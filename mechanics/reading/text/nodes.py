@@ -8,6 +8,7 @@ from fractions import Fraction
 
 from lark import Token, Tree
 
+from mechanics.reading.arguments import at_one_time
 from mechanics.reading.functions import FUNCTIONS
 from mechanics.reading.latex.item import rate_of
 from mechanics.reading.names import Naming
@@ -233,6 +234,8 @@ class Nodes:
         moving = self.naming.is_function(name)
         if of_time and moving is not False and not self.naming.knows("t"):
             return Name(at, name, order, True)
+        if moving:
+            at_one_time(self.naming, Name(at, name, order), inside)
         if moving is None and constant(inside) is not None:
             words = f"{name}({constant(inside)}), an element of an array, is written by its name"
             raise Refused(at, f"the function {name} is not known here: {words}")
