@@ -58,6 +58,17 @@ def blamed(truth: Equations, judged: Sequence[Judged]) -> tuple[Judged, ...]:
     return named_once(found)
 
 
+def declared_only(judged: Sequence[Judged]) -> tuple[Judged, ...]:
+    """The same, told that no edit was searched: edits are those of equations as they stand, not as
+    they would stand without a convention or with a value put in.
+    """
+    words = "not searched beside what is declared: a value, a convention or where"
+    none = Blame((), (), searched=words)
+    wrong = (entry.finding.verdict is Verdict.REFUTED for entry in judged)
+    pairs = zip(judged, wrong, strict=True)
+    return tuple(replace(e, blame=none) if refuted else e for e, refuted in pairs)
+
+
 def named_once(judged: Sequence[Judged]) -> tuple[Judged, ...]:
     """One error in a definition of the person that spoils several statements is told to be one."""
     tags: dict[Edit, list[str]] = {}

@@ -14,7 +14,7 @@ from mechanics.exact import Verdict
 from mechanics.judge.at_values import Values, read_values, right_at
 from mechanics.judge.at_values import words as in_words
 from mechanics.judge.black_box import check_box
-from mechanics.judge.blamed import blamed
+from mechanics.judge.blamed import blamed, declared_only
 from mechanics.judge.complete import redundancy
 from mechanics.judge.other_meaning import energy_instead
 from mechanics.judge.other_names import best_names, doubtful
@@ -118,9 +118,8 @@ def check(
     texts = [where] if isinstance(where, str) else where
     region = read_where(truth, texts, known, names or {})
     judged, told = _judged(truth, statements, counted, held, region)
-    # Edits are searched in equations as they stand, not as they would stand without a convention.
-    if blame and not counted and not held and not region:
-        judged = blamed(truth, judged)
+    if blame:
+        judged = declared_only(judged) if counted or held or region else blamed(truth, judged)
     judged = tuple(read_otherwise(truth, energy_instead(truth, entry)) for entry in judged)
     judged = (*judged, *(Judged(s, f) for entries, _ in boxed for s, f in entries))
     told_of = (*(reading.names for reading in readings), *(known for _, known in boxed))

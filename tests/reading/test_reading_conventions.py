@@ -112,7 +112,9 @@ def test_what_is_wrong_under_a_declared_convention_is_not_searched() -> None:
     text = about_the_pivot("L^2/5", "L/2")
     (entry,) = mechanics.check(PENDULUM, text, convention="other vertical").judged
     assert entry.finding.verdict.name == "REFUTED"
-    assert entry.blame is None
+    assert entry.blame is not None
+    assert entry.blame.repairs == ()
+    assert entry.blame.searched.startswith("not searched")
 
 
 def test_an_unknown_convention_is_refused() -> None:

@@ -24,6 +24,8 @@ SIGN = re.compile(r"[-+\u2212]\s*$")
 PLUS = re.compile(r"\s*\+\s*")
 TIMES_AFTER = re.compile(r"\s*(?:\.?\*(?!\*)|\\cdot(?![A-Za-z])|\\times(?![A-Za-z]))\s*")
 TIMES_BEFORE = re.compile(r"\s*(?:(?<!\*)\.?\*|\\cdot|\\times)\s*$")
+OPENS = re.compile(r"(?:\\left\s*)?\(\s*$")
+CLOSES = re.compile(r"\s*(?:\\right\s*)?\)")
 Span = tuple[int, int]
 
 
@@ -79,6 +81,9 @@ def told(claim: Claim, spelling: Spelling, forest: Forest, change: Change) -> Ed
 def _left_out(text: str, span: Span) -> tuple[Span, str]:
     """Where a factor is left out, with the sign of multiplication; what has to stand there."""
     start, end = span
+    opens, closes = OPENS.search(text, 0, start), CLOSES.match(text, end)
+    if opens and closes:  # a whole bracket goes with its brackets
+        span = start, end = opens.start(), closes.end()
     if after := TIMES_AFTER.match(text, end):
         return (start, after.end()), ""
     if before := TIMES_BEFORE.search(text, 0, start):

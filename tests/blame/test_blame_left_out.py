@@ -1,0 +1,37 @@
+r"""A factor in brackets that is too many goes with its brackets; edits beside what is declared."""
+
+import pytest
+
+import mechanics
+from mechanics.judge.check import derived
+from systems import cartpole
+
+CART = derived(cartpole.scene())
+TURNED = r"(\ddot\theta\cos\theta - \dot\theta^2\sin\theta)"
+RIGHT = rf"(m_c+m_p)\ddot x + m_p l{TURNED} = F"
+
+
+@pytest.mark.parametrize(
+    ("wrong", "right"),
+    [
+        (RIGHT.replace(TURNED, TURNED + r"\left(m_c + l\right)"), RIGHT),
+        (RIGHT.replace("m_p l", "m_p (m_c + l) l"), RIGHT),
+        ("(mc+mp)*x'' + (mc + l)*mp*l*(theta''*cos(theta) - theta'^2*sin(theta)) = F",
+         "(mc+mp)*x'' + mp*l*(theta''*cos(theta) - theta'^2*sin(theta)) = F"),
+    ],
+)  # fmt: skip
+def test_a_bracket_is_left_out_whole(wrong: str, right: str) -> None:
+    (entry,) = mechanics.check(CART, wrong).judged
+    assert entry.blame is not None
+    repaired = [repair.repaired.replace(" ", "") for repair in entry.blame.repairs]
+    assert right.replace(" ", "") in repaired
+
+
+@pytest.mark.parametrize("declared", [{"values": {"g": 9.81}}, {"where": "cos(theta) > 0"}])
+def test_that_no_edit_was_searched_is_said(declared: dict) -> None:
+    (entry,) = mechanics.check(CART, RIGHT.replace("= F", "= 2 F"), **declared).judged
+    assert entry.finding.verdict.name == "REFUTED"
+    assert entry.blame is not None
+    assert entry.blame.searched.startswith("not searched beside what is declared")
+    (entry,) = mechanics.check(CART, RIGHT, **declared).judged
+    assert entry.blame is None
