@@ -8,8 +8,9 @@ from dataclasses import replace
 from sympy.matrices import MatrixBase
 
 from mechanics.exact import Finding, Verdict, is_zero
+from mechanics.reading.partials import PARTIAL
 from mechanics.reading.statement import Statement
-from mechanics.reading.tree import Name
+from mechanics.reading.tree import Call, Name
 from mechanics.scene.quantities import Identity
 
 WORDS = "it is true whatever moves, so it says nothing about the scene"
@@ -49,4 +50,7 @@ def _names(statement: Statement) -> bool:
     named = [(side.name, side.order) for side in written.sides if isinstance(side, Name)]
     if len(set(named)) < len(named):
         return False
+    partial = any(isinstance(s, Call) and s.function == PARTIAL for s in written.sides)
+    if partial and len(named) == 1:
+        return True  # q' = dH/dp says something about H
     return len(named) == len(written.sides) or any(name in own for name, _ in named)

@@ -6,36 +6,42 @@ N1 = ...                     a reaction along the motion
 T = ..., V = ..., L = ...    energies, where the scene has no such names
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 from functools import partial
 
-from sympy import Expr, S, Symbol
+from sympy import Expr, Symbol
 from sympy.matrices import MatrixBase
 
 from mechanics.errors import InputError
 from mechanics.reading.about import ENERGY_NAMES, MATRIX_NAMES, QUANTITIES, as_asked, named_quantity
-from mechanics.reading.arguments import applied, applied_alike
+from mechanics.reading.arguments import applied_alike
 from mechanics.reading.build import Builder, Value
-from mechanics.reading.columns import with_columns
 from mechanics.reading.defined import (
     defines,
     definitions,
     gathers,
     in_order,
     needed,
-    own,
     reached,
-    turned,
     used,
     without_unknown_rates,
 )
-from mechanics.reading.guess import guess
 from mechanics.reading.kind import energy_named, kind_of
 from mechanics.reading.lines import Aside, Entry, Line, Unread, told_once
+from mechanics.reading.named import Read, named
 from mechanics.reading.names import Naming, Vocabulary, unexplained
 from mechanics.reading.place import Refused, line_and_column, located
-from mechanics.reading.sides import distinct, held, holds, is_named, known_first, scalar, shape
+from mechanics.reading.sides import (
+    distinct,
+    entries,
+    held,
+    holds,
+    is_named,
+    known_first,
+    scalar,
+    shape,
+)
 from mechanics.reading.statement import Reading, Statement
 from mechanics.reading.tree import Name, Node
 from mechanics.reading.weight import Weight, weight
@@ -51,8 +57,6 @@ DEEPEST = 100
 """Levels of a line with its definitions put in."""
 
 MOST_STATEMENTS = 200
-
-Read = Callable[[Naming], Sequence[Entry]]
 
 
 def assemble(
@@ -77,15 +81,7 @@ def assemble(
     """
     words = {name: meaning for name, meaning in given.items() if meaning in QUANTITIES}
     plain = {name: meaning for name, meaning in given.items() if meaning not in QUANTITIES}
-    naming = Naming(Vocabulary(scene), plain)
-    lines = with_columns(turned(read(naming), naming), naming)
-    if functions := applied(lines, naming):
-        naming = replace(naming, applied=functions)
-        lines = with_columns(turned(read(naming), naming), naming)
-    guessed = guess(naming, used(lines), own(lines, naming))
-    if guessed:
-        naming = replace(naming, guessed=guessed)
-        lines = with_columns(turned(read(naming), naming), naming)
+    naming, lines = named(read, Naming(Vocabulary(scene), plain))
     lines, told = told_once(without_unknown_rates(lines, naming))
     work = _Assembly(scene, naming, text, origin, words, about, needed(lines), notation)
     work.learn(lines)
@@ -134,7 +130,7 @@ class _Assembly:
 
     def _learn(self, name: str, line: Line) -> tuple[tuple[Value, ...], list[str]]:
         size = self._weighed(line)
-        builder = Builder(self.naming, self.defined, self.vague)
+        builder = Builder(self.naming, self.defined, self.vague, self.trees)
         sides, first = known_first(builder, line)
         self.weights[name] = size
         self.defined[name], self.trees[name] = sides[0], first
@@ -167,7 +163,7 @@ class _Assembly:
             self._define(line, left.name, *learnt, tag, place)
             return
         self._weighed(line)
-        builder = Builder(self.naming, self.defined, self.vague)
+        builder = Builder(self.naming, self.defined, self.vague, self.trees)
         sides = tuple(builder(side) for side in line.sides)
         energy = energy_named(self.naming, self.words, left, sides) if self.about is None else None
         if energy is not None:
@@ -252,10 +248,8 @@ class _Assembly:
             if isinstance(quantity, MassMatrix):
                 self._keep(line, tag, place, quantity, sides, unknown)
                 return
-        for i in range(rows * columns):
-            parts = tuple(s[i] if isinstance(s, MatrixBase) else S.Zero for s in sides)
-            if len(set(parts)) > 1 or len(parts) == 1:
-                self._scalars(line, f"{tag} row {i + 1}", place, parts, unknown)
+        for number, parts in entries(sides):
+            self._scalars(line, f"{tag} row {number}", place, parts, unknown)
 
     def _scalars(
         self, line: Line, tag: str, place: str, sides: tuple[Expr, ...], unknown: list[str]

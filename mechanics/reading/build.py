@@ -9,6 +9,7 @@ explains stays, as a symbol that the scene does not have, so that the verdict ca
 from collections.abc import Mapping, Sequence
 from functools import reduce
 from operator import mul
+from types import MappingProxyType
 from typing import Any
 
 from sympy import Add, Expr, I, Integer, Matrix, Rational, S, Symbol, nan, oo, zoo
@@ -16,8 +17,8 @@ from sympy.matrices import MatrixBase
 from sympy.matrices.exceptions import NonInvertibleMatrixError, ShapeError
 
 from mechanics.reading.functions import FUNCTIONS
+from mechanics.reading.independent import partial_derivative
 from mechanics.reading.names import Naming
-from mechanics.reading.partials import PARTIAL, partial_value
 from mechanics.reading.place import Refused
 from mechanics.reading.tree import (
     LARGEST,
@@ -56,10 +57,16 @@ class Builder:
     """Builds expressions; `unknown` are the names that stood for nothing."""
 
     def __init__(
-        self, naming: Naming, defined: Mapping[str, Value], vague: Mapping[str, Sequence[str]]
-    ) -> None:
-        self.naming, self.defined, self.vague = naming, defined, vague
+        self, naming: Naming, defined: Mapping[str, Value], vague: Mapping[str, Sequence[str]],
+        trees: Mapping[str, Node] = MappingProxyType({}),
+    ) -> None:  # fmt: skip
+        self.naming, self.defined, self.vague, self.trees = naming, defined, vague, trees
         self.unknown: list[str] = []
+        self.held: frozenset[Symbol] = frozenset()
+
+    def beside(self, defined: Mapping[str, Value]) -> "Builder":
+        """The same with other values for the definitions."""
+        return Builder(self.naming, defined, self.vague, self.trees)
 
     def __call__(self, node: Node) -> Value:
         """The expression of a tree.
@@ -69,7 +76,7 @@ class Builder:
         Refused
             For what has no finite real value, or no meaning.
         """
-        value = self._value(node)
+        value = self.value(node)
         entries = list(value) if isinstance(value, MatrixBase) else [value]
         for entry in entries:
             # SymPy's is_real differentiates large expressions for minutes: numbers only.
@@ -77,26 +84,29 @@ class Builder:
                 raise Refused(node.at, f"this has no finite real value: {str(entry)[:40]}")
         return value
 
-    def _value(self, node: Node) -> Any:
+    def value(self, node: Node) -> Any:
+        """The expression of a part of a tree."""
         match node:
             case Number(value=value):
                 return Rational(value.numerator, value.denominator)
             case Name():
                 return self._name(node)
             case Sum(terms=terms):
-                return self._sum(node, [self._value(term) for term in terms])
+                return self._sum(node, [self.value(term) for term in terms])
             case Product(factors=factors):
-                return self._product(node, [self._value(factor) for factor in factors])
+                return self._product(node, [self.value(factor) for factor in factors])
             case Power(base=base, exponent=exponent):
-                return self._power(node, self._value(base), self._value(exponent))
+                return self._power(node, self.value(base), self.value(exponent))
             case Call(function="pi"):
                 return S.Pi
+            case Call(function="partial", arguments=(of, by)):
+                return partial_derivative(self, of, by, node.at)
             case Call(function=function, arguments=arguments):
-                return self._call(node, function, [self._value(x) for x in arguments])
+                return self._call(node, function, [self.value(x) for x in arguments])
             case Rate(of=inner, order=order):
-                return self._rate(self._value(inner), order, node.at)
+                return self._rate(self.value(inner), order, node.at)
             case Table(rows=rows):
-                return Matrix([[self._scalar(node, self._value(c)) for c in row] for row in rows])
+                return Matrix([[self._scalar(node, self.value(c)) for c in row] for row in rows])
         raise Refused(node.at, "this is not known here")
 
     def _name(self, node: Name) -> Any:
@@ -124,7 +134,8 @@ class Builder:
 
     def _rate_once(self, value: Expr, at: int) -> Expr:
         vocabulary = self.naming.vocabulary
-        for symbol in sorted(value.free_symbols & vocabulary.without_rate, key=by_name):
+        unknown = vocabulary.without_rate | self.held
+        for symbol in sorted(value.free_symbols & unknown, key=by_name):
             raise Refused(at, f"the rate of {symbol} is not known")
         return rate(value, vocabulary.rate_table)
 
@@ -175,9 +186,6 @@ class Builder:
                 words = "a prime or .T behind what is no matrix: write diff(..., t) for its rate"
                 raise Refused(node.at, words)
             return only.T
-        if function == PARTIAL:
-            of, by = arguments
-            return partial_value(of, by, node.at)
         if function == "cross":
             return self._cross(node, *arguments)
         _, _, make = FUNCTIONS[function]

@@ -5,6 +5,7 @@ v = a w = x'    with a and w unknown:    x' is what v stands for
 
 from collections.abc import Sequence
 
+from sympy import S
 from sympy.matrices import MatrixBase
 
 from mechanics.reading.build import Builder, Value
@@ -66,6 +67,19 @@ def is_named(node: Node, name: str) -> bool:
 def holds(side: Value, name: str) -> bool:
     """Whether a side holds a name that nothing explains, with or without primes."""
     return any(symbol.name.rstrip("'") == name for symbol in side.free_symbols)
+
+
+def entries(sides: Sequence[Value]) -> list[tuple[int, tuple[Value, ...]]]:
+    """What an equation of matrices says, entry by entry, with the number of each.
+
+    Entries that are the same on all sides say nothing: they are left out, unless all are.
+    """
+    size = max(len(side) for side in sides if isinstance(side, MatrixBase))
+    every = [
+        (i + 1, tuple(side[i] if isinstance(side, MatrixBase) else S.Zero for side in sides))
+        for i in range(size)
+    ]
+    return [(i, e) for i, e in every if len(set(e)) > 1 or len(e) == 1] or every
 
 
 def shape(side: Value) -> tuple[int, int] | None:

@@ -52,7 +52,7 @@ class Written:
     def builder(self) -> Builder:
         """Makes expressions of the trees."""
         known: dict[str, Value] = {}
-        builder = Builder(self.naming, known, {})
+        builder = Builder(self.naming, known, {}, dict(self.definitions))
         for name, tree in self.definitions:
             known[name] = builder(tree)
         return builder
