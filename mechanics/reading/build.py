@@ -27,6 +27,7 @@ from mechanics.reading.tree import (
     Name,
     Node,
     Number,
+    Pointwise,
     Power,
     Product,
     Rate,
@@ -51,6 +52,10 @@ def _small(base: Expr, exponent: Expr) -> bool:
         return False
     bits = max((max(abs(n.p), n.q).bit_length() for n in base.atoms(Rational)), default=1)
     return bool(bits * abs(exponent.p) <= 2 * LARGEST)
+
+
+def _is_number(value: Any) -> bool:
+    return not isinstance(value, MatrixBase)
 
 
 class Builder:
@@ -151,12 +156,21 @@ class Builder:
     def _product(self, node: Node, factors: list[Any]) -> Any:
         if not any(isinstance(factor, MatrixBase) for factor in factors):
             return reduce(mul, factors, S.One)
+        if isinstance(node, Pointwise):
+            self._of_one_matrix(node, factors)
         try:
             found = reduce(mul, factors)
         except ShapeError:
             raise Refused(node.at, "matrices of these shapes cannot be multiplied") from None
         # q'^T M q' is a number.
         return found[0, 0] if found.shape == (1, 1) else found
+
+    def _of_one_matrix(self, node: Pointwise, factors: list[Any]) -> None:
+        """Refuse ``A .* B`` and ``1 ./ A``, which are no products of matrices."""
+        matrices = [n for n, f in zip(node.factors, factors, strict=True) if not _is_number(f)]
+        if len(matrices) > 1 or any(isinstance(part, Power) for part in matrices):
+            words = "entry by entry (.* ./ .^, or * of arrays) matrices are not multiplied here"
+            raise Refused(node.at, f"{words}: write the entries out")
 
     def _power(self, node: Node, base: Any, exponent: Any) -> Any:
         exponent = self._scalar(node, exponent)

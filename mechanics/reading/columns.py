@@ -66,10 +66,15 @@ def _defined(naming: Naming, name: str, used: Container[str]) -> Line | None:
 
 
 def names_a_column(line: Line, naming: Naming) -> bool:
-    """Whether a line says which names a column of the person's own is made of."""
+    """Whether a line says which names a column of the person's own is made of.
+
+    What would be taken for a column of the scene can be another one: q = (x, 2 theta).
+    """
     left, *right = line.sides
-    unknown = isinstance(left, Name) and left.order == 0 and not naming.knows(left.name)
-    return unknown and len(right) == 1 and gathers(right)
+    if not isinstance(left, Name) or left.order or naming.knows(left.name) or len(right) != 1:
+        return False
+    other = isinstance(right[0], Table) and bool(names(right[0]) and column(naming, left.name))
+    return other or gathers(right)
 
 
 def _holds_matrix(node: Node) -> bool:

@@ -95,6 +95,10 @@ class Product(Node):
         self._limit(sum(factor.size for factor in self.factors), self.factors)
 
 
+class Pointwise(Product):
+    """A product entry by entry, ``a .* b``: of numbers it is a product, of matrices not."""
+
+
 @dataclass(frozen=True)
 class Power(Node):
     """base ** exponent."""

@@ -223,3 +223,11 @@ def test_times_between_numbers_is_a_product() -> None:
     own = text.replace(r"m_p \times l", r"k_1 \times l") + r"\qquad k_1 = m_p \times 1"
     found = mechanics.check(cartpole.scene(), own, notation="latex", blame=False)
     assert [entry.finding.verdict.name for entry in found.judged] == ["PROVED"]
+
+
+@pytest.mark.parametrize(
+    "column", [r"\[ q = (\theta_1, 2\theta_2)^T \]", r"$q = (\theta_1, -\theta_2)$"]
+)
+def test_a_column_of_something_else_is_not_passed_over(column: str) -> None:
+    """It was called a list that is not used, and q taken for the coordinates."""
+    assert "REFUTED" in verdicts(EQUATION, *PARTS, column)

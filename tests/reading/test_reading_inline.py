@@ -126,3 +126,14 @@ def test_prose_with_commands_and_without_an_equation_is_passed_over() -> None:
     text = r"Of \textbf{all} parts, \sin. We have $\ddot x = \dot\theta^2$."
     found = mechanics.check(cartpole.scene(), text, notation="latex", blame=False)
     assert len(found.judged) == 1
+
+
+@pytest.mark.parametrize("beside", [r"\be m_c x^2 = 0 \ee", r"\beq M \alpha = 0 \eeq"])
+def test_what_only_a_formula_can_hold_is_no_prose(beside: str) -> None:
+    assert verdicts(SHOWN + "\n" + beside) == ["PROVED", "UNDECIDED"]
+
+
+@pytest.mark.parametrize("words", [r"\mbox{and $\ddot x = 0$}", r"\text{ and \(\ddot x = 0\)}"])
+def test_an_equation_in_the_words_of_a_display_is_told(words: str) -> None:
+    assert verdicts(rf"\[ {RAIL} {words} \]") == ["PROVED", "UNDECIDED"]
+    assert verdicts(rf"\[ {RAIL} \text{{ for all $\theta$}} \]") == ["PROVED"]

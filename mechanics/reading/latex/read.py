@@ -23,7 +23,7 @@ from mechanics.reading.latex.items import Items
 from mechanics.reading.latex.pieces import Pieces, is_kind
 from mechanics.reading.latex.prepare import prepared
 from mechanics.reading.latex.rows import rows
-from mechanics.reading.latex.stray import stray
+from mechanics.reading.latex.stray import stray, within
 from mechanics.reading.latex.vectors import applied
 from mechanics.reading.lines import Aside, Entry, Line, Unread, gives, gives_constants, value
 from mechanics.reading.names import Naming
@@ -67,7 +67,7 @@ def read_latex(text: str, naming: Naming, origin: str = "LaTeX") -> list[Entry]:
         except Refused as reason:
             words = located(text, reason.at, reason.words, origin)
             found.append(Unread(source, words, block.start, _tag_of(source)))
-    for start, end in stray(clean, every):
+    for start, end in (*stray(clean, every), *(s for b in spans for s in within(clean, b))):
         words = located(text, start, STRAY, origin)
         found.append(Unread(" ".join(text[start:end].split()), words, start))
     return sorted(found, key=lambda entry: entry.at)

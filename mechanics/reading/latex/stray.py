@@ -6,11 +6,13 @@ Then \ddot x = -x holds.        \begin{unknown} \ddot x = -x \end{unknown}
 import re
 from collections.abc import Iterator, Sequence
 
-from mechanics.reading.latex.blocks import Block, claims
+from mechanics.reading.latex.blocks import INLINE, Block, claims
+from mechanics.reading.names import GREEK
 
 MATHEMATICAL = re.compile(
     r"\\(?:d{1,4}ot|[dt]?frac|partial|sin|cos|tan|left)(?![A-Za-z])"
     r"|\\begin\s*\{(?:[bpvBV]?matrix|array|d?cases|aligned|split)\}"
+    rf"|\\(?:var)?(?:{'|'.join(sorted(GREEK))})(?![A-Za-z])|(?<!\\)\^"
 )
 """What TeX takes in a formula only."""
 PARAGRAPH = re.compile(r"\n\s*\n")
@@ -22,6 +24,13 @@ def stray(text: str, found: Sequence[Block]) -> Iterator[tuple[int, int]]:
     for block in (*found, Block(len(text), len(text))):
         yield from _stray(text, at, block.start)
         at = max(at, block.end)
+
+
+def within(text: str, block: Block) -> Iterator[tuple[int, int]]:
+    r"""Where words in a display hold an equation of their own: ``\text{and $a = b$}``."""
+    for match in () if block.inline else INLINE.finditer(text, block.start, block.end):
+        if claims(match[0]):
+            yield match.span()
 
 
 def _stray(text: str, start: int, end: int) -> Iterator[tuple[int, int]]:

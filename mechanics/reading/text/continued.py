@@ -36,11 +36,27 @@ def sentences(text: str) -> str:
     text = WORDS.sub(lambda m: ";".ljust(len(m[0])), text)
     text = STOP.sub(" ", text)
     out, depth = list(text), 0
+    together = [span for line in re.finditer(r"[^\n;]+", text) for span in _together(line)]
     for i, character in enumerate(text):
         depth += (character in "([") - (character in ")]")
         if character == "," and depth == 0 and not DECIMAL.match(text, max(i - 1, 0)):
             out[i] = ";"
+    for i in together:
+        out[i] = ","
     return "".join(out)
+
+
+def _together(line: re.Match[str]) -> list[int]:
+    """Commas of ``a, b = c, d``, which are no ends: b is not c."""
+    depth, commas = 0, list[int]()
+    for i, character in enumerate(line[0]):
+        depth += (character in "([") - (character in ")]")
+        if character == "," and depth == 0:
+            commas.append(i)
+    first = line[0].find("=")
+    if first < 0 or not commas or commas[0] > first:
+        return []
+    return [line.start() + i for i in commas]
 
 
 def on_one_line(text: str) -> str:

@@ -3,7 +3,6 @@
 x.diff(t, 2), Derivative(x(t), (t, 2)), diff(x, t, t), x''    ->    x with two dots
 """
 
-import unicodedata
 from fractions import Fraction
 
 from lark import Token, Tree
@@ -14,11 +13,13 @@ from mechanics.reading.latex.item import rate_of
 from mechanics.reading.names import Naming
 from mechanics.reading.partials import partial_of
 from mechanics.reading.place import Refused
+from mechanics.reading.text.letters import plain
 from mechanics.reading.tree import (
     Call,
     Name,
     Node,
     Number,
+    Pointwise,
     Power,
     Product,
     Sum,
@@ -35,14 +36,17 @@ TIMES = ("t", "_t")
 DERIVATIVES = ("Derivative", "diff", "D")
 RATIONALS = ("Rational", "Integer", "Float", "S", "sympify", "Symbol")
 MATRICES = ("Matrix", "ImmutableMatrix", "array", "vertcat", "asarray")
-DOTS = {"\u0307": 1, "\u0308": 2}
 
 
 class Nodes:
     """Makes nodes of the parser's trees."""
 
-    def __init__(self, naming: Naming, offset: int, notes: list[str], below: bool = True) -> None:
+    def __init__(
+        self, naming: Naming, offset: int, notes: list[str], below: bool = True,
+        arrays: bool = False,
+    ) -> None:  # fmt: skip
         self.naming, self.offset, self.notes, self.below = naming, offset, notes, below
+        self.arrays = arrays
         self.slash = ""
         self.depth = 0
 
@@ -83,12 +87,14 @@ class Nodes:
     def multiply(self, tree: Tree, at: int) -> Node:
         """A product or quotient, likewise."""
         factors: list[Node] = []
+        pointwise = False
         while isinstance(tree, Tree) and tree.data == "multiply":
             left, sign, right = tree.children
+            pointwise = pointwise or self.arrays or "." in f"{_last(left)[-1:]}{sign}"
             factors += self._divided(right) if "/" in sign else [self.node(right)]
             tree = left
         factors.append(self.node(tree))
-        return Product(at, tuple(reversed(factors)))
+        return (Pointwise if pointwise else Product)(at, tuple(reversed(factors)))
 
     def _divided(self, tree: Tree) -> list[Node]:
         """What a slash divides by: ``/2L`` may be 1/(2 L), or L/2."""
@@ -111,8 +117,10 @@ class Nodes:
 
     def power(self, tree: Tree, at: int) -> Node:
         """base ** exponent."""
-        base, _, exponent = tree.children
-        return Power(at, self.node(base), self.node(exponent))
+        base, sign, exponent = tree.children
+        node = Power(at, self.node(base), self.node(exponent))
+        inverted = constant(node.exponent) == -1 and (self.arrays or "." in sign)
+        return Pointwise(at, (node,)) if inverted else node
 
     def superscripted(self, tree: Tree, at: int) -> Node:
         """A square or cube in Unicode."""
@@ -264,28 +272,13 @@ class Nodes:
         return node
 
 
+def _last(tree: Tree | Token) -> str:
+    """The token that a tree ends with: of ``1./M`` it is the number that has the dot."""
+    while isinstance(tree, Tree) and tree.children:
+        tree = tree.children[-1]
+    return str(tree) if isinstance(tree, Token) else ""
+
+
 def _letters(tree: Tree | Token) -> str:
     """The name that a tree begins with."""
     return str(tree) if isinstance(tree, Token) else _letters(tree.children[0])
-
-
-def plain(text: str) -> tuple[str, int]:
-    """A name without its module and its dots, Greek letters by name."""
-    _, _, name = text.rpartition(".")
-    decomposed = unicodedata.normalize("NFD", name)
-    order = sum(DOTS.get(character, 0) for character in decomposed)
-    letters = "".join(_latin(c) for c in decomposed if c not in DOTS)
-    return letters, order
-
-
-def _latin(character: str) -> str:
-    if ord(character) < 128:
-        return character
-    words = unicodedata.name(character, "").split()
-    # GREEK SMALL LETTER THETA, GREEK CAPITAL LETTER DELTA
-    if words[:1] == ["GREEK"] and "LETTER" in words:
-        spelled = words[words.index("LETTER") + 1].lower().replace("lamda", "lambda")
-        return spelled.capitalize() if "CAPITAL" in words else spelled
-    if unicodedata.category(character) == "No":
-        return str(unicodedata.digit(character, "")) or character
-    return character

@@ -25,6 +25,8 @@ VALUE = re.compile(
     rf"(\w+) ?= ?[-+]?\d[\d.]*(?:[eE][-+]?\d+)? \[?{BASE}(?:[ */.]{{0,3}}{BASE}){{0,5}}\]?"
 )
 """The value of a parameter with its unit."""
+ARRAYS = re.compile(r"\b(?:as)?array\s*\(")
+"""Of NumPy, which multiplies entry by entry."""
 ENDS = ("end", "endfunction")
 TAG = re.compile(r"(?:[%#]|^[ \t]{2,})\s*(\([\w.']{1,12}\))")
 
@@ -104,9 +106,10 @@ def _lines(clean: str, text: str, offset: int, naming: Naming, origin: str) -> l
             found.append(Unread("end", located(text, at, words, origin), at))
             continue
         notes: list[str] = []
-        nodes = Nodes(naming, offset, notes)
+        arrays = ARRAYS.search(text) is not None
+        nodes = Nodes(naming, offset, notes, arrays=arrays)
         sides = nodes.sides(statement)
-        other = Nodes(naming, offset, [], below=False).sides(statement) if nodes.slash else ()
+        other = Nodes(naming, offset, [], False, arrays).sides(statement) if nodes.slash else ()
         others = ((f"{nodes.slash}: write the brackets", other),) if other else ()
         start, end = offset + statement.meta.start_pos, offset + statement.meta.end_pos
         rest = text[end:].split("\n", 1)[0]
