@@ -208,14 +208,17 @@ class Builder:
             raise Refused(node.at, f"{function} of a number that is too large")
         return self._real(node, make(*numbers))
 
-    def _cross(self, node: Node, left: Any, right: Any) -> Any:
+    def _cross(self, node: Node, *factors: Any) -> Any:
         """A vector product; what turns out to be numbers is multiplied."""
-        both = [v for v in (left, right) if isinstance(v, MatrixBase)]
-        if len(both) < 2:
-            return self._product(node, [left, right])
-        if any(v.shape != (3, 1) for v in both):
+        columns = [value for value in factors if not _is_number(value)]
+        if len(columns) < 2:
+            return self._product(node, list(factors))
+        if len(columns) > 2:
+            raise Refused(node.at, "a vector product of three columns: write brackets around two")
+        left, right = columns
+        if (left.shape, right.shape) != ((3, 1), (3, 1)):
             raise Refused(node.at, "a vector product takes two columns of three")
-        return left.cross(right)
+        return reduce(mul, filter(_is_number, factors), S.One) * left.cross(right)
 
     def _scalar(self, node: Node, value: Any) -> Expr:
         if isinstance(value, MatrixBase):

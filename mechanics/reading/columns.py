@@ -133,6 +133,10 @@ def diagonal(at: int, entries: Sequence[Node]) -> Table:
     ))  # fmt: skip
 
 
-def crossed(at: int, left: Node, right: Node) -> Call:
-    """A vector product; of what turns out to be numbers it is a product."""
-    return Call(at, "cross", (left, right))
+def crossed(at: int, left: Node, right: Node, chain: bool) -> Call:
+    """A vector product; of what turns out to be numbers it is a product.
+
+    In a chain without brackets, a x b x c, no more than two can be columns.
+    """
+    together = chain and isinstance(right, Call) and right.function == "cross"
+    return Call(at, "cross", (left, *(parts(right) if together else (right,))))

@@ -231,3 +231,22 @@ def test_times_between_numbers_is_a_product() -> None:
 def test_a_column_of_something_else_is_not_passed_over(column: str) -> None:
     """It was called a list that is not used, and q taken for the coordinates."""
     assert "REFUTED" in verdicts(EQUATION, *PARTS, column)
+
+
+def test_a_vector_product_of_three_is_one_with_brackets_only() -> None:
+    """It was read as a x (b x c), which is not (a x b) x c."""
+    for three, expected in (
+        (r"\omega\times\tau\times\omega - \omega\times(\tau\times\omega)", "UNDECIDED"),
+        (r"\omega\times\tau\times\omega - (\omega\times\tau)\times\omega", "UNDECIDED"),
+        (r"2\times\omega\times\tau + 2\,\tau\times\omega", "PROVED"),
+        (r"\omega\times(\tau\times\omega) - (\omega\times\tau)\times\omega", "PROVED"),
+        (r"\omega\times(\tau\times\tau) + (\omega\times\tau)\times\tau", "REFUTED"),
+    ):
+        text = EULER.replace(r"= \tau \]", rf"= \tau + {three} \]")
+        assert text != EULER
+        try:
+            found = mechanics.check(BODY, text, notation="latex", blame=False).verdict.name
+        except mechanics.MechanicsError as error:
+            assert "a vector product of three columns" in str(error)
+            found = "UNDECIDED"
+        assert found == expected

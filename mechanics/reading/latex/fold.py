@@ -82,10 +82,9 @@ class Fold:
         while queue:
             item = queue.pop(0)
             if item.text == CROSS and not operator and vectors(self.naming, factors, queue):
-                rest, queue = queue, []
-                factors = [
-                    crossed(items[0].at, product(items[0].at, factors), self._term(rest, at))
-                ]
+                chain = any(one.text == CROSS for one in queue)
+                left, right = product(items[0].at, factors), self._term(queue, at)
+                factors, queue = [crossed(items[0].at, left, right, chain)], []
                 continue
             if item.kind in ("times", "slash"):
                 if operator or not factors:
