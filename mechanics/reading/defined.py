@@ -10,7 +10,7 @@ from collections import Counter
 from collections.abc import Callable, Container, Mapping, Sequence
 from dataclasses import replace
 
-from mechanics.reading.about import ENERGY_NAMES
+from mechanics.reading.about import ENERGY_NAMES, MATRIX_NAMES
 from mechanics.reading.lines import Entry, Line
 from mechanics.reading.names import Naming
 from mechanics.reading.partials import undifferentiated
@@ -187,8 +187,8 @@ def reached(
 ) -> frozenset[str]:
     """Names that judged lines hold, and that the definitions of these use in turn.
 
-    A definition is no judged line, but for that of an energy, and where further sides are equal to
-    it: these are judged by their right.
+    A definition is no judged line, but for that of an energy or mass matrix, and where further
+    sides are equal to it: these are judged by their right.
     """
     names_of = {id(line): name for name, line in defined.items()}
     todo: list[str] = []
@@ -199,7 +199,7 @@ def reached(
                 todo += held(line.sides)
             elif len(line.sides) > 2:
                 todo += held(line.sides[1:])
-            elif name in ENERGY_NAMES and name not in needed:
+            elif (name in ENERGY_NAMES and name not in needed) or name in MATRIX_NAMES:
                 todo += [n.name for side in line.sides[1:] for n in names(side)]
     found: set[str] = set()
     while todo:

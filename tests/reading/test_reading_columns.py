@@ -250,3 +250,11 @@ def test_a_vector_product_of_three_is_one_with_brackets_only() -> None:
             assert "a vector product of three columns" in str(error)
             found = "UNDECIDED"
         assert found == expected
+
+
+def test_what_the_mass_matrix_alone_uses_is_used() -> None:
+    mass = PARTS[0].replace(r"m_2(l_{c2}^2 + l_1 l_{c2}\cos\theta_2) + I_2 &", "d &", 1)
+    lines = (mass, r"\[ d = m_2(l_{c2}^2 + l_1 l_{c2}\cos\theta_2) + I_2 \]")
+    assert mass != PARTS[0]
+    assert verdicts(*lines) == ["PROVED"]
+    assert verdicts(lines[0], lines[1].replace("+ I_2", "- I_2")) == ["REFUTED"]

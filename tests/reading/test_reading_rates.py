@@ -82,3 +82,20 @@ def test_text_is_differentiated_alike() -> None:
     with pytest.raises(InputError, match="the rate of x_ddot is not known"):
         verdict(CART, f"diff(mp*x'', t) + {row} = F", "text")
     assert verdict(BALL, "diff(m*v, t) = T", "text") == "PROVED"
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        # Right if the rate of the product is meant, wrong if that of the bracket is.
+        (r"\frac{d}{dt}\left(l^2\cos\theta\right)\dot\theta = 0", "a derivative of the bracket"),
+        (
+            r"\frac{\partial}{\partial\theta}(\cos\theta)\dot\theta = 0",
+            "a derivative of the bracket",
+        ),
+        (r"\frac{d}{dt}(M)\dot\theta = 0", "a derivative of the bracket"),
+    ],
+)
+def test_what_a_derivative_is_of_has_to_be_plain(text: str, expected: str) -> None:
+    with pytest.raises(InputError, match=rf"LaTeX, line 1, column 4: {expected}"):
+        mechanics.check(cartpole.scene(), rf"\[ {text} \]", notation="latex", blame=False)

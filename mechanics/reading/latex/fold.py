@@ -25,6 +25,7 @@ from mechanics.reading.tree import (
     constant,
     ended,
     inverse,
+    names,
     negative,
     product,
     total,
@@ -136,6 +137,7 @@ class Fold:
         if item.kind == "rate":
             if not queue:
                 raise Refused(item.at, "what is differentiated is missing")
+            self._all_of(item, queue)
             rest, queue[:] = list(queue), []
             of = self._term(rest, item.at)
             if item.node is not None:
@@ -156,6 +158,24 @@ class Fold:
         if isinstance(node, Name) and queue and queue[0].kind == "bracket":
             return self._dependent(node, queue)
         return node
+
+    def _all_of(self, item: Item, queue: list[Item]) -> None:
+        """Refuse ``d/dt (a) b`` where both may move: it is the rate of the bracket, or of all.
+
+        Raises
+        ------
+        Refused
+            Where these are different.
+        """
+
+        def moves(some: list[Item]) -> bool:
+            nodes = [n for one in some for n in (one.node, *one.arguments) if n is not None]
+            every = [name for node in nodes for name in names(node)]
+            return any(self.naming.is_function(name.name) is not False for name in every)
+
+        if queue[0].kind == "bracket" and moves(queue[:1]) and moves(queue[1:]):
+            words = "a derivative of the bracket, or of all that follows: write another bracket"
+            raise Refused(item.at, words)
 
     def _of_time(self, node: Name, queue: list[Item]) -> Node:
         """A name before ``(t)``: a function of time, or a product if the scene says so."""
