@@ -14,7 +14,7 @@ from sympy import Expr, Symbol
 from sympy.matrices import MatrixBase
 
 from mechanics.errors import InputError
-from mechanics.reading.about import ENERGY_NAMES, MATRIX_NAMES, QUANTITIES, as_asked, named_quantity
+from mechanics.reading.about import MATRIX_NAMES, QUANTITIES, as_asked, named_quantity
 from mechanics.reading.arguments import applied_alike
 from mechanics.reading.build import Builder, Value
 from mechanics.reading.defined import (
@@ -27,7 +27,7 @@ from mechanics.reading.defined import (
     used,
     without_unknown_rates,
 )
-from mechanics.reading.kind import energy_named, kind_of
+from mechanics.reading.kind import energy_defined, energy_named, kind_of
 from mechanics.reading.lines import Aside, Entry, Line, Unread, told_once
 from mechanics.reading.named import Read, named
 from mechanics.reading.names import Naming, Vocabulary, unexplained
@@ -203,7 +203,7 @@ class _Assembly:
         place: str,
     ) -> None:  # fmt: skip
         """A definition: it is judged where it is used, or is an energy or the mass matrix."""
-        energy = ENERGY_NAMES.get(name) if name not in self.needed and scalar(sides) else None
+        energy = energy_defined(self.naming, name, sides) if name not in self.needed else None
         if energy is not None:
             self._energy(line, tag, place, energy, sides, unknown)
             return

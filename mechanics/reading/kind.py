@@ -54,6 +54,17 @@ def kind_of(scene: Scene, sides: tuple[Expr, ...]) -> tuple[Quantity, tuple[Expr
     return Identity(), sides, ""
 
 
+def energy_defined(naming: Naming, name: str, sides: tuple[Any, ...]) -> str | None:
+    """The energy that a name stands for which the scene does not have, by what it is defined as.
+
+    T = 2 pi sqrt(l/g) is a period: what pi and constants make is no kinetic energy.
+    """
+    energy = ENERGY_NAMES.get(name) if scalar(sides) else None
+    constants = {*naming.vocabulary.constants.values()}
+    period = all(side.has(S.Pi) and side.free_symbols <= constants for side in sides)
+    return None if energy == "kinetic energy" and period else energy
+
+
 def energy_named(
     naming: Naming, words: Mapping[str, str], left: Node, sides: tuple[Any, ...]
 ) -> str | None:

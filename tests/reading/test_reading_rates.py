@@ -99,3 +99,21 @@ def test_text_is_differentiated_alike() -> None:
 def test_what_a_derivative_is_of_has_to_be_plain(text: str, expected: str) -> None:
     with pytest.raises(InputError, match=rf"LaTeX, line 1, column 4: {expected}"):
         mechanics.check(cartpole.scene(), rf"\[ {text} \]", notation="latex", blame=False)
+
+
+@pytest.mark.parametrize(
+    "ratio",
+    [r"\frac{d \theta}{d x}", r"\frac{\mathrm{d}\theta}{\mathrm{d} x}", r"\frac{d}{dx}\theta"],
+)
+def test_d_is_no_factor_of_a_derivative(ratio: str) -> None:
+    """It fell out of the fraction, which was theta/x."""
+    text = rf"\[ (m_c + m_p)\ddot x = {ratio} x - \theta \]"
+    with pytest.raises(InputError, match="by something else than the time"):
+        mechanics.check(cartpole.scene(), text, notation="latex", blame=False)
+
+
+def test_a_period_is_no_kinetic_energy() -> None:
+    found = mechanics.check(cartpole.scene(), r"\[ T = 2\pi\sqrt{l/g} \]", blame=False)
+    (entry,) = found.judged
+    assert entry.finding.verdict.name == "UNDECIDED"
+    assert "T is defined and never used" in entry.statement.doubt

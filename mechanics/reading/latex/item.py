@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 from lark import Token, Tree
 
-from mechanics.reading.names import GREEK
+from mechanics.reading.names import GREEK, Naming
 from mechanics.reading.place import Refused
 from mechanics.reading.tree import Name, Node, Rate
 
@@ -47,6 +47,23 @@ class Item:
     arguments: tuple[Node, ...] = ()
     order: int = 0
     end: int = -1
+
+
+def glued(name: str, naming: Naming) -> bool:
+    """Whether dx is no name of the scene, but x is."""
+    known = naming.lookup(name)
+    return name[:1] == "d" and name[1:2] != "_" and known is not None and known[1] > 0
+
+
+def differential(above: list[Item], below: list[Item], naming: Naming) -> bool:
+    """Whether a fraction is d v / d x, in which d is no factor."""
+    first = below[0].node if below else None
+    before = above[0].node if above else None
+    if not (isinstance(before, Name) and before.name == "d" and isinstance(first, Name)):
+        return False
+    if len(below) == 1:
+        return glued(first.name, naming)
+    return first.name == "d" and below[1].kind in ("node", "bracket")
 
 
 def bare(text: str) -> str:

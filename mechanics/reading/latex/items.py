@@ -14,7 +14,9 @@ from mechanics.reading.columns import transposed
 from mechanics.reading.latex.item import (
     Item,
     bare,
+    differential,
     end_of,
+    glued,
     pieces_of,
     rate_of,
     start_of,
@@ -240,6 +242,8 @@ class Items:
                 return rate
         if (pieces := partial(above, below)) is not None:
             return self._partial(*pieces, at)
+        if differential(self.of(pieces_of(above)), self.of(pieces_of(below)), self.naming):
+            raise Refused(at, "a derivative by something else than the time is not known here")
         parts = [self.group(above, at), inverse(self.group(below, at))]
         return Item("node", at, product(at, parts))
 
@@ -259,7 +263,7 @@ class Items:
         if isinstance(d, Power):
             power = int(constant(d.exponent) or 0)
             d = d.base
-        if isinstance(d, Name) and self._is_rate_of_rest(d.name):
+        if isinstance(d, Name) and glued(d.name, self.naming):
             rest.insert(0, Item("node", d.at + 1, ended(Name(d.at + 1, d.name[1:]), d.end)))
         elif not (isinstance(d, Name) and d.name == "d" and d.order == 0):
             return None
@@ -268,11 +272,6 @@ class Items:
         if not rest:
             return Item("rate", at, order=order)
         return Item("node", at, rate_of(self.fold(rest, at), order, at))
-
-    def _is_rate_of_rest(self, name: str) -> bool:
-        """Whether dx is no name of the scene, but x is."""
-        known = self.naming.lookup(name)
-        return name[:1] == "d" and name[1:2] != "_" and known is not None and known[1] > 0
 
     def _root(self, base: Tree, at: int) -> Node:
         *degree, radicand = base.children[1:]
