@@ -8,7 +8,16 @@ A case of a function that is hardly ever entered would not be met by random stat
 from collections.abc import Callable, Iterator
 from dataclasses import replace
 
-from sympy import Abs, Dummy, Expr, Piecewise, Rational, S, preorder_traversal
+from sympy import (
+    Abs,
+    Dummy,
+    Expr,
+    Piecewise,
+    Rational,
+    S,
+    default_sort_key,
+    preorder_traversal,
+)
 from sympy.core.relational import Eq, Ge, Gt, Le, Lt, Ne, Relational
 from sympy.logic.boolalg import And, Boolean, Not, Or
 
@@ -163,7 +172,7 @@ def _alternatives(condition: Boolean) -> list[tuple[Relational, ...]] | None:
     moduli = [m for m in (condition.gts - condition.lts).atoms(Abs) if not m.args[0].has(Abs)]
     if not moduli:
         return [(condition,)]
-    modulus = moduli[0]
+    modulus = min(moduli, key=default_sort_key)
     inside = modulus.args[0]
     halves = [
         (positive, condition.xreplace({modulus: value}))

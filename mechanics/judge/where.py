@@ -9,7 +9,7 @@ coordinates and parameters; a boundary is looked at from inside.
 import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
-from itertools import combinations
+from itertools import accumulate, combinations
 
 from sympy import Abs, Expr, Pow, cos, sign, sin
 from sympy.matrices import MatrixBase
@@ -69,13 +69,16 @@ def read_where(
         For what is no inequality in coordinates and parameters, or holds at no state that is found.
     """
     known = {match.name: match.meaning for match in names} | dict(given)
-    parts = [part.strip() for text in texts for part in re.split(r"\band\b|,|&&?", text)]
+    parts = [part for text in texts for part in _parts(text)]
     if len(parts) > MOST_CONDITIONS or any(len(part) > LONGEST for part in parts):
         raise InputError(f"where: at most {MOST_CONDITIONS} conditions of {LONGEST} characters")
     found = tuple(_condition(truth.scene, part, known) for part in parts)
     if found and not _there(truth, found):
         told = " and ".join(one.words for one in found)
-        raise InputError(f"where {told}: no state of {truth.scene.name} was found where that holds")
+        raise InputError(
+            f"where {told}: no state of {truth.scene.name} was found where that holds: coordinates"
+            " are looked at about zero, so write sin(theta) < 0 for theta > pi, and no narrow range"
+        )
     return found
 
 
@@ -83,7 +86,7 @@ def judge_where(truth: Equations, statement: Statement, where: Sequence[Where]) 
     """The finding of a statement where conditions hold; what is right everywhere is right there."""
     everywhere = judge(truth, statement, {})
     row = statement.row
-    if everywhere.shown or row is None or statement.doubt or not isinstance(row.quantity, KINDS):
+    if everywhere.shown or row is None or statement.doubt:
         return everywhere
     if everywhere.verdict is Verdict.UNDECIDED and not _branched(statement):
         return everywhere
@@ -126,26 +129,56 @@ def right_where(
     return ()
 
 
+def _parts(text: str) -> Iterator[str]:
+    """Conditions of a text: a comma inside of brackets parts none."""
+    depth, start = 0, 0
+    for found in re.finditer(r"[(\[]|[)\]]|,|&&?|\band\b", text):
+        if found[0] in "([":
+            depth += 1
+        elif found[0] in ")]":
+            depth -= 1
+        elif depth <= 0:
+            yield text[start : found.start()].strip()
+            start = found.end()
+    yield text[start:].strip()
+
+
+def _closed(text: str) -> bool:
+    """Whether every bracket is closed in a text, and none before it is opened."""
+    depths = list(accumulate((c in "([") - (c in ")]") for c in text))
+    return min(depths) >= 0 and depths[-1] == 0
+
+
 def _condition(scene: Scene, text: str, names: Mapping[str, str]) -> Where:
     wrong = f"where {text!r}: write one inequality in coordinates and parameters: cos(phi) > 0"
     match = re.fullmatch(r"([^<>=]+)([<>])=?([^<>=]+)", text)
-    if match is None or "\n" in text:
+    if match is None or "\n" in text or not (_closed(match[1]) and _closed(match[3])):
         raise InputError(wrong)
     left, relation, right = match.groups()
-    reading = read(scene, f"{left} = {right}", names, "text", None)
-    rows = [s.row for s in reading.statements if not s.doubt and s.row is not None]
+    try:
+        # A name that equals something would be taken for a definition.
+        reading = read(scene, f"0 = ({left}) - ({right})", names, "text", None)
+    except InputError as error:
+        words = re.sub(r"^text, line 1, column \d+: ", "", str(error))
+        raise InputError(f"where {text!r}: {words}") from None
     guessed = [m.name for m in reading.names if m.name not in names and m.name != m.meaning]
     if guessed:
         raise InputError(f"where {text!r}: {guessed[0]} is no name of {scene.name}: use its own")
-    if len(rows) != 1 or len(reading.statements) != 1 or len(rows[0].sides) != 2:
+    if len(reading.statements) != 1:
         raise InputError(wrong)
-    one, other = rows[0].sides
-    positive = one - other if relation == ">" else other - one
-    free = positive.free_symbols
-    if not isinstance(rows[0].quantity, Identity) or not free:
+    (statement,) = reading.statements
+    if statement.doubt:
+        raise InputError(f"where {text!r}: {statement.doubt}")
+    row = statement.row
+    if row is None or len(row.sides) != 2 or not isinstance(row.quantity, Identity):
         raise InputError(wrong)
-    if not free <= {*scene.q, *scene.parameters}:
+    none, difference = row.sides
+    if none != 0 or isinstance(difference, MatrixBase):
         raise InputError(wrong)
+    free = difference.free_symbols
+    if not free or not free <= {*scene.q, *scene.parameters}:
+        raise InputError(wrong)
+    positive = difference if relation == ">" else -difference
     return Where(f"{left.strip()} {relation} {right.strip()}", positive)
 
 

@@ -9,7 +9,7 @@ from mechanics.equations import Equations
 from mechanics.errors import InputError
 from mechanics.judge.check import derived
 from mechanics.scene import Particle, RigidBody, Scene, gravity, holonomic, parameters, reaction
-from systems import four_bar
+from systems import four_bar, rod_pendulum
 
 theta, phi, s, x, y = dynamicsymbols("theta phi s x y")
 r, l, m, J, g = parameters("r l m J g", units="m m kg kg*m^2 m/s^2", typical="0.05 0.2 1 0.01 9.81")
@@ -131,6 +131,9 @@ def test_names_of_the_person_may_be_used() -> None:
         ("1 > 0", "write one inequality"), ("Ex > 0", "write one inequality"),
         ("0 < phi < 1", "write one inequality"), ("((((", "write one inequality"),
         ("__import__('os') > 0", "cannot be read"), ("phi^(9^9^9) > 0", "exponent"),
+        ("z9 > 0", "where 'z9 > 0': z9: the scene has no such name"),
+        ("theta* > 1", "^where 'theta[*] > 1': '[)]' cannot be read here$"),
+        ("theta) - (1 > 0", "write one inequality"), ("2*(theta > 1)", "write one inequality"),
     ],
 )  # fmt: skip
 def test_what_is_no_condition_is_refused(where: str, words: str) -> None:
@@ -141,3 +144,46 @@ def test_what_is_no_condition_is_refused(where: str, words: str) -> None:
 def test_only_one_of_them_is_given() -> None:
     with pytest.raises(InputError, match="give one only"):
         mechanics.check(CRANK, PISTON, where="cos(phi) > 0", convention="other sign of angles")
+
+
+ROD = derived(rod_pendulum.scene())
+BRANCH = "(sqrt(sin(theta)^2) - sin(theta))"
+"""Zero where sin(theta) > 0."""
+
+
+@pytest.mark.parametrize(
+    ("right", "about"),
+    [
+        ("V = m*g*l*cos(theta)/2 + m*g*l*{}", None),
+        ("T = m*l^2*theta'^2/6 + m*l^2*theta'^2*{}", None),
+        ("p_theta = m*l^2*theta'/3 + m*l^2*theta'*{}", None),
+        ("[m*l^2/3 + m*l^2*{}]", "mass matrix"),
+    ],
+)
+def test_what_is_judged_at_all_states_is_not_refuted_where(right: str, about: str | None) -> None:
+    everywhere = right.format("0")
+    assert mechanics.check(ROD, everywhere, about=about, where="sin(theta) > 0").ok
+    text = right.format(BRANCH)
+    assert mechanics.check(ROD, text, about=about, blame=False).verdict.name == "REFUTED"
+    (entry,) = mechanics.check(ROD, text, about=about, where="sin(theta) > 0").judged
+    assert entry.finding.verdict.name == "UNDECIDED"
+    assert "judged at all states" in entry.finding.evidence
+
+
+@pytest.mark.parametrize(
+    "where", ["m > 1", "l > m", "m > 0", "1 < l", "theta > max(1, 2)", "l > m, m > 1 and theta < 2"]
+)
+def test_parameters_have_conditions_too(where: str) -> None:
+    text = "m*l^2/3*theta'' - m*g*l/2*sin(theta) = u + {}*theta"
+    assert mechanics.check(ROD, text.format("0"), where=where).ok
+    assert mechanics.check(ROD, text.format("1"), where=where).verdict.name == "REFUTED"
+
+
+def test_a_condition_on_a_parameter_is_met() -> None:
+    root = "(sqrt((m - l)^2) - {}*(m - l))*theta"
+    text = "m*l^2/3*theta'' - m*g*l/2*sin(theta) = u + "
+    for sign, where in (("1", "m > l"), ("(-1)", "l > m")):
+        other = "l > m" if where == "m > l" else "m > l"
+        assert mechanics.check(ROD, text + root.format(sign), where=where).ok
+        found = mechanics.check(ROD, text + root.format(sign), where=other)
+        assert found.verdict.name == "REFUTED"
