@@ -68,10 +68,6 @@ def by_class(state, u, m, l, g):
     return rates(state, u, m, l, g, 4 if isinstance(u, np.floating) else 3)
 
 
-def by_scalar(state, u, m, l, g):
-    return rates(state, u, m, l, g, 4 if np.isscalar(state[0]) else 3)
-
-
 def by_subtype(state, u, m, l, g):
     return rates(state, u, m, l, g, 4 if np.issubdtype(state.dtype, np.floating) else 3)
 
@@ -133,7 +129,7 @@ def truncated_on_one_way(state, u, m, l, g):
 
 OTHERWISE = [
     array_of_integers, zeros_of_integers, array_as_integers, state_as_integers, by_dtype, by_type,
-    by_type_of_a_float, by_attribute, by_class, by_scalar, by_subtype, by_exception, rounded,
+    by_type_of_a_float, by_attribute, by_class, by_subtype, by_exception, rounded,
     rounded_array, absorbed, truncated_on_one_way,
 ]  # fmt: skip
 
@@ -206,6 +202,10 @@ def of_a_numpy_scalar(state, u, m, l, g):
     return rates(state, u.item(), m, l, g)
 
 
+def of_a_scalar(state, u, m, l, g):
+    return rates(state, u, m, l, g, 3 if np.isscalar(state[0]) else 4)
+
+
 def by_a_root(state, u, m, l, g):
     sine = np.sign(math.sin(state[0])) * math.sqrt(1 - math.cos(state[0]) ** 2)
     return [state[1], rates(state, u, m, l, g)[1] + 0 * sine]
@@ -223,8 +223,8 @@ def undefined_by_halves(state, u, m, l, g):
 
 
 RIGHT = [
-    rates, in_single_precision, as_a_list, like_the_state, of_a_numpy_scalar, by_a_root,
-    partly_defined, undefined_by_halves,
+    rates, in_single_precision, as_a_list, like_the_state, of_a_numpy_scalar, of_a_scalar,
+    by_a_root, partly_defined, undefined_by_halves,
 ]  # fmt: skip
 
 

@@ -170,10 +170,41 @@ def by_an_import(y, u, m, l, g):  # type: ignore[no-untyped-def]
     return law(y, u + 1e-12 * chance(), m, l, g)
 
 
-@pytest.mark.parametrize("function", [by_chance, by_numpy, by_the_clock, by_an_import])
+def by_a_hash(y, u, m, l, g):  # type: ignore[no-untyped-def]
+    return law(y, u + 1e-12 * (hash("x") % 2), m, l, g)
+
+
+def by_an_address(y, u, m, l, g):  # type: ignore[no-untyped-def]
+    return law(y, u + 1e-30 * id(law), m, l, g)
+
+
+REFUSED = [by_chance, by_numpy, by_the_clock, by_an_import, by_a_hash, by_an_address]
+
+
+@pytest.mark.parametrize("function", REFUSED)
 def test_chance_and_the_clock_are_refused(function: Callable) -> None:
-    with pytest.raises(InputError, match="depends on more than its arguments"):
+    line = function.__code__.co_firstlineno + (3 if function is by_an_import else 1)
+    words = f"^function {function.__name__}, in line {line}: it calls .* more than its arguments"
+    with pytest.raises(InputError, match=words):
         check(SCENE, function)
+
+
+class Noisy:
+    def __init__(self) -> None:
+        self.chance = {"uniform": random, "normal": np.random.randn}
+
+    def uniform(self, y, u, m, l, g):  # type: ignore[no-untyped-def]
+        return law(y, u + 1e-12 * self.chance["uniform"](), m, l, g)
+
+    def normal(self, y, u, m, l, g):  # type: ignore[no-untyped-def]
+        return law(y, u + 1e-12 * self.chance["normal"](), m, l, g)
+
+
+@pytest.mark.parametrize("function", [Noisy().uniform, Noisy().normal])
+def test_chance_that_is_hidden_in_an_object_is_seen(function: Callable) -> None:
+    found = check(SCENE, function)
+    assert {judged.finding.verdict for judged in found.judged} == {Verdict.UNDECIDED}
+    assert "a call changes random numbers" in found.judged[0].finding.evidence
 
 
 def test_an_import_inside_and_defaults_of_entries() -> None:

@@ -103,6 +103,21 @@ def test_an_array_that_is_written_is_what_is_returned() -> None:
     assert check(SCENE, accelerations, blame=False).verdict is Verdict.REFUTED
 
 
+def test_an_array_that_is_written_beside_what_is_returned_is_not_passed_over() -> None:
+    def beside(q, v, M):  # type: ignore[no-untyped-def]
+        M[0] = 5 * q[0]
+        return np.linalg.solve(mass(q), right(q, v))
+
+    def with_a_status(t, y, dydt):  # type: ignore[no-untyped-def]
+        dydt[:2] = y[2:]
+        dydt[2:] = np.linalg.solve(mass(y), right(y, y[2:]))
+        return 0
+
+    with pytest.raises(InputError, match="function beside: it fills M and returns something else"):
+        check(SCENE, beside, blame=False)
+    assert check(SCENE, with_a_status, blame=False).verdict is Verdict.PROVED
+
+
 def test_keys_say_what_is_returned() -> None:
     def accelerations(q, qd, swapped=False):  # type: ignore[no-untyped-def]
         found = np.linalg.solve(mass(q), right(q, qd))

@@ -11,6 +11,8 @@ from typing import Any
 
 import numpy as np
 
+from mechanics.errors import InputError
+
 
 def returning(
     function: Callable[..., Any], size: int, explained: Iterable[str]
@@ -24,6 +26,11 @@ def returning(
         Entries of an array that is written by more than numbers in brackets.
     explained : iterable of str
         Arguments that a person says what they are.
+
+    Raises
+    ------
+    InputError
+        When what is returned is called, and the other one returns something besides.
     """
     sizes = {n: k or size for n, k in _written(function).items() if n not in explained}
     if not sizes:
@@ -35,15 +42,24 @@ def returning(
     def call(**arguments: Any) -> Any:
         arrays = {name: np.zeros(k) for name, k in sizes.items()}
         result = function(**arguments, **arrays)
-        if result is not None:
-            return result
-        return next(iter(arrays.values())) if len(arrays) == 1 else tuple(arrays.values())
+        found: Any = tuple(arrays.values()) if len(arrays) > 1 else next(iter(arrays.values()))
+        if result is found or result is None or _is_status(result):
+            return found
+        raise InputError(
+            f"it fills {', '.join(arrays)} and returns something else, too: which of them is to be"
+            " judged is not plain: return all of it, or have a function for each"
+        )
 
     others = [p for n, p in signature.parameters.items() if n not in sizes]
     call.__name__ = getattr(function, "__name__", "function")
     call.__wrapped__ = function  # type: ignore[attr-defined]
     call.__signature__ = signature.replace(parameters=others)  # type: ignore[attr-defined]
     return call
+
+
+def _is_status(result: Any) -> bool:
+    """Whether a result is 0, which solvers take as success: no computed number is an integer."""
+    return type(result) in (int, bool) and result == 0
 
 
 def _written(function: Callable[..., Any]) -> dict[str, int]:

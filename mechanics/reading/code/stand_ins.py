@@ -64,8 +64,18 @@ def _objects(make: Callable[..., np.ndarray]) -> Callable[..., np.ndarray]:
     return apply
 
 
-def _identity(x: Any = 0.0, *rest: Any, **options: Any) -> Any:
-    return x if isinstance(x, Traced) else float(x)
+class _Kind(type):
+    """A traced number is one of the kind, and stays what it is where it is made one."""
+
+    def __instancecheck__(cls, thing: object) -> bool:
+        return isinstance(thing, Traced | float)
+
+    def __call__(cls, x: Any = 0.0, *_: Any, **__: Any) -> Any:
+        return x if isinstance(x, Traced) else float(x)
+
+
+class Float(metaclass=_Kind):
+    """In place of `float`: ``isinstance(x, float)``, ``float(x)``, ``np.zeros(2, float)``."""
 
 
 def _signs(x: Any) -> Any:
@@ -95,7 +105,7 @@ METHODS = (types.BuiltinFunctionType, types.MethodType)
 RANDOM = (random.Random, np.random.RandomState, np.random.Generator)
 CHANGING = ("random", "numpy.random", "secrets", "time", "datetime", "uuid", "os")
 """Modules whose functions return something else at each call, or elsewhere."""
-OUTSIDE = ("input", "open", "eval", "exec", "globals")
+OUTSIDE = ("input", "open", "eval", "exec", "globals", "hash", "id")
 
 
 class Changing:
@@ -125,11 +135,12 @@ NUMPY: dict[str, Any] = {
         "array", "asarray", "zeros", "ones", "empty", "eye", "zeros_like", "empty_like",
         "ones_like", "full", "identity", "ascontiguousarray",
     )},
-    **{name: _identity for name in ("float64", "float32", "double")},
+    **{name: Float for name in ("float64", "float32", "double")},
     "random": Changing("np.random"),
     "linalg": Module(np.linalg, linear_systems.NUMPY),
     "arctan2": lambda y, x: y.arctan2(x) if isinstance(y, Traced) else np.arctan2(y, x),
     "sign": _signs, "select": _selected,
+    "finfo": lambda kind: np.finfo(float if kind is Float else kind),
 }  # fmt: skip
 MATH: dict[str, Any] = {
     **{name: _elementary(name, getattr(math, name, abs)) for name in ELEMENTARY},
@@ -166,7 +177,7 @@ def stand_in(value: Any, depth: int = 0) -> Any:
     if isinstance(value, types.ModuleType) and value.__name__ in MODULES:
         return Module(value, MODULES[value.__name__])
     if value is float:
-        return _identity
+        return Float
     if value is np.sign:
         return _signs
     if isinstance(value, types.BuiltinFunctionType) and value.__module__ == "math":
@@ -211,7 +222,7 @@ def copy_of(function: Callable[..., Any], depth: int = 0) -> Callable[..., Any]:
     if depth > DEEPEST:
         return function
     table = dict(function.__globals__)
-    table["float"] = _identity
+    table["float"] = Float
     table["__builtins__"] = {**vars(builtins), "__import__": _imported}
     for name in _used(function.__code__):
         if name in table and table[name] is not function and name != "float":

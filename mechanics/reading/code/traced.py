@@ -11,6 +11,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from fractions import Fraction
+from numbers import Real
 from typing import Any
 
 import numpy as np
@@ -216,6 +217,9 @@ class Traced:
         value = expression_of(other, self.explorer)
         formula = called("atan2", self.formula, formula_of(other, value))
         return self.new(sympy.atan2(self.expr, value), formula)
+
+
+Real.register(Traced)
 
 
 def _quotient(a: Expr, b: Expr) -> Expr:

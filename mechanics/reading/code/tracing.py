@@ -87,41 +87,56 @@ def trace(
     InputError
         When its code hides a formula: by ``float()``, by what is compiled, by too many decisions.
     """
-    own = held(function, standing)
-    copied = copy_of(function)
-    notes: list[str] = []
-    lasting: dict[str, None] = {}
-    ways: list[_Way] = []
+    title, ways = _title(function), _Ways()
+    _follow(function, given, standing, ways)
+    defined = [way for way in ways.found if way.values is not None]
+    if not defined:
+        raise InputError(f"{title} ends in an error whatever its arguments are")
+    if len(defined) < len(ways.found):
+        ways.notes.append("ways that end in an error are left out")
+    shapes = {tuple(value.shape for value in way.values or ()) for way in defined}
+    if len(shapes) > 1:
+        raise InputError(f"{title} returns arrays of different shapes")
+    conditions = dict.fromkeys(condition for way in ways.found for condition, _ in way.conditions)
+    names = {way.names for way in ways.found}
+    return Outputs(
+        _joined(defined, 0), tuple(ways.notes), tuple(conditions),
+        formulas=defined[0].formulas if len(ways.found) == 1 else {},
+        names=ways.found[0].names if len(names) == 1 else (), changed=tuple(ways.lasting),
+    )  # fmt: skip
+
+
+@dataclass
+class _Ways:
+    """Ways through a function that were gone, and what was learnt on them."""
+
+    found: list[_Way] = field(default_factory=list)
+    notes: list[str] = field(default_factory=list)
+    lasting: dict[str, None] = field(default_factory=dict)
+
+
+def _follow(
+    function: Callable[..., Any], given: Given, standing: Mapping[str, Expr], ways: _Ways
+) -> None:
+    """Go all ways through a function."""
+    own, copied = held(function, standing), copy_of(function)
+    # What only fills arrays is called by what returns them: the lines are those of the first.
+    origin = getattr(function, "__wrapped__", function)
     prefix: tuple[bool, ...] | None = ()
     while prefix is not None:
-        if len(ways) == MOST_PATHS:
+        if len(ways.found) == MOST_PATHS:
             raise InputError(f"{_title(function)} has more than {MOST_PATHS} ways through it")
-        explorer = Explorer(prefix, notes=notes)
+        explorer = Explorer(prefix, notes=ways.notes)
         if own.places:
             traced = {n: _argument(value, explorer) for n, value in standing.items()}
             copied = copy_of(own.with_values(traced))
         arguments = {name: _argument(value, explorer) for name, value in given.items()}
         before = seen(copied, arguments)
-        values = _called(copied, arguments, given, explorer, _title(function))
-        lasting |= dict.fromkeys(changed(before, seen(copied, arguments)))
+        values = _called(copied, arguments, given, explorer, origin)
+        ways.lasting |= dict.fromkeys(changed(before, seen(copied, arguments)))
         taken = tuple(explorer.taken)
-        ways.append(_Way(taken, values, explorer.formulas, explorer.names))
+        ways.found.append(_Way(taken, values, explorer.formulas, explorer.names))
         prefix = _next([answer for _, answer in taken])
-    defined = [way for way in ways if way.values is not None]
-    if not defined:
-        raise InputError(f"{_title(function)} ends in an error whatever its arguments are")
-    if len(defined) < len(ways):
-        notes.append("ways that end in an error are left out")
-    shapes = {tuple(value.shape for value in way.values or ()) for way in defined}
-    if len(shapes) > 1:
-        raise InputError(f"{_title(function)} returns arrays of different shapes")
-    conditions = dict.fromkeys(condition for way in ways for condition, _ in way.conditions)
-    formulas = defined[0].formulas if len(ways) == 1 else {}
-    return Outputs(
-        _joined(defined, 0), tuple(notes), tuple(conditions), formulas=formulas,
-        names=ways[0].names if len({way.names for way in ways}) == 1 else (),
-        changed=tuple(lasting),
-    )  # fmt: skip
 
 
 def _title(function: Callable[..., Any]) -> str:
@@ -137,36 +152,43 @@ def _next(answers: list[bool]) -> tuple[bool, ...] | None:
 
 def _called(
     function: Callable[..., Any], arguments: Mapping[str, Any], given: Given, explorer: Explorer,
-    title: str,
+    origin: Callable[..., Any],
 ) -> tuple[Matrix, ...] | None:  # fmt: skip
+    title = _title(origin)
     try:
         result = function(**arguments)
+    except InputError as error:
+        raise InputError(f"{title}{_line(origin, error)[0]}: {error}") from None
     except MechanicsError:
         raise
     except (ValueError, ZeroDivisionError, AssertionError, FloatingPointError) as error:
         if explorer.taken:
             return None
-        raise InputError(f"{title}{_where(function, error, given)}") from None
+        raise InputError(f"{title}{_where(origin, error, given)}") from None
     except Exception as error:
-        raise InputError(f"{title} cannot be traced{_where(function, error, given)}") from None
+        raise InputError(f"{title} cannot be traced{_where(origin, error, given)}") from None
     explorer.names = _keys(result)
     return tuple(_matrix(part, explorer, title) for part in parts_of(result))
 
 
 def _where(function: Callable[..., Any], error: Exception, given: Given) -> str:
     """In which line of a function something failed, how, and what its arguments were read as."""
-    words = f": {type(error).__name__}: {' '.join(str(error).split())}"
-    file = getattr(getattr(function, "__code__", None), "co_filename", None)
-    entries = [e for e in traceback.extract_tb(error.__traceback__) if e.filename == file]
-    words += _unnamed(function)
-    if not entries:
+    words = f": {type(error).__name__}: {' '.join(str(error).split())}{_unnamed(function)}"
+    line, code = _line(function, error)
+    if not line:
         return words
-    last = entries[-1]
-    code = last.line or ""
     held = [n for n, v in given.items() if not isinstance(v, Expr) and re.search(rf"\b{n}\b", code)]
     read = [f"{name} is read as {' '.join(str(entry) for entry in given[name])}" for name in held]
     more = f" ({', '.join(read)}: if it is not, give --name '{held[0]}=...')" if held else ""
-    return f"{words}, in line {last.lineno}: {code}{more}"
+    return f"{words}{line}: {code}{more}"
+
+
+def _line(function: Callable[..., Any], error: Exception) -> tuple[str, str]:
+    """In which line of a function's file something failed, in words, and what stands there."""
+    code = getattr(function, "__code__", getattr(type(function).__call__, "__code__", None))
+    file = getattr(code, "co_filename", None)
+    entries = [e for e in traceback.extract_tb(error.__traceback__) if e.filename == file]
+    return (f", in line {entries[-1].lineno}", entries[-1].line or "") if entries else ("", "")
 
 
 def _unnamed(function: Callable[..., Any]) -> str:
