@@ -9,7 +9,7 @@ import mechanics
 from mechanics.errors import InputError
 from mechanics.exact import Verdict
 from mechanics.judge.check import derived
-from systems import elastic_pendulum, rocker, two_mass_chain
+from systems import cartpole, elastic_pendulum, rocker, two_mass_chain
 
 PENDULUM = derived(elastic_pendulum.scene())
 ROCKER = derived(rocker.scene())
@@ -187,3 +187,30 @@ def test_one_unreadable_line_does_not_hide_the_others(tmp_path: Path) -> None:
     assert [e.finding.verdict.name for e in found.judged] == ["PROVED", "UNDECIDED", "PROVED"]
     assert f"{file}, line 8, column" in found.judged[1].finding.evidence
     assert not found.ok
+
+
+@pytest.mark.parametrize(
+    "more",
+    [
+        r"\text{ + friction}", r"\text{+ small terms}", r"\quad\text{+ friction of the bearing}",
+        r"\text{ plus friction}", r"\mbox{- the drag}", r"\text{ + } x",
+    ],
+)  # fmt: skip
+def test_a_term_in_words_is_no_prose(more: str) -> None:
+    row = r"(m_c + m_p)\ddot x + m_p l(\ddot\theta\cos\theta - \dot\theta^2\sin\theta) - F"
+    try:
+        found = mechanics.check(
+            cartpole.scene(), rf"\[ {row} {more} = 0 \]", notation="latex", blame=False
+        )
+    except mechanics.MechanicsError as error:
+        assert "line 1, column" in str(error)
+    else:
+        assert not found.ok
+
+
+def test_a_paragraph_ends_an_equation() -> None:
+    row = r"(m_c + m_p)\ddot x + m_p l(\ddot\theta\cos\theta - \dot\theta^2\sin\theta) - F = 0"
+    found = mechanics.check(
+        cartpole.scene(), rf"\[ {row} \par \ddot\theta = 0 \]", notation="latex", blame=False
+    )
+    assert [e.finding.verdict.name for e in found.judged] == ["PROVED", "REFUTED"]

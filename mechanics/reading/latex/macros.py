@@ -17,7 +17,7 @@ from mechanics.reading.place import LARGEST_TEXT, Refused, refusal
 
 DEFINES = re.compile(
     r"\\(?:(?:new|renew|provide|Declare(?:Robust|Math))(?:command|environment|Operator)|"
-    r"[gex]?def|let|(?:New|Renew|Provide|Declare)DocumentCommand|DeclarePairedDelimiter|csname|catcode)"
+    r"[gex]?def|let|(?:New|Renew|Provide|Declare)DocumentCommand|DeclarePairedDelimiter|csname|catcode|math(?:code|chardef)|chardef)"
     r"(?![A-Za-z@])"
 )
 COMMANDS = frozenset(("newcommand", "renewcommand", "providecommand", "DeclareRobustCommand"))
@@ -28,7 +28,18 @@ UNREAD = frozenset((
 OTHERS = frozenset((
     "def", "gdef", "let", "DeclareMathOperator", "newenvironment", "renewenvironment",
 ))  # fmt: skip
-UNSAFE = frozenset(("csname", "catcode", "expandafter", "futurelet", "scantokens", "mathcode"))
+UNSAFE = frozenset(
+    (
+        "csname",
+        "catcode",
+        "expandafter",
+        "futurelet",
+        "scantokens",
+        "mathcode",
+        "mathchardef",
+        "chardef",
+    )
+)
 TAKES = {"frac": 2, "dfrac": 2, "tfrac": 2, "cfrac": 2, "sqrt": 1}
 """Commands of which a single command may be an argument."""
 
