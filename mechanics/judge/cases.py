@@ -62,7 +62,7 @@ def check_cases(truth: Equations, row: Published) -> Finding | None:
         if conditions is None:
             return None
         try:
-            finding = _judged(truth, replace(row, sides=sides), conditions)
+            finding = in_case(truth, replace(row, sides=sides), conditions)
         except Inadmissible:
             continue
         words = " and ".join(map(_in_words, conditions))
@@ -88,7 +88,7 @@ def _in_words(condition: Relational) -> str:
     return f"{condition.lhs} {sign} {condition.rhs}" if sign else str(condition)
 
 
-def _judged(truth: Equations, row: Published, conditions: tuple[Relational, ...]) -> Finding:
+def in_case(truth: Equations, row: Published, conditions: tuple[Relational, ...]) -> Finding:
     """The finding of a case where its conditions hold.
 
     Where no symbols are found that make them hold, the case may be right everywhere, or wrong at a

@@ -1,23 +1,28 @@
 """States that enter a case whose conditions are not solved for a symbol: by trying.
 
 sin(theta) > 0.999        theta = 403/256 is one of them
+
+Of those that are drawn the nearest is moved by ever smaller steps: uphill on the least margin.
 """
 
 import random
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from fractions import Fraction
 
 from sympy import Expr, Piecewise, Rational, S, Symbol
-from sympy.core.relational import Relational
+from sympy.core.relational import Ge, Gt, Le, Lt, Relational
 from sympy.logic.boolalg import And
 
 from mechanics.errors import ExpressionError
+from mechanics.exact import Inadmissible
 from mechanics.exact.balls import BallArithmetic, State, precision
 
 Region = dict[Symbol, Expr]
 
-DRAWN, MOST = 1500, 2
+DRAWN, MOVED, MOST = 1500, 400, 2
 SCALES = (1, 1, 4, 32)
+HALVED = 16
+"""Steps of one size, each half as large as those before."""
 BITS = 96
 
 
@@ -26,20 +31,45 @@ def entered(conditions: tuple[Relational, ...]) -> Iterator[Region]:
     both = And(*conditions, evaluate=False)
     symbols = sorted(both.free_symbols, key=str)
     truth = Piecewise((S.One, both), (S.Zero, True))
+    margins = [c.gts - c.lts for c in conditions if isinstance(c, Gt | Ge | Lt | Le)]
     source, found = random.Random(0), 0
-    for k in range(DRAWN):
-        values = {symbol: _drawn(symbol, source, SCALES[k % len(SCALES)]) for symbol in symbols}
+    nearest, least = Region(), -float("inf")
+    for k in range(DRAWN + MOVED):
+        if k < DRAWN:
+            values = {symbol: _drawn(symbol, source, SCALES[k % len(SCALES)]) for symbol in symbols}
+        elif nearest:
+            values = _moved(nearest, source, (k - DRAWN) // HALVED)
+        else:
+            return
         try:
-            with precision(BITS):
-                numbers = {s: Fraction(int(v.p), int(v.q)) for s, v in values.items()}
-                held = BallArithmetic(State(numbers)).value(truth).arb
-        except (ExpressionError, ArithmeticError):
+            held, margin = _at(values, truth, margins)
+        except (ExpressionError, ArithmeticError, Inadmissible):
             continue
-        if held == 1:
+        if margin > least:
+            nearest, least = values, margin
+        if held:
             yield values
             found += 1
         if found == MOST:
             return
+
+
+def _at(values: Region, truth: Expr, margins: Sequence[Expr]) -> tuple[bool, float]:
+    """Whether conditions hold beyond doubt, and the least of their margins, about."""
+    with precision(BITS):
+        numbers = {s: Fraction(int(v.p), int(v.q)) for s, v in values.items()}
+        a = BallArithmetic(State(numbers))
+        held = a.value(truth).arb == 1
+        return held, min((float(a.value(m).arb.mid()) for m in margins), default=0.0)
+
+
+def _moved(values: Region, source: random.Random, halvings: int) -> Region:
+    """Values a step away; what is positive stays so."""
+    there: Region = {}
+    for symbol, value in values.items():
+        step = Rational(source.randrange(-1024, 1025), 1024 * 2**halvings)
+        there[symbol] = value + step if value + step > 0 or not symbol.is_nonnegative else value
+    return there
 
 
 def _drawn(symbol: Symbol, source: random.Random, scale: int) -> Rational:

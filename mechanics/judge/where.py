@@ -12,6 +12,7 @@ from dataclasses import dataclass, replace
 from itertools import accumulate, combinations
 
 from sympy import Abs, Expr, Pow, cos, sign, sin
+from sympy.core.relational import Gt, Relational
 from sympy.matrices import MatrixBase
 
 from mechanics.checks.ledger import check_row
@@ -19,6 +20,8 @@ from mechanics.checks.ledger_compare import settle_defined
 from mechanics.equations import Equations
 from mechanics.errors import InputError, MechanicsError
 from mechanics.exact import Arithmetic, Finding, Number, Verdict, decide
+from mechanics.judge.cases import in_case
+from mechanics.judge.entered import entered
 from mechanics.judge.moved import in_plain_symbols
 from mechanics.judge.readers import read
 from mechanics.judge.single import FAILURES, judge
@@ -76,8 +79,8 @@ def read_where(
     if found and not _there(truth, found):
         told = " and ".join(one.words for one in found)
         raise InputError(
-            f"where {told}: no state of {truth.scene.name} was found where that holds: coordinates"
-            " are looked at about zero, so write sin(theta) < 0 for theta > pi, and no narrow range"
+            f"where {told}: no state of {truth.scene.name} was found where that holds: write"
+            " smaller numbers, or a wider range: sin(theta) < 0 for theta > pi"
         )
     return found
 
@@ -95,6 +98,8 @@ def judge_where(truth: Equations, statement: Statement, where: Sequence[Where]) 
         found = check_row(truth.scene, row, truth, [one.positive for one in where])
         if found.shown and isinstance(row.quantity, Identity) and _empty(truth.scene, row, where):
             return Finding(everywhere.subject, Verdict.UNDECIDED, f"where {words}, {WORDS}")
+        if found.verdict is Verdict.UNDECIDED and _free(truth.scene, where):
+            found = _inside(truth, row, where, found)
     except FAILURES as error:
         return Finding(everywhere.subject, Verdict.UNDECIDED, str(error))
     return replace(found, evidence=f"{found.evidence}, where {words}")
@@ -194,8 +199,35 @@ def _empty(scene: Scene, row: Published, where: Sequence[Where]) -> bool:
     return not isinstance(first, MatrixBase) and decide("an identity", experiment).shown
 
 
+def _inside(
+    truth: Equations, row: Published, where: Sequence[Where], found: Finding
+) -> Finding:  # fmt: skip
+    """The finding where hardly any state that is drawn is: theta > pi. It is looked for there."""
+    if not isinstance(row.quantity, EquationOfMotion | Identity):
+        return found
+    inside = in_case(truth, row, _conditions(where))
+    if inside.verdict is Verdict.REFUTED:
+        return inside
+    if _met(truth, where):
+        return found
+    return replace(found, evidence="it is not shown, and right at the states that were tried")
+
+
 def _there(truth: Equations, where: Sequence[Where]) -> bool:
     """Whether a real state is found where conditions hold: nothing is proved of none."""
+    if _met(truth, where):
+        return True
+    return _free(truth.scene, where) and any(True for _ in entered(_conditions(where)))
+
+
+def _free(scene: Scene, where: Sequence[Where]) -> bool:
+    """Whether a scene lets what conditions hold have any values."""
+    held = set().union(*(one.positive.free_symbols for one in where))
+    return not scene.constraints and not held & scene.definitions.keys()
+
+
+def _met(truth: Equations, where: Sequence[Where]) -> bool:
+    """Whether a state that is drawn is where conditions hold."""
 
     def experiment(a: Arithmetic) -> list[tuple[Number, Number]]:
         settle_defined(truth.scene, a)
@@ -208,6 +240,10 @@ def _there(truth: Equations, where: Sequence[Where]) -> bool:
     except MechanicsError:
         return False
     return found.verdict is Verdict.REFUTED
+
+
+def _conditions(where: Sequence[Where]) -> tuple[Relational, ...]:
+    return tuple(Gt(one.positive, 0, evaluate=False) for one in where)
 
 
 def _branched(statement: Statement) -> bool:

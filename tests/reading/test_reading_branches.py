@@ -1,7 +1,7 @@
 """Equations that are right on one branch: sqrt(l^2 - r^2 sin(theta)^2) is l |cos(phi)|."""
 
 import pytest
-from sympy import Integer, cos, sin, sqrt
+from sympy import Integer, Rational, cos, sin, sqrt, sympify
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
 import mechanics
@@ -125,6 +125,7 @@ def test_names_of_the_person_may_be_used() -> None:
     ("where", "words"),
     [
         ("cos(phi) > 2", "no state of slider-crank was found"),
+        ("theta > 1000", "write smaller numbers, or a wider range"),
         ("cos(phi) > 0 and cos(phi) < 0", "no state of slider-crank was found"),
         ("cos(psi) > 0", "psi is no name of slider-crank"),
         ("phi' > 0", "write one inequality"), ("cos(phi) = 0", "write one inequality"),
@@ -187,3 +188,59 @@ def test_a_condition_on_a_parameter_is_met() -> None:
         assert mechanics.check(ROD, text + root.format(sign), where=where).ok
         found = mechanics.check(ROD, text + root.format(sign), where=other)
         assert found.verdict.name == "REFUTED"
+
+
+@pytest.mark.parametrize(
+    "where",
+    ["theta > pi", "theta < -100", "sin(theta) > 0.999999", "theta > 2 and theta < 2.00001",
+     "theta > pi and sin(theta) < -0.99999 and l > 10"],
+)  # fmt: skip
+def test_where_hardly_any_state_is_drawn(where: str) -> None:
+    text = "m*l^2/3*theta'' - m*g*l/2*sin(theta) = u + {}"
+    assert mechanics.check(ROD, text.format("0"), where=where).ok
+    (entry,) = mechanics.check(ROD, text.format("theta"), where=where).judged
+    assert entry.finding.verdict.name == "REFUTED" and where in entry.finding.evidence
+    state = dict((*entry.finding.witness.state, *entry.finding.witness.solved))
+    at = {one: Rational(state[one.name]) for one in ROD.scene.q}
+    assert all(sympify(part, {"theta": at[ROD.scene.q[0]]}) for part in where.split(" and ")[:2])
+
+
+def test_right_where_hardly_any_state_is_drawn_is_not_refuted() -> None:
+    text = "m*l^2/3*theta'' - m*g*l/2*sin(theta) = u + sqrt((theta - pi)^2) - theta + pi"
+    for where, verdict in (("theta > pi", "UNDECIDED"), ("theta < -100", "REFUTED")):
+        (entry,) = mechanics.check(ROD, text, where=where).judged
+        assert entry.finding.verdict.name == verdict
+    assert (
+        "acceleration"
+        not in mechanics.check(ROD, text, where="theta > pi").judged[0].finding.evidence
+    )
+
+
+@pytest.mark.parametrize("where", ["sin(theta) > 1", "theta > 1 and theta < 1", "m < 0"])
+def test_what_holds_nowhere_is_refused(where: str) -> None:
+    with pytest.raises(InputError, match="no state of rod pendulum was found"):
+        mechanics.check(ROD, "theta'' = 0", where=where)
+
+
+def test_a_reaction_where_hardly_any_state_is_drawn_is_undecided_or_right() -> None:
+    found = mechanics.check(ROD, "X = 0", where="theta > pi")
+    assert found.verdict.name in ("REFUTED", "UNDECIDED")
+
+
+def parabola() -> Scene:
+    """A bead on x = -1 - y^2: x is negative everywhere."""
+    ground, origin = ReferenceFrame("N"), Point("O")
+    centre = origin.locatenew("B", x * ground.x + y * ground.y)
+    outwards = (ground.x + 2 * y * ground.y) / sqrt(1 + 4 * y**2)
+    return Scene(
+        "parabola", ground, origin, coordinates=(x, y), bodies=(Particle("bead", centre, m),),
+        loads=(gravity(-g * ground.y),),
+        reactions=(reaction("S", at=centre, on="bead", by=None, along=outwards),),
+        constraints=(holonomic("curve", x + 1 + y**2, "S"),),
+    )  # fmt: skip
+
+
+def test_a_branch_that_no_state_is_on_is_not_told() -> None:
+    """What is right where x > 0 is right nowhere."""
+    (entry,) = mechanics.check(derived(parabola()), "abs(x) = x", blame=False).judged
+    assert entry.finding.verdict.name == "REFUTED" and entry.right_if == ()
