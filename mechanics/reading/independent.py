@@ -7,6 +7,7 @@ Where both readings of a definition are possible and differ, it is refused.
 """
 
 from collections.abc import Container, Iterator, Sequence
+from functools import lru_cache
 from typing import TYPE_CHECKING, Any
 
 from sympy import Expr, Matrix, Symbol
@@ -44,10 +45,13 @@ def partial_derivative(builder: "Builder", of: Node, by: Node, at: int) -> Any:
     variable = builder.value(by)
     _declared_speeds(builder, value, variable, at)
     plain = partial_value(value, variable, at)
-    if not moving or _same(plain, _held(builder, moving, of, by, at)):
+    hamiltonian = isinstance(of, Name) and ENERGY_NAMES.get(of.name) == "energy"
+    if not (momenta or (moving and hamiltonian)):
+        return plain
+    if _same(plain, _held(builder, moving, of, by, at)):
         return plain
     told = AMBIGUOUS.format(", ".join(moving))
-    if isinstance(of, Name) and ENERGY_NAMES.get(of.name) == "energy":
+    if hamiltonian:
         found = _held(builder, momenta, of, by, at)
         if momenta != moving and not _same(found, _held(builder, moving, of, by, at)):
             raise Refused(at, told)
@@ -87,9 +91,13 @@ def _is_speed(builder: "Builder", value: Any) -> bool:
 def _is_momentum(builder: "Builder", value: Any) -> bool:
     """Whether it is a generalized momentum of the scene, or a column of them."""
     scene = builder.naming.vocabulary.scene
-    known = generalized_momenta(scene).values()
-    entries = [entry.xreplace(scene.coordinate_rates) for entry in _entries(value)]
-    return all(any(is_zero(entry - momentum) for momentum in known) for entry in entries)
+    return all(_momentum(scene, entry) for entry in _entries(value))
+
+
+@lru_cache(maxsize=256)
+def _momentum(scene: Scene, value: Expr) -> bool:
+    plain = value.xreplace(scene.coordinate_rates)
+    return any(is_zero(plain - momentum) for momentum in generalized_momenta(scene).values())
 
 
 def _held(builder: "Builder", held: Container[str], of: Node, by: Node, at: int) -> Any:
