@@ -94,6 +94,14 @@ def in_case(truth: Equations, row: Published, conditions: tuple[Relational, ...]
     Where no symbols are found that make them hold, the case may be right everywhere, or wrong at a
     state that happens to enter it.
 
+    Parameters
+    ----------
+    truth : Equations
+        Of a scene without constraints.
+    row : Published
+        About an equation of motion, or an identity.
+    conditions : tuple of Relational
+
     Raises
     ------
     Inadmissible

@@ -34,7 +34,16 @@ def in_plain_symbols(scene: Scene, row: Published) -> Published:
 
 
 def moved(scene: Scene, row: Published, table: Table) -> Published:
-    """A row with what stands for the person's symbols."""
+    """A row with what stands for the person's symbols.
+
+    Parameters
+    ----------
+    scene : Scene
+    row : Published
+        As the person counts.
+    table : dict of Symbol to Expr
+        The person's symbols in the scene's.
+    """
     if not table:
         return row
     slopes = Matrix([[table.get(q, q).diff(s) for s in scene.q] for q in scene.q])

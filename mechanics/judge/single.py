@@ -19,7 +19,7 @@ FAILURES = (InputError, SceneError, ExpressionError, SingularError)
 
 def judge(truth: Equations, statement: Statement, values: Values) -> Finding:
     """The finding of a statement; where parameters have values, if some are given."""
-    subject = f"{statement.tag}: {statement.source}"
+    subject = subject_of(statement)
     if statement.doubt or statement.row is None:
         return Finding(subject, Verdict.UNDECIDED, statement.doubt)
     if thirds := _third_rates(truth.scene, statement):
@@ -37,6 +37,11 @@ def judge(truth: Equations, statement: Statement, values: Values) -> Finding:
         return Finding(subject, Verdict.UNDECIDED, str(error))
     except RecursionError:
         return Finding(subject, Verdict.UNDECIDED, "its expressions are nested too deeply")
+
+
+def subject_of(statement: Statement) -> str:
+    """What a finding about a statement is about, in words."""
+    return f"{statement.tag}: {statement.source}"
 
 
 def _third_rates(scene: Scene, statement: Statement) -> str:

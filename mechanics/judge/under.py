@@ -18,7 +18,7 @@ from mechanics.equations import Equations
 from mechanics.exact import Finding, Verdict
 from mechanics.judge.moved import in_plain_symbols, moved, moves_more
 from mechanics.judge.right_if import target_of
-from mechanics.judge.single import FAILURES, judge
+from mechanics.judge.single import FAILURES, judge, subject_of
 from mechanics.reading.convention import POINT_MASS, Change
 from mechanics.reading.conventions import combined_table, joints, other_signs
 from mechanics.reading.declared import Declared, readings
@@ -54,7 +54,7 @@ def judge_under(
     if not changes:
         told = ", ".join(d.told for d in declared)
         doubt = f"the convention {told} has no meaning for {truth.scene.name}: leave it out"
-        findings = [Finding(_subject(s), Verdict.UNDECIDED, s.doubt or doubt) for s in statements]
+        findings = [Finding(subject_of(s), Verdict.UNDECIDED, s.doubt or doubt) for s in statements]
         return tuple(map(Judged, statements, findings)), (doubt,)
     table = [[_under(target, s, change) for s in statements] for change, target in changes]
     if len(changes) > 1:
@@ -132,7 +132,7 @@ def _under(target: Equations, statement: Statement, change: Change) -> Finding:
     try:
         there = moved(target.scene, row, combined_table(change))
     except FAILURES as error:
-        return Finding(_subject(statement), Verdict.UNDECIDED, str(error))
+        return Finding(subject_of(statement), Verdict.UNDECIDED, str(error))
     return judge(target, replace(statement, row=there), {})
 
 
@@ -161,7 +161,3 @@ def _where(finding: Finding, words: str) -> Finding:
 
 def _words(change: Change) -> str:
     return " and ".join(convention.words for convention in change)
-
-
-def _subject(statement: Statement) -> str:
-    return f"{statement.tag}: {statement.source}"

@@ -86,7 +86,15 @@ def read_where(
 
 
 def judge_where(truth: Equations, statement: Statement, where: Sequence[Where]) -> Finding:
-    """The finding of a statement where conditions hold; what is right everywhere is right there."""
+    """The finding of a statement where conditions hold; what is right everywhere is right there.
+
+    Parameters
+    ----------
+    truth : Equations
+    statement : Statement
+    where : sequence of Where
+        At least one, which hold together at some state.
+    """
     everywhere = judge(truth, statement, {})
     row = statement.row
     if everywhere.shown or row is None or statement.doubt:

@@ -8,7 +8,7 @@ A name may end with one symbol of the scene: ``other sign of theta``.
 
 import re
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import combinations, product
 
 from sympy import Symbol
@@ -18,6 +18,7 @@ from mechanics.reading.convention import POINT_MASS, Change, Convention, combine
 from mechanics.reading.conventions import joints, lengths, other_sign, other_signs, other_vertical
 from mechanics.reading.directed import SENSES, directed
 from mechanics.reading.directions import DIRECTIONS
+from mechanics.reading.kinds import angular
 from mechanics.reading.names import Match
 from mechanics.scene import Scene
 
@@ -79,7 +80,9 @@ def read_declared(names: Sequence[str], known: Sequence[Match] = ()) -> tuple[De
     """
     found: dict[tuple[str, str], Declared] = {}
     meanings = {match.name: match.meaning for match in known}
-    for part in (p for told in names for p in _parts(told)):
+    for blank in (told for told in names if not told.replace(",", "").strip()):
+        raise InputError(f"convention {blank[:80]!r}: it can be {', '.join(NAMES)}")
+    for part in _parts(",".join(names)):
         every = _known()
         name, of = _plain(part), ""
         if name not in every:
@@ -163,7 +166,36 @@ def _known() -> dict[str, Places | None]:
 
 
 def _choices(scene: Scene, one: Declared, held: frozenset[Symbol]) -> list[Change]:
-    """What one declared convention can mean."""
+    """What one declared convention can mean.
+
+    Raises
+    ------
+    InputError
+        For a symbol that cannot have it.
+    """
+    found = _meanings(scene, one, held)
+    if one.of and not found:
+        every = (*scene.q, *scene.input_symbols, *scene.parameters)
+        able = [s.name for s in every if _meanings(scene, replace(one, of=s.name), held)]
+        what = next((_what(scene, s) for s in every if s.name == one.of), "no name")
+        raise InputError(
+            f"convention {one.told!r}: {one.of} is {what} of {scene.name} and cannot have it:"
+            f" {', '.join(able) or 'nothing'} can"
+        )
+    return found
+
+
+def _what(scene: Scene, symbol: Symbol) -> str:
+    """What a symbol is in a scene, in words."""
+    if symbol in scene.q:
+        return "an angle" if symbol in angular(scene) else "a displacement"
+    if symbol in scene.input_symbols:
+        return "an input"
+    unit = getattr(symbol, "unit", "")
+    return f"a parameter in {unit}" if unit else "a parameter"
+
+
+def _meanings(scene: Scene, one: Declared, held: frozenset[Symbol]) -> list[Change]:
     places = _known().get(one.name)
     found: list[Change]
     if places is not None:
@@ -179,11 +211,6 @@ def _choices(scene: Scene, one: Declared, held: frozenset[Symbol]) -> list[Chang
     else:
         every = () if one.of else (*other_signs(scene), *joints(scene), POINT_MASS)
         found = [(c,) for c in every if c.name == one.name]
-    if one.of and not found:
-        raise InputError(
-            f"convention {one.told!r}: {scene.name} has no {one.of} that can have it: its names are"
-            f" {', '.join(s.name for s in (*scene.q, *scene.input_symbols, *scene.parameters))}"
-        )
     return found
 
 

@@ -42,6 +42,8 @@ def test_an_angle_from_the_horizontal(sign: str, growing: str) -> None:
     for sense in ("clockwise", "counterclockwise"):
         declared = f"from the right horizontal, {sense}"
         found = mechanics.check(PENDULUM, text, convention=declared)
+        alone = mechanics.check(PENDULUM, text, convention=declared.split(","))
+        assert alone.verdict is found.verdict and alone.remarks == found.remarks
         assert found.verdict.name == ("PROVED" if sense == growing else "REFUTED")
         assert f"right horizontal, {sense}" in found.remarks[0]
 
@@ -125,12 +127,18 @@ def test_a_convention_may_be_the_scene_s_own_or_make_no_difference() -> None:
     [
         ("other vertical, below the horizontal", "contradict each other"),
         ("relative angles, other sign of phi2", "contradict each other"),
-        ("half-length of phi1", "no phi1 that can have it"),
-        ("half-length of nothing", "no nothing that can have it"),
+        ("half-length of phi1", "phi1 is an angle of .* and cannot have it: l1, l2 can$"),
+        ("half-length of m1", "m1 is a parameter in kg of .*: l1, l2 can$"),
+        ("half-length of nothing", "nothing is no name of .*: l1, l2 can$"),
+        ("other sign of l1", "l1 is a parameter in m of .*: phi1, phi2 can$"),
+        ("below horizontal of l1", "l1 is a parameter in m of .*: phi1, phi2 can$"),
         ("half-length of", "it can be other vertical"),
+        (" , ", "convention ' , ': it can be other vertical"),
+        (["other vertical", " "], "convention ' ': it can be other vertical"),
+        (["other vertical", "counterclockwise"], "counterclockwise': it can be other vertical"),
     ],
 )
-def test_conventions_that_cannot_be_are_refused(declared: str, words: str) -> None:
+def test_conventions_that_cannot_be_are_refused(declared: str | list[str], words: str) -> None:
     with pytest.raises(InputError, match=words):
         mechanics.check(double_pendulum.scene(), "phi1'' = 0", convention=declared)
 
