@@ -12,6 +12,7 @@ from typing import Any
 
 from mechanics.reading.code.containers import is_number
 from mechanics.reading.code.held import called_by, content, owner_of
+from mechanics.reading.code.objects import attributes
 
 Stores = Iterable[tuple[str, ast.expr | None]]
 
@@ -87,7 +88,7 @@ def _object(bound: Any, file: Scope) -> Iterator[Scope]:
                 stores = list(_stores(method.body))
                 assigned += [(n, v if own else None) for n, v in stores if n.startswith(".")]
                 local += [(n, v) for n, v in stores if own and not n.startswith(".")]
-    parts |= getattr(bound, "__dict__", {})
+    parts |= attributes(bound)
     values = {f".{name}": value for name, value in parts.items()}
     once = _once(assigned)
     # self.m = m says that m in __init__ is what self.m is.

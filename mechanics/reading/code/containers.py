@@ -8,10 +8,11 @@ Another of the same kind stands in for each; the person's own is not changed.
 import sys
 import types
 from collections.abc import Callable, Iterator
+from dis import get_instructions
 from functools import cached_property, partial
 from typing import Any
 
-from mechanics.reading.code.objects import with_methods
+from mechanics.reading.code.objects import attributes, setter, with_methods
 
 Put = Callable[[Any], None]
 Learn = Callable[[str, float, Put], None]
@@ -31,15 +32,15 @@ def with_numbers(value: Any, asked: frozenset[str], learn: Learn) -> Any:
         return other
     if isinstance(value, types.ModuleType):
         return _module(value, asked, learn)
-    if isinstance(value, NO_DATA) or not hasattr(value, "__dict__"):
+    if isinstance(value, NO_DATA):
         return value
     kind = value if isinstance(value, type) else type(value)
-    parts = of_classes(kind) | (vars(value) if kind is not value else {})
+    parts = of_classes(kind) | (attributes(value) if kind is not value else {})
     known = {n: v for n, v in parts.items() if n in asked and is_number(v)}
     other = _another(value) if known else value
     if other is not value:
         for name, number in known.items():
-            learn(name, number, _put(other, name))
+            learn(name, number, setter(other, name))
     return other
 
 
@@ -68,20 +69,21 @@ def _another(value: Any) -> Any:
         return value  # a class that nothing is derived from
 
 
-def _put(other: Any, name: str) -> Put:
-    if isinstance(other, type):
-        return partial(setattr, other, name)
-    return partial(other.__dict__.__setitem__, name)  # a frozen one, too
-
-
 def of_classes(kind: type) -> dict[str, Any]:
     """Attributes of a class and of those it is derived from."""
     return {name: value for base in reversed(kind.__mro__) for name, value in vars(base).items()}
 
 
 def words_in(code: types.CodeType) -> Iterator[str]:
-    """Names and strings that code uses, functions inside it included."""
+    """Names and strings that code uses, functions inside it included; ``m, l = P`` uses m and l."""
     yield from code.co_names
+    left = 0
+    for instruction in get_instructions(code):
+        left = int(instruction.argval) if instruction.opname == "UNPACK_SEQUENCE" else left
+        if left and instruction.opname.startswith("STORE_"):
+            stored = instruction.argval
+            left -= 1
+            yield from map(str, stored if isinstance(stored, tuple) else (stored,))
     for part in code.co_consts:
         if isinstance(part, str):
             yield part

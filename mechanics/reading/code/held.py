@@ -26,7 +26,7 @@ from mechanics.reading.code.containers import (
     with_numbers,
     words_in,
 )
-from mechanics.reading.code.objects import methods_used, with_methods
+from mechanics.reading.code.objects import attributes, methods_used, setter, with_methods
 
 OF_MODULES = ("LOAD_GLOBAL", "LOAD_NAME")
 DEEPEST = 6
@@ -196,11 +196,11 @@ def _object(
     other = with_methods(bound, methods)
     if other is bound:
         return bound
-    for name, value in {**of_classes(type(bound)), **vars(bound)}.items():
+    for name, value in {**of_classes(type(bound)), **attributes(bound)}.items():
         if name in wanted and is_number(value):
-            learn(name, value, partial(other.__dict__.__setitem__, name))
+            learn(name, value, setter(other, name))
         elif (inner := with_numbers(value, asked, learn)) is not value:
-            other.__dict__[name] = inner
+            setter(other, name)(inner)
     return other
 
 

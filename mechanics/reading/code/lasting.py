@@ -17,7 +17,7 @@ from typing import Any
 import numpy as np
 
 from mechanics.reading.code.held import content
-from mechanics.reading.code.objects import methods_used, names_in
+from mechanics.reading.code.objects import attributes, methods_used, names_in
 from mechanics.reading.code.traced import Traced
 
 MOST, DEEPEST = 20_000, 6
@@ -52,7 +52,7 @@ def _reached(function: Any, known: set[int]) -> Iterator[tuple[str, Any]]:
         return
     known.add(id(inner))
     if bound is not None:
-        yield from ((f"self.{name}", value) for name, value in _attributes(bound).items())
+        yield from ((f"self.{name}", value) for name, value in attributes(bound).items())
         yield from _of_class(type(bound), "its class")
         for method in methods_used(bound, [inner]).values():
             yield from _reached(method, known)
@@ -81,17 +81,6 @@ def _of_class(kind: type, name: str) -> Iterator[tuple[str, Any]]:
         for attribute, value in vars(base).items():
             if not attribute.startswith("__") and not callable(value):
                 yield f"{name}.{attribute}", value
-
-
-def _attributes(value: Any) -> dict[str, Any]:
-    """Attributes of an object, in slots or not."""
-    names = [n for base in type(value).__mro__ for n in _slots(base) if hasattr(value, n)]
-    return {n: getattr(value, n) for n in names} | dict(getattr(value, "__dict__", {}))
-
-
-def _slots(kind: type) -> tuple[str, ...]:
-    slots = vars(kind).get("__slots__", ())
-    return (slots,) if isinstance(slots, str) else tuple(slots)
 
 
 def _still(value: Any, left: Iterator[int], depth: int) -> Any:
@@ -129,5 +118,5 @@ def _still(value: Any, left: Iterator[int], depth: int) -> Any:
         return id(value)
     if hasattr(type(value), "__next__"):
         return object()  # an iterator: each call may find it somewhere else
-    own = _attributes(value)
+    own = attributes(value)
     return (type(value), _still(own, left, depth + 1)) if own else id(value)
