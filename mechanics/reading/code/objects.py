@@ -50,10 +50,10 @@ def with_methods(bound: Any, copies: Mapping[str, Callable[..., Any]]) -> Any:
     try:
         kind = kind if plain and not parts else make(kind.__name__, (kind,), parts)
         other: Any = tuple.__new__(kind, bound) if fields else object.__new__(kind)
-    except TypeError:
+        for name, value in own.items():
+            setter(other, name)(value)
+    except (TypeError, AttributeError):
         return bound
-    for name, value in own.items():
-        setter(other, name)(value)
     return other
 
 
@@ -96,14 +96,14 @@ def _of_fields(fields: tuple[str, ...]) -> dict[str, Any]:
     def entries(self: Any) -> tuple[Any, ...]:
         return tuple(vars(self)[name] for name in fields)
 
-    asked = {name: property(partial(_looked_up, name)) for name in fields}
+    asked = {name: _looked_up(name) for name in fields}
     whole = {"__iter__": lambda self: iter(entries(self)),
              "__getitem__": lambda self, place: entries(self)[place]}  # fmt: skip
     return {**whole, **asked} if fields else {}
 
 
-def _looked_up(name: str, owner: Any) -> Any:
-    return vars(owner)[name]
+def _looked_up(name: str) -> property:
+    return property(lambda owner: vars(owner)[name])
 
 
 def _inner(value: Any) -> Function | None:
