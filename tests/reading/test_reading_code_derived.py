@@ -71,14 +71,44 @@ def test_of_a_file_and_of_an_object(tmp_path: Path, sign: str, verdict: Verdict)
     assert check(SCENE, file.step, blame=False).verdict is verdict  # type: ignore[attr-defined]
 
 
-def test_of_the_function_around(tmp_path: Path) -> None:
+MAKE = """
+def make(mc=2.0, mp=0.5, l=0.5):
+    total_mass, polemass_length = {total}, mp*l
+    def rates(state, force):
+{law}
+    return rates
+"""
+
+
+@pytest.mark.parametrize(
+    ("sign", "total", "verdict"),
+    [("+", "mc + mp", Verdict.PROVED), ("-", "mc + mp", Verdict.REFUTED),
+     ("+", "2.5", Verdict.REFUTED)],
+)  # fmt: skip
+def test_of_the_function_around(tmp_path: Path, sign: str, total: str, verdict: Verdict) -> None:
+    make = MAKE.format(total=total, law=_indented(LAW.format(sign=sign, o="")))
+    head = "import math\nimport numpy as np\ng = 9.8\n"
+    file = _file(tmp_path, f"{head}{make}\nrates = make()")
+    assert check(SCENE, file.rates, blame=False).verdict is verdict  # type: ignore[attr-defined]
+
+
+def test_a_number_of_the_file_is_not_that_of_the_function_around(tmp_path: Path) -> None:
+    make = MAKE.format(total="2.5", law=_indented(LAW.format(sign="+", o="")))
+    file = _file(tmp_path, f"{HEAD}{make}\nrates = make()")
+    assert check(SCENE, file.rates, blame=False).verdict is Verdict.REFUTED  # type: ignore[attr-defined]
+    imported = HEAD.replace("g, mc", "from math import tau as total_mass\ng, mc")
+    file = _file(tmp_path, f"{imported}\ndef rates(state, force):{LAW.format(sign='+', o='')}")
+    assert check(SCENE, file.rates, blame=False).verdict is Verdict.REFUTED  # type: ignore[attr-defined]
+
+
+def test_of_which_function_around_is_not_plain(tmp_path: Path) -> None:
     law = _indented(LAW.format(sign="+", o=""))
-    text = f"{HEAD}def make(mc=2.0, mp=0.5, l=0.5):\n    total_mass = mc + mp\n"
-    text += (
-        f"    polemass_length = mp*l\n    def rates(state, force, mc=mc):\n{law}\n    return rates"
-    )
-    file = _file(tmp_path, text.replace(", mc=mc", "") + "\nrates = make()")
-    assert check(SCENE, file.rates).verdict is not Verdict.REFUTED  # type: ignore[attr-defined]
+    both = "".join(MAKE.format(total=total, law=law) for total in ("mc + mp", "2.5"))
+    head = "import math\nimport numpy as np\ng = 9.8\n"
+    file = _file(tmp_path, f"{head}{both}\nrates = make()")
+    found = check(SCENE, file.rates, blame=False)  # type: ignore[attr-defined]
+    assert found.verdict is Verdict.REFUTED
+    assert "total_mass = 2.5" in " ".join(r for r in found.remarks if "numbers;" in r)
 
 
 def test_a_number_does_not_follow_an_argument(tmp_path: Path) -> None:
@@ -89,11 +119,36 @@ def test_a_number_does_not_follow_an_argument(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(
-    "again", ["total_mass = 1.15", "mp = 0.2", "total_mass *= 1.5", "mp, l = 0.05, 0.25"]
+    "again",
+    [
+        "total_mass = 1.15",
+        "mp = 0.2",
+        "total_mass *= 1.5",
+        "mp, l = 0.05, 0.25",
+        "total_mass = 1.1",
+        "def total_mass():\n    pass\ntotal_mass = 1.1",
+    ],
 )
 def test_what_is_assigned_twice_is_not_derived(tmp_path: Path, again: str) -> None:
     text = f"{HEAD}{again}\ndef rates(state, force):{LAW.format(sign='+', o='')}"
     found = check(SCENE, _file(tmp_path, text).rates, blame=False)  # type: ignore[attr-defined]
+    assert found.verdict is Verdict.REFUTED
+
+
+def test_what_is_defined_and_assigned_is_not_derived(tmp_path: Path) -> None:
+    head = HEAD.replace("total_mass =", "def total_mass():\n    pass\ntotal_mass =")
+    text = f"{head}\ndef rates(state, force):{LAW.format(sign='+', o='')}"
+    found = check(SCENE, _file(tmp_path, text).rates, blame=False)  # type: ignore[attr-defined]
+    assert found.verdict is Verdict.REFUTED
+
+
+def test_what_another_method_assigns_is_not_derived(tmp_path: Path) -> None:
+    text = CLASS.format(law=_indented(LAW.format(sign="+", o="self.")))
+    loaded = "    def load(self):\n        self.total_mass = 1.1\n\n    def step_rates"
+    found = check(SCENE, _file(tmp_path, text).step, blame=False)  # type: ignore[attr-defined]
+    assert found.verdict is Verdict.PROVED
+    file = _file(tmp_path, text.replace("    def step_rates", loaded))
+    found = check(SCENE, file.step, blame=False)  # type: ignore[attr-defined]
     assert found.verdict is Verdict.REFUTED
 
 

@@ -29,6 +29,9 @@ class Slots:
     def rates(self, y, u):  # type: ignore[no-untyped-def]
         return [y[1], (u + self.moment(y[0])) / self._inertia]
 
+    def inside(self, y, u):  # type: ignore[no-untyped-def]
+        return [rate() for rate in (lambda: y[1], lambda: (u + self.moment(y[0])) / self._inertia)]
+
     def moment(self, angle):  # type: ignore[no-untyped-def]
         return self.m * self.g * self.l / 2 * math.sin(angle)
 
@@ -82,8 +85,8 @@ def of_fields_in_order(y, u):  # type: ignore[no-untyped-def]
 
 @pytest.mark.parametrize(
     "function",
-    [of_slots, of_frozen_slots, of_fields, of_fields_in_order, Slots().rates, Private().rates,
-     fields.rates],
+    [of_slots, of_frozen_slots, of_fields, of_fields_in_order, Slots().rates, Slots().inside,
+     Private().rates, fields.rates],
 )  # fmt: skip
 def test_their_numbers_are_those_of_the_scene(function: Callable) -> None:
     found = check(SCENE, function, blame=False)

@@ -8,6 +8,7 @@ import inspect
 import types
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from math import nan
 from typing import Any
 
 from mechanics.reading.code.containers import is_number
@@ -26,7 +27,7 @@ class Scope:
     assigned : dict of str to ast.expr
         What is assigned once; attributes of the object begin with a dot.
     values : mapping of str to object
-        What they are now.
+        What they are now; nan for an argument of the function around, which nothing keeps.
     around : Scope, optional
         Where other names are looked up.
     """
@@ -65,7 +66,10 @@ def _around(function: types.FunctionType, tree: ast.Module, file: Scope) -> Iter
     outer, _, _ = function.__qualname__.rpartition(".<locals>.")
     node = _defined(tree.body, outer.replace(".<locals>", "").split("."))
     if values and isinstance(node, ast.FunctionDef):
-        yield Scope(_once(_stores(node.body)), values, file)
+        stores = list(_stores(node.body))
+        passed = {a.arg for a in (*node.args.args, *node.args.kwonlyargs)}
+        unknown = passed - values.keys() - {name for name, _ in stores}
+        yield Scope(_once(stores), {**values, **dict.fromkeys(unknown, nan)}, file)
 
 
 def _object(bound: Any, file: Scope) -> Iterator[Scope]:
@@ -130,6 +134,8 @@ def _stores(body: Sequence[ast.stmt]) -> Iterator[tuple[str, ast.expr | None]]:
                 elif isinstance(node, ast.Attribute) and isinstance(node.value, ast.Name):
                     mine = plain.get(id(node)) if node.value.id == "self" else None
                     yield f".{node.attr}", mine
+            elif isinstance(node, ast.alias):
+                yield node.asname or node.name, None
 
 
 def _paired(target: ast.expr, value: ast.expr) -> Iterator[tuple[ast.expr, ast.expr]]:

@@ -10,7 +10,7 @@ that the formula gives: within 4 units in the last place.
 import ast
 from collections.abc import Callable, Mapping
 from fractions import Fraction
-from math import isfinite, ulp
+from math import isfinite, isinf, isnan, ulp
 from typing import Any
 
 import sympy
@@ -20,6 +20,7 @@ from mechanics.errors import InputError
 from mechanics.reading.code.assigned import Scope, scopes
 from mechanics.reading.code.constants import ULPS, constant_of
 from mechanics.reading.code.containers import is_number
+from mechanics.reading.code.held import held
 
 LARGEST, DEEPEST = 60, 12
 """Operations of a formula, and names that stand for names."""
@@ -30,24 +31,30 @@ FUNCTIONS = {"sqrt": sympy.sqrt, "float": lambda x: x}
 def derived(function: Callable[..., Any], known: Mapping[str, Expr]) -> dict[str, Expr]:
     """Formulas of numbers that a function holds, in what those of `known` names stand for."""
     found: dict[str, Expr] = {}
+    values: dict[str, list[float]] = {}
     for scope in scopes(function):
         for key in scope.assigned:
             name, value = key.lstrip("."), scope.values.get(key)
             if name in known or value is None or not is_number(value) or not isfinite(value):
                 continue
-            numbers: dict[Expr, Fraction] = {}
+            numbers: dict[Expr, Fraction | None] = {}
             formula = _named(key, scope, known, numbers, 0)
             if formula is None or not formula.free_symbols or not _is(formula, numbers, value):
                 continue
+            values.setdefault(name, []).append(value)
             if found.setdefault(name, formula) != formula:
                 known = {**known, name: formula}  # two formulas: which one is meant is not plain
                 del found[name]
-    return found
+    # A name of the file may be another one's inside the function around.
+    own = held(function, found).numbers
+    return {n: formula for n, formula in found.items() if n not in own or own[n] in values[n]}
 
 
-def _is(formula: Expr, numbers: Mapping[Expr, Fraction], value: float) -> bool:
-    """Whether a formula has a value."""
-    table = {s: Rational(n.numerator, n.denominator) for s, n in numbers.items()}
+def _is(formula: Expr, numbers: Mapping[Expr, Fraction | None], value: float) -> bool:
+    """Whether a formula has a value; that of what nothing keeps cannot be told."""
+    if None in numbers.values():
+        return True
+    table = {s: Rational(n.numerator, n.denominator) for s, n in numbers.items() if n is not None}
     exact = sympy.N(formula.xreplace(table), 40)
     if not (exact.is_Float or exact.is_Rational):
         return False
@@ -55,7 +62,7 @@ def _is(formula: Expr, numbers: Mapping[Expr, Fraction], value: float) -> bool:
 
 
 def _named(
-    key: str, scope: Scope | None, known: Mapping[str, Expr], numbers: dict[Expr, Fraction],
+    key: str, scope: Scope | None, known: Mapping[str, Expr], numbers: dict[Expr, Fraction | None],
     depth: int,
 ) -> Expr | None:  # fmt: skip
     """What a name stands for where it is used; `numbers` learns values of symbols."""
@@ -64,8 +71,8 @@ def _named(
     if scope is None or depth > DEEPEST:
         return None
     name, value = key.lstrip("."), scope.values.get(key)
-    if name in known and value is not None and is_number(value) and isfinite(value):
-        symbol, number = known[name], Fraction(value)
+    if name in known and value is not None and is_number(value) and not isinf(value):
+        symbol, number = known[name], None if isnan(value) else Fraction(value)
         return symbol if numbers.setdefault(symbol, number) == number else None
     if key not in scope.assigned:
         return None
@@ -77,7 +84,7 @@ def _named(
 
 
 def _formula(
-    node: ast.expr, scope: Scope, known: Mapping[str, Expr], numbers: dict[Expr, Fraction],
+    node: ast.expr, scope: Scope, known: Mapping[str, Expr], numbers: dict[Expr, Fraction | None],
     depth: int,
 ) -> Expr | None:  # fmt: skip
     """Plain arithmetic as an expression; None for anything else."""
