@@ -18,7 +18,7 @@ from mechanics.reading.convention import POINT_MASS, Change, Convention, combine
 from mechanics.reading.conventions import joints, lengths, other_sign, other_signs, other_vertical
 from mechanics.reading.directed import SENSES, directed
 from mechanics.reading.directions import DIRECTIONS
-from mechanics.reading.kinds import angular
+from mechanics.reading.kinds import quantity
 from mechanics.reading.names import Match
 from mechanics.scene import Scene
 
@@ -177,22 +177,13 @@ def _choices(scene: Scene, one: Declared, held: frozenset[Symbol]) -> list[Chang
     if one.of and not found:
         every = (*scene.q, *scene.input_symbols, *scene.parameters)
         able = [s.name for s in every if _meanings(scene, replace(one, of=s.name), held)]
-        what = next((_what(scene, s) for s in every if s.name == one.of), "no name")
+        what = quantity(scene, one.of)
+        what = f"{'an' if what[0] in 'ai' else 'a'} {what}" if what else "no name"
         raise InputError(
             f"convention {one.told!r}: {one.of} is {what} of {scene.name} and cannot have it:"
             f" {', '.join(able) or 'nothing'} can"
         )
     return found
-
-
-def _what(scene: Scene, symbol: Symbol) -> str:
-    """What a symbol is in a scene, in words."""
-    if symbol in scene.q:
-        return "an angle" if symbol in angular(scene) else "a displacement"
-    if symbol in scene.input_symbols:
-        return "an input"
-    unit = getattr(symbol, "unit", "")
-    return f"a parameter in {unit}" if unit else "a parameter"
 
 
 def _meanings(scene: Scene, one: Declared, held: frozenset[Symbol]) -> list[Change]:
