@@ -152,6 +152,16 @@ def test_what_another_method_assigns_is_not_derived(tmp_path: Path) -> None:
     assert found.verdict is Verdict.REFUTED
 
 
+def test_an_argument_of_another_method_is_no_number_of_the_file(tmp_path: Path) -> None:
+    text = CLASS.format(law=_indented(LAW.format(sign="+", o="self.")))
+    text = text.replace("        self.total_mass = self.mp + mc\n", "        self.load(0.1)\n")
+    loaded = "    def load(self, mp):\n        self.total_mass = mp + mc\n\n    def step_rates"
+    text = "mp, mc = 0.1, 1.0\n" + text.replace("    def step_rates", loaded)
+    found = check(SCENE, _file(tmp_path, text).step, blame=False)  # type: ignore[attr-defined]
+    assert found.verdict is Verdict.REFUTED
+    assert "total_mass = 1.1 of the code: numbers" in " ".join(found.remarks)
+
+
 def test_numbers_under_other_names_are_told() -> None:
     gravity = 9.8
 
