@@ -57,7 +57,12 @@ def moved(scene: Scene, row: Published, table: Table) -> Published:
     found = each_side(row, lambda side: _named(scene, side, known).xreplace(there))
     match row.quantity:
         case MassMatrix() if not scene.speeds:
-            found = replace(found, sides=tuple(slopes.T * m * slopes for m in found.sides))
+            # Of another shape it is left as it is, and the ledger tells.
+            shapes = [getattr(m, "shape", None) == slopes.shape for m in found.sides]
+            sides = zip(found.sides, shapes, strict=True)
+            found = replace(
+                found, sides=tuple(slopes.T * m * slopes if fits else m for m, fits in sides)
+            )
         case GeneralizedMomentum(coordinate=name):
             (own,) = (p for p, q in momentum_symbols(scene).items() if q.name == name)
             value = momenta.get(own, own)

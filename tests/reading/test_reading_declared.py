@@ -12,10 +12,15 @@ from mechanics.errors import InputError
 from mechanics.judge.check import derived
 from mechanics.judge.other_reading import read_otherwise
 from mechanics.judge.readers import read
+from mechanics.judge.under import judge_under
 from mechanics.reading.conventions import conventions
+from mechanics.reading.declared import read_declared
 from mechanics.reading.directed import directed, is_another
 from mechanics.reading.directions import counted
+from mechanics.reading.statement import Statement
 from mechanics.scene import Particle, RigidBody, Scene, force, gravity, reaction
+from mechanics.scene.published import published
+from mechanics.scene.quantities import EquationOfMotion
 from systems import acrobot, elastic_pendulum, rod_pendulum
 
 PENDULUM = derived(elastic_pendulum.scene())
@@ -42,11 +47,33 @@ def test_what_is_in_doubt_stays_so_and_spoils_no_other(declared: str) -> None:
         assert first.finding.shown
 
 
-def test_what_is_in_doubt_is_told_where_it_could_not_be_counted_otherwise() -> None:
-    text = "M*x'' + zz(t)*Derivative(pp(t), t) = 0"
-    for declared in ("right horizontal ccw", "point mass, right horizontal ccw"):
-        (entry,) = mechanics.check(PENDULUM, text, convention=declared).judged
-        assert "the scene has no such name" in entry.finding.evidence
+@pytest.mark.parametrize("declared", ["other sign of angles", "from the horizontal"])
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        ("[1, zz]", "zz: the scene has no such name"), ("[1, m]", "has 2 rows and 2 columns"),
+        ("[M, m; m, M; 1, 1]", "has 2 rows and 2 columns"),
+    ],
+)  # fmt: skip
+def test_a_mass_matrix_of_another_shape_is_none(text: str, words: str, declared: str) -> None:
+    found = mechanics.check(PENDULUM, text, about="mass matrix", convention=declared)
+    (entry,) = found.judged
+    assert entry.finding.verdict.name == "UNDECIDED"
+    assert words in entry.finding.evidence
+
+
+def test_a_mass_matrix_of_another_shape_beside_a_wrong_one() -> None:
+    """What would help the wrong one is looked for."""
+    pair = ["[1, m]", "[M, 1; 2, M]"]
+    found = mechanics.check(PENDULUM, pair, about="mass matrix", blame=False)
+    assert [entry.finding.verdict.name for entry in found.judged] == ["UNDECIDED", "REFUTED"]
+
+
+def test_the_doubt_is_told_before_what_cannot_be_counted_otherwise() -> None:
+    row = published("1", EquationOfMotion(), dynamicsymbols("zz").diff(), 0, label="zz")
+    statement = Statement(row, "zz' = 0", "1", doubt="nothing explains zz")
+    ((entry,), _) = judge_under(PENDULUM, [statement], read_declared(["other vertical"]))
+    assert entry.finding.evidence.startswith("nothing explains zz")
 
 
 # ------------------------------------------------------------------------------- several choices
