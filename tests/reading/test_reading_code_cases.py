@@ -192,13 +192,13 @@ def test_moduli_are_split_in_the_order_of_their_names() -> None:
 
 def test_a_single_state_is_judged_alike_however_it_is_told_apart() -> None:
     def by_branch(theta, u, m, l, g):
-        return 7.0 if theta == 0.25 else right(theta, u, m, l, g)
+        return 7.0 if theta == 0.3 else right(theta, u, m, l, g)
 
     def by_selection(theta, u, m, l, g):
-        return np.where(theta == 0.25, 7.0, right(theta, u, m, l, g))
+        return np.where(theta == 0.3, 7.0, right(theta, u, m, l, g))
 
     found = [mechanics.check(SCENE, f, blame=False) for f in (by_branch, by_selection)]
     findings = [check.judged[0].finding for check in found]
     assert findings[0].verdict is findings[1].verdict
     assert not findings[0].shown
-    assert all("where theta = 1/4" in finding.evidence for finding in findings)
+    assert all("where theta = 3/10" in finding.evidence for finding in findings)
