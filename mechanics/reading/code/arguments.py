@@ -13,6 +13,7 @@ from sympy import Expr, Symbol
 from mechanics.errors import InputError
 from mechanics.reading.code.taken_apart import Apart, Record
 from mechanics.reading.names import Match, Naming
+from mechanics.scene import Scene
 from mechanics.scene.rates import TIME
 from mechanics.scene.symbols import DOTS
 
@@ -28,6 +29,10 @@ MOST = 6
 
 Value = Any
 """A symbol, or a tuple of them."""
+
+
+Groups = tuple[tuple[Sequence[str], Sequence[Expr]], ...]
+"""Usual names of a vector, and its entries."""
 
 
 @dataclass(frozen=True)
@@ -76,22 +81,12 @@ def arguments_of(
         For an argument that nothing explains.
     """
     scene = naming.vocabulary.scene
-    both: list[Expr] = [*scene.q, *scene.u]
-    if interleaved:
-        both = [symbol for pair in zip(scene.q, scene.u, strict=True) for symbol in pair]
-    groups: tuple[tuple[Sequence[str], Sequence[Expr]], ...] = (
-        (POSITIONS, scene.q), (SPEEDS, scene.u), (STATES, both), (ACCELERATIONS, scene.ud),
-        (INPUTS, scene.input_symbols), (PARAMETERS, scene.parameters),
-    )  # fmt: skip
     told = {n: m for n, m in given.items() if naming.vocabulary.target(m) is not None}
     aware = replace(naming, given={**naming.given, **told})
     # x[2] is no coordinate x, whatever the scene calls x.
     parted = {n for n, known in (apart or {}).items() if known.vector}
     vectors = [n for n in names if n not in given and (n in parted or not naming.knows(n))]
-    whole = [n for n in vectors if n in STATES and sizes.get(n) in (None, len(both))]
-    if whole and not any(n in POSITIONS for n in names):
-        # Beside a whole state, u is no vector of speeds.
-        groups = tuple(group for group in groups if group[0] is not SPEEDS)
+    groups = _groups(scene, names, vectors, sizes, interleaved)
     values: dict[str, Value] = {}
     matches: list[Match] = []
     state: tuple[Expr, ...] = ()
@@ -120,6 +115,25 @@ def arguments_of(
             state = entries
         matches.append(Match(name, " ".join(str(entry) for entry in entries), why))
     return Arguments(values, state, tuple(matches))
+
+
+def _groups(
+    scene: Scene, names: Sequence[str], vectors: Sequence[str], sizes: Mapping[str, int | None],
+    interleaved: bool,
+) -> Groups:  # fmt: skip
+    """What vectors of these usual names are."""
+    both: list[Expr] = [*scene.q, *scene.u]
+    if interleaved:
+        both = [symbol for pair in zip(scene.q, scene.u, strict=True) for symbol in pair]
+    groups: Groups = (
+        (POSITIONS, scene.q), (SPEEDS, scene.u), (STATES, both), (ACCELERATIONS, scene.ud),
+        (INPUTS, scene.input_symbols), (PARAMETERS, scene.parameters),
+    )  # fmt: skip
+    whole = [n for n in vectors if n in STATES and sizes.get(n) in (None, len(both))]
+    if whole and not any(n in POSITIONS for n in names):
+        # Beside a whole state, u is no vector of speeds.
+        groups = tuple(group for group in groups if group[0] is not SPEEDS)
+    return groups
 
 
 def _given(naming: Naming, name: str, meaning: str, size: int | None) -> Value:

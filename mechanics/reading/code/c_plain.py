@@ -101,18 +101,7 @@ def _blank(text: str) -> str:
 def _as_arrays(text: str, struct: re.Match[str], origin: str, apart: dict[str, Apart]) -> str:
     """The text without a struct, and with arrays for its arguments."""
     kind = struct["name"] if struct["typedef"] else f"struct {struct['tag']}"
-    fields: list[str] = []
-    for part in struct["fields"].split(";"):
-        found = FIELDS.fullmatch(part)
-        if part.strip() and found is None:
-            raise ExpressionError(
-                f"{_place(text, struct.start(), origin)}: {kind} has {part.strip()!r}: structs of"
-                " double alone are known: pass numbers and arrays"
-            )
-        fields += [name.strip() for name in found[1].split(",")] if found else []
-    if not 0 < len(fields) <= LARGEST:
-        place = _place(text, struct.start(), origin)
-        raise ExpressionError(f"{place}: {kind} has {len(fields)} fields: 1 to {LARGEST} are known")
+    fields = _fields(struct, kind, _place(text, struct.start(), origin))
     head, tail = text[: struct.start()], text[struct.end() :]
     gone = re.sub(r"[^\n]", " ", struct[0])
     words = r"\s+".join(re.escape(word) for word in kind.split())
@@ -120,7 +109,7 @@ def _as_arrays(text: str, struct: re.Match[str], origin: str, apart: dict[str, A
     uses = re.compile(rf"(?P<const>\bconst\s+)?\b(?:{'|'.join(names)})\b\s*(?P<star>\*?)\s*"
                       r"(?:const\b\s*)?(?P<name>\w*)\s*(?P<end>.)")  # fmt: skip
     blank = _blank(tail)
-    variables: set[str] = set()
+    variables: dict[str, None] = {}
     pieces, at = [], 0
     for use in uses.finditer(blank):
         if not use["name"] or use["end"] not in ",)":
@@ -142,7 +131,7 @@ def _as_arrays(text: str, struct: re.Match[str], origin: str, apart: dict[str, A
         const = "" if written and use["star"] and not use["const"] else "const "
         pieces += [tail[at : use.start()], f"{const}double *{name}{use['end']}"]
         at = use.end()
-        variables.add(name)
+        variables[name] = None
     tail = "".join((*pieces, tail[at:]))
     for name in variables:
         if name in apart:
@@ -152,6 +141,22 @@ def _as_arrays(text: str, struct: re.Match[str], origin: str, apart: dict[str, A
         for k, field in enumerate(fields):
             tail = re.sub(rf"\b{name}\s*(?:->|\.)\s*{field}\b", f"{name}[{k}]", tail)
     return head + gone + tail
+
+
+def _fields(struct: re.Match[str], kind: str, place: str) -> list[str]:
+    """Names of the numbers of a struct."""
+    fields: list[str] = []
+    for part in struct["fields"].split(";"):
+        found = FIELDS.fullmatch(part)
+        if part.strip() and found is None:
+            raise ExpressionError(
+                f"{place}: {kind} has {part.strip()!r}: structs of"
+                " double alone are known: pass numbers and arrays"
+            )
+        fields += [name.strip() for name in found[1].split(",")] if found else []
+    if not 0 < len(fields) <= LARGEST:
+        raise ExpressionError(f"{place}: {kind} has {len(fields)} fields: 1 to {LARGEST} are known")
+    return fields
 
 
 def _place(text: str, at: int, origin: str) -> str:
