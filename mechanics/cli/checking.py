@@ -1,5 +1,6 @@
 """`mechanics check`."""
 
+import inspect
 import json
 import sys
 from pathlib import Path
@@ -134,10 +135,22 @@ def _part(file: str) -> Any:
         if file.endswith(".py"):
             raise InputError(f"file {file}: name the function to check: {file}:function")
         return Path(file)
-    function = getattr(run_file(Path(path)), name, None)
-    if function is None:
-        raise InputError(f"file {path}: it has no {name}")
-    return function
+    return _named(run_file(Path(path)), name, path)
+
+
+def _named(module: Any, name: str, path: str) -> Any:
+    """A function of a file, or a method of an object or class in it: ``Cart.rates``."""
+    found = module
+    for part in name.split("."):
+        above, found = found, getattr(found, part, None)
+        if found is None:
+            raise InputError(f"file {path}: it has no {name}")
+    if isinstance(above, type) and inspect.isfunction(found):
+        raise InputError(
+            f"file {path}: {name} is a method: name one of an object, for example by a line"
+            f" rates = {above.__name__}().{found.__name__} at its end"
+        )
+    return found
 
 
 def _names(entries: list[str]) -> dict[str, str]:

@@ -73,8 +73,11 @@ def names_a_column(line: Line, naming: Naming) -> bool:
     left, *right = line.sides
     if not isinstance(left, Name) or left.order or naming.knows(left.name) or len(right) != 1:
         return False
-    other = isinstance(right[0], Table) and bool(names(right[0]) and column(naming, left.name))
-    return other or gathers(right)
+    if not isinstance(right[0], Table):
+        return False
+    held = names(right[0])
+    moves = any(naming.is_function(name.name) for name in held)  # u = (F, 0), and no interval
+    return moves or bool(held and column(naming, left.name)) or gathers(right)
 
 
 def _holds_matrix(node: Node) -> bool:

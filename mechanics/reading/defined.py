@@ -14,7 +14,7 @@ from mechanics.reading.about import ENERGY_NAMES, MATRIX_NAMES
 from mechanics.reading.lines import Entry, Line
 from mechanics.reading.names import Naming
 from mechanics.reading.partials import undifferentiated
-from mechanics.reading.tree import Name, Node, Rate, Table, names, parts
+from mechanics.reading.tree import Name, Node, Rate, Table, constant, names, parts
 
 
 def used(lines: Sequence[Entry]) -> list[Name]:
@@ -211,8 +211,10 @@ def reached(
 
 
 def gathers(sides: Sequence[Node]) -> bool:
-    """Whether a definition only puts names into a column or row, as code returns them."""
+    """Whether a definition only puts names and numbers into a column or row: (F, 0)."""
     (side,) = sides if len(sides) == 1 else (None,)
     if not isinstance(side, Table) or min(len(side.rows), len(side.rows[0])) > 1:
         return False
-    return all(isinstance(cell, Name) for row in side.rows for cell in row)
+    cells = [cell for row in side.rows for cell in row]
+    plain = all(isinstance(cell, Name) or constant(cell) is not None for cell in cells)
+    return plain and any(isinstance(cell, Name) for cell in cells)

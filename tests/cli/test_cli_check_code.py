@@ -117,3 +117,17 @@ def test_a_value_of_a_parameter_stands_for_it(tmp_path: Path) -> None:
     assert found.exit_code == 0, found.output
     assert "judged where g = 9.81" in found.output
     assert run("elastic_pendulum", file, "--no-blame").exit_code == 1
+
+
+def test_a_method_of_an_object_is_named_and_that_of_a_class_needs_one(tmp_path: Path) -> None:
+    file = tmp_path / "cart.py"
+    file.write_text(
+        "class Cart:\n    def rates(self, theta_dot, F):\n        return 0.0, 0.0\n\n\n"
+        "cart = Cart()\n"
+    )
+    refused = CliRunner().invoke(app, ["check", "cartpole", f"{file}:Cart.rates"])
+    assert "name one of an object" in str(refused.exception)
+    read = CliRunner().invoke(app, ["check", "cartpole", f"{file}:cart.rates"])
+    assert read.exit_code == 1
+    missing = CliRunner().invoke(app, ["check", "cartpole", f"{file}:Dog.rates"])
+    assert "it has no Dog.rates" in str(missing.exception)

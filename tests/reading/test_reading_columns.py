@@ -258,3 +258,15 @@ def test_what_the_mass_matrix_alone_uses_is_used() -> None:
     assert mass != PARTS[0]
     assert verdicts(*lines) == ["PROVED"]
     assert verdicts(lines[0], lines[1].replace("+ I_2", "- I_2")) == ["REFUTED"]
+
+
+@pytest.mark.parametrize("column", ["b = [F, 0]^T", r"\mathbf b = (F, 0)", "b = [F, 0]"])
+def test_a_column_with_a_nought_is_a_definition(column: str) -> None:
+    text = (
+        r"\[ M \begin{bmatrix} \ddot x\\ \ddot\theta \end{bmatrix} + \begin{bmatrix}"
+        r" -m_p l\dot\theta^2 \sin\theta \\ -m_p g l \sin\theta \end{bmatrix} = b \]"
+        r"\[ M = \begin{bmatrix} m_c+m_p & m_p l\cos\theta \\ m_p l\cos\theta & \frac43 m_p l^2"
+        rf"\end{{bmatrix}} \] where ${column}$."
+    )
+    found = mechanics.check(cartpole.scene(), text, notation="latex", blame=False)
+    assert [entry.finding.verdict.name for entry in found.judged] == ["PROVED", "PROVED"]

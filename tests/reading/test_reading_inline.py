@@ -111,6 +111,8 @@ def test_long_documents_are_read_in_linear_time(piece: str) -> None:
         r"\ddot x = 0",
         r"\begin{bmatrix} \ddot x \\ 0 \end{bmatrix} = \begin{bmatrix} 1 \\ 0 \end{bmatrix}",
         r"\begin{strange} m \frac{d v}{dt} = F \end{strange}",
+        r"and so I x'' = 0",
+        r"\ensuremath{x'' = F}",
     ],
 )
 def test_an_equation_outside_of_every_formula_is_told(stray: str) -> None:
@@ -137,3 +139,18 @@ def test_what_only_a_formula_can_hold_is_no_prose(beside: str) -> None:
 def test_an_equation_in_the_words_of_a_display_is_told(words: str) -> None:
     assert verdicts(rf"\[ {RAIL} {words} \]") == ["PROVED", "UNDECIDED"]
     assert verdicts(rf"\[ {RAIL} \text{{ for all $\theta$}} \]") == ["PROVED"]
+
+
+@pytest.mark.parametrize(
+    "text", [r"Then $\ddot x$ = $F/m_c$.", r"\[ \ddot x \approx F \]", r"\[ x'' \ge F \]"]
+)
+def test_what_is_no_equation_of_one_formula_is_told(text: str) -> None:
+    right = r"\[ (m_c+m_p)\ddot x + m_p l(\ddot\theta\cos\theta - \dot\theta^2\sin\theta) = F \]"
+    found = mechanics.check(cartpole.scene(), f"{right} {text}", notation="latex", blame=False)
+    assert [entry.finding.verdict.name for entry in found.judged] == ["PROVED", "UNDECIDED"]
+
+
+def test_unless_is_refused() -> None:
+    text = r"\[ \ddot x = \dot x \] \unless\iffalse \[ x = 1 \] \fi"
+    with pytest.raises(mechanics.MechanicsError, match="unless"):
+        mechanics.check(cartpole.scene(), text, notation="latex", blame=False)

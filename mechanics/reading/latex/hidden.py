@@ -17,7 +17,7 @@ HIDDEN = re.compile(
     r"|\\end\s*\{document\}.*",
     re.DOTALL,
 )
-CONDITION = re.compile(r"(?<!\\)\\(if(?!f(?![A-Za-z@]))[A-Za-z@]*|else|fi)(?![A-Za-z@])")
+CONDITION = re.compile(r"(?<!\\)\\(if(?!f(?![A-Za-z@]))[A-Za-z@]*|else|fi|unless)(?![A-Za-z@])")
 BODY = re.compile(r"\\begin\s*\{document\}")
 
 

@@ -209,6 +209,8 @@ def _line(pieces: Pieces, text: str, whole: str, offset: int, naming: Naming) ->
         start -= len(framed[0])
     source = " ".join(whole[offset + start : offset + end].split())
     if any(isinstance(piece, Token) and piece.type == "ORDER" for piece in kept):
+        if _moves(source, naming):
+            raise Refused(_span(kept)[0], "an inequality or approximation cannot be judged")
         return _condition(kept, source, offset + start)
     sides: list[Pieces] = [[]]
     for piece in kept:

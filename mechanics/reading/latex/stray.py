@@ -13,8 +13,12 @@ MATHEMATICAL = re.compile(
     r"\\(?:d{1,4}ot|[dt]?frac|partial|sin|cos|tan|left)(?![A-Za-z])"
     r"|\\begin\s*\{(?:[bpvBV]?matrix|array|d?cases|aligned|split)\}"
     rf"|\\(?:var)?(?:{'|'.join(sorted(GREEK))})(?![A-Za-z])|(?<!\\)\^"
+    # Quotation marks stand before a blank or a letter: I theta'' = ...
+    r"|(?<![\w'`])[A-Za-z]\w{0,9}'{2,3}\s*[-+=*/]|\\ensuremath(?![A-Za-z])"
 )
 """What TeX takes in a formula only."""
+BETWEEN = re.compile(r"\s*\$?\s*=\s*\$?\s*")
+"""Of an equation whose sides are formulas of their own: $a$ = $b$."""
 PARAGRAPH = re.compile(r"\n\s*\n")
 
 
@@ -22,6 +26,8 @@ def stray(text: str, found: Sequence[Block]) -> Iterator[tuple[int, int]]:
     """Where a paragraph of prose holds what may be an equation, from its first command on."""
     at = 0
     for block in (*found, Block(len(text), len(text))):
+        if at and BETWEEN.fullmatch(text, at, block.start):
+            yield at, block.start
         yield from _stray(text, at, block.start)
         at = max(at, block.end)
 

@@ -12,7 +12,7 @@ from mechanics.report.answer.cards import sheets_of
 from mechanics.report.answer.check import Check
 from mechanics.report.answer.follows import lines_of
 from mechanics.report.answer.parted import parted
-from mechanics.report.answer.sentences import counted, order, read_as
+from mechanics.report.answer.sentences import counted, order, read_as, two_sided, which
 from mechanics.report.answer.sheets import shared_notes
 from mechanics.report.drawing import drawing
 from mechanics.report.environment import environment
@@ -35,7 +35,7 @@ def check_html(found: Check) -> str:
     made = environment()
     made.globals.update(
         block=typed.block, counted=counted, formula=typed.formula, order=order,
-        parted=parted, read_as=read_as,
+        parted=parted, read_as=read_as, two_sided=two_sided, which=which,
     )  # fmt: skip
     made.tests["wide"] = typed.wide
     told, notes = shared_notes(found.told)

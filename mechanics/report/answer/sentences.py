@@ -36,6 +36,21 @@ def _where(edit: Edit, count: int) -> str:
     return " ".join(words)
 
 
+COUNTED = "left side less right side, term by term:"
+"""Above differences of an equation with something on either side."""
+
+
+def two_sided(statement: Statement) -> bool:
+    """Whether the right side of an equation is not nought, so that signs turn in the table."""
+    row = statement.row
+    return row is not None and isinstance(row.quantity, EquationOfMotion) and row.sides[-1] != 0
+
+
+def which(statement: Statement) -> str:
+    """What a repair was proved for, where its text makes several statements."""
+    return "this row is " if " row " in statement.tag else ""
+
+
 def read_as(match: Match) -> str:
     """What a name was taken for; a name that stays itself is said to be what it is."""
     if match.name == match.meaning:

@@ -24,6 +24,7 @@ from mechanics.report.answer.marks import pieces, printable, shortened
 from mechanics.report.answer.meaning import difference, meaning
 from mechanics.report.answer.parted import spoken
 from mechanics.report.answer.sentences import (
+    COUNTED,
     about,
     counted,
     order,
@@ -31,6 +32,8 @@ from mechanics.report.answer.sentences import (
     read_as,
     sides,
     solved,
+    two_sided,
+    which,
 )
 from mechanics.report.answer.sheets import shared_notes, sheets
 from mechanics.report.answer.source import Source
@@ -132,7 +135,10 @@ def _blame(blame: Blame, statement: Statement) -> Iterator[RenderableType]:
     if blame.searched:
         yield below(line(blame.searched))
     if blame.differences:
-        yield from ("", Differences(blame.differences), "")
+        yield ""
+        if two_sided(statement):
+            yield below(line(COUNTED, "dim"))
+        yield from (Differences(blame.differences), "")
     for words in blame.explanations:
         yield below(line(spoken(words, hand_of(statement)), "yellow", "because: "))
 
@@ -144,7 +150,7 @@ def _repair(repair: Repair, statement: Statement, *, first: bool) -> Iterator[Re
     if not first and any(_ambiguous(edit, statement.source) for edit in repair.edits):
         yield _source(statement.source, repair.edits)
     verdict = repair.finding.verdict.name
-    yield below(line(f"then {verdict}: {repair.repaired}", "dim"))
+    yield below(line(f"then {which(statement)}{verdict}: {repair.repaired}", "dim"))
 
 
 def _ambiguous(edit: Edit, source: str) -> bool:
