@@ -10,7 +10,8 @@ import numpy as np
 import sympy
 
 from mechanics.errors import InputError
-from mechanics.reading.code.traced import Explorer, Traced, expression_of
+from mechanics.reading.code.explorer import Explorer
+from mechanics.reading.code.traced import Traced, expression_of
 
 LARGEST = 4
 """Unknowns."""

@@ -9,7 +9,6 @@ the function again.
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, field
 from fractions import Fraction
 from numbers import Real
 from typing import Any
@@ -17,7 +16,6 @@ from typing import Any
 import numpy as np
 import sympy
 from sympy import Expr
-from sympy.logic.boolalg import Boolean, BooleanFalse, BooleanTrue
 
 from mechanics.errors import InputError
 from mechanics.reading.code.as_written import (
@@ -32,69 +30,10 @@ from mechanics.reading.code.as_written import (
     subtracted,
 )
 from mechanics.reading.code.constants import constant_of
-from mechanics.reading.tree import Node
+from mechanics.reading.code.explorer import Condition, Explorer
 
 Operation = tuple[Callable[[Expr, Expr], Any], Callable[[Formula, Formula], Formula]]
 """What is done with two expressions, and with two formulas."""
-
-MOST_PATHS = 64
-MOST_DECISIONS = 200
-
-
-class TooManyPathsError(InputError):
-    """A function decides more often than all ways through it can be followed."""
-
-
-@dataclass
-class Explorer:
-    """The decisions of one call: those that are set beforehand, then `True` for every new one.
-
-    `formulas` are those of the numbers that it returns, as its code has them; `names` are the keys
-    that they have, where they are entries of a dictionary.
-    """
-
-    prefix: tuple[bool, ...] = ()
-    taken: list[tuple[Boolean, bool]] = field(default_factory=list)
-    notes: list[str] = field(default_factory=list)
-    formulas: dict[Expr, Node] = field(default_factory=dict)
-    names: tuple[str, ...] = ()
-
-    def decide(self, condition: Boolean) -> bool:
-        """Which way to go at a condition."""
-        if isinstance(condition, BooleanTrue | BooleanFalse):
-            return bool(condition)
-        for known, answer in self.taken:
-            if known == condition:
-                return answer
-            if known == sympy.Not(condition):
-                return not answer
-        if len(self.taken) >= MOST_DECISIONS:
-            raise TooManyPathsError("the function decides too often to be followed")
-        at = len(self.taken)
-        answer = self.prefix[at] if at < len(self.prefix) else True
-        self.taken.append((condition, answer))
-        return answer
-
-
-class Condition:
-    """A comparison of traced numbers."""
-
-    def __init__(self, condition: Boolean, explorer: Explorer) -> None:
-        self.condition, self.explorer = condition, explorer
-
-    def __bool__(self) -> bool:
-        return self.explorer.decide(self.condition)
-
-    def __and__(self, other: Any) -> bool:
-        return bool(self) and bool(other)
-
-    def __or__(self, other: Any) -> bool:
-        return bool(self) or bool(other)
-
-    def __invert__(self) -> bool:
-        return not bool(self)
-
-    __rand__, __ror__ = __and__, __or__
 
 
 class Traced:

@@ -18,11 +18,12 @@ from sympy.logic.boolalg import Boolean
 
 from mechanics.errors import InputError, MechanicsError
 from mechanics.reading.code.as_written import Formulas, leaf
+from mechanics.reading.code.explorer import MOST_PATHS, Explorer
 from mechanics.reading.code.held import held
 from mechanics.reading.code.lasting import changed, seen
 from mechanics.reading.code.stand_ins import copy_of
 from mechanics.reading.code.taken_apart import Record
-from mechanics.reading.code.traced import MOST_PATHS, Explorer, Traced, expression_of
+from mechanics.reading.code.traced import Traced, expression_of
 
 Value: TypeAlias = Expr | Sequence[Expr] | Record
 Given = Mapping[str, Value]
