@@ -36,7 +36,9 @@ LONGEST = 8.0
 """Seconds of the processor after which nothing more is tried; an equation takes less than one."""
 
 
-def blame(truth: Equations, statement: Statement) -> Blame:
+def blame(
+    truth: Equations, statement: Statement, kept: frozenset[int | str] = frozenset()
+) -> Blame:
     """Which term of a refuted statement is wrong.
 
     Parameters
@@ -45,6 +47,8 @@ def blame(truth: Equations, statement: Statement) -> Blame:
         Derived from the scene, with its reactions.
     statement : Statement
         Refuted.
+    kept : frozenset of int or str
+        Entries and definitions that other statements are shown with: edits elsewhere come first.
 
     Returns
     -------
@@ -60,11 +64,18 @@ def blame(truth: Equations, statement: Statement) -> Blame:
     end = process_time() + LONGEST
     try:
         asked = (claim, *as_motion(claim))
-        searches = (
-            list(islice(_repairs(each, replace(statement, row=each.row), end), SHOWN))
-            for each in asked
-        )
-        found = next((repairs for repairs in searches if repairs), [])
+        found: list[tuple[Repair, Published]] = []
+        # What spoils another statement has to be a smaller change than any that does not.
+        for places in (kept, frozenset[int | str]())[not kept :]:
+            searches = (
+                list(islice(_repairs(each, replace(statement, row=each.row), end), SHOWN))
+                for each in (replace(claim, kept=places) for claim in asked)
+            )
+            more = next((repairs for repairs in searches if repairs), [])
+            if more and (not found or len(more[0][0].edits) < len(found[0][0].edits)):
+                found = more
+            if found and len(found[0][0].edits) == 1:
+                break
     except (MechanicsError, Refused) as reason:
         told, doubt = _differences(claim, statement, None)
         return Blame(told, (), searched="; ".join((f"not searched to the end: {reason}", *doubt)))

@@ -12,9 +12,11 @@ from sympy import preorder_traversal
 from mechanics.blame.blame import blame as blame_of
 from mechanics.blame.explanations import explanations
 from mechanics.blame.result import Blame, Edit
+from mechanics.blame.search.claim import claim_of, used
 from mechanics.equations import Equations
 from mechanics.errors import MechanicsError
 from mechanics.exact import Verdict
+from mechanics.reading.from_sympy import Untreeable
 from mechanics.reading.place import Refused
 from mechanics.reading.statement import Statement
 from mechanics.reading.tree import Node, parts
@@ -53,7 +55,7 @@ def blamed(truth: Equations, judged: Sequence[Judged]) -> tuple[Judged, ...]:
     end = process_time() + LONGEST
     for k, reasons in zip(searched, told[: len(searched)], strict=True):
         late = Blame((), (), searched=f"not searched: those before it took {LONGEST:.0f} s")
-        blame = late if process_time() > end else _search(truth, judged[k].statement)
+        blame = late if process_time() > end else _search(truth, judged, k)
         found[k] = replace(found[k], blame=replace(blame, explanations=reasons))
     return named_once(found)
 
@@ -112,10 +114,32 @@ def walked(node: Node) -> Iterator[Node]:
         yield from walked(part)
 
 
-def _search(truth: Equations, statement: Statement) -> Blame:
+def shown_with(truth: Equations, judged: Sequence[Judged], k: int) -> frozenset[int | str]:
+    """What a refuted statement has in common with those that are shown: an edit there spoils them.
+
+    Definitions, and of an equation of matrices the line itself.
+    """
+    own = judged[k].statement
+    found: set[int | str] = set()
+    for entry in [entry for entry in judged if entry.finding.shown][:MOST]:
+        other = entry.statement
+        if own.written is None or other.written is None:
+            continue
+        if other.written.sides is own.written.sides:
+            found |= set(range(len(own.written.sides)))
+        if own.written.definitions:
+            try:
+                claim = claim_of(truth, other)
+            except (Untreeable, Refused):
+                continue  # no edit of it was told, either
+            found |= used(claim) if claim is not None else set()
+    return frozenset(found)
+
+
+def _search(truth: Equations, judged: Sequence[Judged], k: int) -> Blame:
     """The blame; the verdict stands whatever the search meets."""
     try:
-        return blame_of(truth, statement)
+        return blame_of(truth, judged[k].statement, shown_with(truth, judged, k))
     except (MechanicsError, Refused, RecursionError) as error:
         words = str(error) if not isinstance(error, RecursionError) else "it is nested too deeply"
         return Blame((), (), searched=f"not searched: {words}")

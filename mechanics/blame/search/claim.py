@@ -23,7 +23,7 @@ from mechanics.equations import Equations
 from mechanics.reading.entrywise import entrywise
 from mechanics.reading.names import Naming, Vocabulary
 from mechanics.reading.statement import Statement
-from mechanics.reading.tree import Node
+from mechanics.reading.tree import Node, names
 from mechanics.reading.written import Trees, Written, row_trees
 from mechanics.scene import Scene
 from mechanics.scene import quantities as q
@@ -47,12 +47,15 @@ class Claim:
     written : Written
     entries : tuple of Node
         As many as the row compares.
+    kept : frozenset of int or str
+        Entries and definitions that are not edited: others are shown with them.
     """
 
     truth: Equations
     row: Published
     written: Written
     entries: Trees
+    kept: frozenset[int | str] = frozenset()
 
     @property
     def definitions(self) -> dict[str, Node]:
@@ -90,6 +93,18 @@ def claim_of(truth: Equations, statement: Statement) -> Claim | None:
         written = Written((), (), Naming(Vocabulary(truth.scene)), "code", "")
     written = entrywise(written)
     return Claim(truth, row, written, row_trees(row, written))
+
+
+def used(claim: Claim) -> frozenset[str]:
+    """Definitions that a claim holds, and those that these hold in turn."""
+    known, found = claim.definitions, set[str]()
+    todo = [name.name for entry in claim.entries for name in names(entry)]
+    while todo:
+        name = todo.pop()
+        if name in known and name not in found:
+            found.add(name)
+            todo += [inner.name for inner in names(known[name])]
+    return frozenset(found)
 
 
 def problems(claim: Claim) -> Iterator[Problem]:
@@ -205,7 +220,7 @@ def posed(
     claim: Claim, numbers: tuple[int, ...], target: Target, families: Sequence[Family]
 ) -> Problem:
     """Some entries of a claim at points: one alone, or the difference of two."""
-    forest = Forest(claim.definitions).plant([(k, claim.entries[k]) for k in numbers])
+    forest = Forest(claim.definitions, claim.kept).plant([(k, claim.entries[k]) for k in numbers])
     builder = claim.written.builder()
 
     def sheets(points: list[Point]) -> tuple[Sheet, ...]:

@@ -42,6 +42,8 @@ class Forest:
     Attributes
     ----------
     definitions : mapping of str to Node
+    kept : frozenset of int or str
+        Entries and definitions that are not edited.
     nodes : list of Node
     parent : list of int
         -1 for the root.
@@ -54,6 +56,7 @@ class Forest:
     """
 
     definitions: Mapping[str, Node]
+    kept: frozenset[int | str] = frozenset()
     nodes: list[Node] = field(default_factory=list)
     parent: list[int] = field(default_factory=list)
     kids: list[list[int]] = field(default_factory=list)
@@ -111,8 +114,9 @@ class Forest:
         return self
 
     def written(self, index: int) -> bool:
-        """Whether somebody wrote the node."""
-        return self.place[index][0] != SYNTHETIC and self.nodes[index].at != COMPOSED
+        """Whether somebody wrote the node, and may have to write it otherwise."""
+        home = self.place[index][0]
+        return home not in (SYNTHETIC, *self.kept) and self.nodes[index].at != COMPOSED
 
     def single(self, index: int) -> bool:
         """Whether a node stands at one place only."""
