@@ -117,3 +117,11 @@ def test_a_period_is_no_kinetic_energy() -> None:
     (entry,) = found.judged
     assert entry.finding.verdict.name == "UNDECIDED"
     assert "T is defined and never used" in entry.statement.doubt
+
+
+def test_fractions_within_fractions_are_read_once() -> None:
+    """Read twice at each level, forty levels would take for ever."""
+    text = "x"
+    for _ in range(38):
+        text = rf"\frac{{{text}}}{{2}}"
+    assert verdict(CART, rf"\ddot x = {text}") == "REFUTED"

@@ -46,6 +46,8 @@ Fold = Callable[[list[Item], int], Node]
 DEEPEST_BRACKETS = 40
 MOST_ENTRIES = 50
 """Of a bracket with commas."""
+LONGEST_DIFFERENTIAL = 40
+"""Letters of d v or d x in a fraction."""
 SPANNED = (
     "accent", "short_accent", "fraction", "half_fraction", "short_fraction", "root", "matrix",
 )  # fmt: skip
@@ -242,7 +244,11 @@ class Items:
                 return rate
         if (pieces := partial(above, below)) is not None:
             return self._partial(*pieces, at)
-        if differential(self.of(pieces_of(above)), self.of(pieces_of(below)), self.naming):
+        # Fractions within fractions would be read twice at every level.
+        short = max(len(self._slice(above)), len(self._slice(below))) <= LONGEST_DIFFERENTIAL
+        if short and differential(
+            self.of(pieces_of(above)), self.of(pieces_of(below)), self.naming
+        ):
             raise Refused(at, "a derivative by something else than the time is not known here")
         parts = [self.group(above, at), inverse(self.group(below, at))]
         return Item("node", at, product(at, parts))
