@@ -7,6 +7,9 @@ import mechanics
 from mechanics import Particle, Scene, force, gravity, parameters
 from mechanics.errors import InputError
 from mechanics.judge.check import derived
+from mechanics.reading.latex.items import Items
+from mechanics.reading.latex.read import read_latex
+from mechanics.reading.names import Naming, Vocabulary
 from systems import cartpole
 
 ROW = r"(m_c+m_p)\ddot x + m_p l(\ddot\theta\cos\theta - \dot\theta^2\sin\theta)"
@@ -119,9 +122,20 @@ def test_a_period_is_no_kinetic_energy() -> None:
     assert "T is defined and never used" in entry.statement.doubt
 
 
-def test_fractions_within_fractions_are_read_once() -> None:
+@pytest.mark.parametrize(
+    "form", [r"\frac{%s}{2}", r"\frac{%s}{dt}", r"\frac{2}{%s}", r"\frac{d %s}{dt}"]
+)
+def test_what_stands_within_fractions_is_read_once(form: str, monkeypatch) -> None:
     """Read twice at each level, forty levels would take for ever."""
-    text = "x"
-    for _ in range(38):
-        text = rf"\frac{{{text}}}{{2}}"
-    assert verdict(CART, rf"\ddot x = {text}") == "REFUTED"
+    read: list[int] = []
+    once = Items._read
+    monkeypatch.setattr(Items, "_read", lambda self, tree: read.append(1) or once(self, tree))
+    counts = []
+    for depth in (3, 6, 9):
+        text = "x"
+        for _ in range(depth):
+            text = form % text
+        read.clear()
+        read_latex(rf"\ddot x = {text}", Naming(Vocabulary(CART.scene)))
+        counts.append(len(read))
+    assert 0 < counts[1] - counts[0] == counts[2] - counts[1]

@@ -46,8 +46,6 @@ Fold = Callable[[list[Item], int], Node]
 DEEPEST_BRACKETS = 40
 MOST_ENTRIES = 50
 """Of a bracket with commas."""
-LONGEST_DIFFERENTIAL = 40
-"""Letters of d v or d x in a fraction."""
 SPANNED = (
     "accent", "short_accent", "fraction", "half_fraction", "short_fraction", "root", "matrix",
 )  # fmt: skip
@@ -65,6 +63,7 @@ class Items:
     def __init__(self, text: str, naming: Naming, fold: Fold, notes: list[str]) -> None:
         self.text, self.naming, self.fold, self.notes = text, naming, fold, notes
         self.depth = 0
+        self.known: dict[int, tuple[Tree, list[Item]]] = {}
 
     def of(self, pieces: list[Tree | Token]) -> list[Item]:
         """The items of pieces that stand side by side."""
@@ -112,6 +111,15 @@ class Items:
         return product(at, parts)
 
     def _scripted(self, tree: Tree) -> list[Item]:
+        """The items of a tree, read once: a fraction looks at its parts before it is put together.
+
+        Without that, fractions within fractions would be read twice as often at every level.
+        """
+        if id(tree) not in self.known:
+            self.known[id(tree)] = tree, self._read(tree)  # the tree is kept, so that its id is
+        return self.known[id(tree)][1]
+
+    def _read(self, tree: Tree) -> list[Item]:
         base, *scripts = tree.children
         at = base.start_pos if isinstance(base, Token) else start_of(base, tree)
         sub, primes, power = self._scripts(scripts)
@@ -244,11 +252,7 @@ class Items:
                 return rate
         if (pieces := partial(above, below)) is not None:
             return self._partial(*pieces, at)
-        # Fractions within fractions would be read twice at every level.
-        short = max(len(self._slice(above)), len(self._slice(below))) <= LONGEST_DIFFERENTIAL
-        if short and differential(
-            self.of(pieces_of(above)), self.of(pieces_of(below)), self.naming
-        ):
+        if differential(self.of(pieces_of(above)), self.of(pieces_of(below)), self.naming):
             raise Refused(at, "a derivative by something else than the time is not known here")
         parts = [self.group(above, at), inverse(self.group(below, at))]
         return Item("node", at, product(at, parts))

@@ -3,8 +3,7 @@ r"""``\frac{\partial L}{\partial \dot x}``, and ``\frac{\partial}{\partial x}`` 
 from lark import Token, Tree
 
 from mechanics.reading.latex.item import pieces_of
-
-Pieces = list[Tree | Token]
+from mechanics.reading.latex.pieces import Pieces
 
 
 def partial(above: Tree, below: Tree) -> tuple[Pieces, Pieces] | None:
