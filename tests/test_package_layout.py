@@ -30,8 +30,6 @@ TOP_LEVEL = {
     "systems",
     "tests",
 }
-MAX_LINES = 300
-
 Breaches = Iterator[tuple[int, str]]
 
 
@@ -229,14 +227,6 @@ def test_laws_find_a_breach(law: Callable[[ast.Module], Breaches], source: str) 
 )
 def test_laws_accept_what_is_right(law: Callable[[ast.Module], Breaches], source: str) -> None:
     assert list(law(ast.parse(source))) == []
-
-
-def test_no_file_is_too_long() -> None:
-    lengths = {
-        str(path.relative_to(ROOT)): len(path.read_text(encoding="utf-8").splitlines())
-        for path in files(*PACKAGES)
-    }
-    assert {name: length for name, length in lengths.items() if length > MAX_LINES} == {}
 
 
 def test_every_folder_of_a_package_can_be_imported() -> None:

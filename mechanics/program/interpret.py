@@ -1,0 +1,168 @@
+"""Run a program in any domain: numbers, arrays, residues, series, nodes of another builder.
+
+A domain says what constants are and what each operation does; nothing else knows how to walk a
+program. Values that no later node needs are dropped as soon as that is known.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import Any, Protocol
+
+from mechanics.errors import ExpressionError
+from mechanics.program.builder import Builder, Node
+from mechanics.program.operations import (
+    ARITY,
+    CONSTANT,
+    ENTRY,
+    INPUT,
+    OPERATIONS,
+    PI,
+    SOLVE,
+)
+from mechanics.program.program import Program
+
+Solve = Callable[[list[list[Any]], list[Any], bool], Sequence[Any]]
+
+
+class Domain(Protocol):
+    """What an interpreter needs to know."""
+
+    @property
+    def operations(self) -> Mapping[str, Callable[..., Any]]:
+        """By the name in the table: from the values of the operands to the value."""
+        ...
+
+    def constant(self, value: Fraction) -> Any:
+        """The rational in this domain."""
+        ...
+
+    def pi(self) -> Any:
+        """The number pi in this domain."""
+        ...
+
+    def solve(self, matrix: list[list[Any]], right: list[Any], symmetric: bool) -> Sequence[Any]:
+        """x of matrix x = right."""
+        ...
+
+
+def interpret(
+    program: Program, domain: Domain, inputs: Mapping[str, Any]
+) -> dict[str, tuple[Any, ...]]:
+    """Values of the outputs.
+
+    Parameters
+    ----------
+    program : Program
+    domain : Domain
+    inputs : mapping of str to values of the domain
+
+    Raises
+    ------
+    KeyError
+        If an input that is used has no value.
+    ExpressionError
+        If an operation has no meaning in the domain.
+    """
+    first, second, third = program.operands
+    functions = [domain.operations.get(row.name) for row in OPERATIONS]
+    values: list[Any] = [None] * len(program)
+    drop = _last_uses(program)
+    for number, code in enumerate(program.operations):
+        arity = ARITY[code]
+        if code == CONSTANT:
+            values[number] = domain.constant(program.constants[first[number]])
+        elif code == INPUT:
+            values[number] = inputs[program.inputs[first[number]]]
+        elif code == PI:
+            values[number] = domain.pi()
+        elif code == ENTRY:
+            values[number] = values[first[number]][second[number]]
+        elif code == SOLVE:
+            values[number] = _solved(program, domain, values, first[number])
+        else:
+            function = functions[code]
+            if function is None:
+                raise ExpressionError(
+                    f"operation {OPERATIONS[code].name} has no meaning here:"
+                    " write the expression without it"
+                )
+            if arity == 2:
+                values[number] = function(values[first[number]], values[second[number]])
+            elif arity == 1:
+                values[number] = function(values[first[number]])
+            else:
+                values[number] = function(
+                    values[first[number]], values[second[number]], values[third[number]]
+                )
+        for old in drop.get(number, ()):
+            values[old] = None
+    return {name: tuple(values[n] for n in ns) for name, ns in program.outputs.items()}
+
+
+def _solved(program: Program, domain: Domain, values: list[Any], place: int) -> Sequence[Any]:
+    size, symmetric, *entries = program.systems[place]
+    known = [values[entry] for entry in entries]
+    matrix = [known[size * i : size * (i + 1)] for i in range(size)]
+    return domain.solve(matrix, known[size * size :], bool(symmetric))
+
+
+def _last_uses(program: Program) -> dict[int, list[int]]:
+    """Nodes whose values are used for the last time, by the node that uses them."""
+    last: dict[int, int] = {}
+    for number in range(len(program)):
+        for operand in program.operands_of(number):
+            last[operand] = number
+    kept = set(program.roots)
+    found: dict[int, list[int]] = {}
+    for operand, number in last.items():
+        if operand not in kept:
+            found.setdefault(number, []).append(operand)
+    return found
+
+
+@dataclass(frozen=True)
+class Nodes:
+    """The domain of nodes of a builder: to include one program in another."""
+
+    builder: Builder
+
+    @property
+    def operations(self) -> Mapping[str, Callable[..., Any]]:
+        """Each operation asks the builder for its node."""
+        build = self.builder
+
+        def calling(name: str) -> Callable[..., Node]:
+            return lambda *operands: build.call(name, *operands)
+
+        return {
+            row.name: calling(row.name) for row in OPERATIONS if row.arity and row.code != ENTRY
+        }
+
+    def constant(self, value: Fraction) -> Node:
+        """The constant as a node."""
+        return self.builder.constant(value)
+
+    def pi(self) -> Node:
+        """Pi as a node."""
+        return self.builder.pi
+
+    def solve(self, matrix: list[list[Any]], right: list[Any], symmetric: bool) -> Sequence[Node]:
+        """The components of the solution as nodes."""
+        return self.builder.solve(matrix, right, symmetric=symmetric)
+
+
+def include(
+    builder: Builder, program: Program, inputs: Mapping[str, Node] | None = None
+) -> dict[str, tuple[Node, ...]]:
+    """Build a program's outputs in a builder, with nodes in the place of its inputs.
+
+    Parameters
+    ----------
+    inputs : mapping of str to Node, optional
+        An input that is left out stays an input of its name.
+    """
+    given = {name: builder.input(name) for name in program.inputs} | dict(inputs or {})
+    return interpret(program, Nodes(builder), given)

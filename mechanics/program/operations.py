@@ -1,0 +1,269 @@
+"""The one table of operations: all that is known of each of them.
+
+A node of a program is an operation on earlier nodes. Every other module that needs to know what an
+operation means asks this table; a new operation is one row.
+
+What has no row is written in those that have one when it is read: max(x, y) = select(x < y, y, x),
+ceil(x) = -floor(-x), hypot(x, y) = sqrt(x x + y y), fmod(x, y) = x - y trunc(x/y).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from enum import Enum
+from fractions import Fraction
+from typing import Any
+
+Exact = Callable[..., Fraction]
+"""Value at rational operands."""
+
+Partials = Callable[..., tuple[Any, ...]]
+"""Partial derivatives: of the operands, then the result, as nodes; 0 and 1 may stand as numbers."""
+
+
+class Sign(Enum):
+    """What an operation demands of an expression, to have a value; the value is for people."""
+
+    NONZERO = "is not 0"
+    NONNEGATIVE = "is not negative"
+    POSITIVE = "is positive"
+
+
+Demands = Callable[..., tuple[tuple[Sign, Any], ...]]
+"""Of the operands: the signs that they, or expressions in them, must have."""
+
+
+def _none(*operands: Any) -> tuple[tuple[Sign, Any], ...]:
+    return ()
+
+
+@dataclass(frozen=True)
+class Operation:
+    """One row.
+
+    Attributes
+    ----------
+    name : str
+    code : int
+        Its number in arrays of operations.
+    arity : int
+        Number of operands that are nodes.
+    commutative : bool
+    boolean : bool
+        Whether the value is a truth value, 0 or 1.
+    exact : callable or None
+        The value at rational operands, where that is rational for all of them.
+    partials : callable or None
+        Partial derivatives; None for leaves, whose derivative the caller says.
+    demands : callable
+        Where it has a real value: signs of expressions in its operands.
+    numpy, casadi, c, sympy : str
+        The function of that library with the same meaning; in C, a template of the operands.
+    ulp : float
+        Largest error in double precision, in units in the last place: half for what IEEE 754
+        rounds correctly, else what the GNU C library's manual states for x86-64, "Known Maximum
+        Errors in Math Functions", rounded up.
+    """
+
+    name: str
+    code: int
+    arity: int
+    commutative: bool = False
+    boolean: bool = False
+    exact: Exact | None = None
+    partials: Partials | None = None
+    demands: Demands = _none
+    numpy: str = ""
+    casadi: str = ""
+    c: str = ""
+    sympy: str = ""
+    ulp: float = 0.0
+
+
+CONSTANT, PI, INPUT = 0, 1, 2
+ADD, SUBTRACT, MULTIPLY, DIVIDE, NEGATE = 3, 4, 5, 6, 7
+SQRT, POWER, EXP, LOG = 8, 9, 10, 11
+SIN, COS, TAN, ASIN, ACOS, ATAN, ATAN2 = 12, 13, 14, 15, 16, 17, 18
+SINH, COSH, TANH, ASINH, ACOSH, ATANH = 19, 20, 21, 22, 23, 24
+ABS, SIGN, FLOOR = 25, 26, 27
+LESS, NOT_GREATER, EQUAL, AND, OR, NOT, SELECT = 28, 29, 30, 31, 32, 33, 34
+SOLVE, ENTRY = 35, 36
+ERF = 37
+
+
+def _power_demands(x: Any, y: Any) -> tuple[tuple[Sign, Any], ...]:
+    exponent = y.constant
+    return ((Sign.NONNEGATIVE if exponent is not None and exponent > 0 else Sign.POSITIVE, x),)
+
+
+OPERATIONS: tuple[Operation, ...] = (
+    Operation("constant", CONSTANT, 0),
+    Operation("pi", PI, 0, numpy="pi", c="M_PI", sympy="pi", ulp=0.5),
+    Operation("input", INPUT, 0),
+    Operation(
+        "add", ADD, 2, commutative=True, exact=lambda x, y: x + y,
+        partials=lambda x, y, r: (1, 1),
+        numpy="add", casadi="plus", c="{} + {}", sympy="Add", ulp=0.5,
+    ),
+    Operation(
+        "subtract", SUBTRACT, 2, exact=lambda x, y: x - y,
+        partials=lambda x, y, r: (1, -1),
+        numpy="subtract", casadi="minus", c="{} - {}", ulp=0.5,
+    ),
+    Operation(
+        "multiply", MULTIPLY, 2, commutative=True, exact=lambda x, y: x * y,
+        partials=lambda x, y, r: (y, x),
+        numpy="multiply", casadi="times", c="{} * {}", sympy="Mul", ulp=0.5,
+    ),
+    Operation(
+        "divide", DIVIDE, 2,
+        partials=lambda x, y, r: (1 / y, -(r / y)),
+        demands=lambda x, y: ((Sign.NONZERO, y),),
+        numpy="divide", casadi="rdivide", c="{} / {}", ulp=0.5,
+    ),
+    Operation(
+        "negate", NEGATE, 1, exact=lambda x: -x,
+        partials=lambda x, r: (-1,),
+        numpy="negative", casadi="minus", c="-{}",
+    ),
+    Operation(
+        "sqrt", SQRT, 1,
+        partials=lambda x, r: (1 / (2 * r),),
+        demands=lambda x: ((Sign.NONNEGATIVE, x),),
+        numpy="sqrt", casadi="sqrt", c="sqrt({})", sympy="sqrt", ulp=0.5,
+    ),
+    Operation(
+        "power", POWER, 2,
+        partials=lambda x, y, r: (y * x.power(y - 1), r * x.log()),
+        demands=_power_demands,
+        numpy="power", casadi="power", c="pow({}, {})", sympy="Pow", ulp=1.0,
+    ),
+    Operation(
+        "exp", EXP, 1, partials=lambda x, r: (r,),
+        numpy="exp", casadi="exp", c="exp({})", sympy="exp", ulp=1.0,
+    ),
+    Operation(
+        "log", LOG, 1, partials=lambda x, r: (1 / x,),
+        demands=lambda x: ((Sign.POSITIVE, x),),
+        numpy="log", casadi="log", c="log({})", sympy="log", ulp=1.0,
+    ),
+    Operation(
+        "sin", SIN, 1, partials=lambda x, r: (x.cos(),),
+        numpy="sin", casadi="sin", c="sin({})", sympy="sin", ulp=1.0,
+    ),
+    Operation(
+        "cos", COS, 1, partials=lambda x, r: (-x.sin(),),
+        numpy="cos", casadi="cos", c="cos({})", sympy="cos", ulp=1.0,
+    ),
+    Operation(
+        "tan", TAN, 1, partials=lambda x, r: (1 + r * r,),
+        demands=lambda x: ((Sign.NONZERO, x.cos()),),
+        numpy="tan", casadi="tan", c="tan({})", sympy="tan", ulp=1.0,
+    ),
+    Operation(
+        "asin", ASIN, 1, partials=lambda x, r: (1 / (1 - x * x).sqrt(),),
+        demands=lambda x: ((Sign.NONNEGATIVE, 1 - x * x),),
+        numpy="arcsin", casadi="asin", c="asin({})", sympy="asin", ulp=1.0,
+    ),
+    Operation(
+        "acos", ACOS, 1, partials=lambda x, r: (-(1 / (1 - x * x).sqrt()),),
+        demands=lambda x: ((Sign.NONNEGATIVE, 1 - x * x),),
+        numpy="arccos", casadi="acos", c="acos({})", sympy="acos", ulp=1.0,
+    ),
+    Operation(
+        "atan", ATAN, 1, partials=lambda x, r: (1 / (1 + x * x),),
+        numpy="arctan", casadi="atan", c="atan({})", sympy="atan", ulp=1.0,
+    ),
+    Operation(
+        "atan2", ATAN2, 2,
+        partials=lambda y, x, r: (x / (x * x + y * y), -(y / (x * x + y * y))),
+        demands=lambda y, x: ((Sign.NONZERO, x * x + y * y),),
+        numpy="arctan2", casadi="atan2", c="atan2({}, {})", sympy="atan2", ulp=1.0,
+    ),
+    Operation(
+        "sinh", SINH, 1, partials=lambda x, r: (x.cosh(),),
+        numpy="sinh", casadi="sinh", c="sinh({})", sympy="sinh", ulp=2.0,
+    ),
+    Operation(
+        "cosh", COSH, 1, partials=lambda x, r: (x.sinh(),),
+        numpy="cosh", casadi="cosh", c="cosh({})", sympy="cosh", ulp=2.0,
+    ),
+    Operation(
+        "tanh", TANH, 1, partials=lambda x, r: (1 - r * r,),
+        numpy="tanh", casadi="tanh", c="tanh({})", sympy="tanh", ulp=2.0,
+    ),
+    Operation(
+        "asinh", ASINH, 1, partials=lambda x, r: (1 / (1 + x * x).sqrt(),),
+        numpy="arcsinh", casadi="asinh", c="asinh({})", sympy="asinh", ulp=2.0,
+    ),
+    Operation(
+        "acosh", ACOSH, 1, partials=lambda x, r: (1 / (x * x - 1).sqrt(),),
+        demands=lambda x: ((Sign.NONNEGATIVE, x - 1),),
+        numpy="arccosh", casadi="acosh", c="acosh({})", sympy="acosh", ulp=3.0,
+    ),
+    Operation(
+        "atanh", ATANH, 1, partials=lambda x, r: (1 / (1 - x * x),),
+        demands=lambda x: ((Sign.POSITIVE, 1 - x * x),),
+        numpy="arctanh", casadi="atanh", c="atanh({})", sympy="atanh", ulp=2.0,
+    ),
+    Operation(
+        "abs", ABS, 1, exact=abs, partials=lambda x, r: (x.sign(),),
+        numpy="abs", casadi="fabs", c="fabs({})", sympy="Abs",
+    ),
+    Operation(
+        "sign", SIGN, 1, exact=lambda x: Fraction((x > 0) - (x < 0)),
+        partials=lambda x, r: (0,),
+        numpy="sign", casadi="sign", c="({0} > 0) - ({0} < 0)", sympy="sign",
+    ),
+    Operation(
+        "floor", FLOOR, 1, exact=lambda x: Fraction(x.__floor__()),
+        partials=lambda x, r: (0,),
+        numpy="floor", casadi="floor", c="floor({})", sympy="floor",
+    ),
+    Operation(
+        "less", LESS, 2, boolean=True, exact=lambda x, y: Fraction(x < y),
+        partials=lambda x, y, r: (0, 0),
+        numpy="less", casadi="lt", c="{} < {}", sympy="StrictLessThan",
+    ),
+    Operation(
+        "not_greater", NOT_GREATER, 2, boolean=True, exact=lambda x, y: Fraction(x <= y),
+        partials=lambda x, y, r: (0, 0),
+        numpy="less_equal", casadi="le", c="{} <= {}", sympy="LessThan",
+    ),
+    Operation(
+        "equal", EQUAL, 2, commutative=True, boolean=True,
+        exact=lambda x, y: Fraction(x == y), partials=lambda x, y, r: (0, 0),
+        numpy="equal", casadi="eq", c="{} == {}", sympy="Equality",
+    ),
+    Operation(
+        "and", AND, 2, commutative=True, boolean=True,
+        exact=lambda x, y: Fraction(x != 0 and y != 0), partials=lambda x, y, r: (0, 0),
+        numpy="logical_and", casadi="logic_and", c="{} && {}", sympy="And",
+    ),
+    Operation(
+        "or", OR, 2, commutative=True, boolean=True,
+        exact=lambda x, y: Fraction(x != 0 or y != 0), partials=lambda x, y, r: (0, 0),
+        numpy="logical_or", casadi="logic_or", c="{} || {}", sympy="Or",
+    ),
+    Operation(
+        "not", NOT, 1, boolean=True,
+        exact=lambda x: Fraction(x == 0), partials=lambda x, r: (0,),
+        numpy="logical_not", casadi="logic_not", c="!{}", sympy="Not",
+    ),
+    Operation(
+        "select", SELECT, 3, exact=lambda c, x, y: x if c != 0 else y,
+        partials=lambda c, x, y, r: (0, c.choose(1, 0), c.choose(0, 1)),
+        numpy="where", casadi="if_else", c="{} ? {} : {}", sympy="Piecewise",
+    ),
+    # x of M x = f; its operands are the entries of M and f, and `entry` takes the components of x.
+    Operation("solve", SOLVE, 0),
+    Operation("entry", ENTRY, 1),
+    Operation(
+        "erf", ERF, 1, partials=lambda x, r: (2 * (-(x * x)).exp() / x.builder.pi.sqrt(),),
+        numpy="", casadi="erf", c="erf({})", sympy="erf", ulp=1.0,
+    ),
+)  # fmt: skip
+
+BY_NAME = {row.name: row for row in OPERATIONS}
+ARITY = bytes(row.arity for row in OPERATIONS)

@@ -1,0 +1,283 @@
+"""A frozen program: nodes in an order in which each stands behind its operands.
+
+Its text depends on what it computes alone: nodes are numbered from the outputs, and the operands of
+commutative operations are ordered by what they are, never by when they were built.
+"""
+
+from __future__ import annotations
+
+import hashlib
+from array import array
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from fractions import Fraction
+from typing import TYPE_CHECKING
+
+from mechanics.program.operations import (
+    ARITY,
+    CONSTANT,
+    ENTRY,
+    INPUT,
+    OPERATIONS,
+    PI,
+    SOLVE,
+)
+
+if TYPE_CHECKING:
+    from mechanics.program.builder import Builder
+
+LEAVES = frozenset({CONSTANT, PI, INPUT})
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Program:
+    """A straight-line program.
+
+    Attributes
+    ----------
+    inputs : tuple of str
+        Names of the inputs, in the order in which an interpreter takes them.
+    operations : bytes
+        Code of the operation of each node.
+    operands : three arrays of int
+        Numbers of the operand nodes. A constant, input or system has its place in `constants`,
+        `inputs` or `systems` as the first; an entry of a solution has its index as the second.
+    constants : tuple of Fraction
+    systems : tuple of (n, symmetric, n n + n node numbers)
+        Matrix, row by row, and right side of each linear system.
+    outputs : mapping of str to tuple of int
+    """
+
+    inputs: tuple[str, ...]
+    operations: bytes
+    operands: tuple[array[int], array[int], array[int]] = field(repr=False)
+    constants: tuple[Fraction, ...]
+    systems: tuple[tuple[int, ...], ...]
+    outputs: Mapping[str, tuple[int, ...]]
+
+    def __len__(self) -> int:
+        return len(self.operations)
+
+    def __repr__(self) -> str:
+        names = ", ".join(self.outputs)
+        return f"<program of {self.count} operations: {names}>"
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Program) and self.text == other.text
+
+    def __hash__(self) -> int:
+        return hash(self.text)
+
+    @property
+    def count(self) -> int:
+        """Operations, leaves and the picking of components aside."""
+        return sum(code not in LEAVES and code != ENTRY for code in self.operations)
+
+    def counts(self) -> dict[str, int]:
+        """How often each operation stands in it."""
+        found: dict[str, int] = {}
+        for code in self.operations:
+            if code not in LEAVES and code != ENTRY:
+                name = OPERATIONS[code].name
+                found[name] = found.get(name, 0) + 1
+        return dict(sorted(found.items()))
+
+    def operands_of(self, number: int) -> tuple[int, ...]:
+        """Numbers of the nodes that a node needs."""
+        code = self.operations[number]
+        if code == SOLVE:
+            return self.systems[self.operands[0][number]][2:]
+        return tuple(self.operands[k][number] for k in range(ARITY[code]))
+
+    @property
+    def roots(self) -> Iterator[int]:
+        """Node numbers of all outputs."""
+        for numbers in self.outputs.values():
+            yield from numbers
+
+    @property
+    def text(self) -> str:
+        """The program line by line: the same text for the same program, on every machine."""
+        lines = [f"input {name}" for name in self.inputs]
+        first, second, _ = self.operands
+        for number, code in enumerate(self.operations):
+            name = OPERATIONS[code].name
+            if code == CONSTANT:
+                lines.append(f"{number} {self.constants[first[number]]}")
+            elif code == INPUT:
+                lines.append(f"{number} {self.inputs[first[number]]}")
+            elif code == ENTRY:
+                lines.append(f"{number} {name} {first[number]} [{second[number]}]")
+            else:
+                lines.append(f"{number} {name} {' '.join(map(str, self.operands_of(number)))}")
+        lines += [f"{name}: {' '.join(map(str, ns))}" for name, ns in self.outputs.items()]
+        return "\n".join(lines)
+
+    @property
+    def digest(self) -> str:
+        """SHA-256 of its text, in hexadecimal."""
+        return hashlib.sha256(self.text.encode()).hexdigest()
+
+
+def reachable(builder: Builder, roots: Sequence[int]) -> list[int]:
+    """Numbers of the nodes that the roots need, operands before results."""
+    operations, (first, second, third) = builder.operations, builder.operands
+    if not roots:
+        return []
+    needed = bytearray(max(roots) + 1)
+    for root in roots:
+        needed[root] = 1
+    # Operands have smaller numbers: one walk down meets every node after all that need it.
+    for number in range(len(needed) - 1, -1, -1):
+        if not needed[number]:
+            continue
+        code = operations[number]
+        if code == SOLVE:
+            for entry in builder.systems[first[number]][2:]:
+                needed[entry] = 1
+            continue
+        arity = ARITY[code]
+        if arity:
+            needed[first[number]] = 1
+            if arity > 1:
+                needed[second[number]] = 1
+                if arity > 2:
+                    needed[third[number]] = 1
+    return [number for number, wanted in enumerate(needed) if wanted]
+
+
+def freeze(
+    builder: Builder, outputs: Mapping[str, tuple[int, ...]], inputs: Sequence[str] | None
+) -> Program:
+    """The canonical program of what the outputs need.
+
+    Raises
+    ------
+    ValueError
+        If an output uses an input that is not listed.
+    """
+    roots = [number for numbers in outputs.values() for number in numbers]
+    needed = reachable(builder, roots)
+    used = {
+        builder.inputs[builder.operands[0][n]] for n in needed if builder.operations[n] == INPUT
+    }
+    names = tuple(sorted(used)) if inputs is None else tuple(inputs)
+    if missing := sorted(used - set(names)):
+        raise ValueError(f"input {missing[0]} is used and not listed")
+    ordered = _operands(builder, needed)
+    order = _from_outputs(roots, ordered)
+    return _numbered(builder, outputs, names, ordered, order)
+
+
+_PRIME = (1 << 127) - 1
+_MULTIPLIERS = tuple(
+    int.from_bytes(hashlib.sha256(f"operand {k}".encode()).digest()[:15], "big") for k in range(4)
+)
+
+
+def _name_hash(text: str) -> int:
+    return int.from_bytes(hashlib.sha256(text.encode()).digest()[:15], "big")
+
+
+def _operands(builder: Builder, needed: Sequence[int]) -> dict[int, tuple[int, ...]]:
+    """Operands of each node, those of commutative operations ordered by structure."""
+    operations, (first, second, third) = builder.operations, builder.operands
+    names = [_name_hash(row.name) for row in OPERATIONS]
+    commutative = [row.commutative for row in OPERATIONS]
+    hashes: dict[int, int] = {}
+    found: dict[int, tuple[int, ...]] = {}
+    one, two, three, four = _MULTIPLIERS
+    for n in needed:
+        code = operations[n]
+        mixed = names[code]
+        if code == CONSTANT:
+            mixed += _name_hash(str(builder.constants[first[n]]))
+            found[n] = ()
+        elif code == INPUT:
+            mixed += _name_hash(builder.inputs[first[n]])
+            found[n] = ()
+        elif code == SOLVE:
+            found[n] = builder.systems[first[n]][2:]
+            for entry in found[n]:
+                mixed = (mixed * one + hashes[entry]) % _PRIME
+        elif code == ENTRY:
+            found[n] = (first[n],)
+            mixed += hashes[first[n]] * one + second[n] * four
+        elif ARITY[code] == 2:
+            a, b = first[n], second[n]
+            if commutative[code] and hashes[b] < hashes[a]:
+                a, b = b, a
+            found[n] = (a, b)
+            mixed += hashes[a] * one + hashes[b] * two
+        elif ARITY[code] == 1:
+            found[n] = (first[n],)
+            mixed += hashes[first[n]] * one
+        elif ARITY[code] == 3:
+            found[n] = (first[n], second[n], third[n])
+            mixed += hashes[first[n]] * one + hashes[second[n]] * two + hashes[third[n]] * three
+        else:
+            found[n] = ()
+        mixed %= _PRIME
+        hashes[n] = mixed * mixed % _PRIME * mixed % _PRIME
+    return found
+
+
+def _from_outputs(roots: Sequence[int], operands: Mapping[int, tuple[int, ...]]) -> list[int]:
+    """Nodes in the order in which a walk from the outputs finishes them."""
+    done: set[int] = set()
+    order: list[int] = []
+    for root in roots:
+        stack = [root]
+        while stack:
+            number = stack[-1]
+            if number in done:
+                stack.pop()
+                continue
+            waiting = [operand for operand in operands[number] if operand not in done]
+            if waiting:
+                stack.extend(reversed(waiting))
+            else:
+                done.add(number)
+                order.append(number)
+                stack.pop()
+    return order
+
+
+def _numbered(
+    builder: Builder,
+    outputs: Mapping[str, tuple[int, ...]],
+    names: tuple[str, ...],
+    operands: Mapping[int, tuple[int, ...]],
+    order: Sequence[int],
+) -> Program:
+    place = {name: k for k, name in enumerate(names)}
+    new = {old: k for k, old in enumerate(order)}
+    columns = array("i"), array("i"), array("i")
+    constants: list[Fraction] = []
+    systems: list[tuple[int, ...]] = []
+    for old in order:
+        code, row = builder.operations[old], [0, 0, 0]
+        if code == CONSTANT:
+            row[0] = len(constants)
+            constants.append(builder.constants[builder.operands[0][old]])
+        elif code == INPUT:
+            row[0] = place[builder.inputs[builder.operands[0][old]]]
+        elif code == SOLVE:
+            row[0] = len(systems)
+            head = builder.systems[builder.operands[0][old]][:2]
+            systems.append((*head, *(new[entry] for entry in operands[old])))
+        else:
+            for k, operand in enumerate(operands[old]):
+                row[k] = new[operand]
+            if code == ENTRY:
+                row[1] = builder.operands[1][old]
+        for column, value in zip(columns, row, strict=True):
+            column.append(value)
+    return Program(
+        names,
+        bytes(builder.operations[old] for old in order),
+        columns,
+        tuple(constants),
+        tuple(systems),
+        {name: tuple(new[n] for n in numbers) for name, numbers in outputs.items()},
+    )

@@ -1,0 +1,135 @@
+"""Equal nodes are one node; what is frozen depends on what is computed alone."""
+
+from fractions import Fraction
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from mechanics.errors import ExpressionError
+from mechanics.program import Builder, Node, Obligation
+from mechanics.program.interpret import include
+from mechanics.program.operations import ARITY, OPERATIONS, Sign
+
+
+def test_rows_stand_at_their_codes() -> None:
+    assert [row.code for row in OPERATIONS] == list(range(len(OPERATIONS)))
+    assert len({row.name for row in OPERATIONS}) == len(OPERATIONS)
+    assert len(ARITY) == len(OPERATIONS)
+
+
+def test_equal_nodes_are_one_node() -> None:
+    b = Builder()
+    x, y = b.input("x"), b.input("y")
+    assert x * y + x.sin() == x.sin() + y * x
+    assert (x - y) == -(y - x)
+    assert x * 2 * 3 == 6 * x
+    assert (-x).sin() == -(x.sin())
+    assert (-x).cos() == x.cos()
+    assert b.solve([[x, y], [y, x]], [x, y]) == b.solve([[x, y], [y, x]], [x, y])
+
+
+@given(st.fractions(), st.fractions())
+def test_rationals_are_folded_exactly(p: Fraction, q: Fraction) -> None:
+    b = Builder()
+    a, c = b.constant(p), b.constant(q)
+    assert (a + c).constant == p + q
+    assert (a - c).constant == p - q
+    assert (a * c).constant == p * q
+    assert (-a).constant == -p
+    assert abs(a).constant == abs(p)
+    assert b.less(a, c).constant == (p < q)
+    if q:
+        assert (a / c).constant == p / q
+
+
+def test_the_text_does_not_depend_on_what_was_built_before() -> None:
+    def text(first: str) -> str:
+        b = Builder()
+        b.input(first)
+        x, y = b.input("x"), b.input("y")
+        if first == "y":
+            _ = y * x, y.cos() + x
+        return b.program({"value": [(x * y + y.cos()) * (x + y.cos())]}).text
+
+    assert text("x") == text("y") == text("z")
+
+
+def test_a_program_that_is_included_is_the_same_program() -> None:
+    b = Builder()
+    x, y = b.input("x"), b.input("y")
+    a, c = b.solve([[x, y], [y, x + 3]], [x.sin(), y.sqrt()], symmetric=True)
+    program = b.program({"a": [a * b.pi], "b": [c, b.call("atan2", x, y)]})
+    other = Builder()
+    assert other.program(include(other, program)) == program
+
+
+def test_demands_are_recorded_before_anything_is_folded() -> None:
+    b = Builder()
+    x = b.input("x")
+    assert (0 * x.sqrt()).is_zero
+    assert (x.log() - x.log()).is_zero
+    assert (x / x).constant == 1
+    signs = {(o.sign, o.node, o.operation) for o in b.obligations}
+    assert signs == {
+        (Sign.NONNEGATIVE, x.number, "sqrt"),
+        (Sign.POSITIVE, x.number, "log"),
+        (Sign.NONZERO, x.number, "divide"),
+    }
+
+
+def test_a_demand_knows_the_branch_it_stands_in() -> None:
+    b = Builder()
+    x = b.input("x")
+    inside = b.less(0, x)
+    with b.under(inside, True):
+        positive = x.sqrt()
+    value = inside.choose(positive, 0)
+    assert value.constant is None
+    assert list(b.obligations) == [
+        Obligation(Sign.NONNEGATIVE, x.number, "sqrt", ((inside.number, True),))
+    ]
+
+
+def test_constants_have_no_open_demands() -> None:
+    b = Builder()
+    assert b.constant(4).sqrt().constant == 2
+    _ = b.constant(2).sqrt(), b.constant(3).log(), b.input("x") / 3
+    assert not b.obligations
+    _ = b.constant(-1).sqrt()
+    assert [o.sign for o in b.obligations] == [Sign.NONNEGATIVE]
+
+
+def test_what_cannot_be_is_refused() -> None:
+    b = Builder()
+    x = b.input("x")
+    with pytest.raises(ExpressionError, match="division by the constant 0"):
+        _ = x / 0
+    with pytest.raises(ExpressionError, match="finite"):
+        b.constant(float("nan"))
+    with pytest.raises(ExpressionError, match="gamma"):
+        b.call("gamma", x)
+    with pytest.raises(ValueError, match="two builders"):
+        _ = x + Builder().input("x")
+    with pytest.raises(ValueError, match="input x is used and not listed"):
+        b.program({"x": [x]}, inputs=["y"])
+    with pytest.raises(TypeError, match="truth value"):
+        bool(x)
+
+
+@given(st.integers(-9, 9))
+def test_integer_powers_are_products(n: int) -> None:
+    b = Builder()
+    assert b.constant(Fraction(3, 2)).power(n).constant == Fraction(3, 2) ** n
+    power: Node = b.input("x").power(n)
+    assert "power" not in b.program({"p": [power]}).counts()
+
+
+def test_programs_of_many_nodes_need_no_recursion() -> None:
+    b = Builder()
+    x, value = b.input("x"), b.input("y")
+    for _ in range(20_000):
+        value = value * x + x
+    program = b.program({"value": [value]})
+    assert program.count == 40_000
+    assert len(repr(program)) < 80
