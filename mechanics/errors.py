@@ -45,6 +45,10 @@ class CompilerError(MechanicsError, RuntimeError):
     """A C compiler was found but refused the generated code; the message carries its words."""
 
 
+class RefutedError(MechanicsError, ValueError):
+    """What was to be written is refuted; nothing is written, and the message names a witness."""
+
+
 def wanted(value: object, kind: type | tuple[type, ...], call: str, advice: str) -> None:
     """Refuse what is not of the kind that a function takes.
 

@@ -1,5 +1,7 @@
 """The commands, and what every one of them does with an error: one line, exit code 2.
 
+What is refuted while something is written has exit code 1, as everything that is refuted.
+
 An error that the program did not expect shows where it happened, with an exit code of its own.
 """
 
@@ -22,7 +24,7 @@ from mechanics.cli import (
     using,
     verifying,
 )
-from mechanics.errors import MechanicsError
+from mechanics.errors import MechanicsError, RefutedError
 from mechanics.export.manifest import version_of
 
 # Typer brings its own copy of click, or uses click, depending on its version.
@@ -78,6 +80,8 @@ def main() -> None:
         code = app(sys.argv[1:] or ["--help"], prog_name="mechanics", standalone_mode=False)
     except USAGE_ERROR as error:
         _refuse(error.format_message())
+    except RefutedError as error:
+        _refuse(str(error), 1)
     except (MechanicsError, OSError) as error:
         _refuse(str(error))
     except Exception:
@@ -88,8 +92,8 @@ def main() -> None:
         sys.exit(code)
 
 
-def _refuse(words: str) -> NoReturn:
+def _refuse(words: str, code: int = 2) -> NoReturn:
     one_line = escape(" ".join(words.split()))
     console = Console(stderr=True, soft_wrap=True, highlight=False)
     console.print(f"[bold red]error:[/] {one_line}")
-    sys.exit(2)
+    sys.exit(code)

@@ -144,6 +144,9 @@ def codegen(
     files of others stay as they are. The form of forward dynamics is the one with the fewest
     operations that rounds well, unless `--form` forces one; the manifest tells which.
 
+    The folder is written when everything is proved: whole, or not at all. Exit code 1, and no
+    folder, if something is REFUTED; 3 if something is UNDECIDED.
+
     Examples
     --------
     `mechanics codegen elastic_pendulum -o elastic_pendulum_c`
@@ -169,13 +172,12 @@ def codegen(
 
 
 def _told(folder: Path) -> None:
-    """Whatever is not shown about the code: exit code 1 if it is REFUTED, else 3."""
+    """Whatever is UNDECIDED about the code: exit code 3. What is REFUTED is not written."""
     content = json.loads((folder / MANIFEST).read_text(encoding="utf-8"))
     found = [finding for step in content["chain"]["steps"] for finding in step["findings"]]
-    bad = [f for f in found if f["verdict"] in (Verdict.REFUTED.name, Verdict.UNDECIDED.name)]
-    for finding in bad:
+    doubtful = [finding for finding in found if finding["verdict"] == Verdict.UNDECIDED.name]
+    for finding in doubtful:
         words = f"{finding['verdict']} {finding['subject']}: {finding['evidence']}"
         Console(stderr=True, soft_wrap=True).print(escape(words))
-    if bad:
-        refuted = any(finding["verdict"] == Verdict.REFUTED.name for finding in bad)
-        raise typer.Exit(1 if refuted else 3)
+    if doubtful:
+        raise typer.Exit(3)

@@ -21,6 +21,7 @@ def write_fmu(
     inputs: Mapping[str, float] | None = None,
     step: float | None = None,
     beyond_domain: bool = False,
+    prove: bool = True,
 ) -> Path:
     """Write a model as a unit of FMI 3.0, for model exchange and co-simulation.
 
@@ -33,7 +34,7 @@ def write_fmu(
         With a compiler the unit has the library for this machine, compiled with the model's flags;
         the sources are always in it.
     path : str or Path
-        ``NAME.fmu``; overwritten.
+        ``NAME.fmu``; replaced when everything is proved.
     initial, parameters, inputs : mapping of str to float, optional
         Start values of the unit, read as by `mechanics.simulate`: those of a constrained scene are
         made consistent. All can be set in the importer, too.
@@ -43,6 +44,9 @@ def write_fmu(
     beyond_domain : bool
         Whether to go on where a condition of validity of the scene does not hold; otherwise the
         unit asks the importer to end the simulation there, and says why.
+    prove : bool
+        Whether graphs are compared with what was derived, and the C text with the graphs, before
+        the unit is written.
 
     Returns
     -------
@@ -57,8 +61,24 @@ def write_fmu(
         For a parameter that has no value.
     CompilerError
         If the compiler refuses the code.
+    RefutedError
+        If something is REFUTED: nothing is written then.
     """
     wanted(model, Model, "write_fmu", "pass compile(derive(scene, route))")
+    start = unit_start(model, initial, parameters, inputs, step, beyond_domain)
+    write_unit(model, path, start, model.compiler, prove)
+    return Path(path)
+
+
+def unit_start(
+    model: Model,
+    initial: Mapping[str, float] | None = None,
+    parameters: Mapping[str, float] | None = None,
+    inputs: Mapping[str, float] | None = None,
+    step: float | None = None,
+    beyond_domain: bool = False,
+) -> Start:
+    """Where a unit starts; arguments and errors as for `write_fmu`."""
     for name, value in (inputs or {}).items():
         if callable(value):
             raise InputError(
@@ -79,4 +99,4 @@ def write_fmu(
     values = dict(zip(names, [*start.state.tolist(), *start.p.tolist()], strict=True))
     values |= {s.name: value for s, value in own_values(model, parameters or {}).items()}
     values |= {name: float(value) for name, value in (inputs or {}).items()}
-    return write_unit(model, path, Start(values, step, beyond_domain), model.compiler)
+    return Start(values, step, beyond_domain)

@@ -5,17 +5,21 @@ where one of them stands in the way, nothing is written.
 """
 
 import json
-from collections.abc import Mapping
+import os
+from collections.abc import Iterable, Mapping
 from hashlib import sha256
 from pathlib import Path
 
 from mechanics.errors import InputError
+from mechanics.export.atomic import replace_in_folder
 
 MANIFEST = "manifest.json"
 
 
 def write_folder(target: Path, name: str, files: Mapping[str, str]) -> tuple[Path, ...]:
     """Write files of text, and remove what an earlier call wrote and this one does not.
+
+    All of it is done, or nothing.
 
     Parameters
     ----------
@@ -32,14 +36,14 @@ def write_folder(target: Path, name: str, files: Mapping[str, str]) -> tuple[Pat
         of these names that was not generated.
     """
     held = check_folder(target, name, files)
+    # The same bytes everywhere, whatever the machine takes for an end of line.
+    contents = {file: text.encode("utf-8") for file, text in files.items()}
     try:
-        target.mkdir(parents=True, exist_ok=True)
-        for file, text in files.items():
-            # The same bytes everywhere, whatever the machine takes for an end of line.
-            (target / file).write_bytes(text.encode("utf-8"))
-        for path in list(target.iterdir()):
-            if path.name not in files and _digest(path) == held.get(path.name, ""):
-                path.unlink()
+        inside = list(target.iterdir()) if target.exists() else []
+        gone = [
+            p.name for p in inside if p.name not in files and _digest(p) == held.get(p.name, "")
+        ]
+        replace_in_folder(target, contents, gone)
     except OSError as error:
         raise InputError(
             f"{target} cannot be written: {error.strerror}: name a folder that can be"
@@ -47,10 +51,14 @@ def write_folder(target: Path, name: str, files: Mapping[str, str]) -> tuple[Pat
     return tuple(target / file for file in files)
 
 
-def check_folder(target: Path, name: str, files: Mapping[str, str]) -> dict[str, str]:
+def check_folder(target: Path, name: str, files: Iterable[str]) -> dict[str, str]:
     """SHA-256 of what an earlier call wrote, by file; raises as `write_folder` does."""
     if target.exists() and not target.is_dir():
         raise InputError(f"{target} is a file: name a folder to write the C files into")
+    nearest = next(folder for folder in (target, *target.absolute().parents) if folder.exists())
+    if not nearest.is_dir() or not os.access(nearest, os.W_OK):
+        why = "is read-only" if nearest.is_dir() else "is a file"
+        raise InputError(f"{target} cannot be written: {nearest} {why}: name another folder")
     before = _manifest(target)
     held: dict[str, str] = before.get("files", {})
     if before and before["prefix"] != name:
@@ -58,7 +66,11 @@ def check_folder(target: Path, name: str, files: Mapping[str, str]) -> dict[str,
             f"{target} holds {before['prefix']!r} already: name another folder for {name!r}"
         )
     for file in files:
-        if (target / file).exists() and file not in held and not (before and file == MANIFEST):
+        if (
+            os.path.lexists(target / file)
+            and file not in held
+            and not (before and file == MANIFEST)
+        ):
             raise InputError(
                 f"{target / file} stands there and was not generated: name another folder"
             )

@@ -29,13 +29,14 @@ from mechanics.export.batch import batch_header, batch_implementation, batched
 from mechanics.export.batch_selftest import batch_selftest
 from mechanics.export.evidence.record import chain_record, evidence_files, evidence_of
 from mechanics.export.evidence.verify import chain
-from mechanics.export.folder import write_folder
+from mechanics.export.folder import MANIFEST, check_folder, write_folder
 from mechanics.export.header import comment, header
 from mechanics.export.loader import loader
 from mechanics.export.manifest import manifest
 from mechanics.export.package import build_files
 from mechanics.export.precision import Part, careful, named_parts
 from mechanics.export.prefix import chosen_prefix
+from mechanics.export.refusal import refuse_refuted
 from mechanics.export.selftest import selftest
 from mechanics.export.sine import inline_choice, sine_header
 from mechanics.export.vectors import vectors
@@ -59,7 +60,8 @@ def write_c(
     ----------
     model : Model
     folder : str or Path
-        Made if it does not exist; what an earlier call wrote into it is replaced.
+        Made if it does not exist; what an earlier call wrote into it is replaced. It is written
+        when everything is proved: as a whole, or not at all.
     name : str, optional
         Prefix of files and functions; by default the name of the scene.
     functions : sequence of str, optional
@@ -89,6 +91,8 @@ def write_c(
     InputError
         If the folder is a file, cannot be written, or holds files of these names that were not
         generated; if the name is taken, or there is no such function or precision.
+    RefutedError
+        If something is REFUTED: nothing is written then.
     SingularError
         If a function has no finite value at any of the states of the self-test.
     """
@@ -105,11 +109,16 @@ def write_c(
     code = {file: text for file, text in files.items() if file.endswith((".c", ".h"))}
     evidence = evidence_of(model, parts, names, many, code)
     files |= evidence_files(evidence)
-    shown = chain_record(chain(evidence, measure=measure, sines=False)) if prove else None
-    files["manifest.json"] = manifest(
-        model, prefix, names, files, evidence.kernels, shown, system
-    )  # fmt: skip
-    return write_folder(Path(folder), prefix, files)
+    target = Path(folder)
+    # Told before the proofs, which take their time.
+    check_folder(target, prefix, (*files, MANIFEST))
+    shown = {}
+    if prove:
+        found = chain(evidence, measure=measure, sines=False)
+        refuse_refuted([f for _, findings in found.steps for f in findings], str(target))
+        shown = chain_record(found)
+    files[MANIFEST] = manifest(model, prefix, names, files, evidence.kernels, shown, system)
+    return write_folder(target, prefix, files)
 
 
 def _sources(model: Model, part: Part, names: Sequence[str], many: Sequence[str]) -> dict[str, str]:

@@ -1,5 +1,6 @@
 """`mechanics codegen`: precision, many states, names, and one line for every mistake."""
 
+import sys
 from pathlib import Path
 from typing import Any
 
@@ -52,3 +53,16 @@ def test_a_folder_of_somebody_else_is_one_line(run: Any, tmp_path: Path) -> None
     assert ran.code == 2
     assert "was not generated" in ran.err and ran.err.count("\n") == 1
     assert (tmp_path / "CMakeLists.txt").read_text(encoding="utf-8") == "mine"
+
+
+def test_what_is_refuted_is_one_line_and_no_folder(
+    run: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    module = sys.modules["mechanics.export.write_c"]
+    printed = module.implementation
+    monkeypatch.setattr(module, "implementation", lambda *given: printed(*given).replace("+", "-"))
+    ran = run("codegen", "rocker", "-o", tmp_path / "c", "--outputs", "energy", "--no-batch")
+    assert ran.code == 1 and not ran.out
+    assert ran.err.startswith("error: REFUTED rocker.c: rocker_energy = graph: kinetic[0]")
+    assert ran.err.endswith("c is not written\n") and ran.err.count("\n") == 1
+    assert not list(tmp_path.iterdir())

@@ -7,8 +7,14 @@ import sys
 from pathlib import Path
 from typing import Any
 
+import casadi
 import pytest
 from fmpy import read_model_description
+
+from mechanics.compiled import Model
+from mechanics.compiled.proof import prove_graph
+from mechanics.exact import Finding
+from mechanics.export.fmu import proof, unit
 
 
 def test_a_unit_is_written_and_fmpy_accepts_it(run: Any, tmp_path: Path) -> None:
@@ -48,3 +54,35 @@ def test_mistakes_are_one_line(run: Any, tmp_path: Path, options: str, words: st
 def test_another_suffix_is_refused(run: Any, tmp_path: Path) -> None:
     ran = run("fmu", "rocker", "-o", tmp_path / "rocker.zip")
     assert ran.code == 2 and "a file NAME.fmu in a folder that exists is needed" in ran.err
+
+
+def test_what_is_refuted_is_one_line_and_no_file(
+    run: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    printed = unit.model_source
+    monkeypatch.setattr(unit, "model_source", lambda *given: printed(*given).replace(" + ", " - "))
+    ran = run("fmu", "rocker", "-o", tmp_path / "rocker.fmu", "--step", "0.01")
+    assert ran.code == 1 and not ran.out
+    assert ran.err.startswith("error: REFUTED model.c: rocker_") and ran.err.count("\n") == 1
+    assert ran.err.endswith("rocker.fmu is not written\n")
+    assert not list(tmp_path.iterdir())
+
+
+def test_a_graph_that_is_not_what_was_derived_is_no_unit(
+    run: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def of_other_parameters(model: Model, names: list[str]) -> tuple[Finding, ...]:
+        given = model.casadi.exact("energy")[0]
+        q, u, inputs, p, constants = given.sx_in()
+        other = given(q, u, inputs, 2 * p, constants)
+        names = ["q", "u", "inputs", "p", "constants"]
+        graph = casadi.Function(
+            "energy", [q, u, inputs, p, constants], other, names, given.name_out()
+        )
+        return (prove_graph("energy", model.casadi, graph),)
+
+    monkeypatch.setattr(proof, "prove_compiled", of_other_parameters)
+    ran = run("fmu", "rocker", "-o", tmp_path / "rocker.fmu", "--step", "0.01")
+    assert ran.code == 1 and not ran.out
+    assert ran.err.startswith("error: REFUTED compiled energy") and ran.err.count("\n") == 1
+    assert not list(tmp_path.iterdir())

@@ -149,7 +149,7 @@ def test_a_manifest_cannot_make_us_remove_files_elsewhere(modelled, tmp_path: Pa
 
 def test_a_folder_that_cannot_be_made_is_named(modelled, tmp_path: Path) -> None:
     (tmp_path / "file").write_text("", encoding="utf-8")
-    with pytest.raises(InputError, match="file/c cannot be written: Not a directory"):
+    with pytest.raises(InputError, match=r"file/c cannot be written: .*/file is a file"):
         write_c(modelled("rocker", "kane"), tmp_path / "file" / "c", functions=FEW)
 
 

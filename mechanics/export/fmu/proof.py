@@ -1,9 +1,9 @@
-"""The C functions in a unit are the graphs that they were printed from.
+"""The C functions in a unit are what was derived.
 
+    derived equations  =  graph                  for each function of the model that is in it
     model.c  --parsed-->  nodes  =  graph        for rates, outputs, tangent and adjoint
 
-The text is read back from the archive. The graphs are put together from those of the model, and
-`mechanics.compiled.proof` decides whether these are what was derived.
+The text is read back from the archive. Its graphs are put together from those of the model.
 """
 
 import zipfile
@@ -18,16 +18,19 @@ from mechanics.compiled.custody.derived import Derived
 from mechanics.compiled.custody.kernel import Kernel
 from mechanics.compiled.custody.prove import Graph, prove_text
 from mechanics.compiled.programs.program import program
+from mechanics.compiled.proof import prove_compiled
 from mechanics.exact import Finding
 from mechanics.exact.c.parse import Source, parse
 from mechanics.export.fmu.functions import CLOCK, STEP_SIZE, Functions, functions
 from mechanics.export.fmu.model_text import symbol
 
 SOURCE, HEADER = "model.c", "model.h"
+PARTS = ("forward_dynamics", "coordinate_rates", "reactions", "energy")
+"""Functions of a model that units are put together from."""
 
 
 def prove_unit(model: Model, path: str | Path) -> tuple[Finding, ...]:
-    """Decide for each function in a unit whether it is the model's.
+    """Decide for each function in a unit whether it is the model's, and the model what was derived.
 
     Parameters
     ----------
@@ -39,7 +42,8 @@ def prove_unit(model: Model, path: str | Path) -> tuple[Finding, ...]:
     with zipfile.ZipFile(path) as archive:
         texts = {name: archive.read(f"sources/{name}").decode() for name in (SOURCE, HEADER)}
     source = parse(texts[SOURCE], SOURCE, includes={HEADER: texts[HEADER]})
-    return prove_functions(model, functions(model), source)
+    parts = [name for name in model.casadi if name in PARTS]
+    return (*prove_compiled(model, parts), *prove_functions(model, functions(model), source))
 
 
 def prove_functions(model: Model, known: Functions, source: Source) -> tuple[Finding, ...]:

@@ -4,9 +4,11 @@
     sources/                      C of the interface and of the model, buildDescription.xml
     binaries/x86_64-linux/        the library for the machine that writes it
 
-The same model and the same start values give the same bytes.
+The same model and the same start values give the same bytes. The archive appears when its text,
+read back, and the graphs of the model are not refuted: whole, or not at all.
 """
 
+import os
 import zipfile
 from collections.abc import Mapping
 from dataclasses import dataclass, field
@@ -25,14 +27,18 @@ from mechanics.compiled.machine.native import affordable
 from mechanics.compiled.programs.program import program
 from mechanics.compiled.step import TABLEAUX
 from mechanics.errors import InputError
+from mechanics.exact import Finding
+from mechanics.export.atomic import replaced_file
 from mechanics.export.fmu.binary import OPTIONS, Platform, compiled_library, this_platform
 from mechanics.export.fmu.description import build_description, model_description
 from mechanics.export.fmu.functions import Functions, functions
 from mechanics.export.fmu.model_text import model_header, model_source
+from mechanics.export.fmu.proof import prove_unit
 from mechanics.export.fmu.step_size import ALLOWED, Rates, step_size
 from mechanics.export.fmu.tables_text import tables_header, tables_source
 from mechanics.export.fmu.variables import Variables, variables
 from mechanics.export.manifest import version_of
+from mechanics.export.refusal import refuse_refuted
 
 SUFFIX = ".fmu"
 # The method of highest order: few long steps, and errors near rounding.
@@ -62,29 +68,39 @@ class Start:
     beyond_domain: bool = False
 
 
-def write_unit(model: Model, path: str | Path, start: Start, compiler: str | None) -> Path:
-    """Write a unit.
+def write_unit(
+    model: Model, path: str | Path, start: Start, compiler: str | None, prove: bool = True
+) -> tuple[Finding, ...]:
+    """Write a unit, and tell what was shown about it.
 
     Parameters
     ----------
     model : Model
     path : str or Path
-        ``NAME.fmu``; overwritten.
+        ``NAME.fmu``; replaced.
     start : Start
     compiler : str or None
         Of the library for this machine; None writes the sources only.
+    prove : bool
+        Whether the graphs are compared with what was derived, and the C text with the graphs.
 
     Raises
     ------
     InputError
         If the path does not end in .fmu, its folder does not exist, the step is no positive number,
-        or this platform is none of the standard's.
+        or this platform is none of the standard's, or the file cannot be written.
     CompilerError
         If the compiler refuses the code.
+    RefutedError
+        If something is REFUTED: nothing is written then.
     """
     target = Path(path)
     if target.suffix != SUFFIX or not target.parent.is_dir() or target.is_dir():
         raise InputError(f"{target}: a file NAME{SUFFIX} in a folder that exists is needed")
+    if not os.access(target.parent, os.W_OK):
+        raise InputError(
+            f"{target} cannot be written: {target.parent} is read-only: name another folder"
+        )
     where = this_platform() if compiler else None
     known = functions(model)
     names = [e.name for e in (*model.quantities.q, *model.quantities.u, *known.inputs, *known.p)]
@@ -95,8 +111,18 @@ def write_unit(model: Model, path: str | Path, start: Start, compiler: str | Non
         raise InputError(f"step: {start.step!r} found: a positive number of seconds is needed")
     contents = _contents(model, known, variables(model, known, values, step), start.beyond_domain)
     binary = _binary(model, known, contents, where, compiler)
-    _archive(target, contents | binary)
-    return target
+    findings: tuple[Finding, ...] = ()
+    try:
+        with replaced_file(target) as fresh:
+            _archive(fresh, contents | binary)
+            if prove:
+                findings = prove_unit(model, fresh)
+                refuse_refuted(findings, str(target))
+    except OSError as error:
+        raise InputError(
+            f"{target} cannot be written: {error.strerror}: name a file that can be"
+        ) from error
+    return findings
 
 
 def _measured(model: Model, known: Functions, found: Variables) -> float:

@@ -1,0 +1,34 @@
+"""What is refuted is not written."""
+
+from collections.abc import Sequence
+
+from mechanics.errors import RefutedError
+from mechanics.exact import Finding, Verdict
+
+
+def refuse_refuted(findings: Sequence[Finding], target: str) -> None:
+    """Raise if one of the findings about what is to be written is REFUTED.
+
+    Parameters
+    ----------
+    findings : sequence of Finding
+    target : str
+        The file or folder that is not written.
+
+    Raises
+    ------
+    RefutedError
+        With the first one, its witness, and the number of others.
+    """
+    refuted = [finding for finding in findings if finding.verdict is Verdict.REFUTED]
+    if not refuted:
+        return
+    first, more = refuted[0], len(refuted) - 1
+    where = ""
+    if first.witness is not None:
+        state = ", ".join(f"{name} = {value}" for name, value in first.witness.state)
+        where = f", at {state}: {first.witness.left} and {first.witness.right}"
+    others = f", and {more} more" if more else ""
+    raise RefutedError(
+        f"REFUTED {first.subject}: {first.evidence}{where}{others}: {target} is not written"
+    )
