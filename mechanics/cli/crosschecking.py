@@ -67,7 +67,8 @@ def crosscheck(
     """Derive systems by four routes and prove that they agree with each other and their source.
 
     Exit code: 0 when all is PROVED or CERTIFIED, 1 when something is REFUTED, 3 when something is
-    UNDECIDED or only SUPPORTED, 2 for bad input.
+    UNDECIDED or only SUPPORTED, 2 for bad input. Numbers beside it, which cannot be more than
+    SUPPORTED, count when they are less.
 
     Examples
     --------
@@ -99,7 +100,7 @@ def crosscheck(
 
 def exit_code(results: Sequence[SystemResult]) -> int:
     """0: all shown; 1: something refuted; 3: something in doubt."""
-    verdicts = {finding.verdict for result in results for finding in _findings(result)}
+    verdicts = {finding.verdict for result in results for finding in result.open}
     if Verdict.REFUTED in verdicts:
         return 1
     return 0 if all(result.ok for result in results) else 3
@@ -109,10 +110,6 @@ def _seed() -> list:
     from systems import SEED
 
     return list(SEED)
-
-
-def _findings(result: SystemResult) -> list[Finding]:
-    return [*result.findings, *(entry.finding for entry in result.published)]
 
 
 def _summary(console: Console, results: Sequence[SystemResult]) -> None:
@@ -126,6 +123,7 @@ def _summary(console: Console, results: Sequence[SystemResult]) -> None:
             ("pairs of routes", list(result.pairs.values())),
             ("laws, reactions and graphs", _others(result)),
             ("published rows", [entry.finding for entry in result.published]),
+            ("the scene as declared, by numbers", list(result.witnesses)),
         ):
             if findings:
                 console.print(f"{title}: {counted(findings)}")
@@ -137,9 +135,8 @@ def _summary(console: Console, results: Sequence[SystemResult]) -> None:
             )
         for remark in result.remarks:
             console.print(escape(remark), style="dim")
-        for finding in _findings(result):
-            if not finding.shown:
-                explain(console, finding)
+        for finding in result.open:
+            explain(console, finding)
 
 
 def _others(result: SystemResult) -> list[Finding]:

@@ -1,6 +1,7 @@
 """One system from scene to result: derive, compare, prove, compile, measure.
 
 scene --> routes --> pairs, laws, ledger --> compiled graphs --> residuals --> small motions
+  `--------------------> virtual power
 """
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
@@ -18,6 +19,7 @@ from mechanics.checks.ledger import QUANTITIES, check_row
 from mechanics.checks.ledger_motion import check_complete, gives
 from mechanics.checks.reactions import check_multipliers, check_reactions
 from mechanics.checks.soundness import check_sound
+from mechanics.checks.virtual_power import check_powers, check_virtual_power, drawn_states
 from mechanics.compiled import Model, compile, prove_compiled
 from mechanics.compiled.finite import not_finite
 from mechanics.crosscheck.measured import NOT_CLOSED, ON_MANIFOLD, holds_others, measured
@@ -33,6 +35,7 @@ from mechanics.routes import free_body, kane
 from mechanics.routes.kane_reactions import auxiliary_equations
 from mechanics.scene import Scene
 from mechanics.scene.actions import frictions
+from mechanics.scene.potential import potential
 from mechanics.scene.published import Published
 from mechanics.scene.quantities import EquationOfMotion, ReactionValue
 from mechanics.scene.system import System
@@ -102,6 +105,8 @@ def crosscheck(system: System | Scene, options: CrossCheck | None = None) -> Sys
     stage("comparing routes")
     pairs = compare_pairs(derived)
     findings = [*pairs.values(), *_laws(scene, derived)]
+    stage("the scene as declared")
+    witnesses = tuple(_witnesses(scene, derived))
     stage("published equations")
     rows, skipped = _answerable(scene, system.published, derived)
     published = tuple(_ledger(scene, rows, derived))
@@ -156,6 +161,7 @@ def crosscheck(system: System | Scene, options: CrossCheck | None = None) -> Sys
         motion=motion,
         remarks=remarks,
         pairs=pairs,
+        witnesses=witnesses,
     )
 
 
@@ -180,10 +186,7 @@ def _laws(scene: Scene, derived: Mapping[str, Equations]) -> Iterator[Finding]:
     yield from laws.check_dampers(scene)
     yield from laws.check_ideal(scene)
     yield from check_friction(scene)
-    support = derived.get("free_body")
-    if support is None and (scene.inputs or frictions(scene)):
-        # A support that moves in a prescribed way does work through its reactions, friction by one.
-        support = free_body.derive(scene)
+    support = _support(scene, derived)
     for equations in derived.values():
         yield check_energy(equations, support)
         if equations.conjugate:
@@ -197,6 +200,23 @@ def _laws(scene: Scene, derived: Mapping[str, Equations]) -> Iterator[Finding]:
             yield compare(reference, equations)
             if equations.multipliers:
                 yield check_multipliers(reference, equations)
+
+
+def _support(scene: Scene, derived: Mapping[str, Equations]) -> Equations | None:
+    """Equations that tell the reactions, where a check needs them.
+
+    A support that moves in a prescribed way does work through its reactions, friction by one.
+    """
+    if "free_body" in derived or not (scene.inputs or frictions(scene)):
+        return derived.get("free_body")
+    return free_body.derive(scene)
+
+
+def _witnesses(scene: Scene, derived: Mapping[str, Equations]) -> Iterator[Finding]:
+    states, support = drawn_states(scene), _support(scene, derived)
+    yield from check_powers(scene, states, potential(scene))
+    for equations in derived.values():
+        yield check_virtual_power(equations, states, support)
 
 
 def _answerable(

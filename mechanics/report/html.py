@@ -60,8 +60,9 @@ def _section(number: int, result: SystemResult) -> Section:
         reactions=reactions(result),
         published=published_rows(result, number),
         open=open_rows(result, number),
-        doubtful=[finding for finding in others if not finding.shown],
+        doubtful=[f for f in (*others, *result.witnesses) if f in result.open],
         others=[finding for finding in others if finding.shown],
+        witnesses=[finding for finding in result.witnesses if finding not in result.open],
         residuals=residual_rows(result),
         charts=motion_charts(result),
     )

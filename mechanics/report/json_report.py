@@ -1,14 +1,17 @@
 r"""Results as JSON, stable.
 
-    {"systems": [{"name", "ok", "routes", "findings", "published", "compiled"}]}
+    {"systems": [{"name", "ok", "routes", "findings", "witnesses", "published",
+      "compiled"}]}
 
 | key | what it is |
 | --- | --- |
 | name | name of the system |
-| ok | true when every finding and every published row is PROVED or CERTIFIED |
+| ok | true when every finding and every published row is PROVED or CERTIFIED, and every witness
+  SUPPORTED |
 | routes | by route: `seconds` of the derivation, `operations` of M and f after sharing, `form` of
   forward dynamics as it was compiled, and the operations of `forward_dynamics` in that form |
 | findings | list of `subject`, `verdict`, `evidence`, `error_bound`, `witness` |
+| witnesses | the same, of numbers that share no code with the routes: SUPPORTED at best |
 | published | list of `tag`, `label`, `verdict`, `evidence`, `error_bound`, `witness` |
 | compiled | list of `subject`, `max_eps`, `states` |
 
@@ -56,6 +59,9 @@ def _system(result: SystemResult) -> dict[str, Any]:
         },
         "findings": [
             {"subject": finding.subject, **verdict_json(finding)} for finding in result.findings
+        ],
+        "witnesses": [
+            {"subject": finding.subject, **verdict_json(finding)} for finding in result.witnesses
         ],
         "published": [
             {"tag": entry.row.tag, "label": entry.row.label, **verdict_json(entry.finding)}

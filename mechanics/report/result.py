@@ -5,7 +5,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from mechanics.equations import Equations
-from mechanics.exact import Finding
+from mechanics.exact import Finding, Verdict
 from mechanics.scene import Scene
 from mechanics.scene.published import Published
 
@@ -94,6 +94,9 @@ class SystemResult:
         Do two routes give the same accelerations? Each of these is one of `findings`, too.
     remarks : tuple of str
         Sentences for the reader: what was left out, and why.
+    witnesses : tuple of Finding
+        What numbers say that share no code with the routes: evidence, which cannot be more than
+        SUPPORTED, and which fails where it is less.
     """
 
     name: str
@@ -106,9 +109,20 @@ class SystemResult:
     motion: Motion | None = None
     remarks: tuple[str, ...] = field(default=())
     pairs: Mapping[tuple[str, str], Finding] = field(default_factory=dict)
+    witnesses: tuple[Finding, ...] = ()
 
     @property
     def ok(self) -> bool:
-        """Whether every finding and every published row is PROVED or CERTIFIED."""
-        rows = [*self.findings, *(entry.finding for entry in self.published)]
-        return bool(rows) and all(finding.shown for finding in rows)
+        """Whether every finding and published row is shown, and no witness speaks against it."""
+        return bool(self.claims) and not self.open
+
+    @property
+    def claims(self) -> tuple[Finding, ...]:
+        """What has to be PROVED or CERTIFIED: findings, then published rows."""
+        return (*self.findings, *(entry.finding for entry in self.published))
+
+    @property
+    def open(self) -> tuple[Finding, ...]:
+        """What keeps the result from being right: claims not shown, witnesses not SUPPORTED."""
+        against = (w for w in self.witnesses if w.verdict is not Verdict.SUPPORTED)
+        return (*(finding for finding in self.claims if not finding.shown), *against)

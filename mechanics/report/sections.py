@@ -96,6 +96,7 @@ class Section:
     open: list[OpenRow]
     doubtful: list[Finding]
     others: list[Finding]
+    witnesses: list[Finding]
     residuals: list[ResidualRow]
     charts: list[Chart]
 
@@ -206,7 +207,8 @@ def open_rows(result: SystemResult, number: int) -> list[OpenRow]:
         for row in published_rows(result, number)
         if not row.entry.finding.shown
     ]
-    others = [finding for finding in result.findings if not finding.shown]
+    published = {id(entry.finding) for entry in result.published}
+    others = [finding for finding in result.open if id(finding) not in published]
     pairs = {id(finding) for finding in result.pairs.values()}
     for finding in others:
         place = "pairs" if id(finding) in pairs else "others"

@@ -10,6 +10,7 @@ SCHEMA: dict[str, Any] = {
     "findings": {"subject": str, "verdict": str, "evidence": str, "error_bound": float,
                  "witness": dict},
     "published": {"tag": str, "label": str, "verdict": str, "evidence": str},
+    "witnesses": {"subject": str, "verdict": str, "evidence": str},
     "compiled": {"subject": str, "max_eps": float, "states": int},
 }  # fmt: skip
 VERDICTS = {"PROVED", "CERTIFIED", "SUPPORTED", "REFUTED", "UNDECIDED"}
@@ -23,7 +24,7 @@ def test_all_shown_is_exit_code_zero_and_the_json_has_its_schema(run: Any, pendu
     assert system["name"] == "my_pendulum"
     assert system["ok"] is True
     assert set(system["routes"]) == {"free_body", "moving_point", "kane", "lagrange"}
-    for key in ("findings", "published", "compiled"):
+    for key in ("findings", "witnesses", "published", "compiled"):
         assert system[key]
         for entry in system[key]:
             for name, kind in SCHEMA[key].items():
@@ -32,6 +33,7 @@ def test_all_shown_is_exit_code_zero_and_the_json_has_its_schema(run: Any, pendu
         assert {name: type(value) for name, value in route.items()} == SCHEMA["routes"]
     verdicts = {entry["verdict"] for key in ("findings", "published") for entry in system[key]}
     assert verdicts <= VERDICTS
+    assert {entry["verdict"] for entry in system["witnesses"]} == {"SUPPORTED"}
 
 
 def test_a_wrong_row_is_exit_code_one_with_a_witness(run: Any, pendulum: Any) -> None:

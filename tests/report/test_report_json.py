@@ -11,7 +11,8 @@ from mechanics.report.result import ResidualResult, SystemResult
 
 def test_layout(small: SystemResult) -> None:
     (system,) = json.loads(json.dumps(to_json([small]), allow_nan=False))["systems"]
-    assert set(system) == {"name", "ok", "routes", "findings", "published", "compiled"}
+    keys = {"name", "ok", "routes", "findings", "witnesses", "published", "compiled"}
+    assert set(system) == keys
     assert system["routes"]["kane"] == {
         "seconds": 3.5, "operations": 1234, "form": "ldl", "forward_dynamics": 1239,
     }  # fmt: skip
