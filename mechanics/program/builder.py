@@ -381,14 +381,18 @@ class Builder:
         ExpressionError
             If there is no such operation, or not of so many operands.
         """
-        arithmetic: dict[str, Callable[..., int]] = {"add": self.add, "subtract": self.subtract, "multiply": self.multiply,
-                      "divide": self.divide, "negate": self.negate}  # fmt: skip
+        arithmetic: dict[str, Callable[[int, int], int]] = {
+            "add": self.add, "subtract": self.subtract, "multiply": self.multiply,
+            "divide": self.divide,
+        }  # fmt: skip
         row = BY_NAME.get(name)
         if row is None or not row.arity or row.arity != len(operands) or name == "entry":
             raise ExpressionError(f"operation {name} of {len(operands)} operands: there is none")
         numbers = [self.number_of(operand) for operand in operands]
         if name in arithmetic:
             return Node(self, arithmetic[name](*numbers))
+        if name == "negate":
+            return Node(self, self.negate(*numbers))
         if name == "power":
             return self.power(Node(self, numbers[0]), Node(self, numbers[1]))
         self._demand(name, *(Node(self, number) for number in numbers))
@@ -488,14 +492,23 @@ class Builder:
         finally:
             self._conditions = before
 
+    def demand(self, sign: Sign, value: Node | Number, operation: str) -> None:
+        """Record that a value must have a sign, under the conditions of the branch.
+
+        Parameters
+        ----------
+        operation : str
+            What demands it, for people.
+        """
+        number = self.number_of(value)
+        known = self.constant_at(number)
+        if known is None or not _has_sign(known, sign):
+            self.obligations[Obligation(sign, number, operation, self._conditions)] = None
+
     def _demand(self, name: str, *operands: Node) -> None:
         row = BY_NAME[name]
         for sign, value in row.demands(*operands):
-            number = self.number_of(value)
-            known = self.constant_at(number)
-            if known is not None and _has_sign(known, sign):
-                continue
-            self.obligations[Obligation(sign, number, name, self._conditions)] = None
+            self.demand(sign, value, name)
 
     # ------------------------------------------------------------------ the table of nodes
 

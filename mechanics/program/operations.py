@@ -58,8 +58,12 @@ class Operation:
         Partial derivatives; None for leaves, whose derivative the caller says.
     demands : callable
         Where it has a real value: signs of expressions in its operands.
-    numpy, casadi, c, sympy : str
-        The function of that library with the same meaning; in C, a template of the operands.
+    numpy, sympy : str
+        The function of that library with the same meaning.
+    casadi : str
+        CasADi's name of the operation in a graph; select takes two of them, see the printer.
+    c : str
+        C99, a template of the operands, which may hold each of them more than once.
     ulp : float
         Largest error in double precision, in units in the last place: half for what IEEE 754
         rounds correctly, else what the GNU C library's manual states for x86-64, "Known Maximum
@@ -99,169 +103,169 @@ def _power_demands(x: Any, y: Any) -> tuple[tuple[Sign, Any], ...]:
 
 OPERATIONS: tuple[Operation, ...] = (
     Operation("constant", CONSTANT, 0),
-    Operation("pi", PI, 0, numpy="pi", c="M_PI", sympy="pi", ulp=0.5),
+    Operation("pi", PI, 0, numpy="pi", c="3.141592653589793", sympy="pi", ulp=0.5),
     Operation("input", INPUT, 0),
     Operation(
         "add", ADD, 2, commutative=True, exact=lambda x, y: x + y,
         partials=lambda x, y, r: (1, 1),
-        numpy="add", casadi="plus", c="{} + {}", sympy="Add", ulp=0.5,
+        numpy="add", casadi="OP_ADD", c="{} + {}", sympy="Add", ulp=0.5,
     ),
     Operation(
         "subtract", SUBTRACT, 2, exact=lambda x, y: x - y,
         partials=lambda x, y, r: (1, -1),
-        numpy="subtract", casadi="minus", c="{} - {}", ulp=0.5,
+        numpy="subtract", casadi="OP_SUB", c="{} - {}", ulp=0.5,
     ),
     Operation(
         "multiply", MULTIPLY, 2, commutative=True, exact=lambda x, y: x * y,
         partials=lambda x, y, r: (y, x),
-        numpy="multiply", casadi="times", c="{} * {}", sympy="Mul", ulp=0.5,
+        numpy="multiply", casadi="OP_MUL", c="{} * {}", sympy="Mul", ulp=0.5,
     ),
     Operation(
         "divide", DIVIDE, 2,
         partials=lambda x, y, r: (1 / y, -(r / y)),
         demands=lambda x, y: ((Sign.NONZERO, y),),
-        numpy="divide", casadi="rdivide", c="{} / {}", ulp=0.5,
+        numpy="divide", casadi="OP_DIV", c="{} / {}", ulp=0.5,
     ),
     Operation(
         "negate", NEGATE, 1, exact=lambda x: -x,
         partials=lambda x, r: (-1,),
-        numpy="negative", casadi="minus", c="-{}",
+        numpy="negative", casadi="OP_NEG", c="-{}",
     ),
     Operation(
         "sqrt", SQRT, 1,
         partials=lambda x, r: (1 / (2 * r),),
         demands=lambda x: ((Sign.NONNEGATIVE, x),),
-        numpy="sqrt", casadi="sqrt", c="sqrt({})", sympy="sqrt", ulp=0.5,
+        numpy="sqrt", casadi="OP_SQRT", c="sqrt({})", sympy="sqrt", ulp=0.5,
     ),
     Operation(
         "power", POWER, 2,
         partials=lambda x, y, r: (y * x.power(y - 1), r * x.log()),
         demands=_power_demands,
-        numpy="power", casadi="power", c="pow({}, {})", sympy="Pow", ulp=1.0,
+        numpy="power", casadi="OP_POW", c="pow({}, {})", sympy="Pow", ulp=1.0,
     ),
     Operation(
         "exp", EXP, 1, partials=lambda x, r: (r,),
-        numpy="exp", casadi="exp", c="exp({})", sympy="exp", ulp=1.0,
+        numpy="exp", casadi="OP_EXP", c="exp({})", sympy="exp", ulp=1.0,
     ),
     Operation(
         "log", LOG, 1, partials=lambda x, r: (1 / x,),
         demands=lambda x: ((Sign.POSITIVE, x),),
-        numpy="log", casadi="log", c="log({})", sympy="log", ulp=1.0,
+        numpy="log", casadi="OP_LOG", c="log({})", sympy="log", ulp=1.0,
     ),
     Operation(
         "sin", SIN, 1, partials=lambda x, r: (x.cos(),),
-        numpy="sin", casadi="sin", c="sin({})", sympy="sin", ulp=1.0,
+        numpy="sin", casadi="OP_SIN", c="sin({})", sympy="sin", ulp=1.0,
     ),
     Operation(
         "cos", COS, 1, partials=lambda x, r: (-x.sin(),),
-        numpy="cos", casadi="cos", c="cos({})", sympy="cos", ulp=1.0,
+        numpy="cos", casadi="OP_COS", c="cos({})", sympy="cos", ulp=1.0,
     ),
     Operation(
         "tan", TAN, 1, partials=lambda x, r: (1 + r * r,),
         demands=lambda x: ((Sign.NONZERO, x.cos()),),
-        numpy="tan", casadi="tan", c="tan({})", sympy="tan", ulp=1.0,
+        numpy="tan", casadi="OP_TAN", c="tan({})", sympy="tan", ulp=1.0,
     ),
     Operation(
         "asin", ASIN, 1, partials=lambda x, r: (1 / (1 - x * x).sqrt(),),
         demands=lambda x: ((Sign.NONNEGATIVE, 1 - x * x),),
-        numpy="arcsin", casadi="asin", c="asin({})", sympy="asin", ulp=1.0,
+        numpy="arcsin", casadi="OP_ASIN", c="asin({})", sympy="asin", ulp=1.0,
     ),
     Operation(
         "acos", ACOS, 1, partials=lambda x, r: (-(1 / (1 - x * x).sqrt()),),
         demands=lambda x: ((Sign.NONNEGATIVE, 1 - x * x),),
-        numpy="arccos", casadi="acos", c="acos({})", sympy="acos", ulp=1.0,
+        numpy="arccos", casadi="OP_ACOS", c="acos({})", sympy="acos", ulp=1.0,
     ),
     Operation(
         "atan", ATAN, 1, partials=lambda x, r: (1 / (1 + x * x),),
-        numpy="arctan", casadi="atan", c="atan({})", sympy="atan", ulp=1.0,
+        numpy="arctan", casadi="OP_ATAN", c="atan({})", sympy="atan", ulp=1.0,
     ),
     Operation(
         "atan2", ATAN2, 2,
         partials=lambda y, x, r: (x / (x * x + y * y), -(y / (x * x + y * y))),
         demands=lambda y, x: ((Sign.NONZERO, x * x + y * y),),
-        numpy="arctan2", casadi="atan2", c="atan2({}, {})", sympy="atan2", ulp=1.0,
+        numpy="arctan2", casadi="OP_ATAN2", c="atan2({}, {})", sympy="atan2", ulp=1.0,
     ),
     Operation(
         "sinh", SINH, 1, partials=lambda x, r: (x.cosh(),),
-        numpy="sinh", casadi="sinh", c="sinh({})", sympy="sinh", ulp=2.0,
+        numpy="sinh", casadi="OP_SINH", c="sinh({})", sympy="sinh", ulp=2.0,
     ),
     Operation(
         "cosh", COSH, 1, partials=lambda x, r: (x.sinh(),),
-        numpy="cosh", casadi="cosh", c="cosh({})", sympy="cosh", ulp=2.0,
+        numpy="cosh", casadi="OP_COSH", c="cosh({})", sympy="cosh", ulp=2.0,
     ),
     Operation(
         "tanh", TANH, 1, partials=lambda x, r: (1 - r * r,),
-        numpy="tanh", casadi="tanh", c="tanh({})", sympy="tanh", ulp=2.0,
+        numpy="tanh", casadi="OP_TANH", c="tanh({})", sympy="tanh", ulp=2.0,
     ),
     Operation(
         "asinh", ASINH, 1, partials=lambda x, r: (1 / (1 + x * x).sqrt(),),
-        numpy="arcsinh", casadi="asinh", c="asinh({})", sympy="asinh", ulp=2.0,
+        numpy="arcsinh", casadi="OP_ASINH", c="asinh({})", sympy="asinh", ulp=2.0,
     ),
     Operation(
         "acosh", ACOSH, 1, partials=lambda x, r: (1 / (x * x - 1).sqrt(),),
         demands=lambda x: ((Sign.NONNEGATIVE, x - 1),),
-        numpy="arccosh", casadi="acosh", c="acosh({})", sympy="acosh", ulp=3.0,
+        numpy="arccosh", casadi="OP_ACOSH", c="acosh({})", sympy="acosh", ulp=3.0,
     ),
     Operation(
         "atanh", ATANH, 1, partials=lambda x, r: (1 / (1 - x * x),),
         demands=lambda x: ((Sign.POSITIVE, 1 - x * x),),
-        numpy="arctanh", casadi="atanh", c="atanh({})", sympy="atanh", ulp=2.0,
+        numpy="arctanh", casadi="OP_ATANH", c="atanh({})", sympy="atanh", ulp=2.0,
     ),
     Operation(
         "abs", ABS, 1, exact=abs, partials=lambda x, r: (x.sign(),),
-        numpy="abs", casadi="fabs", c="fabs({})", sympy="Abs",
+        numpy="abs", casadi="OP_FABS", c="fabs({})", sympy="Abs",
     ),
     Operation(
         "sign", SIGN, 1, exact=lambda x: Fraction((x > 0) - (x < 0)),
         partials=lambda x, r: (0,),
-        numpy="sign", casadi="sign", c="({0} > 0) - ({0} < 0)", sympy="sign",
+        numpy="sign", casadi="OP_SIGN", c="({0} > 0) - ({0} < 0)", sympy="sign",
     ),
     Operation(
         "floor", FLOOR, 1, exact=lambda x: Fraction(x.__floor__()),
         partials=lambda x, r: (0,),
-        numpy="floor", casadi="floor", c="floor({})", sympy="floor",
+        numpy="floor", casadi="OP_FLOOR", c="floor({})", sympy="floor",
     ),
     Operation(
         "less", LESS, 2, boolean=True, exact=lambda x, y: Fraction(x < y),
         partials=lambda x, y, r: (0, 0),
-        numpy="less", casadi="lt", c="{} < {}", sympy="StrictLessThan",
+        numpy="less", casadi="OP_LT", c="{} < {}", sympy="StrictLessThan",
     ),
     Operation(
         "not_greater", NOT_GREATER, 2, boolean=True, exact=lambda x, y: Fraction(x <= y),
         partials=lambda x, y, r: (0, 0),
-        numpy="less_equal", casadi="le", c="{} <= {}", sympy="LessThan",
+        numpy="less_equal", casadi="OP_LE", c="{} <= {}", sympy="LessThan",
     ),
     Operation(
         "equal", EQUAL, 2, commutative=True, boolean=True,
         exact=lambda x, y: Fraction(x == y), partials=lambda x, y, r: (0, 0),
-        numpy="equal", casadi="eq", c="{} == {}", sympy="Equality",
+        numpy="equal", casadi="OP_EQ", c="{} == {}", sympy="Equality",
     ),
     Operation(
         "and", AND, 2, commutative=True, boolean=True,
         exact=lambda x, y: Fraction(x != 0 and y != 0), partials=lambda x, y, r: (0, 0),
-        numpy="logical_and", casadi="logic_and", c="{} && {}", sympy="And",
+        numpy="logical_and", casadi="OP_AND", c="{} && {}", sympy="And",
     ),
     Operation(
         "or", OR, 2, commutative=True, boolean=True,
         exact=lambda x, y: Fraction(x != 0 or y != 0), partials=lambda x, y, r: (0, 0),
-        numpy="logical_or", casadi="logic_or", c="{} || {}", sympy="Or",
+        numpy="logical_or", casadi="OP_OR", c="{} || {}", sympy="Or",
     ),
     Operation(
         "not", NOT, 1, boolean=True,
         exact=lambda x: Fraction(x == 0), partials=lambda x, r: (0,),
-        numpy="logical_not", casadi="logic_not", c="!{}", sympy="Not",
+        numpy="logical_not", casadi="OP_NOT", c="!{}", sympy="Not",
     ),
     Operation(
         "select", SELECT, 3, exact=lambda c, x, y: x if c != 0 else y,
         partials=lambda c, x, y, r: (0, c.choose(1, 0), c.choose(0, 1)),
-        numpy="where", casadi="if_else", c="{} ? {} : {}", sympy="Piecewise",
+        numpy="where", c="{} ? {} : {}", sympy="Piecewise",
     ),
     # x of M x = f; its operands are the entries of M and f, and `entry` takes the components of x.
     Operation("solve", SOLVE, 0),
     Operation("entry", ENTRY, 1),
     Operation(
         "erf", ERF, 1, partials=lambda x, r: (2 * (-(x * x)).exp() / x.builder.pi.sqrt(),),
-        numpy="", casadi="erf", c="erf({})", sympy="erf", ulp=1.0,
+        numpy="", casadi="OP_ERF", c="erf({})", sympy="erf", ulp=1.0,
     ),
 )  # fmt: skip
 
