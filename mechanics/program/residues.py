@@ -1,0 +1,197 @@
+"""A Schwartz-Zippel filter: nodes at one fixed point modulo a prime, to propose zeros and pivots.
+
+What is zero everywhere is zero here; what is zero here is zero everywhere but for a chance of
+degree / 2^61. It decides nothing: whoever picks rows or pivots by it has the result shown by the
+kernel. Angles are points on the unit circle, so that sums and multiples of angles are those of
+their parts; functions that the field does not know are any numbers, equal for equal arguments.
+"""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+
+from mechanics.program.builder import Builder, Node
+from mechanics.program.operations import (
+    ADD,
+    ARITY,
+    CONSTANT,
+    COS,
+    DIVIDE,
+    ENTRY,
+    INPUT,
+    MULTIPLY,
+    NEGATE,
+    OPERATIONS,
+    PI,
+    SIN,
+    SOLVE,
+    SQRT,
+    SUBTRACT,
+    TAN,
+)
+from mechanics.program.program import reachable
+
+PRIME = (1 << 61) - 1
+PARTS = 840
+"""An angle is this many times its base, so that its fractions are multiples of the base, too."""
+
+Point = tuple[int, int]
+
+_SMALL = {0: 0, 1: 1, PRIME - 1: -1}
+
+
+def _draw(*words: object) -> int:
+    text = " ".join(map(str, words)).encode()
+    return int.from_bytes(hashlib.shake_256(text).digest(16), "big") % (PRIME - 2) + 1
+
+
+def _turned(one: Point, two: Point) -> Point:
+    (a, b), (c, d) = one, two
+    return (a * c - b * d) % PRIME, (a * d + b * c) % PRIME
+
+
+def _times(point: Point, count: int) -> Point:
+    if count < 0:
+        point, count = (point[0], -point[1] % PRIME), -count
+    result: Point = (1, 0)
+    while count:
+        if count & 1:
+            result = _turned(result, point)
+        point = _turned(point, point)
+        count >>= 1
+    return result
+
+
+@dataclass
+class Residues:
+    """Values of nodes of one builder, each computed once.
+
+    Parameters
+    ----------
+    builder : Builder
+    """
+
+    builder: Builder
+    _values: dict[int, int] = field(default_factory=dict)
+    _bases: dict[int, Point] = field(default_factory=dict)
+    _solutions: dict[int, list[int]] = field(default_factory=dict)
+
+    def is_zero(self, node: Node) -> bool:
+        """Whether a node is zero at the point."""
+        return node.is_zero or self.values([node])[0] == 0
+
+    def tidy(self, node: Node) -> Node:
+        """0, 1 or -1 where a node is that at the point: sin^2 + cos^2 hides it; else the node."""
+        if node.constant is not None:
+            return node
+        (residue,) = self.values([node])
+        return self.builder.node(_SMALL[residue]) if residue in _SMALL else node
+
+    def values(self, nodes: Sequence[Node]) -> list[int]:
+        """Residues of nodes."""
+        new = [node.number for node in nodes if node.number not in self._values]
+        if new:
+            for number in reachable(self.builder, new):
+                if number not in self._values and number not in self._solutions:
+                    self._evaluate(number)
+        return [self._values[node.number] for node in nodes]
+
+    def _evaluate(self, number: int) -> None:
+        build, values = self.builder, self._values
+        code, (first, second, _) = build.operations[number], build.operands
+        a, b = first[number], second[number]
+        if code == MULTIPLY:
+            values[number] = values[a] * values[b] % PRIME
+        elif code == ADD:
+            values[number] = (values[a] + values[b]) % PRIME
+        elif code == SUBTRACT:
+            values[number] = (values[a] - values[b]) % PRIME
+        elif code == NEGATE:
+            values[number] = -values[a] % PRIME
+        elif code in (SIN, COS, TAN):
+            c, s = _times(self._base(a), PARTS)
+            values[number] = s if code == SIN else c if code == COS else s * pow(c, -1, PRIME)
+        elif code == CONSTANT:
+            ratio = build.constants[a]
+            values[number] = ratio.numerator * pow(ratio.denominator, -1, PRIME) % PRIME
+        elif code == INPUT:
+            values[number] = _draw("input", build.inputs[a])
+        elif code == DIVIDE and values[b]:
+            values[number] = values[a] * pow(values[b], -1, PRIME) % PRIME
+        elif code == SOLVE:
+            self._solutions[number] = self._solved(number)
+        elif code == ENTRY:
+            values[number] = self._solutions[a][b]
+        elif code == SQRT and pow(values[a], (PRIME - 1) // 2, PRIME) <= 1:
+            values[number] = pow(values[a], (PRIME + 1) // 4, PRIME)
+        elif code == PI:
+            values[number] = _draw("pi")
+        else:
+            operands = [values[column[number]] for column in build.operands[: ARITY[code]]]
+            values[number] = _draw(OPERATIONS[code].name, *operands)
+
+    def _base(self, number: int) -> Point:
+        """The point of an angle over PARTS: linear in angles that are looked into no further."""
+        if number in self._bases:
+            return self._bases[number]
+        code, (first, second, _) = self.builder.operations[number], self.builder.operands
+        a, b = first[number], second[number]
+        factor = self.builder.constant_at(a) if code == MULTIPLY else None
+        if code == ADD:
+            point = _turned(self._base(a), self._base(b))
+        elif code == SUBTRACT:
+            point = _turned(self._base(a), _times(self._base(b), -1))
+        elif code == NEGATE:
+            point = _times(self._base(a), -1)
+        elif factor is not None and (factor * PARTS).denominator == 1:
+            whole = factor.denominator
+            point = _times(self._fraction(b, whole), factor.numerator)
+        else:
+            point = self._fraction(number, 1)
+        self._bases[number] = point
+        return point
+
+    def _fraction(self, number: int, parts: int) -> Point:
+        """The point of an angle over PARTS and over `parts`."""
+        t = _draw("angle", self._values[number])
+        below = pow(1 + t * t, -1, PRIME)
+        finest: Point = ((1 - t * t) * below % PRIME, 2 * t * below % PRIME)
+        return _times(finest, PARTS // parts)
+
+    def _solved(self, number: int) -> list[int]:
+        size, _, *entries = self.builder.systems[self.builder.operands[0][number]]
+        known = [self._values[entry] for entry in entries]
+        rows = [[*known[size * i : size * (i + 1)], known[size * size + i]] for i in range(size)]
+        pivots = eliminate(rows, size)
+        if len(pivots) < size:
+            return [_draw("singular", number, i) for i in range(size)]
+        place = {column: row for row, column in pivots}
+        return [rows[place[i]][size] for i in range(size)]
+
+
+def eliminate(rows: list[list[int]], columns: int) -> list[tuple[int, int]]:
+    """Gauss-Jordan elimination modulo the prime, in place, rows taken in order.
+
+    Returns
+    -------
+    list of (int, int)
+        (row, column) of each pivot; the rows are independent ones, earlier rows first.
+    """
+    pivots: list[tuple[int, int]] = []
+    for i, row in enumerate(rows):
+        for r, c in pivots:
+            if factor := row[c]:
+                other = rows[r]
+                row[:] = [(x - factor * y) % PRIME for x, y in zip(row, other, strict=True)]
+        column = next((c for c in range(columns) if row[c]), None)
+        if column is None:
+            continue
+        scale = pow(row[column], -1, PRIME)
+        row[:] = [x * scale % PRIME for x in row]
+        for r, _ in pivots:
+            if factor := rows[r][column]:
+                rows[r] = [(x - factor * y) % PRIME for x, y in zip(rows[r], row, strict=True)]
+        pivots.append((i, column))
+    return pivots

@@ -1,0 +1,186 @@
+"""Procedure (i): isolate every body, write its momentum principles, eliminate the reactions.
+
+    sum F = m a_C,    sum tau_C = dH_C/dt = I alpha + omega x I omega          of each body
+    row:    value = rate - applied - sum_j c_j R_j = 0
+
+Reactions are unknowns of these rows. From the leaves of the tree of bodies to its root each one is
+solved for from a row of the outboard body, and put into every other row that holds it. Rows are
+written along the axes in which the reactions of the inboard joint are given, so that each holds one
+of them and pivots are numbers where they can be. Velocities come from `differentiate`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from mechanics.mechanism import Mechanism
+from mechanics.program.builder import Node
+from mechanics.program.derivatives import tangent
+from mechanics.program.residues import Residues
+from mechanics.program.vectors import Vector, add, dot, times, transpose, zeros
+from mechanics.routes.programs import differentiate
+from mechanics.routes.programs.directions import Directions, used_directions
+from mechanics.routes.programs.elimination import Elimination, Row, nonzero
+from mechanics.routes.programs.loads import Wrench, applied, by_body, unit_reactions
+from mechanics.routes.programs.motion import BodyMotion, Motions, body_motions
+from mechanics.routes.programs.rows import Rows
+
+
+@dataclass(frozen=True)
+class FreeBodyRow:
+    """One momentum equation of one isolated body, before any elimination.
+
+    Attributes
+    ----------
+    body : int
+    kind : str
+        ``"linear"``, or ``"angular"`` about the mass centre.
+    along : Vector
+        Unit vector, inertial components.
+    momentum, rate, applied : Node
+        Component of the momentum, its time derivative, and that of the loads, in SI units.
+    coefficients : mapping of int to Node
+        What a unit of each reaction contributes.
+    """
+
+    body: int
+    kind: str
+    along: Vector
+    momentum: Node
+    rate: Node
+    applied: Node
+    coefficients: dict[int, Node]
+
+
+def derive(mechanism: Mechanism) -> Rows:
+    """Rows free of every reaction but those that maintain constraints.
+
+    Raises
+    ------
+    SingularError
+        When no row determines a reaction.
+    """
+    build = mechanism.builder
+    filter_ = Residues(build)
+    rows = free_body_rows(mechanism, filter_)
+    work = [Row(row.body, row.rate - row.applied, dict(row.coefficients)) for row in rows]
+    elimination = Elimination(filter_, work)
+    kept = mechanism.multipliers
+    names = [reaction.name for reaction in mechanism.reactions]
+    for body in reversed(mechanism.order):
+        own = [reaction for reaction in mechanism.joints[body] if reaction not in kept]
+        elimination.solve_for(own, body, names)
+    left = dict.fromkeys(r for row in elimination.work for r in row.coefficients if r not in kept)
+    elimination.solve_for(list(left), None, names)
+    multipliers = {index: build.input(names[index]) for index in kept}
+    values = elimination.reactions(multipliers)
+    residuals = []
+    for row in elimination.work:
+        value = row.value
+        for reaction, coefficient in row.coefficients.items():
+            value = value - coefficient * multipliers[reaction]
+        residuals.append(value)
+    return Rows(
+        "free_body",
+        tuple(residuals),
+        tuple(multipliers.values()),
+        conjugate=False,
+        reactions={names[index]: value for index, value in values.items() if index not in kept},
+        chosen=tuple(f"{mechanism.bodies[row.body].name}: {row.kind} momentum" for row in rows),
+    )
+
+
+def free_body_rows(mechanism: Mechanism, filter_: Residues) -> tuple[FreeBodyRow, ...]:
+    """Momentum equations of every isolated body, in tree order."""
+    motions = differentiate.motions(mechanism)
+    bodies = body_motions(mechanism, motions)
+    loads = applied(mechanism, motions)
+    units = unit_reactions(mechanism, motions.poses)
+    every = [*loads, *(unit for pair in units for unit in pair)]
+    directions = used_directions(filter_, bodies, every)
+    groups = by_body(mechanism, loads)
+    rows: list[FreeBodyRow] = []
+    for index in mechanism.order:
+        acting = {
+            reaction: unit
+            for reaction, pair in enumerate(units)
+            for unit in pair
+            if unit.body == index
+        }
+        linear, angular = _axes(mechanism, motions, index, directions)
+        own = bodies[index], groups[index], acting, filter_
+        rows += _linear(mechanism, index, linear, *own)
+        if bodies[index].turning is not None:
+            rows += _angular(mechanism, index, angular, *own)
+    return tuple(rows)
+
+
+def _axes(
+    mechanism: Mechanism, motions: Motions, index: int, directions: Directions
+) -> tuple[list[Vector], list[Vector]]:
+    """Axes for linear and angular momentum: those of the reactions at the inboard joint."""
+    frames: tuple[set[int], set[int]] = (set(), set())
+    for reaction in mechanism.joints[index]:
+        kind = mechanism.reactions[reaction].at is None
+        frames[kind].update(frame for frame, _ in mechanism.reactions[reaction].along)
+    found = []
+    for chosen, used in zip(frames, (directions.translation, directions.rotation), strict=True):
+        frame = chosen.pop() if len(chosen) == 1 else 0
+        columns = transpose(motions.frames[frame].rotation)
+        found.append([c for c in columns if any(not c[i].is_zero for i in used)])
+    return found[0], found[1]
+
+
+def _linear(
+    mechanism: Mechanism,
+    index: int,
+    axes: Sequence[Vector],
+    motion: BodyMotion,
+    loads: Sequence[Wrench],
+    acting: dict[int, Wrench],
+    filter_: Residues,
+) -> list[FreeBodyRow]:
+    mass, centre = mechanism.bodies[index].mass, motion.centre
+    force = add(zeros(mechanism.builder), *(load.force for load in loads))
+    return [
+        FreeBodyRow(
+            index,
+            "linear",
+            along,
+            mass * dot(centre.velocity, along),
+            mass * dot(centre.acceleration, along),
+            dot(force, along),
+            nonzero(filter_, {r: dot(unit.force, along) for r, unit in acting.items()}),
+        )
+        for along in axes
+    ]
+
+
+def _angular(
+    mechanism: Mechanism,
+    index: int,
+    axes: Sequence[Vector],
+    motion: BodyMotion,
+    loads: Sequence[Wrench],
+    acting: dict[int, Wrench],
+    filter_: Residues,
+) -> list[FreeBodyRow]:
+    assert motion.turning is not None and motion.inertia is not None  # a body that turns has both
+    centre = motion.centre.position
+    momentum = times(motion.inertia, motion.turning.omega)
+    rate = tuple(tangent(momentum, mechanism.rates))
+    torque = add(zeros(mechanism.builder), *(load.moment(centre) for load in loads))
+    arms = {reaction: unit.moment(centre) for reaction, unit in acting.items()}
+    return [
+        FreeBodyRow(
+            index,
+            "angular",
+            along,
+            dot(momentum, along),
+            dot(rate, along),
+            dot(torque, along),
+            nonzero(filter_, {reaction: dot(arm, along) for reaction, arm in arms.items()}),
+        )
+        for along in axes
+    ]

@@ -1,0 +1,96 @@
+"""What a route returns: rows that vanish along every motion, and the constraints as conditions.
+
+row(q, u, u', lambda) = 0          linear in u' and lambda
+A u' - b = 0                       d/dt of each constraint's form in q and u
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+
+from mechanics.errors import SceneError
+from mechanics.mechanism import Mechanism
+from mechanics.program.builder import Builder, Node
+from mechanics.program.derivatives import gradient, tangent
+from mechanics.program.interpret import include
+from mechanics.program.vectors import Matrix
+
+
+@dataclass(frozen=True)
+class Rows:
+    """Equations of motion of one route, as nodes of the mechanism's builder.
+
+    Attributes
+    ----------
+    route : str
+    values : tuple of Node
+        Each is zero along every motion; as many as speeds, but for those that the constraints take.
+    multipliers : tuple of Node
+        Unknown reactions that stay, as inputs.
+    conjugate : bool
+        Whether the rows are power-conjugate to u: the virtual power of each speed.
+    reactions : mapping of str to Node
+        Reactions that were eliminated, in q, u, u' and the multipliers.
+    chosen : tuple of str
+        What the route picked, in words.
+    """
+
+    route: str
+    values: tuple[Node, ...]
+    multipliers: tuple[Node, ...]
+    conjugate: bool
+    reactions: Mapping[str, Node] = field(default_factory=dict)
+    chosen: tuple[str, ...] = ()
+
+    def __repr__(self) -> str:
+        return f"<{len(self.values)} rows by {self.route}>"
+
+
+def velocity_forms(mechanism: Mechanism) -> list[Node]:
+    """Each constraint as a node in q and u that vanishes, linear in u.
+
+    Raises
+    ------
+    SceneError
+        When a holonomic constraint holds speeds.
+    """
+    forms = []
+    for constraint in mechanism.constraints:
+        expression = constraint.expression
+        if constraint.holonomic:
+            held = gradient([expression], [1], [*mechanism.u, *mechanism.ud])
+            if any(not entry.is_zero for entry in held):
+                raise SceneError(
+                    f"constraint {constraint.name}: a holonomic constraint holds no speeds:"
+                    " declare it with nonholonomic(...)"
+                )
+            (expression,) = tangent([expression], mechanism.rates)
+        forms.append(expression)
+    return forms
+
+
+def acceleration_forms(mechanism: Mechanism) -> list[Node]:
+    """A u' - b: each constraint differentiated down to u'."""
+    forms = velocity_forms(mechanism)
+    return tangent(forms, mechanism.rates) if forms else []
+
+
+def coefficients(rows: Sequence[Node], unknowns: Sequence[Node]) -> Matrix:
+    """Coefficients of rows that are linear in the unknowns, by one reverse walk a row."""
+    return tuple(tuple(gradient([row], [1], unknowns)) for row in rows)
+
+
+def substitute(
+    builder: Builder, nodes: Sequence[Node], values: Mapping[Node, Node]
+) -> tuple[Node, ...]:
+    """The nodes with other nodes in the place of inputs."""
+    program = builder.program({"nodes": nodes})
+    names = {builder.inputs[builder.operands[0][old.number]]: new for old, new in values.items()}
+    wanted = {name: new for name, new in names.items() if name in program.inputs}
+    return include(builder, program, wanted)["nodes"]
+
+
+def remainder(builder: Builder, rows: Sequence[Node], unknowns: Sequence[Node]) -> tuple[Node, ...]:
+    """The rows where all unknowns are zero."""
+    return substitute(builder, rows, dict.fromkeys(unknowns, builder.zero))

@@ -1,0 +1,85 @@
+"""The four routes as programs: on every system they determine the same accelerations.
+
+Compared at one point of a field, where a false equality survives with a chance of degree / 2^61;
+the kernel's verdicts on them are tests of `mechanics.checks`.
+"""
+
+import pytest
+
+from mechanics.mechanism import Mechanism, lower
+from mechanics.program import Builder
+from mechanics.program.residues import PRIME, Residues, eliminate
+from mechanics.routes.programs import free_body, kane, lagrange, moving_point
+from mechanics.routes.programs.rows import (
+    Rows,
+    acceleration_forms,
+    coefficients,
+    remainder,
+)
+from mechanics.scene import Scene
+from systems import ALL, VARIANTS, pendulum_chain
+
+ROUTES = (free_body, moving_point, kane, lagrange)
+SCENES = [system.scene for system in (*ALL, *VARIANTS)] + [lambda: pendulum_chain.scene(12)]
+
+
+def accelerations(mechanism: Mechanism, rows: Rows, filter_: Residues) -> tuple[int, ...]:
+    """u' at the point of the filter, from the rows and the constraints."""
+    unknowns = [*mechanism.ud, *rows.multipliers]
+    every = [*rows.values, *acceleration_forms(mechanism)]
+    assert len(every) == len(unknowns)
+    matrix = coefficients(every, unknowns)
+    rest = remainder(mechanism.builder, every, unknowns)
+    table = [filter_.values([*row, -right]) for row, right in zip(matrix, rest, strict=True)]
+    pivots = eliminate(table, len(unknowns))
+    assert len(pivots) == len(unknowns), "the rows do not determine the accelerations"
+    values = {column: table[row][-1] for row, column in pivots}
+    return tuple(values[i] % PRIME for i in range(len(mechanism.u)))
+
+
+@pytest.mark.parametrize("scene", SCENES, ids=lambda make: make().name)
+def test_all_routes_give_the_same_accelerations(scene) -> None:
+    built: Scene = scene()
+    mechanism = lower(built, Builder())
+    filter_ = Residues(mechanism.builder)
+    found = {
+        route.__name__: accelerations(mechanism, route.derive(mechanism), filter_)
+        for route in ROUTES
+    }
+    assert len(set(found.values())) == 1
+
+
+@pytest.mark.parametrize("scene", SCENES, ids=lambda make: make().name)
+def test_kane_and_lagrange_have_the_same_rows(scene) -> None:
+    """Both are power-conjugate to u, so that not only their solutions agree."""
+    mechanism = lower(scene(), Builder())
+    filter_ = Residues(mechanism.builder)
+    left, right = kane.derive(mechanism), lagrange.derive(mechanism)
+    if mechanism.constraints:
+        left, right = (
+            remainder(mechanism.builder, rows.values, rows.multipliers) for rows in (left, right)
+        )
+    else:
+        left, right = left.values, right.values
+    assert [filter_.is_zero(a - b) for a, b in zip(left, right, strict=True)] == [True] * len(left)
+
+
+def test_reactions_of_free_bodies_make_their_rows_zero() -> None:
+    """Put back into the rows before elimination, with the accelerations of Kane's rows."""
+    mechanism = lower(ALL[0].scene(), Builder())
+    rows = free_body.derive(mechanism)
+    assert set(rows.reactions) == {"T", "N", "N1"}
+    filter_ = Residues(mechanism.builder)
+    bodies = free_body.free_body_rows(mechanism, filter_)
+    names = [reaction.name for reaction in mechanism.reactions]
+    own = [
+        row.rate - row.applied
+        - sum((c * rows.reactions[names[j]] for j, c in row.coefficients.items()),
+              mechanism.builder.zero)
+        for row in bodies
+    ]  # fmt: skip
+    # What is left of each row is a combination of the equations of motion.
+    matrix = coefficients([*own, *rows.values], mechanism.ud)
+    rest = remainder(mechanism.builder, [*own, *rows.values], mechanism.ud)
+    table = [filter_.values([*row, r]) for row, r in zip(matrix, rest, strict=True)]
+    assert len(eliminate(table, len(mechanism.ud) + 1)) == len(mechanism.u)
