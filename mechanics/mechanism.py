@@ -111,6 +111,8 @@ class Mass:
         About the mass centre, in the body's frame, in kg m^2; None for a particle. A scalar of
         the scene is that multiple of the unit matrix: in a plane only the product with the normal
         counts.
+    scalar : bool
+        Whether the scene gives a scalar.
     """
 
     name: str
@@ -118,6 +120,7 @@ class Mass:
     frame: int | None
     mass: Node
     inertia: Matrix | None
+    scalar: bool = False
 
 
 @dataclass(frozen=True)
@@ -440,9 +443,10 @@ class _Lowering:
                 tuple(self.expression(entry, where) for entry in matrix[i, :]) for i in range(3)
             )
         else:
-            scalar, zero = self.expression(body.inertia, where), self.builder.zero
-            rows = tuple(tuple(scalar if i == j else zero for j in range(3)) for i in range(3))
-        return Mass(body.name, centre, self.frame(body.frame), mass, rows)
+            about, zero = self.expression(body.inertia, where), self.builder.zero
+            rows = tuple(tuple(about if i == j else zero for j in range(3)) for i in range(3))
+        scalar = not isinstance(body.inertia, Dyadic)
+        return Mass(body.name, centre, self.frame(body.frame), mass, rows, scalar)
 
     def reaction(self, reaction: Any) -> Reaction:
         return Reaction(

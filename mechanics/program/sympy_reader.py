@@ -89,9 +89,10 @@ class _Reader:
 
     def expand(self, expression: Any) -> Parts | Choice:
         """One expression as an operation on others."""
-        expansion = self.expansions.get(expression.__class__)
-        if expansion is not None:
-            return expansion(expression)
+        # A subclass, such as a parameter that knows its unit, is read as what it is.
+        for head in type(expression).__mro__:
+            if head in self.expansions:
+                return self.expansions[head](expression)
         if getattr(expression, "is_Rational", False):
             value = Fraction(int(expression.p), int(expression.q))
             return self.leaf(self.builder.number_of(value))
