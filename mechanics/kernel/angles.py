@@ -1,0 +1,421 @@
+"""Sines and cosines of sums and multiples, written in those of base angles.
+
+An argument is expanded into sum_i r_i a_i + r pi with rationals r_i and monomials a_i of what it is
+made of. With D the common denominator of all r_i of a program, and z = (cos, sin) a point of the
+unit circle,
+
+    z(sum_i r_i a_i + r pi) = prod_i z(a_i / D)^(D r_i)  z(r pi)                              (1)
+    (c1, s1) (c2, s2) = (c1 c2 - s1 s2, s1 c2 + c1 s2)                                        (2)
+    exp(sum_i r_i a_i) = prod_i exp(a_i / E)^(E r_i)                                          (3)
+
+so that sine, cosine and exponential stand before base angles only. Even multiples of pi times
+something that is an integer (floor, sign, truth values) fall out. Hyperbolic functions are written
+in exponentials, tangents as quotients, sin(asin x) and the like in roots. All of it is true of real
+numbers: the program that comes out computes the same.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from fractions import Fraction
+from math import lcm
+
+from mechanics.program import Builder, Node, Program, interpret
+from mechanics.program.interpret import Nodes
+from mechanics.program.operations import (
+    ACOS,
+    ADD,
+    AND,
+    ASIN,
+    ATAN,
+    ATAN2,
+    CONSTANT,
+    COS,
+    COSH,
+    DIVIDE,
+    EXP,
+    FLOOR,
+    INPUT,
+    MULTIPLY,
+    NEGATE,
+    NOT,
+    OPERATIONS,
+    OR,
+    PI,
+    SELECT,
+    SIGN,
+    SIN,
+    SINH,
+    SUBTRACT,
+    TAN,
+    TANH,
+)
+
+Monomial = tuple[tuple[int, int], ...]
+"""Node numbers with their powers, sorted; the empty one is 1."""
+
+Form = dict[Monomial, Fraction]
+"""A sum of rational multiples of monomials."""
+
+MOST_TERMS = 512
+MOST_PRODUCTS = 1024
+
+_CIRCULAR = frozenset({SIN, COS, TAN})
+_EXPONENTIAL = frozenset({EXP, SINH, COSH, TANH})
+_INVERSE = frozenset({ASIN, ACOS, ATAN, ATAN2})
+_CONDITIONS = frozenset({SELECT, NOT, AND, OR})
+_TRUTH = frozenset(row.code for row in OPERATIONS if row.boolean)
+
+
+@dataclass
+class Forms:
+    """Expansions of the nodes of a program or of a builder, each made once."""
+
+    nodes: Program | Builder
+    made: dict[int, Form] = field(default_factory=dict)
+
+    def of(self, root: int) -> Form:
+        """The expansion of a node; a node that has none is a monomial of its own."""
+        stack = [root]
+        while stack:
+            number = stack[-1]
+            if number in self.made:
+                stack.pop()
+                continue
+            operands = self._operands(number)
+            missing = [operand for operand in operands if operand not in self.made]
+            if missing:
+                stack.extend(missing)
+                continue
+            form = self._form(number, [self.made[operand] for operand in operands])
+            if form is None or len(form) > MOST_TERMS:
+                form = _whole(number)
+            self.made[number] = form
+            stack.pop()
+        return self.made[root]
+
+    def _operands(self, number: int) -> tuple[int, ...]:
+        code = self.nodes.operations[number]
+        if code not in _POLYNOMIAL:
+            return ()
+        count = 1 if code == NEGATE else 3 if code == SELECT else 2
+        return tuple(self.nodes.operands[k][number] for k in range(count))
+
+    def _form(self, number: int, parts: list[Form]) -> Form | None:
+        code = self.nodes.operations[number]
+        if code == CONSTANT:
+            value = self.nodes.constants[self.nodes.operands[0][number]]
+            return {(): value} if value else {}
+        if code == ADD:
+            return _added(parts[0], parts[1], 1)
+        if code == SUBTRACT:
+            return _added(parts[0], parts[1], -1)
+        if code == NEGATE:
+            return _added({}, parts[0], -1)
+        if code == MULTIPLY:
+            return _multiplied(parts[0], parts[1])
+        if code == DIVIDE:
+            return _divided(parts[0], parts[1], self.nodes.operands[1][number])
+        if code == SELECT:
+            # h x + (1 - h) y, with the truth value h of the condition.
+            chosen = _multiplied(
+                _whole(self.nodes.operands[0][number]), _added(parts[1], parts[2], -1)
+            )
+            return None if chosen is None else _added(parts[2], chosen, 1)
+        return None
+
+    def is_integer(self, monomial: Monomial) -> bool:
+        """Whether a product of nodes is an integer wherever it has a value."""
+        return all(
+            power > 0 and self.nodes.operations[number] in _INTEGER for number, power in monomial
+        )
+
+
+_POLYNOMIAL = frozenset({ADD, SUBTRACT, MULTIPLY, NEGATE, DIVIDE, SELECT})
+_INTEGER = _TRUTH | {FLOOR, SIGN}
+
+
+def _whole(number: int) -> Form:
+    return {((number, 1),): Fraction(1)}
+
+
+def _added(left: Form, right: Form, factor: int) -> Form:
+    if not left and factor == 1:
+        return right
+    result = dict(left)
+    for monomial, value in right.items():
+        total = result.get(monomial, 0) + factor * value
+        if total:
+            result[monomial] = total
+        else:
+            result.pop(monomial, None)
+    return result
+
+
+def _multiplied(left: Form, right: Form) -> Form | None:
+    if len(left) * len(right) > MOST_PRODUCTS:
+        return None
+    result: Form = {}
+    for one, factor in left.items():
+        for other, value in right.items():
+            monomial = _product(one, other)
+            total = result.get(monomial, 0) + factor * value
+            if total:
+                result[monomial] = total
+            else:
+                result.pop(monomial, None)
+    return result
+
+
+def _product(one: Monomial, other: Monomial, sign: int = 1) -> Monomial:
+    powers = dict(one)
+    for number, power in other:
+        powers[number] = powers.get(number, 0) + sign * power
+    return tuple(sorted((number, power) for number, power in powers.items() if power))
+
+
+def _divided(above: Form, below: Form, divisor: int) -> Form:
+    """A quotient by a single monomial, or by a node as a whole."""
+    if len(below) == 1:
+        (monomial, value), *_ = below.items()
+    else:
+        monomial, value = ((divisor, 1),), Fraction(1)
+    return {_product(m, monomial, -1): factor / value for m, factor in above.items()}
+
+
+# ---------------------------------------------------------------------- a program in base angles
+
+
+def base_angles(program: Program) -> Program:
+    """The same program, with sines, cosines and exponentials of base angles only.
+
+    A program that has no others is returned as it is.
+    """
+    forms = Forms(program)
+    common = {"angle": 1, "exponent": 1}
+    plain = True
+    for number, code in enumerate(program.operations):
+        if code in _CONDITIONS:
+            conditions = (0,) if code in (SELECT, NOT) else (0, 1)
+            plain = plain and all(
+                is_truth(program, program.operands[k][number]) for k in conditions
+            )
+        if code not in _CIRCULAR and code not in _EXPONENTIAL:
+            continue
+        operand = program.operands[0][number]
+        plain = plain and code in (SIN, COS, EXP)
+        if program.operations[operand] == INPUT:
+            continue
+        kind = "angle" if code in _CIRCULAR else "exponent"
+        form = forms.of(operand)
+        for monomial, factor in form.items():
+            if kind == "exponent" or not _is_pi(program, monomial):
+                common[kind] = lcm(common[kind], factor.denominator)
+        plain = plain and form == _whole(operand) and not (
+            code in _CIRCULAR and program.operations[operand] in _INVERSE
+        )  # fmt: skip
+    if plain:
+        return program
+    builder = Builder()
+    domain = _Rewriting(builder, common["angle"], common["exponent"])
+    inputs = {name: builder.input(name) for name in program.inputs}
+    return builder.program(interpret(program, domain, inputs), inputs=program.inputs)
+
+
+def is_truth(nodes: Program | Builder, number: int) -> bool:
+    """Whether a node is 0 or 1."""
+    code = nodes.operations[number]
+    if code == CONSTANT:
+        return nodes.constants[nodes.operands[0][number]] in (0, 1)
+    return code in _TRUTH
+
+
+def _is_pi(nodes: Program | Builder, monomial: Monomial) -> bool:
+    return len(monomial) == 1 and monomial[0][1] == 1 and nodes.operations[monomial[0][0]] == PI
+
+
+Point = tuple[Node, Node]
+"""Cosine and sine."""
+
+
+class _Rewriting:
+    """The domain of nodes, with equations (1) to (3) applied."""
+
+    def __init__(self, builder: Builder, angle: int, exponent: int) -> None:
+        nodes = Nodes(builder)
+        self.constant, self.pi, self.solve = nodes.constant, nodes.pi, nodes.solve
+        self.operations: Mapping[str, Callable[..., Node]] = {
+            **nodes.operations,
+            "sin": lambda x: self._point(x)[1],
+            "cos": lambda x: self._point(x)[0],
+            "tan": lambda x: self._point(x)[1] / self._point(x)[0],
+            "exp": self._exponential,
+            "sinh": lambda x: (self._exponential(x) - self._exponential(-x)) / 2,
+            "cosh": lambda x: (self._exponential(x) + self._exponential(-x)) / 2,
+            "tanh": self._tanh,
+            "and": lambda x, y: builder.call("and", self._truth(x), self._truth(y)),
+            "or": lambda x, y: builder.call("or", self._truth(x), self._truth(y)),
+            "not": lambda x: builder.call("not", self._truth(x)),
+            "select": lambda c, x, y: builder.call("select", self._truth(c), x, y),
+        }
+        self._builder, self._forms = builder, Forms(builder)
+        self._angle, self._exponent = angle, exponent
+        self._points: dict[tuple[tuple[Monomial, Fraction], ...], Point] = {}
+        self._multiples: dict[tuple[Node, int], Point] = {}
+
+    def _point(self, x: Node) -> Point:
+        """Cosine and sine of a node, by equation (1)."""
+        form = dict(self._forms.of(x.number))
+        turns = Fraction(0)
+        for monomial, factor in list(form.items()):
+            if _is_pi(self._builder, monomial):
+                turns += form.pop(monomial)
+            elif factor.denominator == 1 and factor % 2 == 0 and self._is_winding(monomial):
+                del form[monomial]
+        terms = sorted(form.items())
+        if not terms:
+            return self._turn(turns)
+        # cos(-a) = cos(a): opposite arguments share their points.
+        mirrored = terms[0][1] < 0
+        if mirrored:
+            terms = [(monomial, -factor) for monomial, factor in terms]
+        c, s = self._sum(tuple(terms))
+        if mirrored:
+            s = -s
+        return self._rotated((c, s), self._turn(turns)) if turns else (c, s)
+
+    def _is_winding(self, monomial: Monomial) -> bool:
+        """Whether it is pi times an integer."""
+        rest = tuple(pair for pair in monomial if not _is_pi(self._builder, (pair,)))
+        return len(rest) == len(monomial) - 1 and self._forms.is_integer(rest)
+
+    def _sum(self, terms: tuple[tuple[Monomial, Fraction], ...]) -> Point:
+        """Point of a sum; beginnings are shared with other sums."""
+        if terms not in self._points:
+            monomial, factor = terms[-1]
+            multiple = factor * self._angle
+            if multiple.denominator == 1:
+                last = self._multiple(self._base(monomial, 1, self._angle), multiple.numerator)
+            else:
+                base = self._base(monomial, abs(factor.numerator), factor.denominator)
+                last = self._multiple(base, 1 if factor > 0 else -1)
+            before = terms[:-1]
+            self._points[terms] = self._rotated(self._sum(before), last) if before else last
+        return self._points[terms]
+
+    def _base(self, monomial: Monomial, above: int, below: int) -> Node:
+        """A monomial times a rational, as a node."""
+        top = bottom = self._builder.one
+        for number, power in monomial:
+            factor = Node(self._builder, number).power(abs(power))
+            top, bottom = (top * factor, bottom) if power > 0 else (top, bottom * factor)
+        return top / bottom * Fraction(above, below)
+
+    def _multiple(self, base: Node, times: int) -> Point:
+        """Point of a multiple, by doubling."""
+        if times < 0:
+            c, s = self._multiple(base, -times)
+            return c, -s
+        if times == 1:
+            return self._of_base(base)
+        if (base, times) not in self._multiples:
+            half = self._multiple(base, times // 2)
+            whole = self._rotated(half, half)
+            self._multiples[base, times] = (
+                self._rotated(whole, self._of_base(base)) if times % 2 else whole
+            )
+        return self._multiples[base, times]
+
+    def _of_base(self, base: Node) -> Point:
+        """Point of a base angle; in roots where it is an inverse function."""
+        b = self._builder
+        code = b.operations[base.number]
+        if code in _INVERSE:
+            x = Node(b, b.operands[0][base.number])
+            if code == ASIN:
+                return (1 - x * x).sqrt(), x
+            if code == ACOS:
+                return x, (1 - x * x).sqrt()
+            below = Node(b, b.operands[1][base.number]) if code == ATAN2 else b.one
+            radius = (x * x + below * below).sqrt()
+            return below / radius, x / radius
+        return b.call("cos", base), b.call("sin", base)
+
+    def _rotated(self, one: Point, two: Point) -> Point:
+        """Equation (2)."""
+        (c1, s1), (c2, s2) = one, two
+        return c1 * c2 - s1 * s2, s1 * c2 + c1 * s2
+
+    def _turn(self, turns: Fraction) -> Point:
+        """Point of a multiple of pi, brought to the first eighth of the circle."""
+        b = self._builder
+        turns %= 2
+        if turns > 1:
+            c, s = self._turn(2 - turns)
+            return c, -s
+        if 2 * turns > 1:
+            c, s = self._turn(1 - turns)
+            return -c, s
+        if 4 * turns > 1:
+            c, s = self._turn(Fraction(1, 2) - turns)
+            return s, c
+        if not turns:
+            return b.one, b.zero
+        if turns == Fraction(1, 6):
+            return b.constant(3).sqrt() / 2, b.constant(Fraction(1, 2))
+        if turns == Fraction(1, 4):
+            half = b.constant(2).sqrt() / 2
+            return half, half
+        return b.call("cos", b.pi * turns), b.call("sin", b.pi * turns)
+
+    def _exponential(self, x: Node) -> Node:
+        """Equation (3)."""
+        result = self._builder.one
+        for monomial, factor in sorted(self._forms.of(x.number).items()):
+            multiple = factor * self._exponent
+            if multiple.denominator == 1:
+                base, times = self._base(monomial, 1, self._exponent), multiple.numerator
+            else:
+                base = self._base(monomial, abs(factor.numerator), factor.denominator)
+                times = 1 if factor > 0 else -1
+            grown = self._power(self._builder.call("exp", base), abs(times))
+            result = result * grown if times > 0 else result / grown
+        return result
+
+    def _power(self, grown: Node, times: int) -> Node:
+        """An integer power as products, however large."""
+        result, square = self._builder.one, grown
+        while times:
+            if times & 1:
+                result = result * square
+            times >>= 1
+            if times:
+                square = square * square
+        return result
+
+    def _truth(self, x: Node) -> Node:
+        """A truth value as 0 or 1: whether x is not 0."""
+        if is_truth(self._builder, x.number):
+            return x
+        return self._builder.call("not", self._builder.call("equal", x, 0))
+
+    def _tanh(self, x: Node) -> Node:
+        square = self._exponential(2 * x)
+        return (square - 1) / (square + 1)
+
+
+def turns_of(program: Program) -> tuple[Fraction, ...]:
+    """Multiples of pi whose sine or cosine a program takes, as they stand after `base_angles`."""
+    found: set[Fraction] = set()
+    first, second, _ = program.operands
+    for number, code in enumerate(program.operations):
+        if code in (SIN, COS) and program.operations[first[number]] == MULTIPLY:
+            product = first[number]
+            for one, other in ((first, second), (second, first)):
+                if (
+                    program.operations[one[product]] == CONSTANT
+                    and program.operations[other[product]] == PI
+                ):
+                    found.add(program.constants[first[one[product]]])
+    return tuple(sorted(found))

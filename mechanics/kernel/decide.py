@@ -1,0 +1,105 @@
+"""Decide a statement: PROVED, CERTIFIED, REFUTED or UNDECIDED, never a tolerance.
+
+The field speaks first because it is quick and its answer tells where to look: if it says zero, the
+normal form tries to turn the certificate into a proof; if it says not zero, balls look for a
+witness. What neither settles is UNDECIDED. This is the only place that makes a verdict.
+"""
+
+from __future__ import annotations
+
+from functools import cache
+from math import ceil, inf
+
+from mechanics.kernel.canaries import CANARIES
+from mechanics.kernel.finding import Finding, Verdict
+from mechanics.kernel.normal import proves
+from mechanics.kernel.statement import LEFT, RIGHT, Statement
+from mechanics.kernel.trial import Answer, Trial, trial
+from mechanics.kernel.witness import find_witness
+
+PROOF = "both sides have the same normal form"
+SAME = "both sides are the same expression"
+
+
+def decide(statement: Statement, *, try_normal: bool = True) -> Finding:
+    """Decide whether both sides of a statement are equal wherever both have a value.
+
+    Parameters
+    ----------
+    statement : Statement
+    try_normal : bool
+        False to be content with a certificate where a proof would cost time.
+
+    Returns
+    -------
+    Finding
+
+    Raises
+    ------
+    ExpressionError
+        If an expression holds an operation without an exact meaning.
+    AssertionError
+        If the kernel decides a statement wrongly that is known to be true or false.
+    """
+    check_canaries()
+    return _decided(statement, try_normal)
+
+
+@cache
+def check_canaries() -> None:
+    """Decide what is known, once in a process, before anything else.
+
+    Raises
+    ------
+    AssertionError
+        If a verdict is not the known one: nothing that this kernel says can be trusted.
+    """
+    for build, shown in CANARIES:
+        statement = build()
+        finding = _decided(statement, try_normal=True)
+        right = finding.shown if shown else finding.verdict is Verdict.REFUTED
+        if not right:
+            raise AssertionError(
+                f"{statement.subject} is known and was found {finding.verdict.name}:"
+                " the kernel is broken, trust none of its verdicts"
+            )
+
+
+def _decided(statement: Statement, try_normal: bool) -> Finding:
+    subject, outputs = statement.subject, statement.program.outputs
+    if outputs[LEFT] == outputs[RIGHT]:
+        return Finding(subject, Verdict.PROVED, SAME)
+    attempts: list[bool] = []
+
+    def is_proved() -> bool:
+        if try_normal and not attempts:
+            attempts.append(proves(statement))
+        return bool(attempts) and attempts[0]
+
+    outcome = trial(statement, is_proved)
+    if outcome.answer is Answer.PROVED:
+        return Finding(subject, Verdict.PROVED, PROOF)
+    if outcome.answer is Answer.ZERO:
+        return _certified(subject, outcome)
+    witness = find_witness(statement)
+    if witness is not None:
+        words = "the enclosures at a real state are disjoint"
+        return Finding(subject, Verdict.REFUTED, words, witness=witness)
+    # Only here can the normal form know more than the field: |x|, signs of roots.
+    if is_proved():
+        return Finding(subject, Verdict.PROVED, PROOF)
+    return Finding(subject, Verdict.UNDECIDED, _doubt(outcome))
+
+
+def _certified(subject: str, outcome: Trial) -> Finding:
+    exponent = min(outcome.log2_bound, 0.0)
+    words = f"{outcome.words}; chance of error below 2^{ceil(exponent)}"
+    return Finding(subject, Verdict.CERTIFIED, words, error_bound=2.0 ** max(exponent, -1000.0))
+
+
+def _doubt(outcome: Trial) -> str:
+    if outcome.log2_bound == inf:
+        return outcome.words
+    known = ", ".join(outcome.unknown)
+    why = f"known by congruence only: {known}" if known else "no operation is known to be the cause"
+    return f"{outcome.words}, but none of the real states tried tells the sides apart ({why})"

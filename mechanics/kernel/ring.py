@@ -1,0 +1,159 @@
+"""Polynomials over the rationals modulo relations with one leading power each:
+
+    s**2 = 1 - c**2,      w**k = radicand,      h**2 = h.
+
+Generators are handed out from the last place of a lexicographic order to the first, so a generator
+leads everything that was known when it was made, and dividing by a relation (python-flint's
+multivariate division) replaces its leading power wherever it stands. Work is counted in products of
+terms, never in time.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Hashable
+from fractions import Fraction
+from math import gcd, lcm
+
+from flint import fmpq, fmpq_mpoly, fmpq_mpoly_ctx
+
+from mechanics.errors import MechanicsError
+
+MOST_TERMS = 40_000
+MOST_WORK = 4_000_000
+MOST_GENERATORS = 600
+
+
+class TooLarge(MechanicsError, OverflowError):
+    """The normal form outgrew its budget."""
+
+
+class Ring:
+    """A polynomial ring whose generators are named one by one, up to a capacity.
+
+    Parameters
+    ----------
+    capacity : int
+        Number of generators.
+
+    Raises
+    ------
+    TooLarge
+        If there are more than MOST_GENERATORS.
+    """
+
+    def __init__(self, capacity: int) -> None:
+        if capacity > MOST_GENERATORS:
+            raise TooLarge(f"{capacity} generators")
+        self.capacity = capacity
+        self._context = fmpq_mpoly_ctx.get([f"g{i}" for i in range(capacity)], "lex")
+        self._gens = self._context.gens()
+        self._places: dict[Hashable, int] = {}
+        self._relations: list[tuple[int, int, fmpq_mpoly]] = []
+        self.positive: set[int] = set()
+        self._work = 0
+
+    def constant(self, number: int | Fraction) -> fmpq_mpoly:
+        """A rational constant."""
+        ratio = Fraction(number)
+        return self._context.constant(fmpq(ratio.numerator, ratio.denominator))
+
+    def place(self, key: Hashable, positive: bool = False) -> tuple[int, bool]:
+        """The place of a generator, and whether it is new.
+
+        Raises
+        ------
+        TooLarge
+            If the ring is full.
+        """
+        if key in self._places:
+            return self._places[key], False
+        place = self.capacity - 1 - len(self._places)
+        if place < 0:
+            raise TooLarge(f"ring of {self.capacity} generators is full")
+        self._places[key] = place
+        if positive:
+            self.positive.add(place)
+        return place, True
+
+    def gen(self, place: int) -> fmpq_mpoly:
+        """The generator at a place."""
+        return self._gens[place]
+
+    def generator(self, key: Hashable, positive: bool = False) -> fmpq_mpoly:
+        """The generator of a key."""
+        return self._gens[self.place(key, positive)[0]]
+
+    def circle(self, key: Hashable) -> tuple[fmpq_mpoly, fmpq_mpoly]:
+        """Cosine and sine of an angle."""
+        (c, _), (s, new) = self.place(("cos", key)), self.place(("sin", key))
+        cos, sin = self._gens[c], self._gens[s]
+        if new:
+            self.relate(s, 2, sin**2 + cos**2 - 1)
+        return cos, sin
+
+    def relate(self, place: int, power: int, polynomial: fmpq_mpoly) -> None:
+        """Add ``polynomial = 0``, led by that power of the generator at that place."""
+        self._relations.append((place, power, polynomial))
+
+    def product(self, x: fmpq_mpoly, y: fmpq_mpoly) -> fmpq_mpoly:
+        """x y, reduced.
+
+        Raises
+        ------
+        TooLarge
+            If it, or all products so far, are beyond the budget.
+        """
+        self.spend(len(x) * len(y))
+        return self.reduced(x * y)
+
+    def power(self, x: fmpq_mpoly, exponent: int) -> fmpq_mpoly:
+        """x**exponent for a natural exponent, reduced."""
+        if len(x) <= 1:
+            return self.reduced(x**exponent)
+        result = self.constant(1)
+        for _ in range(exponent):
+            result = self.product(result, x)
+        return result
+
+    def spend(self, work: int) -> None:
+        """Count products of terms.
+
+        Raises
+        ------
+        TooLarge
+            If the budget is used up.
+        """
+        self._work += work
+        if self._work > MOST_WORK:
+            raise TooLarge(f"more than {MOST_WORK} products of terms")
+
+    def reduced(self, x: fmpq_mpoly) -> fmpq_mpoly:
+        """The remainder by all relations, the latest first.
+
+        Raises
+        ------
+        TooLarge
+            If it has too many terms.
+        """
+        changed = bool(self._relations)
+        while changed:
+            changed = False
+            degrees = x.degrees()
+            for place, power, polynomial in reversed(self._relations):
+                if degrees[place] >= power:
+                    left = x % polynomial
+                    self.spend(len(x) + len(left))
+                    if left != x:
+                        x, changed = left, True
+                        degrees = x.degrees()
+        if len(x) > MOST_TERMS:
+            raise TooLarge(f"{len(x)} terms")
+        return x
+
+
+def content(x: fmpq_mpoly) -> Fraction:
+    """The positive rational c such that x / c has coprime integer coefficients."""
+    top, bottom = 0, 1
+    for coefficient in x.coeffs():
+        top, bottom = gcd(top, int(coefficient.p)), lcm(bottom, int(coefficient.q))
+    return Fraction(top, bottom)

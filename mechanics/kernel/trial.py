@@ -1,0 +1,340 @@
+"""Points are drawn until the chance of error is below the target, or a point says no.
+
+A false statement left = right is a fraction E = N / D whose numerator is not the zero polynomial in
+what is drawn. Sampling misses that with a probability of at most
+
+    P  <=  R C (2 deg N / |S|  +  h / ((b - 1) |primes|))                                      (1)
+
+First term, Schwartz and Zippel: variables are sampled from S, at least the (p - 1)/2 squares, and N
+has at most deg zeros in each. On a circle a polynomial of degree m in (c, s) is a Laurent
+polynomial z**-m ... z**m in z = c + i s, so it has at most 2 m zeros among its points; splitting
+off the leading coefficient variable by variable gives 2 deg N / |S| in all. Second term: if N is
+not zero over the rationals but zero mod p, then p divides all coefficients; an integer below 2**h
+has at most h / (b - 1) prime divisors of b bits. R is the largest number of points that may be
+drawn until one is admissible: the union bound over them. C is the number of branches of all roots,
+and of embeddings of the multiples of pi: N is replaced by its norm. deg and h include everything
+that is looked up by its residue (`sizes`): two different arguments meet with such a chance.
+
+Roots. If the radicand x of a square root is no square in the field of fractions, both branches are
+alike, and the norm speaks for both. If x = y**2, the real root is |y|, but the field takes y or -y,
+whichever is a square modulo p. At a random point and prime the quadratic characters of s such y
+take every combination that is consistent, with a chance of at least 2**-s (Weil's bound for
+character sums; Chebotarev for constants), among them the combination of the real signs. So a false
+statement survives k points with a chance of at most
+
+    (1 - 2**-s + 2**-30)**k.                                                                  (2)
+
+Which radicands are squares need not be known: one that is seen to be a non-residue, all earlier
+ones being residues, is none, because then y would have to exist at that point. *Probes*, where
+positive inputs and signs of roots are free, expose nearly all of them. s counts the roots from the
+first one that is left: those behind it may have been exposed by its wrong sign.
+
+|x| and comparisons are first taken for unknown functions of x, which needs one point only but knows
+no more than |-x| = |x|. If that says no, |x| is read as sqrt(x**2), and ``x < y`` as
+|x - y| = y - x; each such x, and then every root, counts in s. Boundaries of cases (x = y) are not
+looked at then.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, field, replace
+from enum import Enum
+from fractions import Fraction
+from math import ceil, inf, isfinite, lcm, log2
+from typing import Any
+
+from flint import fmpz
+
+from mechanics.kernel.angles import base_angles, turns_of
+from mechanics.kernel.draws import Draws
+from mechanics.kernel.field import DivisionHere, Inadmissible, Residues
+from mechanics.kernel.primes import MODULUS, SIZES, draw_prime, log2_count, modulus_for
+from mechanics.kernel.sizes import Sizes
+from mechanics.kernel.statement import LEFT, POSITIVE, RIGHT, Statement
+from mechanics.program import OPERATIONS, Program, interpret
+from mechanics.program.operations import ABS, EQUAL, LESS, NOT_GREATER, SIGN
+
+MOST_DRAWS = 4096
+"""Most points that may be drawn until one is admissible: R of the bound."""
+
+HOPELESS = 16
+"""Points at which a division may fail before it counts as failing everywhere."""
+
+MOST_POINTS = 1000
+MOST_STEPS = 40_000_000
+"""Operations that may be carried out in fields for one statement."""
+
+PRIMES = 64
+"""Different primes that are tried for one statement, unless each point has its own."""
+
+WEIL = 40
+"""Bits by which the root of the prime exceeds the degree, so that (2) holds with its 2**-30."""
+
+KINKS = (ABS, SIGN, LESS, NOT_GREATER, EQUAL)
+UNKNOWN = ("log", "asin", "acos", "atan", "atan2", "asinh", "acosh", "atanh", "floor", "erf",
+           "power")  # fmt: skip
+
+
+class Answer(Enum):
+    """What the field says."""
+
+    ZERO = "zero"
+    NONZERO = "not zero"
+    PROVED = "zero by other means"
+    FAILED = "no admissible point"
+
+
+@dataclass(frozen=True)
+class Trial:
+    """Outcome: the answer, log2 of its bound, words for it.
+
+    Attributes
+    ----------
+    answer : Answer
+    log2_bound : float
+    words : str
+    unknown : tuple of str
+        Operations that are known by congruence only.
+    """
+
+    answer: Answer
+    log2_bound: float
+    words: str
+    unknown: tuple[str, ...] = ()
+
+
+class FailedError(Exception):
+    """No admissible point was found, or a budget is used up; carries the reason."""
+
+
+@dataclass(frozen=True)
+class Experiment:
+    """A statement made ready: in base angles, with the length of its primes."""
+
+    statement: Statement
+    program: Program
+    seed: str
+    turns: tuple[Fraction, ...]
+    modulus: int
+    bits: int
+    log2_bound: float
+
+    @property
+    def unknown(self) -> tuple[str, ...]:
+        """Operations that are known by congruence only."""
+        found = {OPERATIONS[code].name for code in self.program.operations}
+        kinks = {OPERATIONS[code].name for code in KINKS}
+        return tuple(sorted(found & (kinks | set(UNKNOWN))))
+
+    @property
+    def has_kinks(self) -> bool:
+        """Whether |x| or a comparison stands in it."""
+        return any(code in self.program.operations for code in KINKS)
+
+
+def prepare(statement: Statement, sizes: tuple[int, ...] = SIZES) -> Experiment:
+    """Measure a statement and choose its primes by equation (1).
+
+    Raises
+    ------
+    OverflowError
+        If the degree bound is beyond the longest primes.
+    """
+    program = base_angles(statement.program)
+    turns = turns_of(program)
+    modulus = MODULUS
+    for turn in turns:
+        wider = modulus_for(lcm(modulus // 4, turn.denominator))
+        modulus = wider or modulus
+    domain = Sizes()
+    inputs = {name: domain.variable() for name in program.inputs}
+    outputs = interpret(program, domain, inputs)
+    differences = [
+        domain.operations["subtract"](x, y)
+        for x, y in zip(outputs[LEFT], outputs[RIGHT], strict=True)
+    ]
+    degree, height = domain.total(differences)
+    conjugates = domain.log2_conjugates
+    if turns:
+        conjugates += log2(int(fmpz(modulus).euler_phi()))
+    kinks = any(code in program.operations for code in KINKS)
+    for bits in sizes:
+        bound = log2_bound(bits, modulus, degree, height, conjugates)
+        short = (conjugates or kinks) and log2(degree) + WEIL > bits / 2
+        if isfinite(bound) and bound <= log2(statement.target) - 1 and not short:
+            return Experiment(statement, program, statement.text, turns, modulus, bits, bound)
+    raise OverflowError("the degree bound is beyond the longest primes in use")
+
+
+def log2_bound(
+    bits: int, modulus: int, degree: float, height: float, log2_conjugates: float
+) -> float:
+    """log2 of P, equation (1)."""
+    schwartz_zippel = 1 + log2(degree) - (bits - 2)
+    unlucky_prime = log2(height / (bits - 1)) - log2_count(bits, modulus)
+    return log2(MOST_DRAWS) + log2_conjugates + log2_sum(schwartz_zippel, unlucky_prime)
+
+
+def log2_sum(one: float, two: float) -> float:
+    """log2(2**one + 2**two)."""
+    high, low = max(one, two), min(one, two)
+    return high + log2(1 + 2.0 ** max(low - high, -1000.0))
+
+
+@dataclass(frozen=True)
+class Point:
+    """One evaluated point."""
+
+    zero: bool
+    square_roots: int
+    kinks: int
+
+
+@dataclass
+class Session:
+    """The points of one experiment, one after the other, within its budget."""
+
+    experiment: Experiment
+    signs: bool = False
+    draws: Draws = field(init=False)
+    not_squares: set[int] = field(default_factory=set)
+    _primes: dict[int, int] = field(default_factory=dict)
+    _steps: int = 0
+    _first: Point | None = None
+
+    def __post_init__(self) -> None:
+        self.draws = Draws(self.experiment.seed, "signs" if self.signs else "values")
+
+    def _prime(self, index: int) -> int:
+        if index not in self._primes:
+            self._primes[index] = self._fresh_prime()
+        return self._primes[index]
+
+    def _fresh_prime(self) -> int:
+        return draw_prime(self.experiment.bits, self.experiment.modulus, self.draws)
+
+    def _evaluated(self, domain: Residues) -> dict[str, tuple[Any, ...]]:
+        statement, program = self.experiment.statement, self.experiment.program
+        self._steps += len(program)
+        if self._steps > MOST_STEPS:
+            raise FailedError(f"more than {MOST_STEPS} operations in fields")
+        inputs = {name: domain.input(statement.range_of(name)) for name in program.inputs}
+        return interpret(program, domain, inputs)
+
+    def point(self, fresh: bool = False) -> Point:
+        """The first admissible point of at most MOST_DRAWS."""
+        e = self.experiment
+        failures: dict[str, int] = {}
+        for index in range(MOST_DRAWS):
+            prime = self._fresh_prime() if fresh else self._prime(index % PRIMES)
+            domain = Residues(prime, e.modulus, self.draws, e.turns, signs=self.signs)
+            try:
+                outputs = self._evaluated(domain)
+                for entry in outputs.get(POSITIVE, ()):
+                    domain.positive(entry)
+            except Inadmissible as reason:
+                if domain.not_square is not None:
+                    self.not_squares.add(domain.not_square)
+                failures[str(reason)] = failures.get(str(reason), 0) + 1
+                if isinstance(reason, DivisionHere) and failures[str(reason)] >= HOPELESS:
+                    raise FailedError(f"{reason} at every one of {HOPELESS} points") from reason
+                continue
+            zero = all(
+                (x - y) % prime == 0 for x, y in zip(outputs[LEFT], outputs[RIGHT], strict=True)
+            )
+            return Point(zero, domain.square_roots, len(domain.kinks))
+        worst = max(failures, key=lambda reason: failures[reason])
+        raise FailedError(f"no admissible point among {MOST_DRAWS}: {worst}")
+
+    def unsure(self, point: Point) -> int:
+        """s of (2), after probing; what comes after an unsure sign is unsure itself."""
+        e, roots = self.experiment, point.square_roots
+        if point.kinks:
+            return point.kinks + roots
+        for index in range(min(16 * 2**roots, 2 * MOST_DRAWS)):
+            if len(self.not_squares) >= roots or self._steps > MOST_STEPS // 4:
+                break
+            prime = self._prime(index % PRIMES)
+            domain = Residues(prime, e.modulus, self.draws, e.turns, squares=False)
+            try:
+                self._evaluated(domain)
+            except Inadmissible:
+                if domain.not_square is not None:
+                    self.not_squares.add(domain.not_square)
+        first = next((i for i in range(roots) if i not in self.not_squares), roots)
+        return roots - first
+
+    def first(self) -> Answer:
+        """What one point says.
+
+        Raises
+        ------
+        FailedError
+            If no point is admissible.
+        """
+        self._first = self.point()
+        return Answer.ZERO if self._first.zero else Answer.NONZERO
+
+    def certify(self) -> Trial:
+        """Evaluate as many points as are needed after a first that was zero.
+
+        Raises
+        ------
+        FailedError
+            If the budget does not suffice.
+        """
+        e = self.experiment
+        assert self._first is not None and self._first.zero
+        unsure = self.unsure(self._first)
+        if not unsure:
+            words = f"zero at a random point modulo a random {e.bits}-bit prime"
+            return Trial(Answer.ZERO, e.log2_bound, words)
+        survival = log2(1 - 2.0**-unsure + 2.0**-30)
+        count = ceil((log2(e.statement.target) - 1) / survival) if survival < 0 else MOST_POINTS + 1
+        if count > MOST_POINTS:
+            raise FailedError(f"the signs of {unsure} roots or absolute values cannot be told")
+        for _ in range(count):
+            if not self.point(fresh=True).zero:
+                return Trial(Answer.NONZERO, -inf, f"not zero in a field of {e.bits} bits")
+        total = log2_sum(e.log2_bound, count * survival)
+        words = f"zero at {count} random points modulo random {e.bits}-bit primes"
+        where = ", off the boundaries of cases" if self.signs else ""
+        return Trial(Answer.ZERO, total, words + where)
+
+
+def trial(statement: Statement, is_proved: Callable[[], bool]) -> Trial:
+    """Evaluate a statement at random points of finite fields until it is certain or doubtful.
+
+    Parameters
+    ----------
+    statement : Statement
+    is_proved : callable
+        Asked once the first point is zero; if it says yes, no more points are needed.
+
+    Raises
+    ------
+    ExpressionError
+        If an operation has no meaning in a field.
+    """
+    try:
+        experiment = prepare(statement)
+    except OverflowError as reason:
+        return Trial(Answer.FAILED, inf, str(reason))
+    outcome = _attempt(experiment, False, is_proved)
+    if outcome.answer is Answer.NONZERO and experiment.has_kinks:
+        second = _attempt(experiment, True, is_proved)
+        outcome = second if second.answer in (Answer.ZERO, Answer.PROVED) else outcome
+    return replace(outcome, unknown=experiment.unknown)
+
+
+def _attempt(experiment: Experiment, signs: bool, is_proved: Callable[[], bool]) -> Trial:
+    try:
+        session = Session(experiment, signs)
+        if session.first() is Answer.NONZERO:
+            return Trial(Answer.NONZERO, -inf, f"not zero in a field of {experiment.bits} bits")
+        if is_proved():
+            return Trial(Answer.PROVED, -inf, "")
+        return session.certify()
+    except FailedError as failure:
+        return Trial(Answer.FAILED, inf, str(failure))

@@ -1,0 +1,169 @@
+"""A witness: a real, admissible state where the enclosures of the two sides are disjoint.
+
+[left] and [right] disjoint  =>  left != right there, whatever the rounding.
+
+States are the same for the same statement: simple numbers first, so that a person can put them into
+something else; then numbers that are drawn, of more digits and other magnitudes.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from fractions import Fraction
+
+from flint import arb
+
+from mechanics.kernel.balls import PRECISIONS, enclose, precision
+from mechanics.kernel.draws import Draws
+from mechanics.kernel.finding import Witness
+from mechanics.kernel.statement import LEFT, POSITIVE, RIGHT, Range, Statement
+from mechanics.program import Program
+from mechanics.program.operations import COS, INPUT, SIN
+
+DIGITS = 17
+SIMPLE = tuple(
+    Fraction(*pair)
+    for pair in ((1, 1), (2, 1), (1, 2), (3, 1), (3, 2), (5, 2), (3, 4), (5, 4), (7, 4), (4, 1))
+)
+ANGLES = tuple(Fraction(n, 10) for n in (3, 7, 11, 5, 8, 13, 2, 9, 4, 15))
+"""In radians: none is near a multiple of a quarter turn."""
+
+STATES = 160
+SIMPLE_STATES = 24
+TYPICAL_STATES = 12
+ROUNDS = ((PRECISIONS, 4), ((64, 256), 80))
+"""Precisions, and at how many states where both sides are defined they are tried: many digits for
+differences that are tiny everywhere, many states for those that are zero where some sign is right.
+"""
+
+State = dict[str, Fraction]
+
+
+def states(statement: Statement) -> Iterator[State]:
+    """States that meet the declared signs, simple ones first."""
+    names = statement.program.inputs
+    angles = angle_inputs(statement.program)
+    draws = Draws(statement.text, "witness")
+    if statement.typical:
+        yield {name: _typical(statement, name, angles, 0) for name in names}
+    for k in range(SIMPLE_STATES):
+        if statement.typical and k < TYPICAL_STATES:
+            yield {name: _typical(statement, name, angles, k + 1) * _near(i, k)
+                   for i, name in enumerate(names)}  # fmt: skip
+        yield {
+            name: _simple(statement.range_of(name), name in angles, i, k)
+            for i, name in enumerate(names)
+        }
+    for k in range(STATES - SIMPLE_STATES):
+        state = {name: _drawn(statement.range_of(name), draws, k) for name in names}
+        if statement.typical:
+            state |= {name: value * (1 + Fraction(draws.below(129) - 64, 256))
+                      for name, value in statement.typical.items()
+                      if k % 2 and name in state}  # fmt: skip
+        yield state
+
+
+def angle_inputs(program: Program) -> frozenset[str]:
+    """Inputs whose sine or cosine is taken."""
+    first = program.operands[0]
+    return frozenset(
+        program.inputs[first[first[number]]]
+        for number, code in enumerate(program.operations)
+        if code in (SIN, COS) and program.operations[first[number]] == INPUT
+    )
+
+
+def _simple(known: Range, is_angle: bool, place: int, k: int) -> Fraction:
+    """Each input another number, and others in each state; both signs for what is free."""
+    table = ANGLES if is_angle else SIMPLE
+    size = table[(place * (1 + k % 3) + k) % len(table)]
+    if known is Range.NEGATIVE:
+        return -size
+    minus = known is Range.FREE and (place * (k + 3) + k) % 4 > 1 and k > 0
+    return -size if minus else size
+
+
+def _typical(statement: Statement, name: str, angles: frozenset[str], k: int) -> Fraction:
+    if name in statement.typical:
+        return Fraction(statement.typical[name])
+    place = statement.program.inputs.index(name)
+    return _simple(statement.range_of(name), name in angles, place, k)
+
+
+def _near(place: int, k: int) -> Fraction:
+    """A factor close to 1, another for each input: what a body can have stays so."""
+    return 1 + Fraction((place * 7 + k * 5) % 11 - 5, 100)
+
+
+def _drawn(known: Range, draws: Draws, k: int) -> Fraction:
+    """Multiples of 1/64 up to 4; later ones of all magnitudes."""
+    size = Fraction(1 + draws.below(255), 64)
+    if k >= STATES // 2:
+        size *= Fraction(2) ** (draws.below(25) - 12)
+    minus = draws.bits(1)
+    if known is Range.NEGATIVE:
+        return -size
+    return -size if known is Range.FREE and minus else size
+
+
+def find_witness(statement: Statement) -> Witness | None:
+    """A state that refutes the statement, or None where none was found."""
+    for precisions, wanted in ROUNDS:
+        defined = 0
+        for state in states(statement):
+            found, here = _at_state(statement, state, precisions)
+            if found is not None:
+                return found
+            defined += here
+            if defined == wanted:
+                break
+    return None
+
+
+def _at_state(
+    statement: Statement, state: Mapping[str, Fraction], precisions: Sequence[int]
+) -> tuple[Witness | None, bool]:
+    """A witness if there is one, and whether an entry of both sides had a value."""
+    defined = False
+    for bits in precisions:
+        outputs = enclose(statement.program, state, bits)
+        conditions = outputs.get(POSITIVE, ())
+        if any(entry <= 0 for entry in conditions):
+            return None, defined
+        pairs = zip(outputs[LEFT], outputs[RIGHT], strict=True)
+        finite = [(x, y) for x, y in pairs if x.is_finite() and y.is_finite()]
+        defined = defined or bool(finite)
+        if not finite and bits >= 256:
+            return None, defined
+        if not all(entry > 0 for entry in conditions):
+            continue  # more digits may tell
+        apart = [(x, y) for x, y in finite if not x.overlaps(y)]
+        if apart:
+            with precision(bits):
+                x, y = max(apart, key=lambda pair: float(abs(pair[0] - pair[1]).mid()))
+            return _witness(statement, state, outputs, x, y), True
+    return None, defined
+
+
+def _witness(
+    statement: Statement, state: Mapping[str, Fraction], outputs: Mapping[str, tuple[arb, ...]],
+    x: arb, y: arb,
+) -> Witness:  # fmt: skip
+    solved = [
+        (name if len(values) == 1 else f"{name}[{i}]", value.str(DIGITS, radius=False))
+        for name, values in outputs.items()
+        if name not in (LEFT, RIGHT, POSITIVE)
+        for i, value in enumerate(values)
+    ]
+    words = tuple((name, str(state[name])) for name in sorted(state))
+    return Witness(words, *_words(x, y), tuple(solved))
+
+
+def _words(x: arb, y: arb) -> tuple[str, str]:
+    """Decimal enclosures with so many digits that they too are disjoint."""
+    for digits in (20, 40, 80, 160, 320, 640):
+        left, right = x.str(digits), y.str(digits)
+        with precision(5 * digits):
+            if not arb(left).overlaps(arb(right)):
+                break
+    return left, right
