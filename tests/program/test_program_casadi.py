@@ -1,4 +1,4 @@
-"""Programs become CasADi functions of the same value."""
+"""Programs become CasADi functions of the same value, and these become programs."""
 
 import casadi
 import numpy as np
@@ -10,6 +10,7 @@ from hypothesis.strategies import SearchStrategy
 from mechanics.errors import ExpressionError
 from mechanics.program import Builder, Program, interpret
 from mechanics.program.casadi_printer import print_function
+from mechanics.program.casadi_reader import read
 from mechanics.program.numpy_domain import Arrays
 
 POINT = {"x": 0.31, "y": -1.27, "z": 1.91}
@@ -58,3 +59,100 @@ def test_a_third_is_a_division_that_rounds_once() -> None:
     assert values == [5.3 / 3, -5.3 / 7, 5.3 / 4, 5.3 * (2 / 3), 1 / 3]
     codes = {function.instruction_id(k) for k in range(function.n_instructions())}
     assert casadi.OP_DIV in codes
+
+
+@settings(max_examples=100, deadline=None)
+@given(data=st.data())
+def test_what_is_printed_and_read_again_has_the_same_values(
+    programs: SearchStrategy[Program], data: st.DataObject
+) -> None:
+    program = data.draw(programs)
+    function = print_function(program, "f", {"v": ["z", "x"], "w": ["y"]})
+    b = Builder()
+    x, y, z = (b.input(name) for name in "xyz")
+    again = b.program(read(b, function, {"v": [z, x], "w": [y]}), program.inputs)
+    before, after = (interpret(p, Arrays(), POINT) for p in (program, again))
+    for name, values in before.items():
+        np.testing.assert_allclose(
+            np.array(after[name], float), np.array(values, float), rtol=1e-9, atol=1e-9
+        )
+
+
+X, Y = casadi.SX.sym("x"), casadi.SX.sym("y")
+
+
+@pytest.mark.parametrize(
+    "graph",
+    [
+        X**2, 2 * X, 1 / X, X**2.5, X**Y, casadi.expm1(X), casadi.log1p(X), casadi.hypot(X, Y),
+        casadi.ceil(X), casadi.fmax(X, Y), casadi.fmin(X, Y), casadi.fmod(X, Y),
+        casadi.fmod(-X, Y), casadi.copysign(X, -Y), X != Y, casadi.logic_not(X < Y),
+        casadi.if_else(X < Y, X, Y), casadi.if_else(X > Y, X, 0), casadi.if_else(X > Y, 0, X),
+        casadi.sign(X - Y), casadi.fabs(-X), casadi.erf(X), casadi.atan2(X, Y),
+        casadi.logic_and(X < Y, X > 0), casadi.logic_or(X > Y, X > 0),
+    ],
+)  # fmt: skip
+def test_every_operation_has_the_value_that_casadi_gives_it(graph: casadi.SX) -> None:
+    function = casadi.Function("f", [X, Y], [graph], ["x", "y"], ["f"])
+    b = Builder()
+    program = b.program(read(b, function))
+    for x, y in ((0.7, 2.3), (5.25, 0.75)):
+        (found,) = interpret(program, Arrays(), {"x": x, "y": y})["f"]
+        assert float(found) == pytest.approx(float(function(x, y)), rel=1e-14)
+
+
+def test_a_side_of_if_else_stands_under_its_condition() -> None:
+    b = Builder()
+    shared = casadi.log(X)
+    graph = casadi.if_else(X > 0, casadi.sqrt(X) + shared, 1 / X) + shared
+    (node,) = read(b, casadi.Function("f", [X], [graph], ["x"], ["f"]))["f"]
+    positive = b.less(0, b.input("x"))
+    conditions = {o.operation: o.conditions for o in b.obligations}
+    assert conditions["sqrt"] == ((positive.number, True),)
+    assert conditions["divide"] == ((positive.number, False),)
+    assert () in {o.conditions for o in b.obligations if o.operation == "log"}
+    assert node.constant is None
+
+
+def test_matrices_are_read_row_by_row_and_noughts_are_noughts() -> None:
+    matrix = casadi.SX.sym("m", casadi.Sparsity.upper(2))
+    function = casadi.Function("f", [matrix], [2 * matrix], ["m"], ["f"])
+    b = Builder()
+    found = read(b, function)["f"]
+    assert found == (2 * b.input("m[0]"), 2 * b.input("m[1]"), b.zero, 2 * b.input("m[3]"))
+
+
+def test_graphs_of_matrices_are_expanded() -> None:
+    x = casadi.MX.sym("x", 2)
+    function = casadi.Function("f", [x], [casadi.dot(x, x)], ["x"], ["f"])
+    b = Builder()
+    program = b.program(read(b, function))
+    assert interpret(program, Arrays(), {"x[0]": 3.0, "x[1]": 4.0})["f"] == (25.0,)
+
+
+def test_what_has_no_meaning_is_named() -> None:
+    b = Builder()
+    remainder = casadi.Function("f", [X, Y], [casadi.remainder(X, Y)])
+    with pytest.raises(ExpressionError, match="OP_REMAINDER"):
+        read(b, remainder)
+    with pytest.raises(ExpressionError, match="finite"):
+        read(b, casadi.Function("f", [X], [X + casadi.inf]))
+    with pytest.raises(ExpressionError, match="has 1 entries, 2 found"):
+        read(b, casadi.Function("f", [X], [X], ["x"], ["f"]), {"x": [b.one, b.one]})
+    interpolant = casadi.interpolant("g", "linear", [[0, 1]], [0, 1])
+    with pytest.raises(ExpressionError, match="OP_CALL"):
+        read(b, interpolant)
+
+
+def test_what_does_not_expand_is_refused() -> None:
+    class Opaque(casadi.Callback):
+        def __init__(self) -> None:
+            super().__init__()
+            self.construct("opaque")
+
+        def eval(self, arguments: list[casadi.DM]) -> list[casadi.DM]:
+            return arguments
+
+    x, opaque = casadi.MX.sym("x"), Opaque()
+    with pytest.raises(ExpressionError, match="casadi function f does not expand to scalars"):
+        read(Builder(), casadi.Function("f", [x], [opaque(x)]))

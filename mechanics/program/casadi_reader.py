@@ -1,0 +1,217 @@
+"""CasADi functions as nodes.
+
+A graph's constants are doubles, and each is the dyadic rational that it is: 0.333... is no third,
+unless the caller recognises it. What a graph computes on one side of `if_else` alone stands under
+that condition, since the other side discards it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from typing import NamedTuple
+
+import casadi
+
+from mechanics.errors import ExpressionError
+from mechanics.program.branches import Choice, Parts, build
+from mechanics.program.builder import Builder, Node
+from mechanics.program.operations import OPERATIONS
+
+
+class _Instruction(NamedTuple):
+    """One value of a graph: operation, earlier values or (input, entry), constant."""
+
+    operation: int
+    operands: tuple[int, ...]
+    constant: float
+
+
+def read(
+    builder: Builder,
+    function: casadi.Function,
+    arguments: Mapping[str, Sequence[Node]] | None = None,
+) -> dict[str, tuple[Node, ...]]:
+    """Nodes of the outputs of a CasADi function.
+
+    Parameters
+    ----------
+    builder : Builder
+    function : casadi.Function
+        A graph of scalars (SX), or what expands to one.
+    arguments : mapping of str to sequence of Node, optional
+        Entries of an input, row by row. By default inputs of the builder: ``"x"`` for a scalar,
+        ``"x[0]"`` and so on for a vector or matrix.
+
+    Returns
+    -------
+    dict of str to tuple of Node
+        Entries of each output, row by row.
+
+    Raises
+    ------
+    ExpressionError
+        If the function does not expand, an argument has another number of entries, a constant is
+        not finite, or an operation has no meaning here, which is named.
+
+    Examples
+    --------
+    >>> x = casadi.SX.sym("x", 2)
+    >>> f = casadi.Function("f", [x], [x[0] / x[1] + casadi.sin(x[0])], ["x"], ["y"])
+    >>> b = Builder()
+    >>> b.program(read(b, f))
+    <program of 3 operations: y>
+    """
+    function = _graph(function)
+    instructions, stores = _single_assignment(function)
+    entries = [_entries(builder, function, i, arguments or {}) for i in range(function.n_in())]
+    nodes = build(
+        builder, [value for _, _, value in stores], _expansion(builder, instructions, entries)
+    )
+    outputs: dict[str, tuple[Node, ...]] = {}
+    for index in range(function.n_out()):
+        stored = {e: n for (o, e, _), n in zip(stores, nodes, strict=True) if o == index}
+        rows, columns = function.size_out(index)
+        dense = [builder.zero] * (rows * columns)
+        for entry, place in enumerate(function.sparsity_out(index).find()):
+            dense[place % rows * columns + place // rows] = stored[entry]
+        outputs[function.name_out(index)] = tuple(dense)
+    return outputs
+
+
+def _graph(function: casadi.Function) -> casadi.Function:
+    if function.is_a("SXFunction"):
+        return function
+    try:
+        return function.expand()
+    except RuntimeError as error:
+        reason = str(error).strip().splitlines()[-1]
+        raise ExpressionError(
+            f"casadi function {function.name()} does not expand to scalars: {reason}"
+        ) from error
+
+
+def _entries(
+    builder: Builder, function: casadi.Function, index: int, arguments: Mapping[str, Sequence[Node]]
+) -> list[Node]:
+    """Nodes of the stored entries of an input."""
+    name, (rows, columns) = function.name_in(index), function.size_in(index)
+    size = rows * columns
+    nodes = arguments.get(name)
+    if nodes is None:
+        names = [name] if size == 1 else [f"{name}[{k}]" for k in range(size)]
+        nodes = [builder.input(entry) for entry in names]
+    if len(nodes) != size:
+        raise ExpressionError(
+            f"input {name} of {function.name()} has {size} entries, {len(nodes)} found:"
+            " pass all of them, row by row"
+        )
+    places = function.sparsity_in(index).find()
+    return [nodes[place % rows * columns + place // rows] for place in places]
+
+
+def _single_assignment(
+    function: casadi.Function,
+) -> tuple[list[_Instruction], list[tuple[int, int, int]]]:
+    """Each value once, and (output, entry, value): CasADi's own slots are used again and again."""
+    values: list[_Instruction] = []
+    stores: list[tuple[int, int, int]] = []
+    slots: dict[int, int] = {}
+    for k in range(function.n_instructions()):
+        operation = function.instruction_id(k)
+        operands = tuple(function.instruction_input(k))
+        if operation == casadi.OP_OUTPUT:
+            stores.append((*function.instruction_output(k), slots[operands[0]]))
+            continue
+        constant = 0.0
+        if operation == casadi.OP_CONST:
+            constant = function.instruction_constant(k)
+        elif operation != casadi.OP_INPUT:
+            operands = tuple(slots[slot] for slot in operands)
+        slots[function.instruction_output(k)[0]] = len(values)
+        values.append(_Instruction(operation, operands, constant))
+    return values, stores
+
+
+_NOUGHT = -1
+"""Stands for the constant 0 among the numbers of values."""
+
+
+def _expansion(
+    builder: Builder, instructions: Sequence[_Instruction], entries: Sequence[Sequence[Node]]
+) -> Callable[[int], Parts | Choice]:
+    def expand(value: int) -> Parts | Choice:
+        if value == _NOUGHT:
+            return Parts((), lambda: builder.zero_number)
+        operation, operands, constant = instructions[value]
+        if operation == casadi.OP_CONST:
+            return Parts((), lambda: builder.constant(constant).number)
+        if operation == casadi.OP_INPUT:
+            group, entry = operands
+            return Parts((), lambda: entries[group][entry].number)
+        if operation == casadi.OP_IF_ELSE_ZERO:
+            return Choice(*operands, _NOUGHT)
+        if operation == casadi.OP_ADD and (choice := _either(instructions, *operands)):
+            return choice
+        rule = _RULES.get(operation)
+        if rule is None:
+            raise ExpressionError(
+                f"casadi operation {_name(operation)} has no meaning here:"
+                " write the expression without it"
+            )
+
+        def apply(*numbers: int) -> int:
+            return rule(builder, *[Node(builder, number) for number in numbers]).number
+
+        return Parts(operands, apply)
+
+    return expand
+
+
+def _either(instructions: Sequence[_Instruction], x: int, y: int) -> Choice | None:
+    """(c ? a : 0) + (!c ? b : 0), which is what CasADi makes of `if_else`."""
+    first, second = instructions[x], instructions[y]
+    if {first.operation, second.operation} != {casadi.OP_IF_ELSE_ZERO}:
+        return None
+    for (condition, yes), (other, no) in (
+        (first.operands, second.operands), (second.operands, first.operands)
+    ):  # fmt: skip
+        negation = instructions[other]
+        if negation.operation == casadi.OP_NOT and negation.operands[0] == condition:
+            return Choice(condition, yes, no)
+    return None
+
+
+def _name(operation: int) -> str:
+    names = [n for n in dir(casadi) if n.startswith("OP_") and getattr(casadi, n) == operation]
+    return names[0] if names else str(operation)
+
+
+def _call(name: str) -> Callable[..., Node]:
+    return lambda b, *operands: b.call(name, *operands)
+
+
+def _fmod(b: Builder, x: Node, y: Node) -> Node:
+    quotient = x / y
+    whole = b.call("floor", abs(quotient))
+    return x - y * b.less(quotient, 0).choose(-whole, whole)
+
+
+_RULES: dict[int, Callable[..., Node]] = {
+    getattr(casadi, row.casadi): _call(row.name) for row in OPERATIONS if row.casadi
+} | {
+    casadi.OP_ASSIGN: lambda b, x: x,
+    casadi.OP_SQ: lambda b, x: x * x,
+    casadi.OP_TWICE: lambda b, x: x * 2,
+    casadi.OP_INV: lambda b, x: 1 / x,
+    casadi.OP_CONSTPOW: lambda b, x, y: x.power(y),
+    casadi.OP_EXPM1: lambda b, x: x.exp() - 1,
+    casadi.OP_LOG1P: lambda b, x: (1 + x).log(),
+    casadi.OP_HYPOT: lambda b, x, y: (x * x + y * y).sqrt(),
+    casadi.OP_CEIL: lambda b, x: -b.call("floor", -x),
+    casadi.OP_FMAX: lambda b, x, y: b.less(x, y).choose(y, x),
+    casadi.OP_FMIN: lambda b, x, y: b.less(x, y).choose(x, y),
+    casadi.OP_FMOD: _fmod,
+    casadi.OP_COPYSIGN: lambda b, x, y: b.less(y, 0).choose(-abs(x), abs(x)),
+    casadi.OP_NE: lambda b, x, y: b.call("not", b.call("equal", x, y)),
+}
+"""What an operation means; what has no row of its own is written in those that have."""
