@@ -14,6 +14,7 @@ from typing import Any
 import casadi
 
 from mechanics.errors import ExpressionError
+from mechanics.program.constants import unit_fraction
 from mechanics.program.elimination import expand_solves
 from mechanics.program.interpret import interpret
 from mechanics.program.operations import MULTIPLY, OPERATIONS
@@ -133,13 +134,6 @@ def _multiply(x: Any, y: Any) -> Any:
         if isinstance(constant, Fraction) and (divisor := unit_fraction(constant)):
             return casadi.SX.binary(casadi.OP_DIV, _graph(other), casadi.SX(divisor))
     return casadi.SX.binary(casadi.OP_MUL, _graph(x), _graph(y))
-
-
-def unit_fraction(value: Fraction) -> int | None:
-    """The number n of 1/n or -1/n, where n is a double and the value is none."""
-    divisor = value.denominator * value.numerator
-    single = abs(value.numerator) == 1 and Fraction(float(value)) != value
-    return divisor if single and abs(divisor) < 1 << 53 else None
 
 
 def _select(condition: Any, x: Any, y: Any) -> Any:

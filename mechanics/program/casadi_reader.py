@@ -120,7 +120,8 @@ def _single_assignment(
         operation = function.instruction_id(k)
         operands = tuple(function.instruction_input(k))
         if operation == casadi.OP_OUTPUT:
-            stores.append((*function.instruction_output(k), slots[operands[0]]))
+            output, entry = function.instruction_output(k)
+            stores.append((output, entry, slots[operands[0]]))
             continue
         constant = 0.0
         if operation == casadi.OP_CONST:
@@ -139,17 +140,18 @@ _NOUGHT = -1
 def _expansion(
     builder: Builder, instructions: Sequence[_Instruction], entries: Sequence[Sequence[Node]]
 ) -> Callable[[int], Parts | Choice]:
-    def expand(value: int) -> Parts | Choice:
-        if value == _NOUGHT:
+    def expand(number: int) -> Parts | Choice:
+        if number == _NOUGHT:
             return Parts((), lambda: builder.zero_number)
-        operation, operands, constant = instructions[value]
+        operation, operands, constant = instructions[number]
         if operation == casadi.OP_CONST:
             return Parts((), lambda: builder.constant(constant).number)
         if operation == casadi.OP_INPUT:
             group, entry = operands
             return Parts((), lambda: entries[group][entry].number)
         if operation == casadi.OP_IF_ELSE_ZERO:
-            return Choice(*operands, _NOUGHT)
+            condition, value = operands
+            return Choice(condition, value, _NOUGHT)
         if operation == casadi.OP_ADD and (choice := _either(instructions, *operands)):
             return choice
         rule = _RULES.get(operation)

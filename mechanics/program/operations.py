@@ -63,7 +63,7 @@ class Operation:
     casadi : str
         CasADi's name of the operation in a graph; select takes two of them, see the printer.
     c : str
-        C99, a template of the operands, which may hold each of them more than once.
+        C99, a template of the operands; each may stand in it more than once.
     ulp : float
         Largest error in double precision, in units in the last place: half for what IEEE 754
         rounds correctly, else what the GNU C library's manual states for x86-64, "Known Maximum
@@ -218,7 +218,7 @@ OPERATIONS: tuple[Operation, ...] = (
     Operation(
         "sign", SIGN, 1, exact=lambda x: Fraction((x > 0) - (x < 0)),
         partials=lambda x, r: (0,),
-        numpy="sign", casadi="OP_SIGN", c="({0} > 0) - ({0} < 0)", sympy="sign",
+        numpy="sign", casadi="OP_SIGN", c="(double)(({0} > 0) - ({0} < 0))", sympy="sign",
     ),
     Operation(
         "floor", FLOOR, 1, exact=lambda x: Fraction(x.__floor__()),
