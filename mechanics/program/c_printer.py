@@ -35,11 +35,12 @@ from mechanics.program.program import Program
 WIDTH = 92
 """Of a line, without its indentation; an expression of half of it is a statement of its own."""
 
-KEYWORDS = frozenset(
-    """auto break case char const continue default do double else enum extern float for goto if
-    inline int long register restrict return short signed sizeof static struct switch typedef union
-    unsigned void volatile while _Bool _Complex _Imaginary""".split()
-)
+_WORDS = """
+    auto break case char const continue default do double else enum extern float for goto if inline
+    int long register restrict return short signed sizeof static struct switch typedef union
+    unsigned void volatile while _Bool _Complex _Imaginary
+"""
+KEYWORDS = frozenset(_WORDS.split())
 FUNCTIONS = frozenset(name for row in OPERATIONS for name in re.findall(r"\w+(?=\()", row.c))
 
 PRIMARY, UNARY = 10, 9
