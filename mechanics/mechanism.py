@@ -41,6 +41,7 @@ from mechanics.scene import (
 )
 from mechanics.scene.geometry import (
     components,
+    dyadic_matrix,
     frame_path,
     point_path,
     relative_rotation,
@@ -438,7 +439,7 @@ class _Lowering:
         if not isinstance(body, RigidBody):
             return Mass(body.name, centre, None, mass, None)
         if isinstance(body.inertia, Dyadic):
-            matrix = body.inertia.to_matrix(body.frame)
+            matrix = dyadic_matrix(body.inertia, body.frame)
             rows = tuple(
                 tuple(self.expression(entry, where) for entry in matrix[i, :]) for i in range(3)
             )

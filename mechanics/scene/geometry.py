@@ -10,8 +10,8 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field
 from itertools import pairwise
 
-from sympy import Expr, Matrix
-from sympy.physics.vector import Point, ReferenceFrame, Vector
+from sympy import Expr, Matrix, zeros
+from sympy.physics.vector import Dyadic, Point, ReferenceFrame, Vector
 
 from mechanics.errors import SceneError
 from mechanics.scene.declared import decimals
@@ -66,6 +66,21 @@ def step_vector(parent: Point, child: Point) -> Vector:
 def components(vector: Vector) -> tuple[tuple[ReferenceFrame, Matrix], ...]:
     """(frame, 3 x 1 components) of a SymPy vector; empty for the zero vector."""
     return tuple((frame, Matrix(column).applyfunc(decimals)) for column, frame in vector.args)
+
+
+def dyadic_matrix(dyadic: Dyadic, frame: ReferenceFrame) -> Matrix:
+    """3 x 3 components of a dyadic in a frame.
+
+    Where it is given in that frame its terms are added up; SymPy multiplies 27 vectors a term.
+    """
+    total = zeros(3, 3)
+    for factor, first, second in dyadic.args:
+        if any(owner != frame for vector in (first, second) for _, owner in vector.args):
+            return Matrix(dyadic.to_matrix(frame))
+        for left, _ in first.args:
+            for right, _ in second.args:
+                total += factor * left * right.T
+    return total
 
 
 @dataclass(frozen=True)

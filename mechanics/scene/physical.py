@@ -18,7 +18,14 @@ from sympy.physics.vector import Dyadic, Vector, dynamicsymbols
 from mechanics.errors import SceneError
 from mechanics.exact import canonical, is_zero
 from mechanics.scene.bodies import Body, Particle, RigidBody
-from mechanics.scene.geometry import frame_path, relative_rotation
+from mechanics.scene.geometry import (
+    Placed,
+    components,
+    frame_path,
+    point_path,
+    relative_rotation,
+    step_vector,
+)
 from mechanics.scene.loads import Coulomb, Damper, Force, Gravity, Spring, Torque, TorsionSpring
 from mechanics.scene.symbols import by_name
 from mechanics.scene.wellformed import inertia_entries
@@ -90,7 +97,11 @@ def _orientations(scene: Scene) -> None:
         return  # four Euler parameters give a rotation only where their constraint holds
     frames = {body.frame for body in scene.bodies if isinstance(body, RigidBody)}
     for body in scene.bodies:
-        frames |= {frame for _, frame in body.centre.pos_from(scene.origin).args}
+        for parent, child in pairwise(point_path(scene.origin, body.centre)):
+            frames |= {frame for _, frame in step_vector(parent, child).args}
+    for part in (*scene.reactions, *scene.loads):
+        vectors = [value for value in vars(part).values() if isinstance(value, Vector)]
+        frames |= {frame for vector in vectors for _, frame in vector.args}
     steps = {step for frame in frames for step in pairwise(frame_path(scene.frame, frame))}
     for parent, child in sorted(steps, key=str):
         step = relative_rotation(parent, child).applyfunc(
@@ -135,7 +146,9 @@ def check_loads(scene: Scene) -> None:
                 " declare a RigidBody"
             )
         if isinstance(load, Torque | Force):
-            _no_accelerations(scene, where, list(scene.vector(load.vector, where)))
+            placed = Placed(scene.frame, scene.origin)
+            entries = [scene.plain(entry, where) for entry in placed.vector(load.vector)]
+            _no_accelerations(scene, where, entries)
 
 
 def _line(scene: Scene, where: str, load: Spring | Damper) -> None:
@@ -152,7 +165,12 @@ def _line(scene: Scene, where: str, load: Spring | Damper) -> None:
 
 
 def _unit(scene: Scene, where: str, direction: Vector) -> None:
-    entries = scene.vector(direction, where)
+    # Frames are orthonormal: within one, its components alone give the length.
+    given = components(direction)
+    if len(given) == 1:
+        entries = given[0][1].applyfunc(lambda entry: scene.plain(entry, where))
+    else:
+        entries = scene.vector(direction, where)
     square = canonical(entries.dot(entries))
     # A gradient such as (x, y)/L has unit length only where the constraints hold.
     if scene.constraints and square.free_symbols & set(scene.q):

@@ -19,7 +19,7 @@ from mechanics.errors import SceneError
 from mechanics.scene.bodies import Particle, RigidBody
 from mechanics.scene.conditions import Condition
 from mechanics.scene.declared import kind_of, scalar
-from mechanics.scene.geometry import Placed
+from mechanics.scene.geometry import Placed, dyadic_matrix
 from mechanics.scene.loads import Load
 from mechanics.scene.reactions import Constraint, Reaction
 from mechanics.scene.symbols import DOTS, name_of
@@ -182,5 +182,5 @@ def typed_expressions(scene: Scene) -> Iterator[tuple[str, Expr]]:
 def inertia_entries(body: RigidBody) -> list[Expr]:
     """The scalar inertia, or the entries of the dyadic in the body's frame."""
     if isinstance(body.inertia, Dyadic):
-        return list(body.inertia.to_matrix(body.frame))
+        return list(dyadic_matrix(body.inertia, body.frame))
     return [body.inertia]

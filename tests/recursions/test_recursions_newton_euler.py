@@ -1,0 +1,85 @@
+"""Newton and Euler's recursion has Kane's rows, on every system and on random trees."""
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from benchmarks.space import scenes
+from benchmarks.space.random_trees import build, numbers, state, trees
+from benchmarks.space.scenes import Joint
+from benchmarks.space.textbook import inverse_dynamics
+from mechanics.mechanism import Mechanism, lower
+from mechanics.program import Builder, interpret
+from mechanics.program.counting import count
+from mechanics.program.numpy_domain import Arrays
+from mechanics.program.residues import Residues
+from mechanics.recursions import newton_euler
+from mechanics.recursions.pseudo_inertia import grouped, moments
+from mechanics.routes.programs import kane
+from systems import ALL, VARIANTS
+
+MOMENTS = (moments, grouped)
+
+
+@pytest.mark.parametrize("system", [*ALL, *VARIANTS], ids=lambda system: system.scene().name)
+@pytest.mark.parametrize("masses", MOMENTS)
+def test_the_rows_are_kanes(system, masses) -> None:
+    mechanism = lower(system.scene(), Builder())
+    filter_ = Residues(mechanism.builder)
+    rows = newton_euler.rows(mechanism, masses(mechanism))
+    # Behind the rows of the speeds Kane's list has those of reactions that press.
+    right = kane.derive(mechanism).values[: len(rows)]
+    assert len(rows) == len(mechanism.u)
+    assert [filter_.is_zero(a - b) for a, b in zip(rows, right, strict=True)] == [True] * len(rows)
+
+
+@settings(max_examples=20, deadline=None, derandomize=True)
+@given(trees(), st.integers(0, 2**32))
+def test_random_trees_have_kanes_rows_and_the_textbooks_torques(
+    joints: tuple[Joint, ...], seed: int
+) -> None:
+    mechanism = lower(build(joints), Builder())
+    filter_ = Residues(mechanism.builder)
+    right = kane.derive(mechanism).values
+    links, values = numbers(joints, seed)
+    q, qd, qdd, at = state(len(joints), seed + 1)
+    tau = inverse_dynamics(links, q, qd, qdd, values["g"])
+    sizes = inverse_dynamics(links, q, qd, qdd, values["g"], sizes=True)
+    for masses in MOMENTS:
+        rows = newton_euler.rows(mechanism, masses(mechanism))
+        assert all(filter_.is_zero(a - b) for a, b in zip(rows, right, strict=True))
+        program = mechanism.builder.program({"tau": rows})
+        (found,) = interpret(program, Arrays(), values | at).values()
+        np.testing.assert_array_less(
+            np.abs(np.array(found, dtype=float) - tau), 64 * np.finfo(float).eps * sizes + 1e-300
+        )
+
+
+def operations(mechanism: Mechanism) -> tuple[int, int]:
+    rows = newton_euler.rows(mechanism, grouped(mechanism))
+    program = mechanism.builder.program({"tau": rows})
+    state = {f"q{i}{dots}" for i in range(1, 8) for dots in ("", "_dot", "_ddot")}
+    found = count(program, {*program.inputs} - state)
+    return found.multiplications, found.additions
+
+
+def test_arms_cost_no_more_than_symbolic_packages_say() -> None:
+    """SymPyBotics takes 345 + 296 for the first and 415 + 354 for the second."""
+    first = operations(lower(scenes.puma560(), Builder()))
+    assert first[0] <= 300 and first[1] <= 260
+    second = operations(lower(scenes.panda(), Builder()))
+    assert second[0] <= 380 and second[1] <= 330
+
+
+def test_a_chain_costs_no_more_than_its_recursion() -> None:
+    mechanism = lower(scenes.chain(10), Builder())
+    rows = newton_euler.rows(mechanism, moments(mechanism))
+    assert mechanism.builder.program({"tau": rows}).count <= 293
+
+
+def test_numbers_for_symbols_make_no_count_larger() -> None:
+    """Lengths, masses and moments as numbers are folded, and nothing else changes."""
+    symbols = lower(scenes.ur5(numbers=False), Builder())
+    figures = lower(scenes.ur5(), Builder())
+    assert sum(operations(figures)) <= sum(operations(symbols))
