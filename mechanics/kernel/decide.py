@@ -15,7 +15,7 @@ from mechanics.kernel.finding import Finding, Verdict
 from mechanics.kernel.normal import proves
 from mechanics.kernel.statement import LEFT, RIGHT, Statement
 from mechanics.kernel.trial import Answer, Trial, trial
-from mechanics.kernel.witness import find_witness
+from mechanics.kernel.witness import find_boundary_witness, find_witness
 
 PROOF = "both sides have the same normal form"
 SAME = "both sides are the same expression"
@@ -79,12 +79,16 @@ def _decided(statement: Statement, try_normal: bool) -> Finding:
     outcome = trial(statement, is_proved)
     if outcome.answer is Answer.PROVED:
         return Finding(subject, Verdict.PROVED, PROOF)
-    if outcome.answer is Answer.ZERO:
+    if outcome.answer is Answer.ZERO and not outcome.off_boundaries:
         return _certified(subject, outcome)
-    witness = find_witness(statement)
+    # Where cases meet, sides may differ that are equal everywhere else.
+    find = find_boundary_witness if outcome.answer is Answer.ZERO else find_witness
+    witness = find(statement)
     if witness is not None:
         words = "the enclosures at a real state are disjoint"
         return Finding(subject, Verdict.REFUTED, words, witness=witness)
+    if outcome.answer is Answer.ZERO:
+        return _certified(subject, outcome)
     # Only here can the normal form know more than the field: |x|, signs of roots.
     if is_proved():
         return Finding(subject, Verdict.PROVED, PROOF)

@@ -21,6 +21,8 @@ Illinois J. Math. 62 (2018) 427-532, from the abstract).
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
+from fractions import Fraction
 from functools import cache
 
 from flint import fmpz
@@ -35,10 +37,14 @@ SHORTEST = 64
 _SMALL = math.prod(q for q in range(11, 2000) if fmpz(q).is_prime())
 
 
-def modulus_for(denominator: int) -> int | None:
-    """The modulus of primes that have points for multiples of pi / denominator, or None."""
-    modulus = math.lcm(MODULUS, 4 * denominator)
-    return modulus if modulus <= LARGEST_MODULUS else None
+def common_modulus(turns: Sequence[Fraction]) -> int:
+    """The modulus of primes that have points for as many of the multiples of pi as can be."""
+    modulus = MODULUS
+    for turn in turns:
+        wider = math.lcm(modulus, 4 * turn.denominator)
+        if wider <= LARGEST_MODULUS:
+            modulus = wider
+    return modulus
 
 
 def draw_prime(bits: int, modulus: int, draws: Draws) -> int:

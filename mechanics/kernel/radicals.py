@@ -8,21 +8,18 @@ is. What is left is one generator w with w**k = rest.
 from __future__ import annotations
 
 from fractions import Fraction
-from typing import TYPE_CHECKING
 
 from flint import fmpq, fmpq_mpoly, fmpz
 from flint.utils.flint_exceptions import DomainError
 
-from mechanics.kernel.ring import TooLarge, content
+from mechanics.kernel.quotients import Quotient, Quotients
+from mechanics.kernel.ring import TooLarge, content, leading_powers
 from mechanics.kernel.sizes import ROOTS
-
-if TYPE_CHECKING:
-    from mechanics.kernel.normal import Fractions, Quotient
 
 LARGEST_CONTENT = 10**18
 
 
-def root(a: Fractions, x: Quotient, degree: int) -> Quotient:
+def root(a: Quotients, x: Quotient, degree: int) -> Quotient:
     """The root of a number that is not negative, prime degree by prime degree."""
     for k in ROOTS:
         while degree % k == 0:
@@ -30,7 +27,7 @@ def root(a: Fractions, x: Quotient, degree: int) -> Quotient:
     return x
 
 
-def _prime_root(a: Fractions, x: Quotient, k: int) -> Quotient:
+def _prime_root(a: Quotients, x: Quotient, k: int) -> Quotient:
     ring = a.ring
     below = a.denominator(x.powers)
     radicand = ring.product(ring.reduced(x.numerator), ring.power(below, k - 1))
@@ -42,13 +39,11 @@ def _prime_root(a: Fractions, x: Quotient, k: int) -> Quotient:
     return _divided(a, _of_polynomial(a, radicand, k, not x.powers), below)
 
 
-def _divided(a: Fractions, above: fmpq_mpoly, below: fmpq_mpoly) -> Quotient:
-    one = a.constant(Fraction(1))
-    quotient = type(one)
-    return a.multiply(quotient(above, {}), a.inverse(quotient(below, {})))
+def _divided(a: Quotients, above: fmpq_mpoly, below: fmpq_mpoly) -> Quotient:
+    return a.divide(Quotient(above, {}), Quotient(below, {}))
 
 
-def _of_polynomial(a: Fractions, radicand: fmpq_mpoly, k: int, positive: bool) -> fmpq_mpoly:
+def _of_polynomial(a: Quotients, radicand: fmpq_mpoly, k: int, positive: bool) -> fmpq_mpoly:
     ring = a.ring
     unit = content(radicand)
     rest = radicand / fmpq(unit.numerator, unit.denominator)
@@ -63,7 +58,7 @@ def _of_polynomial(a: Fractions, radicand: fmpq_mpoly, k: int, positive: bool) -
     return ring.product(result, _of_rest(a, rest, k, positive))
 
 
-def _of_rational(a: Fractions, unit: Fraction, k: int) -> fmpq_mpoly:
+def _of_rational(a: Quotients, unit: Fraction, k: int) -> fmpq_mpoly:
     """The root of a positive rational, prime by prime."""
     whole = unit.numerator * unit.denominator ** (k - 1)
     if whole > LARGEST_CONTENT:
@@ -77,7 +72,7 @@ def _of_rational(a: Fractions, unit: Fraction, k: int) -> fmpq_mpoly:
     return result
 
 
-def _of_rest(a: Fractions, rest: fmpq_mpoly, k: int, positive: bool) -> fmpq_mpoly:
+def _of_rest(a: Quotients, rest: fmpq_mpoly, k: int, positive: bool) -> fmpq_mpoly:
     if rest == 1:
         return rest
     if k == 2:
@@ -88,22 +83,48 @@ def _of_rest(a: Fractions, rest: fmpq_mpoly, k: int, positive: bool) -> fmpq_mpo
     return _generator(a, rest, k, positive)
 
 
-def _generator(a: Fractions, radicand: fmpq_mpoly, k: int, positive: bool = True) -> fmpq_mpoly:
+def _generator(a: Quotients, radicand: fmpq_mpoly, k: int, positive: bool = True) -> fmpq_mpoly:
     """The generator w with w**k = radicand, not negative unless it is said to be free."""
     place, new = a.ring.place(("root", k, positive, str(radicand)), positive)
     w = a.ring.gen(place)
     if new:
-        a.ring.relate(place, k, w**k - radicand)
+        a.ring.relate(((place, k),), w**k - radicand)
     return w
 
 
-def absolute(a: Fractions, x: Quotient) -> Quotient:
+def absolute(a: Quotients, x: Quotient) -> Quotient:
     """|N| / |D|."""
     below = a.denominator(x.powers)
     return _divided(a, _size(a, a.ring.reduced(x.numerator)), _size(a, below))
 
 
-def _size(a: Fractions, x: fmpq_mpoly) -> fmpq_mpoly:
+def sign(a: Quotients, x: Quotient) -> Quotient:
+    """sign(N) sign(D), where D is not zero."""
+    below = a.denominator(x.powers)
+    over = Quotient(a.ring.product(_sign(a, a.ring.reduced(x.numerator)), below), {})
+    return a.divide(over, Quotient(_size(a, below), {}))
+
+
+def _sign(a: Quotients, x: fmpq_mpoly) -> fmpq_mpoly:
+    """The generator g with g**3 = g, g x = |x| and g |x| = x; it is 0 where x is."""
+    if x == 0:
+        return x
+    side = -1 if x.leading_coefficient() < 0 else 1
+    if x.is_constant():
+        return a.ring.constant(side)
+    unit = content(x) * side
+    x = x / fmpq(unit.numerator, unit.denominator)
+    size = _size(a, x)
+    place, new = a.ring.place(("sign", str(x)))
+    g = a.ring.gen(place)
+    if new:
+        a.ring.relate(((place, 3),), g**3 - g)
+        for one, other in ((x, size), (size, x)):
+            a.ring.relate(((place, 1), *leading_powers(one)), g * one - other)
+    return side * g
+
+
+def _size(a: Quotients, x: fmpq_mpoly) -> fmpq_mpoly:
     """|x|: x or -x where the signs of all terms tell, else factor by factor."""
     if x == 0:
         return x
@@ -123,16 +144,16 @@ def _size(a: Fractions, x: fmpq_mpoly) -> fmpq_mpoly:
     return result if rest == 1 else ring.product(result, _modulus(a, rest))
 
 
-def _modulus(a: Fractions, x: fmpq_mpoly) -> fmpq_mpoly:
+def _modulus(a: Quotients, x: fmpq_mpoly) -> fmpq_mpoly:
     """The generator w >= 0 with w**2 = x**2."""
     place, new = a.ring.place(("modulus", str(x)), positive=True)
     w = a.ring.gen(place)
     if new:
-        a.ring.relate(place, 2, w**2 - a.ring.product(x, x))
+        a.ring.relate(((place, 2),), w**2 - a.ring.product(x, x))
     return w
 
 
-def _nonnegative(a: Fractions, x: fmpq_mpoly) -> bool:
+def _nonnegative(a: Quotients, x: fmpq_mpoly) -> bool:
     """Whether all terms are plainly not negative."""
     free = [place for place in range(a.ring.capacity) if place not in a.ring.positive]
     return all(

@@ -1,6 +1,6 @@
-"""Polynomials over the rationals modulo relations with one leading power each:
+"""Polynomials over the rationals modulo relations with one leading power product each:
 
-    s**2 = 1 - c**2,      w**k = radicand,      h**2 = h.
+    s**2 = 1 - c**2,      w**k = radicand,      h**2 = h,      sign(x) x = |x|.
 
 Generators are handed out from the last place of a lexicographic order to the first, so a generator
 leads everything that was known when it was made, and dividing by a relation (python-flint's
@@ -21,6 +21,10 @@ from mechanics.errors import MechanicsError
 MOST_TERMS = 40_000
 MOST_WORK = 4_000_000
 MOST_GENERATORS = 600
+
+
+Lead = tuple[tuple[int, int], ...]
+"""Places of generators and their powers."""
 
 
 class TooLarge(MechanicsError, OverflowError):
@@ -48,7 +52,7 @@ class Ring:
         self._context = fmpq_mpoly_ctx.get([f"g{i}" for i in range(capacity)], "lex")
         self._gens = self._context.gens()
         self._places: dict[Hashable, int] = {}
-        self._relations: list[tuple[int, int, fmpq_mpoly]] = []
+        self._relations: list[tuple[Lead, fmpq_mpoly]] = []
         self.positive: set[int] = set()
         self._work = 0
 
@@ -88,12 +92,12 @@ class Ring:
         (c, _), (s, new) = self.place(("cos", key)), self.place(("sin", key))
         cos, sin = self._gens[c], self._gens[s]
         if new:
-            self.relate(s, 2, sin**2 + cos**2 - 1)
+            self.relate(((s, 2),), sin**2 + cos**2 - 1)
         return cos, sin
 
-    def relate(self, place: int, power: int, polynomial: fmpq_mpoly) -> None:
-        """Add ``polynomial = 0``, led by that power of the generator at that place."""
-        self._relations.append((place, power, polynomial))
+    def relate(self, lead: Lead, polynomial: fmpq_mpoly) -> None:
+        """Add ``polynomial = 0``; `lead` must be the power product that leads it."""
+        self._relations.append((lead, polynomial))
 
     def product(self, x: fmpq_mpoly, y: fmpq_mpoly) -> fmpq_mpoly:
         """x y, reduced.
@@ -139,8 +143,8 @@ class Ring:
         while changed:
             changed = False
             degrees = x.degrees()
-            for place, power, polynomial in reversed(self._relations):
-                if degrees[place] >= power:
+            for lead, polynomial in reversed(self._relations):
+                if all(degrees[place] >= power for place, power in lead):
                     left = x % polynomial
                     self.spend(len(x) + len(left))
                     if left != x:
@@ -149,6 +153,12 @@ class Ring:
         if len(x) > MOST_TERMS:
             raise TooLarge(f"{len(x)} terms")
         return x
+
+
+def leading_powers(x: fmpq_mpoly) -> Lead:
+    """The power product that leads a polynomial."""
+    powers = x.monomial(0)
+    return tuple((place, int(power)) for place, power in enumerate(powers) if power)
 
 
 def content(x: fmpq_mpoly) -> Fraction:

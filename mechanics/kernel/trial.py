@@ -41,7 +41,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 from enum import Enum
 from fractions import Fraction
-from math import ceil, inf, isfinite, lcm, log2
+from math import ceil, inf, isfinite, log2
 from typing import Any
 
 from flint import fmpz
@@ -49,7 +49,7 @@ from flint import fmpz
 from mechanics.kernel.angles import base_angles, turns_of
 from mechanics.kernel.draws import Draws
 from mechanics.kernel.field import DivisionHere, Inadmissible, Residues
-from mechanics.kernel.primes import MODULUS, SIZES, draw_prime, log2_count, modulus_for
+from mechanics.kernel.primes import SIZES, common_modulus, draw_prime, log2_count
 from mechanics.kernel.sizes import Sizes
 from mechanics.kernel.statement import LEFT, POSITIVE, RIGHT, Statement
 from mechanics.program import OPERATIONS, Program, interpret
@@ -96,12 +96,15 @@ class Trial:
     words : str
     unknown : tuple of str
         Operations that are known by congruence only.
+    off_boundaries : bool
+        Whether nothing was looked at where the cases of |x| and comparisons meet.
     """
 
     answer: Answer
     log2_bound: float
     words: str
     unknown: tuple[str, ...] = ()
+    off_boundaries: bool = False
 
 
 class FailedError(Exception):
@@ -143,10 +146,7 @@ def prepare(statement: Statement, sizes: tuple[int, ...] = SIZES) -> Experiment:
     """
     program = base_angles(statement.program)
     turns = turns_of(program)
-    modulus = MODULUS
-    for turn in turns:
-        wider = modulus_for(lcm(modulus // 4, turn.denominator))
-        modulus = wider or modulus
+    modulus = common_modulus(turns)
     domain = Sizes()
     inputs = {name: domain.variable() for name in program.inputs}
     outputs = interpret(program, domain, inputs)
@@ -300,7 +300,7 @@ class Session:
         total = log2_sum(e.log2_bound, count * survival)
         words = f"zero at {count} random points modulo random {e.bits}-bit primes"
         where = ", off the boundaries of cases" if self.signs else ""
-        return Trial(Answer.ZERO, total, words + where)
+        return Trial(Answer.ZERO, total, words + where, off_boundaries=self.signs)
 
 
 def trial(statement: Statement, is_proved: Callable[[], bool]) -> Trial:

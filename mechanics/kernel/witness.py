@@ -36,6 +36,10 @@ ROUNDS = ((PRECISIONS, 4), ((64, 256), 80))
 differences that are tiny everywhere, many states for those that are zero where some sign is right.
 """
 
+BOUNDARY_PRECISIONS = (64, 256)
+MOST_BOUNDARIES = 8
+"""Inputs that are paired with each other to find boundaries of cases."""
+
 State = dict[str, Fraction]
 
 
@@ -61,6 +65,27 @@ def states(statement: Statement) -> Iterator[State]:
                       for name, value in statement.typical.items()
                       if k % 2 and name in state}  # fmt: skip
         yield state
+
+
+def boundaries(statement: Statement) -> Iterator[State]:
+    """States on the boundaries of simple cases: inputs that are zero, and pairs that are equal."""
+    names = [n for n in statement.program.inputs if statement.range_of(n) is Range.FREE]
+    base = next(states(statement))
+    yield base | dict.fromkeys(names, Fraction(0))
+    for place, name in enumerate(names[:MOST_BOUNDARIES]):
+        yield base | {name: Fraction(0)}
+        for other in names[:place]:
+            yield base | {name: base[other]}
+            yield base | {name: -base[other]}
+
+
+def find_boundary_witness(statement: Statement) -> Witness | None:
+    """A state on a boundary of cases that refutes the statement, or None where none was found."""
+    for state in boundaries(statement):
+        found, _ = _at_state(statement, state, BOUNDARY_PRECISIONS)
+        if found is not None:
+            return found
+    return None
 
 
 def angle_inputs(program: Program) -> frozenset[str]:

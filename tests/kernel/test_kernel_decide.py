@@ -82,6 +82,8 @@ TRUE: dict[str, Sides] = {
     "modulus": lambda B, x, y, z, a, b, L: ((x * x - 2 * x * y + y * y).sqrt(), abs(x - y)),
     "modulus of a product": lambda B, x, y, z, a, b, L: (abs(x * y), abs(x) * abs(y)),
     "sign": lambda B, x, y, z, a, b, L: (abs(x) * x.sign(), x),
+    "signs": lambda B, x, y, z, a, b, L: (x.sign().power(3) * abs(x * y), x * abs(y)),
+    "signs of quotients": lambda B, x, y, z, a, b, L: ((x / -y).sign() * abs(x) * y, -x * abs(y)),
     "extremes": lambda B, x, y, z, a, b, L: (larger(x, y) + smaller(x, y), x + y),
     "choice": lambda B, x, y, z, a, b, L: (B.less(x, y).choose(x, y), smaller(x, y)),
     "exponentials": lambda B, x, y, z, a, b, L: ((x + y).exp(), x.exp() * y.exp()),
@@ -118,6 +120,9 @@ FALSE: dict[str, Sides] = {
                                                 x.sin() - x.cos()),
     "fifth turn": lambda B, x, y, z, a, b, L: ((B.pi / 5).cos() * 4, 1 - B.constant(5).sqrt()),
     "half turns": lambda B, x, y, z, a, b, L: ((x + B.pi * call("floor", x)).sin(), x.sin()),
+    "boundary": lambda B, x, y, z, a, b, L: (x.sign().power(2), B.one),
+    "boundary of cases": lambda B, x, y, z, a, b, L: (
+        B.less(x, y).choose(1, 2), call("not_greater", x, y).choose(1, 2)),
     "numbers as conditions": lambda B, x, y, z, a, b, L: (
         call("select", 2 * x, y, z), 2 * x * y + (1 - 2 * x) * z),
 }  # fmt: skip
@@ -146,6 +151,7 @@ MP: dict[str, Callable[..., object]] = {
     "divide": lambda x, y: x / y, "negate": lambda x: -x, "sqrt": mpmath.sqrt,
     "power": lambda x, y: x**y, "exp": mpmath.exp, "sin": mpmath.sin, "cos": mpmath.cos,
     "atan": mpmath.atan, "abs": abs, "floor": mpmath.floor,
+    "sign": mpmath.sign, "not_greater": lambda x, y: mpmath.mpf(x <= y),
     "less": lambda x, y: mpmath.mpf(x < y), "not": lambda x: mpmath.mpf(x == 0),
     "select": lambda c, x, y: x if c else y,
 }  # fmt: skip

@@ -1,0 +1,113 @@
+"""Which rows are linearly independent, and what is zero, at one random point of a field.
+
+Rows that are independent at one point are so as functions: what is returned is certain. That no
+more are, and that something is zero everywhere, holds but for the chance of an unlucky point, below
+2^-90 for degrees up to 2^20. This chooses rows and pivots; it makes no verdict.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+from mechanics.kernel.angles import base_angles, turns_of
+from mechanics.kernel.draws import Draws
+from mechanics.kernel.field import Inadmissible, Residues
+from mechanics.kernel.primes import common_modulus, draw_prime
+from mechanics.kernel.statement import POSITIVE, Range
+from mechanics.program import Program, interpret
+
+BITS = 127
+MOST_DRAWS = 64
+
+Values = dict[str, tuple[Any, ...]]
+
+
+def at_a_point(program: Program, signs: Mapping[str, Range]) -> tuple[int, Values]:
+    """A prime, and the residues of a program's outputs at a random admissible point.
+
+    Parameters
+    ----------
+    program : Program
+        Outputs called ``"positive"`` are squares at the point.
+    signs : mapping of str to Range
+        What is known of the inputs.
+
+    Raises
+    ------
+    Inadmissible
+        If none of some points is admissible.
+    """
+    text = program.text
+    program = base_angles(program)
+    turns = turns_of(program)
+    modulus = common_modulus(turns)
+    draws = Draws(text, "point")
+    for _ in range(MOST_DRAWS):
+        prime = draw_prime(BITS, modulus, draws)
+        domain = Residues(prime, modulus, draws, turns)
+        inputs = {name: domain.input(signs.get(name, Range.FREE)) for name in program.inputs}
+        try:
+            outputs = interpret(program, domain, inputs)
+            for entry in outputs.get(POSITIVE, ()):
+                domain.positive(entry)
+        except Inadmissible:
+            continue
+        return prime, {name: tuple(v % prime for v in vs) for name, vs in outputs.items()}
+    raise Inadmissible(f"no admissible point among {MOST_DRAWS} for {program!r}")
+
+
+def independent_rows(program: Program, output: str, columns: int,
+                     signs: Mapping[str, Range]) -> list[int]:  # fmt: skip
+    """Indices of the first maximal set of independent rows, in order.
+
+    Parameters
+    ----------
+    program : Program
+    output : str
+        Name of the output that is the matrix, row by row.
+    columns : int
+    signs : mapping of str to Range
+
+    Raises
+    ------
+    Inadmissible
+        If none of some points is admissible.
+    """
+    prime, outputs = at_a_point(program, signs)
+    entries = outputs[output]
+    rows = [list(entries[i : i + columns]) for i in range(0, len(entries), columns)]
+    return pivot_columns([list(column) for column in zip(*rows, strict=True)], prime)
+
+
+def generic_rank(program: Program, output: str, columns: int,
+                 signs: Mapping[str, Range]) -> int:  # fmt: skip
+    """Rank of a matrix at almost every state."""
+    return len(independent_rows(program, output, columns, signs))
+
+
+def zeros(program: Program, output: str, signs: Mapping[str, Range]) -> tuple[bool, ...]:
+    """Which entries of an output are zero at the point."""
+    _, outputs = at_a_point(program, signs)
+    return tuple(value == 0 for value in outputs[output])
+
+
+def pivot_columns(rows: list[list[int]], p: int) -> list[int]:
+    """Pivot columns of a matrix of residues modulo p; the rows are used up."""
+    pivots: list[int] = []
+    for column in range(len(rows[0]) if rows else 0):
+        top = len(pivots)
+        pivot = next((i for i in range(top, len(rows)) if rows[i][column] % p), None)
+        if pivot is None:
+            continue
+        rows[top], rows[pivot] = rows[pivot], rows[top]
+        inverse = pow(rows[top][column], -1, p)
+        lead = rows[top]
+        for i in range(top + 1, len(rows)):
+            factor = rows[i][column] * inverse % p
+            if factor:
+                rows[i] = [(x - factor * y) % p for x, y in zip(rows[i], lead, strict=True)]
+        pivots.append(column)
+        if len(pivots) == len(rows):
+            break
+    return pivots
