@@ -7,7 +7,7 @@ With p = -1 (mod 8 * 3 * 5 * 7):
 - by quadratic reciprocity 2, 3, 5 and 7 are squares, as positive numbers should be;
 - 3, 5 and 7 do not divide p - 1, so every residue has exactly one third, fifth and seventh root;
 - p + 1 is a multiple of 840: every multiple of pi / 420 has its point of the circle. With
-  p = -1 (mod 4 n) so has every multiple of pi / n.
+  p = -1 (mod 2 n) so has every multiple of pi / n.
 
 How many such primes there are, which the error bound needs, is known explicitly. With
 theta(x; q, a) the sum of the logarithms of the primes p <= x that are a modulo q, 3 <= q <= 10^5:
@@ -41,7 +41,7 @@ def common_modulus(turns: Sequence[Fraction]) -> int:
     """The modulus of primes that have points for as many of the multiples of pi as can be."""
     modulus = MODULUS
     for turn in turns:
-        wider = math.lcm(modulus, 4 * turn.denominator)
+        wider = math.lcm(modulus, 2 * turn.denominator)
         if wider <= LARGEST_MODULUS:
             modulus = wider
     return modulus

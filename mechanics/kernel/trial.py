@@ -61,6 +61,9 @@ MOST_DRAWS = 4096
 HOPELESS = 16
 """Points at which a division may fail before it counts as failing everywhere."""
 
+PROBES = 24
+"""Probes that reach a root and find no residue that is no square, until its radicand is left."""
+
 MOST_POINTS = 1000
 MOST_STEPS = 40_000_000
 """Operations that may be carried out in fields for one statement."""
@@ -252,8 +255,10 @@ class Session:
         e, roots = self.experiment, point.square_roots
         if point.kinks:
             return point.kinks + roots
-        for index in range(min(16 * 2**roots, 2 * MOST_DRAWS)):
-            if len(self.not_squares) >= roots or self._steps > MOST_STEPS // 4:
+        first = tried = 0
+        for index in range(2 * MOST_DRAWS):
+            # The first that is left is reached at one probe of 2**first.
+            if first == roots or tried > PROBES * 2**first or self._steps > MOST_STEPS // 4:
                 break
             prime = self._prime(index % PRIMES)
             domain = Residues(prime, e.modulus, self.draws, e.turns, squares=False)
@@ -262,7 +267,9 @@ class Session:
             except Inadmissible:
                 if domain.not_square is not None:
                     self.not_squares.add(domain.not_square)
-        first = next((i for i in range(roots) if i not in self.not_squares), roots)
+            before, tried = first, tried + 1
+            first = next((i for i in range(roots) if i not in self.not_squares), roots)
+            tried = tried if first == before else 0
         return roots - first
 
     def first(self) -> Answer:
