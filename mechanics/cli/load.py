@@ -1,4 +1,7 @@
-"""Systems by name or file: ``rocker``, ``pendulum_chain(10)``, ``my_system.py``."""
+"""Systems by name or file: ``rocker``, ``pendulum_chain(10)``, ``my_system.py``.
+
+A name runs nothing but what comes with the program; a file is run, so only a person may name it.
+"""
 
 import ast
 import importlib.util
@@ -16,6 +19,7 @@ from mechanics.scene.published import Published
 from mechanics.scene.system import System
 
 CALL = re.compile(r"(\w+)(?:\((\d+)\)|:(\d+))")
+FILE = re.compile(r"(.*\.py)(?::(\w+))?", re.DOTALL)
 
 
 def load(text: str) -> System:
@@ -25,15 +29,32 @@ def load(text: str) -> System:
     ----------
     text : str
         A name, a name with a size (``pendulum_chain(10)`` or ``pendulum_chain:10``), or the path
-        of a Python file with a function ``scene()`` and, perhaps, a tuple ``PUBLISHED``.
+        of a Python file with a function ``scene()`` and, perhaps, a tuple ``PUBLISHED``;
+        ``file.py:name`` for a function of another name.
 
     Raises
     ------
     InputError
         When there is no such system, or the file is none.
     """
-    if text.endswith(".py"):
-        return _from_file(Path(text))
+    if file := FILE.fullmatch(text):
+        return _from_file(Path(file[1]), file[2] or "scene")
+    return built_in(text)
+
+
+def is_file(text: str) -> bool:
+    """Whether a system is named by its file."""
+    return FILE.fullmatch(text) is not None
+
+
+def built_in(text: str) -> System:
+    """The system of a name; nothing but what comes with the program is run.
+
+    Raises
+    ------
+    InputError
+        When there is no such system.
+    """
     # Ledgers take a second to build, and a file needs none of them.
     from systems import ALL, VARIANTS
 
@@ -54,15 +75,15 @@ def load(text: str) -> System:
     )
 
 
-def _from_file(path: Path) -> System:
+def _from_file(path: Path, name: str) -> System:
     module = run_file(path)
-    scene = getattr(module, "scene", None)
+    scene = getattr(module, name, None)
     if not callable(scene):
-        raise InputError(f"file {path}: it has no function scene() that returns a Scene")
+        raise InputError(f"file {path}: it has no function {name}() that returns a Scene")
     rows = getattr(module, "PUBLISHED", ())
     if not isinstance(rows, tuple | list) or not all(isinstance(row, Published) for row in rows):
         raise InputError(f"file {path}: PUBLISHED has to be a tuple of published(...) rows")
-    return System(path.stem, partial(_checked, scene, path), tuple(rows))
+    return System(path.stem, partial(_checked, scene, name, path), tuple(rows))
 
 
 def run_file(path: Path) -> ModuleType:
@@ -92,7 +113,7 @@ def run_file(path: Path) -> ModuleType:
     return module
 
 
-def _checked(scene: object, path: Path) -> Scene:
+def _checked(scene: object, name: str, path: Path) -> Scene:
     try:
         made = scene()  # type: ignore[operator]
     except MechanicsError:
@@ -101,7 +122,7 @@ def _checked(scene: object, path: Path) -> Scene:
         raise InputError(_located(path, error)) from None
     if not isinstance(made, Scene):
         raise InputError(
-            f"file {path}: scene() returned a {type(made).__name__}; it has to return a Scene"
+            f"file {path}: {name}() returned a {type(made).__name__}; it has to return a Scene"
         )
     return made
 

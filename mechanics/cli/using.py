@@ -8,7 +8,7 @@ import typer
 from rich.console import Console
 from rich.markup import escape
 
-from mechanics.cli.load import load
+from mechanics.cli.load import is_file, load
 from mechanics.cli.progress import working
 from mechanics.cli.values import assignments, points, sorted_out
 from mechanics.compiled import compile
@@ -162,7 +162,7 @@ def codegen(
     asked = [name.strip() for name in outputs.split(",")] if outputs else None
     with Console(stderr=True).status("deriving"):
         model = compile(derive(scene, route), form=form, fixed=fixed, outputs=asked)
-        built_in = None if system.endswith(".py") else system
+        built_in = None if is_file(system) else system
         files = write_c(
             model, out, name=name, precision=precision, batch=batch, system=built_in
         )  # fmt: skip

@@ -1,4 +1,8 @@
-"""`mechanics verify`: generated code once more, from its files alone."""
+"""`mechanics verify`: generated code once more, from its files alone.
+
+Nothing that the folder names is run: its manifest may name a system that comes with the program, a
+file is run where the person names it.
+"""
 
 import json
 from collections import Counter
@@ -11,14 +15,14 @@ from rich.markup import escape
 
 from mechanics.cli.files import write
 from mechanics.cli.findings import STYLES, counted, explain
-from mechanics.cli.load import load
+from mechanics.cli.load import built_in, load
 from mechanics.crosscheck import derive
 from mechanics.equations import Equations
 from mechanics.errors import InputError
 from mechanics.exact import Verdict
 from mechanics.export.evidence.read import Folder, read_folder
 from mechanics.export.evidence.record import chain_record
-from mechanics.export.evidence.verify import Outcome, Verification
+from mechanics.export.evidence.verify import NO_PHYSICS, Outcome, Verification
 from mechanics.export.evidence.verify import verify as check
 
 SHOWN_FINDINGS = 12
@@ -30,7 +34,9 @@ def verify(
     scene: Annotated[
         str | None,
         typer.Option(
-            metavar="SYSTEM", help="A name or a .py file; by default the one in the manifest."
+            metavar="SYSTEM",
+            help="FILE.py, FILE.py:function or a name; by default the built-in system of that"
+            " name in the manifest.",
         ),
     ] = None,
     measure: Annotated[
@@ -44,14 +50,17 @@ def verify(
 
     Derived equations = graph = C text in exact arithmetic, each function and its status; the text
     of the inline sine and cosine by itself; and binaries by every compiler that is found, against
-    what correct roundings of the text can give. Where the scene is known the equations are derived
-    again.
+    what correct roundings of the text can give. The equations are derived again from the scene: one
+    that comes with the program by the name in the manifest, another one by `--scene FILE`. Nothing
+    that the folder names is run.
 
-    A file whose hash differs is named; C that is only formatted anew is shown all the same.
+    A file whose hash differs is named; C that is only formatted anew is shown all the same. What
+    the folder holds beyond its manifest is named.
 
-    Exit code: 0 when all is shown, 1 when something is REFUTED, 3 when something is UNDECIDED, a
-    file is missing, or one that no step looks at was changed, 2 for bad input: a file that cannot
-    be read, or no manifest.json, equations.json or graphs.json to compare the others with.
+    Exit code: 0 when all is shown, 1 when something is REFUTED, 3 when something is UNDECIDED, the
+    physics is not known, a file is missing, one that no step looks at was changed, or one that a
+    build may read is not in the manifest; 2 for bad input: a file that cannot be read, or no
+    manifest.json, equations.json or graphs.json to compare the others with.
 
     Examples
     --------
@@ -75,15 +84,15 @@ def verify(
 
 def _derived(folder: Folder, scene: str | None) -> tuple[Equations | None, str]:
     """The equations derived again, or why they are not."""
-    name = folder.system if scene is None else scene
+    if scene is not None:
+        return derive(load(scene).scene(), folder.route), ""
+    name = folder.system
     if name is None:
-        return None, "the manifest names no built-in system: give --scene"
+        return None, "the manifest names no system that comes with the program: give --scene FILE"
     try:
-        return derive(load(name).scene(), folder.route), ""
+        return derive(built_in(name).scene(), folder.route), ""
     except InputError as error:
-        if scene is not None:
-            raise
-        return None, f"the system of the manifest cannot be loaded: {error}"
+        return None, f"the manifest's {error}: give --scene FILE if it is yours"
 
 
 def _write(found: Verification, file: str) -> None:
@@ -91,6 +100,7 @@ def _write(found: Verification, file: str) -> None:
         "outcome": found.outcome.name,
         "changed": list(found.folder.changed),
         "missing": list(found.folder.missing),
+        "beyond_manifest": list(found.folder.beyond),
         **chain_record(found.chain),
     }
     write(json.dumps(record, indent=2, ensure_ascii=False), file)
@@ -110,8 +120,10 @@ def _print(console: Console, found: Verification, remark: str) -> None:
             markup=False,
         )
     _tell_files(console, found)
-    for sentence in (*found.chain.not_done, *([remark] if remark else [])):
+    for sentence in found.chain.not_done:
         console.print(f"[yellow]not repeated[/]: {escape(sentence)}")
+    if remark:
+        console.print(f"[yellow]UNDECIDED[/] physics: {NO_PHYSICS}: {escape(remark)}")
     bad = [
         finding
         for _, findings in found.chain.steps
@@ -133,5 +145,8 @@ def _tell_files(console: Console, found: Verification) -> None:
     for name in folder.changed:
         nobody = ": no step looks at it" if name in found.unvouched else ", see what is shown above"
         console.print(f"[yellow]changed[/] {escape(name)}: its hash is another one{nobody}")
+    if folder.beyond:
+        names = escape(", ".join(folder.beyond))
+        console.print(f"beyond the manifest, and no build reads it: {names}")
     if not folder.changed and not folder.missing:
         console.print(f"  {len(folder.texts)} files have the hashes of the manifest")

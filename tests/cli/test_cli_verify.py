@@ -111,13 +111,111 @@ def test_another_scene_is_refuted(run: Any, folder: Path) -> None:
     assert ran.code == 2 and ran.err.count("\n") == 1 and "another scene" in ran.err
 
 
-def test_without_a_scene_the_physics_is_not_repeated(run: Any, folder: Path) -> None:
+def manifest_says(folder: Path, **entries: Any) -> None:
     path = folder / "manifest.json"
     content = json.loads(path.read_text(encoding="utf-8"))
-    path.write_text(json.dumps({**content, "system": None}), encoding="utf-8")
+    path.write_text(json.dumps({**content, **entries}), encoding="utf-8")
+
+
+def test_without_physics_nothing_is_said_to_be_shown(run: Any, folder: Path) -> None:
+    manifest_says(folder, system=None)
     ran = run("verify", folder, "--no-compile")
-    assert ran.code == 0 and "the equations were not derived again" in ran.out
-    assert "give --scene" in ran.out
+    assert ran.code == 3
+    (line,) = [line for line in ran.out.splitlines() if line.startswith("UNDECIDED")]
+    assert line == (
+        "UNDECIDED physics: the equations were not derived again: the manifest names no system that"
+        " comes with the program: give --scene FILE"
+    )
+    # What else it verified is told.
+    assert "derived equations = graph: 2 " in ran.out and "graph = C text: " in ran.out
+    ran = run("verify", folder, "--no-compile", "--json", "-")
+    assert ran.code == 3 and json.loads(ran.out)["outcome"] == "UNDECIDED"
+    assert run("verify", folder, "--no-compile", "--scene", "elastic_pendulum").code == 0
+
+
+OWN = """
+from pathlib import Path
+from systems import elastic_pendulum
+
+Path(__file__).with_name("ran").write_text("it was run")
+
+def scene():
+    return elastic_pendulum.scene()
+
+def lighter():
+    from mechanics.scene import Scene
+    from systems import rocker
+    return rocker.scene()
+"""
+
+
+@pytest.mark.parametrize("call", ["", ":scene"])
+def test_a_file_is_run_where_a_person_names_it_only(run: Any, folder: Path, call: str) -> None:
+    own, ran_it = folder.parent / "own.py", folder.parent / "ran"
+    own.write_text(OWN, encoding="utf-8")
+    (folder / "own.py").write_text(OWN, encoding="utf-8")
+    for named in (f"{own}{call}", f"own.py{call}", str(folder / "own.py"), "own", "../own.py"):
+        manifest_says(folder, system=named)
+        ran = run("verify", folder, "--no-compile")
+        assert ran.code == 3 and "UNDECIDED physics" in ran.out, ran.out
+        assert "give --scene FILE if it is yours" in ran.out
+        assert not ran_it.exists() and not (folder / "ran").exists()
+    (folder / "own.py").unlink()
+    ran = run("verify", folder, "--no-compile", "--scene", f"{own}{call}")
+    assert ran.code == 0 and ran_it.exists(), ran.out
+
+
+def test_a_function_of_a_file_gives_the_scene(run: Any, folder: Path) -> None:
+    own = folder.parent / "own.py"
+    own.write_text(OWN, encoding="utf-8")
+    ran = run("verify", folder, "--no-compile", "--scene", f"{own}:lighter")
+    assert ran.code == 2 and "another scene" in ran.err and ran.err.count("\n") == 1
+    ran = run("verify", folder, "--no-compile", "--scene", f"{own}:other")
+    assert ran.code == 2 and "it has no function other() that returns a Scene" in ran.err
+
+
+def test_a_folder_made_of_a_person_s_file(run: Any, pendulum: Any, tmp_path: Path) -> None:
+    file, folder = pendulum(), tmp_path / "c"
+    assert run("codegen", f"{file}:scene", "-o", folder, "--outputs", "energy").code == 0
+    assert run("verify", folder, "--no-compile").code == 3
+    assert run("verify", folder, "--no-compile", "--scene", file).code == 0
+    other = pendulum(("gravity(-g * N.y)", "gravity(g * N.y)"))
+    ran = run("verify", folder, "--no-compile", "--scene", other)
+    assert ran.code == 1 and "physics, derived again = graph: 1 REFUTED" in ran.out
+
+
+def put(folder: Path, name: str) -> None:
+    (folder / name).parent.mkdir(parents=True, exist_ok=True)
+    (folder / name).write_text("", encoding="utf-8")
+
+
+@pytest.mark.parametrize("name", ["math.h", "cmath", "bits/x.h", "own/deep/a.hpp", "numpy.py",
+                                  "numpy/__init__.py", "CMakePresets.json"])  # fmt: skip
+def test_what_a_build_may_read_is_no_part_of_what_is_shown(
+    run: Any, folder: Path, name: str
+) -> None:
+    put(folder, name)
+    ran = run("verify", folder, "--no-compile")
+    words = f"{name.split('/')[0]}: refused: the manifest has it not, and a build may read it"
+    assert ran.code == 3 and f"UNDECIDED {words}" in ran.out, ran.out
+
+
+def test_what_no_build_reads_is_named(run: Any, folder: Path) -> None:
+    for name in ("notes.txt", "build/CMakeCache.txt", ".git/config"):
+        put(folder, name)
+    ran = run("verify", folder, "--no-compile")
+    assert ran.code == 0
+    assert "beyond the manifest, and no build reads it: .git, build, notes.txt" in ran.out
+
+
+@pytest.mark.parametrize("name", ["../x.c", "/etc/passwd", "-fplugin=x.c", "a/b.c", "", "..",
+                                  "x\n.c", "a\0.c"])  # fmt: skip
+def test_a_manifest_names_files_of_its_folder_only(run: Any, folder: Path, name: str) -> None:
+    files = json.loads((folder / "manifest.json").read_text(encoding="utf-8"))["files"]
+    manifest_says(folder, files={**files, name: "0" * 64})
+    ran = run("verify", folder, "--no-compile")
+    assert ran.code == 2 and "is no name of a file in the folder" in ran.err
+    assert ran.err.count("\n") == 1
 
 
 def cut(path: Path) -> None:

@@ -37,6 +37,16 @@ ACCEPTED = {
     "pi where the header has none": file_of(
         "return 3*(M_PI/M_PI)", "#ifndef M_PI\n#define M_PI 3.14159265358979323846\n#endif\n"
     ),
+    "both sides alike": file_of(
+        above="#ifndef M_PI\n#define M_PI 3.14159265358979323846\n#endif\n"
+    ),
+    "nothing but an error": file_of(above='#ifndef __STDC__\n#error "no C"\n#endif\n'),
+    "never": file_of(above="#if 0\n#define sin cos\n#endif\n"),
+    "guards of what was put together": file_of(
+        above="#ifndef A_H\n#define A_H\ndouble a(double x);\n#endif\n"
+        "#ifndef B_H\n#define B_H\nstatic double b(double x) { return x; }\n#endif\n"
+    ),
+    "a guard of any name": f"#ifndef ROD\n#define ROD\n{file_of()}#endif\n",
     "prototype of the library": file_of(above="double sin(double);\n"),
     "macro for a library function": file_of(above="#define SINE sin\n").replace("*sin(", "*SINE("),
     "macro that is undone": file_of(above="#define cos sin\n").replace("*sin(", "*cos("),
@@ -74,6 +84,8 @@ CONDITIONS = [
         "#ifdef __cplusplus", "#ifdef __STDC_VERSION__", "#if __STDC_VERSION__ >= 199901L",
         "#ifdef linux", "#ifdef M_PI", "#ifdef NAN", "#ifdef DBL_MAX", "#ifdef isfinite",
         "#ifdef OWN\n#elif defined(__GNUC__)", "#ifdef /* which? */ __GNUC__",
+        "#ifdef NDEBUG", "#ifndef USE_FRICTION", "#if defined(FAST) || 0", "#ifdef ROD_H",
+        "#if 0\n#elif defined NDEBUG", "#if !defined(FAST) && !defined(SLOW)",
         "#if \\\n defined(__GNUC__)", "  #  if 0 || (defined(__GNUC__) && 1)",
     )
 ]  # fmt: skip
@@ -95,7 +107,25 @@ UNSIGNED = [
     "unsigned a = 3; return -a + 6.0",
 ]
 
+SETTINGS = [
+    "#ifdef NDEBUG\n#define N 4\n#endif\n#ifndef N\n#define N 3\n#endif\n",
+    "#ifndef FAST\n#define FAST\n#define N 3\n#endif\n#ifndef N\n#define N 4\n#endif\n",
+    "#ifndef ROD_H\n#define ROD_H\n#define N 3\n#endif\n#ifndef N\n#define N 4\n#endif\n",
+    "#ifndef ROD_H\n#define ROD_H\n#define N 3\n#else\n#define N 4\n#endif\n",
+    '#ifdef __cplusplus\nextern "C" {\n#define N 4\n#else\n#define N 3\n#endif\n',
+    "#ifdef A\n#ifdef B\n#define N 4\n#endif\n#endif\n#ifndef N\n#define N 3\n#endif\n",
+]
+
+SPELLING = [
+    "#define double float\n", "#define return\n", "#define if while\n", "#define const\n",
+    "#undef sin\n", "#line 3\n", "#pragma STDC FENV_ACCESS ON\n", '#include "own.h"\n',
+    "#include <tgmath.h>\n", '_Pragma("STDC FP_CONTRACT ON")\n', "// ??/\n", "// a\rint b;\n",
+    "#define N 3 /\\\n* */ 4\n", "#define N 1\\\n3\n", "%:define N 3\n", "// a \x1a b\n",
+]  # fmt: skip
+
 REFUSED = [
+    *(file_of("return N", above) for above in SETTINGS),
+    *(file_of(above=above) for above in SPELLING),
     *(file_of(above=own) for own in OWN),
     *(file_of("return N", above) for above in CONDITIONS),
     *(file_of(body) for body in UNSIGNED),
@@ -142,3 +172,19 @@ def test_lines_keep_their_numbers_behind_joined_ones() -> None:
     assert [i for i, line in enumerate(found, 1) if ("name", "last") in line] == [8]
     with pytest.raises(InputError, match="line 4, column"):
         verdict(f"#define A \\\n 1\n\n{file_of('return nothing', '')}")
+
+
+def test_a_default_is_taken_and_told() -> None:
+    text = file_of("return N", "#ifndef N\n#define N 3\n#endif\n")
+    found = mechanics.check(SCENE, text, notation="c", blame=False)
+    assert found.verdict.name == "PROVED"
+    assert "N is taken as the file defines it; a compiler that is given another one" in str(found)
+
+
+def test_one_setting_of_a_macro_is_not_proved() -> None:
+    """Whichever side is right, and whatever stands there."""
+    for right, wrong in (("3", "4"), ("3*1", "0")):
+        for first, second in ((right, wrong), (wrong, right)):
+            text = f"#ifdef NDEBUG\n#define N {first}\n#else\n#define N {second}\n#endif\n"
+            with pytest.raises(InputError, match="column 8: NDEBUG in a condition: what is comp"):
+                verdict(file_of("return N", text))

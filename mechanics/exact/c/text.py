@@ -23,6 +23,14 @@ PRAGMAS = ("omp simd", "GCC ivdep", "clang loop vectorize(assume_safety)", "STDC
 """They promise what is proved (lanes are independent) or ask for what is assumed."""
 
 
+KEYWORDS = frozenset({
+    "auto", "break", "case", "char", "const", "continue", "default", "do", "double", "else", "enum",
+    "extern", "float", "for", "goto", "if", "int", "long", "register", "return", "short", "signed",
+    "sizeof", "static", "struct", "switch", "typedef", "union", "unsigned", "void", "volatile",
+    "while",
+})  # fmt: skip
+"""Words of C that no macro may change: headers of the library hold them, too."""
+
 MOST_EXPANSIONS = 20_000
 """Macros that stand in macros: forty lines of them can ask for a trillion."""
 
@@ -88,6 +96,8 @@ class _Reader:
         words = "".join(text for _, text in rest)
         if word == "define" and rest and rest[0][0] == "name":
             name, body = rest[0][1], rest[1:]
+            if name in KEYWORDS or name == "defined":
+                raise ExpressionError(f"{where}: macro {name} gives a word of C another meaning")
             if call:
                 raise ExpressionError(f"{where}: macro {name} takes arguments: write a function")
             if name in self.macros and self.macros[name] != body:

@@ -1,7 +1,7 @@
 """The tokens of a C source, line by line, comments taken out."""
 
 import re
-from itertools import accumulate
+from itertools import accumulate, pairwise
 
 from mechanics.errors import ExpressionError
 
@@ -16,6 +16,11 @@ TOKEN = re.compile(
     re.VERBOSE | re.DOTALL,
 )
 
+
+ODD = re.compile(r"[\x00-\x08\x0d-\x1f\x7f]")
+"""A carriage return alone, an end of file."""
+WORD = re.compile(r"\w\w|[^\w\s]{2}|\d\.|\.\d|[eEpP][-+]")
+"""What may be one token of C, or the end of a comment, where a line is joined."""
 
 Line = list[tuple[str, str]]
 """Tokens as (kind, text)."""
@@ -34,6 +39,13 @@ def tokens(text: str, file: str) -> Line:
     pieces = text.replace("\r\n", "\n").split("\\\n")
     if any(re.search(r"\\[ \t\f\v\r]+\n", piece) for piece in pieces):
         raise ExpressionError(f"{file}: blanks stand behind a \\ that ends a line: remove them")
+    if odd := ODD.search(text.replace("\r\n", "\n")):
+        raise ExpressionError(
+            f"{file}: the character {odd[0]!r} ends a line, or the file, for some compilers only:"
+            " remove it"
+        )
+    if any(WORD.search(f"{a[-1:]}{b[:1]}") for a, b in pairwise(pieces)):
+        raise ExpressionError(f"{file}: a \\ joins two lines within a word: put a blank before it")
     # Where lines are joined: what follows the next end of line keeps its number.
     joints = list(accumulate(len(piece) + 1 for piece in pieces[:-1]))
     text = " ".join(pieces)

@@ -112,25 +112,30 @@ def _kernel(
     source: Source | ExpressionError,
     read: list[Read],
 ) -> Iterator[Finding]:
-    where = f"{kernel.file}: {kernel.symbol}" + (f" with {title}" if title else "")
-    if isinstance(source, ExpressionError):
-        yield Finding(f"{where} = graph", Verdict.UNDECIDED, f"refused: {source}")
-        return
-    if kernel.function not in evidence.graphs:
-        yield Finding(f"{where} = graph", Verdict.UNDECIDED, "refused: it has no graph")
-        return
+    subject = f"{kernel.file}: {kernel.symbol} = graph"
     prepare = _preparing(evidence.kernels, kernel)
-    if is_prepared(kernel.function) and prepare is None:
-        words = f"refused: there is no {PREPARE} function beside it"
-        yield Finding(f"{where} = graph", Verdict.UNDECIDED, words)
+    words = ""
+    if isinstance(source, ExpressionError):
+        words = str(source)
+    elif kernel.function not in evidence.graphs:
+        words = "it has no graph"
+    elif is_prepared(kernel.function) and prepare is None:
+        words = f"there is no {PREPARE} function beside it"
+    if isinstance(source, ExpressionError) or words:
+        yield _titled(Finding(subject, Verdict.UNDECIDED, f"refused: {words}"), title)
         return
     finding, text = prove_text(kernel, source, evidence.graphs, evidence.known, prepare)
-    yield finding
+    yield _titled(finding, title)
     if text is not None and finding.shown:
         status = prove_status(text, evidence.graphs[kernel.function], evidence.known)
-        yield status
+        yield _titled(status, title)
         if status.shown and not title:
             read.append(Read(kernel, text))
+
+
+def _titled(finding: Finding, title: str) -> Finding:
+    """The finding about a text that is read with some macros defined."""
+    return replace(finding, subject=f"{finding.subject}, with {title}") if title else finding
 
 
 def _preparing(kernels: Sequence[Kernel], kernel: Kernel) -> Kernel | None:

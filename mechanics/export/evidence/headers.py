@@ -1,4 +1,4 @@
-"""The macros of the headers: sizes of arrays, statuses and flags, as the graphs have them."""
+"""The headers: sizes, statuses and flags as the graphs have them, functions as they are defined."""
 
 from __future__ import annotations
 
@@ -15,6 +15,7 @@ from mechanics.exact.c.parse import parse
 from mechanics.exact.c.text import preprocess
 from mechanics.exact.c.types import parameters
 from mechanics.export.evidence.chain import Evidence
+from mechanics.export.evidence.texts import FMA, odd_conditions
 
 CODES = {
     "OK": OK, "SINGULAR": SINGULAR, "OVERFLOW": OVERFLOW, "BAD_INPUT": BAD_INPUT,
@@ -30,10 +31,15 @@ def prove_headers(evidence: Evidence) -> Iterator[Finding]:
                 for k in evidence.kernels}  # fmt: skip
     wanted = _wanted(evidence)
     yield from _prototypes(evidence, headers)
+    yield from _declarations(evidence, headers)
     for file, text in headers.items():
         if wrong := _documented(evidence, text):
             words = f"refused: {', '.join(wrong)}"
             yield Finding(f"{file}: comments", Verdict.UNDECIDED, words)
+        # What includes a header gets one reading of it, whatever compiles it.
+        fused = FMA if file.endswith("_sine.h") else frozenset()
+        if words := odd_conditions(text, file, fused.__contains__):
+            yield Finding(f"{file}: conditions", Verdict.UNDECIDED, f"refused: {words}")
         try:
             macros = preprocess(text, file, headers).macros
         except ExpressionError as error:
@@ -69,6 +75,31 @@ def _prototypes(evidence: Evidence, headers: dict[str, str]) -> Iterator[Finding
             if len(texts) > 1:
                 words = f"it is declared as {' and as '.join(sorted(texts))}"
                 yield Finding(f"{node.coord.file}: {name}", Verdict.REFUTED, words)
+
+
+def _declarations(evidence: Evidence, headers: dict[str, str]) -> Iterator[Finding]:
+    """Headers for users declare the kernels, each once or more, and nothing else."""
+    symbols = {kernel.symbol for kernel in evidence.kernels}
+    declared: set[str] = set()
+    for file, text in headers.items():
+        try:
+            source = parse(text, file, headers)
+        except ExpressionError as error:
+            yield Finding(f"{file}: declarations", Verdict.UNDECIDED, f"refused: {error}")
+            continue
+        declared |= source.prototypes.keys() - source.functions.keys()
+        # The inline sine is for the sources, and proved by itself.
+        if file.endswith("_sine.h"):
+            continue
+        every = (*source.prototypes.values(), (*source.structs.values(),))
+        own = [node for nodes in every for node in nodes if str(node.coord.file) == file]
+        names = {node.name or "a struct" for node in own}
+        if odd := sorted({*(names - symbols), *source.functions}):
+            words = f"refused: no source defines {', '.join(odd)}"
+            yield Finding(f"{file}: declarations", Verdict.UNDECIDED, words)
+    if missing := sorted(symbols - declared):
+        words = f"refused: no header declares {', '.join(missing)}"
+        yield Finding("declarations", Verdict.UNDECIDED, words)
 
 
 def _missing(

@@ -21,16 +21,13 @@ from mechanics.exact import Finding, Verdict
 from mechanics.exact.c.literal import literal
 from mechanics.export.batch import batched
 from mechanics.export.batch_selftest import batch_selftest
-from mechanics.export.evidence.read import Folder
-from mechanics.export.folder import MANIFEST
+from mechanics.export.evidence.read import NEEDED, Folder
 from mechanics.export.loader import loader_text
 from mechanics.export.package import build_files
 from mechanics.export.precision import Part, named_parts
 from mechanics.export.selftest import selftest
 from mechanics.export.vectors import Vector
 
-BUILT = (".c", ".h", ".s", ".cc", ".cpp", ".cxx", ".hpp", ".hh", ".inc", ".cmake", ".in", ".py")
-CMAKE = ("cmakelists.txt", "cmakepresets.json", "cmakeuserpresets.json", "toolchain.txt")
 TABLE = r"    static const \w+ {name}\[\d+\]\[\d+\] = \{{\n(.*?)\n    \}};"
 ODD = (KeyError, TypeError, ValueError, IndexError, AttributeError, SyntaxError, ExpressionError)
 """What reading a text raises that is not as it was written."""
@@ -40,11 +37,8 @@ def prove_files(folder: Folder) -> Iterator[Finding]:
     """Decide about what stands in a folder, and what the manifest says of it."""
     prefix = str(folder.manifest.get("prefix"))
     parts = [one for one in named_parts(prefix, "both") if f"{one.prefix}.c" in folder.texts]
-    for path in sorted(folder.path.iterdir()):
-        name = path.name.lower()
-        listed = path.name in folder.texts or path.name == MANIFEST
-        if not listed and not path.is_dir() and (name.endswith(BUILT) or name in CMAKE):
-            yield _odd(path.name, "the manifest has it not, and a build may read it")
+    for name in folder.misread:
+        yield _odd(name, "the manifest has it not, and a build may read it")
     yield from _kernels(folder, parts)
     yield from _texts(folder, prefix, parts)
 
@@ -105,7 +99,7 @@ def _texts(folder: Folder, prefix: str, parts: Sequence[Part]) -> Iterator[Findi
         else:
             yield Finding(name, Verdict.PROVED, "what is written for these graphs")
     for name in folder.texts:
-        if name not in wanted and name not in looked and name.lower().endswith((*BUILT, ".txt")):
+        if name not in wanted and name not in looked and name not in NEEDED:
             yield _odd(name, "no step looks at it")
 
 

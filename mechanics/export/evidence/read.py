@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from hashlib import sha256
@@ -14,12 +15,15 @@ from mechanics.compiled.custody.derived import Derived
 from mechanics.compiled.custody.kernel import Kernel
 from mechanics.errors import ExpressionError, InputError
 from mechanics.export.evidence import equations, graphs
+from mechanics.export.evidence.beyond import may_be_read
 from mechanics.export.evidence.chain import Evidence
 from mechanics.export.folder import MANIFEST
 
 LARGEST_FILE = 64_000_000
 """Bytes; generated files are a thousandth of it."""
 KINDS = ("double", "float")
+NAME = re.compile(r"[A-Za-z0-9_][A-Za-z0-9_.]*")
+"""Names of files that `write_c` writes: no path, no option of a compiler."""
 NEEDED = (equations.FILE, graphs.FILE)
 """Files without which there is nothing to compare the others with."""
 
@@ -39,6 +43,10 @@ class Folder:
         Files that the manifest has and the folder has not.
     texts : mapping of str to str
         Every file that the manifest has.
+    beyond : tuple of str
+        What it holds beside these, and no build reads.
+    misread : tuple of str
+        What it holds beside these, and a build may read in place of a header, source or script.
     """
 
     path: Path
@@ -47,10 +55,12 @@ class Folder:
     changed: tuple[str, ...]
     missing: tuple[str, ...]
     texts: Mapping[str, str]
+    beyond: tuple[str, ...] = ()
+    misread: tuple[str, ...] = ()
 
     @property
     def system(self) -> str | None:
-        """The built-in system that it was made from, if it was one."""
+        """The built-in system that it says it was made from."""
         name = self.manifest.get("system")
         return name if isinstance(name, str) else None
 
@@ -80,7 +90,7 @@ def read_folder(path: Path) -> Folder:
     texts: dict[str, str] = {}
     changed, missing = [], []
     for name, digest in manifest["files"].items():
-        if Path(name).name != name or name in ("", ".", ".."):
+        if not NAME.fullmatch(name):
             raise InputError(f"{path / MANIFEST}: {name!r} is no name of a file in the folder")
         if not (path / name).is_file():
             if name in NEEDED:
@@ -92,7 +102,18 @@ def read_folder(path: Path) -> Folder:
             changed.append(name)
         texts[name] = _decoded(path / name, raw)
     evidence = _evidence(path, manifest, texts)
-    return Folder(path, manifest, evidence, tuple(changed), tuple(missing), texts)
+    misread, beyond = _beyond(path, {*texts, MANIFEST})
+    return Folder(path, manifest, evidence, tuple(changed), tuple(missing), texts, beyond, misread)
+
+
+def _beyond(path: Path, listed: set[str]) -> tuple[tuple[str, ...], tuple[str, ...]]:
+    """What is in a folder and not listed: what a build may read, and the rest."""
+    try:
+        others = sorted(entry for entry in path.iterdir() if entry.name not in listed)
+        read = [entry.name for entry in others if may_be_read(entry)]
+    except OSError as error:
+        raise InputError(f"{path}: it cannot be read: {error.strerror}") from None
+    return tuple(read), tuple(entry.name for entry in others if entry.name not in read)
 
 
 def _bytes(file: Path) -> bytes:

@@ -18,7 +18,7 @@ from mechanics.exact import Finding, Verdict
 from mechanics.exact.c.parse import parse
 from mechanics.exact.sine.proof import verify_sine
 from mechanics.export.evidence.chain import Report, silent
-from mechanics.export.evidence.texts import GUARD
+from mechanics.export.evidence.texts import FMA, odd_conditions
 
 SUFFIX = {"double": "", "float": "f"}
 
@@ -62,9 +62,6 @@ def prove_sines(texts: Mapping[str, str], report: Report = silent) -> Iterator[F
             yield Finding(own, Verdict.UNDECIDED, words)
 
 
-FMA = "__FMA__", "__ARM_FEATURE_FMA", "FP_FAST_FMA", "FP_FAST_FMAF"
-
-
 def _stray(file: str, text: str, kind: str, headers: Mapping[str, str]) -> str:
     """What a header has that the proof does not see; empty if there is nothing."""
     f = SUFFIX[kind]
@@ -76,13 +73,11 @@ def _stray(file: str, text: str, kind: str, headers: Mapping[str, str]) -> str:
         return f"{stand_in[0]} stands without mechanics_sincos{f}"
     if not names:
         return ""
-    guards = set(GUARD.findall(text))
-    for source in (plain, fused):
-        if other := set(source.asked) - set(FMA) - guards - {"__cplusplus"}:
-            return f"a condition asks for {', '.join(sorted(other))}"
+    if other := odd_conditions(text, file, lambda name: name in FMA):
+        return other
     read = [{n: _words(node) for n, node in source.functions.items()} for source in (plain, fused)]
     for count in range(1, len(FMA) + 1):
-        for chosen in combinations(FMA, count):
+        for chosen in combinations(sorted(FMA), count):
             functions = parse(text, file, headers, dict.fromkeys(chosen, "1")).functions
             if {n: _words(node) for n, node in functions.items()} not in read:
                 return f"with {' and '.join(chosen)} it reads otherwise"

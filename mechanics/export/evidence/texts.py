@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-import re
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from itertools import combinations
 from typing import Any
 
@@ -11,17 +10,18 @@ from pycparser import c_generator
 
 from mechanics.compiled.custody.kernel import Kernel
 from mechanics.errors import ExpressionError
+from mechanics.exact.c.conditionals import asked_names
 from mechanics.exact.c.library import FAR, FUNCTIONS, FUSED, SINCOS
 from mechanics.exact.c.parse import Source, linked, parse
 from mechanics.exact.c.text import preprocess
 
-ASKED = frozenset({
-    "__GNUC__", "__clang__", "__FMA__", "__ARM_FEATURE_FMA", "FP_FAST_FMA", "FP_FAST_FMAF",
-})  # fmt: skip
+FMA = frozenset({"__FMA__", "__ARM_FEATURE_FMA", "FP_FAST_FMA", "FP_FAST_FMAF"})
+ASKED = FMA | {"__GNUC__", "__clang__"}
 """Names of compilers that conditions in generated code ask for."""
 CHOICE = "_INLINE_SINE"
 """Ends the name that whoever builds the folder may define."""
-GUARD = re.compile(r"^#ifndef (\w+)\n#define \1$", re.MULTILINE)
+GUARD = "MECHANICS_"
+"""Begins the names of guards of headers."""
 
 STAND_IN = frozenset({*FAR, *FUNCTIONS, *FUSED, *SINCOS})
 """Functions that are known by name, whatever their text: it is checked on its own."""
@@ -44,6 +44,12 @@ def sources(
     files = list(kinds)
     headers = {name: text for name, text in texts.items() if name.endswith(".h")}
     found: dict[tuple[str, str], Source | ExpressionError] = {}
+    for file in files:
+        # Of a text that may be read in a way that is not looked at, no way is.
+        for name in (file, *headers):
+            if name in texts and (words := odd_conditions(texts[name], name)):
+                found.setdefault((file, ""), ExpressionError(words))
+    files = [file for file in files if (file, "") not in found]
     for title, defined in _readings(files, texts, headers):
         parsed = {file: _parsed(file, texts, headers, defined) for file in files}
         for file in files:
@@ -54,11 +60,25 @@ def sources(
     return found
 
 
+def is_read_both_ways(name: str) -> bool:
+    """Whether a file is read with and without a macro."""
+    return name in ASKED or name.endswith(CHOICE)
+
+
+def odd_conditions(text: str, file: str, known: Callable[[str], bool] = is_read_both_ways) -> str:
+    """Conditions on names that are not known, in words; empty if there are none."""
+    try:
+        asked = asked_names(text, file, GUARD)
+    except ExpressionError as error:
+        return str(error)
+    odd = [f"{one.name} in line {one.line}" for one in asked if not known(one.name)]
+    return f"{file}: what is compiled depends on {', '.join(odd)}" if odd else ""
+
+
 def _readings(
     files: Sequence[str], texts: Mapping[str, str], headers: Mapping[str, str]
 ) -> list[tuple[str, Mapping[str, str]]]:
     """Every combination of the names that are asked for, once for each text that comes of it."""
-    guards = {name for text in headers.values() for name in GUARD.findall(text)}
     asked: dict[str, set[str]] = {file: set() for file in files if file in texts}
     seen: dict[tuple[str, frozenset[str]], str] = {}
     for file, names in asked.items():
@@ -73,7 +93,7 @@ def _readings(
                 seen[file, given] = str(error)
                 continue
             seen[file, given] = read.text
-            names |= {n for n in read.asked if n in ASKED or n.endswith(CHOICE)} - guards
+            names |= {name for name in read.asked if is_read_both_ways(name)}
             waiting += [frozenset(c) for n in range(len(names) + 1)
                         for c in combinations(sorted(names), n)]  # fmt: skip
     found: dict[tuple[str, ...], frozenset[str]] = {}
@@ -92,18 +112,14 @@ def _parsed(
         return ExpressionError(f"{file}: there is no such file")
     try:
         source = parse(texts[file], file, headers, defined)
-        _own_names(source, headers)
+        _own_names(source)
         return source
     except ExpressionError as error:
         return error
 
 
-def _own_names(source: Source, headers: Mapping[str, str]) -> None:
-    """Refuse other names in conditions, and what gives a known name another meaning."""
-    guards = {name for text in headers.values() for name in GUARD.findall(text)}
-    for name in set(source.asked) - guards - ASKED - {"__cplusplus"}:
-        if not name.endswith(CHOICE):
-            raise ExpressionError(f"{source.file}: a condition asks for {name}, unknown here")
+def _own_names(source: Source) -> None:
+    """Refuse what gives a known name another meaning."""
     for name in sorted(KNOWN & set(source.macros)):
         if source.macros[name] != f"mechanics_{name}" or source.macros[name] not in FUNCTIONS:
             raise ExpressionError(f"{source.file}: macro {name} gives a known name a new meaning")

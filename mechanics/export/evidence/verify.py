@@ -36,6 +36,7 @@ from mechanics.export.evidence.read import Folder, read_folder
 from mechanics.export.evidence.sines import prove_sines
 from mechanics.export.evidence.vectors import prove_vectors
 
+NO_PHYSICS = "the equations were not derived again"
 NO_SINES = "the text of the inline sine and cosine is proved by `mechanics verify`"
 
 
@@ -79,20 +80,24 @@ class Verification:
     ----------
     folder : Folder
     chain : Chain
+    physics : bool
+        Whether the equations were derived again from a scene.
     unvouched : tuple of str
         Changed files that no step has looked at.
     """
 
     folder: Folder
     chain: Chain
+    physics: bool
     unvouched: tuple[str, ...]
 
     @property
     def outcome(self) -> Outcome:
-        """REFUTED if something is, SHOWN if everything is and every file is vouched for."""
+        """REFUTED if something is, SHOWN if everything is, physics and every file included."""
         if Verdict.REFUTED in self.chain.verdicts:
             return Outcome.REFUTED
-        if Verdict.UNDECIDED in self.chain.verdicts or self.unvouched or self.folder.missing:
+        doubt = Verdict.UNDECIDED in self.chain.verdicts or not self.physics
+        if doubt or self.unvouched or self.folder.missing:
             return Outcome.UNDECIDED
         return Outcome.SHOWN
 
@@ -120,27 +125,27 @@ def chain(
         Told what is looked at.
     """
     steps: list[tuple[str, tuple[Finding, ...]]] = []
+    if again is not None:
+        found = tuple(first_step(evidence, again, report))
+        steps.append(("physics, derived again = graph", found))
+    found = tuple(first_step(evidence, evidence.known, report))
+    steps.append(("derived equations = graph", found))
+    read: list[Read] = []
+    found = tuple(second_step(evidence, read, report))
+    steps.append(("graph = C text", found))
+    found = (*prove_headers(evidence), *prove_vectors(evidence.texts, evidence.graphs))
+    steps.append(("numbers in headers and self-tests", found))
+    not_done = () if sines else (NO_SINES,)
+    if sines and (found := tuple(prove_sines(evidence.texts, report))):
+        steps.append(("inline sine and cosine = sine and cosine", found))
     paths = compilers() if measure else ()
+    why = _not_compiled(measure, paths, _all_shown(steps))
+    if why:
+        return Chain(tuple(steps), (), (*not_done, why))
+    report("compiling")
     files = list(dict.fromkeys(kernel.file for kernel in evidence.kernels))
-    # Compilers work while the texts are read.
+    # What is not shown may include anything: it is not even compiled.
     with building(evidence.texts, files, paths) as collected:
-        if again is not None:
-            found = tuple(first_step(evidence, again, report))
-            steps.append(("physics, derived again = graph", found))
-        found = tuple(first_step(evidence, evidence.known, report))
-        steps.append(("derived equations = graph", found))
-        read: list[Read] = []
-        found = tuple(second_step(evidence, read, report))
-        steps.append(("graph = C text", found))
-        found = (*prove_headers(evidence), *prove_vectors(evidence.texts, evidence.graphs))
-        steps.append(("numbers in headers and self-tests", found))
-        not_done = () if sines else (NO_SINES,)
-        if sines and (found := tuple(prove_sines(evidence.texts, report))):
-            steps.append(("inline sine and cosine = sine and cosine", found))
-        why = _not_compiled(measure, paths, _all_shown(steps))
-        if why:
-            return Chain(tuple(steps), (), (*not_done, why))
-        report("compiling")
         binaries = third_step(evidence, read, collected(), report)
     steps.append(("C text = binary", binaries.findings))
     return Chain(tuple(steps), binaries.measured, not_done)
@@ -157,7 +162,11 @@ def _not_compiled(measure: bool, paths: Sequence[str], shown: bool) -> str:
     if not paths:
         return "the code was not compiled: no C compiler was found"
     # What is not shown may write anywhere.
-    return "" if shown else "the code was not run: a text is not shown to be its graph"
+    return (
+        ""
+        if shown
+        else "the code was neither compiled nor run: a text is not shown to be its graph"
+    )
 
 
 def verify(
@@ -173,8 +182,8 @@ def verify(
     folder : Folder, str or Path
         As `write_c` wrote it.
     equations : Equations, optional
-        Derived again from the scene by the route of the manifest: then the graphs are compared with
-        these, too.
+        Derived again from the scene by the route of the manifest: the graphs are compared with
+        these, too. Without them the outcome is UNDECIDED at best.
     measure : bool
         Whether to compile the code and compare.
     report : callable
@@ -190,10 +199,8 @@ def verify(
     found = chain(folder.evidence, again, measure, report=report)
     files = tuple(prove_files(folder))
     found = replace(found, steps=(*found.steps, ("files of the folder", files)))
-    if equations is None:
-        words = "the equations were not derived again: no scene is known for this folder"
-        found = replace(found, not_done=(words, *found.not_done))
-    return Verification(folder, found, unvouched(folder, equations))
+    physics = equations is not None
+    return Verification(folder, found, physics, unvouched(folder, physics))
 
 
 def derived_again(folder: Folder, equations: Equations) -> Derived:
@@ -225,10 +232,10 @@ def _other(folder: Folder, name: str) -> InputError:
     )
 
 
-def unvouched(folder: Folder, equations: Equations | None) -> tuple[str, ...]:
+def unvouched(folder: Folder, physics: bool) -> tuple[str, ...]:
     """Changed files that no step looks at."""
     seen = {kernel.file for kernel in folder.evidence.kernels} | {GRAPHS}
     seen |= {name for name in folder.texts if name.endswith(".h")}
-    if equations is not None:
+    if physics:
         seen.add(EQUATIONS)
     return tuple(name for name in folder.changed if name not in seen)

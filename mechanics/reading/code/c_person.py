@@ -3,9 +3,11 @@
     static double sin(double x) { return x; }      what sin(x) means, the file says itself
     #define M_PI 3                                 the header says otherwise
     #ifdef __GNUC__                                what is compiled depends on the compiler
+    #ifdef NDEBUG                                  ... or on how it is called
 
 Guards against being included twice, ``#ifdef __cplusplus`` around ``extern "C" {`` and a definition
-of M_PI with the value of pi stay.
+of M_PI with the value of pi stay. A macro that is defined where nobody has defined it is taken as
+the file has it, and that is told.
 """
 
 import math
@@ -44,6 +46,9 @@ RESERVED = re.compile(r"_\w*|unix|linux|i386")
 """Names that compilers define."""
 
 DIRECTIVE = re.compile(r"^[ \t\v]*#[ \t\v]*(ifdef|ifndef|if|elif)\b([^\n]*)", re.MULTILINE)
+BRANCH = re.compile(r"^[ \t\v]*#[ \t\v]*(ifdef|ifndef|if|elif|else|endif)\b", re.MULTILINE)
+DEFINE = re.compile(r"#[ \t\v]*define\b")
+LINKAGE = re.compile(r"[ \t]*#[ \t]*ifdef[ \t]+__cplusplus[ \t]*")
 EXTERN = re.compile(r'\s*(?:extern\s*"C"\s*\{|\})\s*#\s*endif\b')
 GUARD = re.compile(r"\w*_(?:H|HPP|C|INCLUDED)_*")
 
@@ -73,9 +78,23 @@ def known_meaning(source: Source, text: str) -> Source:
                 f"{where}: {name} is a macro of the C library with another value: name it otherwise"
             )
     for name in source.asked:
-        if name in {*LIBRARY, *CONSTANTS} or HEADER.fullmatch(name) or RESERVED.fullmatch(name):
-            _asked(source.file, plain, name)
+        _asked(source.file, plain, name)
     return source
+
+
+def defaults(source: Source, text: str) -> tuple[str, ...]:
+    """What is said of macros that the file defines where nobody else has."""
+    plain = without_comments(text)
+    names = [
+        name
+        for name in source.asked
+        if name not in CONSTANTS
+        and any(_is_default(plain, match, name) for match in _conditions(plain, name))
+    ]
+    return tuple(
+        f"{name} is taken as the file defines it; a compiler that is given another one reads that"
+        for name in names
+    )  # fmt: skip
 
 
 def _as_in_the_library(name: str, declaration: Any) -> None:
@@ -117,7 +136,10 @@ def _asked(file: str, plain: str, name: str) -> None:
 
 
 def _words(name: str) -> str:
-    return f"{name} in a condition: what is compiled depends on the compiler: write one branch"
+    return (
+        f"{name} in a condition: what is compiled depends on whether it is defined: write one"
+        " branch, or define it above"
+    )
 
 
 def _conditions(plain: str, name: str) -> Iterator[re.Match[str]]:
@@ -126,17 +148,44 @@ def _conditions(plain: str, name: str) -> Iterator[re.Match[str]]:
 
 
 def _is_harmless(plain: str, match: re.Match[str], name: str) -> bool:
-    """Whether a condition guards an inclusion, ``extern "C" {`` or the value of a constant."""
+    """Whether a condition guards an inclusion, ``extern "C" {`` or the definition of a macro."""
     rest = plain[match.end() :]
     if name == "__cplusplus":
-        return match[1] in ("ifdef", "if") and EXTERN.match(rest) is not None
+        return LINKAGE.fullmatch(match[0]) is not None and EXTERN.match(rest) is not None
     if match[1] != "ifndef" or not re.match(rf"\s*#[ \t]*define[ \t]+{name}\b", rest):
         return False
     if name in CONSTANTS:
         # The value was looked at; either definition says the same.
-        return re.match(r"[^\n]*\n[^\n]*\n\s*#\s*endif\b", rest.lstrip(" \t")) is not None
+        return _is_default(plain, match, name)
+    if name in LIBRARY or HEADER.fullmatch(name):
+        return False
     header = re.sub(r"_h$", ".h", name.strip("_").lower())
-    return GUARD.fullmatch(name) is not None and header not in SYSTEM
+    if GUARD.fullmatch(name) is not None:
+        return header not in SYSTEM and _is_guard(plain, match)
+    if RESERVED.fullmatch(name):
+        return False
+    return _is_default(plain, match, name) or _is_guard(plain, match)
+
+
+def _is_default(plain: str, match: re.Match[str], name: str) -> bool:
+    """Whether all that depends on a condition is the definition of the name it asks for."""
+    rest = plain[match.end() :].lstrip(" \t")
+    defined = rf"\s*#[ \t]*define[ \t]+{name}\b[^\n]*\n\s*#\s*endif\b"
+    return match[1] == "ifndef" and re.match(defined, rest) is not None
+
+
+def _is_guard(plain: str, match: re.Match[str]) -> bool:
+    """Whether a condition holds the whole file, or functions only, and nothing in their place."""
+    depth = 1
+    for inner in BRANCH.finditer(plain, match.end()):
+        if depth == 1 and inner[1] in ("else", "elif"):
+            return False
+        depth += {"endif": -1, "else": 0, "elif": 0}.get(inner[1], 1)
+        if depth == 0:
+            outside = plain[: match.start()], plain[inner.end() :]
+            inside = plain[match.end() : inner.start()]
+            return not any(part.strip() for part in outside) or len(DEFINE.findall(inside)) == 1
+    return False
 
 
 def without_comments(text: str) -> str:

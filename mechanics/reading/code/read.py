@@ -25,7 +25,7 @@ from mechanics.reading.code.as_written import Formula, Formulas, of_graph
 from mechanics.reading.code.c_constants import with_constants
 from mechanics.reading.code.c_flat import flat
 from mechanics.reading.code.c_macros import without_macros
-from mechanics.reading.code.c_person import known_meaning, without_comments
+from mechanics.reading.code.c_person import defaults, known_meaning, without_comments
 from mechanics.reading.code.c_place import placed
 from mechanics.reading.code.c_plain import plain
 from mechanics.reading.code.c_wrapper import WRAPPER, wrapped
@@ -153,7 +153,8 @@ def read_c(
     coord = ""
     try:
         text = with_constants(without_macros(text, origin), origin)
-        known_meaning(parse(text, origin), text)
+        source = known_meaning(parse(text, origin), text)
+        taken = defaults(source, text)
         written = plain(text, origin)
         text = written.text
         call = wrapped(flat(parse(text, origin)), text, function)
@@ -162,7 +163,7 @@ def read_c(
         def run(given: Arguments) -> Outputs:
             sizes = {name: len(_entries(given.values[name])) for name in wanted}
             outputs = _c_outputs(call.source(sizes), origin, wanted, given, call.size)
-            notes = (*outputs.notes, *written.notes)
+            notes = (*outputs.notes, *written.notes, *taken)
             return replace(outputs, names=call.outputs, notes=notes)
 
         apart = {**in_c(without_comments(text)), **written.apart}

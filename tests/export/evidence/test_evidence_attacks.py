@@ -10,8 +10,11 @@ from typing import Any
 
 import pytest
 
+from mechanics.equations import Equations
 from mechanics.export.evidence.verify import Outcome, verify
 from mechanics.export.write_c import write_c
+from mechanics.routes.free_body import derive
+from systems import elastic_pendulum
 
 FUNCTIONS = ("forward_dynamics", "prepare", "forward_dynamics_prepared")
 Attack = Callable[[Path, dict[str, Any]], None]
@@ -110,16 +113,23 @@ FILES: dict[str, tuple[Attack, str]] = {
 }  # fmt: skip
 
 
-def test_the_honest_folder_is_shown(honest: Path) -> None:
-    assert verify(honest, measure=False).outcome is Outcome.SHOWN
+@pytest.fixture(scope="session")
+def physics() -> Equations:
+    return derive(elastic_pendulum.scene())
+
+
+def test_the_honest_folder_is_shown(honest: Path, physics: Equations) -> None:
+    assert verify(honest, physics, measure=False).outcome is Outcome.SHOWN
+    # The folder is not asked what it is right about.
+    assert verify(honest, measure=False).outcome is Outcome.UNDECIDED
 
 
 @pytest.mark.parametrize("name", FILES)
 def test_what_is_looked_at_is_not_for_the_manifest_to_say(
-    honest: Path, tmp_path: Path, name: str
+    honest: Path, physics: Equations, tmp_path: Path, name: str
 ) -> None:
     attack, named = FILES[name]
-    found = verify(attacked(honest, tmp_path / "c", attack), measure=False)
+    found = verify(attacked(honest, tmp_path / "c", attack), physics, measure=False)
     assert found.outcome is not Outcome.SHOWN
     bad = [f for _, findings in found.chain.steps for f in findings if not f.shown]
     assert any(named in f"{finding.subject} {finding.evidence}" for finding in bad), bad
@@ -131,12 +141,17 @@ VAIN = ("(v5 + 0x1p200) - 0x1p200", "v5 * 0x1p-600 * 0x1p-600 * 0x1p600 * 0x1p60
 
 @pytest.mark.parametrize("vain", VAIN)
 def test_code_that_is_right_over_the_real_numbers_only(
-    honest: Path, tmp_path: Path, needed, monkeypatch: pytest.MonkeyPatch, vain: str
+    honest: Path,
+    physics: Equations,
+    tmp_path: Path,
+    needed,
+    monkeypatch: pytest.MonkeyPatch,
+    vain: str,
 ) -> None:
     compiler = needed("gcc")
     monkeypatch.setattr("mechanics.export.evidence.verify.compilers", lambda: (compiler,))
     attack = put("name.c", "    ud[0] = v5;", f"    ud[0] = {vain};")
-    found = verify(attacked(honest, tmp_path / "c", attack))
+    found = verify(attacked(honest, tmp_path / "c", attack), physics)
     assert found.outcome is not Outcome.SHOWN
     bad = [f for _, findings in found.chain.steps for f in findings if not f.shown]
     assert any("of the graph" in finding.evidence for finding in bad), bad
