@@ -29,7 +29,7 @@ class Arrays:
     def operations(self) -> Mapping[str, Callable[..., Any]]:
         """NumPy's functions by the names of the table; truth values become 0 and 1."""
         return {row.name: self._function(row.numpy, row.boolean) for row in OPERATIONS
-                if row.arity and row.numpy} | {"erf": erf}  # fmt: skip
+                if row.arity and row.numpy} | {"erf": self._erf}  # fmt: skip
 
     def _function(self, name: str, boolean: bool) -> Callable[..., Any]:
         function = getattr(np, name)
@@ -38,6 +38,10 @@ class Arrays:
         if name == "where":
             return lambda condition, x, y: np.where(condition != 0, x, y)
         return function
+
+    def _erf(self, x: Any) -> Any:
+        """SciPy has it in double precision only."""
+        return self.precision(1) * erf(np.asarray(x, dtype=np.float64))
 
     def constant(self, value: Fraction) -> Any:
         """The nearest number of the precision, by one division where that is exact enough."""

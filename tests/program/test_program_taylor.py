@@ -1,6 +1,6 @@
 """Taylor coefficients are derivatives over factorials, in every domain of numbers."""
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable
 from fractions import Fraction
 from math import factorial
 from typing import Any
@@ -13,36 +13,11 @@ from hypothesis import strategies as st
 from hypothesis.strategies import SearchStrategy
 
 from mechanics.program import OPERATIONS, Builder, Node, Program, interpret, tangent
-from mechanics.program.interpret import Nodes, include
+from mechanics.program.interpret import Domain, Nodes, include
 from mechanics.program.numpy_domain import Arrays
 from mechanics.program.taylor_domain import TaylorSeries
 
 ORDER = 6
-
-
-OWN: Mapping[str, Callable[..., Any]] = {
-    "add": lambda x, y: x + y, "subtract": lambda x, y: x - y, "negate": lambda x: -x,
-    "multiply": lambda x, y: x * y, "divide": lambda x, y: x / y, "abs": abs,
-    "select": lambda c, x, y: x if c else y, "less": lambda x, y: x < y,
-    "not_greater": lambda x, y: x <= y, "equal": lambda x, y: x == y, "not": lambda x: not x,
-    "and": lambda x, y: bool(x and y), "or": lambda x, y: bool(x or y),
-}  # fmt: skip
-NAMES = [row.name for row in OPERATIONS if row.arity and row.name not in {*OWN, "entry"}]
-
-
-class MultiplePrecision:
-    """The domain of mpmath's numbers."""
-
-    operations = {name: getattr(mpmath, name) for name in NAMES} | OWN
-
-    def constant(self, value: Fraction) -> Any:
-        return mpmath.mpf(value.numerator) / value.denominator
-
-    def pi(self) -> Any:
-        return +mpmath.pi
-
-    def solve(self, matrix: list[list[Any]], right: list[Any], symmetric: bool) -> Sequence[Any]:
-        return list(mpmath.lu_solve(mpmath.matrix(matrix), mpmath.matrix(right)))
 
 
 @settings(max_examples=60, deadline=None)
@@ -76,12 +51,14 @@ SMOOTH = {
 
 
 @pytest.mark.parametrize("name", SMOOTH)
-def test_every_function_has_the_coefficients_of_mpmath(name: str) -> None:
+def test_every_function_has_the_coefficients_of_mpmath(
+    name: str, multiple_precision: Domain
+) -> None:
     b = Builder()
     program = b.program({"f": [b.call(name, b.input("x"))]})
     with mpmath.workdps(40):
         start = mpmath.mpf(SMOOTH[name])
-        domain = TaylorSeries(MultiplePrecision(), ORDER)
+        domain = TaylorSeries(multiple_precision, ORDER)
         (found,) = interpret(program, domain, {"x": (start, mpmath.mpf(1))})["f"]
         if name == "abs":
             wanted = [abs(start), -1, 0, 0, 0, 0, 0]
@@ -110,16 +87,18 @@ def test_all_smooth_rows_are_tried_above() -> None:
         lambda b, x: 1 / (x - x * x * x),
     ],
 )
-def test_functions_of_two_operands_too(build: Callable[[Builder, Node], Node]) -> None:
+def test_functions_of_two_operands_too(
+    build: Callable[[Builder, Node], Node], multiple_precision: Domain
+) -> None:
     b = Builder()
     program = b.program({"f": [build(b, b.input("x"))]})
     with mpmath.workdps(50):
         start = mpmath.mpf("0.8")
-        domain = TaylorSeries(MultiplePrecision(), ORDER)
+        domain = TaylorSeries(multiple_precision, ORDER)
         (found,) = interpret(program, domain, {"x": (start, mpmath.mpf(1))})["f"]
 
         def value(x: Any) -> Any:
-            return interpret(program, MultiplePrecision(), {"x": x})["f"][0]
+            return interpret(program, multiple_precision, {"x": x})["f"][0]
 
         for left, right in zip(found, mpmath.taylor(value, start, ORDER), strict=True):
             assert mpmath.almosteq(left, right, 1e-15, 1e-15)
