@@ -27,7 +27,7 @@ def replaced_file(target: Path) -> Iterator[Path]:
     ------
     OSError
     """
-    target = target.resolve()
+    target = _led_to(target)
     fresh = target.with_name(_temporary())
     try:
         yield fresh
@@ -52,7 +52,7 @@ def replace_in_folder(target: Path, files: Mapping[str, bytes], gone: Iterable[s
     ------
     OSError
     """
-    target = target.resolve()
+    target = _led_to(target)
     missing = [folder for folder in (target.parent, *target.parent.parents) if not folder.exists()]
     try:
         if target.exists():
@@ -65,6 +65,11 @@ def replace_in_folder(target: Path, files: Mapping[str, bytes], gone: Iterable[s
             with suppress(OSError):
                 folder.rmdir()
         raise
+
+
+def _led_to(target: Path) -> Path:
+    """Where links lead; one that leads into itself is an error of the first call that uses it."""
+    return Path(os.path.realpath(target))
 
 
 def _temporary() -> str:

@@ -203,6 +203,13 @@ def test_links_keep_their_places(tmp_path: Path) -> None:
     assert (tmp_path / "real.fmu").read_bytes() == b"new"
 
 
+def test_a_link_into_itself_is_one_line(modelled: Modelled, tmp_path: Path) -> None:
+    (tmp_path / "c").symlink_to(tmp_path / "c")
+    with pytest.raises(InputError, match="c cannot be written: "):
+        write_c(modelled("rocker", "kane"), tmp_path / "c", **FEW, prove=False)
+    assert [path.name for path in tmp_path.iterdir()] == ["c"]
+
+
 def test_what_a_link_in_the_folder_leads_to_is_left_alone(
     modelled: Modelled, tmp_path: Path
 ) -> None:

@@ -13,6 +13,7 @@ import casadi as ca
 from sympy import Dummy, Symbol
 
 from mechanics.compiled import Model
+from mechanics.compiled.graphs import Graphs
 from mechanics.compiled.margins import bound_column, margins, telling
 from mechanics.compiled.quantities import DIGITS, Quantities, Quantity
 from mechanics.routes import free_body
@@ -55,7 +56,7 @@ def functions(model: Model) -> Functions:
         If a condition or constraint holds an operation that is not known.
     """
     scene, known = model.equations.scene, model.quantities
-    graphs = telling(model, free_body.derive) if scene.conditions else model.casadi
+    graphs = conditional_graphs(model)
     sources = [known, graphs.quantities]
     inputs = _inputs(sources)
     p = (*known.p, *_own_parameters(model))
@@ -73,6 +74,13 @@ def functions(model: Model) -> Functions:
         ]
     y = ca.vertcat(*wanted) if wanted else ca.SX(0, 1)
     return Functions(inputs, p, tuple(outputs), _graphs(v, _rates(model, table), y))
+
+
+def conditional_graphs(model: Model) -> Graphs:
+    """Graphs that tell what the conditions of the scene hold: the model's, or of another route."""
+    if not model.equations.scene.conditions:
+        return model.casadi
+    return telling(model, free_body.derive)
 
 
 def _graphs(v: ca.SX, rates: ca.SX, outputs: ca.SX) -> dict[str, ca.Function]:

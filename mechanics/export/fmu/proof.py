@@ -18,15 +18,23 @@ from mechanics.compiled.custody.derived import Derived
 from mechanics.compiled.custody.kernel import Kernel
 from mechanics.compiled.custody.prove import Graph, prove_text
 from mechanics.compiled.programs.program import program
-from mechanics.compiled.proof import prove_compiled
+from mechanics.compiled.proof import prove_compiled, prove_graph
 from mechanics.exact import Finding
 from mechanics.exact.c.parse import Source, parse
-from mechanics.export.fmu.functions import CLOCK, STEP_SIZE, Functions, functions
+from mechanics.export.fmu.functions import (
+    CLOCK,
+    STEP_SIZE,
+    Functions,
+    conditional_graphs,
+    functions,
+)
 from mechanics.export.fmu.model_text import symbol
 
 SOURCE, HEADER = "model.c", "model.h"
 PARTS = ("forward_dynamics", "coordinate_rates", "reactions", "energy")
 """Functions of a model that units are put together from."""
+TOLD = ("forward_dynamics", "reactions")
+"""Those of another route, where conditions hold reactions that the model does not tell."""
 
 
 def prove_unit(model: Model, path: str | Path) -> tuple[Finding, ...]:
@@ -42,8 +50,17 @@ def prove_unit(model: Model, path: str | Path) -> tuple[Finding, ...]:
     with zipfile.ZipFile(path) as archive:
         texts = {name: archive.read(f"sources/{name}").decode() for name in (SOURCE, HEADER)}
     source = parse(texts[SOURCE], SOURCE, includes={HEADER: texts[HEADER]})
-    parts = [name for name in model.casadi if name in PARTS]
-    return (*prove_compiled(model, parts), *prove_functions(model, functions(model), source))
+    return (*prove_parts(model), *prove_functions(model, functions(model), source))
+
+
+def prove_parts(model: Model) -> tuple[Finding, ...]:
+    """Decide for the graphs that a unit is put together from whether they are what was derived."""
+    found = prove_compiled(model, [name for name in model.casadi if name in PARTS])
+    others = conditional_graphs(model)
+    if others is model.casadi:
+        return found
+    names = [name for name in others if name in TOLD]
+    return (*found, *(prove_graph(name, others) for name in names))
 
 
 def prove_functions(model: Model, known: Functions, source: Source) -> tuple[Finding, ...]:
