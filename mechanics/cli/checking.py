@@ -9,7 +9,7 @@ from typing import Annotated, Any
 import typer
 from rich.console import Console
 
-from mechanics.cli.files import refuse_unwritable, write
+from mechanics.cli.files import refuse_unwritable, write, write_file
 from mechanics.cli.load import load, run_file
 from mechanics.cli.values import assignments
 from mechanics.errors import InputError
@@ -116,7 +116,7 @@ def check(
             blame=blame,
         )  # fmt: skip
     if report is not None:
-        report.write_text(check_html(found), encoding="utf-8")
+        write_file(check_html(found), report)
     if json_file is not None:
         write(json.dumps(to_json(found), indent=2, ensure_ascii=False), json_file)
     if json_file != "-" and not quiet:

@@ -10,7 +10,7 @@ from rich.console import Console
 from rich.markup import escape
 from rich.table import Column, Table
 
-from mechanics.cli.files import refuse_unwritable, write
+from mechanics.cli.files import refuse_unwritable, write, write_file
 from mechanics.cli.findings import counted, explain
 from mechanics.cli.load import load
 from mechanics.crosscheck import CrossCheck
@@ -90,7 +90,7 @@ def crosscheck(
             results.append(check(system, options))
         if report is not None:
             status.update(f"writing {report.name}")
-            report.write_text(to_html(results), encoding="utf-8")
+            write_file(to_html(results), report)
     if json_file is not None:
         write(json.dumps(to_json(results), indent=2, ensure_ascii=False), json_file)
     if json_file != "-":

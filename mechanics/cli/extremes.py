@@ -11,7 +11,7 @@ from rich.console import Console
 from rich.markup import escape
 from rich.table import Table
 
-from mechanics.cli.files import refuse_unwritable, write
+from mechanics.cli.files import refuse_unwritable, write, write_file
 from mechanics.cli.load import load
 from mechanics.crosscheck import derive
 from mechanics.extremes import CAUSES, Cause, Extremes, to_record
@@ -75,10 +75,10 @@ def extremes(
                 walk(equations, name=system.name, paths=system.paths, forms=tuple(form or ()))
             )
         if plot is not None:
-            plot.write_text(heat_plot(results[0]), encoding="utf-8")
+            write_file(heat_plot(results[0]), plot)
         if report is not None:
             status.update(f"writing {report.name}")
-            report.write_text(extremes_html(results), encoding="utf-8")
+            write_file(extremes_html(results), report)
     if json_file is not None:
         record = {"systems": [to_record(found) for found in results]}
         text = json.dumps(record, allow_nan=False, separators=(",", ":"))

@@ -31,4 +31,13 @@ def write(text: str, file: str) -> None:
     if file == SCREEN:
         sys.stdout.write(f"{text}\n")
     else:
-        Path(file).write_text(f"{text}\n", encoding="utf-8")
+        write_file(f"{text}\n", Path(file))
+
+
+def write_file(text: str, file: Path) -> None:
+    """Write a text to a file: whole, or not at all."""
+    # Exports are slow to import, and most commands write to the screen.
+    from mechanics.export.atomic import replaced_file
+
+    with replaced_file(file) as fresh:
+        fresh.write_text(text, encoding="utf-8")

@@ -13,7 +13,7 @@ from rich.console import Console
 from rich.markup import escape
 from rich.table import Table
 
-from mechanics.cli.files import refuse_unwritable, write
+from mechanics.cli.files import refuse_unwritable, write, write_file
 from mechanics.cli.load import load
 from mechanics.cli.values import points, sorted_out
 from mechanics.crosscheck import derive
@@ -81,9 +81,9 @@ def trade(
             progress=lambda words, share: status.update(f"{share:.0%} {escape(words)}"),
         )
     if report is not None:
-        report.write_text(trade_html(found), encoding="utf-8")
+        write_file(trade_html(found), report)
     if plot is not None:
-        plot.write_text(standalone(found), encoding="utf-8")
+        write_file(standalone(found), plot)
     if json_file is not None:
         write(json.dumps(to_record(found), allow_nan=False), json_file)
     if json_file != "-":

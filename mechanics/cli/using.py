@@ -15,6 +15,7 @@ from mechanics.compiled import compile
 from mechanics.crosscheck import derive
 from mechanics.exact import Verdict
 from mechanics.export import write_c
+from mechanics.export.atomic import replaced_file
 from mechanics.export.folder import MANIFEST
 from mechanics.simulate import Ending, with_reactions, write_plot, write_table
 from mechanics.simulate.files import SUFFIXES, writable
@@ -88,9 +89,11 @@ def simulate(
         )
         if reactions:
             found = with_reactions(found, model)
-        write_table(found, out)
+        with replaced_file(out) as fresh:
+            write_table(found, fresh)
         if plot is not None:
-            write_plot(found, plot)
+            with replaced_file(plot) as fresh:
+                write_plot(found, fresh)
     console = Console()
     console.print(f"{escape(found.title)}: {escape(found.reason)}")
     for crossing in found.crossings if found.ending is not Ending.LEFT_DOMAIN else ():

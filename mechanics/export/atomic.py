@@ -8,6 +8,7 @@ Only the end of the process between two of these renames, or of the machine, can
 `mechanics verify` names it.
 """
 
+import errno
 import os
 import shutil
 from collections.abc import Iterable, Iterator, Mapping
@@ -21,16 +22,24 @@ def replaced_file(target: Path) -> Iterator[Path]:
     """Give a temporary path to write to; it becomes the target when the block ends.
 
     Where the block raises, the target is as it was. A link keeps its place: what it leads to is
-    replaced.
+    replaced, with its permissions. What is no file, a pipe or a terminal, is written to at once.
 
     Raises
     ------
     OSError
     """
+    if target.exists() and not target.is_file():
+        yield target
+        return
     target = _led_to(target)
-    fresh = target.with_name(_temporary())
+    held = target.exists()
+    if held and not os.access(target, os.W_OK):
+        raise PermissionError(errno.EACCES, "the file is read-only", str(target))
+    fresh = target.with_name(_temporary() + target.suffix)
     try:
         yield fresh
+        if held:
+            shutil.copymode(target, fresh)
         fresh.replace(target)
     except BaseException:
         fresh.unlink(missing_ok=True)

@@ -190,6 +190,29 @@ def test_a_file_appears_whole_or_not_at_all(
         assert there == ({} if expected is None else {"a.fmu": expected})
 
 
+def test_a_file_keeps_its_permissions(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    target = tmp_path / "a.html"
+    target.write_text("before", encoding="utf-8")
+    target.chmod(0o640)
+    with replaced_file(target) as fresh:
+        fresh.write_text("new", encoding="utf-8")
+    assert target.stat().st_mode & 0o777 == 0o640
+    monkeypatch.setattr(os, "access", lambda path, mode: False)
+    with pytest.raises(PermissionError, match="read-only"), replaced_file(target) as fresh:
+        fresh.write_text("newer", encoding="utf-8")
+    assert tree(tmp_path) == {"a.html": b"new"}
+
+
+def test_a_pipe_is_written_to(tmp_path: Path) -> None:
+    os.mkfifo(tmp_path / "pipe")
+    reader = os.open(tmp_path / "pipe", os.O_RDONLY | os.O_NONBLOCK)
+    with replaced_file(tmp_path / "pipe") as fresh:
+        fresh.write_text("new", encoding="utf-8")
+    assert os.read(reader, 10) == b"new"
+    os.close(reader)
+    assert [path.name for path in tmp_path.iterdir()] == ["pipe"]
+
+
 def test_links_keep_their_places(tmp_path: Path) -> None:
     (tmp_path / "real").mkdir()
     (tmp_path / "link").symlink_to(tmp_path / "real")
