@@ -10,7 +10,7 @@ from benchmarks.detection.tree import Tree, written
 from mechanics.checks.agreement import solve
 from mechanics.checks.ledger_compare import ordered
 from mechanics.exact import Arithmetic
-from mechanics.exact.normal import proves
+from mechanics.exact.decide import proved
 from mechanics.kinematics.manifold import settle
 
 
@@ -39,4 +39,4 @@ def same(about: Subject, row: Row, trees: tuple[Tree, ...]) -> bool:
                 a.assign(symbol, a.value(expression))
         return [(a.value(x), a.value(y)) for x, y in zip(left, right, strict=True)]
 
-    return proves(experiment)
+    return proved(experiment)

@@ -1,34 +1,24 @@
-"""Decide a statement: PROVED, CERTIFIED, REFUTED or UNDECIDED, never a tolerance.
-
-The field speaks first because it is quick and its answer tells where to look: if it says zero, the
-normal form tries to turn the certificate into a proof; if it says not zero, balls look for a
-witness. What neither settles is UNDECIDED.
-"""
+"""Decide an experiment: it becomes a statement of the kernel, which makes the verdict."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from math import inf, log2
 from typing import Any
 
 import sympy
 
+from mechanics import kernel
 from mechanics.exact.arithmetic import Arithmetic
-from mechanics.exact.field_trial import Answer, Experiment, Trial, trial
-from mechanics.exact.finding import Finding, Verdict
-from mechanics.exact.normal import proves
-from mechanics.exact.witness import find_witness
-
-PROOF = "both sides have the same normal form"
+from mechanics.exact.nodes import Experiment, statement
+from mechanics.exact.signals import Inadmissible
+from mechanics.kernel import Finding, Verdict
+from mechanics.kernel.normal import proves
+from mechanics.kernel.statement import TARGET
+from mechanics.kernel.trial import Answer, trial
 
 
 def decide(
-    subject: str,
-    experiment: Experiment,
-    *,
-    target: float = 2.0**-80,
-    seed: int | None = None,
-    try_normal: bool = True,
+    subject: str, experiment: Experiment, *, target: float = TARGET, try_normal: bool = True
 ) -> Finding:
     """Decide whether all pairs of an experiment are equal.
 
@@ -37,11 +27,9 @@ def decide(
     subject : str
         What is checked, in words.
     experiment : callable
-        Takes an `Arithmetic`, returns pairs (left, right) of its numbers; runs several times.
+        Takes an `Arithmetic`, returns pairs (left, right) of its numbers; runs once.
     target : float
         Largest chance of error that a CERTIFIED finding may have.
-    seed : int, optional
-        Makes the finding reproducible; by default points and primes are the system's randomness.
     try_normal : bool
         False to be content with a certificate where a proof would cost time.
 
@@ -56,38 +44,20 @@ def decide(
     ExpressionError
         If an expression or graph holds an operation without an exact meaning.
     """
-    if not 0 < target < 1:
-        raise ValueError(f"target {target} is no probability between 0 and 1")
-    outcome = trial(experiment, log2(target), seed)
-    if outcome.answer is Answer.ZERO:
-        if try_normal and proves(experiment):
-            return Finding(subject, Verdict.PROVED, PROOF)
-        return _certified(subject, outcome)
-    if outcome.answer is Answer.NONZERO:
-        witness = find_witness(experiment, seed)
-        if witness is not None:
-            return Finding(
-                subject, Verdict.REFUTED, "the enclosures at a real state are disjoint",
-                witness=witness,
-            )  # fmt: skip
-        # Only here can the normal form know more: |x|, signs of roots.
-        if try_normal and proves(experiment):
-            return Finding(subject, Verdict.PROVED, PROOF)
-    return Finding(subject, Verdict.UNDECIDED, _doubt(outcome))
+    try:
+        claim = statement(subject, experiment, target)
+    except Inadmissible as reason:
+        return kernel.undecided(subject, str(reason))
+    return kernel.decide(claim, try_normal=try_normal)
 
 
-def _certified(subject: str, outcome: Trial) -> Finding:
-    exponent = min(outcome.log2_bound, 0.0)
-    words = f"{outcome.words}; chance of error below 2^{exponent:.0f}"
-    return Finding(subject, Verdict.CERTIFIED, words, error_bound=2.0 ** max(exponent, -1000.0))
-
-
-def _doubt(outcome: Trial) -> str:
-    if outcome.log2_bound == inf:
-        return outcome.words
-    known = ", ".join(outcome.opaque)
-    why = f"known by congruence only: {known}" if known else "no operation is known to be the cause"
-    return f"{outcome.words}, but none of the real states tried tells the sides apart ({why})"
+def proved(experiment: Experiment) -> bool:
+    """Whether all pairs of an experiment have the same normal form; False says nothing."""
+    try:
+        claim = statement("", experiment, TARGET)
+    except Inadmissible:
+        return False
+    return trial(claim, lambda: proves(claim)).answer is Answer.PROVED
 
 
 def prove_equal(

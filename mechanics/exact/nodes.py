@@ -14,7 +14,7 @@ import sympy
 
 from mechanics.errors import ExpressionError
 from mechanics.exact.arithmetic import Arithmetic, Term, as_fraction
-from mechanics.exact.signals import Inadmissible
+from mechanics.exact.signals import DivisionHere, Inadmissible
 from mechanics.kernel import Range, Statement
 from mechanics.kernel.field import Inadmissible as NoPoint
 from mechanics.kernel.independence import generic_rank, zeros
@@ -50,16 +50,24 @@ class NodeNumber:
     __rmul__ = __mul__
 
     def __truediv__(self, other: Any) -> NodeNumber:
-        return NodeNumber(self.node / self._lift(other))
+        return NodeNumber(_divided(self.node, self._lift(other)))
 
     def __rtruediv__(self, other: Any) -> NodeNumber:
-        return NodeNumber(self._lift(other) / self.node)
+        return NodeNumber(_divided(self._lift(other), self.node))
 
     def __neg__(self) -> NodeNumber:
         return NodeNumber(-self.node)
 
     def __pow__(self, exponent: int) -> NodeNumber:
+        if exponent < 0:
+            return NodeNumber(_divided(self.node.builder.one, self.node.power(-exponent)))
         return NodeNumber(self.node.power(exponent))
+
+
+def _divided(above: Node, below: Node) -> Node:
+    if below.is_zero:
+        raise DivisionHere("division by zero")
+    return above / below
 
 
 def node_of(builder: Builder, number: Any) -> Node:
@@ -154,12 +162,20 @@ class NodeArithmetic(Arithmetic):
         return self._call("select", condition, yes, no)
 
     def function(self, name: str, arguments: Sequence[Any]) -> NodeNumber:
-        """An operation of the table."""
+        """An operation of the table, or one that is known by congruence only.
+
+        An unknown function f(x, y) is erf(a + b x + c y) with a, b, c of its own: equal for equal
+        arguments, different for others, and a real function for a witness.
+        """
         if name == "ceil":
             return -self._call("floor", -arguments[0])
-        if name not in FUNCTIONS:
-            raise ExpressionError(f"{name} has no meaning: replace it by a symbol")
-        return self._call(name, *arguments)
+        if name in FUNCTIONS:
+            return self._call(name, *arguments)
+        total = self.builder.input(f"{name}: 0")
+        for place, argument in enumerate(arguments, 1):
+            factor = self.builder.input(f"{name}: {place}")
+            total = total + factor * node_of(self.builder, argument)
+        return NodeNumber(self.builder.call("erf", total))
 
     def solve(self, rows: Sequence[Sequence[Any]], rhs: Sequence[Any]) -> list[NodeNumber]:
         """One linear system."""
@@ -195,11 +211,11 @@ class NodeArithmetic(Arithmetic):
         self.positive.append(node_of(self.builder, number))
 
 
-def statement(
-    subject: str,
-    experiment: Callable[[Arithmetic], Sequence[tuple[Any, Any]]],
-    target: float,
-) -> Statement:
+Experiment = Callable[[Arithmetic], Sequence[tuple[Any, Any]]]
+"""Returns pairs of numbers that should be equal."""
+
+
+def statement(subject: str, experiment: Experiment, target: float) -> Statement:
     """The statement that all pairs of an experiment are equal.
 
     Raises

@@ -15,17 +15,13 @@ from flint import arb, arb_mat
 from mechanics.equations import Equations
 from mechanics.exact import Arithmetic, generic_rank
 from mechanics.exact.balls import precision
-from mechanics.exact.field_trial import Answer, trial
-from mechanics.exact.normal import proves
+from mechanics.exact.decide import proved as is_proved
 from mechanics.extremes.polynomials import LinearCode, linear_code
 
 BITS = 192
 LAST_BITS = 192 * 2**6
 PROOF_BITS = 192 * 2**3
 ENOUGH = 80
-PROBABLY = -80.0
-"""Base 2 logarithm of the chance with which a proof is tried in vain."""
-
 Rows = list[list[arb]]
 
 
@@ -157,7 +153,7 @@ class Truth:
                 solution = a.solve(rows, [a.value(entry) for entry in right])
                 return [(solution[i], a.rational(0))]
 
-            return trial(experiment, PROBABLY, None).answer is Answer.ZERO and proves(experiment)
+            return is_proved(experiment)
 
         return tuple(
             not x.is_zero() and bool(x.contains(0)) and proved(i)

@@ -4,8 +4,8 @@ Statement --> decide --> Finding
 """
 
 from mechanics.kernel.balls import enclose
-from mechanics.kernel.decide import decide
+from mechanics.kernel.decide import decide, undecided
 from mechanics.kernel.finding import Finding, Verdict, Witness
 from mechanics.kernel.statement import Range, Statement
 
-__all__ = ["Finding", "Range", "Statement", "Verdict", "Witness", "decide", "enclose"]
+__all__ = ["Finding", "Range", "Statement", "Verdict", "Witness", "decide", "enclose", "undecided"]

@@ -65,6 +65,11 @@ def check_canaries() -> None:
             )
 
 
+def undecided(subject: str, reason: str) -> Finding:
+    """The finding on what could not be stated: no state is admissible, say."""
+    return Finding(subject, Verdict.UNDECIDED, reason)
+
+
 def _decided(statement: Statement, try_normal: bool) -> Finding:
     subject, outputs = statement.subject, statement.program.outputs
     if outputs[LEFT] == outputs[RIGHT]:
