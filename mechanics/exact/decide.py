@@ -7,11 +7,11 @@ from typing import Any
 
 import sympy
 
-from mechanics import kernel
 from mechanics.exact.arithmetic import Arithmetic
 from mechanics.exact.nodes import Experiment, statement
 from mechanics.exact.signals import Inadmissible
-from mechanics.kernel import Finding, Verdict
+from mechanics.kernel import Finding, Verdict, undecided
+from mechanics.kernel import decide as decide_statement
 from mechanics.kernel.normal import proves
 from mechanics.kernel.statement import TARGET
 from mechanics.kernel.trial import Answer, trial
@@ -47,8 +47,8 @@ def decide(
     try:
         claim = statement(subject, experiment, target)
     except Inadmissible as reason:
-        return kernel.undecided(subject, str(reason))
-    return kernel.decide(claim, try_normal=try_normal)
+        return undecided(subject, str(reason))
+    return decide_statement(claim, try_normal=try_normal)
 
 
 def proved(experiment: Experiment) -> bool:

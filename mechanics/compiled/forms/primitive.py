@@ -14,7 +14,7 @@ from math import gcd, lcm
 import sympy
 from sympy import Expr, Matrix, Symbol
 
-from mechanics.exact import canonical
+from mechanics.exact.canonical import canonical
 from mechanics.exact.canonical_poly import reader
 from mechanics.exact.ring import content
 
