@@ -17,6 +17,9 @@ from sympy import Expr, Matrix, Symbol
 
 from mechanics.scene import Scene
 
+FEW = 6
+"""Unknowns up to which M, f and B are written out even where rows could stand for them."""
+
 
 @dataclass(frozen=True)
 class Line:
@@ -176,9 +179,9 @@ class Equations:
         return left, right
 
     @property
-    def split(self) -> bool:
-        """Whether M, f and B are written out; until they are read, `rows` stand for them."""
-        return not (self.rows and callable(self.__dict__["mass"]))
+    def long(self) -> bool:
+        """Whether `rows` stand for M, f and B, which are too long to be written out."""
+        return bool(self.rows) and len(self.unknowns) > FEW
 
     @property
     def unknowns(self) -> tuple[Symbol, ...]:
@@ -189,7 +192,8 @@ class Equations:
 class Late:
     """A matrix of `Equations` that may be given as a function, called when it is first read.
 
-    A chain of fifty links has 2600 entries of M, and its recursive kernels need none of them.
+    A chain of fifty links has 2600 entries of M, and its recursive kernels need none of them. What
+    is read is the same whenever it is read; nothing may ask whether it has been.
     """
 
     def __init__(self, name: str) -> None:

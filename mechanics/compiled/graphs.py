@@ -20,7 +20,6 @@ import sympy
 from mechanics.compiled.fixed import Fixed, fix
 from mechanics.compiled.forms import Form, System, named_form, written
 from mechanics.compiled.forms.order import Order
-from mechanics.compiled.forms.trial import chosen_pivots, largest_error
 from mechanics.compiled.mechanical import Totals, totals
 from mechanics.compiled.quantities import DIGITS, Quantities, quantities
 from mechanics.compiled.step import RK4, runge_kutta
@@ -191,7 +190,7 @@ class Graphs(Mapping[str, ca.Function]):
 
     @cached_property
     def _linear(self) -> System:
-        return System(self.equations, self._translate, self._choose, self._error)
+        return System(self.equations, self._translate, self.quantities, self._of_state)
 
     @property
     def form(self) -> Form:
@@ -212,16 +211,10 @@ class Graphs(Mapping[str, ca.Function]):
         """The order in which rows and columns of the linear system are eliminated."""
         return tuple(self._linear.pivots)
 
-    def _choose(self, left: ca.SX, right: ca.SX) -> Order:
-        return chosen_pivots(self._of_state(left, right), self.quantities)
-
-    def _error(self, solution: ca.SX) -> float:
-        return largest_error(self._of_state(solution), self.equations, self.quantities)
-
-    def _of_state(self, *graphs: ca.SX) -> ca.Function:
-        inputs = {group: self._columns[group] for group in STATE}
+    def _of_state(self, *graphs: ca.SX, x: ca.SX | None = None) -> ca.Function:
+        inputs = {group: self._columns[group] for group in STATE} | ({} if x is None else {"x": x})
         bound = self._bound(list(graphs))
-        return self._function("system", inputs, dict(zip("xy", bound, strict=False)))
+        return self._function("system", inputs, dict(zip("yz", bound, strict=False)))
 
     def _forward_dynamics(self) -> dict[str, ca.SX]:
         n = len(self.quantities.ud)

@@ -204,7 +204,7 @@ def input_symbols(
 
 def _used(equations: Equations, given: set[Symbol]) -> set[Symbol]:
     """Those of the given symbols that the equations hold; M and f are not written out for none."""
-    if not equations.split and not any(row.free_symbols & given for row in equations.rows):
+    if equations.rows and not any(row.free_symbols & given for row in equations.rows):
         return set()
     left, right = equations.system
     return (left.free_symbols | right.free_symbols) & given

@@ -55,6 +55,23 @@ def sample(quantities: Quantities, count: int, seed: int, decades: float = DECAD
     )
 
 
+def ordinary(quantities: Quantities, count: int, seed: int) -> States:
+    """Draw states away from special ones: angles anywhere, sizes between a half and two."""
+    random = np.random.default_rng(seed)
+
+    def column(quantity: Quantity) -> NDArray[np.float64]:
+        if quantity.unit == "rad":
+            return random.uniform(-np.pi, np.pi, count)
+        sizes = 2.0 ** random.uniform(-1.0, 1.0, count)
+        return sizes if quantity.positive else sizes * random.choice((-1.0, 1.0), count)
+
+    def columns(group: Sequence[Quantity]) -> NDArray[np.float64]:
+        return np.array([column(quantity) for quantity in group]).reshape(-1, count).T
+
+    q = quantities
+    return States(columns(q.q), columns(q.u), columns(q.inputs), columns(q.p))
+
+
 def _columns(
     random: np.random.Generator, group: Sequence[Quantity], count: int, decades: float
 ) -> NDArray[np.float64]:

@@ -10,6 +10,7 @@ from mechanics.compiled import Model
 from mechanics.compiled import compile as compile_model
 from mechanics.compiled.machine.native import find_compiler
 from mechanics.equations import Equations
+from mechanics.routes import free_body
 
 
 @functools.cache
@@ -39,3 +40,13 @@ def compiler() -> str:
     if found is None:
         pytest.skip("no C compiler here")
     return found
+
+
+@pytest.fixture
+def unwritten(monkeypatch: pytest.MonkeyPatch) -> None:
+    """M and f must not be written out while the test runs."""
+
+    def refuse(*_: object) -> None:
+        raise AssertionError("M and f are written out")
+
+    monkeypatch.setattr(free_body, "assemble", refuse)

@@ -10,7 +10,8 @@ import pytest
 import sympy
 from sympy import Expr, Matrix, Rational, cos, pi, sin, sqrt, symbols
 
-from mechanics.compiled import compile, graphs, prove_compiled
+from mechanics.compiled import compile, prove_compiled
+from mechanics.compiled.forms import system
 from mechanics.compiled.forms.closed import quotients
 from mechanics.compiled.forms.coefficient import Coefficient, coefficient
 from mechanics.compiled.forms.entries import nested_entries
@@ -194,7 +195,7 @@ def test_what_rounds_badly_is_not_taken(derived, monkeypatch: pytest.MonkeyPatch
         asked.append(solution)
         return 1.0 if solution.n_instructions() > 40 else 9.0
 
-    monkeypatch.setattr(graphs, "largest_error", worse_than_elimination)
+    monkeypatch.setattr(system, "largest_error", worse_than_elimination)
     refused, other = (
         compile(equations, form=form, reciprocals=False).program("forward_dynamics")
         for form in ("fewest", "ldl")

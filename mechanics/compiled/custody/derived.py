@@ -75,10 +75,10 @@ OF_ROWS = frozenset({"forward_dynamics", "coordinate_rates", "energy", "momenta"
 def derived(graphs: Graphs, functions: Sequence[str], by_rows: bool = False) -> Derived:
     """What was derived, as far as some functions need it.
 
-    With `by_rows`, M and f of a long chain are not written out where they have not been yet.
+    With `by_rows`, M and f of a long chain are not written out where rows can judge.
     """
     equations, scene = graphs.derived, graphs.derived.scene
-    by_rows = by_rows and not equations.split and OF_ROWS.issuperset(functions)
+    by_rows = by_rows and equations.long and OF_ROWS.issuperset(functions)
     if by_rows:
         count = len(equations.multipliers)
         constraints = equations.constraint_matrix

@@ -11,8 +11,10 @@ import casadi as ca
 
 from mechanics.compiled.forms.members import RECURSIVE, SPARSE, Form, named_form, preferred
 from mechanics.compiled.forms.system import System
-from mechanics.compiled.forms.weigh import FEW, lightest
+from mechanics.compiled.forms.weigh import lightest
 from mechanics.compiled.programs.program import operations
+from mechanics.equations import FEW
+from mechanics.errors import SingularError
 
 
 def written(name: str, system: System) -> tuple[Form, ca.SX]:
@@ -22,11 +24,16 @@ def written(name: str, system: System) -> tuple[Form, ca.SX]:
     ------
     InputError
         If there is no such form, or the equations have no such one.
+    SingularError
+        If what it gives is no solution.
     """
     if name == "auto":
         return chosen(system)
     form = named_form(name, system.equations)
-    return form, form.solve(system)
+    graph = form.solve(system)
+    if not system.solved_by(graph):
+        raise _unsolved(system, f"form {name!r}")
+    return form, graph
 
 
 def chosen(system: System) -> tuple[Form, ca.SX]:
@@ -35,9 +42,21 @@ def chosen(system: System) -> tuple[Form, ca.SX]:
     n = len(system.equations.unknowns)
     if not found or n <= FEW or min(operations(graph) for _, graph in found) >= full(n):
         usual = preferred(system.equations)
-        found.append((usual, usual.solve(system)))
+        graph = usual.solve(system)
+        if system.solved_by(graph):
+            found.append((usual, graph))
+    if not found:
+        raise _unsolved(system, "no form")
     best = lightest(system, [graph for _, graph in found])
     return next(written for written in found if written[1] is best)
+
+
+def _unsolved(system: System, form: str) -> SingularError:
+    equations = system.equations
+    return SingularError(
+        f"{equations.scene.name} by {equations.route}: {form} gives accelerations that satisfy"
+        " M u' = f at ordinary states: look for a body without mass or redundant constraints"
+    )
 
 
 def full(n: int) -> int:

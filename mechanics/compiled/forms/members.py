@@ -154,7 +154,7 @@ def _fewest(system: System) -> ca.SX:
     usual = system.solve(system.graphs[1])
     least, poor = operations(usual), [usual]
     for candidate in _candidates(system):
-        if operations(candidate) < least:
+        if operations(candidate) < least and system.solved_by(candidate):
             if system.error(candidate) < ROUNDINGS:
                 return candidate
             poor.append(candidate)
@@ -165,7 +165,8 @@ def _fewest(system: System) -> ca.SX:
         poor.append(_primitive(system))
     if not _small_and_readable(system.equations):
         poor.append(_rearranged(system))
-    return min(poor, key=lambda graph: (digits_lost(system.error(graph)), operations(graph)))
+    solved = [graph for graph in poor if system.solved_by(graph)] or [usual]
+    return min(solved, key=lambda graph: (digits_lost(system.error(graph)), operations(graph)))
 
 
 def _candidates(system: System) -> Iterator[ca.SX]:

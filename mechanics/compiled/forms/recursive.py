@@ -14,7 +14,7 @@ from functools import lru_cache
 import casadi as ca
 
 from mechanics.compiled.forms.bodies.function import gauss_function
-from mechanics.compiled.forms.bodies.leaf_to_root import WAYS, Way, eliminated, values
+from mechanics.compiled.forms.bodies.leaf_to_root import Way, eliminated, values
 from mechanics.compiled.forms.bodies.reading import Reading
 from mechanics.compiled.forms.bodies.tried import Tried, tried
 from mechanics.compiled.forms.system import System
@@ -55,13 +55,14 @@ def ways(system: System) -> list[ca.SX]:
     equations = system.equations
     if inapplicable(equations):
         return []
-    graphs = _tried(equations).graphs(system.translate)
-    if equations.split or not graphs:
-        return graphs
-    # What cannot be tried is on the safe side, unless that costs a lot.
-    counted = [(operations(graph), way, graph) for way, graph in zip(WAYS, graphs, strict=True)]
+    graphs = _tried(equations).graphs(system)
+    if not equations.long or not graphs:
+        return [graph for _, graph in graphs]
+    # What is not weighed by its errors is on the safe side, unless that costs a lot.
+    counted = [(operations(graph), way, graph) for way, graph in graphs]
     few = min(count for count, _, _ in counted)
-    return [x for count, way, x in counted if way.inertial and count <= MORE * few] or graphs
+    safe = [x for count, way, x in counted if way.inertial and count <= MORE * few]
+    return safe or [graph for _, graph in graphs]
 
 
 def solve(system: System) -> ca.SX:

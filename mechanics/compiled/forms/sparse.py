@@ -52,7 +52,9 @@ def _tried(equations: Equations) -> Tried:
 def ways(system: System) -> list[ca.SX]:
     """(u', lambda) as a column, in every way; none where nothing constrains."""
     equations = system.equations
-    return [] if inapplicable(equations) else _tried(equations).graphs(system.translate)
+    if inapplicable(equations):
+        return []
+    return [graph for _, graph in _tried(equations).graphs(system)]
 
 
 def solve(system: System) -> ca.SX:

@@ -5,9 +5,12 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import casadi as ca
+from sympy import Matrix
 
 from mechanics.compiled.forms.factor import Pivots, solve_general, solve_symmetric
 from mechanics.compiled.forms.primitive import Primitive, primitive
+from mechanics.compiled.forms.trial import Reference, chosen_pivots, largest_error, reference
+from mechanics.compiled.quantities import Quantities
 from mechanics.compiled.translate import Translator
 from mechanics.equations import Equations
 
@@ -20,23 +23,51 @@ class System:
     ----------
     equations : Equations
     translate : Translator
-    choose : callable
-        From graphs of a square matrix and a column to the pivots that suit them.
-    error : callable
-        From the graph of a solution to its largest backward error at states that are tried, in
-        roundings.
+    quantities : Quantities
+    function : callable
+        From graphs, and from the graph of what is put in place of x, to a function of the state.
     """
 
     equations: Equations
     translate: Translator
-    choose: Callable[[ca.SX, ca.SX], Pivots]
-    error: Callable[[ca.SX], float]
+    quantities: Quantities
+    function: Callable[..., ca.Function]
+
+    def choose(self, left: ca.SX, right: ca.SX) -> Pivots:
+        """The pivots that suit a square matrix and a column."""
+        return chosen_pivots(self.function(left, right), self.quantities)
+
+    def error(self, solution: ca.SX) -> float:
+        """The largest backward error of a solution at states that are tried, in roundings."""
+        return largest_error(self.function(solution), self.equations, self.quantities)
+
+    def solved_by(self, graph: ca.SX) -> bool:
+        """Whether a graph is a solution at states that are drawn: no other may be chosen."""
+        return self.reference.solved_by(self.function(graph))
+
+    @cached_property
+    def reference(self) -> Reference:
+        """K and k in numbers."""
+        x = ca.SX.sym("x", len(self.equations.unknowns))
+        return reference(self.function(self.residual(x), x=x), x.numel(), self.quantities)
 
     @cached_property
     def graphs(self) -> tuple[ca.SX, ca.SX]:
         """K and k."""
         left, right = self.equations.system
         return self.translate.matrix(left), self.translate.matrix(right)
+
+    def residual(self, x: ca.SX) -> ca.SX:
+        """K x - k, by the rows that stand for K and k where these are too long."""
+        equations = self.equations
+        if not equations.long:
+            left, right = self.graphs
+            return left @ x - right
+        unknowns = equations.unknowns
+        closing = equations.constraint_matrix * Matrix(equations.scene.ud)
+        rows = [*equations.rows, *(closing - equations.constraint_bias)]
+        given = ca.vertcat(*map(self.translate, unknowns))
+        return ca.substitute(self.translate.column(rows), given, x)
 
     @cached_property
     def symmetric(self) -> bool:

@@ -1,21 +1,28 @@
-"""Pivots for one linear system, and how well a solution of it rounds, tried at random states.
+"""Pivots for one linear system, and how well a solution of it rounds, tried at drawn states.
 
-Half of the states are ordinary ones, half as wild as those of the residual checks.
+    |K x - k|_i / s_i < WRONG          for a solution x, s_i the sum of magnitudes in row i
+
+Half of the states are ordinary ones, half as wild as those of the residual checks. Whether x is a
+solution at all is asked at ordinary states only, with K and k in numbers as they were derived.
 """
 
+from contextlib import suppress
+from dataclasses import dataclass
 from functools import lru_cache
 
 import casadi as ca
 import numpy as np
-from sympy import Add, Symbol
+from sympy import Add, Expr, Symbol
 
 from mechanics.compiled.forms.order import Array, Order, pivot_order
+from mechanics.compiled.programs.enclosed import UNIT, enclosed
 from mechanics.compiled.programs.program import Program, program, run
 from mechanics.compiled.quantities import Quantities
-from mechanics.compiled.sampling import DECADES, sample
-from mechanics.compiled.terms import ExtendedTerms, extended_terms
+from mechanics.compiled.sampling import DECADES, ordinary, sample
+from mechanics.compiled.terms import CHUNK, ExtendedTerms, extended_terms
 from mechanics.equations import Equations
-from mechanics.exact import canonical
+from mechanics.errors import SingularError
+from mechanics.exact import TooLarge, canonical
 
 TRIALS = 64
 SEED = 2
@@ -25,6 +32,18 @@ WILD = 20_000
 
 LOST = 1e8
 """Roundings that a number counts for which single precision cannot give."""
+
+ASKED = 8
+"""Ordinary states at which a form has to solve the system before it may be chosen."""
+
+WRONG = 2.0**-26
+"""Half of the digits of a double, relative to what is added up in a row.
+
+Every right form of every system here, and of arms in space with six joints, stays below 2^-43 of
+|K| |x| + |k| at these states; a wrong term leaves a share of the row that has nothing to do with
+rounding. What lies in between has lost half of its digits where numbers are ordinary: no form to
+choose either.
+"""
 
 RANGE = float(np.finfo(np.float32).max)
 
@@ -48,7 +67,8 @@ def chosen_pivots(system: ca.Function, quantities: Quantities) -> Order:
 def largest_error(solution: ca.Function, equations: Equations, quantities: Quantities) -> float:
     """Largest residual of a row of K x = k at the states that are tried, for a function x.
 
-    In units of epsilon times the sum of the magnitudes of the row's terms, in normal form; at least
+    In units of epsilon times the sum of the magnitudes of the row's terms, in normal form where
+    that is small; at least
     `LOST` where a precision has no number for what is in its range, at many more states.
     """
     states, code = _states(quantities), program(solution)
@@ -62,18 +82,86 @@ def largest_error(solution: ca.Function, equations: Equations, quantities: Quant
     return max(error, LOST) if error < LOST and _lost(code, quantities) else error
 
 
+@dataclass(frozen=True)
+class Reference:
+    """K x = k in numbers at ordinary states.
+
+    Attributes
+    ----------
+    states : list of arrays
+        q, u, inputs and p, entries x states.
+    left, right : array
+        K, states x n x n, and k, states x n.
+    residual : Program
+        K x - k, of the state and x, as it was derived.
+    """
+
+    states: list[Array]
+    left: Array
+    right: Array
+    residual: Program
+
+    def solved_by(self, solution: ca.Function) -> bool:
+        """Whether what a function gives is a solution at every state."""
+        x = np.array(solution(*self.states))
+        (rows,) = enclosed(self.residual, [list(group) for group in (*self.states, x)])
+        with np.errstate(all="ignore"):
+            net = np.einsum("sij,js->is", np.abs(self.left), np.abs(x)) + np.abs(self.right.T)
+            for row, plain in zip(rows, net, strict=True):
+                # A bound of rounding errors is as many units as there are terms to add up, also
+                # where these cancel; there is none for some functions.
+                size = np.where(np.isfinite(row.error), row.error / UNIT, plain)
+                # Not "or more": what is no number is no solution.
+                if not np.all((row.value == 0) | (np.abs(row.value) < WRONG * size)):
+                    return False
+        return True
+
+
+def reference(residual: ca.Function, n: int, quantities: Quantities) -> Reference:
+    """K and k from K x - k, a function of the state and x: its columns are those of unit vectors.
+
+    Raises
+    ------
+    SingularError
+        When K and k are numbers at none of the states.
+    """
+    drawn = ordinary(quantities, TRIALS, SEED)
+    states = [group.T for group in drawn.groups]
+    rest = np.array(residual(*states, np.zeros((n, TRIALS)))).T
+    columns = [
+        np.array(residual(*states, np.repeat(unit[:, None], TRIALS, axis=1))).T - rest
+        for unit in np.eye(n)
+    ]
+    left = np.stack(columns, axis=2)
+    finite = np.isfinite(left).all(axis=(1, 2)) & np.isfinite(rest).all(axis=1)
+    asked = np.flatnonzero(finite)[:ASKED]
+    if not asked.size:
+        raise SingularError(
+            f"M and f are numbers at none of {TRIALS} states: does something divide by zero?"
+        )
+    held = [group[:, asked] for group in states]
+    return Reference(held, left[asked], -rest[asked], program(residual))
+
+
 def _lost(code: Program, quantities: Quantities) -> bool:
     """Whether a number is missing at a state where none is out of the range of the precision."""
     drawn = sample(quantities, WILD, SEED).rounded(np.float32)
-    states = [list(group.T) for group in drawn.groups]
+    return any(
+        _missing(code, [list(group[i : i + CHUNK].T) for group in drawn.groups])
+        for i in range(0, WILD, CHUNK)
+    )
+
+
+def _missing(code: Program, states: list[list[Array]]) -> bool:
+    count = max((len(entry) for group in states for entry in group), default=1)
     with np.errstate(all="ignore"):
         (double,) = run(code, states, np.float64)
         (single,) = run(code, states, np.float32)
     missing, absent = (
-        np.any([~np.isfinite(np.broadcast_to(entry, WILD)) for entry in group], axis=0)
+        np.any([~np.isfinite(np.broadcast_to(entry, count)) for entry in group], axis=0)
         for group in (single, double)
     )
-    within = np.all([np.abs(np.broadcast_to(entry, WILD)) < RANGE for entry in double], axis=0)
+    within = np.all([np.abs(np.broadcast_to(entry, count)) < RANGE for entry in double], axis=0)
     return bool(np.any(absent | (missing & within)))
 
 
@@ -86,12 +174,18 @@ def _rows(equations: Equations, symbols: tuple[Symbol, ...]) -> list[ExtendedTer
         row = [
             term * x
             for entry, x in zip(left[i, :], equations.unknowns, strict=True)
-            for term in Add.make_args(canonical(entry))
-            if term != 0
+            for term in _terms(entry)
         ]
-        row += [-term for term in Add.make_args(canonical(right[i])) if term != 0]
+        row += [-term for term in _terms(right[i])]
         found.append(extended_terms(row, [*symbols, *equations.unknowns]))
     return found
+
+
+def _terms(entry: Expr) -> list[Expr]:
+    """Terms in normal form, or as they were derived where that is too large."""
+    with suppress(TooLarge):
+        entry = canonical(entry)
+    return [term for term in Add.make_args(entry) if term != 0]
 
 
 def _states(quantities: Quantities) -> list[list[Array]]:

@@ -13,12 +13,10 @@ import casadi as ca
 
 from mechanics.compiled.forms.system import System
 from mechanics.compiled.programs.program import operations
+from mechanics.errors import SingularError
 
 ROUNDINGS = 8.0
 """Backward error that no form is blamed for, in roundings."""
-
-FEW = 6
-"""Unknowns up to which all that can be written is written and weighed."""
 
 MOST = 8
 """Digits beyond which it makes no difference: the equations are singular at some of the states."""
@@ -37,11 +35,22 @@ def digits_lost(error: float) -> float:
 def lightest(system: System, graphs: Iterable[ca.SX]) -> ca.SX:
     """The graph of least weight; errors are tried only as long as they can decide.
 
-    Where K has not been written out there is nothing to try them with, and operations decide.
+    Where K is too long to be written out, operations decide.
+
+    Raises
+    ------
+    SingularError
+        If there is no graph: none of this form solves the system.
     """
     counted = sorted(((operations(graph), graph) for graph in graphs), key=lambda pair: pair[0])
+    if not counted:
+        equations = system.equations
+        raise SingularError(
+            f"{equations.scene.name} by {equations.route}: this form gives no accelerations that"
+            " satisfy M u' = f: choose another one, or 'auto'"
+        )
     best, least = counted[0][1], inf
-    if not system.equations.split:
+    if system.equations.long:
         return best
     for count, graph in counted:
         if count >= least:

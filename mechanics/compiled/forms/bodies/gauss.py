@@ -260,7 +260,7 @@ def turn(g: Gauss, by: Turn) -> None:
     g.couple(i, j, c * h - mixed)
     for k in dict.fromkeys((*first, *second)):
         a, b = first.get(k, NOTHING), second.get(k, NOTHING)
-        g.couple(k, i, c * a - s * b)
-        g.couple(k, j, s * a + c * b)
+        g.couple(k, i, (2 if k == i else 1) * (c * a - s * b))
+        g.couple(k, j, (2 if k == j else 1) * (s * a + c * b))
     g.add_force(i, c * push - s * pull)
     g.add_force(j, s * push + c * pull)

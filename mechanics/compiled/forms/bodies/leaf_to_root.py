@@ -11,6 +11,7 @@ import casadi as ca
 
 from mechanics.compiled.forms.bodies.affine import Affine, Unknown
 from mechanics.compiled.forms.bodies.gauss import Gauss, few, gather, minimise, put, turn
+from mechanics.errors import ExpressionError
 
 Rule = Callable[[str, int, int], tuple[int, ...]]
 """From the kind of a step, its cost and its age to what is least for the step to take next."""
@@ -95,6 +96,7 @@ def values(g: Gauss, solved: Sequence[Solved]) -> Callable[[Unknown], ca.SX]:
     formulas = {entry.unknown: entry for entry in solved}
     formulas |= {unknown: Solved(unknown, value) for unknown, value in g.after.items()}
     found: dict[Unknown, ca.SX] = {}
+    entered: set[Unknown] = set()
 
     def value(wanted: Unknown) -> ca.SX:
         # An explicit stack: a chain is deeper than Python's recursion goes.
@@ -103,6 +105,11 @@ def values(g: Gauss, solved: Sequence[Solved]) -> Callable[[Unknown], ca.SX]:
             entry = formulas[stack[-1]]
             missing = [z for z in entry.value.coefficients if z not in found]
             if missing:
+                if stack[-1] in entered:
+                    raise ExpressionError(
+                        f"acceleration {stack[-1]} is found from itself: choose another form"
+                    )
+                entered.add(stack[-1])
                 stack += missing
             else:
                 found[stack.pop()] = _evaluated(entry, found)

@@ -1,0 +1,117 @@
+"""Arms in space: what is compiled is what recursive Newton-Euler computes, whoever read what."""
+
+from typing import Any
+
+import casadi as ca
+import numpy as np
+import pytest
+from newton_euler import forward_dynamics, inverse_dynamics
+from serial_arms import Arm, serial_arm
+
+from mechanics.compiled import Model, compile, prove_graph
+from mechanics.compiled.forms import recursive
+from mechanics.compiled.forms.bodies import leaf_to_root
+from mechanics.compiled.forms.bodies.affine import Affine
+from mechanics.compiled.forms.bodies.gauss import Gauss
+from mechanics.compiled.forms.bodies.leaf_to_root import Solved, values
+from mechanics.compiled.sampling import ordinary
+from mechanics.crosscheck import derive
+from mechanics.equations import Equations
+from mechanics.errors import ExpressionError, SingularError
+from mechanics.routes import free_body, kane
+from mechanics.scene import Scene
+from systems import double_pendulum, pendulum_chain
+
+EPS = np.finfo(float).eps
+ROUNDINGS = 256
+"""Of the residual of each row, against the sum of the magnitudes of what is added up in it."""
+
+OFF_AXIS: dict[str, Any] = {"axes": "zyy", "fixed": "x", "zero": "yzDEF"}
+"""With three joints, a way that passes accelerations on in inertial components goes in a circle."""
+
+
+def modelled(equations: Equations, form: str = "auto") -> Model:
+    return compile(equations, form=form, compiler=None, outputs=("forward_dynamics",))
+
+
+def assert_follows(arm: Arm, model: Model) -> None:
+    """The compiled accelerations solve M a = f with M and f by recursive Newton-Euler."""
+    names, n = [entry.name for entry in model.quantities.p], len(arm.axes)
+    for q, u, p, torques in _states(model):
+        numbers = dict(zip(names, p, strict=True))
+        joints, field = arm.joints(numbers), np.array([0, 0, -numbers["g"]])
+        rest = inverse_dynamics(joints, q, u, np.zeros(n), field)
+        columns = [inverse_dynamics(joints, q, u, unit, field) - rest for unit in np.eye(n)]
+        M, a = np.array(columns).T, model.forward_dynamics(q, u, p, inputs=torques)
+        size = np.abs(M) @ np.abs(a) + np.abs(rest) + np.abs(torques)
+        assert np.all(np.abs(M @ a + rest - torques) <= ROUNDINGS * EPS * size)
+
+
+def _states(model: Model) -> Any:
+    drawn = ordinary(model.quantities, 5, 3)
+    return zip(drawn.q, drawn.u, drawn.p, drawn.inputs, strict=True)
+
+
+def test_the_referee_swings_as_a_pendulum() -> None:
+    """(I + m c^2) theta'' = -m g c sin(theta) about a horizontal axis."""
+    numbers = {"g": 9.81, "m1": 2.0, "c1": -0.5, "B1": 0.3}
+    joints, field = serial_arm(1, axes="y").joints(numbers), np.array([0, 0, -9.81])
+    for theta in (0.3, -1.2):
+        state = np.array([theta]), np.array([0.7]), np.zeros(1)
+        want = -2.0 * 9.81 * 0.5 * np.sin(theta) / (0.3 + 2.0 * 0.25)
+        assert forward_dynamics(joints, *state, field) == pytest.approx([want], rel=1e-14)
+
+
+@pytest.mark.parametrize("route", ["free_body", "moving_point", "kane", "lagrange"])
+def test_two_joints_follow_by_every_route(route: str) -> None:
+    arm = serial_arm(2)
+    assert_follows(arm, modelled(derive(arm.scene, route)))
+
+
+def test_four_joints_with_fixed_quarter_turns() -> None:
+    """An unknown that is turned into one that it was coupled with already counts twice there."""
+    arm = serial_arm(4, axes="zyx", fixed="zxy")
+    model = modelled(kane.derive(arm.scene), "recursive")
+    assert_follows(arm, model)
+    ways = recursive.ways(model.casadi._linear)
+    assert len(ways) == len(leaf_to_root.WAYS)
+    finding = prove_graph("forward_dynamics", model.casadi, try_normal=False)
+    assert finding.shown, finding
+
+
+@pytest.mark.parametrize(
+    "scene", [serial_arm(2).scene, double_pendulum.scene(), pendulum_chain.scene(7)]
+)
+def test_the_graph_does_not_depend_on_what_was_read(scene: Scene) -> None:
+    first, second = free_body.derive(scene), free_body.derive(scene)
+    _ = second.system, second.reactions, second.steps
+    codes = [modelled(equations).program("forward_dynamics") for equations in (first, second)]
+    _ = first.system
+    codes.append(modelled(first).program("forward_dynamics"))
+    assert codes[0] == codes[1] == codes[2]
+
+
+def test_a_value_that_is_found_from_itself_is_refused() -> None:
+    one, two = (Affine({name: ca.SX(1)}) for name in ("one", "two"))
+    value = values(Gauss(), [Solved("one", two), Solved("two", one)])
+    with pytest.raises(ExpressionError, match="acceleration one is found from itself"):
+        value("one")
+
+
+def test_three_joints_with_mass_centres_off_their_axes() -> None:
+    """The way that goes in a circle is not offered; the others are."""
+    arm = serial_arm(3, **OFF_AXIS)
+    model = modelled(kane.derive(arm.scene), "recursive")
+    assert len(recursive.ways(model.casadi._linear)) == len(leaf_to_root.WAYS) - 1
+    assert_follows(arm, model)
+    assert_follows(arm, modelled(free_body.derive(arm.scene)))
+
+
+def test_a_form_that_is_no_solution_is_not_chosen(monkeypatch: pytest.MonkeyPatch) -> None:
+    arm, solved = serial_arm(2), recursive._solved
+    monkeypatch.setattr(recursive, "_solved", lambda *given: solved(*given) * (1 + 1e-6))
+    model = modelled(kane.derive(arm.scene))
+    assert model.form != "recursive"
+    assert_follows(arm, model)
+    with pytest.raises(SingularError, match="arm of 2 by kane: this form gives no accelerations"):
+        _ = modelled(kane.derive(arm.scene), "recursive").form
