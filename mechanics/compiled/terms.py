@@ -4,28 +4,28 @@
 
 Products over sums are multiplied out on each side; terms of the two sides are not merged. The terms
 are evaluated in two ways, by routines that share no code: Arb balls at one state, from the SymPy
-expression, and extended precision at many, from the CasADi graph.
+expression, and extended precision at many, from a program.
 """
 
 import operator
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
-import casadi as ca
 import numpy as np
 import sympy
 from flint import arb, fmpq
 from numpy.typing import NDArray
 from sympy import Expr, Symbol
 
-from mechanics.compiled.programs.enclosed import UNIT, Near, enclosed, total
-from mechanics.compiled.programs.program import Program, program, run
-from mechanics.compiled.quantities import DIGITS
-from mechanics.compiled.translate import Translator
 from mechanics.errors import ExpressionError
+from mechanics.program import Builder, Program, interpret
+from mechanics.program.numpy_domain import Arrays
+from mechanics.program.running_error_domain import enclose
+from mechanics.program.sympy_reader import read
 
 Step = tuple[Callable[..., arb], tuple[int, ...]]
 
+UNIT = np.finfo(np.longdouble).eps
 CHUNK = 2048
 """States at once, so that values stay near the processor."""
 
@@ -134,13 +134,11 @@ class ExtendedTerms:
 
     Attributes
     ----------
-    code : Program
-        From the symbols and the named constants to the terms.
-    constants : tuple of numpy.longdouble
+    program : Program
+        Of an input for each symbol, by its place among the symbols.
     """
 
-    code: Program
-    constants: tuple[np.longdouble, ...]
+    program: Program
 
     def bounds(
         self, columns: Sequence[NDArray[np.float64]], epsilon: float
@@ -154,38 +152,46 @@ class ExtendedTerms:
     def _bounds(
         self, columns: Sequence[NDArray[np.float64]], epsilon: float
     ) -> tuple[NDArray[np.longdouble], NDArray[np.longdouble]]:
-        rounded = [Near(number, UNIT * np.abs(number)) for number in self.constants]
-        (terms,) = enclosed(self.code, [columns, rounded])
+        terms = enclose(self.program, self._inputs(columns))["terms"]
         filler = np.zeros(columns[0].shape, dtype=np.longdouble)
         with np.errstate(all="ignore"):
-            residual = total(terms)
-            size = total([Near(np.abs(term.value), term.error) for term in terms])
-            least = np.maximum(np.abs(residual.value) - residual.error, 0)
-            most = np.abs(residual.value) + residual.error
-            low = least / ((size.value + size.error) * epsilon) * (1 - 8 * UNIT)
-            room = (size.value - size.error) * epsilon
-            high = np.where(room > 0, most / room * (1 + 8 * UNIT), np.inf)
-        return np.where(np.isfinite(low), low, 0) + filler, high + filler
+            size = sum((np.abs(term.value) for term in terms), filler)
+            residual = np.abs(sum((term.value for term in terms), filler))
+            # Higham, section 4.2: the roundings of a sum of n terms.
+            relative = max(term.relative for term in terms) + len(terms) * UNIT
+            error = relative * size + sum(t.error for t in terms if t.error is not None)
+            low = np.maximum(residual - error, 0) / ((size + error) * epsilon) * (1 - 8 * UNIT)
+            room = (size - error) * epsilon
+            high = np.where(room > 0, (residual + error) / room * (1 + 8 * UNIT), np.inf)
+        return np.where(np.isfinite(low), low, 0), high
 
     def ratios(
         self, columns: Sequence[NDArray[np.float64]], epsilon: float
     ) -> NDArray[np.longdouble]:
         """Ratios at many states; infinite where a value is not finite."""
-        (terms,) = run(self.code, [columns, self.constants], np.longdouble)
+        inputs = {name: c.astype(np.longdouble) for name, c in self._inputs(columns).items()}
         with np.errstate(all="ignore"):
+            terms = interpret(self.program, Arrays(np.longdouble), inputs)["terms"]
             total = np.abs(sum(terms))
             size = sum(np.abs(term) for term in terms)
             ratios = np.where(total == 0, np.longdouble(0), total / (size * epsilon))
         return np.where(np.isfinite(ratios), ratios, np.inf)
 
+    def _inputs(self, columns: Sequence[NDArray[np.float64]]) -> dict[str, NDArray[np.float64]]:
+        return {name: columns[int(name)] for name in self.program.inputs}
+
 
 def extended_terms(terms: Sequence[Expr], symbols: Sequence[Symbol]) -> ExtendedTerms:
-    """The same terms as a program for extended precision."""
-    given = ca.SX.sym("symbols", len(symbols))
-    translate = Translator({s: given[i] for i, s in enumerate(symbols)})
-    graph = translate.column(list(terms))
-    named = translate.constants
-    constants = ca.vertcat(*named.values()) if named else ca.SX(0, 1)
-    code = program(ca.Function("terms", [given, constants], [ca.cse(graph)]))
-    numbers = tuple(np.longdouble(str(constant.evalf(DIGITS))) for constant in named)
-    return ExtendedTerms(code, numbers)
+    """The same terms as a program for extended precision.
+
+    Raises
+    ------
+    ExpressionError
+        If a term holds an operation that is not known, or a symbol that is not given.
+    """
+    builder = Builder()
+    places = {symbol: builder.input(str(k)) for k, symbol in enumerate(symbols)}
+    unknown = set().union(*(term.free_symbols for term in terms)) - set(places)
+    if unknown:
+        raise ExpressionError(f"symbol {min(map(str, unknown))} in terms has no place")
+    return ExtendedTerms(builder.program({"terms": read(builder, terms, places)}))

@@ -9,8 +9,9 @@
     f(x)           e_x sup |f'| over [x - e_x, x + e_x], see `_BOUNDS`, + r u |v|
     M x = b        max_i (|R| (|s| + e_s))_i / (1 - a),  s = b - M x,  a >= |I - R M|      (1)
 
-The bounds themselves are rounded, too, for which each is enlarged. Where nothing is known, it is
-infinite. A comparison that the errors leave open has an error of 1.
+While there are products only, the error is relative, one number for the whole array. The bounds
+themselves are rounded, too, for which each is enlarged. Where nothing is known, it is infinite. A
+comparison that the errors leave open has an error of 1.
 
 Source: Higham, Accuracy and Stability of Numerical Algorithms, 2nd edition, section 3.3; (1):
 Rump, Verification methods, Acta Numerica 19, 2010, section 10, with R an approximate inverse of M.
@@ -36,22 +37,40 @@ LIBRARY = 4
 
 SLACK = 64
 """Units by which a bound is enlarged, for the roundings of the few operations it comes from."""
+SECOND_ORDER = 2.0**-30
+"""Products of relative errors, of which each is below 2^-32."""
 MORE, LESS = 1 + 1e-12, 1 - 1e-12
 """Factors for a step of a bound before a difference that cancels."""
 
 
 class Near(NamedTuple):
-    """Values, and how far each may be from what it stands for.
+    """Values, and how far each may be from what it stands for: error + relative |value|.
 
     Attributes
     ----------
     value : array
     error : array or None
-        None for a value that is exact.
+        None for none.
+    relative : float
+        Costs nothing while it is carried from product to product.
     """
 
     value: Any
     error: Any = None
+    relative: Any = 0
+
+    @property
+    def exact(self) -> bool:
+        """Whether it is what it stands for."""
+        return self.error is None and not self.relative
+
+    @property
+    def absolute(self) -> Near:
+        """The same with one bound."""
+        if not self.relative:
+            return self
+        error = self.relative * np.abs(self.value)
+        return Near(self.value, error if self.error is None else error + self.error)
 
 
 def enclose(
@@ -76,8 +95,13 @@ def enclose(
         name: given if isinstance(given, Near) else Near(np.asarray(given, dtype=precision))
         for name, given in inputs.items()
     }
-    with np.errstate(all="ignore"):
-        return interpret(program, RunningErrors(precision), columns)
+    try:
+        # The processor tells whether any operation has underflowed.
+        with np.errstate(all="ignore", under="raise"):
+            return interpret(program, RunningErrors(precision, normal=True), columns)
+    except FloatingPointError:
+        with np.errstate(all="ignore"):
+            return interpret(program, RunningErrors(precision), columns)
 
 
 @dataclass(frozen=True)
@@ -87,9 +111,13 @@ class RunningErrors:
     Attributes
     ----------
     precision : type
+    normal : bool
+        Whether the caller sees to it that nothing underflows: errors are then relative as long as
+        there are products only. Otherwise each rounding counts the smallest normal number, too.
     """
 
     precision: type = np.longdouble
+    normal: bool = False
 
     @cached_property
     def unit(self) -> Any:
@@ -107,13 +135,17 @@ class RunningErrors:
         }
 
     def _function(self, row: Operation, function: Callable[..., Any]) -> Callable[..., Near]:
-        bound, rounding = _BOUNDS[row.name], self._rounding(row)
+        bound, combined, rounding = _BOUNDS[row.name], _RELATIVE.get(row.name), self._rounding(row)
 
         def apply(*operands: Near) -> Near:
-            value = function(*(operand.value for operand in operands))
-            if any(operand.error is not None for operand in operands):
-                return self.near(value, bound(value, *operands), rounding)
-            return self.near(value, 0, rounding) if rounding else Near(value)
+            value = function(*[operand.value for operand in operands])
+            if all([operand.exact for operand in operands]):
+                return self._rounded(value, None, rounding)
+            if combined and all([operand.error is None for operand in operands]):
+                before = combined(*[operand.relative for operand in operands])
+                return self._rounded(value, None, (before + rounding) * (1 + SECOND_ORDER))
+            error = bound(value, *[operand.absolute for operand in operands])
+            return self._rounded(value, error, rounding)
 
         return apply
 
@@ -124,24 +156,29 @@ class RunningErrors:
             return LIBRARY * row.ulp * np.finfo(np.float64).eps
         return (row.ulp if row.ulp < 1 else LIBRARY * row.ulp) * self.unit
 
-    def near(self, value: Any, error: Any, rounding: Any) -> Near:
+    def _rounded(self, value: Any, error: Any, rounding: Any) -> Near:
         """A value with its bound; one that is no number is none."""
-        if rounding:
-            error = error + (rounding * np.abs(value) + np.finfo(self.precision).tiny)
-        bound = error * (1 + SLACK * self.unit)
-        if not np.isfinite(bound).all():
-            bound = np.where(np.isnan(bound), np.inf, bound)
-        return Near(value, bound)
+        if rounding and not self.normal:
+            least = rounding * np.abs(value) + np.finfo(self.precision).tiny
+            error, rounding = least if error is None else error + least, 0
+        if error is not None:
+            error = error * (1 + SLACK * self.unit)
+            if not np.isfinite(error).all():
+                error = np.where(np.isnan(error), np.inf, error)
+        return Near(value, error, rounding)
 
     def constant(self, value: Fraction) -> Near:
         """The nearest number, and its distance."""
         number = Arrays(self.precision).constant(value)
-        distance = abs(Fraction(*number.as_integer_ratio()) - value)
-        return self.near(number, self.precision(float(distance)), 0) if distance else Near(number)
+        nearest = Fraction(*number.as_integer_ratio())
+        distance = abs(nearest - value)
+        if distance and not nearest:
+            return self._rounded(number, self.precision(float(distance)), 0)
+        return Near(number, None, self.precision(float(distance / abs(nearest or 1))))
 
     def pi(self) -> Near:
         """The nearest number to pi."""
-        return self.near(Arrays(self.precision).pi(), 0, self.unit)
+        return self._rounded(Arrays(self.precision).pi(), None, self.unit)
 
     def solve(self, matrix: list[list[Any]], right: list[Any], symmetric: bool) -> Sequence[Near]:
         """Equation (1); the solution is improved twice by its residual."""
@@ -176,7 +213,7 @@ class RunningErrors:
         distance = np.maximum.reduce(np.broadcast_arrays(*map(_upper, far)))
         contraction = np.maximum.reduce(np.broadcast_arrays(*rest)) * (1 + SLACK * size * self.unit)
         error = np.where(contraction < 1, distance / (1 - contraction), np.inf)
-        return [self.near(np.broadcast_to(entry.value, shape), error, self.unit) for entry in x]
+        return [self._rounded(np.broadcast_to(entry.value, shape), error, 0) for entry in x]
 
     def _dot(self, a: Sequence[Near], b: Sequence[Near]) -> Near:
         add, multiply = self.operations["add"], self.operations["multiply"]
@@ -200,11 +237,11 @@ def _inverse(matrix: Any) -> Any:
 
 
 def _size(near: Near) -> Near:
-    return Near(np.abs(near.value), near.error)
+    return Near(np.abs(near.value), near.error, near.relative)
 
 
 def _upper(near: Near) -> Any:
-    return near.value if near.error is None else near.value + near.error
+    return near.value + _e(near.absolute)
 
 
 def _e(near: Near) -> Any:
@@ -342,3 +379,13 @@ _BOUNDS: dict[str, Callable[..., Any]] = {
 
 Asked for where an operand has an error; derivatives are bounded over the whole interval.
 """
+
+_RELATIVE: dict[str, Callable[..., Any]] = {
+    "multiply": lambda x, y: x + y,
+    "divide": lambda x, y: x + y,
+    "negate": lambda x: x,
+    "abs": lambda x: x,
+    "sqrt": lambda x: x / 2,
+    "select": lambda condition, x, y: max(x, y),
+}
+"""Relative error of a value from those of its operands, to first order, none of them absolute."""

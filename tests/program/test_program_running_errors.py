@@ -26,6 +26,7 @@ def exactly(number: Any) -> Any:
 
 def distance(near: Near, true: Any) -> tuple[Any, float]:
     """How far a value is off in units of its bound, and the bound itself."""
+    near = near.absolute
     away = abs(exactly(near.value) - true)
     if near.error is None:
         return (0 if away == 0 else mpmath.inf), 0.0
@@ -124,7 +125,7 @@ def test_solutions_of_linear_systems_have_bounds(multiple_precision: Domain) -> 
                 point = {name: mpmath.mpf(float(v[k])) for name, v in columns.items()}
                 true = interpret(program, multiple_precision, point)["f"]
                 for near, value in zip(found, true, strict=True):
-                    away, bound = distance(Near(near.value[k], near.error[k]), value)
+                    away, bound = distance(Near(near.value[k], near.absolute.error[k]), value)
                     assert away <= 1
                     assert bound < factor
 
@@ -134,14 +135,14 @@ def test_a_singular_system_has_no_bound() -> None:
         lambda b: list(b.solve([[b.input("x"), b.one], [b.one, b.input("x")]], [b.one, b.zero])),
         x=np.array([1.0, 2.0, np.nan]),
     )
-    assert np.isinf(singular[0].error).tolist() == [True, False, True]
+    assert np.isinf(singular[0].absolute.error).tolist() == [True, False, True]
 
 
 def test_what_is_exact_has_no_error() -> None:
     (near,) = solution(lambda b: [abs(-b.input("x"))], x=1.5)
-    assert near.error is None
+    assert near.exact
     (near,) = solution(lambda b: [b.input("x") * 0.75 + b.constant(Fraction(1, 3))], x=1.5)
-    assert 0 < near.error < 1e-18
+    assert 0 < near.absolute.error < 1e-18
 
 
 def test_where_nothing_is_known_the_bound_is_infinite() -> None:
@@ -156,7 +157,7 @@ def test_where_nothing_is_known_the_bound_is_infinite() -> None:
         lambda b: [b.call("asin", 1 - b.input("x"))],
     ):
         (near,) = solution(build, x=off)
-        assert np.isinf(near.error)
+        assert np.isinf(near.absolute.error)
     (near,) = solution(lambda b: [b.less(b.input("x"), 0)], x=off)
     assert near.error >= 1
 
@@ -164,3 +165,23 @@ def test_where_nothing_is_known_the_bound_is_infinite() -> None:
 def test_the_domain_has_a_bound_for_every_operation() -> None:
     names = {row.name for row in OPERATIONS if row.arity and row.name != "entry"}
     assert set(RunningErrors().operations) | {"erf"} == names | {"erf"}
+
+
+def test_what_underflows_has_an_absolute_bound(multiple_precision: Domain) -> None:
+    b = Builder()
+    x, y = b.input("x"), b.input("y")
+    program = b.program({"f": [x * x * y * y * 3]})
+    point = {"x": 1e-170, "y": 1e160}
+    with mpmath.workdps(DIGITS):
+        true = interpret(program, multiple_precision, {n: mpmath.mpf(v) for n, v in point.items()})
+        for precision in PRECISIONS:
+            (near,) = enclose(program, {n: np.array([v]) for n, v in point.items()}, precision)["f"]
+            near = Near(near.value[0], near.absolute.error[0])
+            assert distance(near, true["f"][0])[0] <= 1
+            assert (near.value == 0) == (precision is np.float64)
+
+
+def test_products_carry_one_number_for_their_error() -> None:
+    (near,) = solution(lambda b: [(b.input("x") / 3 * b.input("x").sin()).sqrt()], x=np.ones(5))
+    assert near.error is None
+    assert 0 < near.relative < 20 * np.finfo(np.longdouble).eps
