@@ -6,12 +6,12 @@ edits that make it right at a point  ->  proved  ->  what differs, term by term 
 from collections.abc import Iterator
 from dataclasses import replace
 from itertools import islice, product
-from time import process_time
 
 from sympy import Expr
 
 from mechanics.blame.difference import differences
 from mechanics.blame.result import Blame, Difference, Repair
+from mechanics.blame.search.budget import Budget
 from mechanics.blame.search.claim import Claim, as_motion, at_once, claim_of, problems
 from mechanics.blame.search.find import EQUALLY, Solution, solutions
 from mechanics.blame.search.judge import Problem
@@ -32,12 +32,15 @@ MOST = 40
 TRIED = 12
 """Edits that are proved at most."""
 
-LONGEST = 8.0
-"""Seconds of the processor after which nothing more is tried; an equation takes less than one."""
+STEPS = 10_000
+"""After which nothing more is tried; an equation of a page takes less than a thousand."""
 
 
 def blame(
-    truth: Equations, statement: Statement, kept: frozenset[int | str] = frozenset()
+    truth: Equations,
+    statement: Statement,
+    kept: frozenset[int | str] = frozenset(),
+    budget: Budget | None = None,
 ) -> Blame:
     """Which term of a refuted statement is wrong.
 
@@ -49,6 +52,8 @@ def blame(
         Refuted.
     kept : frozenset of int or str
         Entries and definitions that other statements are shown with: edits elsewhere come first.
+    budget : Budget, optional
+        Of a whole text; what is taken from it, at most `STEPS`, is counted.
 
     Returns
     -------
@@ -61,14 +66,25 @@ def blame(
         return Blame((), (), searched=f"not searched: it holds what has no tree: {reason}")
     if claim is None:
         return Blame((), (), searched="not searched: it could not be read")
-    end = process_time() + LONGEST
+    own = Budget(STEPS)
+    try:
+        return _searched(claim, statement, kept, own)
+    finally:
+        if budget is not None:
+            budget.spend(STEPS - own.left)
+
+
+def _searched(
+    claim: Claim, statement: Statement, kept: frozenset[int | str], budget: Budget
+) -> Blame:
+    """What the search finds within a budget."""
     try:
         asked = (claim, *as_motion(claim))
         found: list[tuple[Repair, Published]] = []
         # What spoils another statement has to be a smaller change than any that does not.
         for places in (kept, frozenset[int | str]())[not kept :]:
             searches = (
-                list(islice(_repairs(each, replace(statement, row=each.row), end), SHOWN))
+                list(islice(_repairs(each, replace(statement, row=each.row), budget), SHOWN))
                 for each in (replace(claim, kept=places) for claim in asked)
             )
             more = next((repairs for repairs in searches if repairs), [])
@@ -81,7 +97,7 @@ def blame(
         return Blame(told, (), searched="; ".join((f"not searched to the end: {reason}", *doubt)))
     row = found[0][1] if found else None
     told, doubt = _differences(claim, statement, row)
-    words = () if found else (SEARCHED if process_time() < end else STOPPED,)
+    words = () if found else (STOPPED if budget.spent else SEARCHED,)
     repairs = tuple(repair for repair, _ in found)
     return Blame(told, repairs, searched="; ".join((*words, *doubt)))
 
@@ -96,13 +112,15 @@ SEARCHED = (
 )
 
 
-STOPPED = f"none of the simplest edits makes it right; the search ended after {LONGEST:.0f} s"
+STOPPED = f"none of the simplest edits makes it right; the search ended after {STEPS} steps"
 
 
-def _repairs(claim: Claim, statement: Statement, end: float) -> Iterator[tuple[Repair, Published]]:
-    """Proved repairs, equally small ones, the likeliest first, until a time of the processor."""
+def _repairs(
+    claim: Claim, statement: Statement, budget: Budget
+) -> Iterator[tuple[Repair, Published]]:
+    """Proved repairs, equally small ones, the likeliest first, until the budget is spent."""
     single = False
-    for mended in _in_one_place(claim, statement, end):
+    for mended in _in_one_place(claim, statement, budget):
         single = True
         yield mended
     if single:
@@ -113,11 +131,11 @@ def _repairs(claim: Claim, statement: Statement, end: float) -> Iterator[tuple[R
     first, *others = wrong
     if len(others) > MOST:
         raise ExpressionError(f"{len(wrong)} equalities of it are wrong")
-    rest = [_cheapest(claim, problem, statement) for problem in others]
+    rest = [_cheapest(claim, problem, statement, budget) for problem in others]
     smallest: float | None = None
     seen: set[tuple] = set()
     tried = 0
-    for stage in solutions(claim, first, statement):
+    for stage in _stages(claim, first, statement, budget):
         for solution, *fixed in product(stage, *rest):
             group = (solution, *fixed)
             cost = sum(part.cost for part in group)
@@ -128,33 +146,46 @@ def _repairs(claim: Claim, statement: Statement, end: float) -> Iterator[tuple[R
                 continue
             seen.add(made[0].sides)
             tried += 1
+            budget.spend(len(first.forest.nodes))
             repair = proved(claim, group, statement.source)
             if repair is not None:
                 smallest = cost if smallest is None else smallest
                 yield repair, made[0]
-            if tried >= TRIED or process_time() > end:
+            if tried >= TRIED or budget.spent:
                 return
-        if smallest is not None or process_time() > end:
+        if smallest is not None or budget.spent:
             return
 
 
 def _in_one_place(
-    claim: Claim, statement: Statement, end: float
+    claim: Claim, statement: Statement, budget: Budget
 ) -> Iterator[tuple[Repair, Published]]:
     """Single edits of an energy as a whole, or of what should be an equation of motion."""
     for asked, problem in at_once(claim):
-        for solution in islice(next(solutions(asked, problem, statement)), TRIED):
-            if process_time() > end:
+        for solution in islice(next(_stages(asked, problem, statement, budget)), TRIED):
+            if budget.spent:
                 return
+            budget.spend(len(problem.forest.nodes))
             made = edited_row(asked, (solution,))
             repair = proved(asked, (solution,), statement.source) if made else None
             if repair is not None and made is not None:
                 yield repair, made[0]
 
 
-def _cheapest(claim: Claim, problem: Problem, statement: Statement) -> list[Solution]:
+def _stages(
+    claim: Claim, problem: Problem, statement: Statement, budget: Budget
+) -> Iterator[list[Solution]]:
+    """Solutions stage by stage; each looks at all nodes."""
+    for stage in solutions(claim, problem, statement):
+        budget.spend(len(problem.forest.nodes))
+        yield stage
+
+
+def _cheapest(
+    claim: Claim, problem: Problem, statement: Statement, budget: Budget
+) -> list[Solution]:
     """The cheapest solutions of one equality among several."""
-    found = next((stage for stage in solutions(claim, problem, statement) if stage), [])
+    found = next((stage for stage in _stages(claim, problem, statement, budget) if stage), [])
     return found[:BESIDE]
 
 

@@ -1,17 +1,17 @@
-"""What is wrong with what is refuted, as far as it can be looked for in bounded time.
+"""What is wrong with what is refuted, as far as it can be looked for in a bounded number of steps.
 
 REFUTED  ->  Blame        the first `MOST` statements, each of at most `LARGEST` nodes
 """
 
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
-from time import process_time
 
 from sympy import preorder_traversal
 
 from mechanics.blame.blame import blame as blame_of
 from mechanics.blame.explanations import explanations
 from mechanics.blame.result import Blame, Edit
+from mechanics.blame.search.budget import Budget
 from mechanics.blame.search.claim import claim_of, used
 from mechanics.equations import Equations
 from mechanics.errors import MechanicsError
@@ -29,8 +29,8 @@ LARGEST = 1200
 """Nodes of a row: an equation of a page, searched in some seconds."""
 
 
-LONGEST = 20.0
-"""Seconds of the processor for all statements of a text."""
+STEPS = 25_000
+"""Of the search, for all statements of a text."""
 
 
 def blamed(truth: Equations, judged: Sequence[Judged]) -> tuple[Judged, ...]:
@@ -52,10 +52,10 @@ def blamed(truth: Equations, judged: Sequence[Judged]) -> tuple[Judged, ...]:
     for k in wrong:
         words = "it is too large" if k not in small else f"{MOST} statements before it are wrong"
         found[k] = replace(found[k], blame=Blame((), (), searched=f"not searched: {words}"))
-    end = process_time() + LONGEST
+    budget = Budget(STEPS)
     for k, reasons in zip(searched, told[: len(searched)], strict=True):
-        late = Blame((), (), searched=f"not searched: those before it took {LONGEST:.0f} s")
-        blame = late if process_time() > end else _search(truth, judged, k)
+        late = Blame((), (), searched=f"not searched: those before it took {STEPS} steps")
+        blame = late if budget.spent else _search(truth, judged, k, budget)
         found[k] = replace(found[k], blame=replace(blame, explanations=reasons))
     return named_once(found)
 
@@ -136,10 +136,10 @@ def shown_with(truth: Equations, judged: Sequence[Judged], k: int) -> frozenset[
     return frozenset(found)
 
 
-def _search(truth: Equations, judged: Sequence[Judged], k: int) -> Blame:
+def _search(truth: Equations, judged: Sequence[Judged], k: int, budget: Budget) -> Blame:
     """The blame; the verdict stands whatever the search meets."""
     try:
-        return blame_of(truth, judged[k].statement, shown_with(truth, judged, k))
+        return blame_of(truth, judged[k].statement, shown_with(truth, judged, k), budget)
     except (MechanicsError, Refused, RecursionError) as error:
         words = str(error) if not isinstance(error, RecursionError) else "it is nested too deeply"
         return Blame((), (), searched=f"not searched: {words}")
