@@ -43,7 +43,7 @@ def holds(truth: Equations, right: Expr) -> bool:
         put_motion(a, truth)
         return [(a.value(value), a.rational(0))]
 
-    return trial(experiment, QUICK, None).answer is Answer.ZERO
+    return trial(experiment, QUICK).answer is Answer.ZERO
 
 
 def origins_in_field(truth: Equations, right: Expr) -> dict[str, tuple[str, ...]]:
@@ -79,7 +79,7 @@ def origins_in_field(truth: Equations, right: Expr) -> dict[str, tuple[str, ...]
                 found.setdefault(group, {})[words] = None
         return [(whole, a.value(truth.scene.plain(right)))]
 
-    if trial(experiment, QUICK, None).answer is not Answer.ZERO:
+    if trial(experiment, QUICK).answer is not Answer.ZERO:
         return {}
     return {group: tuple(words) for group, words in found.items()}
 

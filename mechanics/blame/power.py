@@ -32,7 +32,7 @@ def keeps(truth: Equations, value: Expr) -> bool:
         put_motion(a, truth)
         return [(a.value(growth), a.rational(0))]
 
-    return trial(experiment, QUICK, None).answer is Answer.ZERO
+    return trial(experiment, QUICK).answer is Answer.ZERO
 
 
 def unbalanced(
@@ -71,7 +71,7 @@ def unbalanced(
             growth = growth + a.value(u) * a.value(row.value)
         return [(growth, a.rational(0))]
 
-    return trial(experiment, QUICK, None).answer is Answer.NONZERO
+    return trial(experiment, QUICK).answer is Answer.NONZERO
 
 
 def _drift(scene: Scene) -> list[Expr]:

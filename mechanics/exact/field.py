@@ -63,6 +63,7 @@ class FieldArithmetic(Arithmetic):
         super().__init__()
         self.prime, self.source, self.memory, self.real = prime, source, memory, real
         self._signs = signs
+        self.numbers = 0
         self.kinks: set[int] = set()
         self._constants: dict[Fraction, FieldNumber] = {}
         self.ratios: dict[int, Fraction] = {}

@@ -32,6 +32,7 @@ class FieldNumber:
     ) -> None:  # fmt: skip
         self.field = field
         self.residue = residue
+        field.numbers += 1
         self.numerator = numerator
         self.denominator = denominator
         self.height = height

@@ -19,11 +19,14 @@ class Memory:
         Square roots whose radicand was seen to be no square.
     opaque : dict
         Names of functions that are only known by congruence.
+    numbers : int
+        How many were computed: what a budget is counted in.
     """
 
     denominators: dict[tuple[str, int], int] = field(default_factory=dict)
     not_squares: set[int] = field(default_factory=set)
     opaque: dict[str, None] = field(default_factory=dict)
+    numbers: int = 0
 
 
 @dataclass

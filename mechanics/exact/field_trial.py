@@ -27,9 +27,7 @@ import random
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from enum import Enum
-from functools import cache
 from math import ceil, inf, isfinite, log, log2
-from time import monotonic
 from typing import Any
 
 from mechanics.exact.arithmetic import Arithmetic
@@ -48,7 +46,9 @@ HOPELESS = 16
 """Points at which the same division or matrix may fail before it counts as failing everywhere."""
 
 MOST_POINTS = 1000
-MOST_SECONDS = 60.0
+MOST_NUMBERS = 10_000_000
+"""Numbers that may be computed for one statement, beyond its first point: some minutes at most."""
+
 POOL = 16
 
 KINKS = {"absolute value", "comparison"}
@@ -87,7 +87,7 @@ class _FailedError(Exception):
     """No admissible point was found; carries the reason."""
 
 
-def trial(experiment: Experiment, log2_target: float, seed: int | None) -> Trial:
+def trial(experiment: Experiment, log2_target: float) -> Trial:
     """Evaluate an experiment at random points of finite fields until it is certain or refuted.
 
     Raises
@@ -97,8 +97,7 @@ def trial(experiment: Experiment, log2_target: float, seed: int | None) -> Trial
     ExpressionError
         If an operation has no meaning in a field.
     """
-    source = random.Random(seed) if seed is not None else random.SystemRandom()
-    session = _Session(experiment, source, seed, Memory())
+    session = _Session(experiment, random.Random("trial"), Memory())
     first = session.attempt(log2_target)
     if first.answer is Answer.NONZERO and KINKS & set(first.opaque):
         second = replace(session, signs=True).attempt(log2_target)
@@ -120,15 +119,10 @@ def look(experiment: Experiment) -> bool:
         If an operation has no meaning in a field.
     """
     try:
-        _Session(experiment, random.SystemRandom(), None, Memory()).point(SIZES[0])
+        _Session(experiment, random.Random("look"), Memory()).point(SIZES[0])
     except _FailedError:
         return False
     return True
-
-
-@cache
-def _seeded_prime(bits: int, index: int, seed: int) -> int:
-    return draw_prime(bits, random.Random(f"{seed} {bits} {index}"))
 
 
 @dataclass(frozen=True)
@@ -137,7 +131,6 @@ class _Session:
 
     experiment: Experiment
     source: random.Random
-    seed: int | None
     memory: Memory
     signs: bool = False
 
@@ -164,22 +157,30 @@ class _Session:
         return self.repeated(bits, unsure, log2_target, opaque)
 
     def prime(self, bits: int, index: int) -> int:
-        """Return one of the primes of this process, or of this seed."""
-        if self.seed is None:
-            return pooled_prime(bits, index % POOL)
-        return _seeded_prime(bits, index % POOL, self.seed)
+        """Return one of the primes that statements share."""
+        return pooled_prime(bits, index % POOL)
+
+    def evaluated(self, a: FieldArithmetic) -> Sequence[Pair]:
+        """Run the experiment, and count the numbers that it took."""
+        try:
+            return list(self.experiment(a))
+        finally:
+            self.memory.numbers += a.numbers
+
+    def spent(self, share: float = 1.0) -> bool:
+        """Whether a share of the numbers that may be computed have been."""
+        return self.memory.numbers > share * MOST_NUMBERS
 
     def point(self, bits: int, fresh: bool = False) -> _Point:
         """Return the first admissible point of at most DRAWS."""
         failures: dict[str, int] = {}
-        deadline = monotonic() + MOST_SECONDS
         for index in range(DRAWS):
-            if monotonic() > deadline:
+            if index and self.spent():
                 break
             prime = draw_prime(bits, self.source) if fresh else self.prime(bits, index)
             a = FieldArithmetic(prime, self.source, self.memory, signs=self.signs)
             try:
-                return _measured(a, list(self.experiment(a)), bits)
+                return _measured(a, self.evaluated(a), bits)
             except Restart:
                 continue
             except Inadmissible as reason:
@@ -195,13 +196,12 @@ class _Session:
         roots = point.square_roots
         if point.kinks:
             return point.kinks + roots
-        deadline = monotonic() + MOST_SECONDS / 4
         for index in range(min(16 * 2**roots, 2 * DRAWS)):
-            if len(self.memory.not_squares) >= roots or monotonic() > deadline:
+            if len(self.memory.not_squares) >= roots or self.spent(1 / 4):
                 break
             a = FieldArithmetic(self.prime(bits, index), self.source, self.memory, real=False)
             try:
-                self.experiment(a)
+                self.evaluated(a)
             except (Restart, Inadmissible):
                 continue  # a probe that ends early has told what it could
         first = next((i for i in range(roots) if i not in self.memory.not_squares), roots)
@@ -214,7 +214,6 @@ class _Session:
         survival = 1 - 2.0**-unsure + 2.0**-30
         count = ceil((1 - log2_target) * log(2) / -log(survival))
         blame = f"the signs of {unsure} roots or absolute values cannot be told"
-        deadline = monotonic() + MOST_SECONDS
         if count > MOST_POINTS:
             raise _FailedError(blame)
         bound = -inf
@@ -222,7 +221,7 @@ class _Session:
             point = self.point(bits, fresh=True)
             if not point.zero:
                 return Trial(Answer.NONZERO, -inf, f"not zero in a field of {bits} bits", opaque)
-            if monotonic() > deadline:
+            if self.spent():
                 raise _FailedError(blame)
             bound = max(bound, point.log2_bound)
         total = _log2_sum(bound, count * log2(survival))

@@ -6,7 +6,7 @@ but for the chance of an unlucky point, which is below 2^-90 for degrees up to 2
 """
 
 from collections.abc import Callable, Sequence
-from random import SystemRandom
+from random import Random
 
 import sympy
 
@@ -42,7 +42,7 @@ def independent_rows(
     """
     if not rows or not len(rows[0]):
         return []
-    source, memory = SystemRandom(), Memory()
+    source, memory = Random("independent rows"), Memory()
     for index in range(MOST_POINTS):
         prime = pooled_prime(BITS, index)
         a = FieldArithmetic(prime, source, memory)

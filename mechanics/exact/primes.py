@@ -60,9 +60,9 @@ def log2_count(bits: int) -> float:
 
 @cache
 def pooled_prime(bits: int, index: int) -> int:
-    """Return the prime number `index` of this process, drawn when it is first asked for.
+    """Return prime number `index` of those that many statements share, the same in every run.
 
     Statements do not depend on the primes, so one prime can serve many of them: the bound of each
     statement holds on its own.
     """
-    return draw_prime(bits, random.SystemRandom())
+    return draw_prime(bits, random.Random(f"prime {bits} {index}"))

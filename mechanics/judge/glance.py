@@ -164,6 +164,6 @@ def _value(a: Arithmetic, expr: Expr, table: Table) -> Number:
 
 @lru_cache(maxsize=256)
 def _held(expr: Expr) -> tuple[tuple[Symbol, ...], tuple[Expr, ...]]:
-    """Symbols, and arguments of sines and cosines."""
-    circular = expr.atoms(TrigonometricFunction)
-    return tuple(expr.free_symbols), tuple({function.args[0] for function in circular})
+    """Symbols, and arguments of sines and cosines, in an order that no hash decides."""
+    angles = {function.args[0] for function in expr.atoms(TrigonometricFunction)}
+    return tuple(sorted(expr.free_symbols, key=str)), tuple(sorted(angles, key=str))

@@ -174,7 +174,7 @@ def axis_angle(step: Matrix) -> tuple[Matrix, Expr] | None:
         i, j = (k + 1) % 3, (k + 2) % 3
         if step[k, k] != 1 or (step[j, i].func not in (sin, cos) and not step[j, i].is_Mul):
             continue
-        for angle in {f.args[0] for f in step.atoms(sin, cos)}:
+        for angle in sorted({f.args[0] for f in step.atoms(sin, cos)}, key=str):
             for signed in (angle, -angle):
                 c, s = cos(signed), sin(signed)
                 turn = eye(3)

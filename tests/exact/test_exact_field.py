@@ -11,7 +11,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from mechanics.errors import ExpressionError
-from mechanics.exact import Verdict, prove_equal
+from mechanics.exact import Verdict, field_trial, prove_equal
 from mechanics.exact.field import FieldArithmetic
 from mechanics.exact.field_size import Memory
 from mechanics.exact.field_trial import Answer, trial
@@ -148,12 +148,30 @@ def test_division_by_zero_asks_for_another_point():
 
 
 def test_an_ambiguous_root_is_looked_at_many_times():
-    found = trial(
-        lambda f: [(f.value(sp.Pow(a * a, sp.S.Half, evaluate=False)), f.value(a))], -80, 1
-    )
+    root = sp.Pow(a * a, sp.S.Half, evaluate=False)
+    found = trial(lambda f: [(f.value(root), f.value(a))], -80)
     assert found.answer is Answer.ZERO
     assert "82 random points" in found.words
     assert found.log2_bound < -80
+
+
+def test_trials_end_after_counted_numbers(monkeypatch):
+    runs = []
+
+    def nowhere(f):
+        for _ in range(100):
+            f.value(x) + 1
+        runs.append(f.value(x).residue)
+        raise Inadmissible("not here")
+
+    counts = []
+    for numbers in (1000, 1000, 10_000):
+        runs.clear()
+        monkeypatch.setattr(field_trial, "MOST_NUMBERS", numbers)
+        assert trial(nowhere, -80).answer is Answer.FAILED
+        counts.append(tuple(runs))
+    assert counts[0] == counts[1] == counts[2][: len(counts[0])], "the same points in each run"
+    assert len(counts[0]) < len(counts[2]) < field_trial.DRAWS
 
 
 def test_many_roots_need_one_point_only():

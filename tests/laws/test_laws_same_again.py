@@ -12,7 +12,18 @@ import pytest
 import mechanics
 
 ROOT = Path(mechanics.__file__).parents[1]
-PARTS = ("exact", "scene", "kinematics", "routes", "checks", "reading", "blame", "judge")
+PARTS = (
+    "kernel",
+    "program",
+    "exact",
+    "scene",
+    "kinematics",
+    "routes",
+    "checks",
+    "reading",
+    "blame",
+    "judge",
+)
 CLOCK = re.compile(r"^\s*(from|import) time\b|SystemRandom|urandom|import secrets", re.MULTILINE)
 
 RACING = """

@@ -86,7 +86,7 @@ class _Point:
 
     def __init__(self, text: Text, graph: Graph, known: Derived) -> None:
         self.text, self.graph = text, graph
-        source = random.SystemRandom()
+        source = random.Random(f"status of {text.kernel.symbol}")
         memory = Memory()
         for index in range(DRAWS):
             a = FieldArithmetic(pooled_prime(BITS, index % POOL), source, memory)

@@ -128,7 +128,8 @@ def _plain(naming: Naming, side: Any, unknown: list[str]) -> Any:
         return Matrix(side).applyfunc(lambda entry: _plain(naming, entry, unknown))
     side = decimals(sympify(side, strict=True).doit())
     table: dict[Any, Any] = {}
-    for atom in (*side.atoms(Derivative), *side.atoms(AppliedUndef), *side.free_symbols):
+    atoms = (side.atoms(Derivative), side.atoms(AppliedUndef), side.free_symbols)
+    for atom in (atom for kind in atoms for atom in sorted(kind, key=str)):
         if isinstance(atom, Derivative):
             name, order = _function(atom)
         elif isinstance(atom, AppliedUndef):
