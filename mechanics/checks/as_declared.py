@@ -1,6 +1,6 @@
 """Motions and loads of a scene, read from SymPy's objects as the author made them.
 
-    R = product of the parents' dcm,  r = sum of R_F c_F over `pos_from`            (1)
+    R = product of the parents' dcm,  r = sum of R_F c_F over `pos_from`              (1)
     v = r',  a = r'',  [omega] = R' R^T,  H' = J alpha + J' omega,  J' = dJ/dt        (2)
 
 Everything is a Taylor series along one motion, so that (2) are coefficients of (1). Loads follow
@@ -51,11 +51,12 @@ class Wrench:
 
 @dataclass(frozen=True)
 class Motion:
-    """A scene along one motion; the rotations found are kept."""
+    """A scene along one motion; rotations and positions that were worked out are kept."""
 
     scene: Scene
     instant: Instant
     _rotations: dict[ReferenceFrame, Jet] = field(default_factory=dict)
+    _positions: dict[Point, Jet] = field(default_factory=dict)
 
     def number(self, expression: Expr) -> arb:
         """A scalar now."""
@@ -83,7 +84,14 @@ class Motion:
 
     def position(self, point: Point) -> Jet:
         """From the origin, 3 x 1."""
-        return self.vector(point.pos_from(self.scene.origin))
+        root, known = self.scene.origin, self._positions
+        known.setdefault(root, self.vector(Vector(0)))
+        if point not in known:
+            path = root._pdict_list(point, 0)
+            for parent, child in pairwise(path if path[0] is root else path[::-1]):
+                if child not in known:
+                    known[child] = known[parent] + self.vector(child.pos_from(parent))
+        return known[point]
 
     def centre(self, name: str) -> Jet:
         """Position of a body's mass centre."""

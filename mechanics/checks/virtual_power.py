@@ -63,9 +63,11 @@ def check_powers(scene: Scene, states: Sequence[State], potential: Expr) -> Iter
     def ideal(state: State) -> Iterator[Row]:
         for virtual in state.virtual_motions(VIRTUAL):
             motion = Motion(scene, virtual)
-            for reaction in scene.reactions:
-                pair = [wrench for name, wrench in motion.reactions() if name == reaction.name]
-                yield f"power of {reaction.name}", _power(motion, pair), arb(0)
+            powers = dict.fromkeys((reaction.name for reaction in scene.reactions), arb(0))
+            for name, unit in motion.reactions():
+                powers[name] += motion.power(unit)
+            for name, power in powers.items():
+                yield f"power of {name}", power, arb(0)
 
     if any(isinstance(load, CONSERVATIVE) for load in scene.loads):
         yield _tried("power of the declared loads = -dV/dt", states, released)
