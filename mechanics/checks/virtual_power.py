@@ -92,7 +92,7 @@ def check_virtual_power(
     telling = equations if equations.reactions or support is None else support
 
     def rows(state: State) -> Iterator[Row]:
-        changes, values = _solved(equations, telling, state)
+        changes, values = solved(equations, telling, state)
         motion = Motion(scene, state.motion(changes))
         for load in scene.loads:
             if isinstance(load, Coulomb) and not values[load.normal] > 0:
@@ -111,12 +111,12 @@ def check_virtual_power(
     return _tried(f"{equations.route}: virtual power of what was declared", states, rows)
 
 
-def _solved(
+def solved(
     equations: Equations, telling: Equations, state: State
 ) -> tuple[list[arb], dict[str, arb]]:
     """u' in the order of the declaration, and the reactions that are told, by name."""
     scene = equations.scene
-    here = _plain(state.plain(), state)
+    here = plain_values(state.plain(), state)
     left, right = equations.system
     matrix = arb_mat(*left.shape, [here(entry) for entry in left])
     sides = arb_mat(right.rows, 1, [here(entry) for entry in right])
@@ -124,12 +124,12 @@ def _solved(
     solution = dict(zip(unknowns, matrix.solve(sides).entries(), strict=True))
     names = [f"{name_of(u)}_dot" for u, _ in scene.speeds]
     changes = [solution[n] for n in names or [f"{name_of(q)}_ddot" for q in scene.coordinates]]
-    there = _plain(state.plain(changes) | solution, state)
+    there = plain_values(state.plain(changes) | solution, state)
     told = {symbol.name: there(value) for symbol, value in telling.reactions}
     return changes, solution | told
 
 
-def _plain(table: dict[str, arb], state: State) -> Callable[[Expr], arb]:
+def plain_values(table: dict[str, arb], state: State) -> Callable[[Expr], arb]:
     """Values of expressions in plain symbols."""
 
     def number(symbol: Symbol) -> arb:

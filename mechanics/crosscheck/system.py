@@ -12,6 +12,7 @@ from sympy import Symbol
 
 from mechanics.checks import laws
 from mechanics.checks.agreement import compare, compare_pairs, proof_pays, require_regular
+from mechanics.checks.canaries import check_canaries
 from mechanics.checks.dimensions import check_dimensions
 from mechanics.checks.energy import check_energy
 from mechanics.checks.friction import check_friction
@@ -213,6 +214,7 @@ def _support(scene: Scene, derived: Mapping[str, Equations]) -> Equations | None
 
 
 def _witnesses(scene: Scene, derived: Mapping[str, Equations]) -> Iterator[Finding]:
+    yield from check_canaries()
     states, support = drawn_states(scene), _support(scene, derived)
     yield from check_powers(scene, states, potential(scene))
     for equations in derived.values():

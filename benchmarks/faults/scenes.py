@@ -1,0 +1,105 @@
+"""Scenes over which faults are planted."""
+
+from collections.abc import Callable
+
+from sympy import pi
+from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols, inertia
+
+from mechanics.scene import (
+    RigidBody,
+    Scene,
+    force,
+    gravity,
+    parameters,
+    reaction,
+    reaction_couple,
+    spring,
+    torque,
+)
+from mechanics.scene.composite import composite, part
+from mechanics.scene.loads import damper, torsion_spring
+from mechanics.scene.shapes import Disc, Rectangle, Ring, Rod, Semidisc
+from systems import (
+    cartpole_friction,
+    elastic_pendulum,
+    four_bar,
+    rocker,
+    rolling_disc,
+    two_mass_chain,
+)
+
+
+def plate() -> Scene:
+    """A pendulum cut from every shape, on a support that is moved by hand."""
+    R, rho, g = parameters("R rho g")
+    theta, y = dynamicsymbols("theta y")
+    cut = composite(
+        (
+            part(Rectangle(2 * R, R), density=rho, at=(R, 0), angle=pi / 6),
+            part(Disc(R), density=rho, at=(0, R)),
+            part(Semidisc(R), density=2 * rho, at=(R, R), angle=pi / 3),
+            part(Ring(R / 2), density=rho * R),
+            part(Rod(R), mass=rho * R**2, at=(0, -R)),
+        )
+    )
+    N, O = ReferenceFrame("N"), Point("O")
+    frame = N.orientnew("A", "Axis", (theta, N.z))
+    pivot = O.locatenew("P", y * N.x)
+    x_c, y_c = cut.centroid
+    centre = pivot.locatenew("C", x_c * frame.x + y_c * frame.y)
+    return Scene(
+        "plate", N, O, coordinates=(theta,), inputs=(y,),
+        bodies=(RigidBody("plate", centre, frame, cut.mass, cut.inertia),),
+        loads=(gravity(-g * N.y),),
+        reactions=(
+            reaction("X", at=pivot, on="plate", by=None, along=N.x),
+            reaction("Y", at=pivot, on="plate", by=None, along=N.y),
+        ),
+    )  # fmt: skip
+
+
+def arm() -> Scene:
+    """Three turning joints in space with a quarter turn between two of them; every kind of load."""
+    m, L, k, c, g, A, B, C = parameters("m L k c g A B C")
+    q1, q2, q3, tau, f = dynamicsymbols("q1:4 tau f")
+    N, O = ReferenceFrame("N"), Point("O")
+    frame, pivot, inner = N, O, None
+    bodies, reactions = [], []
+    for i, (angle, quarters) in enumerate(((q1, 0), (q2, 1), (q3, 0)), 1):
+        if quarters:
+            frame = frame.orientnew(f"F{i}", "Axis", (pi / 2, frame.x))
+        frame = frame.orientnew(f"B{i}", "Axis", (angle, frame.z))
+        name, axes = f"link{i}", (("x", frame.x), ("y", frame.y), ("z", frame.z))
+        centre = pivot.locatenew(f"C{i}", L / 2 * frame.x)
+        bodies.append(RigidBody(name, centre, frame, m, inertia(frame, A, B, C)))
+        reactions += [
+            *(reaction(f"R{x}{i}", at=pivot, on=name, by=inner, along=e) for x, e in axes),
+            *(reaction_couple(f"Q{x}{i}", on=name, by=inner, along=e) for x, e in axes[:2]),
+        ]
+        pivot, inner = pivot.locatenew(f"P{i}", L * frame.x), name
+    one, two, three = bodies
+    return Scene(
+        "arm in space", N, O, coordinates=(q1, q2, q3), inputs=(tau, f), bodies=tuple(bodies),
+        loads=(
+            gravity(-g * N.y),
+            torque("tau", tau * two.frame.z, on="link2", by="link1"),
+            force("f", pivot, f * two.frame.x, on="link3"),
+            spring("k", O, three.centre, k, length=L / 3),
+            damper("c", one.centre, three.centre, c),
+            torsion_spring("t", q3, three.frame.z, k * L**2, on="link3", by="link2"),
+        ),
+        reactions=tuple(reactions),
+    )  # fmt: skip
+
+
+SEED = ("elastic_pendulum", "rocker", "two_mass_chain")
+SCENES: dict[str, Callable[[], Scene]] = {
+    "elastic_pendulum": elastic_pendulum.scene,
+    "rocker": rocker.scene,
+    "two_mass_chain": two_mass_chain.scene,
+    "rolling_disc": rolling_disc.scene,
+    "four_bar": four_bar.scene,
+    "cartpole_friction": cartpole_friction.scene,
+    "plate": plate,
+    "arm": arm,
+}

@@ -1,0 +1,150 @@
+"""Faults one at a time, each in a process of its own: does it change a number, who notices?
+
+Reads a request as JSON from standard input, ``{"faults": [{...} or null, ...], "scenes": [...],
+"clean": {scene: {quantity: digits}} or null}``, and prints one line of JSON for each fault and
+scene. The package is imported once; each process is forked from there, and gets its fault.
+The steps of `crosscheck` that are quick come first, so that most faults need no more; `crosscheck`
+itself has the last word.
+"""
+
+import json
+import os
+import signal
+import sys
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+from sympy import Abs, cos, sin, sqrt, symbols
+from sympy.core.cache import clear_cache
+
+from benchmarks.faults.fault import Fault, plant
+from benchmarks.faults.scenes import SCENES
+from mechanics.checks.jets import precision
+from mechanics.checks.soundness import check_sound
+from mechanics.checks.states import State
+from mechanics.checks.virtual_power import (
+    BITS,
+    check_virtual_power,
+    drawn_states,
+    plain_values,
+    solved,
+)
+from mechanics.crosscheck import CrossCheck, crosscheck
+from mechanics.crosscheck.routes import ROUTES
+from mechanics.equations import Equations
+from mechanics.exact import Verdict, prove_equal
+from mechanics.scene import Scene
+from mechanics.scene.potential import potential
+
+PATIENCE = 300
+"""Seconds for one fault in all scenes."""
+
+Numbers = dict[str, str]
+
+
+def outcome(name: str, clean: Mapping[str, str] | None) -> dict[str, Any]:
+    """What became of one scene: ``numbers`` without a fault, else ``changed`` and ``noticed``."""
+    numbers = verdicts_of_probes()
+    try:
+        scene = SCENES[name]()
+        check_sound(scene)
+        states, support = drawn_states(scene), None
+        numbers |= potential_numbers(scene, states)
+        for route in ROUTES:
+            equations = route.derive(scene)
+            support = support or equations
+            numbers |= motion_numbers(equations, support, states)
+            if clean is None or not differ(numbers, clean):
+                continue
+            finding = check_virtual_power(equations, states, support)
+            if finding.verdict is not Verdict.SUPPORTED:
+                return {"changed": True, "noticed": f"{finding.subject}: {finding.verdict.name}"}
+        if clean is None:
+            return {"numbers": numbers}
+        changed = differ(numbers, clean)
+        result = crosscheck(scene, CrossCheck(states=0)) if changed else None
+    except Exception as error:
+        # Whatever is raised is no answer that somebody could take for a right one.
+        if clean is None:
+            raise
+        return {"changed": True, "noticed": f"{type(error).__name__}: {str(error)[:120]}"}
+    if result is None or result.ok:
+        return {"changed": changed, "noticed": ""}
+    first = result.open[0]
+    return {"changed": True, "noticed": f"{first.subject}: {first.verdict.name}"}
+
+
+def differ(numbers: Mapping[str, str], clean: Mapping[str, str]) -> bool:
+    """Whether one of the numbers is another one than without the fault."""
+    return any(clean.get(key) != value for key, value in numbers.items())
+
+
+def motion_numbers(equations: Equations, support: Equations, states: Sequence[State]) -> Numbers:
+    """Accelerations, multipliers and reactions of a route at the drawn states."""
+    found = {}
+    with precision(BITS):
+        for state in states[:2]:
+            changes, values = solved(equations, support, state)
+            values |= {f"change {i}": change for i, change in enumerate(changes)}
+            found |= {
+                f"{equations.route} {state.index} {name}": value.str(25, radius=False)
+                for name, value in values.items()
+            }
+    return found
+
+
+def potential_numbers(scene: Scene, states: Sequence[State]) -> Numbers:
+    """Potential energy at the drawn states."""
+    with precision(BITS):
+        return {
+            f"potential {state.index}": plain_values(state.plain(), state)(potential(scene)).str(
+                25, radius=False
+            )
+            for state in states[:2]
+        }
+
+
+def verdicts_of_probes() -> Numbers:
+    """Whether statements are shown that are known to be true, and to be false."""
+    x, y = symbols("x y", real=True)
+    p = symbols("p", positive=True)
+    probes = (
+        (sin(x) ** 2 + cos(x) ** 2, 1), (sin(x + y), sin(x) * cos(y) + cos(x) * sin(y)),
+        (sin(2 * x), 2 * sin(x) * cos(x)), (sqrt(p**2), p), (sqrt(x**2), Abs(x)),
+        ((x**2 - y**2) / (x - y), x + y), (sqrt(2) ** 2, 2),
+        (sin(x), cos(x)), (sin(x) ** 2, 1), (sin(x / 2), sin(x) / 2), (sqrt(x**2), x),
+        (sqrt(2), 1 + x), (Abs(x), x), (x / (1 + y**2), x), (x * y, x + y), (x, -x),
+    )  # fmt: skip
+    return {
+        f"{left} = {right}": prove_equal("probe", left, right, seed=1).verdict.name
+        for left, right in probes
+    }
+
+
+def answer(fault: Fault | None, scenes: Sequence[str], clean: Mapping[str, Any] | None) -> None:
+    """Plant a fault and print what became of each scene."""
+    if fault is not None:
+        plant(fault)
+        clear_cache()
+    for name in scenes:
+        found = outcome(name, None if clean is None else clean[name])
+        words = fault.what if fault else ""
+        print(json.dumps({"fault": words, "scene": name, **found}), flush=True)
+
+
+def main() -> None:
+    """Answer one request."""
+    request = json.load(sys.stdin)
+    faults = [fault and Fault(**fault) for fault in request["faults"]]
+    for fault in faults:
+        child = os.fork()
+        if child == 0:
+            # What has no end is stopped, and has shown nothing.
+            signal.alarm(PATIENCE)
+            answer(fault, request["scenes"], request["clean"])
+            os._exit(0)
+        os.waitpid(child, 0)
+
+
+if __name__ == "__main__":
+    main()

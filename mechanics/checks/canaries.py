@@ -1,0 +1,183 @@
+"""Canaries: what is known beforehand is asked first, so that a checker that is wrong shows it.
+
+    decisions        statements known to be true are shown, statements known to be false refuted
+    numbers          a scalar is read as it was typed, a decimal as the fraction that it prints
+    shapes           mass, centroid and inertia of a body cut from all shapes are integrals over it
+
+    integral of r dr dphi over a sector, of dx dy over a rectangle, of ds over a curve       (1)
+
+(1) by Gauss and Legendre: exact in lengths with three nodes, within 10^-30 in angles with 24.
+What the canaries say is evidence about the program, not about a scene: SUPPORTED, or REFUTED.
+"""
+
+from collections.abc import Iterator
+from typing import Any
+
+from flint import arb
+from sympy import (
+    Abs,
+    Expr,
+    Float,
+    Integer,
+    Rational,
+    Symbol,
+    cos,
+    pi,
+    sin,
+    sqrt,
+    symbols,
+    tan,
+)
+
+from mechanics.checks.jets import Instant, precision
+from mechanics.exact import Finding, Verdict, prove_equal
+from mechanics.scene.composite import composite, part
+from mechanics.scene.declared import scalar
+from mechanics.scene.shapes import Disc, Rectangle, Ring, Rod, Semidisc
+
+BITS = 100
+CLOSE = arb(2) ** -50
+
+Element = tuple[arb, arb, arb]
+"""Size, x and y."""
+
+_x, _y = symbols("x y", real=True)
+_p = Symbol("p", positive=True)
+
+TRUE: tuple[tuple[Any, Any], ...] = (
+    (sin(_x) ** 2 + cos(_x) ** 2, 1),
+    (sin(_x + _y), sin(_x) * cos(_y) + cos(_x) * sin(_y)),
+    (sin(3 * _x / 2), 3 * sin(_x / 2) - 4 * sin(_x / 2) ** 3),
+    (tan(_x) * cos(_x), sin(_x)),
+    ((_x**2 - _y**2) / (_x - _y), _x + _y),
+    (sqrt(_p * _x**2), sqrt(_p) * Abs(_x)),
+    ([_x, (_x + _y) ** 3], [_x, _x**3 + 3 * _x**2 * _y + 3 * _x * _y**2 + _y**3]),
+)
+FALSE: tuple[tuple[Any, Any], ...] = (
+    (sin(_x), cos(_x)),
+    (sin(_x) ** 2, cos(_x) ** 2 - 1),
+    (sin(_x + _y), sin(_x) + sin(_y)),
+    (sin(_x / 2), sin(_x) / 2),
+    (cos(2 * _x), 1),
+    (cos(_x), 1),
+    (_x / (1 + _y**2), _x),
+    (_x * _y, _x + _y),
+    (_x, _y),
+    (_x, 1),
+    (_x**3, _x**2),
+    (sqrt(_x**2), _x),
+    (sqrt(2), Rational(14142135, 10**7)),
+    ([_x, _x], [_x, _x * (1 + Rational(1, 10**6))]),
+    ([_x, _y], [_y, _y]),
+)
+TYPED: tuple[tuple[Any, Expr], ...] = (
+    (3, Integer(3)),
+    (0.1, Rational(1, 10)),
+    (Float("2.5") * _p, Rational(5, 2) * _p),
+    (Rational(3, 7) * _p, Rational(3, 7) * _p),
+    (-_x, -_x),
+)
+
+
+def check_canaries() -> tuple[Finding, ...]:
+    """All canaries; the scene does not matter."""
+    return (
+        _told("decisions", len(TRUE) + len(FALSE), [*_decided_wrongly()]),
+        _told("numbers as they are typed", len(TYPED), [*_read_wrongly()]),
+        _told("shapes against integrals", 7, [*_integrated_wrongly()]),
+    )
+
+
+def _told(what: str, count: int, wrong: list[str]) -> Finding:
+    subject = f"canaries: {what}"
+    if wrong:
+        return Finding(subject, Verdict.REFUTED, f"do not trust this program: {'; '.join(wrong)}")
+    return Finding(subject, Verdict.SUPPORTED, f"all {count} are as they are known to be")
+
+
+def _decided_wrongly() -> Iterator[str]:
+    for left, right in TRUE:
+        if not prove_equal("canary", left, right).shown:
+            yield f"{left} = {right} is not shown"
+    for left, right in FALSE:
+        if prove_equal("canary", left, right).verdict is not Verdict.REFUTED:
+            yield f"{left} = {right} is not refuted"
+
+
+def _read_wrongly() -> Iterator[str]:
+    for typed, meant in TYPED:
+        if scalar(typed, "canary") != meant:
+            yield f"{typed} is read as {scalar(typed, 'canary')}"
+
+
+def _integrated_wrongly() -> Iterator[str]:
+    body = composite(
+        (
+            part(Rectangle(2, 1), density=3, at=(1, 0), angle=pi / 6),
+            part(Disc(1), density=1, at=(0, Rational(1, 2))),
+            part(Semidisc(2), density=2, at=(1, 1), angle=pi / 3),
+            part(Ring(Rational(1, 2)), density=5),
+            part(Rod(3), mass=2, at=(0, -1), angle=pi / 4),
+        )
+    )
+    with precision(BITS):
+        turn, half = 2 * arb.pi(), arb(1) / 2
+        elements = [
+            *_placed(3, (1, 0), arb.pi() / 6, _box((-1, 1), (-half, half))),
+            *_placed(1, (0, half), arb(0), _sector(1, turn)),
+            *_placed(2, (1, 1), arb.pi() / 3, _sector(2, turn / 2)),
+            *_placed(5, (0, 0), arb(0), _arc(half, turn)),
+            *_placed(arb(2) / 3, (0, -1), arb.pi() / 4, _box((-3 * half, 3 * half), None)),
+        ]
+        mass = sum(dm for dm, _, _ in elements)
+        c = [arb(1), *(sum(e[0] * e[k] for e in elements) / mass for k in (1, 2))]
+        xx, yy, xy = (
+            sum(e[0] * (e[i] - c[i]) * (e[k] - c[k]) for e in elements)
+            for i, k in ((1, 1), (2, 2), (1, 2))
+        )
+        there = Instant({}, lambda symbol: arb.nan())
+        for name, wanted, found in (
+            ("mass", mass, body.mass),
+            ("centroid", c[1], body.centroid[0]),
+            ("centroid", c[2], body.centroid[1]),
+            ("second moment xx", xx, body.second_moment[0, 0]),
+            ("second moment yy", yy, body.second_moment[1, 1]),
+            ("second moment xy", xy, body.second_moment[0, 1]),
+            ("moment of inertia", xx + yy, body.inertia),
+        ):
+            if not abs(wanted - there.value(found)) < CLOSE:
+                yield f"the {name} of a body cut from all shapes is {found}"
+
+
+def _placed(density: Any, at: tuple[Any, Any], angle: arb, region: Iterator[Element]) -> Iterator:
+    """Elements (dm, x, y) of a shape in the body's axes."""
+    c, s = angle.cos(), angle.sin()
+    for size, x, y in region:
+        yield density * size, at[0] + c * x - s * y, at[1] + s * x + c * y
+
+
+def _box(width: tuple[Any, Any], height: tuple[Any, Any] | None) -> Iterator[Element]:
+    """dx dy over a rectangle; dx over a rod, which has no height."""
+    for one, x in _nodes(*width, 3):
+        for two, y in [(arb(1), arb(0))] if height is None else _nodes(*height, 3):
+            yield one * two, x, y
+
+
+def _sector(radius: int, angle: arb) -> Iterator[Element]:
+    """r dr dphi."""
+    for one, r in _nodes(arb(0), radius, 3):
+        for two, x, y in _arc(r, angle):
+            yield one * two, x, y
+
+
+def _arc(radius: Any, angle: arb) -> Iterator[Element]:
+    """r dphi."""
+    for weight, phi in _nodes(arb(0), angle, 24):
+        yield weight * radius, radius * phi.cos(), radius * phi.sin()
+
+
+def _nodes(low: Any, high: Any, count: int) -> Iterator[tuple[arb, arb]]:
+    """Weights and places of Gauss and Legendre between two limits."""
+    for k in range(count):
+        place, weight = arb.legendre_p_root(count, k, True)
+        yield weight * (high - low) / 2, low + (place + 1) * (high - low) / 2

@@ -1,0 +1,54 @@
+"""Canaries say so when the program is wrong, and are quick enough to be asked every time."""
+
+from typing import Any
+
+import pytest
+from sympy import Matrix
+
+from mechanics.checks import canaries
+from mechanics.checks.canaries import check_canaries
+from mechanics.exact import Finding, Verdict
+from mechanics.scene.composite import Part
+from mechanics.scene.shapes import Rod, Semidisc
+
+
+def refuted() -> str:
+    (wrong,) = (f for f in check_canaries() if f.verdict is Verdict.REFUTED)
+    assert wrong.evidence.startswith("do not trust this program: ")
+    return wrong.evidence
+
+
+def test_all_are_alive() -> None:
+    found = check_canaries()
+    assert len(found) == 3
+    assert {finding.verdict for finding in found} == {Verdict.SUPPORTED}
+
+
+@pytest.mark.parametrize("verdict", list(Verdict))
+def test_a_checker_that_always_says_the_same_is_seen(
+    monkeypatch: pytest.MonkeyPatch, verdict: Verdict
+) -> None:
+    monkeypatch.setattr(canaries, "prove_equal", lambda *a: Finding("canary", verdict, "always"))
+    words = refuted()
+    assert ("is not shown" in words) is (verdict not in (Verdict.PROVED, Verdict.CERTIFIED))
+    assert ("is not refuted" in words) is (verdict is not Verdict.REFUTED)
+
+
+@pytest.mark.parametrize(
+    ("owner", "name", "wrong", "words"),
+    (
+        (Rod, "spread", property(lambda self: (self.length**2 / 3, 0)), "second moment xx"),
+        (Semidisc, "size", property(lambda self: self.radius**2), "the mass"),
+        (Part, "turn", property(lambda self: Matrix([[1, 0], [0, 1]])), "the centroid"),
+    ),
+)
+def test_a_wrong_shape_is_seen(
+    monkeypatch: pytest.MonkeyPatch, owner: type, name: str, wrong: Any, words: str
+) -> None:
+    monkeypatch.setattr(owner, name, wrong)
+    assert words in refuted()
+
+
+def test_numbers_that_are_read_as_others_are_seen(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(canaries, "scalar", lambda value, what: 2 * value)
+    assert "3 is read as 6" in refuted()
