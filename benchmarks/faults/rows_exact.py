@@ -47,96 +47,88 @@ FORMS = (
 
 DECISIONS = (
     *faults_in(
-        "mechanics.exact.decide",
+        "mechanics.kernel.decide",
         (
-            "if outcome.answer is Answer.ZERO:",
+            "if outcome.answer is Answer.ZERO and not outcome.off_boundaries:",
             "if outcome.answer is not Answer.FAILED:",
-            "whatever has a value is zero",
+            "whatever has a value is certified",
         ),
         (
-            "if try_normal and proves(experiment):\n            return Finding("
-            "subject, Verdict.PROVED, PROOF)\n        return _certified",
-            "if try_normal:\n            return Finding("
-            "subject, Verdict.PROVED, PROOF)\n        return _certified",
-            "what is certified is called proved",
+            "if outputs[LEFT] == outputs[RIGHT]:",
+            "if len(outputs[LEFT]) == len(outputs[RIGHT]):",
+            "as many entries are the same entries",
         ),
     ),
     *faults_in(
-        "mechanics.exact.field_trial",
-        (
-            "zero = all(number.residue == 0 for number in differences)",
-            "zero = any(number.residue == 0 for number in differences)",
-            "one pair is enough",
-        ),
-        (
-            "zero = all(number.residue == 0 for number in differences)",
-            "zero = True",
-            "every residue is zero",
-        ),
-        (
-            "differences = [a.rational(0) + left - right for left, right in pairs]",
-            "differences = [a.rational(0) + left - left for left, right in pairs]",
-            "the left side is compared with itself",
-        ),
+        "mechanics.kernel.trial",
+        ("(x - y) % prime == 0 for", "(x - x) % prime == 0 for", "a side is compared with itself"),
+        ("zero = all(", "zero = any(", "one equal pair is enough"),
+        ("if is_proved():", "if True:", "what is zero at a point is proved"),
     ),
     *faults_in(
-        "mechanics.exact.field",
+        "mechanics.kernel.field",
         (
-            'self._bases["base", atom] = ((1 - t * t) * scale % p, 2 * t * scale % p)',
-            'self._bases["base", atom] = ((1 + t * t) * scale % p, 0 * t)',
+            "c, s = (1 - t * t) * scale % p, 2 * t * scale % p",
+            "c, s = 1, 0",
             "every angle of the field is zero",
         ),
         (
-            "residue = self.source.randrange(1, self.prime)",
+            "residue = 1 + self._draws.below(self.prime - 1)",
             "residue = 1",
             "every symbol of the field is one",
         ),
         (
-            "c, s, degree = (c * x - s * y) % p, (s * x + c * y) % p",
-            "c, s, degree = (c * x + s * y) % p, (s * x + c * y) % p",
-            "angles of the field do not add up",
+            "return x * pow(y, -1, self.prime) % self.prime",
+            "return x * y % self.prime",
+            "the field multiplies where it divides",
         ),
     ),
     *faults_in(
-        "mechanics.exact.normal",
+        "mechanics.kernel.quotients",
+        ("return bool(self.ring.reduced(x.numerator) == 0)", "return True", "every form is zero"),
         (
-            "bool(self.ring.reduced((self.rational(0) + number).numerator) == 0)",
-            "True",
-            "every normal form is zero",
-        ),
-        (
-            "c, s = c * x - s * y, s * x + c * y",
-            "c, s = c * x + s * y, s * x + c * y",
-            "angles of the normal form do not add up",
-        ),
-    ),
-    *faults_in(
-        "mechanics.exact.normal_number",
-        (
-            "return self + -self._lift(other)",
-            "return self + self._lift(other)",
+            "return self.add(x, self.negate(y))",
+            "return self.add(x, y)",
             "the normal form adds where it subtracts",
         ),
-    ),
-    *faults_in(
-        "mechanics.exact.balls",
         (
-            "if number.arb < 0:\n            return Ball(arb.nan())",
-            "if number.arb < 0:\n            return Ball(arb(0))",
-            "balls: roots of negatives are zero",
+            "self._over(x, common) + self._over(y, common), common)",
+            "self._over(x, common) + y.numerator, common)",
+            "fractions are added without a common denominator",
         ),
     ),
     *faults_in(
-        "mechanics.exact.witness",
+        "mechanics.kernel.normal",
+        ("Quotient(side * s, {})", "Quotient(s, {})", "sin(-x) = sin(x) in the normal form"),
         (
-            "apart = [(x, y) for x, y in finite if not x.overlaps(y)]",
-            "apart = [(x, y) for x, y in finite if x.overlaps(y)]",
+            "        return all(\n            domain.quotients.is_zero",
+            "        return any(\n            domain.quotients.is_zero",
+            "one entry with the same normal form is enough",
+        ),
+    ),
+    *faults_in(
+        "mechanics.kernel.ring",
+        ("sin**2 + cos**2 - 1)", "sin**2 - cos**2 + 1)", "s^2 = c^2 - 1 in the normal form"),
+    ),
+    *faults_in(
+        "mechanics.kernel.balls",
+        ("if x < 0 else x.sqrt()", "if x > 0 else x.sqrt()", "balls: no root of positives"),
+    ),
+    *faults_in(
+        "mechanics.kernel.witness",
+        (
+            "for x, y in finite if not x.overlaps(y)]",
+            "for x, y in finite if x.overlaps(y)]",
             "what overlaps is apart",
         ),
+        ("for x, y in finite if not x.overlaps(y)]", "for x, y in ()]", "there is no witness"),
+    ),
+    *faults_in(
+        "mechanics.exact.independence",
         (
-            "apart = [(x, y) for x, y in finite if not x.overlaps(y)]",
-            "apart = []",
-            "there is never a witness",
+            "return echelon(residues, prime)[1]",
+            "return echelon(residues, prime)[1][:-1]",
+            "the last independent row is lost",
         ),
     ),
 )

@@ -6,6 +6,7 @@ from sympy import pi
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols, inertia
 
 from mechanics.scene import (
+    Particle,
     RigidBody,
     Scene,
     force,
@@ -30,9 +31,9 @@ from systems import (
 
 
 def plate() -> Scene:
-    """A pendulum cut from every shape, on a support that is moved by hand."""
+    """A pendulum cut from every shape, on a support moved by hand; a bead slides along it."""
     R, rho, g = parameters("R rho g")
-    theta, y = dynamicsymbols("theta y")
+    theta, s, y = dynamicsymbols("theta s y")
     cut = composite(
         (
             part(Rectangle(2 * R, R), density=rho, at=(R, 0), angle=pi / 6),
@@ -46,14 +47,19 @@ def plate() -> Scene:
     frame = N.orientnew("A", "Axis", (theta, N.z))
     pivot = O.locatenew("P", y * N.x)
     x_c, y_c = cut.centroid
-    centre = pivot.locatenew("C", x_c * frame.x + y_c * frame.y)
+    centre = O.locatenew("C", y * N.x + x_c * frame.x + y_c * frame.y)
+    bead = pivot.locatenew("D", s * frame.x + R * frame.y)
     return Scene(
-        "plate", N, O, coordinates=(theta,), inputs=(y,),
-        bodies=(RigidBody("plate", centre, frame, cut.mass, cut.inertia),),
+        "plate", N, O, coordinates=(theta, s), inputs=(y,),
+        bodies=(
+            RigidBody("plate", centre, frame, cut.mass, cut.inertia),
+            Particle("bead", bead, rho * R**2),
+        ),
         loads=(gravity(-g * N.y),),
         reactions=(
             reaction("X", at=pivot, on="plate", by=None, along=N.x),
             reaction("Y", at=pivot, on="plate", by=None, along=N.y),
+            reaction("B", at=bead, on="bead", by="plate", along=frame.y),
         ),
     )  # fmt: skip
 
