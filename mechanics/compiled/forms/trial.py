@@ -15,14 +15,17 @@ import numpy as np
 from sympy import Add, Expr, Symbol
 
 from mechanics.compiled.forms.order import Array, Order, pivot_order
-from mechanics.compiled.programs.enclosed import UNIT, enclosed
 from mechanics.compiled.programs.program import Program, program, run
 from mechanics.compiled.quantities import Quantities
 from mechanics.compiled.sampling import DECADES, ordinary, sample
-from mechanics.compiled.terms import CHUNK, ExtendedTerms, extended_terms
+from mechanics.compiled.terms import CHUNK, UNIT, ExtendedTerms, extended_terms
 from mechanics.equations import Equations
 from mechanics.errors import SingularError
 from mechanics.exact import TooLarge, canonical
+from mechanics.program import Builder
+from mechanics.program import Program as Straight
+from mechanics.program.casadi_reader import read
+from mechanics.program.running_error_domain import enclose
 
 TRIALS = 64
 SEED = 2
@@ -92,25 +95,28 @@ class Reference:
         q, u, inputs and p, entries x states.
     left, right : array
         K, states x n x n, and k, states x n.
-    residual : Program
-        K x - k, of the state and x, as it was derived.
+    residual : mechanics.program.Program
+        K x - k, of q, u, inputs, p and x, as it was derived.
     """
 
     states: list[Array]
     left: Array
     right: Array
-    residual: Program
+    residual: Straight
 
     def solved_by(self, solution: ca.Function) -> bool:
         """Whether what a function gives is a solution at every state."""
         x = np.array(solution(*self.states))
-        (rows,) = enclosed(self.residual, [list(group) for group in (*self.states, x)])
+        entries = [entry for group in (*self.states, x) for entry in group]
+        inputs = {name: entries[int(name)] for name in self.residual.inputs}
+        rows = [row.absolute for row in enclose(self.residual, inputs)["rows"]]
         with np.errstate(all="ignore"):
             net = np.einsum("sij,js->is", np.abs(self.left), np.abs(x)) + np.abs(self.right.T)
             for row, plain in zip(rows, net, strict=True):
                 # A bound of rounding errors is as many units as there are terms to add up, also
                 # where these cancel; there is none for some functions.
-                size = np.where(np.isfinite(row.error), row.error / UNIT, plain)
+                error = 0 if row.error is None else row.error
+                size = np.where(np.isfinite(error), error / UNIT, plain)
                 # Not "or more": what is no number is no solution.
                 if not np.all((row.value == 0) | (np.abs(row.value) < WRONG * size)):
                     return False
@@ -140,7 +146,18 @@ def reference(residual: ca.Function, n: int, quantities: Quantities) -> Referenc
             f"M and f are numbers at none of {TRIALS} states: does something divide by zero?"
         )
     held = [group[:, asked] for group in states]
-    return Reference(held, left[asked], -rest[asked], program(residual))
+    return Reference(held, left[asked], -rest[asked], _straight(residual))
+
+
+def _straight(residual: ca.Function) -> Straight:
+    """The program of a function; its inputs are numbered through."""
+    builder, arguments, count = Builder(), {}, 0
+    for i in range(residual.n_in()):
+        size = residual.numel_in(i)
+        arguments[residual.name_in(i)] = [builder.input(str(count + k)) for k in range(size)]
+        count += size
+    (rows,) = read(builder, residual, arguments).values()
+    return builder.program({"rows": rows})
 
 
 def _lost(code: Program, quantities: Quantities) -> bool:
