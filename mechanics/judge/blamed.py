@@ -41,7 +41,10 @@ def blamed(truth: Equations, judged: Sequence[Judged]) -> tuple[Judged, ...]:
     truth : Equations
     judged : sequence of Judged
     """
-    wrong = [k for k, e in enumerate(judged) if e.finding.verdict is Verdict.REFUTED]
+    wrong = [
+        k for k, e in enumerate(judged)
+        if e.finding.verdict is Verdict.REFUTED and not e.finding.undefined
+    ]  # fmt: skip
     if not wrong:
         return tuple(judged)
     small = [k for k, entry in enumerate(judged) if nodes(entry.statement) <= LARGEST]
@@ -66,7 +69,8 @@ def declared_only(judged: Sequence[Judged]) -> tuple[Judged, ...]:
     """
     words = "not searched beside what is declared: a value, a convention or where"
     none = Blame((), (), searched=words)
-    wrong = (entry.finding.verdict is Verdict.REFUTED for entry in judged)
+    found = [entry.finding for entry in judged]
+    wrong = (f.verdict is Verdict.REFUTED and not f.undefined for f in found)
     pairs = zip(judged, wrong, strict=True)
     return tuple(replace(e, blame=none) if refuted else e for e, refuted in pairs)
 

@@ -153,9 +153,12 @@ def _judged(
     findings = [judge(truth, statement, values) for statement in statements]
     if values:
         return tuple(map(Judged, statements, findings)), (f"judged where {in_words(values)}",)
-    if not any(finding.verdict is Verdict.REFUTED for finding in findings):
+    if not any(f.verdict is Verdict.REFUTED and not f.undefined for f in findings):
         return tuple(map(Judged, statements, findings)), ()
-    claimed = [k for k, s in enumerate(statements) if s.row is not None and not s.doubt]
+    claimed = [
+        k for k, s in enumerate(statements)
+        if s.row is not None and not s.doubt and not findings[k].undefined
+    ]  # fmt: skip
     some = [statements[k] for k in claimed]
     helping = tuple(" and ".join(c.words for c in change) for change in right_if(truth, some))
     if not helping:
@@ -166,7 +169,7 @@ def _judged(
             or right_where(truth, some, verdicts)
         )
     entries = [
-        Judged(s, f, helping if f.verdict is Verdict.REFUTED else ())
+        Judged(s, f, helping if f.verdict is Verdict.REFUTED and not f.undefined else ())
         for s, f in zip(statements, findings, strict=True)
     ]
     return tuple(entries), ()

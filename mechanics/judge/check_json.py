@@ -6,9 +6,10 @@ r"""What became of a person's equations, as JSON, stable.
 | --- | --- |
 | verdict | the worst of all |
 | statements | list of `tag`, `source`, `place`, `about`, `verdict`, `evidence`, `error_bound`,
-  `witness`, `right_if`, `blame`, `notes` |
+  `witness`, `domain`, `right_if`, `blame`, `notes` |
 | names | by the person's name: `meaning` in the scene, and `why` |
 
+`domain` says where the verdict holds, or what was written is undefined; empty for everywhere.
 `witness` is as in `mechanics.report.json_report`; `about` is null where a line could not be read.
 `blame` is null where a statement is not refuted or that was not asked for; else
 
@@ -57,6 +58,7 @@ def _statement(entry: Judged) -> dict[str, Any]:
         "place": statement.place,
         "about": None if statement.row is None else type(statement.row.quantity).__name__,
         **verdict_json(entry.finding),
+        "domain": entry.finding.domain,
         "right_if": list(entry.right_if),
         "blame": None if entry.blame is None else _blame(entry.blame),
         "notes": list(statement.notes),

@@ -20,7 +20,12 @@ def energy_instead(truth: Equations, entry: Judged) -> Judged:
     It counts as right only where the person says so: ``about="kinetic energy"``.
     """
     row, written = entry.statement.row, entry.statement.written
-    if entry.finding.verdict is not Verdict.REFUTED or row is None or written is None:
+    if (
+        entry.finding.undefined
+        or entry.finding.verdict is not Verdict.REFUTED
+        or row is None
+        or written is None
+    ):
         return entry
     name = written.sides[0]
     if len(written.sides) < 2 or not isinstance(name, Name) or name.name not in ENERGY_NAMES:

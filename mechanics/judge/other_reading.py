@@ -31,7 +31,12 @@ def read_otherwise(truth: Equations, entry: Judged) -> Judged:
     """
     statement = entry.statement
     row, written = statement.row, statement.written
-    if entry.finding.verdict is not Verdict.REFUTED or row is None or written is None:
+    if (
+        entry.finding.undefined
+        or entry.finding.verdict is not Verdict.REFUTED
+        or row is None
+        or written is None
+    ):
         return entry
     for words, sides in statement.others:
         if _right(truth, row, written, sides):

@@ -9,6 +9,7 @@ from mechanics.errors import ExpressionError, InputError, SceneError, SingularEr
 from mechanics.exact import Finding, Verdict
 from mechanics.judge.at_values import Values, judged_at
 from mechanics.judge.cases import check_cases
+from mechanics.judge.defined import where_defined
 from mechanics.judge.vacuous import with_content
 from mechanics.reading.statement import Statement
 from mechanics.scene import Scene
@@ -19,6 +20,15 @@ FAILURES = (InputError, SceneError, ExpressionError, SingularError)
 
 def judge(truth: Equations, statement: Statement, values: Values) -> Finding:
     """The finding of a statement; where parameters have values, if some are given."""
+    found = identity(truth, statement, values)
+    try:
+        return where_defined(truth, statement, found, values=values)
+    except FAILURES as error:
+        return Finding(subject_of(statement), Verdict.UNDECIDED, str(error))
+
+
+def identity(truth: Equations, statement: Statement, values: Values) -> Finding:
+    """The finding of a statement as far as what was written has values."""
     subject = subject_of(statement)
     if statement.doubt or statement.row is None:
         return Finding(subject, Verdict.UNDECIDED, statement.doubt)

@@ -133,7 +133,8 @@ def _under(target: Equations, statement: Statement, change: Change) -> Finding:
         there = moved(target.scene, row, combined_table(change))
     except FAILURES as error:
         return Finding(subject_of(statement), Verdict.UNDECIDED, str(error))
-    return judge(target, replace(statement, row=there), {})
+    demands = statement.demands.put(combined_table(change))
+    return judge(target, replace(statement, row=there, demands=demands), {})
 
 
 def _held(scene: Scene, statements: Sequence[Statement]) -> frozenset[Symbol]:

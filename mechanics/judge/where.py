@@ -21,10 +21,11 @@ from mechanics.equations import Equations
 from mechanics.errors import InputError, MechanicsError
 from mechanics.exact import Arithmetic, Finding, Number, Verdict, decide
 from mechanics.judge.cases import in_case
+from mechanics.judge.defined import where_defined
 from mechanics.judge.entered import entered
 from mechanics.judge.moved import in_plain_symbols
 from mechanics.judge.readers import read
-from mechanics.judge.single import FAILURES, judge
+from mechanics.judge.single import FAILURES, identity
 from mechanics.judge.vacuous import WORDS
 from mechanics.reading.kinds import angular
 from mechanics.reading.names import Match
@@ -95,22 +96,24 @@ def judge_where(truth: Equations, statement: Statement, where: Sequence[Where]) 
     where : sequence of Where
         At least one, which hold together at some state.
     """
-    everywhere = judge(truth, statement, {})
+    positive = [one.positive for one in where]
+    everywhere = identity(truth, statement, {})
     row = statement.row
     if everywhere.shown or row is None or statement.doubt:
-        return everywhere
+        return where_defined(truth, statement, everywhere, positive)
     if everywhere.verdict is Verdict.UNDECIDED and not _branched(statement):
         return everywhere
     words = " and ".join(one.words for one in where)
     try:
-        found = check_row(truth.scene, row, truth, [one.positive for one in where])
+        found = check_row(truth.scene, row, truth, positive)
         if found.shown and isinstance(row.quantity, Identity) and _empty(truth.scene, row, where):
             return Finding(everywhere.subject, Verdict.UNDECIDED, f"where {words}, {WORDS}")
         if found.verdict is Verdict.UNDECIDED and _free(truth.scene, where):
             found = _inside(truth, row, where, found)
     except FAILURES as error:
         return Finding(everywhere.subject, Verdict.UNDECIDED, str(error))
-    return replace(found, evidence=f"{found.evidence}, where {words}")
+    found = replace(found, evidence=f"{found.evidence}, where {words}")
+    return where_defined(truth, statement, found, positive)
 
 
 def right_where(

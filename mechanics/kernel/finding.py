@@ -54,6 +54,9 @@ class Finding:
         For CERTIFIED: upper bound of the probability that the statement is false all the same.
     witness : Witness or None
         For REFUTED.
+    domain : str
+        Where it is shown, where that is not everywhere: ``"except where cos(theta) = 0"``,
+        ``"PROVED WHERE r > 0"``; ``"undefined"`` for what has no value where it has to.
     """
 
     subject: str
@@ -61,9 +64,15 @@ class Finding:
     evidence: str
     error_bound: float | None = None
     witness: Witness | None = None
+    domain: str = ""
 
     def __bool__(self) -> bool:
         raise TypeError("a Finding has no truth value: compare its verdict")
+
+    @property
+    def undefined(self) -> bool:
+        """True when what was written has no value at a state where it has to have one."""
+        return self.verdict is Verdict.REFUTED and bool(self.domain)
 
     @property
     def shown(self) -> bool:

@@ -27,6 +27,7 @@ from mechanics.reading.defined import (
     used,
     without_unknown_rates,
 )
+from mechanics.reading.demands import Demand, Demands
 from mechanics.reading.kind import energy_defined, energy_named, kind_of
 from mechanics.reading.lines import Aside, Entry, Line, Unread, told_once
 from mechanics.reading.named import Read, named
@@ -107,7 +108,8 @@ class _Assembly:
         self.weight = 0
         self.vague: dict[str, list[str]] = {}
         self.own: dict[str, Line] = {}
-        self.learnt: dict[int, tuple[tuple[Value, ...], list[str]] | Refused] = {}
+        self.learnt: dict[int, tuple[tuple[Value, ...], Builder] | Refused] = {}
+        self.demanded: dict[str, list[Demand]] = {}
         self.reached: frozenset[str] = frozenset()
         self.statements: list[Statement] = []
         self.remarks: list[str] = []
@@ -128,14 +130,18 @@ class _Assembly:
             except Refused as reason:
                 self.learnt[id(line)] = reason
 
-    def _learn(self, name: str, line: Line) -> tuple[tuple[Value, ...], list[str]]:
+    def _learn(self, name: str, line: Line) -> tuple[tuple[Value, ...], Builder]:
         size = self._weighed(line)
-        builder = Builder(self.naming, self.defined, self.vague, self.trees)
+        builder = self._builder()
         sides, first = known_first(builder, line)
         self.weights[name] = size
         self.defined[name], self.trees[name] = sides[0], first
         self.vague[name] = [n for n in dict.fromkeys(builder.unknown) if holds(sides[0], n)]
-        return sides, builder.unknown
+        self.demanded[name] = list(dict.fromkeys(builder.demands))
+        return sides, builder
+
+    def _builder(self) -> Builder:
+        return Builder(self.naming, self.defined, self.vague, self.trees, self.demanded)
 
     def add(self, line: Entry) -> None:
         """Take one line."""
@@ -163,20 +169,20 @@ class _Assembly:
             self._define(line, left.name, *learnt, tag, place)
             return
         self._weighed(line)
-        builder = Builder(self.naming, self.defined, self.vague, self.trees)
+        builder = self._builder()
         sides = tuple(builder(side) for side in line.sides)
         energy = energy_named(self.naming, self.words, left, sides) if self.about is None else None
         if energy is not None:
             builder.unknown = [name for name in builder.unknown if not is_named(left, name)]
-            self._energy(line, tag, place, energy, sides[1:], builder.unknown)
+            self._energy(line, tag, place, energy, sides[1:], builder)
             return
         if self.about == "mass matrix" and defines(line, self.naming):
             builder.unknown = [name for name in builder.unknown if not is_named(left, name)]
             sides = sides[1:]
         if any(isinstance(side, MatrixBase) for side in sides):
-            self._matrices(line, tag, place, sides, builder.unknown)
+            self._matrices(line, tag, place, sides, builder)
             return
-        self._scalars(line, tag, place, sides, builder.unknown)
+        self._scalars(line, tag, place, sides, builder)
 
     def _weighed(self, line: Line) -> Weight:
         """What the sides of a line come to, if it is little enough to be built and judged."""
@@ -192,33 +198,33 @@ class _Assembly:
 
     def _energy(
         self, line: Line, tag: str, place: str, energy: str, sides: tuple[Value, ...],
-        unknown: list[str],
+        builder: Builder,
     ) -> None:  # fmt: skip
         left = line.sides[0]
         note = f"{left.name} on the left is read as the {energy}" if isinstance(left, Name) else ""
-        self._keep(line, tag, place, named_quantity(energy), sides, unknown, note)
+        self._keep(line, tag, place, named_quantity(energy), sides, builder, note)
 
     def _define(
-        self, line: Line, name: str, sides: tuple[Value, ...], unknown: list[str], tag: str,
+        self, line: Line, name: str, sides: tuple[Value, ...], builder: Builder, tag: str,
         place: str,
     ) -> None:  # fmt: skip
         """A definition: it is judged where it is used, or is an energy or the mass matrix."""
         energy = energy_defined(self.naming, name, sides) if name not in self.needed else None
         if energy is not None:
-            self._energy(line, tag, place, energy, sides, unknown)
+            self._energy(line, tag, place, energy, sides, builder)
             return
         size = len(self.scene.u)
         unused = name not in self.reached
         if unused and name in MATRIX_NAMES and all(shape(s) == (size, size) for s in sides):
             note = f"{name}, a square matrix, is read as the mass matrix"
-            self._keep(line, tag, place, MassMatrix(), sides, unknown, note)
+            self._keep(line, tag, place, MassMatrix(), sides, builder, note)
             return
         before, moves = len(self.statements), False
         if len(sides) > 1:
             # The other sides have to be equal; where these move, the name says nothing more.
             noted = replace(line, notes=(*line.notes, f"{name} as defined"))
             judge = self._scalars if scalar(sides) else self._matrices
-            judge(noted, tag, place, sides, unknown)
+            judge(noted, tag, place, sides, builder)
             rows = [found.row for found in self.statements[before:] if found.row is not None]
             moves = any(not isinstance(row.quantity, Identity) for row in rows)
         if not unused or moves or gathers(line.sides[1:]):
@@ -232,7 +238,7 @@ class _Assembly:
         self._append(Statement(row, line.source, tag, place, line.notes, doubt, written), line.at)
 
     def _matrices(
-        self, line: Line, tag: str, place: str, sides: tuple[Value, ...], unknown: list[str]
+        self, line: Line, tag: str, place: str, sides: tuple[Value, ...], builder: Builder
     ) -> None:
         """A matrix alone is the mass matrix; an equation of matrices is one for each entry."""
         shapes = {side.shape for side in sides if isinstance(side, MatrixBase)}
@@ -241,46 +247,47 @@ class _Assembly:
         rows, columns = shapes.pop()
         if len(sides) == 1 and self.about is None and rows == columns > 1:
             note = "a square matrix alone is read as the mass matrix"
-            self._keep(line, tag, place, MassMatrix(), sides, unknown, note)
+            self._keep(line, tag, place, MassMatrix(), sides, builder, note)
             return
         if self.about is not None:
             quantity = named_quantity(self.about)
             if isinstance(quantity, MassMatrix):
-                self._keep(line, tag, place, quantity, sides, unknown)
+                self._keep(line, tag, place, quantity, sides, builder)
                 return
         for number, parts in entries(sides):
-            self._scalars(line, f"{tag} row {number}", place, parts, unknown)
+            self._scalars(line, f"{tag} row {number}", place, parts, builder)
 
     def _scalars(
-        self, line: Line, tag: str, place: str, sides: tuple[Expr, ...], unknown: list[str]
+        self, line: Line, tag: str, place: str, sides: tuple[Expr, ...], builder: Builder
     ) -> None:
         if self.about is not None:
-            self._asked(line, tag, place, sides, unknown)
+            self._asked(line, tag, place, sides, builder)
             return
         quantity, sides, note = kind_of(self.scene, distinct(sides))
-        self._keep(line, tag, place, quantity, sides, unknown, note)
+        self._keep(line, tag, place, quantity, sides, builder, note)
 
     def _asked(
-        self, line: Line, tag: str, place: str, sides: tuple[Expr, ...], unknown: list[str]
+        self, line: Line, tag: str, place: str, sides: tuple[Expr, ...], builder: Builder
     ) -> None:
         quantity = named_quantity(self.about or "")
         if not isinstance(quantity, EquationOfMotion | Identity) and len(sides) > 1:
             sides = sides[1:] if isinstance(line.sides[0], Name) else sides
-        self._keep(line, tag, place, quantity, as_asked(quantity, sides), unknown)
+        self._keep(line, tag, place, quantity, as_asked(quantity, sides), builder)
 
     def _keep(
         self, line: Line, tag: str, place: str, quantity: Quantity, sides: tuple[Value, ...],
-        unknown: list[str], note: str = "",
+        builder: Builder, note: str = "",
     ) -> None:  # fmt: skip
         doubt = ""
-        if unknown:
-            doubt = unexplained(self.scene, unknown)
+        if builder.unknown:
+            doubt = unexplained(self.scene, builder.unknown)
         elif isinstance(quantity, Identity) and len(sides) == 1:
             doubt = "an expression without an equals sign: say what it is about"
         notes = (*line.notes, note) if note else line.notes
         row = published(tag, quantity, *map(self.scene.pressed, sides), label=line.source)
         written = self._written(line)
-        found = Statement(row, line.source, tag, place, notes, doubt, written, line.others)
+        demands = Demands(tuple(dict.fromkeys(builder.demands)))
+        found = Statement(row, line.source, tag, place, notes, doubt, written, line.others, demands)
         self._append(found, line.at)
 
     def _written(self, line: Line) -> Written:

@@ -16,6 +16,7 @@ from sympy import Add, Expr, I, Integer, Matrix, Rational, S, Symbol, nan, oo, z
 from sympy.matrices import MatrixBase
 from sympy.matrices.exceptions import NonInvertibleMatrixError, ShapeError
 
+from mechanics.reading.demands import Demand, of_function, of_power, within
 from mechanics.reading.functions import FUNCTIONS
 from mechanics.reading.independent import partial_derivative
 from mechanics.reading.names import Naming
@@ -59,19 +60,26 @@ def _is_number(value: Any) -> bool:
 
 
 class Builder:
-    """Builds expressions; `unknown` are the names that stood for nothing."""
+    """Builds expressions.
+
+    `unknown` are the names that stood for nothing, `demands` what has no value everywhere, with
+    that of the definitions that are used, `demanded`.
+    """
 
     def __init__(
         self, naming: Naming, defined: Mapping[str, Value], vague: Mapping[str, Sequence[str]],
         trees: Mapping[str, Node] = MappingProxyType({}),
+        demanded: Mapping[str, Sequence[Demand]] = MappingProxyType({}),
     ) -> None:  # fmt: skip
         self.naming, self.defined, self.vague, self.trees = naming, defined, vague, trees
+        self.demanded = demanded
         self.unknown: list[str] = []
+        self.demands: list[Demand] = []
         self.held: frozenset[Symbol] = frozenset()
 
     def beside(self, defined: Mapping[str, Value]) -> "Builder":
         """The same with other values for the definitions."""
-        return Builder(self.naming, defined, self.vague, self.trees)
+        return Builder(self.naming, defined, self.vague, self.trees, self.demanded)
 
     def __call__(self, node: Node) -> Value:
         """The expression of a tree.
@@ -105,11 +113,11 @@ class Builder:
             case Call(function="pi"):
                 return S.Pi
             case Call(function="partial", arguments=(of, by)):
-                return partial_derivative(self, of, by, node.at)
+                return self._derived(partial_derivative(self, of, by, node.at))
             case Call(function=function, arguments=arguments):
                 return self._call(node, function, [self.value(x) for x in arguments])
             case Rate(of=inner, order=order):
-                return self._rate(self.value(inner), order, node.at)
+                return self._derived(self._rate(self.value(inner), order, node.at))
             case Table(rows=rows):
                 return Matrix([[self._scalar(node, self.value(c)) for c in row] for row in rows])
         raise Refused(node.at, "this is not known here")
@@ -118,7 +126,8 @@ class Builder:
         if node.name in self.defined:
             value: Any = self.defined[node.name]
             self.unknown += self.vague.get(node.name, ())
-            return self._rate(value, node.order, node.at) if node.order else value
+            self.demands += self.demanded.get(node.name, ())
+            return self._derived(self._rate(value, node.order, node.at)) if node.order else value
         try:
             symbol = self.naming.symbol(node.name, node.order)
         except KeyError as error:
@@ -128,6 +137,12 @@ class Builder:
             dots = "'" * node.order
             return Symbol(node.name + dots, real=True)
         return symbol
+
+    def _derived(self, value: Any) -> Any:
+        """A derivative: 1/(2 sqrt(x)) has no value where the root that was written has one."""
+        entries = value if isinstance(value, MatrixBase) else [value]
+        self.demands += [demand for entry in entries for demand in within(entry)]
+        return value
 
     def _rate(self, value: Any, order: int, at: int) -> Any:
         for _ in range(order):
@@ -177,6 +192,7 @@ class Builder:
         if isinstance(base, MatrixBase):
             if exponent == -1 and base.rows == base.cols <= 3:
                 try:
+                    self.demands.append(Demand("divide", (S.One, base.det(method="berkowitz"))))
                     return base.inv(method="ADJ")
                 except NonInvertibleMatrixError:
                     raise Refused(node.at, "this matrix has no inverse") from None
@@ -185,6 +201,7 @@ class Builder:
             raise Refused(node.at, "a division by zero")
         if exponent.is_number and not _small(base, exponent):
             raise Refused(node.at, f"the exponent is too large: {LARGEST_EXPONENT} is the limit")
+        self.demands += of_power(base, exponent)
         return self._real(node, base**exponent)
 
     def _real(self, node: Node, value: Any) -> Any:
@@ -206,6 +223,7 @@ class Builder:
         numbers = [self._scalar(node, argument) for argument in arguments]
         if any(n.is_number and n.is_finite and abs(n.n(5)) > LARGEST_NUMBER for n in numbers):
             raise Refused(node.at, f"{function} of a number that is too large")
+        self.demands += of_function(function, numbers)
         return self._real(node, make(*numbers))
 
     def _cross(self, node: Node, *factors: Any) -> Any:

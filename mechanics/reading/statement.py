@@ -5,9 +5,12 @@ source -> row.sides, in the scene's plain symbols; row.quantity is what it is ab
 
 from dataclasses import dataclass
 
+from mechanics.reading.demands import Demands
 from mechanics.reading.names import Match
 from mechanics.reading.written import Trees, Written
 from mechanics.scene.published import Published
+
+NO_DEMANDS = Demands()
 
 
 @dataclass(frozen=True)
@@ -33,6 +36,8 @@ class Statement:
         The trees of what was written, where it was read from a text.
     others : tuple of (str, tuple of Node)
         Other ways to read it, in words, and its sides then.
+    demands : Demands
+        What was written that has no value everywhere, before anything was put together.
     """
 
     row: Published | None
@@ -43,6 +48,7 @@ class Statement:
     doubt: str = ""
     written: Written | None = None
     others: tuple[tuple[str, Trees], ...] = ()
+    demands: Demands = NO_DEMANDS
 
 
 @dataclass(frozen=True)

@@ -44,7 +44,7 @@ def verdicts(definition: str, use: str) -> list[str]:
         (r"f(r, \theta) = r\cos\theta", r"\frac{1}{r} f(r, \theta)"),
         (r"f(r, \theta) = r\cos\theta", r"\frac{f(\theta)}{r}"),
         (r"f(q) = \cos\theta", r"f(\theta)"),
-        (r"f(\theta) = \sqrt{\cos\theta}", r"f(\theta)^2"),
+        (r"f(\theta) = \sqrt{2 + \cos\theta}", r"(f(\theta)^2 - 2)"),
     ],
 )
 def test_a_function_is_used_as_it_is_defined(definition: str, use: str) -> None:

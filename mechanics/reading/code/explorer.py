@@ -11,6 +11,7 @@ from sympy import Expr
 from sympy.logic.boolalg import Boolean, BooleanFalse, BooleanTrue
 
 from mechanics.errors import InputError
+from mechanics.reading.demands import NOTHING, Asked, Demand
 from mechanics.reading.tree import Node
 
 MOST_PATHS = 64
@@ -26,7 +27,8 @@ class Explorer:
     """The decisions of one call: those that are set beforehand, then `True` for every new one.
 
     `formulas` are those of the numbers that it returns, as its code has them; `names` are the keys
-    that they have, where they are entries of a dictionary.
+    that they have, where they are entries of a dictionary; `asked` is what each decision asks
+    for, `outputs` what each number that is returned does.
     """
 
     prefix: tuple[bool, ...] = ()
@@ -34,8 +36,10 @@ class Explorer:
     notes: list[str] = field(default_factory=list)
     formulas: dict[Expr, Node] = field(default_factory=dict)
     names: tuple[str, ...] = ()
+    asked: list[Asked] = field(default_factory=list)
+    outputs: list[tuple[Demand, ...]] = field(default_factory=list)
 
-    def decide(self, condition: Boolean) -> bool:
+    def decide(self, condition: Boolean, asked: Asked = NOTHING) -> bool:
         """Which way to go at a condition."""
         if isinstance(condition, BooleanTrue | BooleanFalse):
             return bool(condition)
@@ -49,17 +53,18 @@ class Explorer:
         at = len(self.taken)
         answer = self.prefix[at] if at < len(self.prefix) else True
         self.taken.append((condition, answer))
+        self.asked.append(asked)
         return answer
 
 
 class Condition:
     """A comparison of traced numbers."""
 
-    def __init__(self, condition: Boolean, explorer: Explorer) -> None:
-        self.condition, self.explorer = condition, explorer
+    def __init__(self, condition: Boolean, explorer: Explorer, asked: Asked = NOTHING) -> None:
+        self.condition, self.explorer, self.asked = condition, explorer, asked
 
     def __bool__(self) -> bool:
-        return self.explorer.decide(self.condition)
+        return self.explorer.decide(self.condition, self.asked)
 
     def __and__(self, other: Any) -> bool:
         return bool(self) and bool(other)

@@ -11,7 +11,8 @@ import sympy
 
 from mechanics.errors import InputError
 from mechanics.reading.code.explorer import Explorer
-from mechanics.reading.code.traced import Traced, expression_of
+from mechanics.reading.code.traced import Traced, asked_of, expression_of
+from mechanics.reading.demands import asked, of_power
 
 LARGEST = 4
 """Unknowns."""
@@ -36,7 +37,10 @@ def solve(a: Any, b: Any) -> np.ndarray:
     adjugate, determinant = left.adjugate(), left.det(method="berkowitz")
     target = sympy.Matrix(*columns.shape, [expression_of(x, explorer) for x in columns.flat])
     found = adjugate * target / determinant
-    return np.array([Traced(x, explorer) for x in found], dtype=object).reshape(right.shape)
+    own = of_power(determinant, sympy.S.NegativeOne)
+    needed = asked(own, *(asked_of(x) for x in (*matrix.flat, *right.flat)))
+    entries = [Traced(x, explorer, None, needed) for x in found]
+    return np.array(entries, dtype=object).reshape(right.shape)
 
 
 def _square(matrix: np.ndarray, explorer: Explorer) -> sympy.Matrix:
@@ -59,7 +63,8 @@ def determinant(a: Any) -> Any:
     explorer = _explorer(matrix.flat)
     if explorer is None:
         return np.linalg.det(np.asarray(a, dtype=float))
-    return Traced(_square(matrix, explorer).det(method="berkowitz"), explorer)
+    needed = asked((), *(asked_of(x) for x in matrix.flat))
+    return Traced(_square(matrix, explorer).det(method="berkowitz"), explorer, None, needed)
 
 
 def least_squares(a: Any, b: Any, *_: Any, **__: Any) -> tuple[Any, ...]:

@@ -15,6 +15,7 @@ from mechanics.errors import InputError
 from mechanics.reading.about import QUANTITIES, named_quantity
 from mechanics.reading.code.as_written import renamed
 from mechanics.reading.code.tracing import Outputs
+from mechanics.reading.demands import Demands
 from mechanics.reading.names import Naming
 from mechanics.reading.statement import Statement
 from mechanics.reading.written import Written
@@ -172,4 +173,14 @@ def statement(claim: Claim, title: str, outputs: Outputs, naming: Naming) -> Sta
     known = [outputs.formulas[entry] for entry in entries if entry in outputs.formulas]
     trees = tuple(renamed(formula, names.name_of) for formula in known)
     written = Written(trees, (), naming, "code", "") if trees else None
-    return Statement(row, source, tag, notes=outputs.notes, doubt=outputs.doubt, written=written)
+    return Statement(
+        row, source, tag, notes=outputs.notes, doubt=outputs.doubt, written=written,
+        demands=_demands(entries, outputs),
+    )  # fmt: skip
+
+
+def _demands(entries: Sequence[Expr], outputs: Outputs) -> Demands:
+    """What the outputs that a claim is about ask for; all of them, where it is made of several."""
+    known = [outputs.demands[entry] for entry in entries if entry in outputs.demands]
+    every = known or list(outputs.demands.values())
+    return Demands(tuple(dict.fromkeys(d for demands in every for d in demands)), code=True)

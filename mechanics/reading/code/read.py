@@ -5,7 +5,7 @@
 The code itself is read, so that its own formulas are judged, for all values of its arguments.
 """
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -33,11 +33,13 @@ from mechanics.reading.code.called import doubt_when_called
 from mechanics.reading.code.out_arguments import returning
 from mechanics.reading.code.outputs import claims, in_order, state_of_scalars, statement
 from mechanics.reading.code.python_call import beside, signature_of
+from mechanics.reading.code.reached import demands_of
 from mechanics.reading.code.repeated import doubt_when_repeated
 from mechanics.reading.code.taken_apart import Apart, in_c
 from mechanics.reading.code.tracing import Outputs, trace
 from mechanics.reading.code.unwrapped import unwrapped
 from mechanics.reading.code.written import Written
+from mechanics.reading.demands import Demand
 from mechanics.reading.guess import guess
 from mechanics.reading.names import Naming, Vocabulary
 from mechanics.reading.place import bounded
@@ -121,7 +123,9 @@ def read_casadi(
         formulas = of_graph(nodes, held, a.rational)
         places = [function.sparsity_out(i).find() for i in range(function.n_out())]
         known = {numbers[out][places[out][entry]]: formulas[node] for out, entry, node in stores}
-        return Outputs(tuple(values), tuple(a.notes), formulas=_known(known))
+        made = evaluated(a, nodes, held)
+        demands = _demanded((made[node], demands_of(nodes, made, node)) for _, _, node in stores)
+        return Outputs(tuple(values), tuple(a.notes), formulas=_known(known), demands=demands)
 
     return _read(scene, function.name(), wanted, sizes, run, names, about)
 
@@ -196,6 +200,7 @@ def _c_outputs(
     found: list[Expr] = []
     formulas = of_graph(program.nodes, entries, a.rational)
     known: dict[Expr, Formula] = {}
+    asked: list[tuple[Expr, tuple[Demand, ...]]] = []
     place = len(wanted)
     for entry in range(size):
         if (place, entry) not in program.outputs:
@@ -205,7 +210,18 @@ def _c_outputs(
             raise InputError(f"{origin}: output {entry} is written under a condition only")
         found.append(numbers[first.node])
         known[numbers[first.node]] = formulas[first.node]
-    return Outputs((Matrix(found),), tuple(a.notes), formulas=_known(known))
+        asked.append((numbers[first.node], demands_of(program.nodes, numbers, first.node)))
+    return Outputs(
+        (Matrix(found),), tuple(a.notes), formulas=_known(known), demands=_demanded(asked)
+    )
+
+
+def _demanded(asked: Iterable[tuple[Expr, tuple[Demand, ...]]]) -> dict[Expr, tuple[Demand, ...]]:
+    """Demands by the values that ask for them."""
+    found: dict[Expr, tuple[Demand, ...]] = {}
+    for value, demands in asked:
+        found[value] = tuple(dict.fromkeys((*found.get(value, ()), *demands)))
+    return found
 
 
 def _known(formulas: Mapping[Expr, Formula]) -> Formulas:

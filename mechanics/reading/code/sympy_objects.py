@@ -16,6 +16,7 @@ from sympy.physics.vector import dynamicsymbols
 
 from mechanics.errors import WrongKindError
 from mechanics.reading.about import QUANTITIES, as_asked, named_quantity
+from mechanics.reading.demands import Demand, Demands, within
 from mechanics.reading.guess import guess
 from mechanics.reading.kind import kind_of
 from mechanics.reading.names import Naming, Vocabulary, unexplained
@@ -171,7 +172,19 @@ def _statement(
     if not doubt and isinstance(quantity, Identity) and len(plain) == 1:
         doubt = "an expression that is not equal to anything: say what it is about"
     row = published(tag, quantity, *plain, label=source)
-    return Statement(row, source, tag, notes=(note,) if note else (), doubt=doubt)
+    asked = dict.fromkeys(d for side in sides for entry in _entries(side) for d in within(entry))
+    demands = Demands(tuple(_in_plain(naming, demand) for demand in asked))
+    return Statement(row, source, tag, notes=(note,) if note else (), doubt=doubt, demands=demands)
+
+
+def _entries(side: Any) -> list[Any]:
+    return list(side) if isinstance(side, MatrixBase) else [side]
+
+
+def _in_plain(naming: Naming, demand: Demand) -> Demand:
+    operands = tuple(_plain(naming, operand, []) for operand in demand.operands)
+    conditions = tuple((_plain(naming, c, []), answer) for c, answer in demand.conditions)
+    return Demand(demand.operation, operands, conditions)
 
 
 def is_sympy(thing: Any) -> bool:

@@ -8,7 +8,7 @@ the function again.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from fractions import Fraction
 from numbers import Real
 from typing import Any
@@ -31,9 +31,14 @@ from mechanics.reading.code.as_written import (
 )
 from mechanics.reading.code.constants import constant_of
 from mechanics.reading.code.explorer import Condition, Explorer
+from mechanics.reading.demands import NOTHING, Asked, Demand, asked, of_function, of_power
 
-Operation = tuple[Callable[[Expr, Expr], Any], Callable[[Formula, Formula], Formula]]
-"""What is done with two expressions, and with two formulas."""
+Operation = tuple[
+    Callable[[Expr, Expr], Any],
+    Callable[[Formula, Formula], Formula],
+    Callable[[Expr, Expr], Iterable[Demand]],
+]
+"""What is done with two expressions, with two formulas, and what it asks for."""
 
 
 class Traced:
@@ -41,12 +46,18 @@ class Traced:
 
     __array_priority__ = 1000.0
 
-    def __init__(self, expr: Expr, explorer: Explorer, formula: Formula = None) -> None:
+    def __init__(
+        self, expr: Expr, explorer: Explorer, formula: Formula = None, asked_for: Asked = NOTHING
+    ) -> None:
         self.expr, self.explorer, self.formula = expr, explorer, formula
+        self.asked = asked_for
 
-    def new(self, expr: Expr, formula: Formula = None) -> Traced:
-        """Another number of the same call; `formula` as the code has it, where that is known."""
-        return Traced(expr, self.explorer, formula)
+    def new(self, expr: Expr, formula: Formula = None, asked_for: Asked | None = None) -> Traced:
+        """Another number of the same call; `formula` as the code has it, where that is known.
+
+        It asks for what this one does, where nothing else is said.
+        """
+        return Traced(expr, self.explorer, formula, self.asked if asked_for is None else asked_for)
 
     def _both(self, other: Any, operation: Operation, turned: bool = False) -> Any:
         if isinstance(other, np.ndarray) and not turned:
@@ -61,10 +72,11 @@ class Traced:
         if value is None:
             return NotImplemented
         formula = formula_of(other, value)
-        of_expressions, of_formulas = operation
-        if turned:
-            return self.new(of_expressions(value, self.expr), of_formulas(formula, self.formula))
-        return self.new(of_expressions(self.expr, value), of_formulas(self.formula, formula))
+        of_expressions, of_formulas, demands = operation
+        pair = (value, self.expr) if turned else (self.expr, value)
+        formulas = (formula, self.formula) if turned else (self.formula, formula)
+        own = asked(demands(*pair), self.asked, asked_of(other))
+        return self.new(of_expressions(*pair), of_formulas(*formulas), own)
 
     def __add__(self, other: Any) -> Any:
         return self._both(other, ADD)
@@ -109,7 +121,8 @@ class Traced:
         value = expression_of(other, self.explorer)
         if value is None:
             return NotImplemented
-        return Condition(relation(self.expr - value, 0), self.explorer)
+        own = asked((), self.asked, asked_of(other))
+        return Condition(relation(self.expr - value, 0), self.explorer, own)
 
     def __lt__(self, other: Any) -> Any:
         return self._compare(other, sympy.StrictLessThan)
@@ -132,7 +145,7 @@ class Traced:
     __hash__ = None  # type: ignore[assignment]
 
     def __bool__(self) -> bool:
-        return self.explorer.decide(sympy.Unequality(self.expr, 0))
+        return self.explorer.decide(sympy.Unequality(self.expr, 0), self.asked)
 
     def __float__(self) -> float:
         raise TypeError("a traced number has no value: float(), int() and the like hide a formula")
@@ -155,7 +168,8 @@ class Traced:
         """The angle of (other, self)."""
         value = expression_of(other, self.explorer)
         formula = called("atan2", self.formula, formula_of(other, value))
-        return self.new(sympy.atan2(self.expr, value), formula)
+        own = asked((), self.asked, asked_of(other))
+        return self.new(sympy.atan2(self.expr, value), formula, own)
 
 
 Real.register(Traced)
@@ -173,11 +187,22 @@ def _power(a: Expr, b: Expr) -> Expr:
     return a**b
 
 
-ADD: Operation = (lambda a, b: a + b, added)
-SUBTRACT: Operation = (lambda a, b: a - b, subtracted)
-MULTIPLY: Operation = (lambda a, b: a * b, multiplied)
-DIVIDE: Operation = (_quotient, divided)
-POWER: Operation = (_power, raised)
+def _everywhere(_: Expr, __: Expr) -> tuple[Demand, ...]:
+    return ()
+
+
+ADD: Operation = (lambda a, b: a + b, added, _everywhere)
+SUBTRACT: Operation = (lambda a, b: a - b, subtracted, _everywhere)
+MULTIPLY: Operation = (lambda a, b: a * b, multiplied, _everywhere)
+DIVIDE: Operation = (_quotient, divided, lambda _, b: of_power(b, sympy.S.NegativeOne))
+POWER: Operation = (_power, raised, of_power)
+
+
+def asked_of(value: Any) -> Asked:
+    """What a number asks for, traced or not."""
+    if isinstance(value, np.ndarray) and value.shape == ():
+        return asked_of(value.item())
+    return value.asked if isinstance(value, Traced) else NOTHING
 
 
 def formula_of(value: Any, expression: Expr) -> Formula:
@@ -222,7 +247,8 @@ def _method(name: str, function: Callable[[Expr], Expr]) -> None:
     """NumPy's functions call the method of that name on every entry."""
 
     def apply(self: Traced) -> Traced:
-        return self.new(function(self.expr), called(NAMES.get(name, name), self.formula))
+        own = asked(of_function(NAMES.get(name, name), [self.expr]), self.asked)
+        return self.new(function(self.expr), called(NAMES.get(name, name), self.formula), own)
 
     apply.__name__, apply.__doc__ = name, f"{name} of the number."
     setattr(Traced, name, apply)

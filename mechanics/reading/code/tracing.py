@@ -23,7 +23,8 @@ from mechanics.reading.code.held import held
 from mechanics.reading.code.lasting import changed, seen
 from mechanics.reading.code.stand_ins import copy_of
 from mechanics.reading.code.taken_apart import Record
-from mechanics.reading.code.traced import Traced, expression_of
+from mechanics.reading.code.traced import Traced, asked_of, expression_of
+from mechanics.reading.demands import Demand, gathered
 
 Value: TypeAlias = Expr | Sequence[Expr] | Record
 Given = Mapping[str, Value]
@@ -50,6 +51,8 @@ class Outputs:
         What the code calls its outputs, entry by entry; empty where that is not plain.
     changed : tuple of str
         What a call changes that outlives it.
+    demands : mapping of Expr to tuple of Demand
+        What values ask of the operations that they were made by.
     """
 
     values: tuple[Matrix, ...]
@@ -59,6 +62,7 @@ class Outputs:
     formulas: Formulas = field(default_factory=dict)
     names: tuple[str, ...] = ()
     changed: tuple[str, ...] = ()
+    demands: Mapping[Expr, tuple[Demand, ...]] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)
@@ -67,6 +71,8 @@ class _Way:
     values: tuple[Matrix, ...] | None
     formulas: Formulas
     names: tuple[str, ...]
+    decided: tuple[tuple[Demand, ...], ...] = ()
+    asked: tuple[tuple[Demand, ...], ...] = ()
 
 
 def trace(
@@ -100,8 +106,11 @@ def trace(
         raise InputError(f"{title} returns arrays of different shapes")
     conditions = dict.fromkeys(condition for way in ways.found for condition, _ in way.conditions)
     names = {way.names for way in ways.found}
+    values = _joined(defined, 0)
+    entries = [entry for value in values for entry in value]
+    demands = {entry: tuple(_demanded(defined, 0, k)) for k, entry in enumerate(entries)}
     return Outputs(
-        _joined(defined, 0), tuple(ways.notes), tuple(conditions),
+        values, tuple(ways.notes), tuple(conditions), demands=demands,
         formulas=defined[0].formulas if len(ways.found) == 1 else {},
         names=ways.found[0].names if len(names) == 1 else (), changed=tuple(ways.lasting),
     )  # fmt: skip
@@ -136,7 +145,10 @@ def _follow(
         values = _called(copied, arguments, given, explorer, origin)
         ways.lasting |= dict.fromkeys(changed(before, seen(copied, arguments)))
         taken = tuple(explorer.taken)
-        ways.found.append(_Way(taken, values, explorer.formulas, explorer.names))
+        decided = tuple(map(gathered, explorer.asked))
+        ways.found.append(
+            _Way(taken, values, explorer.formulas, explorer.names, decided, tuple(explorer.outputs))
+        )
         prefix = _next([answer for _, answer in taken])
 
 
@@ -240,6 +252,7 @@ def _matrix(part: Any, explorer: Explorer, title: str) -> Matrix:
     entries = [expression_of(entry, explorer) for entry in array.flat]
     if any(entry is None for entry in entries):
         raise InputError(f"{title} returns {type(part).__name__}: numbers and arrays are known")
+    explorer.outputs += [gathered(asked_of(entry)) for entry in array.flat]
     for entry in array.flat:
         if isinstance(entry, Traced) and entry.formula is not None:
             explorer.formulas.setdefault(entry.expr, entry.formula.node)
@@ -262,6 +275,24 @@ def _joined(ways: list[_Way], depth: int) -> tuple[Matrix, ...]:
         Matrix(*a.shape, [_case(condition, x, y) for x, y in zip(a, b, strict=True)])
         for a, b in pairs
     )
+
+
+def _demanded(ways: list[_Way], depth: int, place: int) -> dict[Demand, None]:
+    """Demands of one output: of all ways, or under the conditions of those that have them."""
+    first = ways[0]
+    if len(first.conditions) <= depth:
+        return dict.fromkeys(first.asked[place])
+    condition = first.conditions[depth][0]
+    sides = {}
+    for answer in (True, False):
+        there = [way for way in ways if way.conditions[depth][1] is answer]
+        sides[answer] = _demanded(there, depth + 1, place) if there else {}
+    always = [d for d in sides[True] if d in sides[False]]
+    found = dict.fromkeys((*first.decided[depth], *always))
+    for answer, demands in sides.items():
+        inside = (d.under([(condition, answer)]) for d in demands if d not in found)
+        found |= dict.fromkeys(inside)
+    return found
 
 
 def _case(condition: Boolean, yes: Expr, no: Expr) -> Expr:

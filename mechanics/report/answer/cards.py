@@ -8,7 +8,7 @@ from markupsafe import Markup
 from mechanics.exact import Verdict
 from mechanics.report.answer import typed
 from mechanics.report.answer.judged import Judged
-from mechanics.report.answer.meaning import difference, meaning
+from mechanics.report.answer.meaning import difference, headline, meaning
 from mechanics.report.answer.sentences import about, place, sides, solved
 from mechanics.report.answer.sheets import names_of, sheets
 from mechanics.report.answer.witness import short_state, short_value, short_values
@@ -35,6 +35,7 @@ class Card:
     long: bool
     hand: typed.Hand
     row: str
+    headline: str
     meaning: str
     known: str
     differ: str
@@ -86,6 +87,7 @@ def _card(number: int, entry: Judged) -> Card:
         long=len(statement.source) > LONG,
         hand=hand,
         row=names_of(entry)[1],
+        headline=headline(entry.finding),
         meaning=words,
         known=known,
         differ=difference(sides(statement), short_values(witness.left, witness.right))

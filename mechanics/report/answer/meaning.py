@@ -36,6 +36,13 @@ def meaning(finding: Finding) -> tuple[str, str]:
     return evidence, ""
 
 
+def headline(finding: Finding) -> str:
+    """The verdict, and where it holds: ``PROVED except where cos(theta) = 0``."""
+    if not finding.domain or finding.undefined:
+        return finding.verdict.name
+    return f"{finding.verdict.name} {finding.domain}" if finding.shown else finding.domain
+
+
 def difference(sides: tuple[str, str], values: tuple[str, str]) -> str:
     """The two values at a witness as a sentence."""
     one, two = values

@@ -21,7 +21,7 @@ from mechanics.report.answer.differences import Differences
 from mechanics.report.answer.judged import Judged
 from mechanics.report.answer.lines import Hanging, below, line
 from mechanics.report.answer.marks import pieces, printable, shortened
-from mechanics.report.answer.meaning import difference, meaning
+from mechanics.report.answer.meaning import difference, headline, meaning
 from mechanics.report.answer.parted import spoken
 from mechanics.report.answer.sentences import (
     COUNTED,
@@ -104,7 +104,7 @@ def one(entry: Judged, *, again: bool = False) -> Iterator[RenderableType]:
     else:
         yield Hanging(head)
         yield _source(statement.source, edits)
-    if finding.verdict not in (Verdict.PROVED, Verdict.REFUTED):
+    if finding.undefined or finding.verdict not in (Verdict.PROVED, Verdict.REFUTED):
         plain_words, known = meaning(finding)
         yield below(line(plain_words))
         if known:
@@ -117,12 +117,13 @@ def one(entry: Judged, *, again: bool = False) -> Iterator[RenderableType]:
 
 
 def _head(entry: Judged, again: bool = False) -> Text:
-    statement, verdict = entry.statement, entry.finding.verdict
+    statement, finding = entry.statement, entry.finding
     where = "" if again else place(statement)
     details = [words for words in (about(statement), where) if words]
     tag = f"  {printable(statement.tag)}"
     words = printable("".join(f"  {words}" for words in details))
-    return Text.assemble((verdict.name, STYLES[verdict]), (tag, "bold"), (words, "dim"))
+    verdict = (printable(headline(finding)), STYLES[finding.verdict])
+    return Text.assemble(verdict, (tag, "bold"), (words, "dim"))
 
 
 def _source(source: str, edits: Sequence[Edit]) -> Source:

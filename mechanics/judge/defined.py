@@ -1,0 +1,362 @@
+"""Where a statement that is shown has a value: its verdict as `../shared` table says, in words.
+
+nowhere, or strictly not at rest        REFUTED
+an open set is left out                 PROVED WHERE r > 0; undefined at r = -1
+a thin set, at rest, of code            NOT SHOWN: NaN at rest
+a thin set                              PROVED except where cos(theta) = 0
+"""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from fractions import Fraction
+from functools import partial
+
+from flint import arb
+from sympy import Expr, Symbol, sympify
+
+from mechanics.checks.soundness import metric
+from mechanics.equations import Equations
+from mechanics.errors import ExpressionError
+from mechanics.exact import Finding, Verdict
+from mechanics.exact.balls import BallArithmetic, State
+from mechanics.kernel.balls import precision
+from mechanics.kernel.definedness import BITS, Gap, Kind, Space, gaps, unmet
+from mechanics.kinematics.chain import body_motions
+from mechanics.kinematics.manifold import settle
+from mechanics.program import Builder, Node, Obligation
+from mechanics.program.operations import Sign
+from mechanics.program.sympy_reader import read
+from mechanics.reading.demands import Demand, Demands, within
+from mechanics.reading.statement import Statement
+from mechanics.scene import Scene
+
+LARGEST_DETERMINANT = 6
+MOST_TOLD = 3
+"""Conditions that stand beside a verdict."""
+
+
+@dataclass(frozen=True)
+class Written:
+    """Obligations of what was written, and what each comes from."""
+
+    builder: Builder
+    origin: Mapping[Obligation, Demand]
+
+
+def where_defined(
+    truth: Equations, statement: Statement, finding: Finding, region: Sequence[Expr] = (),
+    values: Mapping[Symbol, Expr] | None = None,
+) -> Finding:  # fmt: skip
+    """The finding of a statement, with where it is defined.
+
+    Parameters
+    ----------
+    truth : Equations
+    statement : Statement
+    finding : Finding
+        Of its formulas, as far as these have values.
+    region : sequence of Expr
+        What is positive where it is judged.
+    values : mapping of Symbol to Expr, optional
+        Parameters that have values.
+    """
+    demands = statement.demands
+    if finding.verdict is Verdict.REFUTED or not demands.of:
+        return finding
+    if any(d.operation == "divide" and d.operands[1] == 0 for d in demands.of if not d.conditions):
+        return _never(finding, "a division by 0", "at any state")
+    if not finding.shown:
+        return finding
+    fixed = dict(values or {})
+    try:
+        written = _written(truth.scene, demands, fixed)
+    except ExpressionError as error:
+        return replace(finding, verdict=Verdict.UNDECIDED, evidence=str(error), error_bound=None)
+    if not written.origin:
+        return finding
+    builder, scene = written.builder, truth.scene
+    before = dict(builder.obligations)
+    inside = tuple(
+        n.number for n in read(builder, [scene.plain(e).xreplace(fixed) for e in region])
+    )
+    space = _space(scene, builder, inside, fixed)
+    left = unmet(builder, tuple(written.origin), space)
+    if not left:
+        return finding
+    builder.obligations = {}
+    space = replace(space, truth=_of_truth(scene, builder, fixed))
+    builder.obligations = before
+    space = _space(scene, builder, inside, fixed, space.truth)
+    return _told(finding, gaps(builder, left, space), written, demands.code)
+
+
+def _written(scene: Scene, demands: Demands, fixed: Mapping[Symbol, Expr]) -> Written:
+    builder = Builder()
+    plain = [
+        (demand, [_plain(scene, e, fixed) for e in demand.operands],
+         [_plain(scene, c, fixed) for c, _ in demand.conditions])
+        for demand in demands.of
+    ]  # fmt: skip
+    read_in = [(d, read(builder, ops), read(builder, conditions)) for d, ops, conditions in plain]
+    origin: dict[Obligation, Demand] = {}
+    for demand, operands, conditions in read_in:
+        builder.obligations = {}
+        known = [answer for _, answer in demand.conditions]
+        _ask(builder, demand.operation, operands, list(zip(conditions, known, strict=True)))
+        for obligation in builder.obligations:
+            origin.setdefault(obligation, demand)
+    builder.obligations = {}
+    return Written(builder, origin)
+
+
+def _plain(scene: Scene, expression: Expr, fixed: Mapping[Symbol, Expr]) -> Expr:
+    return scene.plain(sympify(expression)).xreplace(dict(fixed))
+
+
+def _ask(
+    builder: Builder, operation: str, operands: Sequence[Node],
+    conditions: list[tuple[Node, bool]],
+) -> None:  # fmt: skip
+    """Ask for an operation within a branch, so that its obligations are recorded."""
+    if conditions:
+        (condition, answer), *others = conditions
+        if condition.constant is not None:
+            if bool(condition.constant) == answer:
+                _ask(builder, operation, operands, others)
+            return
+        with builder.under(condition, answer):
+            _ask(builder, operation, operands, others)
+        return
+    if operation == "divide" and operands[1].constant == 0:
+        raise ExpressionError("a division by zero has no value")
+    builder.call(operation, *operands)
+
+
+def _space(
+    scene: Scene, builder: Builder, region: tuple[int, ...], fixed: Mapping[Symbol, Expr],
+    truth: tuple[Obligation, ...] = (),
+) -> Space:  # fmt: skip
+    symbols = {s.name: s for s in (*scene.parameters, *scene.definitions)}
+    positive = frozenset(n for n in builder.inputs if n in symbols and symbols[n].is_positive)
+    names = {*builder.inputs, *symbols, *(s.name for s in (*scene.q, *scene.u))}
+    rest = {name: _typical(symbols.get(name), positive=name in positive) for name in sorted(names)}
+    if not scene.constraints:
+        return Space(positive, rest, (rest,), region, truth)
+    closing = [scene.plain(c.expression, c.name) for c in scene.constraints if c.holonomic]
+    kept = dict(builder.obligations)
+    zero = tuple(node.number for node in read(builder, closing))
+    builder.obligations = kept
+    references = () if closing else (rest,)
+    return Space(positive, rest, references, region, truth, zero, partial(_settled, scene))
+
+
+def _settled(scene: Scene, state: Mapping[str, Fraction]) -> Mapping[str, Fraction | arb] | None:
+    """A state on the constraints, whose dependent quantities follow from the others."""
+    symbols = (*scene.parameters, *scene.q, *scene.u)
+    given: dict[Symbol, Fraction] = {s: state[s.name] for s in symbols}
+    # Both roots of what is closed by a square are tried, by what is drawn anyway.
+    sense = 1 if sum(value.numerator for value in state.values()) % 2 else -1
+    for symbol in symbols:
+        given[Symbol(f"branch_of_{symbol.name}", real=True)] = Fraction(sense)
+    a = BallArithmetic(State(given))
+    with precision(BITS):
+        try:
+            settle(scene, a)
+            return {**state, **{s.name: a.value(s).arb for s in symbols}}
+        except ArithmeticError:
+            return None  # no such state, or none that is told at these digits
+
+
+def _typical(symbol: Symbol | None, *, positive: bool) -> Fraction:
+    typical = getattr(symbol, "typical", None)
+    if typical is not None:
+        return Fraction(typical)
+    return Fraction(int(positive))
+
+
+def _of_truth(
+    scene: Scene, builder: Builder, fixed: Mapping[Symbol, Expr]
+) -> tuple[Obligation, ...]:  # fmt: skip
+    """Obligations of loads and geometry, and that the mass matrix is regular."""
+    typed = [_plain(scene, expression, fixed) for _, expression in scene.typed]
+    demands = [demand for expression in typed for demand in within(expression)]
+    for demand in dict.fromkeys(demands):
+        operands = read(builder, demand.operands)
+        conditions = read(builder, [c for c, _ in demand.conditions])
+        kept = dict(builder.obligations)
+        builder.obligations = kept
+        answers = [answer for _, answer in demand.conditions]
+        _ask(builder, demand.operation, operands, list(zip(conditions, answers, strict=True)))
+    found = tuple(builder.obligations)
+    if scene.constraints or len(scene.u) > LARGEST_DETERMINANT:
+        return found
+    mass = metric(scene, tuple(body_motions(scene)))
+    entries = read(builder, [_plain(scene, entry, fixed) for entry in mass])
+    n = mass.rows
+    rows = [entries[n * i : n * (i + 1)] for i in range(n)]
+    determinant = _determinant(rows)
+    if determinant.constant is not None:
+        return found
+    return (*found, Obligation(Sign.NONZERO, determinant.number, "solve"))
+
+
+def _determinant(rows: Sequence[Sequence[Node]]) -> Node:
+    """By minors of the last rows, each of which is made once."""
+    n = len(rows)
+    builder = rows[0][0].builder
+    minors: dict[tuple[int, ...], Node] = {(): builder.one}
+    for row in reversed(rows):
+        size = len(next(iter(minors))) + 1
+        larger: dict[tuple[int, ...], Node] = {}
+        for columns, minor in minors.items():
+            for column in range(n):
+                if column in columns:
+                    continue
+                chosen = tuple(sorted((*columns, column)))
+                sign = -1 if chosen.index(column) % 2 else 1
+                term = row[column] * minor * sign
+                larger[chosen] = larger[chosen] + term if chosen in larger else term
+        minors = {columns: minor for columns, minor in larger.items() if len(columns) == size}
+    return minors[tuple(range(n))]
+
+
+# ---------------------------------------------------------------------- in words
+
+
+def _told(finding: Finding, left: Sequence[Gap], written: Written, code: bool) -> Finding:
+    """The verdict of what is left, the worst first."""
+    for test, tell in (
+        (_refutes, _refuted), (_unknown, _undecided), (_open, _restricted),
+    ):  # fmt: skip
+        if worst := [gap for gap in left if test(gap)]:
+            return tell(finding, worst, written)
+    at_rest = [gap for gap in left if gap.at_rest]
+    if code and at_rest:
+        words = _listed([_excluded(written.origin[gap.obligation]) for gap in at_rest], " or ")
+        return replace(
+            finding, verdict=Verdict.UNDECIDED, error_bound=None,
+            domain=f"NOT SHOWN: NaN at rest ({words})",
+            evidence="its formulas are right elsewhere: give the value there a branch of its own",
+        )  # fmt: skip
+    if not left:
+        return finding
+    words = _listed([_excluded(written.origin[gap.obligation]) for gap in left], " or ")
+    return replace(finding, domain=f"except where {words}")
+
+
+def _refutes(gap: Gap) -> bool:
+    if gap.kind is Kind.NOWHERE:
+        return True
+    return gap.kind is Kind.OPEN and (gap.at_rest or gap.region)
+
+
+def _unknown(gap: Gap) -> bool:
+    return gap.kind is Kind.UNKNOWN
+
+
+def _open(gap: Gap) -> bool:
+    return gap.kind is Kind.OPEN
+
+
+def _refuted(finding: Finding, left: Sequence[Gap], written: Written) -> Finding:
+    gap = left[0]
+    demand = written.origin[gap.obligation]
+    where = "at any state" if gap.kind is Kind.NOWHERE else f"at {_state(gap, written)}"
+    return _never(finding, _operation(demand), where)
+
+
+def _never(finding: Finding, operation: str, where: str) -> Finding:
+    return replace(
+        finding, verdict=Verdict.REFUTED, error_bound=None, domain="undefined",
+        evidence=f"{operation} has no real value {where}, where the motion has one",
+    )  # fmt: skip
+
+
+def _undecided(finding: Finding, left: Sequence[Gap], written: Written) -> Finding:
+    words = _listed([_needed(written.origin[gap.obligation]) for gap in left], " and ")
+    return replace(
+        finding, verdict=Verdict.UNDECIDED, error_bound=None,
+        evidence=f"right where it has a value, but it is not known whether {words}",
+    )  # fmt: skip
+
+
+def _restricted(finding: Finding, left: Sequence[Gap], written: Written) -> Finding:
+    needed = [_needed(written.origin[gap.obligation]) for gap in left]
+    words = _listed(needed, " and ")
+    return replace(
+        finding, verdict=Verdict.UNDECIDED, error_bound=None,
+        domain=f"{finding.verdict.name} WHERE {words}",
+        evidence=f"undefined at {_state(left[0], written)}; declare it, or --where '{needed[0]}'",
+    )  # fmt: skip
+
+
+def _listed(words: Sequence[str], between: str) -> str:
+    different = list(dict.fromkeys(words))
+    more = f"{between}{len(different) - MOST_TOLD} more" if len(different) > MOST_TOLD else ""
+    return between.join(different[:MOST_TOLD]) + more
+
+
+def _state(gap: Gap, written: Written) -> str:
+    """The symbols of a state that the operation holds."""
+    demand = written.origin[gap.obligation]
+    held = {s.name for e in demand.operands for s in e.free_symbols}
+    held |= {s.name for c, _ in demand.conditions for s in c.free_symbols}
+    names = [(name, value) for name, value in gap.state if name in held]
+    return ", ".join(f"{name} = {value}" for name, value in names) or "every state"
+
+
+def _operation(demand: Demand) -> str:
+    """The operation as a person writes it."""
+    x = demand.operands[0]
+    match demand.operation:
+        case "divide":
+            return f"a division by {demand.operands[1]}"
+        case "power":
+            return f"({x})**({demand.operands[1]})"
+    return f"{demand.operation}({', '.join(map(str, demand.operands))})"
+
+
+def _bare(expression: Expr) -> Expr:
+    """Without a positive number in front."""
+    number, rest = expression.as_coeff_Mul()
+    return rest if number.is_positive else expression
+
+
+def _needed(demand: Demand) -> str:
+    """Where an operation has a value."""
+    x = _bare(demand.operands[0])
+    match demand.operation:
+        case "divide":
+            return f"{_bare(demand.operands[1])} != 0"
+        case "tan":
+            return f"cos({demand.operands[0]}) != 0"
+        case "sqrt":
+            return f"{x} >= 0"
+        case "power":
+            exponent = demand.operands[1]
+            least = exponent.is_Rational and exponent > 0
+            return f"{x} >= 0" if least else f"{x} > 0"
+        case "log":
+            return f"{x} > 0"
+        case "asin" | "acos":
+            return f"-1 <= {demand.operands[0]} <= 1"
+        case "acosh":
+            return f"{demand.operands[0]} >= 1"
+        case "atanh":
+            return f"-1 < {demand.operands[0]} < 1"
+    return f"{_operation(demand)} has a value"
+
+
+def _excluded(demand: Demand) -> str:
+    """The thin set where an operation has none."""
+    x = _bare(demand.operands[0])
+    match demand.operation:
+        case "divide":
+            return f"{_bare(demand.operands[1])} = 0"
+        case "tan":
+            return f"cos({demand.operands[0]}) = 0"
+        case "atanh":
+            return f"{demand.operands[0]} = 1 or {demand.operands[0]} = -1"
+        case "atan2":
+            return f"{x} = {demand.operands[1]} = 0"
+    return f"{x} = 0"

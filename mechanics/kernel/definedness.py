@@ -1,0 +1,396 @@
+"""Where a statement is defined: obligations of what was written, discharged or shown to fail.
+
+    D_t    real states where loads and geometry have values and the mass matrix is regular
+    D_w    where what was written has values
+    gaps   what is left of D_t without D_w: thin sets, open sets, everything
+
+An obligation is a sign that an expression must have, under the conditions of its branch. In order:
+declared signs and the sign of its polynomial, with what its branch and the stated region say; the
+same obligation in the truth; for divisors, factors that divide one of the truth's. What is left is
+decided by states: a ball strictly outside, where the truth has its value, shows an open gap.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from enum import Enum
+from fractions import Fraction
+
+from flint import arb
+
+from mechanics.kernel.balls import enclose
+from mechanics.kernel.signs import (
+    ANY,
+    NEGATIVE,
+    NOT_NEGATIVE,
+    NOT_POSITIVE,
+    POSITIVE,
+    ZERO,
+    Fact,
+    Forms,
+    Quotient,
+    negated,
+)
+from mechanics.kernel.states import State, candidates
+from mechanics.program.builder import Builder, Condition, Node, Obligation
+from mechanics.program.operations import (
+    ABS,
+    AND,
+    CONSTANT,
+    EQUAL,
+    FLOOR,
+    INPUT,
+    LESS,
+    NOT,
+    NOT_GREATER,
+    OR,
+    SELECT,
+    SIGN,
+    SQRT,
+    Sign,
+)
+from mechanics.program.program import reachable
+
+BITS = 192
+FEW = 24
+"""States that are tried for what is analytic."""
+
+PIECEWISE = frozenset({ABS, SIGN, FLOOR, SELECT, SQRT, LESS, NOT_GREATER, EQUAL})
+
+
+class Kind(Enum):
+    """How much of the truth's states a gap is; the value is for people."""
+
+    THIN = "a set without interior"
+    OPEN = "an open set"
+    NOWHERE = "all states"
+    UNKNOWN = "it is not known where"
+
+
+@dataclass(frozen=True)
+class Gap:
+    """Where an obligation of what was written is not met, and the truth has its value.
+
+    Attributes
+    ----------
+    obligation : Obligation
+    kind : Kind
+    at_rest : bool
+        Whether a reference state is in it; strictly inside for open sets.
+    state : tuple of (str, Fraction)
+        One of its states; empty where none is known.
+    region : bool
+        Whether that state lies in a region that was stated.
+    """
+
+    obligation: Obligation
+    kind: Kind
+    at_rest: bool = False
+    state: tuple[tuple[str, Fraction], ...] = ()
+    region: bool = False
+
+
+@dataclass(frozen=True)
+class Space:
+    """What is known of the states.
+
+    Attributes
+    ----------
+    positive : frozenset of str
+        Inputs that are declared positive.
+    base : state
+        What inputs are that are not tried; a value for every input.
+    references : tuple of states
+        Rest, and declared equilibria, where what was written has to have a value.
+    region : tuple of int
+        Nodes that are positive where the statement is judged.
+    truth : tuple of Obligation
+        Of the loads, the geometry, the mass matrix.
+    zero : tuple of int
+        Nodes that are zero at all states: configuration constraints.
+    admissible : callable
+        From a state to one on the constraints, or None where there is none.
+    """
+
+    positive: frozenset[str]
+    base: State
+    references: tuple[State, ...]
+    region: tuple[int, ...] = ()
+    truth: tuple[Obligation, ...] = ()
+    zero: tuple[int, ...] = ()
+    admissible: Callable[[State], Mapping[str, Fraction | arb] | None] = dict
+
+
+def unmet(builder: Builder, written: Sequence[Obligation], space: Space) -> tuple[Obligation, ...]:
+    """Obligations that neither signs nor the truth, as far as `space` says it, discharge.
+
+    Parameters
+    ----------
+    builder : Builder
+        With the nodes of all obligations.
+    written : sequence of Obligation
+    space : Space
+    """
+    forms = _forms(builder, written, space)
+    return tuple(o for o, _ in _left(forms, written, space))
+
+
+def gaps(builder: Builder, written: Sequence[Obligation], space: Space) -> tuple[Gap, ...]:
+    """What obligations leave out of the states of the truth.
+
+    Parameters
+    ----------
+    builder : Builder
+        With the nodes of all obligations.
+    written : sequence of Obligation
+    space : Space
+    """
+    forms = _forms(builder, written, space)
+    left = _left(forms, written, space)
+    if not left:
+        return ()
+    trial = _Trial(builder, forms, space, [o for o, _ in left])
+    found = (trial.gap(obligation, signs) for obligation, signs in left)
+    return tuple(gap for gap in found if gap is not None)
+
+
+def _forms(builder: Builder, written: Sequence[Obligation], space: Space) -> Forms:
+    rows = (*written, *space.truth)
+    nodes = [node for o in rows for node in (o.node, *(c for c, _ in o.conditions))]
+    roots = [*nodes, *space.region, *space.zero]
+    return Forms(builder, roots, space.positive.__contains__)
+
+
+def _left(
+    forms: Forms, written: Sequence[Obligation], space: Space
+) -> list[tuple[Obligation, int]]:
+    """Obligations that are not discharged, with the signs that are possible."""
+    truth = _Truth(forms, space)
+    left: list[tuple[Obligation, int]] = []
+    closing = [form.above for node in space.zero if (form := forms.forms[node]) is not None]
+    for obligation in written:
+        facts = _facts(forms, space.region, obligation.conditions)
+        signs = forms.sign_on(forms.forms[obligation.node], closing, facts)
+        known = met(signs, obligation.sign) or truth.has(obligation, facts)
+        if not (known or any(_follows(forms, obligation, other) for other, _ in left)):
+            left.append((obligation, signs))
+    return left
+
+
+def _follows(forms: Forms, obligation: Obligation, other: Obligation) -> bool:
+    """Whether one is met where the other is: its argument is a positive number of times theirs."""
+    one, two = forms.forms[obligation.node], forms.forms[other.node]
+    if one is None or two is None or obligation.sign is not other.sign:
+        return False
+    if not set(other.conditions) <= set(obligation.conditions):
+        return False
+    ratio = forms.quotient(one, two)
+    signs = ANY if ratio is None else forms.sign_of(ratio)
+    return signs == POSITIVE or (obligation.sign is Sign.NONZERO and not signs & ZERO)
+
+
+def met(signs: int, demanded: Sign) -> bool:
+    """Whether an expression of these signs has the one that is demanded."""
+    if demanded is Sign.NONZERO:
+        return not signs & ZERO
+    return signs == POSITIVE if demanded is Sign.POSITIVE else not signs & NEGATIVE
+
+
+def _facts(forms: Forms, region: Sequence[int], conditions: Sequence[Condition]) -> list[Fact]:
+    """What a region and the conditions of a branch say of polynomials."""
+    found: list[Fact] = []
+    for node in region:
+        found += _fact(forms, forms.forms[node], POSITIVE)
+    for node, truth in conditions:
+        found += _of_condition(forms, node, truth)
+    return found
+
+
+def _fact(forms: Forms, form: Quotient | None, signs: int) -> Iterator[Fact]:
+    if form is None:
+        return
+    below = forms.sign(form.below) & ~ZERO
+    if below in (POSITIVE, NEGATIVE):
+        yield Fact(form.above, signs if below == POSITIVE else negated(signs))
+
+
+def _of_condition(forms: Forms, node: int, truth: bool) -> Iterator[Fact]:
+    builder, (first, second, _) = forms.builder, forms.builder.operands
+    code = builder.operations[node]
+    if code == NOT:
+        yield from _of_condition(forms, first[node], not truth)
+    elif (code, truth) in ((AND, True), (OR, False)):
+        yield from _of_condition(forms, first[node], truth)
+        yield from _of_condition(forms, second[node], truth)
+    elif code in (LESS, NOT_GREATER, EQUAL):
+        difference = forms.difference(second[node], first[node])
+        signs = {LESS: POSITIVE, NOT_GREATER: NOT_NEGATIVE, EQUAL: ZERO}[code]
+        yield from _fact(forms, difference, signs if truth else ANY & ~signs)
+
+
+class _Truth:
+    """The obligations of the truth."""
+
+    def __init__(self, forms: Forms, space: Space) -> None:
+        self.forms = forms
+        self.rows = [o for o in space.truth if forms.forms[o.node] is not None]
+
+    def has(self, obligation: Obligation, facts: Sequence[Fact]) -> bool:
+        """Whether the truth has no value either where an obligation is not met."""
+        form = self.forms.forms[obligation.node]
+        if form is None or not self.rows:
+            return False
+        rows = [o for o in self.rows if set(o.conditions) <= set(obligation.conditions)]
+        if obligation.sign is Sign.NONZERO:
+            return self._divides(form, rows, facts)
+        return any(self._same(form, obligation.sign, o) for o in rows)
+
+    def _same(self, form: Quotient, sign: Sign, other: Obligation) -> bool:
+        if other.sign is Sign.NONZERO or (sign, other.sign) == (Sign.POSITIVE, Sign.NONNEGATIVE):
+            return False
+        theirs = self.forms.forms[other.node]
+        if theirs is None:
+            return False
+        both = self.forms.quotient(form, theirs)
+        return both is not None and self.forms.sign_of(both) == POSITIVE
+
+    def _divides(
+        self, form: Quotient, rows: Sequence[Obligation], facts: Sequence[Fact]
+    ) -> bool:  # fmt: skip
+        """Whether every factor that may be zero is one of a quantity that is not."""
+        above = [self.forms.forms[o.node] for o in rows if o.sign is not Sign.NONNEGATIVE]
+        factors = [f for q in above if q is not None for f in self.forms.factors(q.above)]
+        return all(
+            not self.forms.sign(f, facts) & ZERO or any(f == g or f == -g for g in factors)
+            for f in self.forms.factors(form.above)
+        )
+
+
+class _Trial:
+    """States at which obligations are tried."""
+
+    def __init__(
+        self, builder: Builder, forms: Forms, space: Space, left: Sequence[Obligation]
+    ) -> None:
+        self.builder, self.forms, self.space = builder, forms, space
+        self.left = left
+        self.text = builder.program({"left": self._nodes(o.node for o in left)}).text
+        outputs: dict[str, Sequence[int]] = {
+            "left": [o.node for o in left],
+            "region": space.region,
+            "truth": [o.node for o in space.truth],
+            "conditions of truth": [c for o in space.truth for c, _ in o.conditions],
+        }
+        for place, obligation in enumerate(left):
+            outputs[f"conditions {place}"] = [c for c, _ in obligation.conditions]
+        self.program = builder.program({n: self._nodes(of) for n, of in outputs.items()})
+
+    def _nodes(self, numbers: Iterable[int]) -> list[Node]:
+        return [Node(self.builder, number) for number in numbers]
+
+    def gap(self, obligation: Obligation, signs: int) -> Gap | None:
+        """What an obligation leaves out."""
+        form = self.forms.forms[obligation.node]
+        never = NEGATIVE if obligation.sign is Sign.NONNEGATIVE else NOT_POSITIVE
+        if obligation.sign is Sign.NONZERO:
+            never = ZERO
+        vanishes = form is not None and not len(form.above)
+        if not obligation.conditions and (vanishes or not signs & ~never):
+            if vanishes and obligation.sign is Sign.NONNEGATIVE:
+                return None
+            return Gap(obligation, Kind.NOWHERE, True, (), bool(self.space.region))
+        outside, zero, inside = self._tried(obligation)
+        rest = any(self._at(obligation, reference) == -1 for reference in self.space.references)
+        region = bool(self.space.region)
+        if obligation.sign is not Sign.NONZERO and outside is not None:
+            interior = self._interior(obligation, signs) if inside is None else True
+            kind = Kind.OPEN if interior else Kind.NOWHERE
+            return Gap(obligation, kind, rest, tuple(outside.items()), region)
+        at_zero = any(self._at(obligation, r) == 0 for r in self.space.references)
+        if obligation.sign is Sign.NONNEGATIVE or (
+            obligation.sign is Sign.POSITIVE and signs & NEGATIVE
+        ):
+            return Gap(obligation, Kind.UNKNOWN)
+        if inside is None:
+            return Gap(obligation, Kind.UNKNOWN)
+        if zero is not None and self._piecewise(obligation.node):
+            return Gap(obligation, Kind.OPEN, False, tuple(zero.items()), region)
+        return Gap(obligation, Kind.THIN, at_zero)
+
+    def _interior(self, obligation: Obligation, signs: int) -> bool:
+        """Whether states may be left where it is met: none where its sign is known."""
+        return bool(signs & POSITIVE) or bool(obligation.conditions)
+
+    def _piecewise(self, node: int) -> bool:
+        operations = self.builder.operations
+        return any(operations[n] in PIECEWISE for n in reachable(self.builder, [node]))
+
+    def _tried(self, obligation: Obligation) -> tuple[State | None, State | None, State | None]:
+        """States where it fails, where its argument is zero, and where it holds."""
+        builder = self.builder
+        own = reachable(builder, [obligation.node, *(node for node, _ in obligation.conditions)])
+        first = builder.operands[0]
+        names = [builder.inputs[first[n]] for n in own if builder.operations[n] == INPUT]
+        # On constraints one cannot be changed alone.
+        names = sorted(self.space.base if self.space.zero else set(names))
+        constants = [builder.constants[first[n]] for n in own if builder.operations[n] == CONSTANT]
+        positive = self.space.positive.__contains__
+        tried = candidates(self.text, names, positive, self.space.base, constants)
+        outside = zero = inside = None
+        for count, state in enumerate(tried):
+            place = self._at(obligation, state)
+            if place == -1 and outside is None:
+                outside = state
+            elif place == 0 and zero is None:
+                zero = state
+            elif place == 1 and inside is None:
+                inside = state
+            done = outside is not None or not self._piecewise(obligation.node)
+            if obligation.sign is Sign.NONZERO and done and inside is not None and count > FEW:
+                break
+            if obligation.sign is not Sign.NONZERO and outside is not None and inside is not None:
+                break
+        return outside, zero, inside
+
+    def _at(self, obligation: Obligation, state: State) -> int | None:
+        """-1 where it strictly fails, 0 where its argument is 0, 1 where it strictly holds.
+
+        None where the state is none of the truth's, or not of the branch, or it cannot be told.
+        """
+        balls = self.space.admissible(state)
+        if balls is None:
+            return None
+        values = enclose(self.program, balls, BITS)
+        if not all(value > 0 for value in values["region"]):
+            return None
+        arguments = iter(values["truth"])
+        conditions = iter(values["conditions of truth"])
+        for row in self.space.truth:
+            taken = [next(conditions) == int(truth) for _, truth in row.conditions]
+            value = next(arguments)
+            if all(taken) and not _strictly(value, row.sign):
+                return None
+        place = self.left.index(obligation)
+        of_branch = zip(values[f"conditions {place}"], obligation.conditions, strict=True)
+        if not all(value == int(truth) for value, (_, truth) in of_branch):
+            return None
+        return _place(values["left"][place], obligation.sign)
+
+
+def _strictly(value: arb, sign: Sign) -> bool:
+    if sign is Sign.NONZERO:
+        return bool(value.is_finite() and not value.contains(0))
+    return bool(value > 0)
+
+
+def _place(value: arb, sign: Sign) -> int | None:
+    if not value.is_finite():
+        return None
+    if value.is_zero() or (value.contains(0) and value.rad() < arb(2) ** -100):
+        return 0
+    if value.contains(0):
+        return None
+    if sign is Sign.NONZERO:
+        return 1
+    return 1 if value > 0 else -1

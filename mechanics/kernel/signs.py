@@ -1,0 +1,576 @@
+"""The sign of an expression at all states, from its form as a quotient of polynomials.
+
+    terms       m x^2 + k > 0 for m, k > 0
+    squares     a x^2 + b x + c > 0 where a > 0 and 4 a c - b^2 > 0
+    Bernstein   p(c) > 0 on [-1, 1] where all its Bernstein coefficients are positive
+
+The unknowns of the polynomials are the inputs, pi, and every operation that is no arithmetic, with
+what is known of it: a root is not negative, a sine lies in [-1, 1]. Squares of sines, roots and
+absolute values are written by what they are. A sign is the set of signs that are possible: what is
+not shown leaves all three, never one too few.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from itertools import combinations
+from math import comb
+from typing import NamedTuple
+
+from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx
+
+from mechanics.program.builder import Builder
+from mechanics.program.operations import (
+    ABS,
+    ADD,
+    CONSTANT,
+    COS,
+    COSH,
+    DIVIDE,
+    EXP,
+    INPUT,
+    MULTIPLY,
+    NEGATE,
+    OPERATIONS,
+    PI,
+    POWER,
+    SELECT,
+    SIGN,
+    SIN,
+    SQRT,
+    SUBTRACT,
+    TAN,
+    TANH,
+)
+from mechanics.program.program import reachable
+
+NEGATIVE, ZERO, POSITIVE = 1, 2, 4
+"""Sets of signs are sums of these."""
+ANY = NEGATIVE | ZERO | POSITIVE
+NOT_NEGATIVE = ZERO | POSITIVE
+NOT_POSITIVE = ZERO | NEGATIVE
+
+MOST_TERMS = 3000
+MOST_PRODUCTS = 40_000
+MOST_FACTORED = 400
+LARGEST_DEGREE = 80
+DEEPEST = 6
+MOST_PUT = 2
+"""Constraints that are put in, one after the other."""
+MOST_STEPS = 400
+"""Polynomials that are looked at for one that is asked for."""
+SAMPLES = 12
+RAISED = (0, 2, 6)
+"""By how much the degree of a Bernstein form is raised, one after the other."""
+
+
+class Quotient(NamedTuple):
+    """A quotient of polynomials."""
+
+    above: fmpq_mpoly
+    below: fmpq_mpoly
+
+
+class Fact(NamedTuple):
+    """A polynomial whose sign is known where a branch is taken, or a region was stated."""
+
+    polynomial: fmpq_mpoly
+    signs: int
+
+
+Facts = Sequence[Fact]
+
+
+def negated(signs: int) -> int:
+    """Signs of -x."""
+    return (signs & ZERO) | (signs >> 2 & 1) | (signs << 2 & 4)
+
+
+def product(one: int, other: int) -> int:
+    """Signs of x y."""
+    found = ZERO if (one | other) & ZERO else 0
+    if one & POSITIVE:
+        found |= other & ~ZERO
+    if one & NEGATIVE:
+        found |= negated(other) & ~ZERO
+    return found
+
+
+def total(one: int, other: int) -> int:
+    """Signs of x + y."""
+    if (one | other) & (NEGATIVE | POSITIVE) == NEGATIVE | POSITIVE:
+        return ANY
+    # All on one side: the sum is zero where both are.
+    return ((one | other) & ~ZERO) | (one & other & ZERO)
+
+
+def power(signs: int, exponent: int) -> int:
+    """Signs of x^n for n > 0."""
+    if exponent % 2:
+        return signs
+    return (signs & ZERO) | (POSITIVE if signs & ~ZERO else 0)
+
+
+class Forms:
+    """Quotients of polynomials for nodes of a builder, and their signs.
+
+    Parameters
+    ----------
+    builder : Builder
+    roots : sequence of int
+        Nodes that are asked for.
+    positive : callable
+        Whether the input of a name is positive.
+    """
+
+    def __init__(
+        self, builder: Builder, roots: Sequence[int], positive: Callable[[str], bool]
+    ) -> None:
+        self.builder, self.positive = builder, positive
+        needed = reachable(builder, roots)
+        arithmetic = {CONSTANT, ADD, SUBTRACT, MULTIPLY, DIVIDE, NEGATE}
+        count = 2 * sum(builder.operations[n] not in arithmetic for n in needed) + 1
+        # Contexts are kept by their names: few sizes are few contexts.
+        count = 1 << count.bit_length()
+        names = tuple(f"a{k}" for k in range(count))
+        self.context = fmpq_mpoly_ctx.get(names, Ordering.lex)
+        self.generators = self.context.gens()
+        self.one = self.context.constant(1)
+        self.signs: list[int] = []
+        self.bounded: set[int] = set()
+        self.squares: dict[int, fmpq_mpoly] = {}
+        self.absolute: list[tuple[fmpq_mpoly, int]] = []
+        self.angles: dict[int, int] = {}
+        self._crossings: list[fmpq_mpoly] | None = None
+        self._atoms: dict[tuple[int, object], int] = {}
+        self.forms: dict[int, Quotient | None] = {}
+        self.steps = 0
+        for number in needed:
+            self.forms[number] = self._form(number)
+
+    # ------------------------------------------------------------------ forms
+
+    def _atom(self, code: int, key: object, signs: int = ANY, *, bounded: bool = False) -> Quotient:
+        """The unknown for an operation on something."""
+        place = self._atoms.setdefault((code, key), len(self.signs))
+        if place == len(self.signs):
+            self.signs.append(signs)
+            if bounded:
+                self.bounded.add(place)
+        return Quotient(self.generators[place], self.one)
+
+    def _form(self, number: int) -> Quotient | None:
+        builder, (first, second, _) = self.builder, self.builder.operands
+        code = builder.operations[number]
+        if code == CONSTANT:
+            value = builder.constants[first[number]]
+            return Quotient(
+                self.context.constant(fmpq(value.numerator, value.denominator)), self.one
+            )
+        if code == INPUT:
+            name = builder.inputs[first[number]]
+            return self._atom(INPUT, name, POSITIVE if self.positive(name) else ANY)
+        if code == PI:
+            return self._atom(PI, 0, POSITIVE)
+        if code in (ADD, SUBTRACT, MULTIPLY, DIVIDE):
+            found = self._arithmetic(code, self.forms[first[number]], self.forms[second[number]])
+            return found if found is not None else self._atom(code, number)
+        inner = self.forms.get(first[number])
+        if code == NEGATE:
+            return None if inner is None else Quotient(-inner.above, inner.below)
+        return self._opaque(number, code, inner)
+
+    def _arithmetic(self, code: int, a: Quotient | None, b: Quotient | None) -> Quotient | None:
+        if a is None or b is None:
+            return None
+        if code == MULTIPLY:
+            return self._quotient((a.above, b.above), (a.below, b.below))
+        if code == DIVIDE:
+            return None if b.above == 0 else self._quotient((a.above, b.below), (a.below, b.above))
+        if a.below == b.below:
+            above, below = (a.above, self.one), a.below
+            other = b.above
+        else:
+            crossed = self._times(a.above, b.below), self._times(b.above, a.below)
+            under = self._times(a.below, b.below)
+            if crossed[0] is None or crossed[1] is None or under is None:
+                return None
+            above, other, below = (crossed[0], self.one), crossed[1], under
+        sum_of = above[0] + other if code == ADD else above[0] - other
+        return Quotient(sum_of, below) if len(sum_of) <= MOST_TERMS else None
+
+    def _quotient(
+        self, above: tuple[fmpq_mpoly, fmpq_mpoly], below: tuple[fmpq_mpoly, fmpq_mpoly]
+    ) -> Quotient | None:
+        top, bottom = self._times(*above), self._times(*below)
+        return None if top is None or bottom is None else Quotient(top, bottom)
+
+    def _times(self, a: fmpq_mpoly, b: fmpq_mpoly) -> fmpq_mpoly | None:
+        if a.is_one():
+            return b
+        if b.is_one():
+            return a
+        if len(a) * len(b) > MOST_PRODUCTS:
+            return None
+        if a.total_degree() + b.total_degree() > LARGEST_DEGREE:
+            return None
+        found = self._reduced(a * b)
+        return found if len(found) <= MOST_TERMS else None
+
+    def _reduced(self, polynomial: fmpq_mpoly) -> fmpq_mpoly:
+        """With squares of sines, roots and absolute values written by what they are."""
+        degrees = polynomial.degrees()
+        place = next((k for k in self.squares if degrees[k] > 1), None)
+        while place is not None:
+            square, found = self.squares[place], self.context.constant(0)
+            for exponent, part in self._powers(polynomial, place).items():
+                rest = part * self.generators[place] if exponent % 2 else part
+                found += rest * square ** (exponent // 2)
+            polynomial, degrees = found, found.degrees()
+            place = next((k for k in self.squares if degrees[k] > 1), None)
+        return polynomial
+
+    def _powers(self, polynomial: fmpq_mpoly, place: int) -> dict[int, fmpq_mpoly]:
+        """Coefficients of the powers of one unknown."""
+        parts: dict[int, dict[tuple[int, ...], fmpq]] = {}
+        for monomial, coefficient in polynomial.to_dict().items():
+            rest = (*monomial[:place], 0, *monomial[place + 1 :])
+            parts.setdefault(monomial[place], {})[rest] = coefficient
+        return {k: self.context.from_dict(part) for k, part in parts.items()}
+
+    def _opaque(self, number: int, code: int, inner: Quotient | None) -> Quotient:
+        if code in (SIN, COS, TAN):
+            return self._circular(number, code, inner)
+        if code == SQRT:
+            return self._root(number, inner)
+        if code == ABS:
+            return self._magnitude(number, inner)
+        key: object = number
+        if inner is not None and OPERATIONS[code].arity == 1:
+            key = (str(inner.above), str(inner.below))
+        if code in (EXP, COSH):
+            return self._atom(code, key, POSITIVE)
+        if code in (TANH, SIGN):
+            return self._atom(code, key, bounded=True)
+        if code == POWER:
+            positive = inner is not None and self.sign_of(inner) == POSITIVE
+            return self._atom(code, key, POSITIVE if positive else NOT_NEGATIVE)
+        if OPERATIONS[code].boolean:
+            return self._atom(code, key, NOT_NEGATIVE)
+        if code == SELECT:
+            sides = (self.forms[self.builder.operands[k][number]] for k in (1, 2))
+            signs = [ANY if side is None else self.sign_of(side) for side in sides]
+            return self._atom(code, key, signs[0] | signs[1])
+        return self._atom(code, key)
+
+    def _circular(self, number: int, code: int, inner: Quotient | None) -> Quotient:
+        """Sine and cosine of what is the same but for its sign are the same but for its sign."""
+        key: object = number
+        turned = False
+        if inner is None:
+            # Of the same operand, whose form is too large.
+            key = ("of", self.builder.operands[0][number])
+        else:
+            above = inner.above
+            turned = len(above) > 0 and above.leading_coefficient() < 0
+            key = (str(-above if turned else above), str(inner.below))
+        cosine = self._atom(COS, key, bounded=True)
+        sine = self._atom(SIN, key, bounded=True)
+        self.squares.setdefault(self._atoms[SIN, key], 1 - cosine.above**2)
+        self.angles[self._atoms[SIN, key]] = self._atoms[COS, key]
+        if turned:
+            sine = Quotient(-sine.above, self.one)
+        if code == TAN:
+            return Quotient(sine.above, cosine.above)
+        return sine if code == SIN else cosine
+
+    def _root(self, number: int, inner: Quotient | None) -> Quotient:
+        if inner is None:
+            return self._atom(SQRT, number, NOT_NEGATIVE)
+        above, below = inner
+        if not below.is_one():
+            if self.sign(below) != POSITIVE:
+                return self._atom(SQRT, (str(above), str(below)), NOT_NEGATIVE)
+            crossed = self._times(above, below)
+            if crossed is None:
+                return self._atom(SQRT, (str(above), str(below)), NOT_NEGATIVE)
+            above = crossed
+        signs = self.sign(above) & NOT_NEGATIVE
+        atom = self._atom(SQRT, str(above), signs or NOT_NEGATIVE)
+        self.squares.setdefault(self._atoms[SQRT, str(above)], above)
+        return Quotient(atom.above, below)
+
+    def _magnitude(self, number: int, inner: Quotient | None) -> Quotient:
+        if inner is None:
+            return self._atom(ABS, number, NOT_NEGATIVE)
+        signs = self.sign_of(inner)
+        if not signs & NEGATIVE:
+            return inner
+        if not signs & POSITIVE:
+            return Quotient(-inner.above, inner.below)
+        above, below = inner
+        if not below.is_one():
+            return self._atom(ABS, (str(above), str(below)), NOT_NEGATIVE)
+        above = -above if above.leading_coefficient() < 0 else above
+        atom = self._atom(ABS, str(above), NOT_NEGATIVE)
+        place = self._atoms[ABS, str(above)]
+        if place not in self.squares:
+            square = self._times(above, above)
+            if square is not None:
+                self.squares[place] = square
+            self.absolute.append((above, place))
+        return atom
+
+    # ------------------------------------------------------------------ signs
+
+    def sign_of(self, form: Quotient | None, facts: Facts = ()) -> int:
+        """Signs of a quotient where it has a value."""
+        if form is None:
+            return ANY
+        below = self.sign(form.below, facts) & ~ZERO
+        return product(self.sign(form.above, facts), below)
+
+    def sign(self, polynomial: fmpq_mpoly, facts: Facts = (), depth: int = 0) -> int:
+        """Signs of a polynomial where facts hold."""
+        direct = self._by_terms(polynomial)
+        known = direct != ANY and not (facts and direct & ZERO)
+        if known or not len(polynomial) or len(polynomial) > MOST_FACTORED:
+            return direct
+        self.steps = self.steps + 1 if depth else 0
+        if depth > DEEPEST or self.steps > MOST_STEPS:
+            return direct
+        unit, factors = polynomial.factor()
+        found = POSITIVE if unit > 0 else NEGATIVE
+        for factor, exponent in factors:
+            found = product(found, power(self._irreducible(factor, facts, depth), exponent))
+        return found & direct
+
+    def difference(self, left: int, right: int) -> Quotient | None:
+        """The form of one node less another; None where it is too large."""
+        return self._arithmetic(SUBTRACT, self.forms[left], self.forms[right])
+
+    def quotient(self, left: Quotient, right: Quotient) -> Quotient | None:
+        """One form over another, without common factors; None where it is too large."""
+        found = self._arithmetic(DIVIDE, left, right)
+        if found is None:
+            return None
+        common = found.above.gcd(found.below)
+        return Quotient(found.above / common, found.below / common)
+
+    def factors(self, polynomial: fmpq_mpoly) -> list[fmpq_mpoly]:
+        """Irreducible factors, without constants."""
+        return [factor for factor, _ in polynomial.factor()[1]]
+
+    def _by_terms(self, polynomial: fmpq_mpoly) -> int:
+        found = ZERO
+        for monomial, coefficient in polynomial.to_dict().items():
+            signs = POSITIVE if coefficient > 0 else NEGATIVE
+            for place, exponent in enumerate(monomial):
+                if exponent:
+                    signs = product(signs, power(self.signs[place], exponent))
+            found = total(found, signs)
+            if found == ANY:
+                return ANY
+        return found
+
+    def _irreducible(self, factor: fmpq_mpoly, facts: Facts, depth: int) -> int:
+        direct = self._by_terms(factor)
+        if direct != ANY and not direct & ZERO:
+            return direct
+        if (known := direct & self._by_facts(factor, facts, depth)) != ANY:
+            return known
+        if (ratio := self._crossing(factor)) is not None:
+            return NOT_NEGATIVE if ratio > 0 else NOT_POSITIVE
+        sampled = ANY if facts else self._sampled(factor)
+        for sense, polynomial in ((POSITIVE, factor), (NEGATIVE, -factor)):
+            if not sampled & sense:
+                continue
+            found = self._by_squares(polynomial, facts, depth)
+            if found == ANY:
+                found = self._bernstein(polynomial, facts, depth)
+            if found != ANY:
+                return found if sense == POSITIVE else negated(found)
+        return ANY
+
+    def _crossing(self, factor: fmpq_mpoly) -> fmpq | None:
+        """c of c sin^2(a +- b) or c cos^2(a +- b), whose sines are written by their cosines."""
+        if self._crossings is None:
+            g, self._crossings = self.generators, []
+            for (s, c), (other_s, other_c) in combinations(self.angles.items(), 2):
+                for sense in (1, -1):
+                    sine = g[s] * g[other_c] + sense * g[c] * g[other_s]
+                    cosine = g[c] * g[other_c] + sense * g[s] * g[other_s]
+                    self._crossings += [self._reduced(sine**2), self._reduced(cosine**2)]
+        ratios = (_ratio(factor, square) for square in self._crossings)
+        return next((ratio for ratio in ratios if ratio is not None), None)
+
+    def sign_on(self, form: Quotient | None, zero: Sequence[fmpq_mpoly], facts: Facts = ()) -> int:
+        """Signs of a quotient where polynomials are zero, which are put into it in turn."""
+        direct = self.sign_of(form, facts)
+        if form is None or not zero:
+            return direct
+        if direct != ANY:
+            return direct & ~ZERO if self._no_root_is_zero(form, zero, facts) else direct
+        below = self.sign(form.below, facts) & ~ZERO
+        seen, level = {str(form.above)}, [(form.above, POSITIVE)]
+        for _ in range(MOST_PUT):
+            following = []
+            for polynomial, sense in level:
+                for other, turned in self._put(polynomial, zero):
+                    if str(other) in seen or len(seen) > MOST_STEPS:
+                        continue
+                    seen.add(str(other))
+                    signs = product(self.sign(other, facts), product(sense, turned))
+                    if signs != ANY:
+                        return product(signs, below)
+                    following.append((other, product(sense, turned)))
+            level = following
+        return ANY
+
+    def _no_root_is_zero(self, form: Quotient, zero: Sequence[fmpq_mpoly], facts: Facts) -> bool:
+        """Whether every factor that may be zero is a root of what is not, on the constraints."""
+        for factor in self.factors(form.above):
+            if not self.sign(factor, facts) & ZERO:
+                continue
+            roots = (k for k in self.squares if _ratio(factor, self.generators[k]) is not None)
+            inside = next((self.squares[k] for k in roots), None)
+            if inside is None:
+                return False
+            if self.sign_on(Quotient(inside, self.one), zero, facts) & ZERO:
+                return False
+        return True
+
+    def _put(self, p: fmpq_mpoly, zero: Sequence[fmpq_mpoly]) -> Iterator[tuple[fmpq_mpoly, int]]:
+        """Polynomials that are p times a power of what has a sign, where others are zero."""
+        terms = p.to_dict()
+        for h in zero:
+            for place, degree in enumerate(h.degrees()):
+                if degree != 1:
+                    continue
+                held = self._in_sines(p, place) if place in self.angles else p
+                most = held.degrees()[place]
+                if not most:
+                    continue
+                parts = self._powers(h, place)
+                slope, rest = parts[1], parts.get(0, self.context.constant(0))
+                signs = self.sign(slope)
+                if signs & ZERO or signs == ANY:
+                    continue
+                found = self.context.constant(0)
+                for k, part in self._powers(held, place).items():
+                    found += part * (-rest) ** k * slope ** (most - k)
+                if len(found) <= MOST_FACTORED:
+                    yield self._reduced(found), power(signs, most) if most % 2 else POSITIVE
+            for monomial, coefficient in h.to_dict().items():
+                if monomial in terms:
+                    yield p - h * (terms[monomial] / coefficient), POSITIVE
+
+    def _in_sines(self, p: fmpq_mpoly, sine: int) -> fmpq_mpoly:
+        """With squares of a cosine written by its sine, which are written the other way else."""
+        found, cosine = self.context.constant(0), self.angles[sine]
+        for k, part in self._powers(p, cosine).items():
+            rest = part * self.generators[cosine] if k % 2 else part
+            found += rest * (1 - self.generators[sine] ** 2) ** (k // 2)
+        return found
+
+    def _sampled(self, polynomial: fmpq_mpoly) -> int:
+        """Signs that may still be shown, the others being met at some values of the unknowns."""
+        used = [place for place, degree in enumerate(polynomial.degrees()) if degree]
+        values = [fmpq(0)] * len(self.generators)
+        met = 0
+        for sample in range(SAMPLES):
+            for k, place in enumerate(used):
+                value = fmpq((sample * (2 * k + 3) + 5 * k) % 17 - 8, 8)
+                value = value or fmpq(1, 8)
+                values[place] = value if self.signs[place] & NEGATIVE else abs(value)
+            found = polynomial(*values)
+            met |= POSITIVE if found > 0 else NEGATIVE if found < 0 else 0
+        return POSITIVE if met == POSITIVE else NEGATIVE if met == NEGATIVE else 0 if met else ANY
+
+    def _by_facts(self, factor: fmpq_mpoly, facts: Facts, depth: int) -> int:
+        """What is known: the fact itself, a fact and more, |x| > 0, x^2 > 0."""
+        found = ANY
+        for fact in facts:
+            ratio = _ratio(factor, fact.polynomial)
+            if ratio is not None:
+                found &= fact.signs if ratio > 0 else negated(fact.signs)
+            elif depth < 2 and fact.signs in (POSITIVE, NOT_NEGATIVE):
+                for sense in (1, -1):
+                    more = self.sign(sense * factor - fact.polynomial, (), depth + 2)
+                    if not more & NEGATIVE:
+                        signs = total(more, fact.signs)
+                        found &= signs if sense > 0 else negated(signs)
+                square = self._times(factor, factor)
+                if square is not None and len(factor) == 1:
+                    more = self.sign(square - fact.polynomial, (), depth + 2)
+                    if total(more, fact.signs) == POSITIVE:
+                        found &= ~ZERO
+        if facts and depth < 2:
+            for inside, place in self.absolute:
+                if _ratio(factor, inside) is not None and not (
+                    self._by_facts(self.generators[place], facts, depth + 1) & ZERO
+                ):
+                    found &= ~ZERO
+        return found
+
+    def _by_squares(self, p: fmpq_mpoly, facts: Facts, depth: int) -> int:
+        """a x^2 + b x + c, in any unknown whose square alone has a sign."""
+        for place, degree in enumerate(p.degrees()):
+            if degree != 2 or self.signs[place] != ANY:
+                continue
+            parts = self._powers(p, place)
+            a, b, c = (parts.get(k, self.context.constant(0)) for k in (2, 1, 0))
+            first = self.sign(a, facts, depth + 1)
+            if first & NEGATIVE:
+                continue
+            rest = self.sign(4 * a * c - b * b, facts, depth + 1)
+            if rest == POSITIVE:
+                return POSITIVE
+            if not rest & NEGATIVE and first == POSITIVE:
+                return NOT_NEGATIVE
+        return ANY
+
+    def _bernstein(self, p: fmpq_mpoly, facts: Facts, depth: int) -> int:
+        """p on [-1, 1] lies between the least and the largest of its Bernstein coefficients."""
+        for place, degree in enumerate(p.degrees()):
+            if not degree or place not in self.bounded:
+                continue
+            parts = self._powers(p, place)
+            zero = self.context.constant(0)
+            # In t of x = 2 t - 1, then by the Bernstein polynomials of degree n.
+            inner = [
+                sum(
+                    (parts[k] * (comb(k, j) * 2**j * (-1) ** (k - j)) for k in parts if k >= j),
+                    zero,
+                )
+                for j in range(degree + 1)
+            ]
+            for raised in RAISED:
+                n = degree + raised
+                found = 0
+                # The outer ones are values of p: where these have no sign, none is shown.
+                for i in (0, n, *range(1, n)):
+                    entry = sum(
+                        (
+                            inner[j] * fmpq(comb(i, j), comb(n, j))
+                            for j in range(min(i, degree) + 1)
+                        ),
+                        zero,
+                    )
+                    found |= self.sign(entry, facts, depth + 1)
+                    if found & NEGATIVE:
+                        break
+                if not found & NEGATIVE:
+                    return found
+                if i in (0, n):
+                    return ANY
+            return ANY
+        return ANY
+
+
+def _ratio(one: fmpq_mpoly, other: fmpq_mpoly) -> fmpq | None:
+    """c of one = c other; None where there is no such number."""
+    if not len(one) or len(one) != len(other):
+        return None
+    a, b = one.leading_coefficient(), other.leading_coefficient()
+    return a / b if one * b == other * a else None

@@ -1,0 +1,148 @@
+"""What was written and has no value everywhere: roots, logarithms, quotients, as they were written.
+
+    sqrt(x)^2    ->    sqrt of x        0 log(a)    ->    log of a        x/x    ->    a divisor x
+
+SymPy and CasADi put `sqrt(x)^2` and `x/x` together while they are made, so what an operation asks
+of its operands is recorded when it is read, with the conditions of the branch that it stands in.
+"""
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import Any, NamedTuple
+
+from sympy import Basic, Expr, Function, Piecewise, Pow, S, cos, sin, sinh
+
+Condition = tuple[Basic, bool]
+"""What decides, as a comparison or as 0 and 1, and the answer that leads to a branch."""
+
+
+@dataclass(frozen=True)
+class Demand:
+    """An operation that has no value for all operands.
+
+    Attributes
+    ----------
+    operation : str
+        By its name in the table of operations.
+    operands : tuple of Expr
+    conditions : tuple of Condition
+    """
+
+    operation: str
+    operands: tuple[Expr, ...]
+    conditions: tuple[Condition, ...] = ()
+
+    def under(self, conditions: Iterable[Condition]) -> "Demand":
+        """The same within a branch."""
+        return replace(self, conditions=tuple(dict.fromkeys((*conditions, *self.conditions))))
+
+
+@dataclass(frozen=True)
+class Demands:
+    """All of a statement.
+
+    Attributes
+    ----------
+    of : tuple of Demand
+    code : bool
+        Whether they are of code, which computes, and has to have a number where it begins.
+    """
+
+    of: tuple[Demand, ...] = ()
+    code: bool = False
+
+    def put(self, table: Mapping[Expr, Expr]) -> "Demands":
+        """The same with what stands for a person's symbols."""
+        found = (
+            replace(
+                demand,
+                operands=tuple(operand.xreplace(table) for operand in demand.operands),
+                conditions=tuple((c.xreplace(table), answer) for c, answer in demand.conditions),
+            )
+            for demand in self.of
+        )
+        return replace(self, of=tuple(found))
+
+
+class Asked(NamedTuple):
+    """Demands of a number: its own operation's, and those of the numbers that it is made of."""
+
+    own: tuple[Demand, ...]
+    parts: "tuple[Asked, ...]"
+
+
+NOTHING = Asked((), ())
+
+
+def asked(own: Iterable[Demand], *parts: Asked) -> Asked:
+    """What a number asks for that an operation makes of others."""
+    demands = tuple(own)
+    kept = tuple(part for part in parts if part is not NOTHING)
+    if not demands and len(kept) < 2:
+        return kept[0] if kept else NOTHING
+    return Asked(demands, kept)
+
+
+def gathered(number: Asked) -> tuple[Demand, ...]:
+    """All that a number asks for, each demand once."""
+    seen: set[int] = set()
+    found: dict[Demand, None] = {}
+    todo = [number]
+    while todo:
+        here = todo.pop()
+        if id(here) not in seen:
+            seen.add(id(here))
+            found.update(dict.fromkeys(here.own))
+            todo += here.parts
+    return tuple(found)
+
+
+def of_power(base: Expr, exponent: Expr) -> Iterator[Demand]:
+    """What base ** exponent asks for."""
+    if exponent.is_Integer:
+        if exponent < 0 and not (base.is_Rational and base != 0):
+            yield Demand("divide", (S.One, base))
+    elif not (base.is_Rational and base > 0):
+        yield Demand("power", (base, exponent))
+
+
+def of_function(name: str, operands: Sequence[Any]) -> Iterator[Demand]:
+    """What a function asks for, by any of its names."""
+    if name in DIVISORS:
+        yield Demand("divide", (S.One, DIVISORS[name](operands[0])))
+    elif name in NAMES:
+        yield Demand(NAMES[name], tuple(operands))
+
+
+def within(expression: Any) -> Iterator[Demand]:
+    """What is in an expression as SymPy has it; branches of cases under their conditions."""
+    if isinstance(expression, Piecewise):
+        before: list[Condition] = []
+        for value, condition in expression.args:
+            here = [] if condition == S.true else [(condition, True)]
+            yield from (demand.under((*before, *here)) for demand in within(value))
+            yield from (demand.under(before) for demand in within(condition))
+            before.append((condition, False))
+        return
+    if isinstance(expression, Pow):
+        yield from of_power(*expression.args)
+    elif isinstance(expression, Function):
+        yield from of_function(type(expression).__name__, expression.args)
+    for part in getattr(expression, "args", ()):
+        yield from within(part)
+
+
+NAMES = {
+    **{name: name for name in (
+        "sqrt", "log", "tan", "asin", "acos", "acosh", "atanh", "atan2",
+    )},
+    "ln": "log", "tg": "tan", "arcsin": "asin", "arccos": "acos",
+    "arcosh": "acosh", "arccosh": "acosh", "artanh": "atanh", "arctanh": "atanh",
+    "arctan2": "atan2",
+}  # fmt: skip
+"""Functions that have no value everywhere."""
+
+DIVISORS = {
+    "cot": sin, "ctg": sin, "csc": sin, "cosec": sin, "sec": cos, "coth": sinh, "csch": sinh,
+}  # fmt: skip
+"""Functions that are quotients, by what is below."""

@@ -1,0 +1,212 @@
+"""Where what was written has a value: the rows of the table, in every form.
+
+theta'' = 3 g / (2 l) sin theta + 3 u / (m l^2)        of a rod that a torque u swings up
+
+Each statement is that one; `E` is written in it in a way that is zero where it has a value, and
+`ANGLE` in a way that is theta there.
+"""
+
+import json
+
+import casadi
+import numpy as np
+import pytest
+import sympy as sp
+from typer.testing import CliRunner
+
+import mechanics
+from mechanics.cli.app import app
+from mechanics.judge.check_json import to_json
+from systems import rod_pendulum
+
+ROD = mechanics.derive(rod_pendulum.scene(), "free_body")
+TEXT = "theta'' = 3*g/(2*l)*sin({angle}) + 3*u/(m*l^2) + {more}"
+LATEX = r"\ddot\theta = \frac{3 g}{2 l} \sin(ANGLE) + \frac{3 u}{m l^2} + MORE"
+C = """
+#include <math.h>
+double theta_ddot(double theta, double theta_dot, double u, double m, double l, double g)
+{
+    return 3*g/(2*l)*sin(%s) + 3*u/(m*l*l) + %s;
+}
+"""
+
+
+def of_text(angle="theta", more="0", **options):
+    text = TEXT.format(angle=angle, more=more)
+    return mechanics.check(ROD, text, blame=False, notation="text", **options)
+
+
+def of_latex(angle=r"\theta", more="0", **options):
+    text = LATEX.replace("ANGLE", angle).replace("MORE", more)
+    return mechanics.check(ROD, text, blame=False, **options)
+
+
+def of_c(angle="theta", more="0", **options):
+    return mechanics.check(ROD, C % (angle, more), blame=False, notation="c", **options)
+
+
+def of_python(angle, **options):
+    def theta_ddot(theta, theta_dot, u, m, l, g):
+        return 3 * g / (2 * l) * np.sin(angle(theta)) + 3 * u / (m * l * l)
+
+    return mechanics.check(ROD, theta_ddot, blame=False, **options)
+
+
+def of_casadi(angle, **options):
+    names = ("theta", "theta_dot", "u", "m", "l", "g")
+    theta, _, u, m, l, g = symbols = [casadi.SX.sym(name) for name in names]
+    value = 3 * g / (2 * l) * casadi.sin(angle(theta)) + 3 * u / (m * l * l)
+    function = casadi.Function("theta_ddot", symbols, [value], list(names), ["theta_ddot"])
+    return mechanics.check(ROD, function, blame=False, **options)
+
+
+def of_sympy(angle, **options):
+    theta, u, m, l, g, second = sp.symbols("theta u m l g theta_ddot")
+    right = 3 * g / (2 * l) * sp.sin(angle(theta)) + 3 * u / (m * l**2)
+    return mechanics.check(ROD, sp.Eq(second, right), blame=False, **options)
+
+
+def outcome(found):
+    (entry,) = found.judged
+    return entry.finding.verdict.name, entry.finding.domain
+
+
+FORMS = {
+    "text": lambda: of_text("sqrt(theta)^2"),
+    "LaTeX": lambda: of_latex(r"\sqrt{\theta}^2"),
+    "LaTeX, by a definition": lambda: mechanics.check(
+        ROD,
+        r"$r = \sqrt{\theta}$ and "
+        + "$"
+        + LATEX.replace("ANGLE", "r^2").replace("MORE", "0")
+        + "$",
+        blame=False,
+    ),
+    "C": lambda: of_c("sqrt(theta)*sqrt(theta)"),
+    "C, multiplied by zero": lambda: of_c("theta", "0*sqrt(theta)"),
+    "Python": lambda: of_python(lambda theta: np.sqrt(theta) ** 2),
+    "CasADi": lambda: of_casadi(lambda theta: casadi.sqrt(theta) * casadi.sqrt(4 * theta) / 2),
+    "SymPy": lambda: of_sympy(lambda theta: sp.Pow(sp.sqrt(theta), 2, evaluate=False)),
+}
+
+
+@pytest.mark.parametrize("form", FORMS)
+def test_what_has_a_value_in_a_half_is_shown_there(form):
+    assert outcome(FORMS[form]()) == ("UNDECIDED", "PROVED WHERE theta >= 0")
+
+
+NOWHERE = {
+    "text": lambda: of_text(more="sqrt(-1 - theta^2)^2 + 1 + theta^2"),
+    "LaTeX": lambda: of_latex(more=r"\sqrt{-1 - \theta^2}^2 + 1 + \theta^2"),
+    "C": lambda: of_c(more="sqrt(-1-theta*theta)*sqrt(-1-theta*theta) + 1 + theta*theta"),
+    "Python": lambda: of_python(lambda x: x + 0 * np.log(np.where(x > 2, x, x - 1))),
+    "CasADi": lambda: of_casadi(
+        lambda x: x + casadi.sqrt(-1 - x * x) * casadi.sqrt(-4 - 4 * x * x) / 2 + 1 + x * x
+    ),
+    "C, zero by zero": lambda: of_c(more="0.0/(theta - theta)"),
+    "C, beyond at rest": lambda: of_c(more="0*log(theta - 1)"),
+}
+
+
+@pytest.mark.parametrize("form", NOWHERE)
+def test_what_has_no_value_at_rest_is_refuted(form):
+    found = NOWHERE[form]()
+    assert found.verdict.name == "REFUTED"
+    assert "no real value" in str(found)
+    assert found.judged[0].right_if == ()
+
+
+@pytest.mark.parametrize(
+    ("found", "domain"),
+    [
+        (lambda: of_text("exp(log(theta))"), "PROVED WHERE theta > 0"),
+        (lambda: of_latex(r"e^{\ln\theta}"), "PROVED WHERE theta > 0"),
+        (lambda: of_c("pow(theta*theta*theta, 1.0/3.0)"), "CERTIFIED WHERE theta**3 >= 0"),
+        (lambda: of_casadi(lambda x: casadi.exp(casadi.log(x))), "PROVED WHERE theta > 0"),
+        (lambda: of_c(more="0*acosh(1 + theta)"), "PROVED WHERE theta + 1 >= 1"),
+        (lambda: of_c(more="(theta > 1 ? 0*sqrt(2 - theta) : 0)"), "PROVED WHERE 2 - theta >= 0"),
+    ],
+)
+def test_open_sets_are_named(found, domain):
+    assert outcome(found()) == ("UNDECIDED", domain)
+
+
+def test_a_region_that_was_stated_is_where_it_has_to_have_a_value():
+    text = "exp(log(theta))"
+    assert outcome(of_text(text, where="theta > 0")) == ("PROVED", "")
+    assert of_text(text, where="theta < 0").verdict.name == "REFUTED"
+    assert of_text(text, where="theta > -1").verdict.name == "REFUTED"
+
+
+@pytest.mark.parametrize(
+    ("found", "expected"),
+    [
+        (lambda: of_text("theta^2/theta"), ("PROVED", "except where theta = 0")),
+        (lambda: of_text("theta", "0/u"), ("PROVED", "except where u = 0")),
+        (lambda: of_c("theta*theta/theta"), ("UNDECIDED", "NOT SHOWN: NaN at rest (theta = 0)")),
+        (
+            lambda: of_python(lambda x: x * x / x),
+            ("UNDECIDED", "NOT SHOWN: NaN at rest (theta = 0)"),
+        ),
+        (lambda: of_c(more="tan(theta) - sin(theta)/cos(theta)"),
+         ("PROVED", "except where cos(theta) = 0")),
+        (lambda: of_text(more="tan(theta) - sin(theta)/cos(theta)"),
+         ("PROVED", "except where cos(theta) = 0")),
+        (lambda: of_c(more="0/(theta - 1)"), ("PROVED", "except where theta - 1 = 0")),
+    ],
+)  # fmt: skip
+def test_thin_sets_are_named_and_code_has_to_have_a_value_at_rest(found, expected):
+    assert outcome(found()) == expected
+
+
+SILENT = {
+    "a mass": lambda: of_c(more="0/(m*l*l/3 + m*theta*theta)"),
+    "a modulus": lambda: of_c(more="sqrt(theta*theta) - fabs(theta)"),
+    "a norm": lambda: of_c(more="0*sqrt(theta*theta + u*u)"),
+    "hypot": lambda: of_c(more="0*hypot(theta, u)"),
+    "arctan2": lambda: of_python(lambda x: np.arctan2(np.sin(x), np.cos(x)) * 0 + x),
+    "a branch of its own": lambda: of_c("theta > 0 ? sqrt(theta)*sqrt(theta) : theta"),
+    "a branch of its own in Python": lambda: of_python(
+        lambda x: np.where(x == 0, x, x * x / np.where(x == 0, 1, x))
+    ),
+    "a guard beside": lambda: of_c(more="((theta > 0 && sqrt(theta) > 1) ? 0 : 0)"),
+    "a solution": lambda: of_python(
+        lambda x: x + 0 * np.linalg.solve(np.array([[2 + np.cos(x), 1], [1, 2]]), [x, 1])[0]
+    ),
+    "unused": lambda: of_python(lambda x: (np.log(x), x)[1]),
+    "a root of a square sum": lambda: of_latex(more=r"0\sqrt{1 - \cos\theta}"),
+}
+
+
+@pytest.mark.parametrize("name", SILENT)
+def test_realistic_right_code_passes_in_silence(name):
+    found = SILENT[name]()
+    assert found.ok
+    assert [entry.finding.domain for entry in found.judged] == [""]
+
+
+def test_exit_codes_and_first_lines(tmp_path):
+    def run(more):
+        path = tmp_path / "mine.c"
+        path.write_text(C % ("theta", more))
+        return CliRunner().invoke(app, ["check", "rod_pendulum", str(path)])
+
+    assert run("0").exit_code == 0
+    nowhere = run("sqrt(-1-theta*theta)*sqrt(-1-theta*theta) + 1 + theta*theta")
+    assert nowhere.exit_code == 1
+    half = run("0*sqrt(theta)")
+    assert half.exit_code == 3
+    assert half.stdout.startswith("PROVED WHERE theta >= 0")
+    assert "--where 'theta >= 0'" in half.stdout
+    thin = run("0/(theta - 1)")
+    assert thin.exit_code == 0
+    assert thin.stdout.startswith("PROVED except where theta - 1 = 0")
+
+
+def test_json_says_where():
+    (statement,) = json.loads(json.dumps(to_json(of_text("sqrt(theta)^2"))))["statements"]
+    assert statement["domain"] == "PROVED WHERE theta >= 0"
+
+
+def test_the_same_answer_twice():
+    assert str(of_c("sqrt(theta)*sqrt(theta)")) == str(of_c("sqrt(theta)*sqrt(theta)"))

@@ -1,0 +1,35 @@
+"""Signs of expressions at all states."""
+
+import pytest
+
+from mechanics.kernel.signs import ANY, NEGATIVE, NOT_NEGATIVE, POSITIVE, ZERO, Forms
+from mechanics.program import Builder
+
+B = Builder()
+X, Y, THETA, PHI = (B.input(name) for name in ("x", "y", "theta", "phi"))
+M, K = B.input("m"), B.input("k")
+
+SIGNS = {
+    "terms": (M * X * X + K, POSITIVE),
+    "terms of both signs": (M * X * X - K, ANY),
+    "below": (-1 - X * X, NEGATIVE),
+    "a completed square": (X * X + X * Y + Y * Y, NOT_NEGATIVE),
+    "a square": (X * X - 2 * X * Y + Y * Y, NOT_NEGATIVE),
+    "a quotient": (X * X / (K + Y * Y), NOT_NEGATIVE),
+    "a determinant": (M + K - K * (THETA - PHI).cos() * (PHI - THETA).cos(), POSITIVE),
+    "Bernstein": (2 + THETA.cos() * PHI.sin(), POSITIVE),
+    "Bernstein, touching": (1 - THETA.cos(), NOT_NEGATIVE),
+    "sines and cosines": (THETA.sin() ** 2 + THETA.cos() ** 2 - 1, ZERO),
+    "a modulus": (abs(X) + M, POSITIVE),
+    "a root": ((X * X + 1).sqrt(), POSITIVE),
+    "a root squared": ((X * X + 1).sqrt() ** 2 - X * X, POSITIVE),
+    "Cauchy-Schwarz": (1 - (X * Y + 1) ** 2 / ((1 + X * X) * (1 + Y * Y)), NOT_NEGATIVE),
+    "nothing is known": (X - Y, ANY),
+}
+
+
+@pytest.mark.parametrize("name", SIGNS)
+def test_sign(name):
+    node, expected = SIGNS[name]
+    forms = Forms(B, [node.number], {"m", "k"}.__contains__)
+    assert forms.sign_of(forms.forms[node.number]) == expected
