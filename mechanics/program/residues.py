@@ -31,7 +31,6 @@ from mechanics.program.operations import (
     SUBTRACT,
     TAN,
 )
-from mechanics.program.program import reachable
 
 PRIME = (1 << 61) - 1
 PARTS = 840
@@ -91,12 +90,31 @@ class Residues:
 
     def values(self, nodes: Sequence[Node]) -> list[int]:
         """Residues of nodes."""
-        new = [node.number for node in nodes if node.number not in self._values]
-        if new:
-            for number in reachable(self.builder, new):
-                if number not in self._values and number not in self._solutions:
-                    self._evaluate(number)
+        for node in nodes:
+            if node.number not in self._values:
+                self._evaluate_with_operands(node.number)
         return [self._values[node.number] for node in nodes]
+
+    def _evaluate_with_operands(self, number: int) -> None:
+        """Evaluate a node after what it needs; what has a value is not looked into again."""
+        operations, values, solutions = self.builder.operations, self._values, self._solutions
+        waiting = [number]
+        while waiting:
+            last = waiting[-1]
+            if last in values or last in solutions:
+                waiting.pop()
+                continue
+            code = operations[last]
+            if code == SOLVE:
+                operands: Sequence[int] = self.builder.systems[self.builder.operands[0][last]][2:]
+            else:
+                operands = [column[last] for column in self.builder.operands[: ARITY[code]]]
+            missing = [n for n in operands if n not in values and n not in solutions]
+            if missing:
+                waiting.extend(missing)
+            else:
+                self._evaluate(last)
+                waiting.pop()
 
     def _evaluate(self, number: int) -> None:
         build, values = self.builder, self._values

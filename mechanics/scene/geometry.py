@@ -11,6 +11,7 @@ from dataclasses import dataclass, field
 from itertools import pairwise
 
 from sympy import Expr, Matrix, zeros
+from sympy.core.function import AppliedUndef
 from sympy.physics.vector import Dyadic, Point, ReferenceFrame, Vector
 
 from mechanics.errors import SceneError
@@ -60,7 +61,7 @@ def relative_rotation(parent: ReferenceFrame, child: ReferenceFrame) -> Matrix:
 
 def step_vector(parent: Point, child: Point) -> Vector:
     """Vector of one step from parent to child, in the frames in which the user gave it."""
-    return child.pos_from(parent)
+    return child._pos_dict[parent]
 
 
 def components(vector: Vector) -> tuple[tuple[ReferenceFrame, Matrix], ...]:
@@ -113,3 +114,34 @@ class Placed:
             if child not in self._told:
                 self._told.add(child)
                 yield from relative_rotation(parent, child)
+
+
+@dataclass(frozen=True)
+class Movers:
+    """The functions of time in the way from the root to points and frames, step by step."""
+
+    root: ReferenceFrame
+    origin: Point
+    _of_point: dict[Point, frozenset[Expr]] = field(default_factory=dict)
+    _of_frame: dict[ReferenceFrame, frozenset[Expr]] = field(default_factory=dict)
+
+    def point(self, point: Point) -> frozenset[Expr]:
+        """Functions that the position of a point holds."""
+        found: frozenset[Expr] = frozenset()
+        for parent, child in pairwise(point_path(self.origin, point)):
+            if child not in self._of_point:
+                for frame, column in components(step_vector(parent, child)):
+                    found |= column.atoms(AppliedUndef) | self.frame(frame)
+                self._of_point[child] = found
+            found = self._of_point[child]
+        return found
+
+    def frame(self, frame: ReferenceFrame) -> frozenset[Expr]:
+        """Functions that the orientation of a frame holds."""
+        found: frozenset[Expr] = frozenset()
+        for parent, child in pairwise(frame_path(self.root, frame)):
+            if child not in self._of_frame:
+                turn = relative_rotation(parent, child)
+                self._of_frame[child] = found | turn.atoms(AppliedUndef)
+            found = self._of_frame[child]
+        return found

@@ -96,9 +96,9 @@ def _orientations(scene: Scene) -> None:
     if scene.constraints:
         return  # four Euler parameters give a rotation only where their constraint holds
     frames = {body.frame for body in scene.bodies if isinstance(body, RigidBody)}
-    for body in scene.bodies:
-        for parent, child in pairwise(point_path(scene.origin, body.centre)):
-            frames |= {frame for _, frame in step_vector(parent, child).args}
+    ways = [pairwise(point_path(scene.origin, body.centre)) for body in scene.bodies]
+    for parent, child in {step for way in ways for step in way}:
+        frames |= {frame for _, frame in step_vector(parent, child).args}
     for part in (*scene.reactions, *scene.loads):
         vectors = [value for value in vars(part).values() if isinstance(value, Vector)]
         frames |= {frame for vector in vectors for _, frame in vector.args}

@@ -19,7 +19,7 @@ from mechanics.scene.bodies import RigidBody
 from mechanics.scene.conditions import check_conditions
 from mechanics.scene.contacts import check_contacts
 from mechanics.scene.declared import scalar
-from mechanics.scene.geometry import Placed, frame_path, point_path
+from mechanics.scene.geometry import Movers, frame_path, point_path
 from mechanics.scene.loads import Force, Load
 from mechanics.scene.physical import check_bodies, check_loads
 from mechanics.scene.reactions import Reaction
@@ -73,13 +73,13 @@ def _coordinates(scene: Scene) -> None:
     """Every coordinate moves a body, and every body is moved by a coordinate or an input."""
     movers = {*scene.coordinates, *scene.inputs}
     used: set = set()
+    on_way = Movers(scene.frame, scene.origin)
     for body in scene.bodies:
         # The whole path of each body: what moves the one that carries it moves it too.
-        placed = Placed(scene.frame, scene.origin)
-        entries = [*placed.point(body.centre)]
+        functions = on_way.point(body.centre)
         if isinstance(body, RigidBody):
-            entries += placed.frame(body.frame)
-        moved = movers & {function for e in entries for function in e.atoms(AppliedUndef)}
+            functions |= on_way.frame(body.frame)
+        moved = movers & functions
         if not moved:
             raise SceneError(
                 f"body {body.name}: no coordinate moves it: let its position or orientation"
