@@ -29,6 +29,7 @@ from mechanics.program.vectors import (
     times,
     transpose,
 )
+from mechanics.recursions.frames import lineage
 
 
 @dataclass
@@ -115,7 +116,7 @@ def grouped(mechanism: Mechanism) -> Moments:
         found.add_mass(place.parent, mass)
         for frame, column in place.step:
             found.add_first(frame, place.parent, scale(mass, column))
-            found.add_second(frame, _outer(scale(mass, column), column))
+            found.add_second(frame, outer(scale(mass, column), column))
     for frame in reversed(range(1, len(mechanism.frames))):
         _group(mechanism, found, frame, moving)
     found.mass.pop(0, None)
@@ -134,8 +135,8 @@ def _group(mechanism: Mechanism, found: Moments, frame: int, moving: set[Node]) 
         first = found.first.pop((frame, point))
         found.add_first(frame, place.parent, first)
         for _, column in place.step:
-            found.add_second(frame, _outer(column, first))
-            found.add_second(frame, _outer(first, column))
+            found.add_second(frame, outer(column, first))
+            found.add_second(frame, outer(first, column))
     if not inputs_of([entry for row in own.rotation for entry in row]) & moving:
         for of_frame, point in [key for key in found.first if key[0] == frame]:
             first = found.first.pop((of_frame, point))
@@ -153,6 +154,8 @@ def _over_turn(mechanism: Mechanism, found: Moments, frame: int) -> None:
     assert own.turn is not None
     axis = next(k for k in range(3) if not own.turn.axis[k].is_zero)
     for of_frame, point in [key for key in found.first if key[0] == frame]:
+        if _carries(mechanism, frame, point):
+            continue  # a slide lies between: the parent frame knows nothing of that point
         first = found.first.pop((of_frame, point))
         along = tuple(entry if k == axis else zero for k, entry in enumerate(first))
         found.add_first(own.parent, point, along)
@@ -167,7 +170,18 @@ def _over_turn(mechanism: Mechanism, found: Moments, frame: int) -> None:
         found.add_second(frame, tuple(map(tuple, rest)))
 
 
-def _outer(a: Vector, b: Vector) -> Matrix:
+def _carries(mechanism: Mechanism, frame: int, point: int) -> bool:
+    """Whether a step on the way to a point is given in the frame or in one that stands on it."""
+    while point != 0:
+        steps = mechanism.points[point].step
+        if any(frame in lineage(mechanism, given) for given, _ in steps):
+            return True
+        point = mechanism.points[point].parent
+    return False
+
+
+def outer(a: Vector, b: Vector) -> Matrix:
+    """a b^T."""
     return tuple(tuple(x * y for y in b) for x in a)
 
 

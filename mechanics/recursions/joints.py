@@ -1,0 +1,305 @@
+"""A mechanism as a tree of joints with one freedom each, where it is one.
+
+A link is what moves with one coordinate: a frame that turns about an axis by it, or a point that
+slides along one. Its root is the point that it turns about or has slid to. The root moves with the
+parent link; whether the link turns with it as well depends on the frame in which it was oriented:
+angles of a chain may be counted from the ground, each for itself.
+
+    alpha = alpha_parent + e u',    a_root = a_parent + alpha_parent x c + ...       turning with it
+    alpha =                e u',    a_root = a_parent + alpha_parent x c + ...       from the ground
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from mechanics.mechanism import GROUND, Mechanism, inputs_of
+from mechanics.program.builder import Node
+from mechanics.program.derivatives import tangent
+from mechanics.program.vectors import Matrix, Vector, add, product, scale, transpose, zeros
+from mechanics.recursions.frames import common, express, lineage
+from mechanics.recursions.pseudo_inertia import Moments, outer
+
+
+@dataclass(frozen=True)
+class Link:
+    """What moves with one coordinate.
+
+    Attributes
+    ----------
+    coordinate : int
+        Its number among q and u.
+    parent : int
+        Link that its root moves with; GROUND for none.
+    turning : bool
+        Whether it turns; else it slides.
+    carried : bool
+        Whether it also turns with its parent.
+    frame : int
+        Frame of its components: that which turns, or for a slide that of the parent.
+    axis : Vector
+        Of the motion, times its rate per unit of u.
+    offset : Vector
+        Of the root from that of the parent, in the parent's frame, m.
+    mass : Node
+        In kg; what counts of it after grouping.
+    first : Vector
+        First moment about the root, kg m.
+    second : Matrix
+        Second moment about the root, kg m^2.
+    """
+
+    coordinate: int
+    parent: int
+    turning: bool
+    carried: bool
+    frame: int
+    axis: Vector
+    offset: Vector
+    mass: Node
+    first: Vector
+    second: Matrix
+
+
+def joint_tree(mechanism: Mechanism, moments: Moments) -> tuple[Link, ...] | None:
+    """Links, parents first; None where the mechanism is no such tree.
+
+    Parameters
+    ----------
+    mechanism : Mechanism
+    moments : Moments
+        Of its masses: as they are, or grouped.
+    """
+    if mechanism.constraints or mechanism.frictions or mechanism.u != mechanism.qd:
+        return None
+    if any(entry in mechanism.given_rates for entry in _geometry(mechanism)):
+        return None
+    return _Recognition(mechanism).links(moments)
+
+
+def _geometry(mechanism: Mechanism) -> set[Node]:
+    nodes = [entry for frame in mechanism.frames for row in frame.rotation for entry in row]
+    nodes += [e for place in mechanism.points for _, column in place.step for e in column]
+    return inputs_of(nodes)
+
+
+@dataclass(frozen=True)
+class _Spot:
+    """A place on a link: `offset` from its root in its frame; on the ground from the origin."""
+
+    link: int
+    offset: Vector
+
+
+@dataclass
+class _Draft:
+    coordinate: int
+    parent: int
+    turning: bool
+    carried: bool
+    frame: int
+    axis: Vector
+    offset: Vector
+
+
+class _Unlike(Exception):
+    """The mechanism is no tree of such joints."""
+
+
+class _Recognition:
+    """The tables that grow along the trees of frames and points."""
+
+    def __init__(self, mechanism: Mechanism) -> None:
+        self.mechanism = mechanism
+        self.drafts: list[_Draft] = []
+        self.link_of_frame: dict[int, int] = {0: GROUND}
+        self.root_of_frame: dict[int, _Spot] = {}
+        self.coordinates = {q: i for i, q in enumerate(mechanism.q)}
+        self.spots = [_Spot(GROUND, zeros(mechanism.builder))]
+
+    def links(self, moments: Moments) -> tuple[Link, ...] | None:
+        try:
+            for point in range(1, len(self.mechanism.points)):
+                self.place(point)
+            return self.loaded(moments)
+        except _Unlike:
+            return None
+
+    def moving(self, nodes: Sequence[Node]) -> list[int]:
+        """Coordinates that nodes depend on."""
+        return sorted(self.coordinates[n] for n in inputs_of(nodes) if n in self.coordinates)
+
+    def rigid(self, frame: int) -> int:
+        """The frame that turns, or the inertial one, to which a frame is fixed."""
+        while frame != 0:
+            own = self.mechanism.frames[frame]
+            if self.moving([entry for row in own.rotation for entry in row]):
+                break
+            frame = own.parent
+        return frame
+
+    def frame_of(self, link: int) -> int:
+        return 0 if link == GROUND else self.drafts[link].frame
+
+    def new(self, draft: _Draft) -> int:
+        if any(draft.coordinate == other.coordinate for other in self.drafts):
+            raise _Unlike
+        self.drafts.append(draft)
+        return len(self.drafts) - 1
+
+    def enter(self, frame: int, spot: _Spot) -> int:
+        """The link of a frame that turns, whose root is at a spot."""
+        if frame in self.link_of_frame:
+            if frame == 0:
+                raise _Unlike
+            if self.root_of_frame[frame] != spot:
+                raise _Unlike
+            return self.link_of_frame[frame]
+        own = self.mechanism.frames[frame]
+        outer_frame = self.rigid(own.parent)
+        origin = zeros(self.mechanism.builder)
+        if outer_frame == self.rigid(self.frame_of(spot.link)):
+            parent, offset, carried = spot.link, spot.offset, True
+        elif outer_frame == 0:
+            parent, offset, carried = spot.link, spot.offset, False
+        else:
+            parent, offset, carried = self.enter(outer_frame, spot), origin, True
+        if own.turn is None:
+            raise _Unlike
+        coordinates = self.moving([own.turn.angle])
+        if len(coordinates) != 1:
+            raise _Unlike
+        (rate,) = tangent([own.turn.angle], {self.mechanism.q[coordinates[0]]: origin[0] + 1})
+        if rate.constant is None:
+            raise _Unlike
+        axis = scale(rate, own.turn.axis)
+        link = self.new(_Draft(coordinates[0], parent, True, carried, frame, axis, offset))
+        self.link_of_frame[frame], self.root_of_frame[frame] = link, spot
+        return link
+
+    def place(self, point: int) -> None:
+        place = self.mechanism.points[point]
+        spot = self.spots[place.parent]
+        for frame, column in sorted(place.step, key=lambda part: part[0]):
+            spot = self.step(spot, frame, column)
+        self.spots.append(spot)
+
+    def step(self, spot: _Spot, frame: int, column: Vector) -> _Spot:
+        rigid = self.rigid(frame)
+        if rigid != self.rigid(self.frame_of(spot.link)):
+            spot = _Spot(self.enter(rigid, spot), zeros(self.mechanism.builder))
+        own = self.frame_of(spot.link)
+        column = express(self.mechanism, column, frame, own)
+        coordinates = self.moving(column)
+        if not coordinates:
+            return _Spot(spot.link, add(spot.offset, column))
+        for coordinate in coordinates:
+            one = self.mechanism.builder.one
+            axis = tuple(tangent(column, {self.mechanism.q[coordinate]: one}))
+            if self.moving(axis):
+                raise _Unlike
+            if coordinate != coordinates[-1]:
+                # The last of several slides in one step has the whole way as its offset.
+                spot = _Spot(self.slide(coordinate, spot, axis), zeros(self.mechanism.builder))
+        offset = add(spot.offset, column)
+        link = self.slide(coordinates[-1], _Spot(spot.link, offset), axis)
+        return _Spot(link, zeros(self.mechanism.builder))
+
+    def slide(self, coordinate: int, spot: _Spot, axis: Vector) -> int:
+        frame = self.frame_of(spot.link)
+        return self.new(_Draft(coordinate, spot.link, False, True, frame, axis, spot.offset))
+
+    def loaded(self, moments: Moments) -> tuple[Link, ...]:
+        """The links with their masses."""
+        mechanism = self.mechanism
+        frames: list[tuple[int, Vector, Matrix]] = []
+        none = zeros(mechanism.builder)
+        empty = (none, none, none)
+        for (frame, point), first in moments.first.items():
+            rigid = self.rigid(frame)
+            spot = self.spots[point]
+            if rigid == 0:
+                continue
+            if self.frame_of(spot.link) != rigid:
+                spot = _Spot(self.enter(rigid, spot), none)
+            first = express(mechanism, first, frame, rigid)
+            across = outer(spot.offset, first)
+            pairs = zip(across, transpose(across), strict=True)
+            frames.append((spot.link, first, tuple(add(a, b) for a, b in pairs)))
+        for frame, second in moments.second.items():
+            rigid = self.rigid(frame)
+            if rigid == 0:
+                continue
+            if rigid not in self.link_of_frame:
+                raise _Unlike
+            turned = rotated(mechanism, second, frame, rigid)
+            frames.append((self.link_of_frame[rigid], none, turned))
+        if len(self.drafts) != len(mechanism.q):
+            raise _Unlike
+        masses = [mechanism.builder.zero] * len(self.drafts)
+        for point, mass in moments.mass.items():
+            spot = self.spots[point]
+            if spot.link == GROUND:
+                continue
+            masses[spot.link] = masses[spot.link] + mass
+            first = scale(mass, spot.offset)
+            frames.append((spot.link, first, outer(first, spot.offset)))
+        found = []
+        for number, draft in enumerate(self.drafts):
+            own = [part for part in frames if part[0] == number]
+            seconds = [second for _, _, second in own]
+            second = tuple(
+                add(none, *(matrix[k] for matrix in seconds)) if seconds else empty[k]
+                for k in range(3)
+            )
+            found.append(
+                Link(
+                    draft.coordinate, draft.parent, draft.turning, draft.carried, draft.frame,
+                    draft.axis, draft.offset, masses[number],
+                    add(none, *(first for _, first, _ in own)), second,
+                )
+            )  # fmt: skip
+        return tuple(found)
+
+
+def rotated(mechanism: Mechanism, matrix: Matrix, source: int, target: int) -> Matrix:
+    """R matrix R^T of a symmetric matrix, from one frame to another.
+
+    A turn about z by the double angle, d = a_xx - a_yy, p = d s^2 + 2 a_xy s c:
+
+        a_xx - p,   a_yy + p,   a_xy + d s c - 2 a_xy s^2,   R (a_xz, a_yz)
+    """
+    meet = common(mechanism, (source, target))
+    up, down = lineage(mechanism, source), lineage(mechanism, target)
+    for index in up[: up.index(meet)]:
+        matrix = _turned(mechanism, matrix, index, mechanism.frames[index].rotation)
+    for index in reversed(down[: down.index(meet)]):
+        matrix = _turned(mechanism, matrix, index, transpose(mechanism.frames[index].rotation))
+    return matrix
+
+
+def _turned(mechanism: Mechanism, matrix: Matrix, index: int, rotation: Matrix) -> Matrix:
+    turn = mechanism.frames[index].turn
+    if turn is None or not inputs_of([turn.angle]):
+        return product(product(rotation, matrix), transpose(rotation))
+    axis = next(k for k in range(3) if not turn.axis[k].is_zero)
+    return _double_angle(matrix, rotation, axis)
+
+
+def _double_angle(a: Matrix, rotation: Matrix, z: int) -> Matrix:
+    x, y = (z + 1) % 3, (z + 2) % 3
+    c, s = rotation[x][x], rotation[y][x]
+    square, product_ = s * s, s * c
+    difference, twice = a[x][x] - a[y][y], a[x][y] * 2
+    part = difference * square + twice * product_
+    across = a[x][y] + difference * product_ - twice * square
+    xz, yz = c * a[x][z] - s * a[y][z], s * a[x][z] + c * a[y][z]
+    entries = {
+        (x, x): a[x][x] - part, (y, y): a[y][y] + part, (z, z): a[z][z],
+        (x, y): across, (x, z): xz, (y, z): yz,
+    }  # fmt: skip
+    return tuple(
+        tuple(entries[i, j] if (i, j) in entries else entries[j, i] for j in range(3))
+        for i in range(3)
+    )
