@@ -11,8 +11,8 @@ GEOMETRY = (
             "each step of a rotation is taken backwards",
         ),
         (
-            "return child.pos_from(parent)",
-            "return parent.pos_from(child)",
+            "return child._pos_dict[parent]",
+            "return parent._pos_dict[child]",
             "each step between points is taken backwards",
         ),
         (
