@@ -38,17 +38,17 @@ def at_a_point(program: Program, signs: Mapping[str, Range]) -> tuple[int, Value
     Inadmissible
         If none of some points is admissible.
     """
-    text = program.text
+    seed = program.digest
     program = base_angles(program)
     turns = turns_of(program)
     modulus = common_modulus(turns)
-    draws = Draws(text, "point")
+    draws = Draws(seed, "point")
     for _ in range(MOST_DRAWS):
         prime = draw_prime(BITS, modulus, draws)
         domain = Residues(prime, modulus, draws, turns)
         inputs = {name: domain.input(signs.get(name, Range.FREE)) for name in program.inputs}
         try:
-            outputs = interpret(program, domain, inputs)
+            outputs = interpret(program, domain, inputs, release=False)
             for entry in outputs.get(POSITIVE, ()):
                 domain.positive(entry)
         except Inadmissible:

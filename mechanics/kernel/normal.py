@@ -227,7 +227,8 @@ def proves(statement: Statement) -> bool:
     first kept whole, which is shorter and enough where both sides were built on the same angles.
     """
     program = statement.program
-    if len(program) > MOST_NODES:
+    unknowns = max((system[0] for system in program.systems), default=0)
+    if len(program) > MOST_NODES or unknowns > MOST_UNKNOWNS:
         return False
     if _attempt(statement, program):
         return True

@@ -73,7 +73,7 @@ class Statement:
         return self.signs.get(name, Range.FREE)
 
     @property
-    def text(self) -> str:
-        """All that the verdict depends on; the words of the subject are no part of it."""
+    def seed(self) -> str:
+        """A digest of all that the points depend on; the words of the subject are no part of it."""
         signs = [f"{name}: {self.range_of(name).value}" for name in self.program.inputs]
-        return "\n".join((*signs, self.program.text))
+        return "\n".join((*signs, self.program.digest))

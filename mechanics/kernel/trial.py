@@ -152,7 +152,7 @@ def prepare(statement: Statement, sizes: tuple[int, ...] = SIZES) -> Experiment:
     modulus = common_modulus(turns)
     domain = Sizes()
     inputs = {name: domain.variable() for name in program.inputs}
-    outputs = interpret(program, domain, inputs)
+    outputs = interpret(program, domain, inputs, release=False)
     differences = [
         domain.operations["subtract"](x, y)
         for x, y in zip(outputs[LEFT], outputs[RIGHT], strict=True)
@@ -166,7 +166,7 @@ def prepare(statement: Statement, sizes: tuple[int, ...] = SIZES) -> Experiment:
         bound = log2_bound(bits, modulus, degree, height, conjugates)
         short = (conjugates or kinks) and log2(degree) + WEIL > bits / 2
         if isfinite(bound) and bound <= log2(statement.target) - 1 and not short:
-            return Experiment(statement, program, statement.text, turns, modulus, bits, bound)
+            return Experiment(statement, program, statement.seed, turns, modulus, bits, bound)
     raise OverflowError("the degree bound is beyond the longest primes in use")
 
 
@@ -223,7 +223,7 @@ class Session:
         if self._steps > MOST_STEPS:
             raise FailedError(f"more than {MOST_STEPS} operations in fields")
         inputs = {name: domain.input(statement.range_of(name)) for name in program.inputs}
-        return interpret(program, domain, inputs)
+        return interpret(program, domain, inputs, release=False)
 
     def point(self, fresh: bool = False) -> Point:
         """The first admissible point of at most MOST_DRAWS."""

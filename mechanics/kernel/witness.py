@@ -47,7 +47,7 @@ def states(statement: Statement) -> Iterator[State]:
     """States that meet the declared signs, simple ones first."""
     names = statement.program.inputs
     angles = angle_inputs(statement.program)
-    draws = Draws(statement.text, "witness")
+    draws = Draws(statement.seed, "witness")
     if statement.typical:
         yield {name: _typical(statement, name, angles, 0) for name in names}
     for k in range(SIMPLE_STATES):

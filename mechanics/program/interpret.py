@@ -49,7 +49,7 @@ class Domain(Protocol):
 
 
 def interpret(
-    program: Program, domain: Domain, inputs: Mapping[str, Any]
+    program: Program, domain: Domain, inputs: Mapping[str, Any], *, release: bool = True
 ) -> dict[str, tuple[Any, ...]]:
     """Values of the outputs.
 
@@ -58,6 +58,9 @@ def interpret(
     program : Program
     domain : Domain
     inputs : mapping of str to values of the domain
+    release : bool
+        False where values are so small that finding out when each is no longer needed costs more
+        than keeping them.
 
     Raises
     ------
@@ -69,7 +72,7 @@ def interpret(
     first, second, third = program.operands
     functions = [domain.operations.get(row.name) for row in OPERATIONS]
     values: list[Any] = [None] * len(program)
-    drop = _last_uses(program)
+    drop = _last_uses(program) if release else {}
     for number, code in enumerate(program.operations):
         arity = ARITY[code]
         if code == CONSTANT:
@@ -97,8 +100,9 @@ def interpret(
                 values[number] = function(
                     values[first[number]], values[second[number]], values[third[number]]
                 )
-        for old in drop.get(number, ()):
-            values[old] = None
+        if release:
+            for old in drop.get(number, ()):
+                values[old] = None
     return {name: tuple(values[n] for n in ns) for name, ns in program.outputs.items()}
 
 

@@ -7,6 +7,7 @@ commutative operations are ordered by what they are, never by when they were bui
 from __future__ import annotations
 
 import hashlib
+import sys
 from array import array
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
@@ -115,8 +116,16 @@ class Program:
 
     @property
     def digest(self) -> str:
-        """SHA-256 of its text, in hexadecimal."""
-        return hashlib.sha256(self.text.encode()).hexdigest()
+        """SHA-256 of what its text says, in hexadecimal: the same on every machine."""
+        found = hashlib.sha256(self.operations)
+        for column in self.operands:
+            words = array("i", column)
+            if sys.byteorder == "big":
+                words.byteswap()
+            found.update(words.tobytes())
+        rest = (self.inputs, [*map(str, self.constants)], self.systems, [*self.outputs.items()])
+        found.update(repr(rest).encode())
+        return found.hexdigest()
 
 
 def reachable(builder: Builder, roots: Sequence[int]) -> list[int]:
