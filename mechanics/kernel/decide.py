@@ -7,13 +7,15 @@ witness. What neither settles is UNDECIDED. This is the only place that makes a 
 
 from __future__ import annotations
 
+from dataclasses import replace
 from functools import cache
 from math import ceil, inf
 
 from mechanics.kernel.canaries import CANARIES
+from mechanics.kernel.constraints import on_constraints
 from mechanics.kernel.finding import Finding, Verdict
 from mechanics.kernel.normal import proves
-from mechanics.kernel.statement import LEFT, RIGHT, Statement
+from mechanics.kernel.statement import LEFT, RIGHT, ZERO, Statement
 from mechanics.kernel.trial import Answer, Trial, trial
 from mechanics.kernel.witness import find_boundary_witness, find_witness
 
@@ -74,13 +76,9 @@ def _decided(statement: Statement, try_normal: bool) -> Finding:
     subject, outputs = statement.subject, statement.program.outputs
     if outputs[LEFT] == outputs[RIGHT]:
         return Finding(subject, Verdict.PROVED, SAME)
-    attempts: list[bool] = []
-
-    def is_proved() -> bool:
-        if try_normal and not attempts:
-            attempts.append(proves(statement))
-        return bool(attempts) and attempts[0]
-
+    if outputs.get(ZERO):
+        return _decided_on_constraints(statement, try_normal)
+    is_proved = cache(lambda: try_normal and proves(statement))
     outcome = trial(statement, is_proved)
     if outcome.answer is Answer.PROVED:
         return Finding(subject, Verdict.PROVED, PROOF)
@@ -98,6 +96,21 @@ def _decided(statement: Statement, try_normal: bool) -> Finding:
     if is_proved():
         return Finding(subject, Verdict.PROVED, PROOF)
     return Finding(subject, Verdict.UNDECIDED, _doubt(outcome))
+
+
+def _decided_on_constraints(statement: Statement, try_normal: bool) -> Finding:
+    """First at unconstrained points, on every component at once; then on the constraints."""
+    outcome = trial(statement, lambda: try_normal and proves(statement))
+    where = "also where the constraints do not hold"
+    if outcome.answer is Answer.PROVED:
+        return Finding(statement.subject, Verdict.PROVED, f"{PROOF}, {where}")
+    if outcome.answer is Answer.ZERO and not outcome.off_boundaries:
+        return _certified(statement.subject, replace(outcome, words=f"{outcome.words}, {where}"))
+    constrained = on_constraints(statement)
+    if constrained is None:
+        words = "not equal off the constraints, and no exact point on them is known"
+        return Finding(statement.subject, Verdict.UNDECIDED, words)
+    return _decided(constrained, try_normal)
 
 
 def _certified(subject: str, outcome: Trial) -> Finding:

@@ -191,8 +191,8 @@ class Residues:
 
     def _root(self, x: int, k: int) -> int:
         """The k-th root for k = 2, 3, 5 or 7; equal radicands have one root."""
-        if x == 0:
-            return 0
+        if x in (0, 1):
+            return x
         if (k, x) not in self._roots:
             ratio = self._ratios.get(x) if k == 2 else None
             self._roots[k, x] = self._joined(x, k) if ratio is None else self._surd(ratio)

@@ -9,7 +9,7 @@ from fractions import Fraction
 
 from mechanics.program import Program
 
-LEFT, RIGHT, POSITIVE = "left", "right", "positive"
+LEFT, RIGHT, POSITIVE, ZERO = "left", "right", "positive", "zero"
 """Outputs of a statement's program that have a meaning; others are shown with a witness."""
 
 TARGET = 2.0**-80
@@ -34,12 +34,15 @@ class Statement:
         What is stated, in words: ``"kane = lagrange"``.
     program : Program
         Outputs ``"left"`` and ``"right"`` of equal length. An output ``"positive"`` lists
-        conditions: the statement is about the states at which all its entries are positive.
+        conditions: the statement is about the states at which all its entries are positive. An
+        output ``"zero"`` lists constraints: it is about the states at which all of them are zero.
         Whatever else it computes is shown with a witness, under the name of the output.
     signs : mapping of str to Range
         What is known of the inputs; an input that is not listed is any real number.
     typical : mapping of str to Fraction
         Values of inputs at which the conditions hold, where simple numbers may not meet them.
+    dependent : tuple of str
+        Inputs for which the constraints may be solved, those to be tried first at the beginning.
     target : float
         Largest chance of error that a CERTIFIED finding may have.
 
@@ -53,6 +56,7 @@ class Statement:
     program: Program
     signs: Mapping[str, Range] = field(default_factory=dict)
     typical: Mapping[str, Fraction] = field(default_factory=dict)
+    dependent: tuple[str, ...] = ()
     target: float = TARGET
 
     def __post_init__(self) -> None:

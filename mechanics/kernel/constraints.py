@@ -1,0 +1,294 @@
+"""Points on constraints: inputs that depend are replaced by what the constraints give.
+
+    a p + d = 0                     p = -d / a                                               (1)
+    a p^2 + b p + d = 0             p = (-b + sigma sqrt(b^2 - 4 a d)) / (2 a)               (2)
+    a cos t + b sin t + d = 0       cos t = (-a d - sigma b w) / r^2,
+                                    sin t = (-b d + sigma a w) / r^2,
+                                    r^2 = a^2 + b^2,  w = sqrt(r^2 - d^2)                    (3)
+    a_i cos t + b_i sin t + d_i = 0, i = 1, 2
+                                    cos t, sin t by Cramer's rule; cos^2 t + sin^2 t = 1     (4)
+    two circles: f - lambda g, without its squares, is linear                                (5)
+
+One input at a time, the first way that applies; what is put in is a program like any other, so that
+field, normal form and balls know nothing of constraints. sigma is the sign of an input of its own:
+what holds on one branch only is not shown. (4) takes one angle out of a loop of two and leaves an
+equation (3) for the other.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from fractions import Fraction
+
+from mechanics.kernel.angles import Form, Forms, Monomial, base_angles
+from mechanics.kernel.field import Inadmissible
+from mechanics.kernel.independence import zeros
+from mechanics.kernel.statement import POSITIVE, ZERO, Range, Statement
+from mechanics.program import Builder, Node
+from mechanics.program.interpret import include
+from mechanics.program.program import reachable
+
+MOST_STEPS = 64
+"""Inputs that are taken out of one statement."""
+
+
+@dataclass(frozen=True)
+class Replacement:
+    """What takes the place of an input, and the constraints that take the place of others."""
+
+    name: str
+    value: Node
+    left: tuple[Node, ...]
+
+
+def on_constraints(statement: Statement) -> Statement | None:
+    """The statement at points where its constraints hold, or None where no such point is known.
+
+    Parameters
+    ----------
+    statement : Statement
+        Its output ``"zero"`` lists the constraints; its `dependent` inputs are tried in order.
+
+    Returns
+    -------
+    Statement
+        Without constraints; the inputs that were replaced are outputs of their names.
+    """
+    for step in range(MOST_STEPS):
+        program = base_angles(statement.program)
+        builder = Builder()
+        outputs = include(builder, program)
+        held = _held(builder, outputs[ZERO], statement)
+        if not held:
+            rest = {name: nodes for name, nodes in outputs.items() if name != ZERO}
+            return replace(statement, program=builder.program(rest))
+        found = _step(builder, held, statement, step)
+        if found is None:
+            return None
+        statement = _replaced(builder, outputs, found, statement)
+    return None
+
+
+def _held(builder: Builder, constraints: Sequence[Node], statement: Statement) -> list[Node]:
+    """Constraints that do not hold everywhere."""
+    if not constraints:
+        return []
+    try:
+        known = zeros(builder.program({ZERO: constraints}), ZERO, statement.signs)
+    except Inadmissible:
+        return list(constraints)
+    return [node for node, holds in zip(constraints, known, strict=True) if not holds]
+
+
+def _replaced(
+    builder: Builder, outputs: dict[str, tuple[Node, ...]], found: Replacement, statement: Statement
+) -> Statement:
+    """The statement with one input less."""
+    conditions = list(outputs.get(POSITIVE, ()))
+    known = statement.range_of(found.name)
+    if known in (Range.POSITIVE, Range.NEGATIVE):
+        conditions.append(found.value if known is Range.POSITIVE else -found.value)
+    wanted = {**outputs, ZERO: found.left, POSITIVE: conditions}
+    program = builder.program(wanted)
+    value = builder.program({found.name: [found.value]})
+    target = Builder()
+    (node,) = include(target, value)[found.name]
+    names = {found.name: node}
+    return replace(
+        statement,
+        program=target.program({**include(target, program, names), found.name: [node]}),
+        dependent=tuple(name for name in statement.dependent if name != found.name),
+    )
+
+
+def _step(
+    builder: Builder, held: list[Node], statement: Statement, step: int
+) -> Replacement | None:
+    """The first way to take an input out."""
+    solver = _Solver(builder, statement, Forms(builder), f"branch {step + 1}")
+    for way in (_linear, _of_one_angle, _two_circles, _of_two_angles, _quadratic):
+        for name in statement.dependent:
+            found = way(solver, name, held)
+            if found is not None:
+                return found
+    return None
+
+
+@dataclass(frozen=True)
+class _Solver:
+    """What the ways share."""
+
+    builder: Builder
+    statement: Statement
+    forms: Forms
+    branch: str
+
+    def split(self, node: Node, atoms: Sequence[Node], name: str) -> dict[Monomial, Node] | None:
+        """Coefficients by powers of the atoms, or None where the rest holds the input too."""
+        powers = self.powers(self.forms.of(node.number), atoms)
+        coefficients: dict[Monomial, Node] = {}
+        for key, form in powers.items():
+            if any(self.depends(number, name) for monomial in form for number, _ in monomial):
+                return None
+            coefficients[key] = self.node(form)
+        return coefficients
+
+    def powers(self, form: Form, atoms: Sequence[Node]) -> dict[Monomial, Form]:
+        """A form sorted by powers of atoms; of cosine and sine, the sine at most once."""
+        places = {atom.number: k for k, atom in enumerate(atoms)}
+        found: dict[Monomial, Form] = {}
+
+        def put(key: Monomial, rest: Monomial, factor: Fraction) -> None:
+            powers = dict(key)
+            if len(atoms) == 2 and powers.get(1, 0) >= 2:
+                # sin^2 = 1 - cos^2
+                powers[1] -= 2
+                lower = tuple(sorted((k, p) for k, p in powers.items() if p))
+                powers[0] = powers.get(0, 0) + 2
+                put(lower, rest, factor)
+                put(tuple(sorted((k, p) for k, p in powers.items() if p)), rest, -factor)
+                return
+            part = found.setdefault(key, {})
+            total = part.get(rest, Fraction(0)) + factor
+            if total:
+                part[rest] = total
+            else:
+                part.pop(rest)
+
+        for monomial, factor in form.items():
+            key = tuple(sorted((places[n], power) for n, power in monomial if n in places))
+            put(key, tuple(pair for pair in monomial if pair[0] not in places), factor)
+        return {key: part for key, part in found.items() if part}
+
+    def node(self, form: Form) -> Node:
+        """A form as a node."""
+        total = self.builder.zero
+        for monomial, factor in sorted(form.items()):
+            above = below = self.builder.one
+            for number, power in monomial:
+                part = Node(self.builder, number).power(abs(power))
+                above, below = (above * part, below) if power > 0 else (above, below * part)
+            total = total + above / below * factor
+        return total
+
+    def depends(self, number: int, name: str) -> bool:
+        """Whether a node is computed from an input."""
+        return self.builder.input(name).number in reachable(self.builder, [number])
+
+    def vanishes(self, node: Node) -> bool:
+        """Whether a node is zero everywhere, so that nothing can be divided by it."""
+        if node.constant is not None:
+            return node.is_zero
+        try:
+            return zeros(self.builder.program({"x": [node]}), "x", self.statement.signs)[0]
+        except Inadmissible:
+            return True
+
+    def sign(self) -> Node:
+        """1 or -1, whatever: the sign of an input of its own."""
+        free = self.builder.input(self.branch)
+        return (free * free).sqrt() / free
+
+    def angle(self, name: str) -> tuple[Node, Node]:
+        """Cosine and sine of an input."""
+        angle = self.builder.input(name)
+        return angle.cos(), angle.sin()
+
+
+_FIRST: Monomial = ((0, 1),)
+_SECOND: Monomial = ((1, 1),)
+_SQUARE: Monomial = ((0, 2),)
+
+
+def _others(held: Sequence[Node], *used: Node) -> tuple[Node, ...]:
+    return tuple(node for node in held if node not in used)
+
+
+def _linear(solver: _Solver, name: str, held: Sequence[Node]) -> Replacement | None:
+    """Equation (1)."""
+    for node in held:
+        split = solver.split(node, [solver.builder.input(name)], name)
+        if split is None or not split.keys() <= {(), _FIRST} or _FIRST not in split:
+            continue
+        if not solver.vanishes(split[_FIRST]):
+            value = -split.get((), solver.builder.zero) / split[_FIRST]
+            return Replacement(name, value, _others(held, node))
+    return None
+
+
+def _quadratic(solver: _Solver, name: str, held: Sequence[Node]) -> Replacement | None:
+    """Equation (2)."""
+    for node in held:
+        split = solver.split(node, [solver.builder.input(name)], name)
+        if split is None or not split.keys() <= {(), _FIRST, _SQUARE} or _SQUARE not in split:
+            continue
+        zero = solver.builder.zero
+        a, b, d = split[_SQUARE], split.get(_FIRST, zero), split.get((), zero)
+        if not solver.vanishes(a):
+            root = (b * b - 4 * a * d).sqrt()
+            if solver.statement.range_of(name) is not Range.POSITIVE or not b.is_zero:
+                root = root * solver.sign()
+            elif (constant := a.constant) is not None and constant < 0:
+                root = -root  # of two opposite solutions, the positive one
+            return Replacement(name, (root - b) / (2 * a), _others(held, node))
+    return None
+
+
+def _angle_parts(solver: _Solver, name: str, node: Node) -> tuple[Node, Node, Node] | None:
+    """(a, b, d) of a cos t + b sin t + d."""
+    split = solver.split(node, solver.angle(name), name)
+    if split is None or not split.keys() <= {(), _FIRST, _SECOND} or len(split.keys() - {()}) == 0:
+        return None
+    zero = solver.builder.zero
+    return split.get(_FIRST, zero), split.get(_SECOND, zero), split.get((), zero)
+
+
+def _of_one_angle(solver: _Solver, name: str, held: Sequence[Node]) -> Replacement | None:
+    """Equation (3), of an angle that one constraint alone holds."""
+    holding = [node for node in held if solver.depends(node.number, name)]
+    parts = _angle_parts(solver, name, holding[0]) if len(holding) == 1 else None
+    if parts is None:
+        return None
+    a, b, d = parts
+    square = a * a + b * b
+    if solver.vanishes(square):
+        return None
+    root = (square - d * d).sqrt() * solver.sign()
+    c, s = (-(a * d) - b * root) / square, (a * root - b * d) / square
+    return Replacement(name, solver.builder.call("atan2", s, c), _others(held, holding[0]))
+
+
+def _of_two_angles(solver: _Solver, name: str, held: Sequence[Node]) -> Replacement | None:
+    """Equation (4), of an angle that two constraints hold."""
+    holding = [node for node in held if solver.depends(node.number, name)]
+    if len(holding) != 2:
+        return None
+    one, two = (_angle_parts(solver, name, node) for node in holding)
+    if one is None or two is None:
+        return None
+    (a, b, d), (e, f, g) = one, two
+    determinant = a * f - b * e
+    if solver.vanishes(determinant):
+        return None
+    c, s = b * g - d * f, d * e - a * g
+    circle = c * c + s * s - determinant * determinant
+    value = solver.builder.call("atan2", s / determinant, c / determinant)
+    return Replacement(name, value, (*_others(held, *holding), circle))
+
+
+def _two_circles(solver: _Solver, name: str, held: Sequence[Node]) -> Replacement | None:
+    """Equation (5): the radical axis of two circles takes the place of one of them."""
+    point = solver.builder.input(name)
+    squares = []
+    for node in held:
+        split = solver.split(node, [point], name)
+        if split is not None and _SQUARE in split and split.keys() <= {(), _FIRST, _SQUARE}:
+            squares.append((node, split[_SQUARE]))
+    for place, (one, a) in enumerate(squares):
+        for two, b in squares[:place]:
+            axis = one * b - two * a
+            found = _linear(solver, name, [axis])
+            if found is not None:
+                return Replacement(name, found.value, _others(held, one))
+    return None

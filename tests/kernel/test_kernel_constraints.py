@@ -1,0 +1,148 @@
+"""Statements that hold on constraints only, and that are false there, too."""
+
+from fractions import Fraction
+
+import pytest
+
+from mechanics.kernel import Range, Statement, Verdict, decide, enclose
+from mechanics.kernel.constraints import on_constraints
+from mechanics.program import Builder, Node
+
+
+def statement(b: Builder, left: Node, right: Node, zero: list[Node], **options) -> Statement:
+    program = b.program({"left": [left], "right": [right], "zero": zero})
+    return Statement("on the constraints", program, **options)
+
+
+def test_what_holds_everywhere_needs_no_point_on_the_constraints() -> None:
+    b = Builder()
+    x, y = b.input("x"), b.input("y")
+    # No way to solve for x.
+    claim = statement(b, (x + y).power(2), x * x + 2 * x * y + y * y, [x + x.exp() - y])
+    finding = decide(claim)
+    assert finding.verdict is Verdict.PROVED
+    assert "also where the constraints do not hold" in finding.evidence
+    finding = decide(claim, try_normal=False)
+    assert finding.verdict is Verdict.CERTIFIED
+    assert "also where the constraints do not hold" in finding.evidence
+
+
+def test_without_a_point_on_the_constraints_it_is_undecided() -> None:
+    b = Builder()
+    x, y = b.input("x"), b.input("y")
+    finding = decide(statement(b, x + x.exp(), y, [x + x.exp() - y], dependent=("x",)))
+    assert finding.verdict is Verdict.UNDECIDED
+    assert "no exact point" in finding.evidence
+
+
+def test_linear_constraints() -> None:
+    b = Builder()
+    x, y, z, w = (b.input(n) for n in "xyzw")
+    zero = [x + 2 * y - z, x * w - y - 1]
+    claim = statement(b, x + 2 * y + w * x - y, z + 1, zero, dependent=("x", "y"))
+    assert decide(claim).verdict is Verdict.PROVED
+    wrong = statement(b, x + 2 * y + w * x - y, z + 2, zero, dependent=("x", "y"))
+    finding = decide(wrong)
+    assert finding.verdict is Verdict.REFUTED
+    assert finding.witness is not None
+    state = {name: Fraction(v) for name, v in finding.witness.state}
+    assert state.keys() == {"z", "w"}
+    solved = {
+        name: Fraction(float(v)).limit_denominator(1000) for name, v in finding.witness.solved
+    }
+    assert solved["x"] + 2 * solved["y"] == state["z"]
+
+
+def test_a_quadratic_constraint_has_two_branches() -> None:
+    b = Builder()
+    x, y, l = b.input("x"), b.input("y"), b.input("l")
+    circle = [x * x + y * y - l * l]
+    power = statement(b, x.power(4), (l * l - y * y).power(2), circle, dependent=("x",))
+    assert decide(power, try_normal=False).shown
+    upper = statement(b, x, (l * l - y * y).sqrt(), circle, dependent=("x",))
+    assert decide(upper).verdict is Verdict.REFUTED
+    positive = statement(
+        b, x, (l * l - y * y).sqrt(), circle, dependent=("x",), signs={"x": Range.POSITIVE}
+    )
+    assert decide(positive, try_normal=False).shown
+
+
+def test_an_angle_that_a_constraint_determines() -> None:
+    """A ladder: its foot lies at x = l cos(t)."""
+    b = Builder()
+    x, t, l = b.input("x"), b.input("t"), b.input("l")
+    claim = statement(b, (l * t.sin()).power(2), l * l - x * x, [l * t.cos() - x], dependent=("t",))
+    assert decide(claim, try_normal=False).shown
+    one_side = statement(b, l * t.sin(), (l * l - x * x).sqrt(), claim_zero(b), dependent=("t",),
+                         signs={"l": Range.POSITIVE})  # fmt: skip
+    assert decide(one_side).verdict is Verdict.REFUTED
+
+
+def claim_zero(b: Builder) -> list[Node]:
+    return [b.input("l") * b.input("t").cos() - b.input("x")]
+
+
+def four_bar(b: Builder) -> list[Node]:
+    p, q, r = b.input("p"), b.input("q"), b.input("r")
+    a, c, d, e = (b.input(n) for n in "acde")
+    return [
+        a * p.cos() + c * q.cos() - d * r.cos() - e,
+        a * p.sin() + c * q.sin() - d * r.sin(),
+    ]
+
+
+BARS = {name: Range.POSITIVE for name in "acde"}
+
+
+def test_a_four_bar_linkage_closes_by_its_lengths_or_by_its_angles() -> None:
+    """Freudenstein's equation: what is left when the coupler's angle is taken out."""
+    b = Builder()
+    zero = four_bar(b)
+    p, r = b.input("p"), b.input("r")
+    a, c, d, e = (b.input(n) for n in "acde")
+    coupler = (e + d * r.cos() - a * p.cos()).power(2) + (d * r.sin() - a * p.sin()).power(2)
+    for dependent in (("a", "c"), ("q", "r"), ("r", "q")):
+        claim = statement(b, coupler, c * c, zero, signs=BARS, dependent=dependent)
+        assert decide(claim, try_normal=False).shown, dependent
+        wrong = statement(b, coupler, c * c + e * e / 10, zero, signs=BARS, dependent=dependent)
+        assert decide(wrong, try_normal=False).verdict is Verdict.REFUTED, dependent
+
+
+def test_points_of_a_loop_lie_on_it() -> None:
+    b = Builder()
+    zero = four_bar(b)
+    outputs = {"left": [b.zero], "right": [b.one], "zero": zero, "check": zero}
+    claim = Statement("loop", b.program(outputs), BARS, dependent=("q", "r"))
+    constrained = on_constraints(claim)
+    assert constrained is not None
+    assert {"q", "r"}.isdisjoint(constrained.program.inputs)
+    values = {"p": Fraction(3, 10), "a": 1, "c": 3, "d": 2, "e": 3}
+    for branch in (1, -1):
+        signs = {n: branch for n in constrained.program.inputs if n.startswith("branch")}
+        found = enclose(constrained.program, values | signs, 256)
+        assert all(abs(ball) < 1e-50 for ball in found["check"])
+
+
+def test_two_circles_meet_in_points_of_their_axis() -> None:
+    b = Builder()
+    x, y, u, l, m = (b.input(n) for n in ("x", "y", "u", "l", "m"))
+    zero = [x * x + y * y - l * l, (x - u).power(2) + y * y - m * m]
+    claim = statement(b, 2 * u * x, l * l - m * m + u * u, zero, dependent=("x", "y"))
+    assert decide(claim, try_normal=False).shown
+    wrong = statement(b, 2 * u * x, l * l + m * m + u * u, zero, dependent=("x", "y"))
+    assert decide(wrong, try_normal=False).verdict is Verdict.REFUTED
+
+
+@pytest.mark.parametrize("count", [2, 5])
+def test_chains_of_loops_are_closed_one_after_the_other(count: int) -> None:
+    b = Builder()
+    zero, dependent = [], []
+    x, y = b.input("x0"), b.zero
+    for k in range(count):
+        angle, l = b.input(f"t{k}"), b.input(f"l{k}")
+        new = b.input(f"x{k + 1}")
+        zero.append(x + l * angle.cos() - new)
+        dependent.append(f"x{k + 1}")
+        x, y = new, y + l * angle.cos()
+    claim = statement(b, x, b.input("x0") + y, zero, dependent=tuple(dependent))
+    assert decide(claim).verdict is Verdict.PROVED
