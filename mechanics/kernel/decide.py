@@ -104,7 +104,8 @@ def _decided_on_constraints(statement: Statement, try_normal: bool) -> Finding:
     where = "also where the constraints do not hold"
     if outcome.answer is Answer.PROVED:
         return Finding(statement.subject, Verdict.PROVED, f"{PROOF}, {where}")
-    if outcome.answer is Answer.ZERO and not outcome.off_boundaries:
+    everywhere = outcome.answer is Answer.ZERO and not outcome.off_boundaries
+    if everywhere:
         return _certified(statement.subject, replace(outcome, words=f"{outcome.words}, {where}"))
     constrained = on_constraints(statement)
     if constrained is None:
