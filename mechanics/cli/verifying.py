@@ -15,7 +15,7 @@ from rich.markup import escape
 
 from mechanics.cli.files import write
 from mechanics.cli.findings import STYLES, counted, explain
-from mechanics.cli.load import built_in, load
+from mechanics.cli.load import CALL, built_in, load
 from mechanics.crosscheck import derive
 from mechanics.equations import Equations
 from mechanics.errors import InputError
@@ -25,6 +25,7 @@ from mechanics.export.evidence.record import chain_record
 from mechanics.export.evidence.verify import NO_PHYSICS, Outcome, Verification
 from mechanics.export.evidence.verify import verify as check
 
+ASKED = "give --scene FILE"
 SHOWN_FINDINGS = 12
 """Findings that are explained; of more there is only the number."""
 
@@ -88,11 +89,19 @@ def _derived(folder: Folder, scene: str | None) -> tuple[Equations | None, str]:
         return derive(load(scene).scene(), folder.route), ""
     name = folder.system
     if name is None:
-        return None, "the manifest names no system that comes with the program: give --scene FILE"
+        return None, f"the manifest names no system that comes with the program: {ASKED}"
     try:
-        return derive(built_in(name).scene(), folder.route), ""
+        system = built_in(name)
+    except InputError:
+        return None, f"the manifest's {name[:40]!r} is none that comes with the program: {ASKED}"
+    size = CALL.fullmatch(name)
+    if size and int(size[2] or size[3]) > len(folder.evidence.known.symbols["q"]):
+        # A scene of any size would take its time before it turns out to be another one.
+        return None, f"the manifest's {name[:40]!r} has more coordinates than the folder"
+    try:
+        return derive(system.scene(), folder.route), ""
     except InputError as error:
-        return None, f"the manifest's {error}: give --scene FILE if it is yours"
+        return None, f"the manifest's {error}"
 
 
 def _write(found: Verification, file: str) -> None:

@@ -10,7 +10,7 @@ from typing import Any
 import pytest
 
 from mechanics import compile, derive, write_c
-from systems import elastic_pendulum
+from systems import elastic_pendulum, rocker
 
 NAME = "pendulum_on_elastic_support"
 
@@ -158,11 +158,43 @@ def test_a_file_is_run_where_a_person_names_it_only(run: Any, folder: Path, call
         manifest_says(folder, system=named)
         ran = run("verify", folder, "--no-compile")
         assert ran.code == 3 and "UNDECIDED physics" in ran.out, ran.out
-        assert "give --scene FILE if it is yours" in ran.out
+        assert "is none that comes with the program: give --scene FILE" in ran.out
         assert not ran_it.exists() and not (folder / "ran").exists()
     (folder / "own.py").unlink()
     ran = run("verify", folder, "--no-compile", "--scene", f"{own}{call}")
     assert ran.code == 0 and ran_it.exists(), ran.out
+
+
+def test_what_follows_from_fixed_parameters_is_derived_again(run: Any, tmp_path: Path) -> None:
+    """The mass of the rocker is rho h (pi R^2 / 2 + 2 R R): no fraction."""
+    model = compile(
+        derive(rocker.scene()), fixed={"rho": 1000, "h": 0.02, "R": 0.1}, outputs=["energy"]
+    )
+    write_c(model, tmp_path / "c", batch=False, system="rocker", prove=False)
+    ran = run("verify", tmp_path / "c", "--no-compile")
+    assert ran.code == 0, ran.err
+    fixed = json.loads((tmp_path / "c" / "manifest.json").read_text(encoding="utf-8"))["fixed"]
+    for value in ("2/5 + pi/4", "7", "1e99999999", "9**9**9"):
+        manifest_says(tmp_path / "c", fixed={**fixed, "M": value})
+        ran = run("verify", tmp_path / "c", "--no-compile")
+        assert ran.code in (1, 2) and ran.err.count("\n") == (ran.code == 2)
+
+
+@pytest.mark.parametrize(
+    ("entries", "words"),
+    [
+        ({"system": "pendulum_chain(1000000)"}, "has more coordinates than the folder"),
+        ({"system": "x\x1b[31m"}, r"'x\x1b[31m' is none that comes with the program"),
+        ({"system": "os"}, "'os' is none that comes with the program"),
+        ({"route": "../x"}, "the manifest's route '../x': the routes are free_body"),
+    ],
+)
+def test_a_manifest_cannot_ask_for_much(
+    run: Any, folder: Path, entries: dict[str, str], words: str
+) -> None:
+    manifest_says(folder, **entries)
+    ran = run("verify", folder, "--no-compile")
+    assert ran.code == 3 and words in ran.out and "derived equations = graph: 2 " in ran.out
 
 
 def test_a_function_of_a_file_gives_the_scene(run: Any, folder: Path) -> None:

@@ -24,6 +24,8 @@ LARGEST_FILE = 64_000_000
 KINDS = ("double", "float")
 NAME = re.compile(r"[A-Za-z0-9_][A-Za-z0-9_.]*")
 """Names of files that `write_c` writes: no path, no option of a compiler."""
+POWER, LONGEST = re.compile(r"[eE][-+]?\d{4}|\*\*"), 1000
+"""What no value of a parameter has: an exponent beyond every double, so many characters."""
 NEEDED = (equations.FILE, graphs.FILE)
 """Files without which there is nothing to compare the others with."""
 
@@ -157,6 +159,11 @@ def _manifest(path: Path) -> dict[str, Any]:
             raise InputError(
                 f"{file}: it has no {name!r}: is it the manifest of generated code,"
                 " and of this version?"
+            )
+    for value in content["fixed"].values():
+        if not isinstance(value, str) or POWER.search(value) or len(value) > LONGEST:
+            raise InputError(
+                f"{file}: {str(value)[:40]!r} is no number that a parameter is fixed at"
             )
     if not all(isinstance(digest, str) for digest in content["files"].values()):
         raise InputError(f"{file}: a hash is expected for every file")

@@ -6,6 +6,7 @@ still shown to be its graph. Files that no step looks at have nothing but their 
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from enum import Enum
@@ -14,7 +15,7 @@ from pathlib import Path
 from mechanics.compiled.custody.binary import Measured
 from mechanics.compiled.custody.build import building, compilers
 from mechanics.compiled.custody.derived import Derived, derived
-from mechanics.compiled.fixed import read_fixed
+from mechanics.compiled.fixed import Fixed, read_fixed
 from mechanics.compiled.graphs import STATE, Graphs
 from mechanics.equations import Equations
 from mechanics.errors import InputError
@@ -35,7 +36,10 @@ from mechanics.export.evidence.listing import prove_files
 from mechanics.export.evidence.read import Folder, read_folder
 from mechanics.export.evidence.sines import prove_sines
 from mechanics.export.evidence.vectors import prove_vectors
+from mechanics.export.folder import MANIFEST
+from mechanics.scene import Scene
 
+FRACTION = re.compile(r"-?\d+(/\d+)?")
 NO_PHYSICS = "the equations were not derived again"
 NO_SINES = "the text of the inline sine and cosine is proved by `mechanics verify`"
 
@@ -215,13 +219,26 @@ def derived_again(folder: Folder, equations: Equations) -> Derived:
     here = {symbol.name for group in folder.evidence.known.symbols.values() for symbol in group}
     if not {symbol.name for symbol in (*scene.q, *scene.u)} <= here:
         raise _other(folder, scene.name)
-    found = derived(Graphs(equations, fixed=read_fixed(scene, folder.fixed)), names)
+    found = derived(Graphs(equations, fixed=_fixed(folder, scene)), names)
     for group in (*STATE, "ud", "multipliers"):
         left, right = (
             [symbol.name for symbol in one.symbols[group]] for one in (folder.evidence.known, found)
         )
         if left != right:
             raise _other(folder, scene.name)
+    return found
+
+
+def _fixed(folder: Folder, scene: Scene) -> Fixed:
+    """Values of fixed parameters; what the scene defines by them, with pi say, follows."""
+    given = {name: value for name, value in folder.fixed.items() if FRACTION.fullmatch(value)}
+    found = read_fixed(scene, given)
+    follows = {symbol.name: str(value) for symbol, value in found.items()}
+    if odd := sorted(set(folder.fixed.items()) ^ set(follows.items())):
+        name, value = odd[0]
+        raise InputError(
+            f"{folder.path / MANIFEST}: {name} = {value[:40]} does not follow from what is fixed"
+        )
     return found
 
 
