@@ -27,6 +27,7 @@ from sympy import Eq
 import mechanics
 from benchmarks.detection.__main__ import names, run
 from benchmarks.detection.trial import Result
+from mechanics.judge.check import Check
 from mechanics.scene.quantities import EquationOfMotion
 from mechanics.scene.system import System
 from systems import ALL, SEED
@@ -231,7 +232,7 @@ def _case(case: Result) -> str:
 # -------------------------------------------------------------------- as text
 
 
-def _checked(found: mechanics.judge.check.Check) -> str:
+def _checked(found: Check) -> str:
     """Verdict and first repair of each statement."""
     told = mechanics.check_json(found)["statements"]
     return "; ".join(f"{entry['tag']}: {_verdict(entry)}{_repair(entry)}" for entry in told)

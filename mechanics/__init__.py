@@ -3,45 +3,55 @@
 scene --> routes --> Equations --> checks --> report
                          |
                          +--> compile --> Model --> simulate, write_c
+
+Everything below is imported when it is asked for: a command that needs little starts at once.
 """
 
-from mechanics.compiled import Model, compile
-from mechanics.crosscheck import ROUTES, CrossCheck, crosscheck, derive
-from mechanics.crosscheck.fmu import write_fmu
-from mechanics.equations import Equations
-from mechanics.errors import MechanicsError
-from mechanics.exact import Finding, Verdict, Witness
-from mechanics.export import write_c
-from mechanics.extremes import extremes
-from mechanics.judge.check import check
-from mechanics.judge.check_json import to_json as check_json
-from mechanics.linear import damped_modes, linearise, modes
-from mechanics.reading.code.black_box import BlackBox
-from mechanics.report.answer.page import check_html
-from mechanics.report.html import to_html
-from mechanics.report.json_report import to_json
-from mechanics.scene import (
-    Particle,
-    RigidBody,
-    Scene,
-    condition,
-    damper,
-    force,
-    gravity,
-    holonomic,
-    nonholonomic,
-    parameters,
-    reaction,
-    reaction_couple,
-    spring,
-    torque,
-    torsion_spring,
-)
-from mechanics.scene.published import published
-from mechanics.scene.system import System
-from mechanics.simulate import Feedback, ensemble
-from mechanics.trade import trade
-from mechanics.trade.accurate import simulate
+from __future__ import annotations
+
+import sys
+from importlib import import_module
+from types import ModuleType
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from mechanics.compiled import Model, compile
+    from mechanics.crosscheck import ROUTES, CrossCheck, crosscheck, derive
+    from mechanics.crosscheck.fmu import write_fmu
+    from mechanics.equations import Equations
+    from mechanics.errors import MechanicsError
+    from mechanics.exact import Finding, Verdict, Witness
+    from mechanics.export import write_c
+    from mechanics.extremes import extremes
+    from mechanics.judge.check import check
+    from mechanics.judge.check_json import to_json as check_json
+    from mechanics.linear import damped_modes, linearise, modes
+    from mechanics.reading.code.black_box import BlackBox
+    from mechanics.report.answer.page import check_html
+    from mechanics.report.html import to_html
+    from mechanics.report.json_report import to_json
+    from mechanics.scene import (
+        Particle,
+        RigidBody,
+        Scene,
+        condition,
+        damper,
+        force,
+        gravity,
+        holonomic,
+        nonholonomic,
+        parameters,
+        reaction,
+        reaction_couple,
+        spring,
+        torque,
+        torsion_spring,
+    )
+    from mechanics.scene.published import published
+    from mechanics.scene.system import System
+    from mechanics.simulate import Feedback, ensemble
+    from mechanics.trade import trade
+    from mechanics.trade.accurate import simulate
 
 __all__ = [
     "ROUTES",
@@ -89,3 +99,73 @@ __all__ = [
     "write_c",
     "write_fmu",
 ]
+
+_MODULES = {
+    "Model": ("mechanics.compiled", "Model"),
+    "compile": ("mechanics.compiled", "compile"),
+    "ROUTES": ("mechanics.crosscheck", "ROUTES"),
+    "CrossCheck": ("mechanics.crosscheck", "CrossCheck"),
+    "crosscheck": ("mechanics.crosscheck", "crosscheck"),
+    "derive": ("mechanics.crosscheck", "derive"),
+    "write_fmu": ("mechanics.crosscheck.fmu", "write_fmu"),
+    "Equations": ("mechanics.equations", "Equations"),
+    "MechanicsError": ("mechanics.errors", "MechanicsError"),
+    "Finding": ("mechanics.exact", "Finding"),
+    "Verdict": ("mechanics.exact", "Verdict"),
+    "Witness": ("mechanics.exact", "Witness"),
+    "write_c": ("mechanics.export", "write_c"),
+    "extremes": ("mechanics.extremes", "extremes"),
+    "check": ("mechanics.judge.check", "check"),
+    "check_json": ("mechanics.judge.check_json", "to_json"),
+    "damped_modes": ("mechanics.linear", "damped_modes"),
+    "linearise": ("mechanics.linear", "linearise"),
+    "modes": ("mechanics.linear", "modes"),
+    "BlackBox": ("mechanics.reading.code.black_box", "BlackBox"),
+    "check_html": ("mechanics.report.answer.page", "check_html"),
+    "to_html": ("mechanics.report.html", "to_html"),
+    "to_json": ("mechanics.report.json_report", "to_json"),
+    "Particle": ("mechanics.scene", "Particle"),
+    "RigidBody": ("mechanics.scene", "RigidBody"),
+    "Scene": ("mechanics.scene", "Scene"),
+    "condition": ("mechanics.scene", "condition"),
+    "damper": ("mechanics.scene", "damper"),
+    "force": ("mechanics.scene", "force"),
+    "gravity": ("mechanics.scene", "gravity"),
+    "holonomic": ("mechanics.scene", "holonomic"),
+    "nonholonomic": ("mechanics.scene", "nonholonomic"),
+    "parameters": ("mechanics.scene", "parameters"),
+    "reaction": ("mechanics.scene", "reaction"),
+    "reaction_couple": ("mechanics.scene", "reaction_couple"),
+    "spring": ("mechanics.scene", "spring"),
+    "torque": ("mechanics.scene", "torque"),
+    "torsion_spring": ("mechanics.scene", "torsion_spring"),
+    "published": ("mechanics.scene.published", "published"),
+    "System": ("mechanics.scene.system", "System"),
+    "Feedback": ("mechanics.simulate", "Feedback"),
+    "ensemble": ("mechanics.simulate", "ensemble"),
+    "trade": ("mechanics.trade", "trade"),
+    "simulate": ("mechanics.trade.accurate", "simulate"),
+}
+"""Where each public name comes from."""
+
+
+class _Package(ModuleType):
+    """This package; its functions keep their names when modules of the same name are imported."""
+
+    def __getattr__(self, name: str) -> Any:
+        if name not in _MODULES:
+            raise AttributeError(f"module {self.__name__!r} has no attribute {name!r}")
+        module, attribute = _MODULES[name]
+        value = getattr(import_module(module), attribute)
+        super().__setattr__(name, value)
+        return value
+
+    def __setattr__(self, name: str, value: Any) -> None:
+        if not (name in _MODULES and isinstance(value, ModuleType)):
+            super().__setattr__(name, value)
+
+    def __dir__(self) -> list[str]:
+        return sorted({*super().__dir__(), *__all__})
+
+
+sys.modules[__name__].__class__ = _Package

@@ -7,42 +7,107 @@ An error that the program did not expect shows where it happened, with an exit c
 
 import sys
 import traceback
+from importlib import import_module
 from typing import Annotated, Any, NoReturn
 
 import typer
 from rich.console import Console
 from rich.markup import escape
+from typer.core import TyperGroup
 
-from mechanics.cli import (
-    checking,
-    crosschecking,
-    deriving,
-    extremes,
-    fmu,
-    small_motions,
-    trading,
-    using,
-    verifying,
-)
 from mechanics.errors import MechanicsError, RefutedError
-from mechanics.export.manifest import version_of
 
 # Typer brings its own copy of click, or uses click, depending on its version.
 USAGE_ERROR: Any = typer.BadParameter.__base__
 
+COMMANDS = {
+    "systems": ("crosschecking", "List the systems that come with the program."),
+    "crosscheck": (
+        "crosschecking",
+        "Derive systems by four routes and prove that they agree with each other and their source.",
+    ),
+    "check": (
+        "checking",
+        "Check your own equations of motion, energies, reactions or mass matrix.",
+    ),
+    "derive": (
+        "deriving",
+        "Print the equations of motion M u' = f + B lambda, A u' = b of one route.",
+    ),
+    "simulate": ("using", "Integrate the equations of motion and write the samples."),
+    "codegen": (
+        "using",
+        "Write the equations as C99: a folder that builds, tests and installs alone.",
+    ),
+    "verify": (
+        "verifying",
+        "Repeat every step from the physics to the machine code, from the files of a folder.",
+    ),
+    "fmu": (
+        "fmu",
+        "Write the equations as an FMU: FMI 3.0, for model exchange and co-simulation.",
+    ),
+    "extremes": (
+        "extremes",
+        "Walk out along every parameter, coordinate and speed until something breaks,"
+        " and say what.",
+    ),
+    "trade": (
+        "trading",
+        "Measure what each integrator, precision, form, compiler setting and model costs"
+        " and loses.",
+    ),
+    "linearize": (
+        "small_motions",
+        "Print the linear equations about an equilibrium, which is proved to be one first.",
+    ),
+    "modes": (
+        "small_motions",
+        "Print natural frequencies and shapes about an equilibrium, exact where they factor.",
+    ),
+}
+"""Module of each command, and the first line of its help: what is not called is not imported."""
+
+
+class _OnDemand(TyperGroup):
+    """Commands that are imported when they are called."""
+
+    def resolve_command(self, ctx: Any, args: list[str]) -> Any:
+        name, _, rest = super().resolve_command(ctx, args)
+        return name, command(str(name)), rest
+
+
+def command(name: str) -> Any:
+    """A command with its options, imported now."""
+    single = typer.Typer(**_LOOKS)
+    single.command(name)(getattr(import_module(f"mechanics.cli.{COMMANDS[name][0]}"), name))
+    return typer.main.get_command(single)
+
+
+def _nothing() -> None:
+    """Stands for a command in the list of all."""
+
+
+_LOOKS: dict[str, Any] = {
+    "add_completion": False,
+    "rich_markup_mode": "markdown",
+    "pretty_exceptions_enable": False,
+}
+
 app = typer.Typer(
     name="mechanics",
+    cls=_OnDemand,
     help="Know that equations of motion are right: derive them four ways, prove that they agree,"
     " compile them.",
     no_args_is_help=True,
-    add_completion=False,
-    rich_markup_mode="markdown",
-    pretty_exceptions_enable=False,
+    **_LOOKS,
 )
 
 
 def _tell_version(wanted: bool) -> None:
     if wanted:
+        from mechanics.export.manifest import version_of
+
         typer.echo(f"mechanics {version_of('mechanics')}")
         raise typer.Exit
 
@@ -57,18 +122,8 @@ def options(
     """What stands before a command."""
 
 
-app.command("systems")(crosschecking.systems)
-app.command("crosscheck")(crosschecking.crosscheck)
-app.command("check")(checking.check)
-app.command("derive")(deriving.derive)
-app.command("simulate")(using.simulate)
-app.command("codegen")(using.codegen)
-app.command("verify")(verifying.verify)
-app.command("fmu")(fmu.fmu)
-app.command("extremes")(extremes.extremes)
-app.command("trade")(trading.trade)
-app.command("linearize")(small_motions.linearize)
-app.command("modes")(small_motions.modes)
+for _name, (_, _help) in COMMANDS.items():
+    app.command(_name, help=_help)(_nothing)
 
 DEFECT = 70
 """Exit code after an error that nobody expected (EX_SOFTWARE of sysexits.h)."""

@@ -8,16 +8,17 @@ import mechanics
 from mechanics.blame import blame as one
 from mechanics.blame.search.budget import Budget
 from mechanics.judge import blamed as text
+from mechanics.judge.check import Check
 
 WRONG = "(M + m)*x'' + 3*k*x + M*L/2*(theta''*cos(theta) + theta'^2*sin(theta)) = 0"
 
 
-def searched(check: Callable[[str], mechanics.judge.check.Check], equation: str) -> list[str]:
+def searched(check: Callable[[str], Check], equation: str) -> list[str]:
     return [entry.blame.searched for entry in check(equation).judged if entry.blame is not None]
 
 
 @pytest.fixture
-def check() -> Callable[[str], mechanics.judge.check.Check]:
+def check() -> Callable[[str], Check]:
     from systems import elastic_pendulum
 
     truth = mechanics.derive(elastic_pendulum.scene(), "free_body")

@@ -11,6 +11,8 @@ import pytest
 from sympy import Matrix
 
 import systems
+from mechanics.cli.app import COMMANDS as LISTED
+from mechanics.cli.app import command as imported
 from mechanics.crosscheck import ROUTES, derive
 from mechanics.exact import is_zero
 
@@ -130,6 +132,21 @@ def test_the_console_command_in_a_process_of_its_own() -> None:
     assert ran.returncode == 2
     assert ran.stdout == ""
     assert ran.stderr.count("\n") == 1
+
+
+def test_the_list_of_commands_says_what_each_says_of_itself() -> None:
+    for name, (_, line) in LISTED.items():
+        assert imported(name).help.partition("\n")[0] == line
+
+
+def test_help_imports_no_mathematics() -> None:
+    code = (
+        "import sys, atexit; from mechanics.cli import main;"
+        "atexit.register(lambda: print(*sys.modules)); main()"
+    )
+    ran = subprocess.run([sys.executable, "-c", code, "--help"], capture_output=True, text=True)
+    assert ran.returncode == 0
+    assert not {"sympy", "numpy", "casadi", "scipy"} & set(ran.stdout.split())
 
 
 def test_the_version_is_that_of_the_package(run: Any) -> None:
