@@ -15,6 +15,7 @@ from typing import Any
 
 from sympy import Expr, Matrix, Symbol
 
+from mechanics.exact import TooLarge
 from mechanics.scene import Scene
 
 FEW = 6
@@ -182,6 +183,15 @@ class Equations:
     def long(self) -> bool:
         """Whether `rows` stand for M, f and B, which are too long to be written out."""
         return bool(self.rows) and len(self.unknowns) > FEW
+
+    @property
+    def readable(self) -> bool:
+        """Whether M, f and B can be written out: their normal form is not too large."""
+        try:
+            _ = self.system
+        except TooLarge:
+            return False
+        return True
 
     @property
     def unknowns(self) -> tuple[Symbol, ...]:

@@ -212,9 +212,12 @@ class Graphs(Mapping[str, ca.Function]):
         return tuple(self._linear.pivots)
 
     def _of_state(self, *graphs: ca.SX, x: ca.SX | None = None) -> ca.Function:
-        inputs = {group: self._columns[group] for group in STATE} | ({} if x is None else {"x": x})
+        inputs = {group: self._columns[group] for group in STATE}
         bound = self._bound(list(graphs))
-        return self._function("system", inputs, dict(zip("yz", bound, strict=False)))
+        if x is None:
+            return self._function("system", inputs, dict(zip("yz", bound, strict=False)))
+        # Of what is evaluated a few times nothing is shared: that takes longer.
+        return ca.Function("residual", [*inputs.values(), x], [ca.densify(bound[0])])
 
     def _forward_dynamics(self) -> dict[str, ca.SX]:
         n = len(self.quantities.ud)

@@ -1,7 +1,7 @@
 """Exact arithmetic: statements are proved, certified, refuted or undecided, without tolerance."""
 
 from mechanics.exact.arithmetic import Arithmetic, Number, as_fraction
-from mechanics.exact.canonical import canonical, collect_linear, linear_equation
+from mechanics.exact.canonical import canonical, collect_linear, linear_equation, tidy
 from mechanics.exact.decide import decide, is_zero, prove_equal, prove_zero
 from mechanics.exact.decimals import decimal_matches, enclose
 from mechanics.exact.finding import Finding, Verdict, Witness
@@ -31,4 +31,5 @@ __all__ = [
     "prove_equal",
     "prove_zero",
     "slope",
+    "tidy",
 ]

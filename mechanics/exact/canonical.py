@@ -14,7 +14,9 @@ from flint import fmpq_mpoly
 from mechanics.errors import ExpressionError
 from mechanics.exact.canonical_back import generator_expression
 from mechanics.exact.canonical_poly import Reader, reader
+from mechanics.exact.independence import generic_rank
 from mechanics.exact.ring import Ring
+from mechanics.exact.signals import TooLarge
 
 
 def canonical(expr: sympy.Expr) -> sympy.Expr:
@@ -40,6 +42,18 @@ def canonical(expr: sympy.Expr) -> sympy.Expr:
     """
     result, (polynomial,) = reader([expr])
     return result.write(polynomial)
+
+
+def tidy(expr: sympy.Expr) -> sympy.Expr:
+    """Return `canonical` of an expression where that is small, else zero or the expression.
+
+    For where a normal form is only a convenience, but what is zero must be seen to be. That is
+    certain for what is not zero, and else but for a chance below 2^-90 (`generic_rank`).
+    """
+    try:
+        return canonical(expr)
+    except TooLarge:
+        return expr if generic_rank([[expr]]) else sympy.S.Zero
 
 
 def collect_linear(

@@ -18,7 +18,7 @@ from sympy import Add, Expr, Matrix, Mul, S, Symbol
 
 from mechanics.equations import Equations, FreeBodyRow
 from mechanics.errors import SingularError
-from mechanics.exact import canonical
+from mechanics.exact import tidy
 from mechanics.scene.topology import Tree
 
 
@@ -129,8 +129,8 @@ def _subtract(row: Row, pivot: Row, reaction: Symbol) -> None:
     for symbol, value in pivot.coefficients.items():
         if symbol != reaction:
             merged[symbol] = merged.get(symbol, S.Zero) - factor * value
-    tidy = {symbol: canonical(value) for symbol, value in merged.items()}
-    row.coefficients = {symbol: value for symbol, value in tidy.items() if value != 0}
+    tidied = {symbol: tidy(value) for symbol, value in merged.items()}
+    row.coefficients = {symbol: value for symbol, value in tidied.items() if value != 0}
 
 
 def solved_reactions(solved: Sequence[Solved]) -> tuple[tuple[Symbol, Expr], ...]:

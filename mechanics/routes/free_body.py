@@ -12,7 +12,7 @@ from functools import cache, partial
 from sympy import Add, Expr, Matrix, S, Symbol
 
 from mechanics.equations import Equations, FreeBodyRow
-from mechanics.exact import canonical
+from mechanics.exact import tidy
 from mechanics.kinematics import differentiate
 from mechanics.kinematics.constraints import constraint_rows
 from mechanics.kinematics.directions import AXES, Directions, used_directions
@@ -173,5 +173,5 @@ def _dot(vector: Matrix, along: Matrix) -> Expr:
 
 def _nonzero(coefficients: dict[Symbol, Expr]) -> tuple[tuple[Symbol, Expr], ...]:
     """Coefficients in the normal form: one that cancels must not be taken for a pivot."""
-    tidy = {symbol: canonical(value) for symbol, value in coefficients.items()}
-    return tuple((symbol, value) for symbol, value in tidy.items() if value != S.Zero)
+    tidied = {symbol: tidy(value) for symbol, value in coefficients.items()}
+    return tuple((symbol, value) for symbol, value in tidied.items() if value != S.Zero)

@@ -115,3 +115,19 @@ def test_a_form_that_is_no_solution_is_not_chosen(monkeypatch: pytest.MonkeyPatc
     assert_follows(arm, model)
     with pytest.raises(SingularError, match="arm of 2 by kane: this form gives no accelerations"):
         _ = modelled(kane.derive(arm.scene), "recursive").form
+
+
+def test_rows_serve_where_the_normal_form_of_f_is_too_large() -> None:
+    arm = serial_arm(4, axes="z", fixed="x")
+    equations = free_body.derive(arm.scene)
+    assert not equations.readable
+    model = modelled(equations)
+    assert_follows(arm, model)
+    finding = prove_graph("forward_dynamics", model.casadi, try_normal=False)
+    assert finding.shown, finding
+
+
+@pytest.mark.slow
+def test_six_joints() -> None:
+    arm = serial_arm(6)
+    assert_follows(arm, modelled(kane.derive(arm.scene)))

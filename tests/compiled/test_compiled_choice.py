@@ -109,7 +109,9 @@ def test_a_digit_lost_weighs_as_twice_the_operations() -> None:
     given = kane.derive(SEED[2].scene())
 
     def choose(errors: dict[int, float]) -> Any:
-        system = SimpleNamespace(equations=given, error=lambda graph: errors[operations(graph)])
+        system = SimpleNamespace(
+            equations=given, written_out=True, error=lambda graph: errors[operations(graph)]
+        )
         return lightest(system, [long, short])
 
     counts = operations(short), operations(long)

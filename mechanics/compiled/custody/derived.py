@@ -78,7 +78,8 @@ def derived(graphs: Graphs, functions: Sequence[str], by_rows: bool = False) -> 
     With `by_rows`, M and f of a long chain are not written out where rows can judge.
     """
     equations, scene = graphs.derived, graphs.derived.scene
-    by_rows = by_rows and equations.long and OF_ROWS.issuperset(functions)
+    by_rows = by_rows and bool(equations.rows) and OF_ROWS.issuperset(functions)
+    by_rows = by_rows and (equations.long or not equations.readable)
     if by_rows:
         count = len(equations.multipliers)
         constraints = equations.constraint_matrix

@@ -40,7 +40,8 @@ def chosen(system: System) -> tuple[Form, ca.SX]:
     """The form, and the graph of (u', lambda)."""
     found = [(form, graph) for form in (RECURSIVE, SPARSE) for graph in form.ways(system)]
     n = len(system.equations.unknowns)
-    if not found or n <= FEW or min(operations(graph) for _, graph in found) >= full(n):
+    small = n <= FEW or not found or min(operations(graph) for _, graph in found) >= full(n)
+    if not found or (small and system.readable):
         usual = preferred(system.equations)
         graph = usual.solve(system)
         if system.solved_by(graph):

@@ -56,7 +56,7 @@ def ways(system: System) -> list[ca.SX]:
     if inapplicable(equations):
         return []
     graphs = _tried(equations).graphs(system)
-    if not equations.long or not graphs:
+    if not graphs or system.written_out:
         return [graph for _, graph in graphs]
     # What is not weighed by its errors is on the safe side, unless that costs a lot.
     counted = [(operations(graph), way, graph) for way, graph in graphs]

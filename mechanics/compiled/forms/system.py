@@ -52,15 +52,25 @@ class System:
         return reference(self.function(self.residual(x), x=x), x.numel(), self.quantities)
 
     @cached_property
+    def readable(self) -> bool:
+        """Whether M and f can be written out."""
+        return self.equations.readable
+
+    @property
+    def written_out(self) -> bool:
+        """Whether forms are weighed by K and k: these are not too long, nor too large."""
+        return not self.equations.long and self.readable
+
+    @cached_property
     def graphs(self) -> tuple[ca.SX, ca.SX]:
         """K and k."""
         left, right = self.equations.system
         return self.translate.matrix(left), self.translate.matrix(right)
 
     def residual(self, x: ca.SX) -> ca.SX:
-        """K x - k, by the rows that stand for K and k where these are too long."""
+        """K x - k, by the rows that stand for K and k where the route has them."""
         equations = self.equations
-        if not equations.long:
+        if not equations.rows:
             left, right = self.graphs
             return left @ x - right
         unknowns = equations.unknowns

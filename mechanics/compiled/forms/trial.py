@@ -12,7 +12,7 @@ from functools import lru_cache
 
 import casadi as ca
 import numpy as np
-from sympy import Add, Expr, Symbol
+from sympy import Add, S, Symbol
 
 from mechanics.compiled.forms.order import Array, Order, pivot_order
 from mechanics.compiled.programs.program import Program, program, run
@@ -184,25 +184,25 @@ def _missing(code: Program, states: list[list[Array]]) -> bool:
 
 @lru_cache(maxsize=4)
 def _rows(equations: Equations, symbols: tuple[Symbol, ...]) -> list[ExtendedTerms]:
-    """Terms of K x - k, row by row, in normal form."""
+    """Terms of K x - k, row by row, in normal form where that is small."""
     left, right = equations.system
-    found = []
-    for i in range(left.rows):
-        row = [
-            term * x
-            for entry, x in zip(left[i, :], equations.unknowns, strict=True)
-            for term in _terms(entry)
-        ]
-        row += [-term for term in _terms(right[i])]
-        found.append(extended_terms(row, [*symbols, *equations.unknowns]))
-    return found
-
-
-def _terms(entry: Expr) -> list[Expr]:
-    """Terms in normal form, or as they were derived where that is too large."""
+    unknowns = (*equations.unknowns, S.NegativeOne)
+    entries = [[*left[i, :], right[i]] for i in range(left.rows)]
+    # One entry that is too large tells that the others are: each of them takes as long to find out.
     with suppress(TooLarge):
-        entry = canonical(entry)
-    return [term for term in Add.make_args(entry) if term != 0]
+        entries = [[canonical(entry) for entry in row] for row in entries]
+    return [
+        extended_terms(
+            [
+                term * x
+                for entry, x in zip(row, unknowns, strict=True)
+                for term in Add.make_args(entry)
+                if term != 0
+            ],
+            [*symbols, *equations.unknowns],
+        )
+        for row in entries
+    ]
 
 
 def _states(quantities: Quantities) -> list[list[Array]]:

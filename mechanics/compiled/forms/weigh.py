@@ -35,7 +35,7 @@ def digits_lost(error: float) -> float:
 def lightest(system: System, graphs: Iterable[ca.SX]) -> ca.SX:
     """The graph of least weight; errors are tried only as long as they can decide.
 
-    Where K is too long to be written out, operations decide.
+    Where K is not written out, operations decide.
 
     Raises
     ------
@@ -50,7 +50,7 @@ def lightest(system: System, graphs: Iterable[ca.SX]) -> ca.SX:
             " satisfy M u' = f: choose another one, or 'auto'"
         )
     best, least = counted[0][1], inf
-    if system.equations.long:
+    if not system.written_out:
         return best
     for count, graph in counted:
         if count >= least:
