@@ -92,7 +92,7 @@ def report(system: System) -> Entries:
 
 
 class _Lines(HTMLParser):
-    """Headings and rows of tables as text; formulas are left out."""
+    """Headings and rows of tables as text, without formulas and evidence."""
 
     KINDS = ("h1", "h2", "h3", "h4", "tr")
 
@@ -100,19 +100,21 @@ class _Lines(HTMLParser):
         super().__init__()
         self.found: list[tuple[str, str]] = []
         self._texts: list[list[str]] = []
-        self._formulas = 0
+        self._without: list[str] = []
 
     def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
-        self._formulas += tag == "math"
+        if tag == "math" or ("class", "evidence") in attrs:
+            self._without.append(tag)
         if tag in self.KINDS:
             self._texts.append([])
 
     def handle_data(self, data: str) -> None:
-        if self._texts and not self._formulas:
+        if self._texts and not self._without:
             self._texts[-1].append(data)
 
     def handle_endtag(self, tag: str) -> None:
-        self._formulas -= tag == "math"
+        if self._without and tag == self._without[-1]:
+            self._without.pop()
         if tag in self.KINDS:
             self.found.append((tag, " ".join(" ".join(self._texts.pop()).split())))
 
