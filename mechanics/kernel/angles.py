@@ -194,13 +194,8 @@ def base_angles(program: Program) -> Program:
     """
     forms = Forms(program)
     common = {"angle": 1, "exponent": 1}
-    plain = True
+    plain = has_truths(program)
     for number, code in enumerate(program.operations):
-        if code in _CONDITIONS:
-            conditions = (0,) if code in (SELECT, NOT) else (0, 1)
-            plain = plain and all(
-                is_truth(program, program.operands[k][number]) for k in conditions
-            )
         if code not in _CIRCULAR and code not in _EXPONENTIAL:
             continue
         operand = program.operands[0][number]
@@ -229,6 +224,16 @@ def is_truth(nodes: Program | Builder, number: int) -> bool:
     if code == CONSTANT:
         return nodes.constants[nodes.operands[0][number]] in (0, 1)
     return code in _TRUTH
+
+
+def has_truths(program: Program) -> bool:
+    """Whether all that stands for a condition is 0 or 1."""
+    for number, code in enumerate(program.operations):
+        if code in _CONDITIONS:
+            places = (0,) if code in (SELECT, NOT) else (0, 1)
+            if not all(is_truth(program, program.operands[k][number]) for k in places):
+                return False
+    return True
 
 
 def _is_pi(nodes: Program | Builder, monomial: Monomial) -> bool:

@@ -18,7 +18,7 @@ from flint import fmpq
 
 from mechanics.errors import ExpressionError
 from mechanics.kernel import radicals
-from mechanics.kernel.angles import base_angles
+from mechanics.kernel.angles import base_angles, has_truths
 from mechanics.kernel.quotients import NoValue, Quotient, Quotients
 from mechanics.kernel.ring import MOST_GENERATORS, TooLarge, content
 from mechanics.kernel.sizes import is_algebraic
@@ -230,7 +230,7 @@ def proves(statement: Statement) -> bool:
     unknowns = max((system[0] for system in program.systems), default=0)
     if len(program) > MOST_NODES or unknowns > MOST_UNKNOWNS:
         return False
-    if _attempt(statement, program):
+    if has_truths(program) and _attempt(statement, program):
         return True
     expanded = base_angles(program)
     return expanded is not program and _attempt(statement, expanded)

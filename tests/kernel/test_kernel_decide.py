@@ -9,6 +9,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from mechanics.kernel import Finding, Range, Statement, Verdict, decide
+from mechanics.kernel.normal import proves
+from mechanics.kernel.trial import Answer, trial
+from mechanics.kernel.witness import find_boundary_witness, find_witness
 from mechanics.program import Builder, Node, interpret
 from mechanics.program.interpret import include
 
@@ -187,6 +190,22 @@ def test_false_statements_are_refuted_by_a_witness_that_holds(name: str) -> None
             assert abs(side - mpmath.mpf(middle)) <= mpmath.mpf(radius or 0) + mpmath.mpf(10) ** -90
 
 
+@pytest.mark.parametrize("name", FALSE)
+def test_no_part_of_the_kernel_shows_what_is_false(name: str) -> None:
+    claim = statement(FALSE[name])
+    assert not proves(claim)
+    outcome = trial(claim, lambda: False)
+    # Where cases meet, only a state there tells them apart.
+    assert outcome.answer is not Answer.ZERO or outcome.off_boundaries
+
+
+@pytest.mark.parametrize("name", TRUE)
+def test_no_part_of_the_kernel_refutes_what_is_true(name: str) -> None:
+    claim = statement(TRUE[name])
+    assert find_witness(claim) is None
+    assert find_boundary_witness(claim) is None
+
+
 def test_findings_and_witnesses_are_the_same_in_each_run() -> None:
     for name in ("sine", "modulus", "root of a sum"):
         assert decide(statement(FALSE[name])) == decide(statement(FALSE[name]))
@@ -206,6 +225,7 @@ def test_a_witness_shows_the_terms_of_the_statement() -> None:
     witness = decide(Statement("terms", program)).witness
     assert witness is not None
     assert [name for name, _ in witness.solved] == ["terms of the left[0]", "terms of the left[1]"]
+    assert not any("+/-" in value for _, value in witness.solved)
     state = dict(witness.state)
     assert [Fraction(value) for _, value in witness.solved] == [Fraction(state[n]) for n in "xy"]
 

@@ -313,6 +313,10 @@ def test_sizes_follow_their_equations() -> None:
     assert (cube.numerator, cube.denominator) == (4, 2 * (4 + 2 * 2) / 3)
     assert d.log2_conjugates == 1 + log2(3)
     assert d.operations["sin"](u).numerator == d.operations["sin"](u).height == 1
+    u.inverse = None
+    first, again = (d.solve([[u]], [v], False)[0] for _ in range(2))
+    assert 0 != first.token != again.token != 0
+    assert d.solve([[d.constant(Fraction(2))]], [d.constant(Fraction(3))], True)[0].token == 0
     choice = d.operations["select"](d.variable(), u, v)
     assert choice.numerator == 8
 
@@ -440,6 +444,13 @@ def test_surds_are_principal_and_multiply() -> None:
         assert (w * w - f.constant(q)) % p == 0
         assert pow(w, (p - 1) // 2, p) == 1
     assert f.square_roots == 0
+    other = next(
+        g for g in (Residues(prime(seed=str(k)), MODULUS, Draws("s")) for k in range(40))
+        if pow(11, (g.prime - 1) // 2, g.prime) == 1
+    )  # fmt: skip
+    w = other.operations["sqrt"](other.constant(Fraction(99, 4)))
+    assert (4 * w * w - 99) % other.prime == 0 != w
+    assert other.square_roots == 1
     with pytest.raises(Inadmissible):
         sqrt(f.constant(Fraction(-2)))
     assert sqrt(0) == 0
