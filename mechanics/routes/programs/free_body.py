@@ -22,7 +22,7 @@ from mechanics.program.vectors import Vector, add, dot, times, transpose, zeros
 from mechanics.routes.programs import differentiate
 from mechanics.routes.programs.directions import Directions, used_directions
 from mechanics.routes.programs.elimination import Elimination, Row, nonzero
-from mechanics.routes.programs.loads import Wrench, applied, by_body, unit_reactions
+from mechanics.routes.programs.loads import Wrench, acting_reactions, applied, by_body
 from mechanics.routes.programs.motion import BodyMotion, Motions, body_motions
 from mechanics.routes.programs.rows import Rows
 
@@ -96,7 +96,7 @@ def free_body_rows(mechanism: Mechanism, filter_: Residues) -> tuple[FreeBodyRow
     motions = differentiate.motions(mechanism)
     bodies = body_motions(mechanism, motions)
     loads = applied(mechanism, motions)
-    units = unit_reactions(mechanism, motions.poses)
+    units = acting_reactions(mechanism, motions.poses)
     every = [*loads, *(unit for pair in units for unit in pair)]
     directions = used_directions(filter_, bodies, every)
     groups = by_body(mechanism, loads)

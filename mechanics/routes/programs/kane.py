@@ -14,7 +14,7 @@ from mechanics.program.builder import Node
 from mechanics.program.derivatives import gradient
 from mechanics.program.vectors import add, cross, dot, scale, subtract, times, zeros
 from mechanics.routes.programs import chain
-from mechanics.routes.programs.loads import Wrench, applied, by_body, unit_reactions
+from mechanics.routes.programs.loads import Wrench, acting_reactions, applied, by_body
 from mechanics.routes.programs.motion import BodyMotion, Motions, body_motions
 from mechanics.routes.programs.rows import Rows
 
@@ -68,7 +68,7 @@ def _unknown_loads(
     mechanism: Mechanism, motions: Motions, unknown: dict[int, Node]
 ) -> list[Wrench]:
     """Unknown reactions as loads: a pressing one does no work itself, but its friction does."""
-    units = unit_reactions(mechanism, motions.poses)
+    units = acting_reactions(mechanism, motions.poses)
     return [
         Wrench(unit.name, unit.body, unit.at, scale(size, unit.force), scale(size, unit.couple))
         for index, size in unknown.items()

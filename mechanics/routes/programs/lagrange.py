@@ -90,7 +90,7 @@ def _conservative(mechanism: Mechanism) -> tuple[Node, ...]:
 
 def _pressing(mechanism: Mechanism, motions: Motions, unknown: Mapping[int, Node]) -> list[Wrench]:
     """Reactions that press, with their friction, as loads."""
-    units = loads.unit_reactions(mechanism, motions.poses) if unknown else []
+    units = loads.acting_reactions(mechanism, motions.poses) if unknown else []
     return [
         Wrench(unit.name, unit.body, unit.at, scale(size, unit.force), unit.couple)
         for index, size in unknown.items()

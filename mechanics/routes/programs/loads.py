@@ -8,7 +8,7 @@ friction  -mu N sign(v) along the direction of sliding, N the reaction that pres
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from mechanics.mechanism import GROUND, Line, Mechanism
 from mechanics.program.builder import Node
@@ -78,23 +78,33 @@ def other(mechanism: Mechanism, motions: Motions) -> list[Wrench]:
 
 
 def unit_reactions(mechanism: Mechanism, where: Poses) -> list[list[Wrench]]:
-    """For each reaction the wrenches of a unit of it, with the friction that it brings.
-
-    A pressing reaction with friction is one force that leans against the sliding.
-    """
+    """For each reaction the wrenches of a unit of it, on both bodies."""
     none = zeros(mechanism.builder)
     table = []
-    for index, reaction in enumerate(mechanism.reactions):
+    for reaction in mechanism.reactions:
         along = where.vector(reaction.along)
         if reaction.at is None:
             table.append(_pair(reaction.name, reaction.on, reaction.by, none, none, along))
-            continue
-        for load in mechanism.frictions:
-            if load.reaction == index:
-                size = load.coefficient * load.sliding.sign()
-                along = subtract(along, scale(size, where.vector(load.along)))
-        at = where.positions[reaction.at]
-        table.append(_pair(reaction.name, reaction.on, reaction.by, at, along, none))
+        else:
+            at = where.positions[reaction.at]
+            table.append(_pair(reaction.name, reaction.on, reaction.by, at, along, none))
+    return table
+
+
+def acting_reactions(mechanism: Mechanism, where: Poses) -> list[list[Wrench]]:
+    """The same with the friction that a unit brings.
+
+    A pressing reaction with friction is one force that leans against the sliding.
+    """
+    table = unit_reactions(mechanism, where)
+    for load in mechanism.frictions:
+        size = load.coefficient * load.sliding.sign()
+        rubbing = scale(-size, where.vector(load.along))
+        signs = (1, -1)
+        table[load.reaction] = [
+            replace(unit, force=add(unit.force, scale(sign, rubbing)))
+            for unit, sign in zip(table[load.reaction], signs, strict=False)
+        ]
     return table
 
 

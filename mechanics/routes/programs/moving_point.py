@@ -46,7 +46,7 @@ from mechanics.program.vectors import (
 from mechanics.routes.programs import chain
 from mechanics.routes.programs.directions import Directions, used_directions
 from mechanics.routes.programs.elimination import Elimination, Row
-from mechanics.routes.programs.loads import Wrench, applied, by_body, unit_reactions
+from mechanics.routes.programs.loads import Wrench, acting_reactions, applied, by_body
 from mechanics.routes.programs.motion import BodyMotion, Motions, body_motions
 from mechanics.routes.programs.rows import Rows, acceleration_forms, coefficients
 
@@ -100,7 +100,7 @@ def derive(mechanism: Mechanism) -> Rows:
     build = mechanism.builder
     filter_ = Residues(build)
     motions = chain.motions(mechanism)
-    units = unit_reactions(mechanism, motions.poses)
+    units = acting_reactions(mechanism, motions.poses)
     loops = _loop_reactions(mechanism)
     let_in = {
         index: build.input(mechanism.reactions[index].name)

@@ -1,0 +1,1 @@
+"""Checks of what the routes derive as programs: statements that the kernel decides."""

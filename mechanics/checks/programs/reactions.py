@@ -1,0 +1,56 @@
+"""Reactions of procedure (i), put back into the momentum equations of every isolated body.
+
+rate - applied - sum_j c_j R_j(q, u, u') = 0        at the accelerations of another route
+"""
+
+from __future__ import annotations
+
+from mechanics.checks.programs.agreement import accelerations
+from mechanics.checks.programs.statements import equal
+from mechanics.kernel import Finding
+from mechanics.mechanism import Mechanism
+from mechanics.program.residues import Residues
+from mechanics.program.vectors import scale, subtract
+from mechanics.routes.programs import chain
+from mechanics.routes.programs.directions import used_directions
+from mechanics.routes.programs.kane import inertial
+from mechanics.routes.programs.loads import acting_reactions, applied, by_body
+from mechanics.routes.programs.motion import body_motions
+from mechanics.routes.programs.rows import Rows, substitute
+
+
+def check_reactions(mechanism: Mechanism, free_body: Rows, other: Rows) -> Finding:
+    """Newton's and Euler's equations of every body hold with all loads and reactions on it.
+
+    Written in inertial axes from composed velocities, which procedure (i) does not use, at the
+    accelerations of another route.
+
+    Parameters
+    ----------
+    free_body : Rows
+        With its reactions.
+    other : Rows
+        Of a route without multipliers.
+    """
+    build = mechanism.builder
+    motions = chain.motions(mechanism)
+    groups = by_body(mechanism, applied(mechanism, motions))
+    units = acting_reactions(mechanism, motions.poses)
+    bodies = body_motions(mechanism, motions)
+    every = [wrench for group in (*groups, *units) for wrench in group]
+    directions = used_directions(Residues(build), bodies, every)
+    left = []
+    for index, motion in enumerate(bodies):
+        force, torque = inertial(mechanism, index, motion, groups[index])
+        for reaction, pair in zip(mechanism.reactions, units, strict=True):
+            for unit in pair:
+                if unit.body == index:
+                    size = free_body.reactions[reaction.name]
+                    force = subtract(force, scale(size, unit.force))
+                    torque = subtract(torque, scale(size, unit.moment(motion.centre.position)))
+        left += [force[i] for i in directions.translation]
+        if motion.turning is not None:
+            left += [torque[i] for i in directions.rotation]
+    solved = dict(zip(mechanism.ud, accelerations(mechanism, other), strict=True))
+    values = substitute(build, left, solved)
+    return equal("reactions: every body's momentum", mechanism, values, [0] * len(values))
