@@ -164,7 +164,10 @@ class Push:
 
 @dataclass(frozen=True)
 class Torsion:
-    """A torsion spring: couple -stiffness angle along `axis` on body `on`, the opposite on `by`."""
+    """A torsion spring: couple -stiffness angle along `axis` on body `on`, the opposite on `by`.
+
+    `typed` is its angle and axis as the scene has them.
+    """
 
     name: str
     on: int
@@ -172,17 +175,22 @@ class Torsion:
     axis: Mixed
     angle: Node
     stiffness: Node
+    typed: tuple[str, str]
 
 
 @dataclass(frozen=True)
 class Friction:
-    """Coulomb friction: -coefficient N sign(sliding) along `along`, N the unknown reaction."""
+    """Coulomb friction: -coefficient N sign(sliding) along `along`, N the unknown reaction.
+
+    `typed` is its sliding velocity and direction as the scene has them.
+    """
 
     name: str
     reaction: int
     along: Mixed
     sliding: Node
     coefficient: Node
+    typed: tuple[str, str]
 
 
 @dataclass(frozen=True)
@@ -485,11 +493,13 @@ class _Lowering:
                 axis = self.vector(load.axis, where)
                 angle, stiffness = (self.expression(e, where) for e in (load.angle, load.stiffness))
                 on, by = self.of_body[load.on], self.named(load.by)
-                torsions.append(Torsion(load.name, on, by, axis, angle, stiffness))
+                typed = str(load.angle), str(load.axis)
+                torsions.append(Torsion(load.name, on, by, axis, angle, stiffness, typed))
             elif isinstance(load, Coulomb):
                 along = self.vector(load.along, where)
                 sliding, mu = (self.expression(e, where) for e in (load.sliding, load.coefficient))
-                frictions.append(Friction(load.name, place[load.normal], along, sliding, mu))
+                typed = str(load.sliding), str(load.along)
+                frictions.append(Friction(load.name, place[load.normal], along, sliding, mu, typed))
             else:
                 raise SceneError(f"load {load!r}: it is none of the loads of mechanics.scene.loads")
         return tuple(fields), tuple(lines), tuple(pushes), tuple(torsions), tuple(frictions)
@@ -504,17 +514,16 @@ class _Lowering:
             stiffness, length = (self.expression(e, where) for e in (load.stiffness, load.length))
         else:
             coefficient = self.expression(load.coefficient, where)
-        return Line(
-            load.name,
-            self.point(load.first),
-            self.point(load.second),
-            self.carrier(load.first, load.by, where),
-            self.carrier(load.second, load.on, where),
-            None if load.along is None else self.vector(load.along, where),
-            stiffness,
-            length,
-            coefficient,
-        )
+        by = self.carrier(load.first, load.by, where)
+        on = self.carrier(load.second, load.on, where)
+        if by == on == GROUND:
+            raise SceneError(
+                f"{where}: both ends are on the ground, where it does nothing: name the bodies with"
+                " on= and by="
+            )
+        along = None if load.along is None else self.vector(load.along, where)
+        first, second = self.point(load.first), self.point(load.second)
+        return Line(load.name, first, second, by, on, along, stiffness, length, coefficient)
 
     def push(self, load: Force | Torque, where: str) -> Push:
         vector = self.vector(load.vector, where)

@@ -28,6 +28,8 @@ from mechanics.checks.states import State, draw_states, name_of
 from mechanics.equations import Equations
 from mechanics.errors import ExpressionError
 from mechanics.exact import Finding, Verdict, Witness
+from mechanics.kernel import enclose
+from mechanics.program import Program
 from mechanics.scene import Scene
 from mechanics.scene.loads import CONSERVATIVE, Coulomb
 
@@ -88,11 +90,45 @@ def check_virtual_power(
     support : Equations, optional
         Of a route that tells what presses, where friction acts and `equations` do not.
     """
-    scene = equations.scene
     telling = equations if equations.reactions or support is None else support
+    return _checked(
+        equations.scene, equations.route, states, lambda state: solved(equations, telling, state)
+    )
 
+
+def check_program(scene: Scene, route: str, program: Program, states: Sequence[State]) -> Finding:
+    """The same of a route that is a program.
+
+    Parameters
+    ----------
+    program : Program
+        Outputs ``"ud"``, the rates of the speeds in the order of the scene, and by name whatever
+        reactions it tells, in the scene's plain symbols.
+    """
+    declared = {symbol.name: symbol for symbol in scene.parameters}
+
+    def values_at(state: State) -> Solved:
+        table = state.plain()
+        values = {
+            name: table[name] if name in table else state.parameter(declared[name])
+            for name in program.inputs
+        }
+        found = enclose(program, values, BITS)
+        changes = list(found["ud"])
+        return changes, {name: entry[0] for name, entry in found.items() if name != "ud"}
+
+    return _checked(scene, route, states, values_at)
+
+
+Solved = tuple[list[arb], dict[str, arb]]
+"""u' in the order of the declaration, and the reactions that are told, by name."""
+
+
+def _checked(
+    scene: Scene, route: str, states: Sequence[State], say: Callable[[State], Solved]
+) -> Finding:
     def rows(state: State) -> Iterator[Row]:
-        changes, values = solved(equations, telling, state)
+        changes, values = say(state)
         motion = Motion(scene, state.motion(changes))
         for load in scene.loads:
             if isinstance(load, Coulomb) and not values[load.normal] > 0:
@@ -108,13 +144,11 @@ def check_virtual_power(
         if scene.reactions and all(r.name in values for r in scene.reactions):
             yield from _momenta(motion, inertia, applied, values)
 
-    return _tried(f"{equations.route}: virtual power of what was declared", states, rows)
+    return _tried(f"{route}: virtual power of what was declared", states, rows)
 
 
-def solved(
-    equations: Equations, telling: Equations, state: State
-) -> tuple[list[arb], dict[str, arb]]:
-    """u' in the order of the declaration, and the reactions that are told, by name."""
+def solved(equations: Equations, telling: Equations, state: State) -> Solved:
+    """What equations say at a state; `telling` has the reactions."""
     scene = equations.scene
     here = plain_values(state.plain(), state)
     left, right = equations.system

@@ -3,7 +3,7 @@
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
-from mechanics.checks.soundness import check_sound
+from mechanics.checks.programs.admissible import check_scene
 from mechanics.equations import Equations
 from mechanics.errors import InputError, wanted
 from mechanics.routes import free_body, kane, lagrange, moving_point
@@ -59,11 +59,11 @@ def derive(scene: Scene, route: str = "free_body") -> Equations:
     """
     wanted(scene, Scene, "derive", "pass what scene() of a system gives")
     (chosen,) = named_routes((route,))
-    check_sound(scene)
+    check_scene(scene)
     return chosen.derive(scene)
 
 
 def derive_with(scene: Scene, names: Sequence[str] = ()) -> dict[str, Equations]:
     """Equations of motion by several routes, all of them for no name."""
-    check_sound(scene)
+    check_scene(scene)
     return {route.name: route.derive(scene) for route in named_routes(names)}

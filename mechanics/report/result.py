@@ -14,11 +14,12 @@ from mechanics.scene.published import Published
 class RouteResult:
     """One derivation: the equations, how long they took, and how large they are.
 
+    `equations` is None where they are too long to be written out.
     `operations` counts the operations of M and f after common subexpressions are shared, `forward`
     those of forward dynamics, which are written in `form`, one of `mechanics.compiled.FORMS`.
     """
 
-    equations: Equations
+    equations: Equations | None
     seconds: float
     operations: int
     form: str = ""

@@ -180,6 +180,8 @@ def reactions(result: SystemResult) -> list[tuple[str, list[Line]]]:
     found = []
     for name, route in result.routes.items():
         equations = route.equations
+        if equations is None:
+            continue
         values = list(equations.reactions)
         if equations.multipliers and declared.issuperset(equations.multipliers):
             values = [*multipliers_of(equations), *values]

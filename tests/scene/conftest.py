@@ -7,7 +7,7 @@ from typing import Any
 import pytest
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
-from mechanics.checks.soundness import check_sound
+from mechanics.checks.programs.admissible import check_scene
 from mechanics.scene import Particle, RigidBody, Scene, gravity, parameters, reaction, spring
 
 x, theta = dynamicsymbols("x theta")
@@ -57,7 +57,7 @@ def pendulum(change: Change = lambda parts: {}) -> Scene:
     }
     fields |= change(Parts(ground, rod, origin, pivot, centre, dict(fields)))
     scene = Scene(**fields)
-    check_sound(scene)
+    check_scene(scene)
     return scene
 
 

@@ -76,7 +76,7 @@ LOADS = {
     "spring from a point to itself": (load(lambda p: spring("s", p.B, p.B, k)),
         "load s both ends point B two points"),
     "spring on one line": (load(lambda p: spring("s", p.O, p.B, k, length=L)),
-        "load s one line Abs(x) along="),
+        "load s one line along="),
     "unknown body": (load(lambda p: force("F", p.B, k * p.N.x, on="cart")),
         "load F no body 'cart' carriage, rod"),
     "by alone": (load(lambda p: force("F", p.B, k * p.N.x, by="rod")), "load F by= without on="),

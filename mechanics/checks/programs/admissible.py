@@ -1,4 +1,4 @@
-"""Whether a tree of bodies can be right, before any route runs.
+"""Whether a scene can be right, before any route runs.
 
     ideal       the power of a unit of each reaction vanishes on the velocities that are admitted
     complete    rank of the reactions = freedoms of the isolated bodies - independent speeds
@@ -15,17 +15,18 @@ from dataclasses import dataclass
 
 from mechanics.checks.programs.energy import kinetic
 from mechanics.errors import SceneError
-from mechanics.mechanism import GROUND, Mechanism
-from mechanics.program.builder import Node
+from mechanics.mechanism import GROUND, Mechanism, lower
+from mechanics.program.builder import Builder, Node
 from mechanics.program.derivatives import gradient, tangent
 from mechanics.program.residues import Residues, eliminate
-from mechanics.program.vectors import dot, subtract
+from mechanics.program.vectors import Vector, add, cross, dot, scale, subtract
 from mechanics.routes.programs import chain
 from mechanics.routes.programs.directions import AXES, Directions, used_directions
 from mechanics.routes.programs.lagrange import virtual_power
 from mechanics.routes.programs.loads import Wrench, applied, unit_reactions
 from mechanics.routes.programs.motion import BodyMotion, Motions, body_motions
-from mechanics.routes.programs.rows import coefficients
+from mechanics.routes.programs.rows import coefficients, velocity_forms
+from mechanics.scene import Scene
 
 
 @dataclass(frozen=True)
@@ -38,14 +39,22 @@ class _Freedom:
     reactions: tuple[Node, ...]
 
 
+def check_scene(scene: Scene) -> Mechanism:
+    """The mechanism of a scene that was found admissible; see `check_admissible`."""
+    mechanism = lower(scene, Builder())
+    check_admissible(mechanism)
+    return mechanism
+
+
 def check_admissible(mechanism: Mechanism) -> None:
-    """Refuse a mechanism without constraints that cannot be right.
+    """Refuse a mechanism that cannot be right.
 
     Raises
     ------
     SceneError
-        For a reaction that does work, reactions that are incomplete or redundant, a scalar inertia
-        in a scene that leaves its plane, a torsion spring whose angle is another, a singular mass
+        For constraints that are not linear in the speeds or redundant, a reaction that does work,
+        reactions that are incomplete or redundant, a scalar inertia in a scene that leaves its
+        plane, a torsion spring or friction whose angle or velocity is another, a singular mass
         matrix.
     """
     filter_ = Residues(mechanism.builder)
@@ -54,17 +63,75 @@ def check_admissible(mechanism: Mechanism) -> None:
     units = unit_reactions(mechanism, motions.poses)
     every = [*applied(mechanism, motions), *(unit for pair in units for unit in pair)]
     directions = used_directions(filter_, bodies, every)
-    _scalar_inertias(mechanism, bodies, directions)
+    table = _constraint_rows(mechanism, filter_)
+    _lines(mechanism, motions, filter_)
     _torsions(mechanism, motions, filter_)
-    for reaction, pair in zip(mechanism.reactions, units, strict=True):
-        power = virtual_power(mechanism, motions, pair)
-        if any(not filter_.is_zero(entry) for entry in power):
+    _frictions(mechanism, motions, filter_)
+    _scalar_inertias(mechanism, bodies, directions)
+    powers = [filter_.values(virtual_power(mechanism, motions, pair)) for pair in units]
+    _ideal(mechanism, table, powers)
+    _complete(mechanism, _freedoms(mechanism, bodies, directions, units), filter_)
+    _maintained(mechanism, powers)
+    _regular(mechanism, table, filter_)
+
+
+def _rank(rows: Sequence[Sequence[int]], width: int) -> list[int]:
+    """Rows that are independent of those before them."""
+    return [i for i, _ in eliminate([list(row) for row in rows], width)]
+
+
+def _constraint_rows(mechanism: Mechanism, filter_: Residues) -> list[list[int]]:
+    """A of A u + a = 0 at the point, after each constraint was found linear and independent."""
+    forms = velocity_forms(mechanism)
+    for form, constraint in zip(forms, mechanism.constraints, strict=True):
+        where = f"constraint {constraint.name}"
+        (slopes,) = coefficients([form], mechanism.u)
+        curved = gradient(slopes, [1] * len(slopes), mechanism.u)
+        if any(not filter_.is_zero(entry) for entry in curved):
+            raise SceneError(f"{where}: it is not linear in the speeds: state it so that it is")
+        held = gradient([form], [1], mechanism.ud)
+        if any(not entry.is_zero for entry in held):
+            raise SceneError(
+                f"{where}: it holds accelerations: state it for coordinates or for their rates"
+            )
+        if all(filter_.is_zero(entry) for entry in slopes):
+            raise SceneError(f"{where}: it restricts no speed: is it an identity?")
+    table = [filter_.values(row) for row in coefficients(forms, mechanism.u)]
+    kept = _rank(table, len(mechanism.u))
+    if len(kept) < len(table):
+        names = [constraint.name for constraint in mechanism.constraints]
+        redundant = ", ".join(name for i, name in enumerate(names) if i not in kept)
+        others = ", ".join(name for i, name in enumerate(names) if i in kept)
+        raise SceneError(
+            f"{mechanism.name}: redundant constraints: {redundant} follow from {others}: remove"
+            " them with their reactions"
+        )
+    return table
+
+
+def _ideal(
+    mechanism: Mechanism, table: Sequence[Sequence[int]], powers: Sequence[Sequence[int]]
+) -> None:
+    """The power of a unit is a combination of the constraints' rows: zero where they hold."""
+    for reaction, power in zip(mechanism.reactions, powers, strict=True):
+        if len(_rank([*table, power], len(mechanism.u))) > len(table):
             raise SceneError(
                 f"reaction {reaction.name}: it does work on velocities that the scene admits:"
                 " correct its point, its direction or its bodies, or declare it as a load"
             )
-    _complete(mechanism, _freedoms(mechanism, bodies, directions, units), filter_)
-    _regular(mechanism, filter_)
+
+
+def _maintained(mechanism: Mechanism, powers: Sequence[Sequence[int]]) -> None:
+    """The reactions that constraints name act against their violation, each in its own way."""
+    kept = mechanism.multipliers
+    independent = _rank([powers[index] for index in kept], len(mechanism.u))
+    for i, constraint in enumerate(mechanism.constraints):
+        if i not in independent:
+            name = mechanism.reactions[kept[i]].name
+            raise SceneError(
+                f"constraint {constraint.name}: the reaction {name} does not maintain it: name"
+                " the one that does work when it is violated"
+            )
 
 
 def _scalar_inertias(
@@ -83,6 +150,19 @@ def _scalar_inertias(
             )
 
 
+def _lines(mechanism: Mechanism, motions: Motions, filter_: Residues) -> None:
+    """Ends that move on one line have a length with a sign, which the distance has not."""
+    for line in mechanism.lines:
+        span = subtract(motions.poses.positions[line.second], motions.poses.positions[line.first])
+        rate = subtract(motions.points[line.second].velocity, motions.points[line.first].velocity)
+        moves = any(not filter_.is_zero(entry) for entry in rate)
+        if line.along is None and moves and all(map(filter_.is_zero, cross(span, rate))):
+            raise SceneError(
+                f"load {line.name}: its ends move on one line, so that its length is |d| of a"
+                " distance d with a sign: give the direction with along="
+            )
+
+
 def _torsions(mechanism: Mechanism, motions: Motions, filter_: Residues) -> None:
     """The angle of a torsion spring grows with the turning of `on` relative to `by`."""
     for load in mechanism.torsions:
@@ -98,9 +178,39 @@ def _torsions(mechanism: Mechanism, motions: Motions, filter_: Residues) -> None
             on = mechanism.bodies[load.on].name
             by = "the ground" if load.by == GROUND else mechanism.bodies[load.by].name
             raise SceneError(
-                f"load {load.name}: its angle is not how far {on!r} turns about its axis relative"
-                f" to {by!r}: correct the angle, its sign, or the axis"
+                f"load {load.name}: the angle {load.typed[0]} is not how far {on!r} turns about"
+                f" {load.typed[1]} relative to {by!r}: correct the angle, its sign, or the axis"
             )
+
+
+def _frictions(mechanism: Mechanism, motions: Motions, filter_: Residues) -> None:
+    """Bodies slide as friction says: v_on - v_by = v t at the point of contact.
+
+    So friction cannot push, act on a body that does not slide, or leave out a sideways slip.
+    """
+    for load in mechanism.frictions:
+        reaction = mechanism.reactions[load.reaction]
+        stated = scale(load.sliding, motions.poses.vector(load.along))
+        slip = _velocity(mechanism, motions, reaction.on, reaction.at)
+        if reaction.by != GROUND:
+            slip = subtract(slip, _velocity(mechanism, motions, reaction.by, reaction.at))
+        if any(not filter_.is_zero(entry) for entry in subtract(slip, stated)):
+            on = mechanism.bodies[reaction.on].name
+            by = "the ground" if reaction.by == GROUND else mechanism.bodies[reaction.by].name
+            raise SceneError(
+                f"load {load.name}: {load.typed[0]} along {load.typed[1]} is not how {on!r} slides"
+                f" on {by!r} where {reaction.name} acts: correct sliding= or along="
+            )
+
+
+def _velocity(mechanism: Mechanism, motions: Motions, body: int, at: int | None) -> Vector:
+    """Velocity of a body's material at a point."""
+    centre = motions.points[mechanism.bodies[body].centre]
+    frame = mechanism.bodies[body].frame
+    if frame is None or at is None:
+        return centre.velocity
+    arm = subtract(motions.points[at].position, centre.position)
+    return add(centre.velocity, cross(motions.frames[frame].omega, arm))
 
 
 def _freedoms(
@@ -132,44 +242,49 @@ def _complete(mechanism: Mechanism, freedoms: Sequence[_Freedom], filter_: Resid
     size = len(freedoms)
     flat = filter_.values([entry for freedom in freedoms for entry in freedom.reactions])
     columns = [flat[j :: len(names)] for j in range(len(names))]
-    independent = [i for i, _ in eliminate([list(column) for column in columns], size)]
+    independent = _rank(columns, size)
     if len(independent) < len(columns):
         extra = ", ".join(names[j] for j in range(len(columns)) if j not in independent)
         raise SceneError(
             f"{mechanism.name}: the reactions {extra} follow from the others, so no equation of"
             " motion determines them: remove them, or let a body or joint give way"
         )
-    wanted = size - len(mechanism.u)
+    free = len(mechanism.u) - len(mechanism.constraints)
+    wanted = size - free
     if len(independent) == wanted:
         return
     moved = coefficients([freedom.velocity for freedom in freedoms], mechanism.u)
     speeds = filter_.values([entry for row in moved for entry in row])
     width = len(mechanism.u)
     spanned = [list(column) for column in columns] + [speeds[k::width] for k in range(width)]
-    have = len(eliminate([list(row) for row in spanned], size))
+    have = len(_rank(spanned, size))
     for k, freedom in enumerate(freedoms):
         alone = [int(i == k) for i in range(size)]
-        if len(eliminate([*(list(row) for row in spanned), alone], size)) > have:
+        if len(_rank([*spanned, alone], size)) > have:
             raise SceneError(
                 f"{mechanism.name}: the reactions are incomplete ({len(independent)} of {wanted}):"
                 f" nothing holds body {freedom.body} in {freedom.words}: declare the reaction"
             )
     raise SceneError(
         f"{mechanism.name}: {len(independent)} independent reactions for {size} freedoms of the"
-        f" isolated bodies and {len(mechanism.u)} independent speeds: {wanted} wanted"
+        f" isolated bodies and {free} independent speeds: {wanted} wanted"
     )
 
 
-def _regular(mechanism: Mechanism, filter_: Residues) -> None:
+def _regular(mechanism: Mechanism, table: Sequence[Sequence[int]], filter_: Residues) -> None:
+    """[[M, A^T], [A, 0]] has full rank, M the metric of the kinetic energy."""
     momenta = gradient([kinetic(mechanism)], [1], mechanism.u)
-    width = len(mechanism.u)
-    flat = filter_.values([entry for row in coefficients(momenta, mechanism.u) for entry in row])
-    kept = [
-        i for i, _ in eliminate([flat[width * i : width * (i + 1)] for i in range(width)], width)
-    ]
-    if len(kept) < width:
-        free = next(i for i in range(width) if i not in kept)
-        speed = mechanism.builder.inputs[mechanism.builder.operands[0][mechanism.u[free].number]]
+    metric = [filter_.values(row) for row in coefficients(momenta, mechanism.u)]
+    n, c = len(metric), len(table)
+    rows = [[*metric[i], *(table[k][i] for k in range(c))] for i in range(n)]
+    rows += [[*row, *([0] * c)] for row in table]
+    kept = _rank(rows, n + c)
+    if len(kept) < n + c:
+        free = next(i for i in range(n + c) if i not in kept)
+        speed = "the constraints"
+        if free < n:
+            build = mechanism.builder
+            speed = build.inputs[build.operands[0][mechanism.u[free].number]]
         raise SceneError(
             f"{mechanism.name}: the mass matrix is singular: nothing resists a change of {speed}:"
             " is a mass or an inertia zero that must not be?"

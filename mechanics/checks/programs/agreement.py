@@ -76,20 +76,21 @@ def compare_pairs(
 
 
 def compare(mechanism: Mechanism, one: Rows, two: Rows, filter_: Residues) -> Finding:
-    """Whether two routes give the same accelerations."""
+    """Whether two routes give the same accelerations, and the same reactions where these stay."""
     subject = f"{one.route} = {two.route}: accelerations"
     pairing = matched(filter_, one, two)
     if pairing is not None:
         right = [two.values[j] if sign == 1 else -two.values[j] for j, sign in pairing]
         return equal(subject, mechanism, one.values, right)
-    left, right = (accelerations(mechanism, rows) for rows in (one, two))
-    return equal(subject, mechanism, left, right)
+    left, right_solution = (solution(mechanism, rows) for rows in (one, two))
+    count = len(left) if one.multipliers == two.multipliers else len(mechanism.u)
+    return equal(subject, mechanism, left[:count], right_solution[:count])
 
 
-def accelerations(mechanism: Mechanism, rows: Rows) -> tuple[Node, ...]:
-    """u' as the solution of the rows and the constraints."""
+def solution(mechanism: Mechanism, rows: Rows) -> tuple[Node, ...]:
+    """(u', multipliers) as the solution of the rows and the constraints."""
     matrix, right, _ = system(mechanism, rows)
-    return mechanism.builder.solve(matrix, right)[: len(mechanism.u)]
+    return mechanism.builder.solve(matrix, right)
 
 
 def matched(filter_: Residues, one: Rows, two: Rows) -> list[tuple[int, int]] | None:

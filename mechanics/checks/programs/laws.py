@@ -10,6 +10,8 @@ u . r = d(T + V)/dt - power of the loads without a potential              where 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
+from typing import Any
 
 from mechanics.checks.programs.energy import kinetic
 from mechanics.checks.programs.statements import equal
@@ -17,12 +19,27 @@ from mechanics.kernel import Finding
 from mechanics.mechanism import Mechanism
 from mechanics.program.builder import Node
 from mechanics.program.derivatives import gradient, tangent
+from mechanics.program.residues import Residues, eliminate
 from mechanics.program.vectors import dot
 from mechanics.routes.programs import chain, differentiate
 from mechanics.routes.programs.lagrange import virtual_power
-from mechanics.routes.programs.loads import Wrench, conservative, other, potential, unit_reactions
+from mechanics.routes.programs.loads import (
+    Wrench,
+    acting_reactions,
+    conservative,
+    elongation,
+    other,
+    potential,
+    unit_reactions,
+)
 from mechanics.routes.programs.motion import Motions
-from mechanics.routes.programs.rows import Rows, coefficients, substitute
+from mechanics.routes.programs.rows import (
+    Rows,
+    coefficients,
+    remainder,
+    substitute,
+    velocity_forms,
+)
 
 
 def check_kinematics(mechanism: Mechanism) -> Finding:
@@ -45,28 +62,93 @@ def _all_motions(mechanism: Mechanism, motions: Motions) -> list[Node]:
     return found
 
 
-def check_potential(mechanism: Mechanism) -> Finding | None:
-    """The forces of the conservative loads are minus the gradient of their potential."""
-    motions = chain.motions(mechanism)
-    wrenches = conservative(mechanism, motions.poses)
-    if not wrenches:
-        return None
-    stored = potential(mechanism, motions.poses)
-    slopes = gradient([stored], [1], mechanism.q)
-    released = [-slope for slope in gradient(mechanism.q_rates, slopes, mechanism.u)]
-    forces = virtual_power(mechanism, motions, wrenches)
-    return equal("loads: force = -gradient of potential", mechanism, forces, released)
+def check_potentials(mechanism: Mechanism) -> Iterator[Finding]:
+    """Each conservative load: its forces are minus the gradient of its potential."""
+    for name, alone in by_load(mechanism):
+        motions = chain.motions(alone)
+        wrenches = conservative(alone, motions.poses)
+        if wrenches:
+            slopes = gradient([potential(alone, motions.poses)], [1], alone.q)
+            released = [-slope for slope in gradient(alone.q_rates, slopes, alone.u)]
+            forces = virtual_power(alone, motions, wrenches)
+            subject = f"load {name}: force = -gradient of potential"
+            yield equal(subject, alone, forces, released)
 
 
-def check_ideal(mechanism: Mechanism) -> Iterator[Finding]:
-    """Each reaction: a unit of it has no power on the velocities that the scene admits."""
+def check_dampers(mechanism: Mechanism) -> Iterator[Finding]:
+    """Each damper: its generalized forces are -c d' (dd'/du), so that it takes out c d'^2."""
+    for name, alone in by_load(mechanism):
+        for line in alone.lines:
+            if line.coefficient.is_zero:
+                continue
+            motions = chain.motions(alone)
+            forces = virtual_power(alone, motions, other(alone, motions))
+            distance, _ = elongation(alone, motions.poses, line)
+            (rate,) = tangent([distance], alone.rates)
+            slopes = gradient([rate], [-(line.coefficient * rate)], alone.u)
+            yield equal(f"load {name}: power = -c rate^2", alone, forces, slopes)
+
+
+def check_frictions(mechanism: Mechanism) -> Iterator[Finding]:
+    """Each friction takes out mu N |v|, a loss where the reaction presses."""
     motions = chain.motions(mechanism)
+    for load in mechanism.frictions:
+        pure, leaning = (
+            units(mechanism, motions.poses)[load.reaction]
+            for units in (unit_reactions, acting_reactions)
+        )
+        power = _power(mechanism, motions, leaning) - _power(mechanism, motions, pure)
+        lost = -(load.coefficient * abs(load.sliding))
+        yield equal(f"load {load.name}: power = -mu N |sliding|", mechanism, [power], [lost])
+
+
+def by_load(mechanism: Mechanism) -> Iterator[tuple[str, Mechanism]]:
+    """Each load's name, and the mechanism with that load alone."""
+    kinds = ("fields", "lines", "pushes", "torsions")
+    none: Any = ()
+    bare = replace(mechanism, fields=none, lines=none, pushes=none, torsions=none, frictions=none)
+    for kind in kinds:
+        for load in getattr(mechanism, kind):
+            alone: dict[str, Any] = {kind: (load,)}
+            yield load.name, replace(bare, **alone)
+
+
+def check_ideal(mechanism: Mechanism, filter_: Residues) -> Iterator[Finding]:
+    """Each reaction: a unit of it has no power on the velocities that the scene admits.
+
+    With constraints A u + a = 0 its power is a combination of their rows:
+
+        sum F . dv/du + tau . domega/du = c^T A,      c from columns where A is regular
+    """
+    motions = chain.motions(mechanism)
+    table = coefficients(velocity_forms(mechanism), mechanism.u)
+    columns = _regular_columns(table, filter_)
     for reaction, pair in zip(
         mechanism.reactions, unit_reactions(mechanism, motions.poses), strict=True
     ):
         power = virtual_power(mechanism, motions, pair)
         subject = f"reaction {reaction.name}: no power"
-        yield equal(subject, mechanism, power, [0] * len(power))
+        yield equal(subject, mechanism, power, _combination(mechanism, table, columns, power))
+
+
+def _regular_columns(table: Sequence[Sequence[Node]], filter_: Residues) -> list[int]:
+    """Columns of the constraints' matrix that are independent at a point."""
+    transposed = [filter_.values(column) for column in zip(*table, strict=True)]
+    return [i for i, _ in eliminate(transposed, len(table))] if table else []
+
+
+def _combination(
+    mechanism: Mechanism,
+    table: Sequence[Sequence[Node]],
+    columns: Sequence[int],
+    power: Sequence[Node],
+) -> Sequence[Node | int]:
+    """The combination of the rows of the table that has the power's entries in the columns."""
+    if not columns or all(entry.is_zero for entry in power):
+        return [0] * len(power)
+    square = [[table[k][i] for k in range(len(table))] for i in columns]
+    factors = mechanism.builder.solve(square, [power[i] for i in columns])
+    return [dot(factors, [row[i] for row in table]) for i in range(len(power))]
 
 
 def check_mass_matrix(mechanism: Mechanism, rows: Rows) -> Finding:
@@ -93,13 +175,14 @@ def is_driven(mechanism: Mechanism) -> bool:
 def check_energy(mechanism: Mechanism, rows: Rows) -> Finding:
     """u . r is the rate of T + V less the power of the loads that have no potential.
 
-    Rows power-conjugate to u, of a mechanism that is not driven.
+    Rows power-conjugate to u, of a mechanism that is not driven; constraints do no work, so that
+    their reactions are left out.
     """
     motions = differentiate.motions(mechanism)
     energy = kinetic(mechanism) + potential(mechanism, motions.poses)
     (growth,) = tangent([energy], mechanism.rates)
     power = _power(mechanism, motions, other(mechanism, motions))
-    work = dot(mechanism.u, rows.values)
+    work = dot(mechanism.u, remainder(mechanism.builder, rows.values, rows.multipliers))
     subject = f"{rows.route}: rate of energy = power of the loads"
     return equal(subject, mechanism, [work], [growth - power])
 

@@ -5,7 +5,7 @@ rate - applied - sum_j c_j R_j(q, u, u') = 0        at the accelerations of anot
 
 from __future__ import annotations
 
-from mechanics.checks.programs.agreement import accelerations
+from mechanics.checks.programs.agreement import solution
 from mechanics.checks.programs.statements import equal
 from mechanics.kernel import Finding
 from mechanics.mechanism import Mechanism
@@ -30,7 +30,7 @@ def check_reactions(mechanism: Mechanism, free_body: Rows, other: Rows) -> Findi
     free_body : Rows
         With its reactions.
     other : Rows
-        Of a route without multipliers.
+        Of a route whose multipliers are the declared reactions: kane.
     """
     build = mechanism.builder
     motions = chain.motions(mechanism)
@@ -45,12 +45,14 @@ def check_reactions(mechanism: Mechanism, free_body: Rows, other: Rows) -> Findi
         for reaction, pair in zip(mechanism.reactions, units, strict=True):
             for unit in pair:
                 if unit.body == index:
-                    size = free_body.reactions[reaction.name]
+                    # One that maintains a constraint is an unknown of the same name in both.
+                    size = free_body.reactions.get(reaction.name, build.input(reaction.name))
                     force = subtract(force, scale(size, unit.force))
                     torque = subtract(torque, scale(size, unit.moment(motion.centre.position)))
         left += [force[i] for i in directions.translation]
         if motion.turning is not None:
             left += [torque[i] for i in directions.rotation]
-    solved = dict(zip(mechanism.ud, accelerations(mechanism, other), strict=True))
+    unknowns = (*mechanism.ud, *other.multipliers)
+    solved = dict(zip(unknowns, solution(mechanism, other), strict=True))
     values = substitute(build, left, solved)
     return equal("reactions: every body's momentum", mechanism, values, [0] * len(values))

@@ -1,0 +1,145 @@
+"""The four routes as programs, cross-checked: pairs, laws, and the textbook forms.
+
+scene --> mechanism --> rows of each route --> pairs, laws
+                          |
+                          +--> the same accelerations as M u' = f + B lambda in SymPy
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from time import perf_counter
+
+from mechanics.checks.programs import agreement, laws, reactions
+from mechanics.checks.programs.statements import equal
+from mechanics.equations import Equations
+from mechanics.kernel import Finding
+from mechanics.mechanism import Mechanism
+from mechanics.program import Program
+from mechanics.program.builder import Node
+from mechanics.program.residues import Residues
+from mechanics.program.sympy_reader import read
+from mechanics.routes.programs import free_body, kane, lagrange, moving_point
+from mechanics.routes.programs.rows import Rows, substitute
+
+DERIVATIONS: Mapping[str, Callable[[Mechanism], Rows]] = {
+    "free_body": free_body.derive,
+    "moving_point": moving_point.derive,
+    "kane": kane.derive,
+    "lagrange": lagrange.derive,
+}
+
+
+LARGEST_TEXTBOOK = 600
+"""Operations of Kane's rows up to which SymPy writes the equations out.
+
+A count, looked up before SymPy is called: three general bodies in space have 500, and take SymPy's
+Kane seconds; four have 860, and take it minutes.
+"""
+
+
+@dataclass(frozen=True)
+class Programs:
+    """What the routes derive from one mechanism, and how long each took, in s."""
+
+    mechanism: Mechanism
+    rows: Mapping[str, Rows]
+    seconds: Mapping[str, float]
+
+    @property
+    def filter_(self) -> Residues:
+        """A filter for proposals of pivots and pairings."""
+        return Residues(self.mechanism.builder)
+
+    @property
+    def textbook(self) -> bool:
+        """Whether the equations are short enough to be written out by SymPy."""
+        return kane_operations(self.mechanism) <= LARGEST_TEXTBOOK
+
+    def operations(self, name: str) -> int:
+        """Operations of a route's rows, shared ones once."""
+        return self.mechanism.builder.program({"rows": self.rows[name].values}).count
+
+
+def kane_operations(mechanism: Mechanism) -> int:
+    """Operations of Kane's rows: how large a scene is, whatever route is asked for."""
+    return mechanism.builder.program({"rows": kane.derive(mechanism).values}).count
+
+
+def derive_rows(
+    mechanism: Mechanism, names: Sequence[str], stage: Callable[[str], None] | None = None
+) -> Programs:
+    """Rows by the named routes.
+
+    Raises
+    ------
+    SingularError
+        When the first route does not determine the accelerations.
+    """
+    rows: dict[str, Rows] = {}
+    seconds = {}
+    for name in names:
+        if stage is not None:
+            stage(f"deriving by {name}")
+        start = perf_counter()
+        rows[name] = DERIVATIONS[name](mechanism)
+        seconds[name] = perf_counter() - start
+    programs = Programs(mechanism, rows, seconds)
+    for one in rows.values():
+        agreement.require_regular(mechanism, one, programs.filter_)
+    return programs
+
+
+def check_laws(programs: Programs) -> Iterator[Finding]:
+    """Kinematics, loads, reactions, mass matrix and energy.
+
+    Kane's rows serve the checks that need a route whose multipliers are the declared reactions.
+    """
+    mechanism, rows = programs.mechanism, programs.rows
+    yield laws.check_kinematics(mechanism)
+    yield from laws.check_potentials(mechanism)
+    yield from laws.check_dampers(mechanism)
+    yield from laws.check_frictions(mechanism)
+    yield from laws.check_ideal(mechanism, programs.filter_)
+    driven = laws.is_driven(mechanism)
+    for one in rows.values():
+        if one.conjugate:
+            yield laws.check_mass_matrix(mechanism, one)
+            if not driven:
+                yield laws.check_energy(mechanism, one)
+    if "free_body" in rows and mechanism.reactions:
+        by_kane = rows["kane"] if "kane" in rows else kane.derive(mechanism)
+        yield reactions.check_reactions(mechanism, rows["free_body"], by_kane)
+
+
+def solved(programs: Programs, name: str) -> Program:
+    """u' and the reactions of a route as one program, in the scene's plain symbols."""
+    mechanism, rows = programs.mechanism, programs.rows[name]
+    unknowns = (*mechanism.ud, *rows.multipliers)
+    values = agreement.solution(mechanism, rows)
+    outputs: dict[str, Sequence[Node]] = {"ud": values[: len(mechanism.u)]}
+    declared = {reaction.name for reaction in mechanism.reactions}
+    build = mechanism.builder
+    for unknown, value in zip(unknowns, values, strict=True):
+        if (own := build.inputs[build.operands[0][unknown.number]]) in declared:
+            outputs[own] = [value]
+    if rows.reactions:
+        told = substitute(
+            build, tuple(rows.reactions.values()), dict(zip(unknowns, values, strict=True))
+        )
+        outputs |= {own: [value] for own, value in zip(rows.reactions, told, strict=True)}
+    return build.program(outputs)
+
+
+def check_textbook(programs: Programs, derived: Mapping[str, Equations]) -> Iterator[Finding]:
+    """The matrices of each route, written in SymPy, give the accelerations of its program."""
+    mechanism = programs.mechanism
+    for name, equations in derived.items():
+        left, right = equations.system
+        width = left.cols
+        flat = read(mechanism.builder, [*left, *right])
+        matrix = [flat[width * i : width * (i + 1)] for i in range(width)]
+        solved = mechanism.builder.solve(matrix, flat[width * width :])[: len(mechanism.u)]
+        own = agreement.solution(mechanism, programs.rows[name])[: len(mechanism.u)]
+        yield equal(f"{name}: program = textbook form", mechanism, own, solved)
