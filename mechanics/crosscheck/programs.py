@@ -11,7 +11,8 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from time import perf_counter
 
-from mechanics.checks.programs import agreement, laws, reactions
+from mechanics.checks.programs import laws, reactions
+from mechanics.checks.programs.agreement import Derived, linear_system
 from mechanics.checks.programs.statements import equal
 from mechanics.equations import Equations
 from mechanics.kernel import Finding
@@ -44,7 +45,7 @@ class Programs:
     """What the routes derive from one mechanism, and how long each took, in s."""
 
     mechanism: Mechanism
-    rows: Mapping[str, Rows]
+    routes: Mapping[str, Derived]
     seconds: Mapping[str, float]
 
     @property
@@ -59,7 +60,7 @@ class Programs:
 
     def operations(self, name: str) -> int:
         """Operations of a route's rows, shared ones once."""
-        return self.mechanism.builder.program({"rows": self.rows[name].values}).count
+        return self.mechanism.builder.program({"rows": self.routes[name].rows.values}).count
 
 
 def kane_operations(mechanism: Mechanism) -> int:
@@ -77,18 +78,17 @@ def derive_rows(
     SingularError
         When the first route does not determine the accelerations.
     """
-    rows: dict[str, Rows] = {}
+    filter_ = Residues(mechanism.builder)
+    routes: dict[str, Derived] = {}
     seconds = {}
     for name in names:
         if stage is not None:
             stage(f"deriving by {name}")
         start = perf_counter()
-        rows[name] = DERIVATIONS[name](mechanism)
+        rows = DERIVATIONS[name](mechanism)
         seconds[name] = perf_counter() - start
-    programs = Programs(mechanism, rows, seconds)
-    for one in rows.values():
-        agreement.require_regular(mechanism, one, programs.filter_)
-    return programs
+        routes[name] = linear_system(mechanism, rows, filter_)
+    return Programs(mechanism, routes, seconds)
 
 
 def check_laws(programs: Programs) -> Iterator[Finding]:
@@ -96,28 +96,29 @@ def check_laws(programs: Programs) -> Iterator[Finding]:
 
     Kane's rows serve the checks that need a route whose multipliers are the declared reactions.
     """
-    mechanism, rows = programs.mechanism, programs.rows
+    mechanism, routes = programs.mechanism, programs.routes
     yield laws.check_kinematics(mechanism)
     yield from laws.check_potentials(mechanism)
     yield from laws.check_dampers(mechanism)
     yield from laws.check_frictions(mechanism)
     yield from laws.check_ideal(mechanism, programs.filter_)
     driven = laws.is_driven(mechanism)
-    for one in rows.values():
-        if one.conjugate:
-            yield laws.check_mass_matrix(mechanism, one)
+    for derived in routes.values():
+        if derived.rows.conjugate:
+            yield laws.check_mass_matrix(mechanism, derived.rows)
             if not driven:
-                yield laws.check_energy(mechanism, one)
-    if "free_body" in rows and mechanism.reactions:
-        by_kane = rows["kane"] if "kane" in rows else kane.derive(mechanism)
-        yield reactions.check_reactions(mechanism, rows["free_body"], by_kane)
+                yield laws.check_energy(mechanism, derived.rows)
+    if "free_body" in routes and mechanism.reactions:
+        by_kane = routes.get("kane")
+        if by_kane is None:
+            by_kane = linear_system(mechanism, kane.derive(mechanism), programs.filter_)
+        yield reactions.check_reactions(routes["free_body"].rows, by_kane)
 
 
 def solved(programs: Programs, name: str) -> Program:
     """u' and the reactions of a route as one program, in the scene's plain symbols."""
-    mechanism, rows = programs.mechanism, programs.rows[name]
-    unknowns = (*mechanism.ud, *rows.multipliers)
-    values = agreement.solution(mechanism, rows)
+    mechanism, derived = programs.mechanism, programs.routes[name]
+    rows, unknowns, values = derived.rows, derived.unknowns, derived.solution
     outputs: dict[str, Sequence[Node]] = {"ud": values[: len(mechanism.u)]}
     declared = {reaction.name for reaction in mechanism.reactions}
     build = mechanism.builder
@@ -141,5 +142,5 @@ def check_textbook(programs: Programs, derived: Mapping[str, Equations]) -> Iter
         flat = read(mechanism.builder, [*left, *right])
         matrix = [flat[width * i : width * (i + 1)] for i in range(width)]
         solved = mechanism.builder.solve(matrix, flat[width * width :])[: len(mechanism.u)]
-        own = agreement.solution(mechanism, programs.rows[name])[: len(mechanism.u)]
+        own = programs.routes[name].accelerations
         yield equal(f"{name}: program = textbook form", mechanism, own, solved)

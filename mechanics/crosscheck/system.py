@@ -118,7 +118,7 @@ def crosscheck(system: System | Scene, options: CrossCheck | None = None) -> Sys
         return _without_textbook(system, scene, programs, stage)
     derived, seconds = _derived(scene, names, stage)
     stage("comparing routes")
-    pairs = compare_pairs(programs.mechanism, programs.rows)
+    pairs = compare_pairs(programs.routes)
     findings = [
         *pairs.values(),
         *check_textbook(programs, derived),
@@ -189,14 +189,13 @@ def _without_textbook(
     system: System, scene: Scene, programs: Programs, stage: Callable[[str], None]
 ) -> SystemResult:
     """Of a scene that is too large to be written out by SymPy: the routes are programs alone."""
-    mechanism = programs.mechanism
     stage("comparing routes")
-    pairs = compare_pairs(mechanism, programs.rows)
+    pairs = compare_pairs(programs.routes)
     findings = (*pairs.values(), *check_laws(programs))
     stage("the scene as declared")
     states = drawn_states(scene)
     witnesses = [
-        check_program(scene, name, solved(programs, name), states) for name in programs.rows
+        check_program(scene, name, solved(programs, name), states) for name in programs.routes
     ]
     remarks = ["The equations are too long to be written out, and stay programs."]
     if system.published:
@@ -206,7 +205,7 @@ def _without_textbook(
         scene=scene,
         routes={
             name: RouteResult(None, programs.seconds[name], programs.operations(name))
-            for name in programs.rows
+            for name in programs.routes
         },
         findings=findings,
         remarks=tuple(remarks),

@@ -7,6 +7,7 @@ witness. What neither settles is UNDECIDED. This is the only place that makes a 
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 from functools import cache
 from math import ceil, inf
@@ -112,6 +113,36 @@ def _decided_on_constraints(statement: Statement, try_normal: bool) -> Finding:
         words = "not equal off the constraints, and no exact point on them is known"
         return Finding(statement.subject, Verdict.UNDECIDED, words)
     return _decided(constrained, try_normal)
+
+
+def follows(subject: str, premises: Sequence[Finding]) -> Finding:
+    """What follows from statements that were shown, as a = c from a = b and b = c.
+
+    Parameters
+    ----------
+    subject : str
+        What follows, in words.
+    premises : sequence of Finding
+        All of them shown.
+
+    Returns
+    -------
+    Finding
+        PROVED if all of them are; else CERTIFIED, with the sum of their bounds.
+
+    Raises
+    ------
+    ValueError
+        If there is none, or one is not shown: nothing follows from a doubt.
+    """
+    doubts = [premise.subject for premise in premises if not premise.shown]
+    if doubts or not premises:
+        raise ValueError(f"{subject}: it cannot follow from {doubts or 'nothing'}")
+    words = "follows from " + " and ".join(premise.subject for premise in premises)
+    bounds = [premise.error_bound for premise in premises if premise.error_bound is not None]
+    if not bounds:
+        return Finding(subject, Verdict.PROVED, words)
+    return Finding(subject, Verdict.CERTIFIED, words, error_bound=sum(bounds))
 
 
 def _certified(subject: str, outcome: Trial) -> Finding:

@@ -5,92 +5,137 @@ one up to order and sign:
 
     r_i(u', lambda) = +-s_j(u', lambda)        for a bijection of i and j                    (1)
 
-Otherwise the accelerations of both are compared, M and f never entry by entry:
+Otherwise the solution of one is put into the rows of the other, M and f never compared entry by
+entry; where the unknown reactions of the two are others, both are solved:
 
-    M_1 (u', lambda) = f_1      M_2 (v', mu) = f_2      u' = v'                                (2)
+    M_1 (u', lambda) = f_1      =>      s_j(u', lambda) = 0                                    (2)
+    M_1 (u', lambda) = f_1      M_2 (v', mu) = f_2      u' = v'                                (3)
 
-Points are free: what agrees everywhere agrees where the constraints hold, on every branch.
+Both systems are regular, which is checked first. Points are free: what agrees everywhere agrees
+where the constraints hold, on every branch. Each route is compared with one of them; the other
+pairs follow.
 """
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 from itertools import combinations
 
 from mechanics.checks.programs.statements import equal
 from mechanics.errors import SingularError
-from mechanics.kernel import Finding
+from mechanics.kernel import Finding, follows
 from mechanics.mechanism import Mechanism
 from mechanics.program.builder import Node
 from mechanics.program.residues import PRIME, Residues, eliminate
-from mechanics.routes.programs.rows import Rows, acceleration_forms, coefficients, remainder
+from mechanics.routes.programs.rows import (
+    Rows,
+    acceleration_forms,
+    coefficients,
+    remainder,
+    substitute,
+)
+
+REFERENCE = "kane"
+"""The route that others are compared with, where it is asked for: its rows are the shortest."""
 
 
-def require_regular(mechanism: Mechanism, rows: Rows, filter_: Residues) -> None:
-    """Refuse rows that do not determine the accelerations.
+@dataclass(frozen=True)
+class Derived:
+    """The rows of a route with the linear system that they and the constraints are.
 
-    A determinant that is not zero at a point of a field is not zero.
+    Attributes
+    ----------
+    mechanism : Mechanism
+    rows : Rows
+    unknowns : tuple of Node
+        u', then the multipliers.
+    matrix : n x n
+    right : n
+        matrix (u', lambda) = right.
+    """
+
+    mechanism: Mechanism
+    rows: Rows
+    unknowns: tuple[Node, ...]
+    matrix: Sequence[Sequence[Node]]
+    right: Sequence[Node]
+
+    @property
+    def solution(self) -> tuple[Node, ...]:
+        """The unknowns as one operation on the state."""
+        return self.mechanism.builder.solve(self.matrix, self.right)
+
+    @property
+    def accelerations(self) -> tuple[Node, ...]:
+        """u' as one operation on the state."""
+        return self.solution[: len(self.mechanism.u)]
+
+
+def linear_system(mechanism: Mechanism, rows: Rows, filter_: Residues) -> Derived:
+    """The system of a route, found regular: a determinant that is not zero at a point is not zero.
 
     Raises
     ------
     SingularError
         Naming the route and the rank.
     """
-    matrix, _, unknowns = system(mechanism, rows)
-    flat = filter_.values([entry for row in matrix for entry in row])
-    width = len(unknowns)
-    table = [flat[width * i : width * (i + 1)] for i in range(len(matrix))]
-    rank = len(eliminate(table, width))
-    if rank < width or len(matrix) != width:
-        raise SingularError(
-            f"{mechanism.name}, route {rows.route}: rank {rank} for {width} unknowns:"
-            " is a mass or inertia missing?"
-        )
-
-
-def system(
-    mechanism: Mechanism, rows: Rows
-) -> tuple[Sequence[Sequence[Node]], list[Node], list[Node]]:
-    """(K, k, unknowns) with K (u', lambda) = k, constraints below the rows."""
-    unknowns = [*mechanism.ud, *rows.multipliers]
+    unknowns = (*mechanism.ud, *rows.multipliers)
     every = [*rows.values, *acceleration_forms(mechanism)]
     matrix = coefficients(every, unknowns)
-    rest = remainder(mechanism.builder, every, unknowns)
-    return matrix, [-entry for entry in rest], unknowns
+    right = [-entry for entry in remainder(mechanism.builder, every, unknowns)]
+    rank = len(eliminate([filter_.values(row) for row in matrix], len(unknowns)))
+    if rank < len(unknowns) or len(matrix) != len(unknowns):
+        raise SingularError(
+            f"{mechanism.name}, route {rows.route}: rank {rank} for {len(unknowns)} unknowns:"
+            " is a mass or inertia missing?"
+        )
+    return Derived(mechanism, rows, unknowns, matrix, right)
 
 
-def compare_pairs(
-    mechanism: Mechanism, routes: Mapping[str, Rows]
-) -> dict[tuple[str, str], Finding]:
-    """Compare every pair of routes.
+def compare_pairs(routes: Mapping[str, Derived]) -> dict[tuple[str, str], Finding]:
+    """Compare every pair of routes of one mechanism.
 
     Returns
     -------
     dict of (str, str) to Finding
     """
-    filter_ = Residues(mechanism.builder)
-    return {
-        (one, two): compare(mechanism, routes[one], routes[two], filter_)
-        for one, two in combinations(routes, 2)
+    if not routes:
+        return {}
+    first = next(iter(routes.values()))
+    filter_ = Residues(first.mechanism.builder)
+    reference = REFERENCE if REFERENCE in routes else first.rows.route
+    direct = {
+        name: compare(derived, routes[reference], filter_)
+        for name, derived in routes.items()
+        if name != reference
     }
+    found = {}
+    for one, two in combinations(routes, 2):
+        premises = [direct[name] for name in (one, two) if name != reference]
+        if all(premise.shown for premise in premises):
+            found[one, two] = follows(_subject(one, two), premises)
+        else:
+            found[one, two] = compare(routes[one], routes[two], filter_)
+    return found
 
 
-def compare(mechanism: Mechanism, one: Rows, two: Rows, filter_: Residues) -> Finding:
+def _subject(one: str, two: str) -> str:
+    return f"{one} = {two}: accelerations"
+
+
+def compare(one: Derived, two: Derived, filter_: Residues) -> Finding:
     """Whether two routes give the same accelerations, and the same reactions where these stay."""
-    subject = f"{one.route} = {two.route}: accelerations"
-    pairing = matched(filter_, one, two)
+    mechanism, subject = one.mechanism, _subject(one.rows.route, two.rows.route)
+    pairing = matched(filter_, one.rows, two.rows)
     if pairing is not None:
-        right = [two.values[j] if sign == 1 else -two.values[j] for j, sign in pairing]
-        return equal(subject, mechanism, one.values, right)
-    left, right_solution = (solution(mechanism, rows) for rows in (one, two))
-    count = len(left) if one.multipliers == two.multipliers else len(mechanism.u)
-    return equal(subject, mechanism, left[:count], right_solution[:count])
-
-
-def solution(mechanism: Mechanism, rows: Rows) -> tuple[Node, ...]:
-    """(u', multipliers) as the solution of the rows and the constraints."""
-    matrix, right, _ = system(mechanism, rows)
-    return mechanism.builder.solve(matrix, right)
+        right = [two.rows.values[j] if sign == 1 else -two.rows.values[j] for j, sign in pairing]
+        return equal(subject, mechanism, one.rows.values, right)
+    if one.unknowns == two.unknowns:
+        values = dict(zip(two.unknowns, two.solution, strict=True))
+        left = substitute(mechanism.builder, one.rows.values, values)
+        return equal(subject, mechanism, left, [0] * len(left))
+    return equal(subject, mechanism, one.accelerations, two.accelerations)
 
 
 def matched(filter_: Residues, one: Rows, two: Rows) -> list[tuple[int, int]] | None:

@@ -14,7 +14,7 @@ from dataclasses import replace
 from typing import Any
 
 from mechanics.checks.programs.energy import kinetic
-from mechanics.checks.programs.statements import equal
+from mechanics.checks.programs.statements import each_or_all, equal
 from mechanics.kernel import Finding
 from mechanics.mechanism import Mechanism
 from mechanics.program.builder import Node
@@ -123,12 +123,12 @@ def check_ideal(mechanism: Mechanism, filter_: Residues) -> Iterator[Finding]:
     motions = chain.motions(mechanism)
     table = coefficients(velocity_forms(mechanism), mechanism.u)
     columns = _regular_columns(table, filter_)
-    for reaction, pair in zip(
-        mechanism.reactions, unit_reactions(mechanism, motions.poses), strict=True
-    ):
+    sides = []
+    for pair in unit_reactions(mechanism, motions.poses):
         power = virtual_power(mechanism, motions, pair)
-        subject = f"reaction {reaction.name}: no power"
-        yield equal(subject, mechanism, power, _combination(mechanism, table, columns, power))
+        sides.append((power, _combination(mechanism, table, columns, power)))
+    subjects = [f"reaction {reaction.name}: no power" for reaction in mechanism.reactions]
+    yield from each_or_all("reactions: no power", subjects, mechanism, sides)
 
 
 def _regular_columns(table: Sequence[Sequence[Node]], filter_: Residues) -> list[int]:

@@ -5,10 +5,9 @@ rate - applied - sum_j c_j R_j(q, u, u') = 0        at the accelerations of anot
 
 from __future__ import annotations
 
-from mechanics.checks.programs.agreement import solution
+from mechanics.checks.programs.agreement import Derived
 from mechanics.checks.programs.statements import equal
 from mechanics.kernel import Finding
-from mechanics.mechanism import Mechanism
 from mechanics.program.residues import Residues
 from mechanics.program.vectors import scale, subtract
 from mechanics.routes.programs import chain
@@ -19,7 +18,7 @@ from mechanics.routes.programs.motion import body_motions
 from mechanics.routes.programs.rows import Rows, substitute
 
 
-def check_reactions(mechanism: Mechanism, free_body: Rows, other: Rows) -> Finding:
+def check_reactions(free_body: Rows, other: Derived) -> Finding:
     """Newton's and Euler's equations of every body hold with all loads and reactions on it.
 
     Written in inertial axes from composed velocities, which procedure (i) does not use, at the
@@ -29,9 +28,10 @@ def check_reactions(mechanism: Mechanism, free_body: Rows, other: Rows) -> Findi
     ----------
     free_body : Rows
         With its reactions.
-    other : Rows
+    other : Derived
         Of a route whose multipliers are the declared reactions: kane.
     """
+    mechanism = other.mechanism
     build = mechanism.builder
     motions = chain.motions(mechanism)
     groups = by_body(mechanism, applied(mechanism, motions))
@@ -52,7 +52,6 @@ def check_reactions(mechanism: Mechanism, free_body: Rows, other: Rows) -> Findi
         left += [force[i] for i in directions.translation]
         if motion.turning is not None:
             left += [torque[i] for i in directions.rotation]
-    unknowns = (*mechanism.ud, *other.multipliers)
-    solved = dict(zip(unknowns, solution(mechanism, other), strict=True))
+    solved = dict(zip(other.unknowns, other.solution, strict=True))
     values = substitute(build, left, solved)
     return equal("reactions: every body's momentum", mechanism, values, [0] * len(values))

@@ -4,9 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-from mechanics.kernel import Finding, Range, Statement, decide
+from mechanics.kernel import Finding, Range, Statement, decide, follows
 from mechanics.mechanism import Mechanism
 from mechanics.program.builder import Node
+
+LARGEST_PROOF = 1500
+"""Operations up to which a normal form is tried: beyond, it outgrows its limit anyway."""
 
 Shown = Mapping[str, Sequence[Node]]
 
@@ -30,7 +33,28 @@ def equal(
     """
     outputs: dict[str, Sequence[Node | int]] = {"left": left, "right": right, **(shown or {})}
     program = mechanism.builder.program(outputs)
-    return decide(Statement(subject, program, ranges(mechanism)))
+    pays = program.count <= LARGEST_PROOF
+    return decide(Statement(subject, program, ranges(mechanism)), try_normal=pays)
+
+
+def each_or_all(
+    whole: str,
+    subjects: Sequence[str],
+    mechanism: Mechanism,
+    sides: Sequence[tuple[Sequence[Node], Sequence[Node | int]]],
+) -> list[Finding]:
+    """Statements decided together where all of them hold, one by one where there is a doubt."""
+    if not subjects:
+        return []
+    left = [entry for one, _ in sides for entry in one]
+    right = [entry for _, other in sides for entry in other]
+    together = equal(whole, mechanism, left, right)
+    if together.shown:
+        return [follows(subject, [together]) for subject in subjects]
+    return [
+        equal(subject, mechanism, one, other)
+        for subject, (one, other) in zip(subjects, sides, strict=True)
+    ]
 
 
 def ranges(mechanism: Mechanism) -> dict[str, Range]:
