@@ -16,6 +16,9 @@ from typing import Any
 from sympy import Expr, Matrix, Symbol
 
 from mechanics.exact import TooLarge
+from mechanics.mechanism import Mechanism
+from mechanics.program import Program
+from mechanics.program.builder import Node
 from mechanics.scene import Scene
 
 FEW = 6
@@ -197,6 +200,42 @@ class Equations:
     def unknowns(self) -> tuple[Symbol, ...]:
         """(u', lambda) in the order of `system`."""
         return (*self.scene.ud, *self.multipliers)
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class ProgramEquations:
+    """Equations of motion of a scene that is too large to be written out: rows of a program.
+
+    Attributes
+    ----------
+    scene : Scene
+    route : str
+    mechanism : Mechanism
+        The scene as nodes.
+    values : tuple of Node
+        Rows in q, u, u' and the multipliers that vanish along every motion, in their builder.
+    multipliers : tuple of Node
+    reactions : mapping of str to Node
+        Reactions that were eliminated, in q, u, u' and the multipliers.
+    """
+
+    scene: Scene
+    route: str
+    mechanism: Mechanism
+    values: tuple[Node, ...]
+    multipliers: tuple[Node, ...]
+    reactions: Mapping[str, Node]
+
+    def __repr__(self) -> str:
+        return (
+            f"<equations of {self.scene.name} by {self.route}: {len(self.values)} rows of"
+            f" {self.program.count} operations>"
+        )
+
+    @property
+    def program(self) -> Program:
+        """The rows as a frozen program with the output ``"rows"``."""
+        return self.mechanism.builder.program({"rows": self.values})
 
 
 class Late:

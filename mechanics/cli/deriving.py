@@ -11,7 +11,7 @@ from mechanics.cli.load import load
 from mechanics.cli.python_module import python_module
 from mechanics.cli.values import assignments
 from mechanics.compiled.fixed import fix, read_fixed
-from mechanics.crosscheck import derive as derive_by
+from mechanics.crosscheck import derive_textbook as derive_by
 from mechanics.equations import Equations
 from mechanics.report.notation import latex
 

@@ -7,7 +7,7 @@ from sympy import Expr, Matrix, Rational
 
 from mechanics.cli.load import load
 from mechanics.cli.values import points
-from mechanics.crosscheck import derive
+from mechanics.crosscheck import derive_textbook
 from mechanics.errors import ExpressionError, InputError
 from mechanics.linear import Linear, damped, damped_modes, linearise, numeric_modes, stability
 from mechanics.linear import modes as exact_modes
@@ -94,7 +94,7 @@ def _linear(name: str, settings: list[str]) -> Linear:
         else:
             known = ", ".join((*coordinates, *inputs))
             raise InputError(f"{scene.name}: there is no coordinate or input {key!r}: {known}")
-    return linearise(derive(scene, "lagrange"), coordinates, inputs)
+    return linearise(derive_textbook(scene, "lagrange"), coordinates, inputs)
 
 
 def _rows(matrix: Matrix) -> str:

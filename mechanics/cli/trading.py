@@ -16,7 +16,7 @@ from rich.table import Table
 from mechanics.cli.files import refuse_unwritable, write, write_file
 from mechanics.cli.load import load
 from mechanics.cli.values import points, sorted_out
-from mechanics.crosscheck import derive
+from mechanics.crosscheck import derive_textbook
 from mechanics.report.trade import trade_html
 from mechanics.report.trade_plot import standalone
 from mechanics.simulate.files import writable
@@ -71,13 +71,13 @@ def trade(
     initial, parameters, inputs = sorted_out(scene, points(settings or [], "--set"))
     with Console(stderr=True).status("deriving") as status:
         found = measure(
-            derive(scene, route),
+            derive_textbook(scene, route),
             horizon,
             initial=initial,
             parameters=parameters,
             inputs=inputs,
             target=target,
-            derive=partial(derive, route=route),
+            derive=partial(derive_textbook, route=route),
             progress=lambda words, share: status.update(f"{share:.0%} {escape(words)}"),
         )
     if report is not None:

@@ -11,18 +11,23 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from time import perf_counter
 
+import casadi
+
 from mechanics.checks.programs import laws, reactions
 from mechanics.checks.programs.agreement import Derived, linear_system
 from mechanics.checks.programs.statements import equal
+from mechanics.compiled.program_model import ProgramModel
 from mechanics.equations import Equations
 from mechanics.kernel import Finding
 from mechanics.mechanism import Mechanism
 from mechanics.program import Program
 from mechanics.program.builder import Node
+from mechanics.program.casadi_reader import read as read_graph
+from mechanics.program.interpret import include
 from mechanics.program.residues import Residues
 from mechanics.program.sympy_reader import read
 from mechanics.routes.programs import free_body, kane, lagrange, moving_point
-from mechanics.routes.programs.rows import Rows, substitute
+from mechanics.routes.programs.rows import Rows, coefficients, remainder, substitute
 
 DERIVATIONS: Mapping[str, Callable[[Mechanism], Rows]] = {
     "free_body": free_body.derive,
@@ -53,19 +58,15 @@ class Programs:
         """A filter for proposals of pivots and pairings."""
         return Residues(self.mechanism.builder)
 
-    @property
-    def textbook(self) -> bool:
-        """Whether the equations are short enough to be written out by SymPy."""
-        return kane_operations(self.mechanism) <= LARGEST_TEXTBOOK
-
     def operations(self, name: str) -> int:
         """Operations of a route's rows, shared ones once."""
         return self.mechanism.builder.program({"rows": self.routes[name].rows.values}).count
 
 
-def kane_operations(mechanism: Mechanism) -> int:
-    """Operations of Kane's rows: how large a scene is, whatever route is asked for."""
-    return mechanism.builder.program({"rows": kane.derive(mechanism).values}).count
+def is_written_out(mechanism: Mechanism) -> bool:
+    """Whether a scene is small enough for SymPy to write its equations out, by any route."""
+    rows = kane.derive(mechanism).values
+    return mechanism.builder.program({"rows": rows}).count <= LARGEST_TEXTBOOK
 
 
 def derive_rows(
@@ -144,3 +145,46 @@ def check_textbook(programs: Programs, derived: Mapping[str, Equations]) -> Iter
         solved = mechanism.builder.solve(matrix, flat[width * width :])[: len(mechanism.u)]
         own = programs.routes[name].accelerations
         yield equal(f"{name}: program = textbook form", mechanism, own, solved)
+
+
+def check_model(programs: Programs, model: ProgramModel) -> Iterator[Finding]:
+    """The compiled functions, read back, against Kane's rows and what they are made from.
+
+    Forward dynamics makes the rows zero; inverse dynamics, M and f are those of the rows; all else
+    computes its program.
+    """
+    mechanism = programs.mechanism
+    build = mechanism.builder
+    rows = kane.derive(mechanism).values
+    truth: dict[str, Sequence[Node]] = {
+        "inverse_dynamics": rows,
+        "mass_matrix": [e for row in coefficients(rows, mechanism.ud) for e in row],
+        "forcing": [-entry for entry in remainder(build, rows, mechanism.ud)],
+    }
+    for name, function in model.casadi.items():
+        read_back = read_graph(build, function, _arguments(mechanism, model, function))
+        entries = [entry for output in read_back.values() for entry in output]
+        subject = f"compiled {name}"
+        if name == "forward_dynamics":
+            values = dict(zip(mechanism.ud, entries, strict=True))
+            left = substitute(build, rows, values)
+            yield equal(f"{subject}: rows are zero", mechanism, left, [0] * len(left))
+            continue
+        right = truth.get(name)
+        if right is None:
+            own = include(build, model.programs[name])
+            right = [entry for output in own.values() for entry in output]
+        yield equal(f"{subject}: as derived", mechanism, entries, right)
+
+
+def _arguments(
+    mechanism: Mechanism, model: ProgramModel, function: casadi.Function
+) -> dict[str, Sequence[Node]]:
+    named = {"inputs": model.inputs, "p": model.parameters}
+    groups: dict[str, Sequence[Node]] = {
+        "q": mechanism.q,
+        "u": mechanism.u,
+        "ud": mechanism.ud,
+        **{group: [mechanism.builder.input(n) for n in names] for group, names in named.items()},
+    }
+    return {group: groups[group] for group in function.name_in()}

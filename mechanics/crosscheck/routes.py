@@ -4,7 +4,8 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 from mechanics.checks.programs.admissible import check_scene
-from mechanics.equations import Equations
+from mechanics.crosscheck.programs import DERIVATIONS, is_written_out
+from mechanics.equations import Equations, ProgramEquations
 from mechanics.errors import InputError, wanted
 from mechanics.routes import free_body, kane, lagrange, moving_point
 from mechanics.scene import Scene
@@ -41,8 +42,10 @@ def named_routes(names: Sequence[str]) -> tuple[Route, ...]:
     return tuple(route for route in ROUTES if not names or route.name in names)
 
 
-def derive(scene: Scene, route: str = "free_body") -> Equations:
-    """Equations of motion of a scene by one route, after the scene was found sound.
+def derive(scene: Scene, route: str = "free_body") -> Equations | ProgramEquations:
+    """Equations of motion of a scene by one route, after the scene was found admissible.
+
+    A scene that is too large for SymPy to write out gives `ProgramEquations`.
 
     Parameters
     ----------
@@ -59,8 +62,29 @@ def derive(scene: Scene, route: str = "free_body") -> Equations:
     """
     wanted(scene, Scene, "derive", "pass what scene() of a system gives")
     (chosen,) = named_routes((route,))
-    check_scene(scene)
-    return chosen.derive(scene)
+    mechanism = check_scene(scene)
+    if is_written_out(mechanism):
+        return chosen.derive(scene)
+    rows = DERIVATIONS[route](mechanism)
+    return ProgramEquations(scene, route, mechanism, rows.values, rows.multipliers, rows.reactions)
+
+
+def derive_textbook(scene: Scene, route: str = "free_body") -> Equations:
+    """The same for whoever needs M and f written out.
+
+    Raises
+    ------
+    InputError
+        Where the scene is too large for that.
+    """
+    derived = derive(scene, route)
+    if isinstance(derived, ProgramEquations):
+        raise InputError(
+            f"{scene.name}: its equations of {derived.program.count} operations are too long to be"
+            " written out: `mechanics crosscheck`, and compile(derive(scene)) in Python, take them"
+            " as a program"
+        )
+    return derived
 
 
 def derive_with(scene: Scene, names: Sequence[str] = ()) -> dict[str, Equations]:

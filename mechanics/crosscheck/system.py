@@ -27,18 +27,21 @@ from mechanics.checks.virtual_power import (
 )
 from mechanics.compiled import Model, compile, prove_compiled
 from mechanics.compiled.finite import not_finite
+from mechanics.compiled.program_model import compile_programs
 from mechanics.crosscheck.measured import NOT_CLOSED, ON_MANIFOLD, holds_others, measured
 from mechanics.crosscheck.motion import example_motion
 from mechanics.crosscheck.programs import (
     Programs,
     check_laws,
+    check_model,
     check_textbook,
     derive_rows,
+    is_written_out,
     solved,
 )
 from mechanics.crosscheck.routes import named_routes
 from mechanics.crosscheck.small_motions import small_motions
-from mechanics.equations import Equations
+from mechanics.equations import Equations, ProgramEquations
 from mechanics.errors import wanted
 from mechanics.exact import Finding, Verdict
 from mechanics.linear.ledger import check_linear_row
@@ -114,7 +117,7 @@ def crosscheck(system: System | Scene, options: CrossCheck | None = None) -> Sys
     mechanism = check_scene(scene)
     names = [route.name for route in named_routes(options.routes)]
     programs = derive_rows(mechanism, names, stage)
-    if not programs.textbook:
+    if not is_written_out(mechanism):
         return _without_textbook(system, scene, programs, stage)
     derived, seconds = _derived(scene, names, stage)
     stage("comparing routes")
@@ -191,13 +194,22 @@ def _without_textbook(
     """Of a scene that is too large to be written out by SymPy: the routes are programs alone."""
     stage("comparing routes")
     pairs = compare_pairs(programs.routes)
-    findings = (*pairs.values(), *check_laws(programs))
+    findings = [*pairs.values(), *check_laws(programs)]
+    remarks = ["The equations are too long to be written out, and stay programs."]
+    stage("compiling")
+    if scene.constraints or frictions(scene):
+        remarks.append("Nothing is compiled: constraints and friction need equations written out.")
+    else:
+        rows = next(iter(programs.routes.values())).rows
+        equations = ProgramEquations(
+            scene, rows.route, programs.mechanism, rows.values, rows.multipliers, rows.reactions
+        )
+        findings += check_model(programs, compile_programs(equations))
     stage("the scene as declared")
     states = drawn_states(scene)
     witnesses = [
         check_program(scene, name, solved(programs, name), states) for name in programs.routes
     ]
-    remarks = ["The equations are too long to be written out, and stay programs."]
     if system.published:
         remarks.append("Published rows are not checked: they need equations that are written out.")
     return SystemResult(
@@ -207,7 +219,7 @@ def _without_textbook(
             name: RouteResult(None, programs.seconds[name], programs.operations(name))
             for name in programs.routes
         },
-        findings=findings,
+        findings=tuple(findings),
         remarks=tuple(remarks),
         pairs=pairs,
         witnesses=tuple(witnesses),

@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 from functools import lru_cache
 from typing import Any
 
-from mechanics.crosscheck.routes import derive
+from mechanics.crosscheck.routes import derive_textbook
 from mechanics.equations import Equations
 from mechanics.errors import InputError, wanted
 from mechanics.exact import Verdict
@@ -37,7 +37,7 @@ from mechanics.scene.system import System
 @lru_cache(maxsize=32)
 def derived(scene: Scene) -> Equations:
     """What statements about a scene are compared with: the route that has the reactions."""
-    return derive(scene, "free_body")
+    return derive_textbook(scene, "free_body")
 
 
 def check(

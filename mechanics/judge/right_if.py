@@ -10,7 +10,7 @@ from dataclasses import replace
 from functools import lru_cache
 
 from mechanics.checks.ledger import check_row
-from mechanics.crosscheck.routes import derive
+from mechanics.crosscheck.routes import derive_textbook
 from mechanics.equations import Equations
 from mechanics.errors import ExpressionError, InputError, MechanicsError, SceneError
 from mechanics.exact import Finding
@@ -97,7 +97,7 @@ def _lighter(scene: Scene) -> Equations | None:
         replace(body, inertia=0) if isinstance(body, RigidBody) else body for body in scene.bodies
     )
     try:
-        return derive(replace(scene, bodies=bodies), "free_body")
+        return derive_textbook(replace(scene, bodies=bodies), "free_body")
     except MechanicsError:
         return None  # without inertia the scene does not move as it should
 

@@ -1,0 +1,136 @@
+"""Checks of programs say REFUTED, with a state, as soon as one of two routes is changed."""
+
+from collections.abc import Callable
+from dataclasses import replace
+
+import pytest
+
+from mechanics.checks.programs import laws, reactions
+from mechanics.checks.programs.admissible import check_scene
+from mechanics.checks.programs.agreement import (
+    Derived,
+    compare,
+    compare_pairs,
+    linear_system,
+    matched,
+)
+from mechanics.errors import SingularError
+from mechanics.kernel import Finding, Verdict
+from mechanics.mechanism import Mechanism, lower
+from mechanics.program import Builder, Node
+from mechanics.program.residues import Residues
+from mechanics.routes.programs import free_body, kane, lagrange, moving_point
+from mechanics.routes.programs.rows import Rows
+from systems import ALL, elastic_pendulum, pendulum_chain, rolling_disc
+
+ROUTES = (free_body, moving_point, kane, lagrange)
+
+
+def derived(mechanism: Mechanism) -> dict[str, Derived]:
+    filter_ = Residues(mechanism.builder)
+    rows = [route.derive(mechanism) for route in ROUTES]
+    return {one.route: linear_system(mechanism, one, filter_) for one in rows}
+
+
+def changed(mechanism: Mechanism, rows: Rows, change: Callable[[Node], Node]) -> Derived:
+    """The route with its first row changed."""
+    other = replace(rows, route="other", values=(change(rows.values[0]), *rows.values[1:]))
+    return linear_system(mechanism, other, Residues(mechanism.builder))
+
+
+def assert_refuted(finding: Finding) -> None:
+    assert finding.verdict is Verdict.REFUTED
+    assert finding.witness is not None
+    assert finding.witness.state
+
+
+@pytest.mark.parametrize("system", ALL, ids=lambda system: system.name)
+def test_all_pairs_are_shown(system) -> None:
+    routes = derived(lower(system.scene(), Builder()))
+    pairs = compare_pairs(routes)
+    assert len(pairs) == 6
+    assert all(finding.shown for finding in pairs.values())
+
+
+CHANGES = {
+    "a term more": lambda m: lambda row: row + m.u[0] * m.q[-1],
+    "an acceleration more": lambda m: lambda row: row + m.ud[-1],
+    "a constant more": lambda m: lambda row: row + 1,
+}
+
+
+@pytest.mark.parametrize("name", CHANGES)
+@pytest.mark.parametrize("make", [elastic_pendulum.scene, rolling_disc.scene])
+def test_a_changed_row_is_refuted(name: str, make) -> None:
+    mechanism = lower(make(), Builder())
+    routes = derived(mechanism)
+    other = changed(mechanism, routes["kane"].rows, CHANGES[name](mechanism))
+    assert_refuted(compare(other, routes["kane"], Residues(mechanism.builder)))
+    pairs = compare_pairs({**routes, "other": other})
+    assert {names for names, finding in pairs.items() if not finding.shown} == {
+        (route, "other") for route in routes
+    }
+
+
+def test_rows_are_matched_up_to_order_and_sign() -> None:
+    mechanism = lower(elastic_pendulum.scene(), Builder())
+    filter_ = Residues(mechanism.builder)
+    rows = kane.derive(mechanism)
+    turned = replace(rows, values=(-rows.values[1], rows.values[0]))
+    assert matched(filter_, rows, turned) == [(1, 1), (0, -1)]
+    twice = replace(rows, values=(rows.values[0], rows.values[0]))
+    assert matched(filter_, rows, twice) is None
+
+
+def test_rows_that_are_no_system_are_refused() -> None:
+    mechanism = lower(elastic_pendulum.scene(), Builder())
+    rows = kane.derive(mechanism)
+    same = replace(rows, values=(rows.values[0], 2 * rows.values[0]))
+    with pytest.raises(SingularError, match="rank 1 for 2 unknowns"):
+        linear_system(mechanism, same, Residues(mechanism.builder))
+
+
+def test_a_false_mass_matrix_and_energy_are_refuted() -> None:
+    mechanism = lower(pendulum_chain.scene(2), Builder())
+    rows = kane.derive(mechanism)
+    assert laws.check_mass_matrix(mechanism, rows).shown
+    assert laws.check_energy(mechanism, rows).shown
+    heavier = replace(rows, values=(rows.values[0] + mechanism.ud[1], *rows.values[1:]))
+    assert_refuted(laws.check_mass_matrix(mechanism, heavier))
+    pulled = replace(rows, values=(rows.values[0] + mechanism.q[0], *rows.values[1:]))
+    assert laws.check_mass_matrix(mechanism, pulled).shown
+    assert_refuted(laws.check_energy(mechanism, pulled))
+
+
+def test_a_false_reaction_is_refuted() -> None:
+    mechanism = lower(elastic_pendulum.scene(), Builder())
+    by_kane = linear_system(mechanism, kane.derive(mechanism), Residues(mechanism.builder))
+    rows = free_body.derive(mechanism)
+    assert reactions.check_reactions(rows, by_kane).shown
+    wrong = replace(rows, reactions={**rows.reactions, "N": -rows.reactions["N"]})
+    assert_refuted(reactions.check_reactions(wrong, by_kane))
+
+
+def test_a_reaction_that_does_work_is_refuted() -> None:
+    mechanism = check_scene(elastic_pendulum.scene())
+    first, *others = mechanism.reactions
+    along_rail = mechanism.reactions[2].along
+    rail = tuple((frame, (column[1], column[0], column[2])) for frame, column in along_rail)
+    wrong = replace(mechanism, reactions=(first, *others[:-1], replace(others[-1], along=rail)))
+    findings = list(laws.check_ideal(wrong, Residues(wrong.builder)))
+    assert [finding.shown for finding in findings] == [True, True, False]
+    assert_refuted(findings[-1])
+
+
+@pytest.mark.parametrize("system", ALL, ids=lambda system: system.name)
+def test_laws_hold(system) -> None:
+    mechanism = check_scene(system.scene())
+    findings = [
+        laws.check_kinematics(mechanism),
+        *laws.check_potentials(mechanism),
+        *laws.check_dampers(mechanism),
+        *laws.check_frictions(mechanism),
+        *laws.check_ideal(mechanism, Residues(mechanism.builder)),
+    ]
+    assert len(findings) > len(mechanism.reactions)
+    assert all(finding.shown for finding in findings)
