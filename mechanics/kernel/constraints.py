@@ -87,8 +87,8 @@ def _replaced(
     """The statement with one input less."""
     conditions = list(outputs.get(POSITIVE, ()))
     known = statement.range_of(found.name)
-    if known in (Range.POSITIVE, Range.NEGATIVE):
-        conditions.append(found.value if known is Range.POSITIVE else -found.value)
+    if known is not Range.FREE:
+        conditions.append(-found.value if known is Range.NEGATIVE else found.value)
     wanted = {**outputs, ZERO: found.left, POSITIVE: conditions}
     program = builder.program(wanted)
     value = builder.program({found.name: [found.value]})

@@ -112,7 +112,13 @@ def _decided_on_constraints(statement: Statement, try_normal: bool) -> Finding:
     if constrained is None:
         words = "not equal off the constraints, and no exact point on them is known"
         return Finding(statement.subject, Verdict.UNDECIDED, words)
-    return _decided(constrained, try_normal)
+    finding = _decided(constrained, try_normal)
+    solved = [name for name in statement.program.inputs if name in constrained.program.outputs]
+    if not finding.shown or not solved:
+        return finding
+    # x y = 0 holds where x = 0 and where y = 0: a point knows its own component only.
+    words = f"{finding.evidence}, on the component where the constraints give {', '.join(solved)}"
+    return replace(finding, evidence=words)
 
 
 def follows(subject: str, premises: Sequence[Finding]) -> Finding:

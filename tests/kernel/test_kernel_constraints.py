@@ -35,6 +35,16 @@ def test_without_a_point_on_the_constraints_it_is_undecided() -> None:
     assert "no exact point" in finding.evidence
 
 
+def test_the_component_is_named() -> None:
+    """x y = 0 holds where x = 0 and where y = 0."""
+    b = Builder()
+    x, y = b.input("x"), b.input("y")
+    on_one = decide(statement(b, x + y, y, [x * y], dependent=("x",)))
+    assert on_one.verdict is Verdict.PROVED
+    assert on_one.evidence.endswith("on the component where the constraints give x")
+    assert decide(statement(b, x + y, y, [x * y], dependent=("y",))).verdict is Verdict.REFUTED
+
+
 def test_linear_constraints() -> None:
     b = Builder()
     x, y, z, w = (b.input(n) for n in "xyzw")
@@ -65,6 +75,21 @@ def test_a_quadratic_constraint_has_two_branches() -> None:
         b, x, (l * l - y * y).sqrt(), circle, dependent=("x",), signs={"x": Range.POSITIVE}
     )
     assert decide(positive, try_normal=False).shown
+
+
+def test_solutions_keep_their_range() -> None:
+    """x^2 = y^2: x is y or -y, by the signs of both."""
+    b = Builder()
+    x, y = b.input("x"), b.input("y")
+    square = [x * x - y * y]
+    for known, turned, other in (
+        (Range.POSITIVE, y, -y), (Range.NONNEGATIVE, y, -y), (Range.NEGATIVE, -y, y),
+    ):  # fmt: skip
+        signs = {"x": known, "y": Range.POSITIVE}
+        right = statement(b, x, turned, square, dependent=("x",), signs=signs)
+        assert decide(right, try_normal=False).shown, known
+        wrong = statement(b, x, other, square, dependent=("x",), signs=signs)
+        assert decide(wrong, try_normal=False).verdict is Verdict.REFUTED, known
 
 
 def test_an_angle_that_a_constraint_determines() -> None:
