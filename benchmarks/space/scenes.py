@@ -160,7 +160,7 @@ def _modified(rows: Sequence[tuple[Expr, Expr, Expr]]) -> list[Joint]:
     return found
 
 
-def puma560(numbers: bool = False) -> Scene:
+def puma560() -> Scene:
     """Six turning joints, general inertias."""
     a2, a3, d3, d4 = real("a2", "a3", "d3", "d4")
     table = [(0, 0, 0), (-pi / 2, 0, 0), (0, a2, d3), (-pi / 2, a3, d4), (pi / 2, 0, 0)]
@@ -178,29 +178,36 @@ def panda() -> Scene:
 
 
 def ur5(numbers: bool = True) -> Scene:
-    """Six turning joints, two of them parallel to a third; masses and lengths of a UR5.
+    """Six turning joints, the second to fourth parallel; else general inertias.
 
-    The inertias are those of rods of these lengths: close to the published ones, and general.
+    Masses, mass centres and inertias, those of cylinders, as in the model of the robot that its
+    makers publish.
     """
-    d1, a2, a3, d4, d5, d6 = (Rational(n, 100000) for n in (8916, 42500, 39225, 10915, 9465, 8230))
     table = [
-        (0, 0, d1), (pi / 2, 0, 0), (0, -a2, 0), (0, -a3, d4), (pi / 2, 0, d5), (-pi / 2, 0, d6),
+        (0, 0, "0.089159"), (pi / 2, 0, 0), (0, "-0.425", 0), (0, "-0.39225", "0.10915"),
+        (pi / 2, 0, "0.09465"), (-pi / 2, 0, "0.0823"),
     ]  # fmt: skip
-    joints = _modified(table)
+    joints = _modified([(alpha, Rational(a), Rational(d)) for alpha, a, d in table])
     if not numbers:
-        return scene("UR5", joints)
-    masses = (3.7, 8.393, 2.275, 1.219, 1.219, 0.1879)
-    found = []
-    for i, (joint, mass) in enumerate(zip(joints, masses, strict=True), start=1):
-        m = Rational(str(mass))
-        values = {
-            "mass": m,
-            "centre": tuple(Rational(k * i + 3, 100 + 7 * k) for k in (1, 2, 3)),
-            "inertia": tuple(m * Rational(k + 2 + i, 300 + k) for k in (1, 2, 3))
-            + tuple(m * Rational(k + i, 9000 + k) for k in (1, 2, 3)),
-        }
-        found.append(Joint(joint.parent, turns=joint.turns, offset=joint.offset, **values))
-    return scene("UR5-like arm with numbers", found)
+        return scene("UR5 with general inertias", joints)
+    bodies = (
+        # mass, mass centre, moments of inertia
+        ("3.7", (0, 0, 0), ("0.010267495893", "0.010267495893", "0.00666")),
+        ("8.393", ("-0.28", 0, "0.13585"), ("0.0151074", "0.22689067591", "0.22689067591")),
+        ("2.275", ("-0.25", 0, "0.01615"), ("0.004095", "0.049443313556", "0.049443313556")),
+        ("1.219", (0, 0, "-0.093"), ("0.111172755531", "0.111172755531", "0.21942")),
+        ("1.219", (0, 0, "-0.09465"), ("0.111172755531", "0.111172755531", "0.21942")),
+        ("0.1879", (0, 0, "-0.0823"), ("0.0171364731454", "0.0171364731454", "0.033822")),
+    )
+    found = [
+        Joint(
+            joint.parent, turns=joint.turns, offset=joint.offset, mass=Rational(mass),
+            centre=tuple(map(Rational, centre)),
+            inertia=(*map(Rational, moments), 0, 0, 0),
+        )
+        for joint, (mass, centre, moments) in zip(joints, bodies, strict=True)
+    ]  # fmt: skip
+    return scene("UR5 with its numbers", found)
 
 
 def arm(count: int) -> Scene:

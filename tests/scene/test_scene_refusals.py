@@ -106,6 +106,9 @@ BODIES = {
     "centre as text": (carriage(centre="B"), "body carriage centre 'B' str Point"),
     "frame missing": (rod(lambda p: {"frame": None}), "body rod frame None ReferenceFrame"),
     "stretched frame": (rod(lambda p: {"frame": stretched(p)}), "frame S no rotation orientnew"),
+    "load along a stretched frame": (
+        lambda p: {"loads": (force("F", p.B, g * stretched(p).x, on="carriage"),)},
+        "frame S no rotation orientnew"),
     "mirrored frame": (rod(lambda p: {"frame": mirrored(p)}), "frame S no rotation det"),
     "body twice": (body(lambda p: (*p.bodies, p.bodies[0])), "2 times a body 'carriage' differ"),
     "empty name": (carriage(name=""), "body empty name"),

@@ -147,6 +147,8 @@ REACTIONS = {
     "direction as text": (support(along="y"), "reaction N1 along 'y' Vector"),
     "direction zero": (support(along=lambda p: 0 * p.N.y), "reaction N1 sqrt(0) unit vector"),
     "direction of length two": (support(along=lambda p: 2 * p.N.y), "reaction N1 unit vector"),
+    "direction of length two, turned": (support(along=lambda p: 2 * p.A.y),
+        "reaction N1 sqrt(4) unit vector"),
     "direction of nowhere": (support(along=ReferenceFrame("Q").y), "Q not oriented relative to N"),
     "point of nowhere": (support(at=Point("Q")), "reaction N1 point not in the scene Q"),
     "point as text": (support(at="B"), "reaction N1 at 'B' Point None"),
