@@ -159,6 +159,11 @@ class Instant:
             return parts[0] * _sign(parts[0])
         if isinstance(e, sympy.sign):
             return arb(_sign(parts[0]))
+        if isinstance(e, sympy.floor | sympy.ceiling):
+            side = 1 if isinstance(e, sympy.floor) else -1
+            return side * _floor(side * parts[0])
+        if isinstance(e, sympy.Mod):
+            return parts[0] - parts[1] * _floor(parts[0] / parts[1])
         if isinstance(e, sympy.Max | sympy.Min):
             side = 1 if isinstance(e, sympy.Max) else -1
             return reduce(lambda one, two: one if _sign(one - two) == side else two, parts)
@@ -202,3 +207,11 @@ def _sign(value: Value) -> int:
     if first < 0:
         return -1
     raise OutsideDomain
+
+
+def _floor(value: Value) -> arb:
+    first = value[0] if isinstance(value, arb_series) else value
+    below = first.floor()
+    if not below.is_exact() or first == below:
+        raise OutsideDomain
+    return below
