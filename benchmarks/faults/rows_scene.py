@@ -292,6 +292,47 @@ LOADS = (
             "the energy of a torsion spring without its half",
         ),
     ),
+    *faults_in(
+        "mechanics.scene.loads",
+        (
+            "return Spring(name, first, second, k",
+            "return Spring(name, second, first, k",
+            "a spring changes its ends when it is declared",
+        ),
+        (
+            "return Damper(name, first, second, c",
+            "return Damper(name, first, second, 2 * c",
+            "a damper counts twice when it is declared",
+        ),
+        (
+            "return TorsionSpring(name, turn, axis, k",
+            "return TorsionSpring(name, turn, -axis, k",
+            "a torsion spring changes its axis when it is declared",
+        ),
+        (
+            "return Force(name, at, vector, on, by)",
+            "return Force(name, at, -vector, on, by)",
+            "a force changes its sign when it is declared",
+        ),
+        (
+            "return Torque(name, vector, on, by)",
+            "return Torque(name, vector, on, None)",
+            "a torque forgets the other body when it is declared",
+        ),
+        (
+            "return Coulomb(name, normal, along, speed, mu)",
+            "return Coulomb(name, normal, along, speed, 2 * mu)",
+            "friction counts twice when it is declared",
+        ),
+    ),
+    *faults_in(
+        "mechanics.scene.reactions",
+        (
+            "reactions, True)",
+            "reactions, False)",
+            "a closure counts as a condition on speeds",
+        ),
+    ),
 )
 
 BODIES = (

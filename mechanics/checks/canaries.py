@@ -2,6 +2,7 @@
 
     decisions        statements known to be true are shown, statements known to be false refuted
     numbers          a scalar is read as it was typed, a decimal as the fraction that it prints
+    declarations     bodies, loads, reactions and constraints keep what was given
     shapes           mass, centroid and inertia of a body cut from all shapes are integrals over it
 
     integral of r dr dphi over a sector, of dx dy over a rectangle, of ds over a curve       (1)
@@ -10,7 +11,7 @@
 What the canaries say is evidence about the program, not about a scene: SUPPORTED, or REFUTED.
 """
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from typing import Any
 
 from flint import arb
@@ -28,11 +29,23 @@ from sympy import (
     symbols,
     tan,
 )
+from sympy.physics.vector import Point, ReferenceFrame
 
 from mechanics.checks.jets import Instant, precision
 from mechanics.exact import Finding, Verdict, prove_equal
+from mechanics.scene.bodies import Particle, RigidBody
 from mechanics.scene.composite import composite, part
 from mechanics.scene.declared import scalar
+from mechanics.scene.loads import (
+    coulomb,
+    damper,
+    force,
+    gravity,
+    spring,
+    torque,
+    torsion_spring,
+)
+from mechanics.scene.reactions import holonomic, nonholonomic, reaction, reaction_couple
 from mechanics.scene.shapes import Disc, Rectangle, Ring, Rod, Semidisc
 
 BITS = 100
@@ -84,6 +97,7 @@ def check_canaries() -> tuple[Finding, ...]:
     return (
         _told("decisions", len(TRUE) + len(FALSE), [*_decided_wrongly()]),
         _told("numbers as they are typed", len(TYPED), [*_read_wrongly()]),
+        _told("declarations keep what is given", 13, [*_kept_wrongly()]),
         _told("shapes against integrals", 7, [*_integrated_wrongly()]),
     )
 
@@ -108,6 +122,41 @@ def _read_wrongly() -> Iterator[str]:
     for typed, meant in TYPED:
         if scalar(typed, "canary") != meant:
             yield f"{typed} is read as {scalar(typed, 'canary')}"
+
+
+def _kept_wrongly() -> Iterator[str]:
+    N, P, Q = ReferenceFrame("N"), Point("P"), Point("Q")
+    a, b = symbols("a b", positive=True)
+    ends: dict[str, Any] = {"on": "one", "by": "two"}
+    line: dict[str, Any] = {"first": P, "second": Q, "along": N.x, **ends}
+    makers: tuple[tuple[Callable[..., Any], dict[str, Any]], ...] = (
+        (Particle, {"centre": P, "mass": a}),
+        (RigidBody, {"centre": P, "frame": N, "mass": a, "inertia": b}),
+        (spring, {"stiffness": a, "length": b, **line}),
+        (damper, {"coefficient": a, **line}),
+        (force, {"at": P, "vector": a * N.x, **ends}),
+        (torque, {"vector": a * N.x, **ends}),
+        (torsion_spring, {"angle": b, "axis": N.x, "stiffness": a, **ends}),
+        (coulomb, {"normal": "R", "along": N.x, "sliding": b, "coefficient": a}),
+        (reaction, {"at": P, "along": N.x, **ends}),
+        (reaction_couple, {"along": N.x, **ends}),
+    )
+    parts = [(make("part", **given), given) for make, given in makers]
+    parts += [
+        (gravity(a * N.x), {"field": a * N.x}),
+        (
+            holonomic("part", a - b, "R"),
+            {"expression": a - b, "reactions": ("R",), "holonomic": True},
+        ),
+        (
+            nonholonomic("part", a - b, "R"),
+            {"expression": a - b, "reactions": ("R",), "holonomic": False},
+        ),
+    ]
+    for made, given in parts:
+        for name, value in given.items():
+            if getattr(made, name) != value:
+                yield f"{type(made).__name__}: {name} {value} is kept as {getattr(made, name)}"
 
 
 def _integrated_wrongly() -> Iterator[str]:

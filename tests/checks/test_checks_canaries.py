@@ -9,6 +9,7 @@ from mechanics.checks import canaries
 from mechanics.checks.canaries import check_canaries
 from mechanics.exact import Finding, Verdict
 from mechanics.scene.composite import Part
+from mechanics.scene.loads import spring
 from mechanics.scene.shapes import Rod, Semidisc
 
 
@@ -20,7 +21,7 @@ def refuted() -> str:
 
 def test_all_are_alive() -> None:
     found = check_canaries()
-    assert len(found) == 3
+    assert len(found) == 4
     assert {finding.verdict for finding in found} == {Verdict.SUPPORTED}
 
 
@@ -52,3 +53,11 @@ def test_a_wrong_shape_is_seen(
 def test_numbers_that_are_read_as_others_are_seen(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(canaries, "scalar", lambda value, what: 2 * value)
     assert "3 is read as 6" in refuted()
+
+
+def test_a_load_that_keeps_something_else_is_seen(monkeypatch: pytest.MonkeyPatch) -> None:
+    def swapped(name: str, first: Any, second: Any, **rest: Any) -> Any:
+        return spring(name, second, first, **rest)
+
+    monkeypatch.setattr(canaries, "spring", swapped)
+    assert "Spring: first P is kept as Q" in refuted()
