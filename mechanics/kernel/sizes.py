@@ -84,7 +84,7 @@ class Sizes:
             "divide": self._quotient, "negate": lambda x: x,
             "sqrt": lambda x: self._root(x, 2), "power": self._power, "exp": self._variable,
             "sin": self._circle, "cos": self._circle, "atan2": self._variable,
-            "abs": self._variable, "sign": self._sign,
+            "abs": self._absolute, "sign": self._sign,
             "less": self._comparison, "not_greater": self._comparison, "equal": self._comparison,
             "and": self._product, "or": self._either, "not": lambda x: self._sum(_ONE, x),
             "select": self._choice,
@@ -171,9 +171,14 @@ class Sizes:
         self._look_up(x)
         return Size(1.0, 0.0, 1.0, 0)
 
+    def _absolute(self, x: Size) -> Size:
+        """A variable, or x or -x: as large as either."""
+        self._look_up(x)
+        return Size(max(x.numerator, 1.0), x.denominator, x.height, x.token)
+
     def _sign(self, x: Size) -> Size:
         """|x| / x."""
-        return self._quotient(self._variable(x), x)
+        return self._quotient(self._absolute(x), x)
 
     def _comparison(self, x: Size, y: Size) -> Size:
         return self._sum(_ONE, self._variable(self._sum(x, y)))

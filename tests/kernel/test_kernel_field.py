@@ -318,6 +318,9 @@ def test_sizes_follow_their_equations() -> None:
     first, again = (d.solve([[u]], [v], False)[0] for _ in range(2))
     assert 0 != first.token != again.token != 0
     assert d.solve([[d.constant(Fraction(2))]], [d.constant(Fraction(3))], True)[0].token == 0
+    size = d.operations["abs"](Size(4, 2, 6, 5))
+    assert (size.numerator, size.denominator, size.height, size.token) == (4, 2, 6, 5)
+    assert d.operations["abs"](d.constant(Fraction(3))).numerator == 1
     choice = d.operations["select"](d.variable(), u, v)
     assert choice.numerator == 8
 
