@@ -46,8 +46,8 @@ FREE_BODY = (
             "elimination: reactions, wrong sign",
         ),
         (
-            "tidy.items() if value != 0}",
-            "tidy.items() if value.is_number}",
+            "tidied.items() if value != 0}",
+            "tidied.items() if value.is_number}",
             "elimination: coefficients with symbols are lost",
         ),
     ),
