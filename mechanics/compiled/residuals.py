@@ -9,7 +9,10 @@ Arb. States at which an acceleration is no number have no ratio: `mechanics.comp
 them, and says why.
 """
 
+import os
+from collections import deque
 from collections.abc import Callable, Sequence
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from math import inf, nextafter
 
@@ -18,6 +21,7 @@ from flint import arb
 from numpy.typing import NDArray
 from sympy import Expr, Symbol
 
+from mechanics.compiled.calls.functions import MANY
 from mechanics.compiled.model import Model
 from mechanics.compiled.sampling import States, sample
 from mechanics.compiled.terms import BITS, BallTerms, ball_terms, extended_terms, typed_terms
@@ -98,14 +102,26 @@ def residuals(
     if states < 1:
         raise InputError(f"states: {states} found, at least 1 expected")
     found: list[Residual] = []
+    terms = [typed_terms(left, right) for _, left, right in published]
+    if states >= MANY:
+        # The compiler is a process of its own: two of them, while this one waits.
+        with ThreadPoolExecutor(os.cpu_count()) as pool:
+            pairs = [(model, kind) for kind in precisions for model in models]
+            deque(pool.map(_build, pairs), maxlen=0)
     for model in models:
         drawn = draw(model, states, seed)
         for kind in precisions:
             columns = _columns(model, drawn.rounded(kind), kind)
-            for tag, left, right in published:
+            for (tag, _, _), typed in zip(published, terms, strict=True):
                 subject = f"{model.equations.route}: equation {tag}, {NAMES[kind]}"
-                found.append(_residual(subject, model, columns, typed_terms(left, right), kind))
+                found.append(_residual(subject, model, columns, typed, kind))
     return tuple(found)
+
+
+def _build(pair: tuple[Model, type[np.floating]]) -> None:
+    """Compile the code that `_columns` calls."""
+    model, kind = pair
+    model.batch_kernel("forward_dynamics", kind, shared=())
 
 
 def _columns(model: Model, states: States, kind: type[np.floating]) -> Columns:

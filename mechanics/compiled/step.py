@@ -12,7 +12,6 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 import casadi as ca
-from scipy.integrate import DOP853, RK45
 
 Rate = Callable[[ca.SX, Fraction | float], ca.SX]
 """f as a function of the state and c, the share of the step that has passed."""
@@ -37,17 +36,10 @@ class Tableau:
     b: tuple[Fraction | float, ...]
 
 
-def _embedded(name: str, order: int, pair: type[RK45] | type[DOP853]) -> Tableau:
-    """The higher-order formula of a pair of SciPy, without its error estimate."""
-    rows = tuple(tuple(row[:i]) for i, row in enumerate(pair.A.tolist()))
-    return Tableau(name, order, rows, tuple(pair.B.tolist()))
-
-
 _HALF, _SIXTH, _THIRD = Fraction(1, 2), Fraction(1, 6), Fraction(1, 3)
 RK4 = Tableau(
     "RK4", 4, ((), (_HALF,), (0, _HALF), (0, 0, Fraction(1))), (_SIXTH, _THIRD, _THIRD, _SIXTH)
 )
-TABLEAUX = (RK4, _embedded("RK5", 5, RK45), _embedded("RK8", 8, DOP853))
 
 
 def runge_kutta(tableau: Tableau, rate: Rate, y: ca.SX, h: ca.SX) -> ca.SX:

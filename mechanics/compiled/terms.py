@@ -8,7 +8,9 @@ expression, and extended precision at many, from a program.
 """
 
 import operator
+import os
 from collections.abc import Callable, Sequence
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 
 import numpy as np
@@ -26,7 +28,7 @@ from mechanics.program.sympy_reader import read
 Step = tuple[Callable[..., arb], tuple[int, ...]]
 
 UNIT = np.finfo(np.longdouble).eps
-CHUNK = 2048
+CHUNK = 8192
 """States at once, so that values stay near the processor."""
 
 BITS = 160
@@ -145,7 +147,10 @@ class ExtendedTerms:
     ) -> tuple[NDArray[np.longdouble], NDArray[np.longdouble]]:
         """What the ratios at many states are not below, and not above."""
         parts = range(0, len(columns[0]), CHUNK)
-        found = [self._bounds([c[i : i + CHUNK] for c in columns], epsilon) for i in parts]
+        with ThreadPoolExecutor(os.cpu_count()) as pool:  # NumPy computes on all cores
+            found = pool.map(
+                lambda i: self._bounds([c[i : i + CHUNK] for c in columns], epsilon), parts
+            )
         low, high = zip(*found, strict=True)
         return np.concatenate(low), np.concatenate(high)
 

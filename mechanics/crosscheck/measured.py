@@ -14,7 +14,6 @@ from mechanics.report.result import ResidualResult
 from mechanics.scene import Scene
 from mechanics.scene.declared import decimals
 from mechanics.scene.published import Published
-from mechanics.simulate.many_on_manifold import states_on_manifold
 
 MOST_CLOSED = 10_000
 """Random states that are put onto constraints."""
@@ -51,6 +50,9 @@ def measured(
     """
     draw = random_states
     if scene.constraints:
+        # SciPy's integrators and optimizers take half a second to import.
+        from mechanics.simulate.many_on_manifold import states_on_manifold
+
         draw, states = states_on_manifold, min(states, MOST_CLOSED)
     if not rows or states == 0 or not all(len(draw(m, 1, SEED)) for m in models.values()):
         return ()

@@ -3,7 +3,6 @@
 from mechanics.compiled import Model
 from mechanics.errors import MechanicsError
 from mechanics.report.result import Motion
-from mechanics.simulate import simulate
 
 DURATION = 10.0
 SAMPLES = 401
@@ -11,6 +10,9 @@ SAMPLES = 401
 
 def example_motion(model: Model) -> tuple[Motion | None, tuple[str, ...]]:
     """Ten seconds from the scene's example; a remark says why where there is none."""
+    # SciPy's integrators take half a second to import, and only reports show motions.
+    from mechanics.simulate import simulate
+
     try:
         found = simulate(model, DURATION, samples=SAMPLES)
     except MechanicsError as error:

@@ -70,7 +70,8 @@ def interpret(
         If an operation has no meaning in the domain.
     """
     first, second, third = program.operands
-    functions = [domain.operations.get(row.name) for row in OPERATIONS]
+    known = domain.operations
+    functions = [known.get(row.name) for row in OPERATIONS]
     values: list[Any] = [None] * len(program)
     drop = _last_uses(program) if release else {}
     for number, code in enumerate(program.operations):

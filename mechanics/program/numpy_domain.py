@@ -8,7 +8,6 @@ from fractions import Fraction
 from typing import Any
 
 import numpy as np
-from scipy.special import erf
 
 from mechanics.program.operations import OPERATIONS
 
@@ -40,7 +39,9 @@ class Arrays:
         return function
 
     def _erf(self, x: Any) -> Any:
-        """SciPy has it in double precision only."""
+        """SciPy has it in double precision only, and takes a quarter of a second to import."""
+        from scipy.special import erf
+
         return self.precision(1) * erf(np.asarray(x, dtype=np.float64))
 
     def constant(self, value: Fraction) -> Any:

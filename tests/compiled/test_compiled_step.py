@@ -8,7 +8,8 @@ import numpy as np
 import pytest
 from flint import arb
 
-from mechanics.compiled.step import RK4, TABLEAUX, Tableau, runge_kutta
+from mechanics.compiled.step import RK4, Tableau, runge_kutta
+from mechanics.compiled.tableaus import TABLEAUX
 from mechanics.exact.balls import Ball, BallArithmetic, State, ball, precision
 
 SYSTEMS = [("elastic_pendulum", "kane"), ("rocker", "free_body"), ("rolling_disc", "free_body"),

@@ -13,7 +13,8 @@ import numpy as np
 import pytest
 from scipy.integrate import DOP853
 
-from mechanics.compiled.step import TABLEAUX, Tableau
+from mechanics.compiled.step import Tableau
+from mechanics.compiled.tableaus import TABLEAUX
 
 Tree = tuple
 """The branches of the root, each a tree, in order."""

@@ -12,7 +12,7 @@ from scipy.integrate import solve_ivp
 
 from mechanics.compiled.machine.native import find_compiler
 from mechanics.compiled.model import Model, compile
-from mechanics.compiled.step import TABLEAUX
+from mechanics.compiled.tableaus import TABLEAUX
 from mechanics.errors import InputError
 from mechanics.routes import kane
 from mechanics.simulate.integrators import INTEGRATORS, Integrator, Outcome, Problem, Setting

@@ -19,7 +19,7 @@ from mechanics.errors import CompilerError
 # No contraction into fused operations and no reassociation: results are the same everywhere.
 FLAGS = ("-std=c99", "-fPIC", "-ffp-contract=off", "-fno-math-errno")
 # Threads that need the same library at the same time would write the same files.
-_BUILDING = threading.Lock()
+_BUILDING: dict[str, threading.Lock] = {}
 REMARKS = ".txt"
 """Ends the name of the file with what the compiler said, in place of the library's ending."""
 
@@ -68,7 +68,7 @@ def build(source: str, compiler: str, flags: Sequence[str], linked: Sequence[str
     name = sha256(f"{compiler} {flags} {linked}\n{source}".encode()).hexdigest()[:16]
     stem = Path(_folder().name) / name
     file, object_file, library = (stem.with_suffix(suffix) for suffix in (".c", ".o", ".so"))
-    with _BUILDING:
+    with _BUILDING.setdefault(name, threading.Lock()):
         if not library.exists():
             file.write_text(source, encoding="ascii")
             remarks = _run([compiler, *flags, "-c", str(file), "-o", str(object_file)])

@@ -25,7 +25,7 @@ from mechanics.compiled.c.names import identifier
 from mechanics.compiled.machine.evaluator import evaluator
 from mechanics.compiled.machine.native import affordable
 from mechanics.compiled.programs.program import program
-from mechanics.compiled.step import TABLEAUX
+from mechanics.compiled.tableaus import TABLEAUX
 from mechanics.errors import InputError
 from mechanics.exact import Finding
 from mechanics.export.atomic import replaced_file

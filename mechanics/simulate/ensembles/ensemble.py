@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from mechanics.compiled.model import Model
-from mechanics.compiled.step import TABLEAUX
+from mechanics.compiled.tableaus import TABLEAUX
 from mechanics.errors import InputError, wanted
 from mechanics.simulate.ensembles.choice import best
 from mechanics.simulate.ensembles.library import ensemble_program

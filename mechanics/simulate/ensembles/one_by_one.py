@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from mechanics.compiled.step import TABLEAUX
+from mechanics.compiled.tableaus import TABLEAUX
 from mechanics.simulate.ensembles.motions import Motions
 from mechanics.simulate.ensembles.outcome import Status
 from mechanics.simulate.ensembles.run import FIXED, STAGES, Run

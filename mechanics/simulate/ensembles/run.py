@@ -11,7 +11,8 @@ from numpy.typing import NDArray
 from scipy.integrate import DOP853
 
 from mechanics.compiled.programs.program import Program
-from mechanics.compiled.step import TABLEAUX, Tableau
+from mechanics.compiled.step import Tableau
+from mechanics.compiled.tableaus import TABLEAUX
 from mechanics.simulate.ensembles.explicit import dop853_source, fixed_source
 from mechanics.simulate.ensembles.library import Library, at, library, timed
 from mechanics.simulate.ensembles.motions import Motions

@@ -16,7 +16,8 @@ from numpy.typing import NDArray
 from mechanics.compiled.machine.evaluator import evaluator
 from mechanics.compiled.model import Model
 from mechanics.compiled.programs.program import Program, program
-from mechanics.compiled.step import TABLEAUX, Rate, Tableau, runge_kutta
+from mechanics.compiled.step import Rate, Tableau, runge_kutta
+from mechanics.compiled.tableaus import TABLEAUX
 from mechanics.simulate.integrators.compiled_loop import call_inner, compiled_march
 from mechanics.simulate.integrators.loop import march, refused
 from mechanics.simulate.integrators.problem import Integrator, Outcome, Problem, Setting
