@@ -136,23 +136,33 @@ class RunningErrors:
 
     def _function(self, row: Operation, function: Callable[..., Any]) -> Callable[..., Near]:
         bound, combined, rounding = _BOUNDS[row.name], _RELATIVE.get(row.name), self._rounding(row)
+        lost = self._lost(row)
 
         def apply(*operands: Near) -> Near:
             value = function(*[operand.value for operand in operands])
             if all([operand.exact for operand in operands]):
-                return self._rounded(value, None, rounding)
+                return self._rounded(value, lost, rounding)
             if combined and all([operand.error is None for operand in operands]):
                 before = combined(*[operand.relative for operand in operands])
                 return self._rounded(value, None, (before + rounding) * (1 + SECOND_ORDER))
             error = bound(value, *[operand.absolute for operand in operands])
-            return self._rounded(value, error, rounding)
+            return self._rounded(value, error if lost is None else error + lost, rounding)
 
         return apply
+
+    def _lost(self, row: Operation) -> Any:
+        """What a function of the library may lose without a word where its value is tiny."""
+        if row.name == "erf":
+            # SciPy has it in double precision only.
+            return 2 * np.finfo(np.float64).tiny
+        if row.ulp >= 1 and self.precision is not np.longdouble:
+            # Vectorised functions need not tell when they underflow.
+            return np.finfo(self.precision).tiny
+        return None
 
     def _rounding(self, row: Operation) -> Any:
         """The error of the operation itself, relative to its value."""
         if row.name == "erf":
-            # SciPy has it in double precision only.
             return LIBRARY * row.ulp * np.finfo(np.float64).eps
         return (row.ulp if row.ulp < 1 else LIBRARY * row.ulp) * self.unit
 

@@ -181,6 +181,11 @@ def test_what_underflows_has_an_absolute_bound(multiple_precision: Domain) -> No
             assert (near.value == 0) == (precision is np.float64)
 
 
+def test_what_is_no_double_is_lost_in_erf_and_counted() -> None:
+    (near,) = solution(lambda b: [b.call("erf", b.input("x"))], x=np.longdouble("1e-400"))
+    assert near.absolute.error > 1.2e-400
+
+
 def test_products_carry_one_number_for_their_error() -> None:
     (near,) = solution(lambda b: [(b.input("x") / 3 * b.input("x").sin()).sqrt()], x=np.ones(5))
     assert near.error is None
