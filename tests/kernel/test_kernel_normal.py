@@ -76,6 +76,21 @@ def test_fractions() -> None:
     assert a.denominator({}) == 1
 
 
+@pytest.mark.parametrize("size", [1, 2, 3, 4])
+def test_cramers_rule(size: int) -> None:
+    b = Builder()
+    x = [b.input(f"x{k}") for k in range(size)]
+    matrix = [[x[i] * (i == j) + (i + 2 * j) ** 3 % 7 for j in range(size)] for i in range(size)]
+    right = [x[k] * k + 1 for k in range(size)]
+    solution = b.solve(matrix, right)
+    for row, side in zip(matrix, right, strict=True):
+        left = sum((m * v for m, v in zip(row, solution, strict=True)), b.zero)
+        assert shown(left, side)
+        assert not shown(left, side + x[0])
+    singular = b.solve([[x[0], x[0]], [x[0], x[0]]], [x[0], x[0] + 1])[0]
+    assert not shown(singular * 2, singular + x[0] - x[0] * 1 + singular * 1)
+
+
 def test_roots_and_absolute_values() -> None:
     b = Builder()
     x, y, a, n = (b.input(name) for name in "xyan")
