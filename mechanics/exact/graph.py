@@ -194,6 +194,12 @@ _UNARY: dict[int, Unary] = {
     casadi.OP_CEIL: lambda a, x: a.function("ceil", [x]),
 }
 
+
+def _whole_part(a: Arithmetic, x: Any) -> Any:
+    """What is left of a number without its decimals."""
+    return a.sign(x) * a.function("floor", [a.absolute(x)])
+
+
 _BINARY: dict[int, Binary] = {
     casadi.OP_ADD: lambda a, x, y: x + y,
     casadi.OP_SUB: lambda a, x, y: x - y,
@@ -203,6 +209,7 @@ _BINARY: dict[int, Binary] = {
     casadi.OP_FMIN: lambda a, x, y: (x + y - a.absolute(x - y)) / 2,
     casadi.OP_HYPOT: lambda a, x, y: a.sqrt(x * x + y * y),
     casadi.OP_ATAN2: lambda a, y, x: a.function("atan2", [y, x]),
+    casadi.OP_FMOD: lambda a, x, y: x - y * _whole_part(a, x / y),
     casadi.OP_COPYSIGN: lambda a, x, y: a.absolute(x) * a.sign(y),
     casadi.OP_LT: lambda a, x, y: a.indicator("<", x - y),
     casadi.OP_LE: lambda a, x, y: a.indicator("<=", x - y),

@@ -16,6 +16,7 @@ from mechanics.judge.at_values import words as in_words
 from mechanics.judge.black_box import check_box
 from mechanics.judge.blamed import blamed, declared_only
 from mechanics.judge.complete import redundancy
+from mechanics.judge.defined import at_the_bound
 from mechanics.judge.other_meaning import energy_instead
 from mechanics.judge.other_names import best_names, doubtful
 from mechanics.judge.other_reading import read_otherwise
@@ -128,7 +129,8 @@ def check(
     if any(entry.finding.verdict is Verdict.REFUTED for entry in judged):
         remarks += doubtful(readings)
     twice = redundancy(truth, judged)
-    remarks = (*remarks, *told, *([twice] if twice else []))
+    bounds = (r for e in judged for r in at_the_bound(truth, e.statement, e.finding))
+    remarks = (*remarks, *told, *([twice] if twice else []), *dict.fromkeys(bounds))
     return Check(truth.scene, judged, tuple(matches.values()), remarks, truth)
 
 

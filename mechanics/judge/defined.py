@@ -12,7 +12,7 @@ from fractions import Fraction
 from functools import partial
 
 from flint import arb
-from sympy import Expr, Symbol, sympify
+from sympy import Add, Expr, Mul, Pow, Symbol, sympify
 
 from mechanics.checks.soundness import metric
 from mechanics.equations import Equations
@@ -20,7 +20,7 @@ from mechanics.errors import ExpressionError
 from mechanics.exact import Finding, Verdict
 from mechanics.exact.balls import BallArithmetic, State
 from mechanics.kernel.balls import precision
-from mechanics.kernel.definedness import BITS, Gap, Kind, Space, gaps, unmet
+from mechanics.kernel.definedness import BITS, Gap, Kind, Space, gaps, touching, unmet
 from mechanics.kinematics.chain import body_motions
 from mechanics.kinematics.manifold import settle
 from mechanics.program import Builder, Node, Obligation
@@ -65,7 +65,7 @@ def where_defined(
         return finding
     if any(d.operation == "divide" and d.operands[1] == 0 for d in demands.of if not d.conditions):
         return _never(finding, "a division by 0", "at any state")
-    if not finding.shown:
+    if not finding.shown or all(map(_plain_divisor, demands.of)):
         return finding
     fixed = dict(values or {})
     try:
@@ -88,6 +88,41 @@ def where_defined(
     builder.obligations = before
     space = _space(scene, builder, inside, fixed, space.truth)
     return _told(finding, gaps(builder, left, space), written, demands.code)
+
+
+def at_the_bound(truth: Equations, statement: Statement, finding: Finding) -> tuple[str, ...]:
+    """Remarks on code that is shown, and whose rounding may step over where a root is defined."""
+    demands = statement.demands
+    near = [d for d in demands.of if d.operation in ("asin", "acos") or _subtracts(d)]
+    if not (finding.shown and demands.code and near):
+        return ()
+    written = _written(truth.scene, replace(demands, of=tuple(near)), {})
+    builder = written.builder
+    found = touching(builder, tuple(written.origin), _space(truth.scene, builder, (), {}))
+    names = dict.fromkeys(_operation(written.origin[obligation]) for obligation in found)
+    return tuple(
+        f"{name} is defined up to its bound, which it reaches: rounding may step over it"
+        for name in names
+    )
+
+
+def _subtracts(demand: Demand) -> bool:
+    """Whether it is a root of a difference; sums of squares are not negative in floats either."""
+    terms = Add.make_args(demand.operands[0])
+    return demand.operation == "sqrt" and any(t.could_extract_minus_sign() for t in terms)
+
+
+def _plain_divisor(demand: Demand) -> bool:
+    """Whether it is a division by what is put together of positive parameters."""
+    return demand.operation == "divide" and _positive(demand.operands[1])
+
+
+def _positive(expression: Expr) -> bool:
+    if isinstance(expression, Add | Mul):
+        return all(map(_positive, expression.args))
+    if isinstance(expression, Pow):
+        return _positive(expression.base) and bool(expression.exp.is_Rational)
+    return bool((expression.is_Symbol or expression.is_number) and expression.is_positive)
 
 
 def _written(scene: Scene, demands: Demands, fixed: Mapping[Symbol, Expr]) -> Written:

@@ -17,7 +17,7 @@ from dataclasses import dataclass
 from enum import Enum
 from fractions import Fraction
 
-from flint import arb
+from flint import arb, fmpq_mpoly
 
 from mechanics.kernel.balls import enclose
 from mechanics.kernel.signs import (
@@ -136,6 +136,29 @@ def unmet(builder: Builder, written: Sequence[Obligation], space: Space) -> tupl
     return tuple(o for o, _ in _left(forms, written, space))
 
 
+def touching(
+    builder: Builder, written: Sequence[Obligation], space: Space
+) -> tuple[Obligation, ...]:
+    """Obligations that are met, by arguments that may be 0: in code, rounding may step over it.
+
+    Parameters
+    ----------
+    builder : Builder
+        With the nodes of all obligations.
+    written : sequence of Obligation
+    space : Space
+    """
+    forms = _forms(builder, written, space)
+    closing = _closing(forms, space)
+    found = []
+    for obligation in written:
+        facts = _facts(forms, space.region, obligation.conditions)
+        signs = forms.sign_on(forms.forms[obligation.node], closing, facts)
+        if obligation.sign is Sign.NONNEGATIVE and signs & ZERO and not signs & NEGATIVE:
+            found.append(obligation)
+    return tuple(found)
+
+
 def gaps(builder: Builder, written: Sequence[Obligation], space: Space) -> tuple[Gap, ...]:
     """What obligations leave out of the states of the truth.
 
@@ -162,13 +185,18 @@ def _forms(builder: Builder, written: Sequence[Obligation], space: Space) -> For
     return Forms(builder, roots, space.positive.__contains__)
 
 
+def _closing(forms: Forms, space: Space) -> list[fmpq_mpoly]:
+    """Polynomials that are zero at all states."""
+    return [form.above for node in space.zero if (form := forms.forms[node]) is not None]
+
+
 def _left(
     forms: Forms, written: Sequence[Obligation], space: Space
 ) -> list[tuple[Obligation, int]]:
     """Obligations that are not discharged, with the signs that are possible."""
     truth = _Truth(forms, space)
     left: list[tuple[Obligation, int]] = []
-    closing = [form.above for node in space.zero if (form := forms.forms[node]) is not None]
+    closing = _closing(forms, space)
     for obligation in written:
         facts = _facts(forms, space.region, obligation.conditions)
         signs = forms.sign_on(forms.forms[obligation.node], closing, facts)
@@ -211,8 +239,12 @@ def _fact(forms: Forms, form: Quotient | None, signs: int) -> Iterator[Fact]:
     if form is None:
         return
     below = forms.sign(form.below) & ~ZERO
-    if below in (POSITIVE, NEGATIVE):
-        yield Fact(form.above, signs if below == POSITIVE else negated(signs))
+    if below not in (POSITIVE, NEGATIVE):
+        return
+    known = signs if below == POSITIVE else negated(signs)
+    # Facts are told of what is not negative, where that can be.
+    turned = known & NEGATIVE and not known & POSITIVE
+    yield Fact(-form.above, negated(known)) if turned else Fact(form.above, known)
 
 
 def _of_condition(forms: Forms, node: int, truth: bool) -> Iterator[Fact]:

@@ -14,7 +14,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from itertools import combinations
-from math import comb
+from math import comb, isqrt
 from typing import NamedTuple
 
 from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx
@@ -55,6 +55,8 @@ MOST_PRODUCTS = 40_000
 MOST_FACTORED = 400
 LARGEST_DEGREE = 80
 DEEPEST = 6
+MOST_CASES = 2
+"""Absolute values that are taken apart, one within the other."""
 MOST_PUT = 2
 """Constraints that are put in, one after the other."""
 MOST_STEPS = 400
@@ -288,6 +290,8 @@ class Forms:
         if inner is None:
             return self._atom(SQRT, number, NOT_NEGATIVE)
         above, below = inner
+        if (whole := _square_root(above)) and (under := _square_root(below)):
+            return self._magnitude(number, Quotient(whole, under))
         if not below.is_one():
             if self.sign(below) != POSITIVE:
                 return self._atom(SQRT, (str(above), str(below)), NOT_NEGATIVE)
@@ -379,6 +383,8 @@ class Forms:
             return direct
         if (known := direct & self._by_facts(factor, facts, depth)) != ANY:
             return known
+        if (cases := self._by_cases(factor, facts, depth)) != ANY:
+            return cases
         if (ratio := self._crossing(factor)) is not None:
             return NOT_NEGATIVE if ratio > 0 else NOT_POSITIVE
         sampled = ANY if facts else self._sampled(factor)
@@ -513,6 +519,21 @@ class Forms:
                     found &= ~ZERO
         return found
 
+    def _by_cases(self, factor: fmpq_mpoly, facts: Facts, depth: int) -> int:
+        """|x| is x where x is not negative, and -x where it is not positive."""
+        degrees = factor.degrees()
+        held = next(((e, k) for e, k in self.absolute if degrees[k]), None)
+        if held is None or depth > MOST_CASES:
+            return ANY
+        inside, place = held
+        found = 0
+        for case in (inside, -inside):
+            there = self.context.constant(0)
+            for k, part in self._powers(factor, place).items():
+                there += part * case**k
+            found |= self.sign(self._reduced(there), (*facts, Fact(case, NOT_NEGATIVE)), depth + 1)
+        return found
+
     def _by_squares(self, p: fmpq_mpoly, facts: Facts, depth: int) -> int:
         """a x^2 + b x + c, in any unknown whose square alone has a sign."""
         for place, degree in enumerate(p.degrees()):
@@ -566,6 +587,21 @@ class Forms:
                     return ANY
             return ANY
         return ANY
+
+
+def _square_root(p: fmpq_mpoly) -> fmpq_mpoly | None:
+    """The polynomial whose square it is."""
+    if not 0 < len(p) <= MOST_FACTORED:
+        return None
+    unit, factors = p.factor()
+    above, below = isqrt(int(unit.p)) if unit > 0 else 0, isqrt(int(unit.q))
+    odd = any(exponent % 2 for _, exponent in factors)
+    if odd or above * above != unit.p or below * below != unit.q:
+        return None
+    root = p.context().constant(fmpq(above, below))
+    for factor, exponent in factors:
+        root *= factor ** (exponent // 2)
+    return root
 
 
 def _ratio(one: fmpq_mpoly, other: fmpq_mpoly) -> fmpq | None:

@@ -104,7 +104,7 @@ class Program:
         for number, code in enumerate(self.operations):
             name = OPERATIONS[code].name
             if code == CONSTANT:
-                lines.append(f"{number} {self.constants[first[number]]}")
+                lines.append(f"{number} {_digits(self.constants[first[number]])}")
             elif code == INPUT:
                 lines.append(f"{number} {self.inputs[first[number]]}")
             elif code == ENTRY:
@@ -123,9 +123,20 @@ class Program:
             if sys.byteorder == "big":
                 words.byteswap()
             found.update(words.tobytes())
-        rest = (self.inputs, [*map(str, self.constants)], self.systems, [*self.outputs.items()])
+        rest = (self.inputs, [*map(_digits, self.constants)], self.systems, [*self.outputs.items()])
         found.update(repr(rest).encode())
         return found.hexdigest()
+
+
+MOST_BITS = 14_000
+"""Python writes no integer of more than 4300 decimal digits."""
+
+
+def _digits(value: Fraction) -> str:
+    """A rational as text, in hexadecimal where it is too long for decimals."""
+    if max(value.numerator.bit_length(), value.denominator.bit_length()) <= MOST_BITS:
+        return str(value)
+    return f"{value.numerator:x}/{value.denominator:x}"
 
 
 def reachable(builder: Builder, roots: Sequence[int]) -> list[int]:
@@ -200,7 +211,7 @@ def _operands(builder: Builder, needed: Sequence[int]) -> dict[int, tuple[int, .
         code = operations[n]
         mixed = names[code]
         if code == CONSTANT:
-            mixed += _name_hash(str(builder.constants[first[n]]))
+            mixed += _name_hash(_digits(builder.constants[first[n]]))
             found[n] = ()
         elif code == INPUT:
             mixed += _name_hash(builder.inputs[first[n]])

@@ -7,6 +7,7 @@ Each statement is that one; `E` is written in it in a way that is zero where it 
 """
 
 import json
+import math
 
 import casadi
 import numpy as np
@@ -173,6 +174,8 @@ SILENT = {
     "a solution": lambda: of_python(
         lambda x: x + 0 * np.linalg.solve(np.array([[2 + np.cos(x), 1], [1, 2]]), [x, 1])[0]
     ),
+    "the larger one": lambda: of_c(more="0*sqrt(fmax(theta, 0))"),
+    "a sinc with a guard": lambda: of_python(lambda x: x * (1 if abs(x) < 1e-8 else x / x)),
     "unused": lambda: of_python(lambda x: (np.log(x), x)[1]),
     "a root of a square sum": lambda: of_latex(more=r"0\sqrt{1 - \cos\theta}"),
 }
@@ -183,6 +186,39 @@ def test_realistic_right_code_passes_in_silence(name):
     found = SILENT[name]()
     assert found.ok
     assert [entry.finding.domain for entry in found.judged] == [""]
+
+
+WRAPPED = {
+    "C": lambda: of_c("fmod(theta, 2*3.141592653589793)"),
+    "Python": lambda: of_python(lambda x: (x + np.pi) % (2 * np.pi) - np.pi),
+    "NumPy": lambda: of_python(lambda x: np.fmod(x, 2 * np.pi)),
+    "math": lambda: of_python(lambda x: math.fmod(x, 2 * math.pi)),
+    "CasADi": lambda: of_casadi(lambda x: casadi.fmod(x, 2 * casadi.pi)),
+}
+
+
+@pytest.mark.parametrize("form", WRAPPED)
+def test_wrapped_angles_have_the_same_sine(form):
+    assert outcome(WRAPPED[form]()) == ("PROVED", "")
+
+
+@pytest.mark.parametrize(
+    "angle", ["fmod(theta, 3)", "fmod(theta, 2*3.141592653589793)/2 + theta/2"]
+)
+def test_what_is_wrapped_otherwise_is_not_shown(angle):
+    assert not of_c(angle).ok
+
+
+def test_code_that_reaches_a_bound_is_told_that_rounding_may_step_over_it():
+    found = of_c(more="0*acos(cos(theta)*cos(theta))")
+    assert outcome(found) == ("PROVED", "")
+    assert found.remarks == (
+        "acos(cos(theta)**2) is defined up to its bound, which it reaches: rounding may step over"
+        " it",
+    )
+    assert of_c(more="0*acos(cos(theta)/2)").remarks == ()
+    assert of_c(more="0*sqrt(theta*theta + u*u)").remarks == ()
+    assert of_text(more="0*acos(cos(theta)^2)").remarks == ()
 
 
 def test_exit_codes_and_first_lines(tmp_path):

@@ -23,6 +23,9 @@ SIGNS = {
     "a modulus": (abs(X) + M, POSITIVE),
     "a root": ((X * X + 1).sqrt(), POSITIVE),
     "a root squared": ((X * X + 1).sqrt() ** 2 - X * X, POSITIVE),
+    "the larger of x and 0": ((X + abs(X)) / 2, NOT_NEGATIVE),
+    "the smaller of x and 0": ((X - abs(X)) / 2, NEGATIVE | ZERO),
+    "a modulus by a root": ((X * X).sqrt() - abs(X), ZERO),
     "Cauchy-Schwarz": (1 - (X * Y + 1) ** 2 / ((1 + X * X) * (1 + Y * Y)), NOT_NEGATIVE),
     "nothing is known": (X - Y, ANY),
 }

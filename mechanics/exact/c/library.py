@@ -29,7 +29,8 @@ _ONE = {
 }  # fmt: skip
 _TWO = {
     "pow": casadi.OP_POW, "atan2": casadi.OP_ATAN2, "hypot": casadi.OP_HYPOT,
-    "copysign": casadi.OP_COPYSIGN, "fmax": casadi.OP_FMAX, "fmin": casadi.OP_FMIN,
+    "copysign": casadi.OP_COPYSIGN,
+    "fmod": casadi.OP_FMOD, "fmax": casadi.OP_FMAX, "fmin": casadi.OP_FMIN,
 }  # fmt: skip
 
 _KINDS = (("", "double"), ("f", "float"))

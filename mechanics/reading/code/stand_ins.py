@@ -147,6 +147,7 @@ MATH: dict[str, Any] = {
     **{short: _elementary(long, getattr(math, short)) for short, long in ALIASES.items()},
     "atan2": NUMPY["arctan2"],
     "pow": lambda x, y: x**y,
+    "fmod": lambda x, y: x.fmod(y) if isinstance(x, Traced) else math.fmod(x, y),
     "hypot": lambda x, y: NUMPY["sqrt_of"](x * x + y * y),
 }
 NUMPY["sqrt_of"] = MATH["sqrt"]

@@ -152,13 +152,20 @@ class Traced:
 
     __int__ = __index__ = __float__
 
-    def __mod__(self, _: Any) -> Any:
-        raise TypeError(
-            "% of a traced number hides a formula: leave the wrapping of angles out, which sines"
-            " and cosines do not need"
-        )
+    def __mod__(self, other: Any) -> Any:
+        return self._both(other, MODULO)
 
-    __rmod__ = __floordiv__ = __rfloordiv__ = __divmod__ = __rdivmod__ = __mod__
+    def __rmod__(self, other: Any) -> Any:
+        return self._both(other, MODULO, turned=True)
+
+    def fmod(self, other: Any) -> Any:
+        """The remainder with the sign of the number, as that of C."""
+        return self._both(other, REMAINDER)
+
+    def __floordiv__(self, _: Any) -> Any:
+        raise TypeError("// of a traced number hides a formula: write it otherwise")
+
+    __rfloordiv__ = __divmod__ = __rdivmod__ = __floordiv__
 
     def item(self) -> Traced:
         """Itself, as of an array with one entry."""
@@ -194,8 +201,27 @@ def _everywhere(_: Expr, __: Expr) -> tuple[Demand, ...]:
 ADD: Operation = (lambda a, b: a + b, added, _everywhere)
 SUBTRACT: Operation = (lambda a, b: a - b, subtracted, _everywhere)
 MULTIPLY: Operation = (lambda a, b: a * b, multiplied, _everywhere)
-DIVIDE: Operation = (_quotient, divided, lambda _, b: of_power(b, sympy.S.NegativeOne))
+DIVIDE: Operation = (_quotient, divided, lambda a, b: _divided(a, b))
 POWER: Operation = (_power, raised, of_power)
+
+
+def _divided(_: Expr, b: Expr) -> Iterable[Demand]:
+    return of_power(b, sympy.S.NegativeOne)
+
+
+def _modulo(a: Expr, b: Expr) -> Expr:
+    """a - b floor(a/b), of the sign of b."""
+    return a - b * sympy.floor(_quotient(a, b))
+
+
+def _remainder(a: Expr, b: Expr) -> Expr:
+    """a - b times the whole part of a/b, of the sign of a."""
+    ratio = _quotient(a, b)
+    return a - b * sympy.sign(ratio) * sympy.floor(sympy.Abs(ratio))
+
+
+MODULO: Operation = (_modulo, lambda a, b: None, _divided)
+REMAINDER: Operation = (_remainder, lambda a, b: None, _divided)
 
 
 def asked_of(value: Any) -> Asked:
