@@ -6,10 +6,9 @@ What cancels has cancelled in the normal form, and what entries share is compute
 the expressions of a route do not show it.
 """
 
-from collections.abc import Sequence
 from functools import lru_cache
 
-from sympy import Expr, ImmutableMatrix
+from sympy import ImmutableMatrix
 
 from mechanics.compiled.forms.closed import Polynomial, numbered
 from mechanics.compiled.forms.nested import ONE, Choice, Nest, Table
@@ -35,7 +34,7 @@ def nested_entries(left: ImmutableMatrix, right: ImmutableMatrix) -> Written:
     TooLarge
         If they have too many terms.
     """
-    polynomials = _polynomials([*left.row_join(right)])
+    polynomials = entry_polynomials(left, right)
     columns = left.cols + right.cols
     size = sum(map(len, polynomials))
     table = Table()
@@ -58,9 +57,17 @@ def nested_entries(left: ImmutableMatrix, right: ImmutableMatrix) -> Written:
     )
 
 
-def _polynomials(entries: Sequence[Expr]) -> list[Polynomial]:
-    read, polynomials = reader(entries)
+@lru_cache(maxsize=64)
+def entry_polynomials(left: ImmutableMatrix, right: ImmutableMatrix) -> tuple[Polynomial, ...]:
+    """The entries of (K | k), row by row, as polynomials.
+
+    Raises
+    ------
+    TooLarge
+        If they have too many terms.
+    """
+    read, polynomials = reader([*left.row_join(right)])
     reduced = [read.ring.reduced(polynomial) for polynomial in polynomials]
     if sum(map(len, reduced)) > LARGEST:
         raise TooLarge(f"{sum(map(len, reduced))} terms")
-    return [numbered(read, polynomial) for polynomial in reduced]
+    return tuple(numbered(read, polynomial) for polynomial in reduced)

@@ -21,7 +21,7 @@ import casadi as ca
 from sympy import Matrix
 
 from mechanics.compiled.forms import recursive, sparse
-from mechanics.compiled.forms.entries import nested_entries
+from mechanics.compiled.forms.entries import entry_polynomials, nested_entries
 from mechanics.compiled.forms.factor import (
     solve_explicit,
     solve_general,
@@ -191,7 +191,7 @@ def _candidates(system: System) -> Iterator[ca.SX]:
 def _nestable(equations: Equations) -> str:
     left, right = equations.system
     try:
-        nested_entries(left.as_immutable(), right.as_immutable())
+        entry_polynomials(left.as_immutable(), right.as_immutable())
     except (TooLarge, ExpressionError) as error:
         return str(error)
     return ""
