@@ -75,6 +75,11 @@ def test_a_quadratic_constraint_has_two_branches() -> None:
         b, x, (l * l - y * y).sqrt(), circle, dependent=("x",), signs={"x": Range.POSITIVE}
     )
     assert decide(positive, try_normal=False).shown
+    opposite = [l * l - x * x - y * y]
+    positive = statement(
+        b, x, (l * l - y * y).sqrt(), opposite, dependent=("x",), signs={"x": Range.POSITIVE}
+    )
+    assert decide(positive, try_normal=False).verdict is Verdict.CERTIFIED
 
 
 def test_solutions_keep_their_range() -> None:
