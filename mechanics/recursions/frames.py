@@ -6,8 +6,9 @@ v_parent = R v_frame        one frame at a time, so that zeros of R and v spare 
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import replace
 
-from mechanics.mechanism import GROUND, Frame, Mechanism, Mixed
+from mechanics.mechanism import GROUND, Frame, Mechanism, Mixed, inputs_of
 from mechanics.program.builder import Node
 from mechanics.program.derivatives import tangent
 from mechanics.program.vectors import Matrix, Vector, add, dot, scale, times, transpose, zeros
@@ -83,3 +84,54 @@ def acceleration_matrix(omega: Vector, alpha: Vector) -> Matrix:
 def negated(vector: Sequence[Node]) -> Vector:
     """-vector."""
     return tuple(-entry for entry in vector)
+
+
+def rigid_steps(mechanism: Mechanism) -> Mechanism:
+    """The same mechanism, fixed steps in one frame where they can be.
+
+    People give a step in the frames at hand: along a link, and along the axis of the next joint.
+    What is fixed in a frame that is fixed in another is fixed there as well (1); so is what lies on
+    the axis about which the one turns in the other (2), which is used to join two parts of a step.
+    """
+    moving = set(mechanism.rates)
+
+    def fixed(nodes: Sequence[Node]) -> bool:
+        return not inputs_of(nodes) & moving
+
+    def inwards(frame: int, column: Vector) -> tuple[int, Vector]:
+        while frame != 0 and fixed(column):
+            own = mechanism.frames[frame]
+            if not fixed([entry for row in own.rotation for entry in row]):
+                break
+            column, frame = times(own.rotation, column), own.parent
+        return frame, column
+
+    def place(step: Mixed) -> Mixed:
+        parts: dict[int, Vector] = {}
+        for frame, column in (inwards(*part) for part in step):
+            parts[frame] = add(parts[frame], column) if frame in parts else column
+        for inner in sorted(parts, reverse=True):
+            if inner == 0 or inner not in parts:
+                continue
+            own = mechanism.frames[inner]
+            outer, column = inwards(own.parent, parts[inner])
+            if outer not in parts or not fixed(parts[inner]):
+                continue
+            back = express(mechanism, parts[outer], outer, own.parent)
+            if _on_axis(own, parts[inner]):
+                parts[outer] = add(parts[outer], column)
+                del parts[inner]
+            elif fixed(back) and _on_axis(own, back):
+                parts[inner] = add(parts[inner], back)
+                del parts[outer]
+        return tuple(sorted(parts.items()))
+
+    points = tuple(replace(point, step=place(point.step)) for point in mechanism.points)
+    return replace(mechanism, points=points)
+
+
+def _on_axis(frame: Frame, column: Vector) -> bool:
+    if frame.turn is None:
+        return False
+    pairs = zip(frame.turn.axis, column, strict=True)
+    return all(entry.is_zero for along, entry in pairs if along.is_zero)

@@ -18,7 +18,7 @@ from mechanics.mechanism import GROUND, Mechanism, inputs_of
 from mechanics.program.builder import Node
 from mechanics.program.derivatives import tangent
 from mechanics.program.vectors import Matrix, Vector, add, product, scale, transpose, zeros
-from mechanics.recursions.frames import common, express, lineage
+from mechanics.recursions.frames import common, express, lineage, rigid_steps
 from mechanics.recursions.pseudo_inertia import Moments, outer
 
 
@@ -75,7 +75,7 @@ def joint_tree(mechanism: Mechanism, moments: Moments) -> tuple[Link, ...] | Non
         return None
     if any(entry in mechanism.given_rates for entry in _geometry(mechanism)):
         return None
-    return _Recognition(mechanism).links(moments)
+    return _Recognition(rigid_steps(mechanism)).links(moments)
 
 
 def _geometry(mechanism: Mechanism) -> set[Node]:

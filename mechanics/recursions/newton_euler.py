@@ -33,6 +33,7 @@ from mechanics.recursions.frames import (
     lineage,
     negated,
     relative_velocity,
+    rigid_steps,
 )
 from mechanics.recursions.loads import loads
 from mechanics.recursions.pseudo_inertia import Moments, spin
@@ -62,7 +63,7 @@ def rows(mechanism: Mechanism, moments: Moments) -> tuple[Node, ...]:
     tuple of Node
         In q, u, u', inputs and unknown reactions that stay, linear in the last two.
     """
-    return _Recursion(mechanism, moments).rows()
+    return _Recursion(rigid_steps(mechanism), moments).rows()
 
 
 class _Recursion:

@@ -29,7 +29,7 @@ from mechanics.program.vectors import (
     times,
     transpose,
 )
-from mechanics.recursions.frames import lineage
+from mechanics.recursions.frames import lineage, rigid_steps
 
 
 @dataclass
@@ -105,6 +105,7 @@ def grouped(mechanism: Mechanism) -> Moments:
     Moments
         The rows of Newton and Euler are the same with these and with those of `moments`.
     """
+    mechanism = rigid_steps(mechanism)
     found, moving = moments(mechanism), set(mechanism.rates)
     for point in reversed(range(1, len(mechanism.points))):
         place = mechanism.points[point]

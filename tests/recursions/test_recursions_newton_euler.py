@@ -1,5 +1,7 @@
 """Newton and Euler's recursion has Kane's rows, on every system and on random trees."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from hypothesis import Phase, given, settings
@@ -9,11 +11,12 @@ from benchmarks.space import scenes
 from benchmarks.space.random_trees import build, numbers, state, trees
 from benchmarks.space.scenes import Joint
 from benchmarks.space.textbook import inverse_dynamics
-from mechanics.mechanism import Mechanism, lower
+from mechanics.mechanism import Mechanism, Mixed, lower
 from mechanics.program import Builder, interpret
 from mechanics.program.counting import count
 from mechanics.program.numpy_domain import Arrays
 from mechanics.program.residues import Residues
+from mechanics.program.vectors import times, transpose
 from mechanics.recursions import newton_euler
 from mechanics.recursions.pseudo_inertia import grouped, moments
 from mechanics.routes.programs import kane
@@ -85,3 +88,27 @@ def test_numbers_for_symbols_make_no_count_larger() -> None:
     symbols = lower(scenes.ur5(numbers=False), Builder())
     figures = lower(scenes.ur5(), Builder())
     assert sum(operations(figures)) <= sum(operations(symbols))
+
+
+def test_steps_in_the_frames_at_hand_cost_the_same() -> None:
+    """x in the frame of the link, the rest in one that is fixed in it: the same arm."""
+    plain = lower(scenes.puma560(), Builder())
+    fixed = {frame.parent: i for i, frame in enumerate(plain.frames) if frame.turn is None}
+
+    def split(step: Mixed) -> Mixed:
+        found: list = []
+        for frame, (x, y, z) in step:
+            zero = plain.builder.zero
+            if frame not in fixed:
+                return step
+            back = transpose(plain.frames[fixed[frame]].rotation)
+            found += [(frame, (x, zero, zero)), (fixed[frame], times(back, (zero, y, z)))]
+        return tuple(found)
+
+    points = [replace(place, step=split(place.step)) for place in plain.points]
+    mixed = replace(plain, points=tuple(points))
+    assert mixed.points != plain.points
+    filter_ = Residues(plain.builder)
+    one, two = (newton_euler.rows(m, grouped(m)) for m in (plain, mixed))
+    assert all(filter_.is_zero(a - b) for a, b in zip(one, two, strict=True))
+    assert operations(mixed) == operations(plain)
