@@ -44,8 +44,8 @@ Numbers = dict[str, str]
 
 def outcome(name: str, clean: Mapping[str, str] | None) -> dict[str, Any]:
     """What became of one scene: ``numbers`` without a fault, else ``changed`` and ``noticed``."""
-    numbers = verdicts_of_probes()
     try:
+        numbers = verdicts_of_probes()
         scene = SCENES[name]()
         check_sound(scene)
         states, support = drawn_states(scene), None
@@ -114,6 +114,8 @@ def verdicts_of_probes() -> Numbers:
         ((x**2 - y**2) / (x - y), x + y), (sqrt(2) ** 2, 2),
         (sin(x), cos(x)), (sin(x) ** 2, 1), (sin(x / 2), sin(x) / 2), (sqrt(x**2), x),
         (sqrt(2), 1 + x), (Abs(x), x), (x / (1 + y**2), x), (x * y, x + y), (x, -x),
+        ([x, y], [x, x]), ([x, x * (x + y)], [x, x**2 + x * y]), (1 / x + 1 / y, (x + y) / (x * y)),
+        (sin(-x), sin(x)), (x / y, x * y),
     )  # fmt: skip
     return {
         f"{left} = {right}": prove_equal("probe", left, right).verdict.name

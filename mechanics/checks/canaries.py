@@ -1,6 +1,6 @@
 """Canaries: what is known beforehand is asked first, so that a checker that is wrong shows it.
 
-    decisions        statements known to be true are shown, statements known to be false refuted
+    decisions        statements known to be true are proved, statements known to be false refuted
     numbers          a scalar is read as it was typed, a decimal as the fraction that it prints
     declarations     bodies, loads, reactions and constraints keep what was given
     shapes           mass, centroid and inertia of a body cut from all shapes are integrals over it
@@ -63,6 +63,7 @@ TRUE: tuple[tuple[Any, Any], ...] = (
     (sin(3 * _x / 2), 3 * sin(_x / 2) - 4 * sin(_x / 2) ** 3),
     (tan(_x) * cos(_x), sin(_x)),
     ((_x**2 - _y**2) / (_x - _y), _x + _y),
+    (1 / _x + 1 / _y, (_x + _y) / (_x * _y)),
     (sqrt(_p * _x**2), sqrt(_p) * Abs(_x)),
     ([_x, (_x + _y) ** 3], [_x, _x**3 + 3 * _x**2 * _y + 3 * _x * _y**2 + _y**3]),
 )
@@ -75,6 +76,8 @@ FALSE: tuple[tuple[Any, Any], ...] = (
     (cos(_x), 1),
     (_x / (1 + _y**2), _x),
     (_x * _y, _x + _y),
+    (_x / _y, _x * _y),
+    (1 / (_x + _y), 1 / _x),
     (_x, _y),
     (_x, 1),
     (_x**3, _x**2),
@@ -111,8 +114,8 @@ def _told(what: str, count: int, wrong: list[str]) -> Finding:
 
 def _decided_wrongly() -> Iterator[str]:
     for left, right in TRUE:
-        if not prove_equal("canary", left, right).shown:
-            yield f"{left} = {right} is not shown"
+        if prove_equal("canary", left, right).verdict is not Verdict.PROVED:
+            yield f"{left} = {right} is not proved"
     for left, right in FALSE:
         if prove_equal("canary", left, right).verdict is not Verdict.REFUTED:
             yield f"{left} = {right} is not refuted"
