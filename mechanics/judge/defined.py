@@ -1,4 +1,4 @@
-"""Where a statement that is shown has a value: its verdict as `../shared` table says, in words.
+"""Where a statement that is shown has a value: its verdict, and the words of it.
 
 nowhere, or strictly not at rest        REFUTED
 an open set is left out                 PROVED WHERE r > 0; undefined at r = -1
@@ -16,7 +16,7 @@ from sympy import Add, Expr, Mul, Pow, Symbol, sympify
 
 from mechanics.checks.soundness import metric
 from mechanics.equations import Equations
-from mechanics.errors import ExpressionError
+from mechanics.errors import ExpressionError, MechanicsError
 from mechanics.exact import Finding, Verdict
 from mechanics.exact.balls import BallArithmetic, State
 from mechanics.kernel.balls import precision
@@ -67,11 +67,17 @@ def where_defined(
         return _never(finding, "a division by 0", "at any state")
     if not finding.shown or all(map(_plain_divisor, demands.of)):
         return finding
-    fixed = dict(values or {})
     try:
-        written = _written(truth.scene, demands, fixed)
-    except ExpressionError as error:
+        return _decided(truth, demands, finding, region, dict(values or {}))
+    except MechanicsError as error:
         return replace(finding, verdict=Verdict.UNDECIDED, evidence=str(error), error_bound=None)
+
+
+def _decided(
+    truth: Equations, demands: Demands, finding: Finding, region: Sequence[Expr],
+    fixed: Mapping[Symbol, Expr],
+) -> Finding:  # fmt: skip
+    written = _written(truth.scene, demands, fixed)
     if not written.origin:
         return finding
     builder, scene = written.builder, truth.scene

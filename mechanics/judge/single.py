@@ -20,11 +20,7 @@ FAILURES = (InputError, SceneError, ExpressionError, SingularError)
 
 def judge(truth: Equations, statement: Statement, values: Values) -> Finding:
     """The finding of a statement; where parameters have values, if some are given."""
-    found = identity(truth, statement, values)
-    try:
-        return where_defined(truth, statement, found, values=values)
-    except FAILURES as error:
-        return Finding(subject_of(statement), Verdict.UNDECIDED, str(error))
+    return where_defined(truth, statement, identity(truth, statement, values), values=values)
 
 
 def identity(truth: Equations, statement: Statement, values: Values) -> Finding:

@@ -361,14 +361,13 @@ class _Trial:
     def _tried(self, obligation: Obligation) -> tuple[State | None, State | None, State | None]:
         """States where it fails, where its argument is zero, and where it holds."""
         builder = self.builder
-        own = reachable(builder, [obligation.node, *(node for node, _ in obligation.conditions)])
-        first = builder.operands[0]
-        names = [builder.inputs[first[n]] for n in own if builder.operations[n] == INPUT]
+        nodes = [obligation.node, *(node for node, _ in obligation.conditions)]
+        own, first = reachable(builder, nodes), builder.operands[0]
         # On constraints one cannot be changed alone.
-        names = sorted(self.space.base if self.space.zero else set(names))
+        names = sorted(self.space.base) if self.space.zero else self._inputs(nodes)
         constants = [builder.constants[first[n]] for n in own if builder.operations[n] == CONSTANT]
         positive = self.space.positive.__contains__
-        tried = candidates(self.text, names, positive, self.space.base, constants)
+        tried = candidates(self.text, names, positive, self._base(), constants)
         outside = zero = inside = None
         for count, state in enumerate(tried):
             place = self._at(obligation, state)
@@ -385,6 +384,31 @@ class _Trial:
                 break
         return outside, zero, inside
 
+    def _has_truth(self, values: Mapping[str, Sequence[arb]]) -> bool:
+        """Whether a state is in the region, and the truth has its value there."""
+        if not all(value > 0 for value in values["region"]):
+            return False
+        arguments, conditions = iter(values["truth"]), iter(values["conditions of truth"])
+        for row in self.space.truth:
+            taken = [next(conditions) == int(truth) for _, truth in row.conditions]
+            value = next(arguments)
+            if all(taken) and not _strictly(value, row.sign):
+                return False
+        return True
+
+    def _base(self) -> State:
+        """What inputs are that are not tried: rest, but for what has to be 0 nowhere."""
+        base, balls = self.space.base, self.space.admissible(self.space.base)
+        if balls is None or self._has_truth(enclose(self.program, balls, BITS)):
+            return base
+        nodes = [*self.space.region, *(o.node for o in self.space.truth)]
+        return {**base, **{n: base[n] or Fraction(1) for n in self._inputs(nodes)}}
+
+    def _inputs(self, nodes: Sequence[int]) -> list[str]:
+        builder = self.builder
+        needed = [n for n in reachable(builder, nodes) if builder.operations[n] == INPUT]
+        return sorted(builder.inputs[builder.operands[0][n]] for n in needed)
+
     def _at(self, obligation: Obligation, state: State) -> int | None:
         """-1 where it strictly fails, 0 where its argument is 0, 1 where it strictly holds.
 
@@ -394,15 +418,8 @@ class _Trial:
         if balls is None:
             return None
         values = enclose(self.program, balls, BITS)
-        if not all(value > 0 for value in values["region"]):
+        if not self._has_truth(values):
             return None
-        arguments = iter(values["truth"])
-        conditions = iter(values["conditions of truth"])
-        for row in self.space.truth:
-            taken = [next(conditions) == int(truth) for _, truth in row.conditions]
-            value = next(arguments)
-            if all(taken) and not _strictly(value, row.sign):
-                return None
         place = self.left.index(obligation)
         of_branch = zip(values[f"conditions {place}"], obligation.conditions, strict=True)
         if not all(value == int(truth) for value, (_, truth) in of_branch):

@@ -175,8 +175,7 @@ class Forms:
         if code == PI:
             return self._atom(PI, 0, POSITIVE)
         if code in (ADD, SUBTRACT, MULTIPLY, DIVIDE):
-            found = self._arithmetic(code, self.forms[first[number]], self.forms[second[number]])
-            return found if found is not None else self._atom(code, number)
+            return self._arithmetic(code, self.forms[first[number]], self.forms[second[number]])
         inner = self.forms.get(first[number])
         if code == NEGATE:
             return None if inner is None else Quotient(-inner.above, inner.below)

@@ -116,20 +116,34 @@ def of_function(name: str, operands: Sequence[Any]) -> Iterator[Demand]:
 
 def within(expression: Any) -> Iterator[Demand]:
     """What is in an expression as SymPy has it; branches of cases under their conditions."""
-    if isinstance(expression, Piecewise):
-        before: list[Condition] = []
-        for value, condition in expression.args:
-            here = [] if condition == S.true else [(condition, True)]
-            yield from (demand.under((*before, *here)) for demand in within(value))
-            yield from (demand.under(before) for demand in within(condition))
-            before.append((condition, False))
-        return
-    if isinstance(expression, Pow):
-        yield from of_power(*expression.args)
-    elif isinstance(expression, Function):
-        yield from of_function(type(expression).__name__, expression.args)
-    for part in getattr(expression, "args", ()):
-        yield from within(part)
+    todo: list[tuple[Any, tuple[Condition, ...]]] = [(expression, ())]
+    seen: set[tuple[Any, tuple[Condition, ...]]] = set()
+    while todo:
+        here = todo.pop()
+        if here in seen:
+            continue
+        seen.add(here)
+        part, conditions = here
+        if isinstance(part, Piecewise):
+            todo += _branches(part, conditions)
+            continue
+        if isinstance(part, Pow):
+            yield from (demand.under(conditions) for demand in of_power(*part.args))
+        elif isinstance(part, Function):
+            name = type(part).__name__
+            yield from (demand.under(conditions) for demand in of_function(name, part.args))
+        todo += [(inner, conditions) for inner in getattr(part, "args", ())]
+
+
+def _branches(
+    cases: Piecewise, conditions: tuple[Condition, ...]
+) -> Iterator[tuple[Any, tuple[Condition, ...]]]:
+    """Each case where its condition holds, and those before it do not."""
+    for value, condition in cases.args:
+        yield condition, conditions
+        here = () if condition == S.true else ((condition, True),)
+        yield value, (*conditions, *here)
+        conditions = (*conditions, (condition, False))
 
 
 NAMES = {

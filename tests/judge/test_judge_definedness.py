@@ -13,11 +13,13 @@ import casadi
 import numpy as np
 import pytest
 import sympy as sp
+from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 from typer.testing import CliRunner
 
 import mechanics
 from mechanics.cli.app import app
 from mechanics.judge.check_json import to_json
+from mechanics.scene import force
 from systems import rod_pendulum
 
 ROD = mechanics.derive(rod_pendulum.scene(), "free_body")
@@ -219,6 +221,66 @@ def test_code_that_reaches_a_bound_is_told_that_rounding_may_step_over_it():
     assert of_c(more="0*acos(cos(theta)/2)").remarks == ()
     assert of_c(more="0*sqrt(theta*theta + u*u)").remarks == ()
     assert of_text(more="0*acos(cos(theta)^2)").remarks == ()
+
+
+def swinging():
+    """A mass that swings in a plane at a distance r, which may become 0: nobody turns there."""
+    r, theta = dynamicsymbols("r theta")
+    m, g = mechanics.parameters("m g", units="kg m/s^2", typical="1 10")
+    ground = ReferenceFrame("N")
+    arm = ground.orientnew("A", "Axis", (theta, ground.z))
+    origin = Point("O")
+    mass = origin.locatenew("P", -r * arm.y)
+    return mechanics.Scene(
+        "swinging mass", ground, origin, coordinates=(r, theta),
+        bodies=(mechanics.Particle("mass", mass, m),),
+        loads=(mechanics.gravity(-g * ground.y),),
+    )  # fmt: skip
+
+
+def attracted():
+    """A mass on a line that is attracted by 1/x^2."""
+    (x,) = dynamicsymbols("x,")
+    m, c = mechanics.parameters("m c", units="kg N*m^2", typical="1 1")
+    ground = ReferenceFrame("N")
+    origin = Point("O")
+    mass = origin.locatenew("P", x * ground.x)
+    return mechanics.Scene(
+        "attracted mass", ground, origin, coordinates=(x,),
+        bodies=(mechanics.Particle("mass", mass, m),),
+        loads=(force("c", mass, -c / x**2 * ground.x, on="mass"),),
+    )  # fmt: skip
+
+
+def test_where_the_motion_itself_is_singular_nobody_has_to_have_a_value():
+    def rates(r, theta, r_dot, theta_dot, m, g):
+        first = r * theta_dot**2 + g * np.cos(theta)
+        return np.array([first, -(2 * r_dot * theta_dot + g * np.sin(theta)) / r])
+
+    def solved(r, theta, r_dot, theta_dot, m, g):
+        left = np.array([[m, 0], [0, m * r**2]])
+        first = m * (r * theta_dot**2 + g * np.cos(theta))
+        return np.linalg.solve(left, [first, -m * r * (2 * r_dot * theta_dot + g * np.sin(theta))])
+
+    text = "theta'' = -(2*r'*theta' + g*sin(theta))/r"
+    for thing in (rates, solved, text):
+        found = mechanics.check(swinging(), thing, blame=False)
+        assert found.ok
+        assert {entry.finding.domain for entry in found.judged} == {""}
+    (other,) = mechanics.check(swinging(), f"{text} + 0/theta", blame=False).judged
+    assert other.finding.domain == "except where theta = 0"
+
+
+@pytest.mark.parametrize(
+    ("right", "expected"),
+    [
+        ("-c/(m*x^2)", ("PROVED", "")),
+        ("-c*x/(m*sqrt(x^4)*x)", ("PROVED", "")),
+        ("-c/(m*x^2) + 0*log(x)", ("UNDECIDED", "PROVED WHERE x > 0")),
+    ],
+)
+def test_where_a_load_has_no_value_nobody_has_to(right, expected):
+    assert outcome(mechanics.check(attracted(), f"x'' = {right}", blame=False)) == expected
 
 
 def test_exit_codes_and_first_lines(tmp_path):

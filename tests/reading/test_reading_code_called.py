@@ -74,7 +74,7 @@ def by_subtype(state, u, m, l, g):
 
 def by_exception(state, u, m, l, g):
     try:
-        three = 4 if u % 2 > -5 else 5
+        three = 4 if u // 2 > -5 else 5
     except TypeError:
         three = 3
     return rates(state, u, m, l, g, three)
