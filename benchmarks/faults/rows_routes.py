@@ -195,11 +195,6 @@ LAGRANGE = (
             "lagrange: forces have the wrong sign",
         ),
         (
-            "reactions = -dynamic.back(",
-            "reactions = dynamic.back(",
-            "lagrange: multipliers have the wrong sign",
-        ),
-        (
             "change.T * (forcing - mass * drift)",
             "change.T * forcing",
             "lagrange: speeds whose definition turns, left out",

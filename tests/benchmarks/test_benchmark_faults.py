@@ -17,7 +17,7 @@ SAMPLE = (
     "an applied force acts the other way",
     "a unit of a reaction is two",
     "a rod about its end",
-    "every residue is zero",
+    "a side is compared with itself",
 )
 
 
