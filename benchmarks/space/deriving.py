@@ -5,20 +5,18 @@ from __future__ import annotations
 import resource
 from collections.abc import Callable
 from dataclasses import asdict, dataclass
-from itertools import combinations, pairwise
+from itertools import pairwise
 from time import process_time
 
 from benchmarks.space import scenes
-from mechanics.kernel import Finding, Range, Statement, decide
-from mechanics.mechanism import Mechanism, lower
-from mechanics.program import Builder, Node
-from mechanics.program.residues import PRIME, Residues
+from mechanics.checks.programs.agreement import compare_pairs, linear_system
+from mechanics.mechanism import lower
+from mechanics.program import Builder
+from mechanics.program.residues import Residues
 from mechanics.routes.programs import free_body, kane, lagrange, moving_point
-from mechanics.routes.programs.rows import Rows, acceleration_forms, coefficients, remainder
 from mechanics.scene import Scene
 
 ROUTES = (free_body, moving_point, kane, lagrange)
-SIGNS = {"positive": Range.POSITIVE, "nonnegative": Range.NONNEGATIVE}
 
 
 @dataclass(frozen=True)
@@ -73,56 +71,12 @@ def derivation(make: Callable[[], Scene]) -> dict[str, object]:
     times.append(process_time())
     routes = [route.derive(mechanism) for route in ROUTES]
     times.append(process_time())
-    findings = pairs(mechanism, routes)
+    filter_ = Residues(mechanism.builder)
+    systems = {rows.route: linear_system(mechanism, rows, filter_) for rows in routes}
+    findings = compare_pairs(systems)
     times.append(process_time())
     memory = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss // 1024
     building, lowering, deriving, deciding = (b - a for a, b in pairwise(times))
     counts = {rows.route: mechanism.builder.program({"rows": rows.values}).count for rows in routes}
-    verdicts = {pair: finding.verdict.name for pair, finding in findings.items()}
+    verdicts = {" = ".join(pair): finding.verdict.name for pair, finding in findings.items()}
     return asdict(Derivation(building, lowering, deriving, deciding, memory, counts, verdicts))
-
-
-def pairs(mechanism: Mechanism, routes: list[Rows]) -> dict[str, Finding]:
-    """Whether each two routes give the same accelerations, as the kernel decides."""
-    filter_ = Residues(mechanism.builder)
-    solved: dict[str, tuple[Node, ...]] = {}
-    found = {}
-    for one, two in combinations(routes, 2):
-        left, right = matched(filter_, one, two) or ((), ())
-        if not left:
-            for rows in (one, two):
-                if rows.route not in solved:
-                    solved[rows.route] = accelerations(mechanism, rows)
-            left, right = solved[one.route], solved[two.route]
-        pair = f"{one.route} = {two.route}"
-        program = mechanism.builder.program({"left": left, "right": right})
-        signs = {name: SIGNS[sign] for name, sign in mechanism.signs.items()}
-        found[pair] = decide(Statement(pair, program, signs), try_normal=False)
-    return found
-
-
-def matched(
-    filter_: Residues, one: Rows, two: Rows
-) -> tuple[tuple[Node, ...], tuple[Node, ...]] | None:
-    """Rows in pairs that are equal at a point, up to sign; then the kernel decides on the rows."""
-    places = dict(zip(filter_.values(two.values), two.values, strict=True))
-    left, right = [], []
-    for residue, row in zip(filter_.values(one.values), one.values, strict=True):
-        if residue in places:
-            right.append(places[residue])
-        elif -residue % PRIME in places:
-            right.append(-places[-residue % PRIME])
-        else:
-            return None
-        left.append(row)
-    return tuple(left), tuple(right)
-
-
-def accelerations(mechanism: Mechanism, rows: Rows) -> tuple[Node, ...]:
-    """u' as the solution of the rows and the constraints."""
-    unknowns = [*mechanism.ud, *rows.multipliers]
-    every = [*rows.values, *acceleration_forms(mechanism)]
-    matrix = coefficients(every, unknowns)
-    rest = remainder(mechanism.builder, every, unknowns)
-    solution = mechanism.builder.solve(matrix, [-entry for entry in rest])
-    return solution[: len(mechanism.u)]

@@ -5,10 +5,11 @@ import pytest
 from hypothesis import Phase, given, settings
 from hypothesis import strategies as st
 
-from benchmarks.space.deriving import ROUTES, accelerations
+from benchmarks.space.deriving import ROUTES
 from benchmarks.space.random_trees import build, numbers, state, trees
 from benchmarks.space.scenes import Joint
 from benchmarks.space.textbook import inverse_dynamics
+from mechanics.checks.programs.agreement import linear_system
 from mechanics.mechanism import lower
 from mechanics.program import Builder, interpret
 from mechanics.program.numpy_domain import Arrays
@@ -37,7 +38,8 @@ def assert_everything_agrees(joints: tuple[Joint, ...], seed: int) -> None:
     composite = b.solve(matrix, [-entry for entry in bias], symmetric=True)
     assert filter_.values(composite) == residues
     for route in ROUTES:
-        assert filter_.values(accelerations(mechanism, route.derive(mechanism))) == residues
+        derived = linear_system(mechanism, route.derive(mechanism), filter_)
+        assert filter_.values(derived.accelerations) == residues
 
     # Textbook's torques at numbers, and u' that belong to them: M u' + bias = 0 with tau as loads.
     tree, values = numbers(joints, seed)
