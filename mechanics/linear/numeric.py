@@ -7,7 +7,6 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-import scipy.linalg
 from sympy import Matrix
 
 from mechanics.errors import InputError, SingularError
@@ -91,6 +90,8 @@ def numeric_modes(
     InputError
         If the equations are damped at these values.
     """
+    import scipy.linalg  # a tenth of the time that all else takes to import
+
     matrices = (linear.mass, linear.damping, linear.stiffness)
     mass, damping, stiffness = _numbers(linear, values, *matrices)
     if damping.any():
