@@ -53,8 +53,6 @@ from mechanics.program.operations import (
 from mechanics.program.program import reachable
 
 BITS = 192
-FEW = 24
-"""States that are tried for what is analytic."""
 
 PIECEWISE = frozenset({ABS, SIGN, FLOOR, SELECT, SQRT, LESS, NOT_GREATER, EQUAL})
 
@@ -369,7 +367,8 @@ class _Trial:
         positive = self.space.positive.__contains__
         tried = candidates(self.text, names, positive, self._base(), constants)
         outside = zero = inside = None
-        for count, state in enumerate(tried):
+        piecewise = self._piecewise(obligation.node)
+        for state in tried:
             place = self._at(obligation, state)
             if place == -1 and outside is None:
                 outside = state
@@ -377,10 +376,9 @@ class _Trial:
                 zero = state
             elif place == 1 and inside is None:
                 inside = state
-            done = outside is not None or not self._piecewise(obligation.node)
-            if obligation.sign is Sign.NONZERO and done and inside is not None and count > FEW:
-                break
-            if obligation.sign is not Sign.NONZERO and outside is not None and inside is not None:
+            # What is analytic and not zero at one state is zero on a thin set at most.
+            known = outside is not None or (obligation.sign is Sign.NONZERO and not piecewise)
+            if known and inside is not None:
                 break
         return outside, zero, inside
 
