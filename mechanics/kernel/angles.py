@@ -58,8 +58,10 @@ Monomial = tuple[tuple[int, int], ...]
 Form = dict[Monomial, Fraction]
 """A sum of rational multiples of monomials."""
 
-MOST_TERMS = 512
-MOST_PRODUCTS = 1024
+MOST_TERMS = 16
+MOST_PRODUCTS = 64
+"""Beyond these an argument stays whole, known by its value: the angles of a Runge-Kutta step are
+polynomials of hundreds of terms, and a point for each of them would fill the program."""
 
 _CIRCULAR = frozenset({SIN, COS, TAN})
 _EXPONENTIAL = frozenset({EXP, SINH, COSH, TANH})
