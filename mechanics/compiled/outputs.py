@@ -1,10 +1,11 @@
 """The outputs of a mechanism as programs, from the cheapest way to its rows.
 
     inverse dynamics    tau = rows(q, u, u')                 Newton and Euler's recursion, or Kane's
-    mass matrix         M = d tau / d u'
+    mass matrix         M = d tau / d u', or composite bodies
     forcing             f = -tau(q, u, 0)
-    forward dynamics    M u' = f
-    jacobians           M dx = -(d tau)(q, u, x)             x = u', along each entry of the state
+    forward dynamics    M u' = f, or articulated bodies
+    jacobians           M dx = -(d tau)(q, u, x)             x = u', along each entry of the state,
+                        or the derivatives of articulated bodies
 
 All rows are power-conjugate to u, so that they are equal and not only equivalent: which of them an
 output is made from is a matter of operations alone. `mechanics.checks.programs.outputs` shows each.
@@ -20,8 +21,13 @@ from mechanics.mechanism import Mechanism
 from mechanics.program import Program
 from mechanics.program.builder import Node
 from mechanics.program.derivatives import gradient, tangent
+from mechanics.program.elimination import expand_solves
 from mechanics.program.vectors import Vector, add, cross, scale, times, zeros
 from mechanics.recursions import newton_euler
+from mechanics.recursions.articulated_bodies import forward_dynamics
+from mechanics.recursions.composite_bodies import mass_matrix
+from mechanics.recursions.joints import Link, joint_tree
+from mechanics.recursions.local_equations import jacobian
 from mechanics.recursions.pseudo_inertia import grouped, moments
 from mechanics.routes.programs import chain, free_body, kane
 from mechanics.routes.programs.lagrange import kinetic_energy
@@ -92,18 +98,50 @@ def programs(mechanism: Mechanism) -> dict[str, Program]:
         )
     rows = cheapest_rows(mechanism)
     system = solvable(mechanism, rows)
+    trees = joint_trees(mechanism)
+    masses = [system.mass, *(mass_matrix(mechanism, links) for links in trees)]
+    solutions = [Solvable(mass, system.forcing).accelerations(mechanism) for mass in masses]
+    bias = [-entry for entry in system.forcing]
+    solutions += [forward_dynamics(mechanism, links, bias) for links in trees]
     found: dict[str, Outputs] = {
-        "forward_dynamics": {"ud": system.accelerations(mechanism)},
-        "mass_matrix": {"mass_matrix": _flat(system.mass)},
+        "forward_dynamics": _cheapest(mechanism, [{"ud": solution} for solution in solutions]),
+        "mass_matrix": _cheapest(mechanism, [{"mass_matrix": _flat(mass)} for mass in masses]),
         "forcing": {"forcing": system.forcing},
         "inverse_dynamics": {"forces": rows},
         "energy": energies(mechanism),
         "momenta": momenta(mechanism),
         "coordinate_rates": {"qd": mechanism.q_rates},
-        "jacobians": jacobians(mechanism, rows, system),
+        "jacobians": _jacobians_of_trees(mechanism, trees) or jacobians(mechanism, rows, system),
         "reactions": reactions(mechanism, system),
     }
     return {name: mechanism.builder.program(outputs) for name, outputs in found.items() if outputs}
+
+
+def joint_trees(mechanism: Mechanism) -> list[tuple[Link, ...]]:
+    """The tree of joints with one freedom each, masses as declared and grouped; none for others."""
+    trees = (joint_tree(mechanism, ways(mechanism)) for ways in (moments, grouped))
+    return [links for links in trees if links is not None]
+
+
+def _cheapest(mechanism: Mechanism, candidates: Sequence[Outputs]) -> Outputs:
+    """The candidate of the fewest operations, linear systems written out; the first of several."""
+    return min(
+        candidates, key=lambda outputs: expand_solves(mechanism.builder.program(outputs)).count
+    )
+
+
+def _jacobians_of_trees(mechanism: Mechanism, trees: Sequence[tuple[Link, ...]]) -> Outputs:
+    found: list[Outputs] = []
+    for links in trees:
+        both = jacobian(mechanism, links, (*mechanism.q, *mechanism.u))
+        n = len(mechanism.q)
+        found.append(
+            {
+                "ud_q": [entry for row in both for entry in row[:n]],
+                "ud_u": [entry for row in both for entry in row[n:]],
+            }
+        )
+    return _cheapest(mechanism, found) if found else {}
 
 
 def _flat(matrix: Sequence[Sequence[Node]]) -> list[Node]:

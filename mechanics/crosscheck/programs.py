@@ -16,6 +16,7 @@ import casadi
 from mechanics.checks.programs import laws, reactions
 from mechanics.checks.programs.agreement import Derived, linear_system
 from mechanics.checks.programs.statements import equal
+from mechanics.compiled.outputs import jacobians, solvable
 from mechanics.compiled.program_model import ProgramModel
 from mechanics.equations import Equations
 from mechanics.kernel import Finding
@@ -154,13 +155,15 @@ def check_textbook(programs: Programs, derived: Mapping[str, Equations]) -> Iter
 def check_model(programs: Programs, model: ProgramModel) -> Iterator[Finding]:
     """The compiled functions, read back, against Kane's rows and what they are made from.
 
-    Forward dynamics makes the rows zero; inverse dynamics, M and f are those of the rows; all else
-    computes its program.
+    Forward dynamics makes the rows zero; inverse dynamics, M, f and Jacobians are those of the
+    rows; all else computes its program.
     """
     mechanism = programs.mechanism
     build = mechanism.builder
     rows = kane.derive(mechanism).values
+    slopes = jacobians(mechanism, rows, solvable(mechanism, rows))
     truth: dict[str, Sequence[Node]] = {
+        "jacobians": [entry for output in slopes.values() for entry in output],
         "inverse_dynamics": rows,
         "mass_matrix": [e for row in coefficients(rows, mechanism.ud) for e in row],
         "forcing": [-entry for entry in remainder(build, rows, mechanism.ud)],
