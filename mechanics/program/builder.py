@@ -25,9 +25,11 @@ from mechanics.program.operations import (
     CONSTANT,
     DIVIDE,
     ENTRY,
+    EQUAL,
     INPUT,
     MULTIPLY,
     NEGATE,
+    NOT,
     OPERATIONS,
     PI,
     POWER,
@@ -295,6 +297,8 @@ class Builder:
             return self.negate(self.add(first[a], b))
         if operations[a] == CONSTANT and operations[b] == CONSTANT:
             return self._constant(self.constants[first[a]] - self.constants[first[b]])
+        if a == self.one_number and OPERATIONS[operations[b]].boolean:
+            return self._folded(NOT, [b])
         return self._node(SUBTRACT, a, b)
 
     def negate(self, a: int) -> int:
@@ -609,6 +613,25 @@ def _even(code: int, at_zero: int) -> Callable[..., int | None]:
     return fold
 
 
+def _not(builder: Builder, a: int) -> int | None:
+    """A truth value denied twice is itself."""
+    if builder.operations[a] != NOT:
+        return None
+    denied = builder.operands[0][a]
+    return denied if OPERATIONS[builder.operations[denied]].boolean else None
+
+
+def _equal(builder: Builder, a: int, b: int) -> int | None:
+    """A truth value that equals 0 is denied; one that equals 1 is itself."""
+    for truth, number in ((a, b), (b, a)):
+        if OPERATIONS[builder.operations[truth]].boolean:
+            if number == builder.zero_number:
+                return builder.call("not", Node(builder, truth)).number
+            if number == builder.one_number:
+                return truth
+    return None
+
+
 def _select(builder: Builder, condition: int, x: int, y: int) -> int | None:
     known = builder.constant_at(condition)
     if known is not None:
@@ -619,6 +642,8 @@ def _select(builder: Builder, condition: int, x: int, y: int) -> int | None:
 _SPECIAL: dict[int, Fold] = {
     SQRT: _exact_root,
     SELECT: _select,
+    NOT: _not,
+    EQUAL: _equal,
     ABS: _even(ABS, 0),
     BY_NAME["exp"].code: _at_zero(1),
     BY_NAME["cos"].code: _even(BY_NAME["cos"].code, 1),

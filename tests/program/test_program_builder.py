@@ -133,3 +133,13 @@ def test_programs_of_many_nodes_need_no_recursion() -> None:
     program = b.program({"value": [value]})
     assert program.count == 40_000
     assert len(repr(program)) < 80
+
+
+def test_truth_values_are_denied_in_one_way() -> None:
+    b = Builder()
+    x, y = b.input("x"), b.input("y")
+    less = b.less(x, y)
+    denied = b.call("not", less)
+    assert denied == 1 - less == b.call("equal", less, 0) == b.call("equal", 0, less)
+    assert b.call("not", denied) == less == b.call("equal", 1, less)
+    assert b.call("not", b.call("not", x)) != x

@@ -125,7 +125,6 @@ def test_names_of_the_person_may_be_used() -> None:
     ("where", "words"),
     [
         ("cos(phi) > 2", "no state of slider-crank was found"),
-        ("theta > 1000", "write smaller numbers, or a wider range"),
         ("cos(phi) > 0 and cos(phi) < 0", "no state of slider-crank was found"),
         ("cos(psi) > 0", "psi is no name of slider-crank"),
         ("phi' > 0", "write one inequality"), ("cos(phi) = 0", "write one inequality"),
@@ -205,9 +204,9 @@ def test_where_hardly_any_state_is_drawn(where: str) -> None:
     assert all(sympify(part, {"theta": at[ROD.scene.q[0]]}) for part in where.split(" and ")[:2])
 
 
-def test_right_where_hardly_any_state_is_drawn_is_not_refuted() -> None:
+def test_right_where_hardly_any_state_is_drawn_is_shown() -> None:
     text = "m*l^2/3*theta'' - m*g*l/2*sin(theta) = u + sqrt((theta - pi)^2) - theta + pi"
-    for where, verdict in (("theta > pi", "UNDECIDED"), ("theta < -100", "REFUTED")):
+    for where, verdict in (("theta > pi", "CERTIFIED"), ("theta < -100", "REFUTED")):
         (entry,) = mechanics.check(ROD, text, where=where).judged
         assert entry.finding.verdict.name == verdict
     assert (
