@@ -20,7 +20,7 @@ from sympy.core.cache import clear_cache
 from benchmarks.faults.fault import Fault, plant
 from benchmarks.faults.scenes import SCENES
 from mechanics.checks.jets import precision
-from mechanics.checks.soundness import check_sound
+from mechanics.checks.programs.admissible import check_scene
 from mechanics.checks.states import State
 from mechanics.checks.virtual_power import (
     BITS,
@@ -47,7 +47,7 @@ def outcome(name: str, clean: Mapping[str, str] | None) -> dict[str, Any]:
     try:
         numbers = verdicts_of_probes()
         scene = SCENES[name]()
-        check_sound(scene)
+        check_scene(scene)
         states, support = drawn_states(scene), None
         numbers |= potential_numbers(scene, states)
         for route in ROUTES:

@@ -10,7 +10,7 @@ from collections.abc import Sequence
 from sympy import Add, Expr, Matrix, Symbol
 
 from mechanics.checks.agreement import Pairs, proof_pays
-from mechanics.checks.soundness import metric
+from mechanics.checks.metric import metric
 from mechanics.equations import Equations
 from mechanics.exact import Arithmetic, Finding, collect_linear, decide
 from mechanics.kinematics import chain, differentiate

@@ -14,7 +14,7 @@ from functools import partial
 from flint import arb
 from sympy import Add, Expr, Mul, Pow, Symbol, sympify
 
-from mechanics.checks.soundness import metric
+from mechanics.checks.metric import metric
 from mechanics.equations import Equations
 from mechanics.errors import ExpressionError, MechanicsError
 from mechanics.exact import Finding, Verdict

@@ -10,7 +10,7 @@ from mechanics.blame.energies import wrong_energies, wrong_rows
 from mechanics.blame.entries import kinetic_pieces, potential_pieces
 from mechanics.blame.explanations import UNBALANCED, explanations
 from mechanics.checks.ledger import check_row
-from mechanics.checks.soundness import metric
+from mechanics.checks.metric import metric
 from mechanics.equations import Equations
 from mechanics.exact import Verdict, prove_equal
 from mechanics.kinematics import chain

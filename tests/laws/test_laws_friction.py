@@ -9,7 +9,7 @@ from sympy import DiracDelta, Expr, Symbol, cos, sign, sin
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
 from mechanics.checks.agreement import solve
-from mechanics.checks.soundness import metric
+from mechanics.checks.metric import metric
 from mechanics.crosscheck import derive
 from mechanics.equations import Equations
 from mechanics.exact import Arithmetic, decide
