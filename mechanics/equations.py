@@ -74,7 +74,7 @@ class FreeBodyRow:
     coefficients: tuple[tuple[Symbol, Expr], ...]
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Equations:
     """Equations of motion of a scene as one route derived them, in plain symbols.
 
@@ -132,6 +132,9 @@ class Equations:
     fixed: Mapping[Symbol, Expr] = field(default_factory=dict)
     of_bodies: bool = False
     rows: tuple[Expr, ...] = ()
+
+    def __repr__(self) -> str:
+        return f"<equations of {self.scene.name} by {self.route}: {len(self.scene.u)} speeds>"
 
     @cached_property
     def reactions(self) -> tuple[tuple[Symbol, Expr], ...]:

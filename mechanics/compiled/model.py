@@ -30,12 +30,15 @@ from mechanics.errors import InputError, wanted
 Array = NDArray[np.floating]
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Model(Functions):
     """Compiled functions of one set of equations: those of mechanics as methods.
 
     The rest, and all of them by name, are in `Functions`.
     """
+
+    def __repr__(self) -> str:
+        return f"<model of {self.equations.scene.name} by {self.equations.route}: {self.backend}>"
 
     @cached_property
     def _one(self) -> OneState:

@@ -1,5 +1,6 @@
 """What a cross-check of one system found: the data that reports and JSON are made from."""
 
+from collections import Counter
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any
@@ -85,7 +86,7 @@ class Motion:
     units: Mapping[str, str] = field(default_factory=dict)
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class SystemResult:
     """Everything that a cross-check of one system found.
 
@@ -111,6 +112,11 @@ class SystemResult:
     remarks: tuple[str, ...] = field(default=())
     pairs: Mapping[tuple[str, str], Finding] = field(default_factory=dict)
     witnesses: tuple[Finding, ...] = ()
+
+    def __repr__(self) -> str:
+        counts = Counter(finding.verdict.name for finding in self.claims)
+        said = ", ".join(f"{count} {verdict}" for verdict, count in counts.items())
+        return f"<cross-check of {self.name}: {said or 'nothing checked'}>"
 
     @property
     def ok(self) -> bool:

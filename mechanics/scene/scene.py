@@ -29,7 +29,7 @@ from mechanics.scene.validate import validate
 from mechanics.scene.wellformed import typed_expressions
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Scene:
     """One mechanical system.
 
@@ -78,6 +78,12 @@ class Scene:
 
     def __post_init__(self) -> None:
         validate(self)
+
+    def __repr__(self) -> str:
+        return (
+            f"<scene {self.name}: {len(self.bodies)} bodies, {len(self.coordinates)} coordinates,"
+            f" {len(self.constraints)} constraints>"
+        )
 
     @cached_property
     def q(self) -> tuple[Symbol, ...]:

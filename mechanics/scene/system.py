@@ -32,7 +32,7 @@ class Path:
     sets: tuple[tuple[str, Expr], ...]
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class System:
     """A scene with the equations published for it.
 
@@ -52,3 +52,6 @@ class System:
     scene: Callable[[], Scene]
     published: tuple[Published, ...] = ()
     paths: tuple[Path, ...] = ()
+
+    def __repr__(self) -> str:
+        return f"<system {self.name}: {len(self.published)} published rows>"

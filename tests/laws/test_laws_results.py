@@ -3,6 +3,7 @@
 import pytest
 from sympy import Matrix
 
+import mechanics
 from mechanics.checks.agreement import Pairs, solve
 from mechanics.crosscheck import ROUTES, Route
 from mechanics.exact import Arithmetic, decide
@@ -10,7 +11,7 @@ from mechanics.kinematics.manifold import settle
 from mechanics.routes import free_body
 from mechanics.routes.elimination import multipliers_of
 from mechanics.scene.system import System
-from systems import ALL
+from systems import ALL, SEED
 
 CONSTRAINED = [system for system in ALL if system.scene().constraints]
 
@@ -50,3 +51,13 @@ def test_multipliers_are_given_by_the_motion(system: System) -> None:
 
     assert {symbol for symbol, _ in multipliers_of(equations)} == set(equations.multipliers)
     assert decide("multipliers", experiment, try_normal=False).shown
+
+
+def test_what_is_made_of_a_scene_says_in_one_short_line_what_it_is() -> None:
+    system = SEED[0]
+    scene = system.scene()
+    equations = mechanics.derive(scene, "kane")
+    result = mechanics.crosscheck(scene, mechanics.CrossCheck(states=0))
+    for thing in (system, scene, equations, mechanics.compile(equations), result):
+        assert len(repr(thing)) < 120 and "\n" not in repr(thing)
+        assert scene.name in repr(thing) or system.name in repr(thing)
