@@ -28,6 +28,7 @@ from mechanics.checks.virtual_power import (
 from mechanics.compiled import Model, compile, prove_compiled
 from mechanics.compiled.finite import not_finite
 from mechanics.compiled.program_model import compile_programs
+from mechanics.crosscheck.constrained import check_constrained
 from mechanics.crosscheck.measured import NOT_CLOSED, ON_MANIFOLD, holds_others, measured
 from mechanics.crosscheck.motion import example_motion
 from mechanics.crosscheck.programs import (
@@ -116,18 +117,16 @@ def crosscheck(system: System | Scene, options: CrossCheck | None = None) -> Sys
     stage("checking the scene")
     mechanism = check_scene(scene)
     names = [route.name for route in named_routes(options.routes)]
-    programs = derive_rows(mechanism, names, stage)
     if not is_written_out(mechanism):
+        programs = derive_rows(mechanism, names, stage)
         return _without_textbook(system, scene, programs, stage)
     derived, seconds = _derived(scene, names, stage)
     stage("comparing routes")
-    pairs = compare_pairs(programs.routes)
-    findings = [
-        *pairs.values(),
-        *check_textbook(programs, derived),
-        *check_laws(programs),
-        *_driven_energy(scene, programs, derived),
-    ]
+    if scene.constraints:
+        pairs, held = check_constrained(scene, derived, _support(scene, derived))
+    else:
+        pairs, held = _compared(scene, derive_rows(mechanism, names), derived)
+    findings = [*pairs.values(), *held]
     stage("the scene as declared")
     witnesses = tuple(_witnesses(scene, derived))
     stage("published equations")
@@ -238,6 +237,18 @@ def _derived(
         _ = derived[route.name].system
         seconds[route.name] = perf_counter() - start
     return derived, seconds
+
+
+def _compared(
+    scene: Scene, programs: Programs, derived: Mapping[str, Equations]
+) -> tuple[dict[tuple[str, str], Finding], list[Finding]]:
+    """Pairs of routes as programs, their matrices in SymPy, and the laws."""
+    found = [
+        *check_textbook(programs, derived),
+        *check_laws(programs),
+        *_driven_energy(scene, programs, derived),
+    ]
+    return compare_pairs(programs.routes), found
 
 
 def _driven_energy(

@@ -58,7 +58,7 @@ Monomial = tuple[tuple[int, int], ...]
 Form = dict[Monomial, Fraction]
 """A sum of rational multiples of monomials."""
 
-MOST_TERMS = 16
+MOST_TERMS = 128
 MOST_PRODUCTS = 64
 """Beyond these an argument stays whole, known by its value: the angles of a Runge-Kutta step are
 polynomials of hundreds of terms, and a point for each of them would fill the program."""

@@ -118,7 +118,6 @@ SIGNS = {
     "(v > 0) - (v < 0)": True,
     "v > 0 ? 1.0 : (v < 0 ? -1.0 : 0.0)": True,
     "copysign(1.0, v)": True,
-    "v / fabs(v)": True,
     "(v < 0) - (v > 0)": False,
     "v > 0": False,
 }
@@ -130,6 +129,14 @@ def test_signs_as_people_write_them_in_c(truth: Equations, tmp_path: Path, sign:
     file.write_text(C.format(sign=sign), encoding="utf-8")
     found = mechanics.check(truth, file, blame=False)
     assert [judged.finding.shown for judged in found.judged] == [SIGNS[sign]] * 2
+
+
+def test_a_sign_by_division_has_no_value_at_rest(truth: Equations, tmp_path: Path) -> None:
+    file = tmp_path / "friction.c"
+    file.write_text(C.format(sign="v / fabs(v)"), encoding="utf-8")
+    found = mechanics.check(truth, file, blame=False)
+    assert [judged.finding.verdict for judged in found.judged] == [Verdict.UNDECIDED] * 2
+    assert all("NaN at rest" in judged.finding.domain for judged in found.judged)
 
 
 def test_friction_that_is_left_out_is_found(truth: Equations) -> None:

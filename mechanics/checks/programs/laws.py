@@ -16,7 +16,7 @@ from typing import Any
 from mechanics.checks.programs.energy import kinetic
 from mechanics.checks.programs.statements import each_or_all, equal
 from mechanics.kernel import Finding
-from mechanics.mechanism import Mechanism
+from mechanics.mechanism import Mechanism, inputs_of
 from mechanics.program.builder import Node
 from mechanics.program.derivatives import gradient, tangent
 from mechanics.program.residues import Residues, eliminate
@@ -164,8 +164,11 @@ def check_mass_matrix(mechanism: Mechanism, rows: Rows) -> Finding:
 
 
 def is_driven(mechanism: Mechanism) -> bool:
-    """Whether geometry or constraints change with time by themselves."""
+    """Whether geometry or what is stored in loads changes with time by itself."""
     motions = differentiate.motions(mechanism)
+    stored = inputs_of([potential(mechanism, motions.poses)])
+    if stored & set(mechanism.given_rates):
+        return True
     still = dict.fromkeys(mechanism.u, mechanism.builder.zero)
     velocities = [entry for point in motions.points for entry in point.velocity]
     velocities += [entry for frame in motions.frames for entry in frame.omega]

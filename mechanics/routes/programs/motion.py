@@ -8,6 +8,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from mechanics.mechanism import GROUND, Mechanism, Mixed
+from mechanics.program.residues import Residues
 from mechanics.program.vectors import Matrix, Vector, add, product, times, transpose, zeros
 
 
@@ -72,7 +73,7 @@ class Motions:
 class BodyMotion:
     """Motion of a body: that of its mass centre and frame, and its inertia in inertial components.
 
-    `omega`, `alpha` and `inertia` are None for a particle.
+    `turning` and `inertia` are None for a particle, and for a body that does not turn.
     """
 
     centre: PointMotion
@@ -82,13 +83,16 @@ class BodyMotion:
 
 def body_motions(mechanism: Mechanism, motions: Motions) -> tuple[BodyMotion, ...]:
     """Motion of every body, in the order of the mechanism."""
-    found = []
+    found, filter_ = [], Residues(mechanism.builder)
     for body in mechanism.bodies:
         centre = motions.points[body.centre]
         if body.frame is None or body.inertia is None:
             found.append(BodyMotion(centre, None, None))
             continue
         turning = motions.frames[body.frame]
+        if all(map(filter_.is_zero, turning.omega)):
+            found.append(BodyMotion(centre, None, None))
+            continue
         found.append(BodyMotion(centre, turning, turned(turning.rotation, body.inertia)))
     return tuple(found)
 
