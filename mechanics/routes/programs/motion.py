@@ -73,7 +73,8 @@ class Motions:
 class BodyMotion:
     """Motion of a body: that of its mass centre and frame, and its inertia in inertial components.
 
-    `turning` and `inertia` are None for a particle, and for a body that does not turn.
+    `turning` and `inertia` are None for a particle, and for a body that does not turn and
+    that no couple holds.
     """
 
     centre: PointMotion
@@ -84,13 +85,15 @@ class BodyMotion:
 def body_motions(mechanism: Mechanism, motions: Motions) -> tuple[BodyMotion, ...]:
     """Motion of every body, in the order of the mechanism."""
     found, filter_ = [], Residues(mechanism.builder)
-    for body in mechanism.bodies:
+    for index, body in enumerate(mechanism.bodies):
         centre = motions.points[body.centre]
         if body.frame is None or body.inertia is None:
             found.append(BodyMotion(centre, None, None))
             continue
         turning = motions.frames[body.frame]
-        if all(map(filter_.is_zero, turning.omega)):
+        # One that is held by couples has moment equations, which determine these.
+        held = any(mechanism.reactions[r].at is None for r in mechanism.joints[index])
+        if not held and all(map(filter_.is_zero, turning.omega)):
             found.append(BodyMotion(centre, None, None))
             continue
         found.append(BodyMotion(centre, turning, turned(turning.rotation, body.inertia)))
