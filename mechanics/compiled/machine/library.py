@@ -20,6 +20,8 @@ from mechanics.errors import CompilerError
 FLAGS = ("-std=c99", "-fPIC", "-ffp-contract=off", "-fno-math-errno")
 # Threads that need the same library at the same time would write the same files.
 _BUILDING: dict[str, threading.Lock] = {}
+# A cached function called by two threads at once runs twice, and the loser's folder is deleted.
+_MAKING = threading.Lock()
 REMARKS = ".txt"
 """Ends the name of the file with what the compiler said, in place of the library's ending."""
 
@@ -66,7 +68,8 @@ def build(source: str, compiler: str, flags: Sequence[str], linked: Sequence[str
         If the compiler refuses the code or cannot be run; the message carries its words.
     """
     name = sha256(f"{compiler} {flags} {linked}\n{source}".encode()).hexdigest()[:16]
-    stem = Path(_folder().name) / name
+    with _MAKING:
+        stem = Path(_folder().name) / name
     file, object_file, library = (stem.with_suffix(suffix) for suffix in (".c", ".o", ".so"))
     with _BUILDING.setdefault(name, threading.Lock()):
         if not library.exists():
