@@ -11,12 +11,16 @@ from mechanics.cli.values import assignments, points, sorted_out
 from mechanics.compiled import compile
 from mechanics.crosscheck import derive_textbook
 from mechanics.crosscheck.fmu import unit_start
+from mechanics.export.atomic import named
 from mechanics.export.fmu import write_unit
 
 
 def fmu(
     system: Annotated[str, typer.Argument(metavar="SYSTEM", help="A name or a .py file.")],
-    out: Annotated[Path, typer.Option("--out", "-o", metavar="NAME.fmu", help="File to write.")],
+    out: Annotated[
+        Path,
+        typer.Option("--out", "-o", metavar="NAME.fmu", help="File to write.", parser=named),
+    ],
     settings: Annotated[
         list[str] | None,
         typer.Option("--set", metavar="NAME=VALUE", help="Start value, parameter or input."),

@@ -15,7 +15,7 @@ from mechanics.compiled import compile
 from mechanics.crosscheck import derive_textbook
 from mechanics.exact import Verdict
 from mechanics.export import write_c
-from mechanics.export.atomic import replaced_file
+from mechanics.export.atomic import named, replaced_file
 from mechanics.export.folder import MANIFEST
 from mechanics.simulate import Ending, with_reactions, write_plot, write_table
 from mechanics.simulate.files import SUFFIXES, writable
@@ -116,7 +116,10 @@ def simulate(
 
 def codegen(
     system: Annotated[str, typer.Argument(metavar="SYSTEM", help="A name or a .py file.")],
-    out: Annotated[Path, typer.Option("--out", "-o", metavar="DIR", help="Folder to write.")],
+    out: Annotated[
+        Path,
+        typer.Option("--out", "-o", metavar="DIR", help="Folder to write.", parser=named),
+    ],
     route: Annotated[str, typer.Option(help="Route that derives the equations.")] = "free_body",
     fix: Annotated[
         list[str] | None,

@@ -6,7 +6,8 @@ from fractions import Fraction
 
 from sympy import Expr, Rational, pi
 
-from mechanics.errors import InputError
+from mechanics.errors import InputError, RangeError
+from mechanics.program.constants import rational
 from mechanics.scene import Scene
 from mechanics.scene.conditions import condition_parameters
 
@@ -25,7 +26,9 @@ def assignments(entries: Sequence[str], option: str) -> dict[str, Fraction]:
     found: dict[str, Fraction] = {}
     for name, text, entry in _named(entries, option):
         try:
-            found[name] = Fraction(text)
+            found[name] = rational(text)
+        except RangeError as error:
+            raise InputError(f"{option} {name}: {error}") from None
         except (ValueError, ZeroDivisionError):
             raise _no_number(option, entry, text, "") from None
     return found
@@ -45,9 +48,11 @@ def points(entries: Sequence[str], option: str) -> dict[str, Expr]:
         try:
             if turn:
                 sign, factor, divisor = turn.groups()
-                number = Fraction(f"{sign}1") * Fraction(factor or 1) / Fraction(divisor or 1)
+                number = Fraction(f"{sign}1") * rational(factor or "1") / rational(divisor or "1")
             else:
-                number = Fraction(text)
+                number = rational(text)
+        except RangeError as error:
+            raise InputError(f"{option} {name}: {error}") from None
         except (ValueError, ZeroDivisionError):
             raise _no_number(option, entry, text, " or pi/2") from None
         found[name] = Rational(number.numerator, number.denominator) * (pi if turn else 1)

@@ -8,7 +8,6 @@ derived, at that rational. A product with zero is gone, and what only it needed 
 
 from collections.abc import Iterable, Mapping
 from dataclasses import replace
-from fractions import Fraction
 from functools import partial
 from typing import Any
 
@@ -16,8 +15,9 @@ import sympy
 from sympy import Expr, Matrix, Rational, Symbol
 
 from mechanics.equations import Equations
-from mechanics.errors import InputError, SingularError
+from mechanics.errors import InputError, RangeError, SingularError
 from mechanics.exact import generic_rank
+from mechanics.program.constants import rational
 from mechanics.scene import Scene
 
 Fixed = Mapping[Symbol, Expr]
@@ -74,12 +74,14 @@ def _used(symbols: Iterable[Symbol], definitions: Mapping[Symbol, Expr]) -> set[
 def _number(symbol: Symbol, value: Any) -> Expr:
     try:
         # The text of a float is the shortest decimal that gives it: what was typed.
-        number = Fraction(str(value))
+        number = rational(str(value))
         rounded = float(number)
     except (ValueError, ZeroDivisionError):
         raise InputError(
             f"fixed {symbol.name}: {value!r} is no number: write 9.81 or 1/3"
         ) from None
+    except RangeError as error:
+        raise InputError(f"fixed {symbol.name}: {error}") from None
     except OverflowError:
         raise InputError(f"fixed {symbol.name}: {value} is beyond 1.8e308") from None
     if number and not rounded:

@@ -16,6 +16,21 @@ from contextlib import contextmanager, suppress
 from pathlib import Path
 from uuid import uuid4
 
+from mechanics.errors import InputError
+
+
+def named(target: str | Path) -> Path:
+    """The path of a file or folder to write.
+
+    Raises
+    ------
+    InputError
+        For an empty text, which Python takes for the current folder.
+    """
+    if isinstance(target, str) and not target.strip():
+        raise InputError("the name of what to write is empty: write '.' for the current folder")
+    return Path(target)
+
 
 @contextmanager
 def replaced_file(target: Path) -> Iterator[Path]:

@@ -25,6 +25,7 @@ from mechanics.compiled import Model
 from mechanics.compiled.c.lanes import SHARED
 from mechanics.compiled.c.source import function_source, signature
 from mechanics.errors import wanted
+from mechanics.export.atomic import named
 from mechanics.export.batch import batch_header, batch_implementation, batched
 from mechanics.export.batch_selftest import batch_selftest
 from mechanics.export.evidence.record import chain_record, evidence_files, evidence_of
@@ -89,8 +90,8 @@ def write_c(
     Raises
     ------
     InputError
-        If the folder is a file, cannot be written, or holds files of these names that were not
-        generated; if the name is taken, or there is no such function or precision.
+        If the folder has no name, is a file, cannot be written, or holds files of these names that
+        were not generated; if the name is taken, or there is no such function or precision.
     RefutedError
         If something is REFUTED: nothing is written then.
     SingularError
@@ -109,7 +110,7 @@ def write_c(
     code = {file: text for file, text in files.items() if file.endswith((".c", ".h"))}
     evidence = evidence_of(model, parts, names, many, code)
     files |= evidence_files(evidence)
-    target = Path(folder)
+    target = named(folder)
     # Told before the proofs, which take their time.
     check_folder(target, prefix, (*files, MANIFEST))
     shown = {}

@@ -1,6 +1,32 @@
-"""Constants on their way to double precision."""
+"""Constants: read from text, and on their way to double precision."""
 
+import re
 from fractions import Fraction
+
+from mechanics.errors import RangeError
+
+EXPONENT = re.compile(r"[eE][+-]?0*([\d_]+)\s*\Z")
+DIGITS = 4
+"""Of an exponent: doubles have three, and 10^99999999 takes minutes to be written out."""
+
+
+def rational(text: str) -> Fraction:
+    """The rational that a decimal or a fraction is.
+
+    Raises
+    ------
+    ValueError
+        If it is neither.
+    ZeroDivisionError
+        For 1/0.
+    RangeError
+        If its exponent is far beyond those of doubles.
+    """
+    found = EXPONENT.search(text)
+    if found and len(found[1]) > DIGITS:
+        float(text)  # what is no number is told first
+        raise RangeError(f"{text[:40]}: doubles lie between 1e-308 and 1.8e308")
+    return Fraction(text)
 
 
 def unit_fraction(value: Fraction) -> int | None:

@@ -6,7 +6,8 @@ from typing import Any, Self
 
 from sympy import Symbol
 
-from mechanics.errors import SceneError
+from mechanics.errors import RangeError, SceneError
+from mechanics.program.constants import rational
 from mechanics.scene.unit_names import dimension_of_unit
 
 
@@ -106,8 +107,8 @@ def _number(name: str, text: str) -> Fraction | None:
     if text in ("", "-"):
         return None
     try:
-        return Fraction(text)
-    except ValueError:
+        return rational(text)
+    except (ValueError, RangeError):
         raise SceneError(
             f"parameter {name}: the typical value {text!r} is no number:"
             " write a decimal number, a fraction such as 1/3, or '-' for none"

@@ -49,6 +49,8 @@ BAD = [
     ({"M": -1}, "fixed M: -1 is negative: the parameter is declared positive"),
     ({"g": "1e400"}, "fixed g: 1e400 is beyond 1.8e308"),
     ({"g": "1e-400"}, "fixed g: 1e-400 is below the smallest double"),
+    ({"g": "1e99999999"}, "fixed g: 1e99999999: doubles lie between 1e-308 and 1.8e308"),
+    ({"g": "1e-99999999"}, "fixed g: 1e-99999999: doubles lie between"),
 ]
 
 

@@ -92,6 +92,12 @@ def test_a_precision_that_there_is_not_is_refused(modelled, tmp_path: Path) -> N
         write_c(modelled("rocker", "kane"), tmp_path / "c", precision="half")
 
 
+@pytest.mark.parametrize("folder", ["", " "])
+def test_an_empty_name_is_no_folder(modelled, folder: str) -> None:
+    with pytest.raises(InputError, match="the name of what to write is empty"):
+        write_c(modelled("rocker"), folder, functions=FEW)
+
+
 def test_files_of_others_are_left_alone(modelled, tmp_path: Path) -> None:
     mine = tmp_path / "CMakeLists.txt"
     mine.write_text("mine", encoding="utf-8")

@@ -28,7 +28,7 @@ from mechanics.compiled.programs.program import program
 from mechanics.compiled.tableaus import TABLEAUX
 from mechanics.errors import InputError
 from mechanics.exact import Finding
-from mechanics.export.atomic import replaced_file
+from mechanics.export.atomic import named, replaced_file
 from mechanics.export.fmu.binary import OPTIONS, Platform, compiled_library, this_platform
 from mechanics.export.fmu.description import build_description, model_description
 from mechanics.export.fmu.functions import Functions, functions
@@ -94,7 +94,7 @@ def write_unit(
     RefutedError
         If something is REFUTED: nothing is written then.
     """
-    target = Path(path)
+    target = named(path)
     if target.suffix != SUFFIX or not target.parent.is_dir() or target.is_dir():
         raise InputError(f"{target}: a file NAME{SUFFIX} in a folder that exists is needed")
     if not os.access(target.parent, os.W_OK):
