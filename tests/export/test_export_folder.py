@@ -95,7 +95,7 @@ def test_a_precision_that_there_is_not_is_refused(modelled, tmp_path: Path) -> N
 @pytest.mark.parametrize("folder", ["", " "])
 def test_an_empty_name_is_no_folder(modelled, folder: str) -> None:
     with pytest.raises(InputError, match="the name of what to write is empty"):
-        write_c(modelled("rocker"), folder, functions=FEW)
+        write_c(modelled("rocker", "kane"), folder, functions=FEW)
 
 
 def test_files_of_others_are_left_alone(modelled, tmp_path: Path) -> None:
