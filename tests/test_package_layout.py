@@ -109,6 +109,24 @@ def runs_text(tree: ast.Module) -> Breaches:
             yield node.lineno, "sympify without strict=True evaluates text"
 
 
+def makes_verdicts(tree: ast.Module) -> Breaches:
+    """Findings made by hand, and verdicts changed afterwards."""
+    for node in ast.walk(tree):
+        if isinstance(node, ast.ImportFrom | ast.Import):
+            for alias in node.names:
+                if alias.name == "Finding" and alias.asname:
+                    yield node.lineno, "Finding under another name; only the kernel makes one"
+        if not isinstance(node, ast.Call):
+            continue
+        if called_name(node) == "Finding":
+            yield node.lineno, "only mechanics.kernel makes a Finding: ask one of its functions"
+        if called_name(node) == "replace" and FIXED & {k.arg for k in node.keywords}:
+            yield node.lineno, "a verdict is not changed: mechanics.kernel makes another finding"
+
+
+FIXED = {"verdict", "error_bound"}
+
+
 def asserts_nothing(tree: ast.Module) -> Breaches:
     for node in ast.walk(tree):
         if not isinstance(node, ast.FunctionDef) or not node.name.startswith("test"):
@@ -183,6 +201,12 @@ def test_what_a_person_gives_is_never_run() -> None:
     assert breaches(runs_text, readers) == []
 
 
+def test_only_the_kernel_makes_findings() -> None:
+    kernel = set(files("mechanics/kernel", suffix=".py"))
+    others = [path for path in files(*PACKAGES, suffix=".py") if path not in kernel]
+    assert breaches(makes_verdicts, others) == []
+
+
 def test_every_test_asserts_something() -> None:
     assert breaches(asserts_nothing, files("tests", suffix=".py")) == []
 
@@ -204,6 +228,10 @@ def test_every_import_is_installed_by_the_package() -> None:
         (runs_text, "import os\nos.system(text)"),
         (runs_text, "sympify(text)"),
         (runs_text, "sympy.lambdify(x, text)"),
+        (makes_verdicts, "Finding(subject, Verdict.PROVED, words)"),
+        (makes_verdicts, "kernel.Finding(subject, Verdict.PROVED, words)"),
+        (makes_verdicts, "from mechanics.kernel import Finding as F"),
+        (makes_verdicts, "replace(finding, verdict=Verdict.PROVED)"),
         (asserts_nothing, "class TestA:\n    def test_a(self): print(1)"),
         (undeclared_imports, "import no_such_package.part"),
         (undeclared_imports, "from pytest import raises"),
@@ -220,6 +248,7 @@ def test_laws_find_a_breach(law: Callable[[ast.Module], Breaches], source: str) 
         (simplifies, "from sympy import nsimplify\nnsimplify(1)"),
         (swallows_errors, "try: pass\nexcept (KeyError, ValueError): pass"),
         (swallows_errors, "try: pass\nexcept Exception as e: raise ValueError(e) from None"),
+        (makes_verdicts, "def f() -> Finding: return replace(finding, subject='')"),
         (asserts_nothing, "def test_a():\n    with pytest.raises(ValueError): f()"),
         (asserts_nothing, "def test_a():\n    np.testing.assert_allclose(1, 1)"),
         (undeclared_imports, "import flint, sympy.physics\nfrom mechanics.scene import Scene"),

@@ -33,6 +33,7 @@ from sympy.physics.vector import Point, ReferenceFrame
 
 from mechanics.checks.jets import Instant, precision
 from mechanics.exact import Finding, Verdict, prove_equal
+from mechanics.kernel import refuted, supported
 from mechanics.scene.bodies import Particle, RigidBody
 from mechanics.scene.composite import composite, part
 from mechanics.scene.declared import scalar
@@ -108,8 +109,8 @@ def check_canaries() -> tuple[Finding, ...]:
 def _told(what: str, count: int, wrong: list[str]) -> Finding:
     subject = f"canaries: {what}"
     if wrong:
-        return Finding(subject, Verdict.REFUTED, f"do not trust this program: {'; '.join(wrong)}")
-    return Finding(subject, Verdict.SUPPORTED, f"all {count} are as they are known to be")
+        return refuted(subject, f"do not trust this program: {'; '.join(wrong)}")
+    return supported(subject, f"all {count} are as they are known to be")
 
 
 def _decided_wrongly() -> Iterator[str]:

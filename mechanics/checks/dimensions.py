@@ -15,7 +15,8 @@ from typing import Any
 from sympy import Abs, Derivative, Expr, Function, Pow, Symbol, cos, exp, sign, sin, tan
 
 from mechanics.checks.ledger import QUANTITIES, plain_side
-from mechanics.exact import Finding, Verdict
+from mechanics.exact import Finding
+from mechanics.kernel import refuted, same
 from mechanics.scene import Scene
 from mechanics.scene.published import Published
 from mechanics.scene.unit_names import UNITS, Dimension, dimension_of_unit, words
@@ -58,17 +59,23 @@ def check_dimensions(
     texts = {symbol: unit.replace(" ", "*") for symbol, unit in units.items()}
     known = {symbol: dimension_of_unit(text, str(symbol)) for symbol, text in texts.items()}
     found = []
+    pairs: list[tuple[Dimension | None, Dimension | None]] = []
     for row in chosen:
         subject = f"{row.tag} {row.label}"
         try:
             for entries in _entries(scene, row, subject):
-                _one(scene, entries, known)
+                first = _one(scene, entries, known)
+                own = [_dimension(scene, side, known) for side in entries]
+                pairs += [(first, dimension) for dimension in own if dimension is not None]
         except _Mixed as mixed:
             evidence = f"{mixed}: correct the row, or the unit of a parameter"
-            found.append(Finding(f"{subject}: dimensions", Verdict.REFUTED, evidence))
+            found.append(refuted(f"{subject}: dimensions", evidence))
     count = len(chosen) - len(found)
     evidence = f"in {count} rows all terms whose units are declared have one dimension"
-    return (*([Finding(SUBJECT, Verdict.PROVED, evidence)] if count else []), *found)
+    if not count:
+        return tuple(found)
+    first_ones, others = [one for one, _ in pairs], [other for _, other in pairs]
+    return (same(SUBJECT, first_ones, others, evidence), *found)
 
 
 def _entries(scene: Scene, row: Published, subject: str) -> Iterator[tuple[Expr, ...]]:

@@ -18,12 +18,12 @@ from mechanics.exact import (
     Arithmetic,
     Finding,
     Number,
-    Verdict,
     Witness,
     decide,
-    decimal_matches,
     enclose,
+    roundings,
 )
+from mechanics.kernel import enclosed, refuted
 from mechanics.kinematics.manifold import settle, settle_accelerations
 from mechanics.scene import Scene
 
@@ -176,16 +176,13 @@ def rounded(scene: Scene, subject: str, left: Expr, right: Expr) -> Finding:
         return finding
     value, printed = enclose(constant, {}), str(number)
     words = f"the exact factor is {value.str(10, radius=False)}"
-    if decimal_matches(value, printed):
-        return Finding(subject, Verdict.PROVED, f"{words}, which rounds to {printed}")
+    low, high = roundings(printed)
+    found = enclosed(subject, [(low, value, high)], f"{words}, which rounds to {printed}")
+    if found.shown:
+        return found
     state = tuple(sorted((symbol.name, "1") for symbol in ones))
     sides = _rounding(printed).str(20, more=True), value.str(20, more=True)
-    return Finding(
-        subject,
-        Verdict.REFUTED,
-        f"{words}, which does not round to {printed}",
-        witness=Witness(state, *sides),
-    )
+    return refuted(subject, f"{words}, which does not round to {printed}", Witness(state, *sides))
 
 
 def _rounding(printed: str) -> arb:

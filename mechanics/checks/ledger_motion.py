@@ -17,6 +17,7 @@ from mechanics.checks.ledger_compare import decide_in, equal, symbols_of
 from mechanics.equations import Equations
 from mechanics.errors import InputError
 from mechanics.exact import Arithmetic, Finding, Number, Verdict, decide, slope
+from mechanics.kernel import undecided
 from mechanics.kinematics.momenta import momenta_written_out
 from mechanics.scene import Scene
 from mechanics.scene.actions import frictions
@@ -33,7 +34,7 @@ def check_equation(
     """Whether a typed equation of motion holds, and says something, along the motion."""
     scene = equations.scene
     if strange := _strange(scene, sides) or _untold(equations, sides):
-        return Finding(subject, Verdict.UNDECIDED, strange)
+        return undecided(subject, strange)
 
     def experiment(a: Arithmetic) -> Pairs:
         put_motion(a, equations)
@@ -48,17 +49,14 @@ def check_equation(
     said = [*rates, *((sides[0] - sides[1]).diff(r.symbol) for r in scene.reactions)]
     static = equal(scene, subject, said, [S.Zero] * len(said), where)
     if static.verdict is not Verdict.REFUTED:
-        return Finding(
-            subject, Verdict.UNDECIDED, "it holds no acceleration, so it is no equation of motion"
-        )
+        return undecided(subject, "it holds no acceleration, so it is no equation of motion")
     if found.shown and _bent(scene, rates):
         # A ratio of accelerations is as good as its numerator.
         above, _ = fraction(together(sides[0] - sides[1]))
         curved = [above.diff(one, other) for one in scene.ud for other in scene.ud]
         if not equal(scene, subject, curved, [S.Zero] * len(curved), where).shown:
-            return Finding(
+            return undecided(
                 subject,
-                Verdict.UNDECIDED,
                 "it is not linear in the accelerations: a product or power of equations, which"
                 " other motions satisfy too",
             )
@@ -118,7 +116,7 @@ def check_reaction(
         )
 
     if strange := _strange(equations.scene, sides):
-        return Finding(subject, Verdict.UNDECIDED, strange)
+        return undecided(subject, strange)
 
     def experiment(a: Arithmetic) -> Pairs:
         put_motion(a, equations)

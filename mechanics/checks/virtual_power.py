@@ -27,8 +27,8 @@ from mechanics.checks.jets import Instant, OutsideDomain, precision
 from mechanics.checks.states import State, draw_states, name_of
 from mechanics.equations import Equations
 from mechanics.errors import ExpressionError
-from mechanics.exact import Finding, Verdict, Witness
-from mechanics.kernel import enclose
+from mechanics.exact import Finding, Witness
+from mechanics.kernel import enclose, refuted, supported, undecided
 from mechanics.program import Program
 from mechanics.scene import Scene
 from mechanics.scene.loads import CONSERVATIVE, Coulomb
@@ -239,7 +239,7 @@ def _tried(
             try:
                 compared = list(rows(state))
             except ExpressionError as error:
-                return Finding(subject, Verdict.UNDECIDED, str(error))
+                return undecided(subject, str(error))
             except (OutsideDomain, ArithmeticError, ValueError):
                 # Arb says so where a matrix is singular there, or a series has no inverse.
                 continue
@@ -249,13 +249,13 @@ def _tried(
                 if not left.overlaps(right):
                     evidence = f"{words}: the enclosures at a real state are disjoint"
                     witness = Witness(state.items(), left.str(20), right.str(20))
-                    return Finding(subject, Verdict.REFUTED, evidence, witness=witness)
+                    return refuted(subject, evidence, witness)
                 if not abs(left - right) < CLOSE:
-                    return Finding(subject, Verdict.UNDECIDED, f"{words}: known too badly")
+                    return undecided(subject, f"{words}: known too badly")
             used += 1
             if used == USED:
                 break
     if not used:
-        return Finding(subject, Verdict.UNDECIDED, "no drawn state is admissible")
+        return undecided(subject, "no drawn state is admissible")
     evidence = f"equal within 2^-100 at {used} drawn states; no bound of the chance of error"
-    return Finding(subject, Verdict.SUPPORTED, evidence)
+    return supported(subject, evidence)

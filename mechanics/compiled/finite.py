@@ -18,7 +18,8 @@ from mechanics.compiled.model import Model
 from mechanics.compiled.programs.trace import trace
 from mechanics.compiled.residuals import NAMES, PRECISIONS, SEED
 from mechanics.compiled.sampling import States, sample
-from mechanics.exact import Finding, Verdict
+from mechanics.exact import Finding
+from mechanics.kernel import undecided
 
 UNDERFLOW = "underflow: a product is below {tiny:.1e}, the smallest normal number, and divided by"
 SINGULAR = "singular in this precision: a pivot is zero to its last digit"
@@ -55,7 +56,7 @@ class Lost:
             f"not finite at {self.lost} of {self.states} states, for example {where}: {self.cause};"
             " compile another form=, or in double precision"
         )
-        return Finding(self.subject, Verdict.UNDECIDED, evidence)
+        return undecided(self.subject, evidence)
 
 
 def not_finite(

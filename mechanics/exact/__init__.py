@@ -3,7 +3,7 @@
 from mechanics.exact.arithmetic import Arithmetic, Number, as_fraction
 from mechanics.exact.canonical import canonical, collect_linear, linear_equation, tidy
 from mechanics.exact.decide import decide, is_zero, prove_equal, prove_zero
-from mechanics.exact.decimals import decimal_matches, enclose
+from mechanics.exact.decimals import decimal_matches, enclose, roundings
 from mechanics.exact.finding import Finding, Verdict, Witness
 from mechanics.exact.independence import generic_rank, independent_rows
 from mechanics.exact.signals import Inadmissible, SingularHere, TooLarge
@@ -30,6 +30,7 @@ __all__ = [
     "linear_equation",
     "prove_equal",
     "prove_zero",
+    "roundings",
     "slope",
     "tidy",
 ]

@@ -56,6 +56,21 @@ def decimal_matches(value: arb, printed: str) -> bool:
     ValueError
         If `printed` is no decimal number.
     """
+    low, high = roundings(printed)
+    if not value.is_finite():
+        return False
+    middle, radius = _fraction(value.mid()), _fraction(value.rad())
+    return low <= middle - radius and middle + radius <= high
+
+
+def roundings(printed: str) -> tuple[Fraction, Fraction]:
+    """Least and largest number that rounds to a printed decimal.
+
+    Raises
+    ------
+    ValueError
+        If `printed` is no decimal number.
+    """
     try:
         number = Decimal(printed.replace("\N{MINUS SIGN}", "-"))
     except InvalidOperation as error:
@@ -63,11 +78,8 @@ def decimal_matches(value: arb, printed: str) -> bool:
     exponent = number.as_tuple().exponent
     if not isinstance(exponent, int):
         raise ValueError(f"{printed!r} is no finite decimal number: write it like 0.7071")
-    if not value.is_finite():
-        return False
     half = Fraction(10) ** exponent / 2
-    distance = abs(_fraction(value.mid()) - Fraction(number))
-    return distance + _fraction(value.rad()) <= half
+    return Fraction(number) - half, Fraction(number) + half
 
 
 def _fraction(dyadic: arb) -> Fraction:

@@ -19,8 +19,9 @@ from mechanics.checks.ledger_compare import definitions_in_full
 from mechanics.compiled import compile
 from mechanics.equations import Equations
 from mechanics.errors import InputError, SingularError
-from mechanics.exact import Finding, Verdict, Witness
+from mechanics.exact import Finding, Witness
 from mechanics.judge.mean_rates import State, mean_rates
+from mechanics.kernel import refuted, supported, undecided
 from mechanics.reading.code.black_box import BlackBox, Box, entries, match_box
 from mechanics.reading.names import Match
 from mechanics.reading.statement import Statement
@@ -134,12 +135,12 @@ def _judged(
         if error > worst:
             worst, at = error, (state, float(outputs[k]), value)
     if at is None:
-        return Finding(label, Verdict.UNDECIDED, "the engine's own equations are singular there")
+        return undecided(label, "the engine's own equations are singular there")
     words = f"largest difference {worst:.1e} of 1 + the value, at {len(outcomes)} states"
     if worst <= CLOSE:
-        return Finding(label, Verdict.SUPPORTED, f"{words}; the code itself was not read")
+        return supported(label, f"{words}; the code itself was not read")
     if worst <= APART:
-        return Finding(label, Verdict.UNDECIDED, f"{words}: more than rounding, less than an error")
+        return undecided(label, f"{words}: more than rounding, less than an error")
     state, given, value = at
     shown = tuple(sorted((name, str(Fraction(v))) for name, v in state.items() if name != "t"))
-    return Finding(label, Verdict.REFUTED, words, witness=Witness(shown, repr(value), repr(given)))
+    return refuted(label, words, Witness(shown, repr(value), repr(given)))

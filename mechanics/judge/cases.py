@@ -34,6 +34,7 @@ from mechanics.exact import (
 )
 from mechanics.judge.entered import Region, entered
 from mechanics.judge.regions import region_of, slice_of
+from mechanics.kernel import follows, undecided
 from mechanics.scene.published import Published
 from mechanics.scene.quantities import EquationOfMotion, Identity
 
@@ -77,9 +78,8 @@ def check_cases(truth: Equations, row: Published) -> Finding | None:
     if open_ones or not findings:
         return open_ones[0] if open_ones else None
     worst = [f for f in findings if f.verdict is Verdict.CERTIFIED] or findings
-    bound = max((f.error_bound or 0.0 for f in worst), default=0.0)
     words = f"{worst[0].evidence}, in each of {len(findings)} cases"
-    return replace(worst[0], evidence=words, error_bound=bound or None)
+    return replace(follows(worst[0].subject, findings), evidence=words)
 
 
 def _in_words(condition: Relational) -> str:
@@ -115,19 +115,17 @@ def in_case(truth: Equations, row: Published, conditions: tuple[Relational, ...]
         finding = decide(subject, _in_region(truth, row, region))
         if finding.verdict is Verdict.REFUTED and equal:
             # What differs at single states only may be meant to be another limit.
-            return Finding(subject, Verdict.UNDECIDED, "it is something else at single states")
+            return undecided(subject, "it is something else at single states")
         witness = None if finding.witness is None else _of_scene(finding.witness, region)
         return replace(finding, witness=witness)
     everywhere = decide(subject, _in_region(truth, row, {}))
     if everywhere.shown or equal:
-        return everywhere if everywhere.shown else replace(
-            everywhere, verdict=Verdict.UNDECIDED, witness=None, evidence="not right everywhere"
-        )  # fmt: skip
+        return everywhere if everywhere.shown else undecided(subject, "not right everywhere")
     for point in entered(conditions):
         finding = decide(subject, _in_region(truth, row, point))
         if finding.verdict is Verdict.REFUTED and finding.witness is not None:
             return replace(finding, witness=_of_scene(finding.witness, point))
-    return Finding(subject, Verdict.UNDECIDED, "right at no state that was tried, and none entered")
+    return undecided(subject, "right at no state that was tried, and none entered")
 
 
 def _cases(

@@ -19,6 +19,7 @@ from mechanics.equations import Equations
 from mechanics.errors import ExpressionError, MechanicsError
 from mechanics.exact import Finding, Verdict
 from mechanics.exact.balls import BallArithmetic, State
+from mechanics.kernel import refuted, undecided
 from mechanics.kernel.balls import precision
 from mechanics.kernel.definedness import BITS, Gap, Kind, Space, gaps, touching, unmet
 from mechanics.kinematics.chain import body_motions
@@ -70,7 +71,7 @@ def where_defined(
     try:
         return _decided(truth, demands, finding, region, dict(values or {}))
     except MechanicsError as error:
-        return replace(finding, verdict=Verdict.UNDECIDED, evidence=str(error), error_bound=None)
+        return undecided(finding.subject, str(error))
 
 
 def _decided(
@@ -274,11 +275,8 @@ def _told(finding: Finding, left: Sequence[Gap], written: Written, code: bool) -
     at_rest = [gap for gap in left if gap.at_rest]
     if code and at_rest:
         words = _listed([_excluded(written.origin[gap.obligation]) for gap in at_rest], " or ")
-        return replace(
-            finding, verdict=Verdict.UNDECIDED, error_bound=None,
-            domain=f"NOT SHOWN: NaN at rest ({words})",
-            evidence="its formulas are right elsewhere: give the value there a branch of its own",
-        )  # fmt: skip
+        advice = "its formulas are right elsewhere: give the value there a branch of its own"
+        return undecided(finding.subject, advice, f"NOT SHOWN: NaN at rest ({words})")
     if not left:
         return finding
     words = _listed([_excluded(written.origin[gap.obligation]) for gap in left], " or ")
@@ -307,28 +305,21 @@ def _refuted(finding: Finding, left: Sequence[Gap], written: Written) -> Finding
 
 
 def _never(finding: Finding, operation: str, where: str) -> Finding:
-    return replace(
-        finding, verdict=Verdict.REFUTED, error_bound=None, domain="undefined",
-        evidence=f"{operation} has no real value {where}, where the motion has one",
-    )  # fmt: skip
+    words = f"{operation} has no real value {where}, where the motion has one"
+    return refuted(finding.subject, words, domain="undefined")
 
 
 def _undecided(finding: Finding, left: Sequence[Gap], written: Written) -> Finding:
     words = _listed([_needed(written.origin[gap.obligation]) for gap in left], " and ")
-    return replace(
-        finding, verdict=Verdict.UNDECIDED, error_bound=None,
-        evidence=f"right where it has a value, but it is not known whether {words}",
-    )  # fmt: skip
+    doubt = f"right where it has a value, but it is not known whether {words}"
+    return undecided(finding.subject, doubt)
 
 
 def _restricted(finding: Finding, left: Sequence[Gap], written: Written) -> Finding:
     needed = [_needed(written.origin[gap.obligation]) for gap in left]
     words = _listed(needed, " and ")
-    return replace(
-        finding, verdict=Verdict.UNDECIDED, error_bound=None,
-        domain=f"{finding.verdict.name} WHERE {words}",
-        evidence=f"undefined at {_state(left[0], written)}; declare it, or --where '{needed[0]}'",
-    )  # fmt: skip
+    advice = f"undefined at {_state(left[0], written)}; declare it, or --where '{needed[0]}'"
+    return undecided(finding.subject, advice, f"{finding.verdict.name} WHERE {words}")
 
 
 def _listed(words: Sequence[str], between: str) -> str:

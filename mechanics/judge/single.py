@@ -11,6 +11,7 @@ from mechanics.judge.at_values import Values, judged_at
 from mechanics.judge.cases import check_cases
 from mechanics.judge.defined import where_defined
 from mechanics.judge.vacuous import with_content
+from mechanics.kernel import undecided
 from mechanics.reading.statement import Statement
 from mechanics.scene import Scene
 from mechanics.scene.symbols import plain_symbol
@@ -27,10 +28,10 @@ def identity(truth: Equations, statement: Statement, values: Values) -> Finding:
     """The finding of a statement as far as what was written has values."""
     subject = subject_of(statement)
     if statement.doubt or statement.row is None:
-        return Finding(subject, Verdict.UNDECIDED, statement.doubt)
+        return undecided(subject, statement.doubt)
     if thirds := _third_rates(truth.scene, statement):
         doubt = f"{thirds}: nothing determines a third derivative: write the equation itself"
-        return Finding(subject, Verdict.UNDECIDED, doubt)
+        return undecided(subject, doubt)
     try:
         if values:
             return with_content(statement, judged_at(truth, statement.row, values))
@@ -40,9 +41,9 @@ def identity(truth: Equations, statement: Statement, values: Values) -> Finding:
             found = found if by_cases is None else by_cases
         return with_content(statement, found)
     except FAILURES as error:
-        return Finding(subject, Verdict.UNDECIDED, str(error))
+        return undecided(subject, str(error))
     except RecursionError:
-        return Finding(subject, Verdict.UNDECIDED, "its expressions are nested too deeply")
+        return undecided(subject, "its expressions are nested too deeply")
 
 
 def subject_of(statement: Statement) -> str:

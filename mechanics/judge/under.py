@@ -19,6 +19,7 @@ from mechanics.exact import Finding, Verdict
 from mechanics.judge.moved import in_plain_symbols, moved, moves_more
 from mechanics.judge.right_if import target_of
 from mechanics.judge.single import FAILURES, judge, subject_of
+from mechanics.kernel import undecided
 from mechanics.reading.convention import POINT_MASS, Change
 from mechanics.reading.conventions import combined_table, joints, other_signs
 from mechanics.reading.declared import Declared, readings
@@ -54,7 +55,7 @@ def judge_under(
     if not changes:
         told = ", ".join(d.told for d in declared)
         doubt = f"the convention {told} has no meaning for {truth.scene.name}: leave it out"
-        findings = [Finding(subject_of(s), Verdict.UNDECIDED, s.doubt or doubt) for s in statements]
+        findings = [undecided(subject_of(s), s.doubt or doubt) for s in statements]
         return tuple(map(Judged, statements, findings)), (doubt,)
     table = [[_under(target, s, change) for s in statements] for change, target in changes]
     if len(changes) > 1:
@@ -116,7 +117,7 @@ def _open(
         else:
             where = " or ".join(words[k] for k in helping if shown[k][i])
             doubt = f"right where {where}: {told!r} leaves that open: say --convention {say!r}"
-            entries.append(Judged(statement, Finding(finding.subject, Verdict.UNDECIDED, doubt)))
+            entries.append(Judged(statement, undecided(finding.subject, doubt)))
     among = f"convention {told}: it can mean {len(changes)} things"
     if not all_right:
         return tuple(entries), (f"{among}: {NOT_RIGHT.replace('it;', 'any of them;')}",)
@@ -132,7 +133,7 @@ def _under(target: Equations, statement: Statement, change: Change) -> Finding:
     try:
         there = moved(target.scene, row, combined_table(change))
     except FAILURES as error:
-        return Finding(subject_of(statement), Verdict.UNDECIDED, str(error))
+        return undecided(subject_of(statement), str(error))
     demands = statement.demands.put(combined_table(change))
     return judge(target, replace(statement, row=there, demands=demands), {})
 

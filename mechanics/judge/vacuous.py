@@ -3,11 +3,10 @@
 0 = 0        m = m        sin(q)^2 + cos(q)^2 = 1        not:  omega = theta_dot
 """
 
-from dataclasses import replace
-
 from sympy.matrices import MatrixBase
 
-from mechanics.exact import Finding, Verdict, is_zero
+from mechanics.exact import Finding, is_zero
+from mechanics.kernel import undecided
 from mechanics.reading.partials import PARTIAL
 from mechanics.reading.statement import Statement
 from mechanics.reading.tree import Call, Name
@@ -33,7 +32,7 @@ def with_content(statement: Statement, finding: Finding) -> Finding:
     if any(isinstance(side, MatrixBase) for side in row.sides):
         return finding
     if all(is_zero(first - side) for side in others):
-        return replace(finding, verdict=Verdict.UNDECIDED, evidence=WORDS, error_bound=None)
+        return undecided(finding.subject, WORDS)
     return finding
 
 

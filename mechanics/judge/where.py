@@ -27,6 +27,7 @@ from mechanics.judge.moved import in_plain_symbols
 from mechanics.judge.readers import read
 from mechanics.judge.single import FAILURES, identity
 from mechanics.judge.vacuous import WORDS
+from mechanics.kernel import undecided
 from mechanics.reading.kinds import angular
 from mechanics.reading.names import Match
 from mechanics.reading.statement import Statement
@@ -107,11 +108,11 @@ def judge_where(truth: Equations, statement: Statement, where: Sequence[Where]) 
     try:
         found = check_row(truth.scene, row, truth, positive)
         if found.shown and isinstance(row.quantity, Identity) and _empty(truth.scene, row, where):
-            return Finding(everywhere.subject, Verdict.UNDECIDED, f"where {words}, {WORDS}")
+            return undecided(everywhere.subject, f"where {words}, {WORDS}")
         if found.verdict is Verdict.UNDECIDED and _free(truth.scene, where):
             found = _inside(truth, row, where, found)
     except FAILURES as error:
-        return Finding(everywhere.subject, Verdict.UNDECIDED, str(error))
+        return undecided(everywhere.subject, str(error))
     found = replace(found, evidence=f"{found.evidence}, where {words}")
     return where_defined(truth, statement, found, positive)
 

@@ -4,8 +4,18 @@ Statement --> decide --> Finding
 """
 
 from mechanics.kernel.balls import enclose
-from mechanics.kernel.decide import decide, follows, undecided
-from mechanics.kernel.finding import Finding, Verdict, Witness
+from mechanics.kernel.decide import decide
+from mechanics.kernel.finding import (
+    Finding,
+    Verdict,
+    Witness,
+    enclosed,
+    follows,
+    refuted,
+    same,
+    supported,
+    undecided,
+)
 from mechanics.kernel.statement import Range, Statement
 
 __all__ = [
@@ -16,6 +26,10 @@ __all__ = [
     "Witness",
     "decide",
     "enclose",
+    "enclosed",
     "follows",
+    "refuted",
+    "same",
+    "supported",
     "undecided",
 ]

@@ -2,19 +2,18 @@
 
 The field speaks first because it is quick and its answer tells where to look: if it says zero, the
 normal form tries to turn the certificate into a proof; if it says not zero, balls look for a
-witness. What neither settles is UNDECIDED. This is the only place that makes a verdict.
+witness. What neither settles is UNDECIDED. Only this package makes findings.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import replace
 from functools import cache
 from math import ceil, inf
 
 from mechanics.kernel.canaries import CANARIES
 from mechanics.kernel.constraints import on_constraints
-from mechanics.kernel.finding import Finding, Verdict
+from mechanics.kernel.finding import Finding, Verdict, refuted, undecided
 from mechanics.kernel.normal import proves
 from mechanics.kernel.statement import LEFT, RIGHT, ZERO, Statement
 from mechanics.kernel.trial import Answer, Trial, trial
@@ -68,11 +67,6 @@ def check_canaries() -> None:
             )
 
 
-def undecided(subject: str, reason: str) -> Finding:
-    """The finding on what could not be stated: no state is admissible, say."""
-    return Finding(subject, Verdict.UNDECIDED, reason)
-
-
 def _decided(statement: Statement, try_normal: bool) -> Finding:
     subject, outputs = statement.subject, statement.program.outputs
     if outputs[LEFT] == outputs[RIGHT]:
@@ -90,13 +84,13 @@ def _decided(statement: Statement, try_normal: bool) -> Finding:
     witness = find(statement)
     if witness is not None:
         words = "the enclosures at a real state are disjoint"
-        return Finding(subject, Verdict.REFUTED, words, witness=witness)
+        return refuted(subject, words, witness)
     if outcome.answer is Answer.ZERO:
         return _certified(subject, outcome)
     # Only here can the normal form know more than the field: |x|, signs of roots.
     if is_proved():
         return Finding(subject, Verdict.PROVED, PROOF)
-    return Finding(subject, Verdict.UNDECIDED, _doubt(outcome))
+    return undecided(subject, _doubt(outcome))
 
 
 def _decided_on_constraints(statement: Statement, try_normal: bool) -> Finding:
@@ -111,7 +105,7 @@ def _decided_on_constraints(statement: Statement, try_normal: bool) -> Finding:
     constrained = on_constraints(statement)
     if constrained is None:
         words = "not equal off the constraints, and no exact point on them is known"
-        return Finding(statement.subject, Verdict.UNDECIDED, words)
+        return undecided(statement.subject, words)
     finding = _decided(constrained, try_normal)
     solved = [name for name in statement.program.inputs if name in constrained.program.outputs]
     if not finding.shown or not solved:
@@ -119,36 +113,6 @@ def _decided_on_constraints(statement: Statement, try_normal: bool) -> Finding:
     # x y = 0 holds where x = 0 and where y = 0: a point knows its own component only.
     words = f"{finding.evidence}, on the component where the constraints give {', '.join(solved)}"
     return replace(finding, evidence=words)
-
-
-def follows(subject: str, premises: Sequence[Finding]) -> Finding:
-    """What follows from statements that were shown, as a = c from a = b and b = c.
-
-    Parameters
-    ----------
-    subject : str
-        What follows, in words.
-    premises : sequence of Finding
-        All of them shown.
-
-    Returns
-    -------
-    Finding
-        PROVED if all of them are; else CERTIFIED, with the sum of their bounds.
-
-    Raises
-    ------
-    ValueError
-        If there is none, or one is not shown: nothing follows from a doubt.
-    """
-    doubts = [premise.subject for premise in premises if not premise.shown]
-    if doubts or not premises:
-        raise ValueError(f"{subject}: it cannot follow from {doubts or 'nothing'}")
-    words = "follows from " + " and ".join(premise.subject for premise in premises)
-    bounds = [premise.error_bound for premise in premises if premise.error_bound is not None]
-    if not bounds:
-        return Finding(subject, Verdict.PROVED, words)
-    return Finding(subject, Verdict.CERTIFIED, words, error_bound=sum(bounds))
 
 
 def _certified(subject: str, outcome: Trial) -> Finding:

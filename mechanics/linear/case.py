@@ -5,7 +5,7 @@ an equation   left = right wherever the derived equation holds, and it is no ide
 """
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import lru_cache
 from typing import Any
 
@@ -14,7 +14,8 @@ from sympy.matrices import MatrixBase
 
 from mechanics.equations import Equations
 from mechanics.errors import ExpressionError, InputError
-from mechanics.exact import Arithmetic, Finding, Number, Verdict, decide
+from mechanics.exact import Arithmetic, Finding, Number, decide
+from mechanics.kernel import undecided
 from mechanics.linear.algebra import coefficients
 from mechanics.linear.form import Linear
 from mechanics.linear.linearise import linearise
@@ -151,10 +152,9 @@ class Case:
         says = decide(self.subject, full)
         if says.shown:
             return finding
-        return replace(
-            finding,
-            verdict=Verdict.UNDECIDED,
-            evidence="the two sides are equal, but as an identity: the row does not determine "
+        return undecided(
+            finding.subject,
+            "the two sides are equal, but as an identity: the row does not determine "
             + ", ".join(symbol.name for symbol in unknowns),
         )
 
@@ -166,9 +166,7 @@ class Case:
         ((left,), (right,)) = self.equation()
         typed = left - right
         if not typed.is_polynomial(symbol) or not typed.has(symbol):
-            return Finding(
-                self.subject, Verdict.UNDECIDED, f"it is no polynomial equation in {symbol}"
-            )
+            return undecided(self.subject, f"it is no polynomial equation in {symbol}")
         top, derived_top = coefficients(typed, symbol)[-1], coefficients(derived, symbol)[-1]
         return self.decide(lambda a: [(a.value(typed / top), a.value(derived / derived_top))])
 

@@ -9,7 +9,8 @@ from sympy import Abs, Expr, Matrix, Symbol
 from sympy.core.relational import Relational
 
 from mechanics.errors import InputError
-from mechanics.exact import Arithmetic, Finding, Verdict, decide
+from mechanics.exact import Arithmetic, Finding, decide
+from mechanics.kernel import same, undecided
 from mechanics.kinematics.motion import inertia_matrix
 from mechanics.linear.algebra import coefficients, sign
 from mechanics.linear.case import Case, Pairs, compare, numbers, require_conjugate
@@ -156,9 +157,9 @@ def equilibrium_stability(case: Case) -> Finding:
         raise InputError(f"{case.subject}: {word!r}: write 'stable' or 'unstable'")
     found = stability(case.linear)
     if found.stable is None:
-        return Finding(case.subject, Verdict.UNDECIDED, found.value)
+        return undecided(case.subject, found.value)
     if found.stable is (word == "stable"):
-        return Finding(case.subject, Verdict.PROVED, found.value)
+        return same(case.subject, word, "stable" if found.stable else "unstable", found.value)
     # A state at which the claim about the signs is seen to be false.
     claim = 1 if word == "stable" else -1
     wrong = [c for c in conditions(case.linear) if sign(c) == -claim]
@@ -187,7 +188,7 @@ def region(case: Case) -> Finding:
     slope = coefficients(residual, gain)[-1]
     slope_sign = sign(slope)
     if slope_sign is None:
-        return Finding(case.subject, Verdict.UNDECIDED, f"the sign of {slope} is open")
+        return undecided(case.subject, f"the sign of {slope} is open")
     typed = residual / (slope * slope_sign)
     return case.decide(lambda a: [(a.value(typed), a.value(side * (gain - bound)))])
 

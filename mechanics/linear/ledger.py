@@ -9,7 +9,8 @@ from sympy import Expr, Symbol
 
 from mechanics.equations import Equations
 from mechanics.errors import ExpressionError, InputError
-from mechanics.exact import Finding, Verdict
+from mechanics.exact import Finding
+from mechanics.kernel import undecided
 from mechanics.linear import control_rows, modal_rows
 from mechanics.linear.case import Case, linear_at
 from mechanics.linear.form import Linear
@@ -63,7 +64,7 @@ def check_linear_row(scene: Scene, row: Published, equations: Equations) -> Find
     try:
         return check(Case(subject, row, linear, _names(linear, row.quantity)))
     except ExpressionError as error:
-        return Finding(subject, Verdict.UNDECIDED, str(error))
+        return undecided(subject, str(error))
 
 
 def _names(linear: Linear, quantity: LinearQuantity) -> dict[Symbol, Expr]:

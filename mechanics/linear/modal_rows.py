@@ -8,7 +8,8 @@ from collections.abc import Callable, Sequence
 from sympy import Dummy, Expr, Matrix, S, Symbol, cos, diag, sin, sqrt
 
 from mechanics.errors import InputError
-from mechanics.exact import Arithmetic, Finding, Verdict
+from mechanics.exact import Arithmetic, Finding
+from mechanics.kernel import undecided
 from mechanics.linear.algebra import reduced
 from mechanics.linear.case import Case, Pairs, compare, entries, numbers, require_conjugate
 from mechanics.linear.dimensionless import dimensionless
@@ -197,7 +198,7 @@ def mode_shape(case: Case) -> Finding:
     (side,) = case.forms()
     typed = entries(side)
     if all(entry == 0 for entry in typed):
-        return Finding(case.subject, Verdict.UNDECIDED, "a shape of zeros is a multiple of any")
+        return undecided(case.subject, "a shape of zeros is a multiple of any")
     n = len(typed)
     pairs = [(typed[i] * shape[j], typed[j] * shape[i]) for i in range(n) for j in range(i)]
     return case.decide(lambda a: [(a.value(one), a.value(two)) for one, two in pairs])

@@ -11,7 +11,8 @@ from flint import arb
 from sympy import Expr, Float, Rational
 
 from mechanics.errors import InputError
-from mechanics.exact import Finding, Verdict, Witness, decimal_matches, enclose
+from mechanics.exact import Finding, Witness, decimal_matches, enclose, roundings
+from mechanics.kernel import enclosed, refuted, undecided
 from mechanics.linear.case import Case, entries
 
 SIGNS = "one sign for each column is free"
@@ -35,6 +36,15 @@ class Rounding:
     def wrong(self) -> bool:
         """Whether the exact entry is shown not to round to it."""
         return not self.value.overlaps(self.interval)
+
+    @property
+    def bounds(self) -> tuple[Fraction, arb, Fraction]:
+        """The exact entry between the least and the largest number that it may be."""
+        if isinstance(self.printed, Float):
+            low, high = roundings(str(self.printed))
+            return low, self.value, high
+        number = Fraction(int(self.printed.p), int(self.printed.q))
+        return number, self.value, number
 
     @property
     def interval(self) -> arb:
@@ -73,11 +83,14 @@ def check_rounded(
     if [len(column) for column in typed] != [len(column) for column in columns]:
         raise InputError(f"{case.subject}: the typed matrix has another shape than the derived one")
     doubt = False
+    right: list[Rounding] = []
     for j, (printed, exact) in enumerate(zip(typed, columns, strict=True), 1):
         attempts = [_roundings(printed, exact, 1)]
         if free_signs:
             attempts.append(_roundings(printed, exact, -1))
-        if any(all(entry.right for entry in attempt) for attempt in attempts):
+        known = [attempt for attempt in attempts if all(entry.right for entry in attempt)]
+        if known:
+            right += known[0]
             continue
         if not all(any(entry.wrong for entry in attempt) for attempt in attempts):
             doubt = True
@@ -85,19 +98,19 @@ def check_rounded(
         best = min(attempts, key=lambda attempt: sum(entry.wrong for entry in attempt))
         return _refuted(case, j, best, free_signs)
     if doubt:
-        return Finding(case.subject, Verdict.UNDECIDED, "an enclosure touches the rounding border")
+        return undecided(case.subject, "an enclosure touches the rounding border")
     words = "the exact values round to the printed digits"
-    return Finding(case.subject, Verdict.PROVED, f"{words}; {SIGNS}" if free_signs else words)
+    bounds = [entry.bounds for entry in right]
+    return enclosed(case.subject, bounds, f"{words}; {SIGNS}" if free_signs else words)
 
 
 def _refuted(case: Case, column: int, attempt: Sequence[Rounding], free_signs: bool) -> Finding:
     row, wrong = next((i, entry) for i, entry in enumerate(attempt, 1) if entry.wrong)
     words = f"entry {row} of column {column} does not round to {wrong.printed}"
-    return Finding(
+    return refuted(
         case.subject,
-        Verdict.REFUTED,
         f"{words}, whatever the sign of the column" if free_signs else words,
-        witness=Witness(
+        Witness(
             (("entry", str(row)), ("column", str(column))),
             wrong.interval.str(20, more=True),
             wrong.value.str(20, more=True),

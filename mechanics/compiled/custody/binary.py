@@ -20,8 +20,9 @@ from mechanics.compiled.custody.calls import lanes, one_by_one
 from mechanics.compiled.custody.states import STRATA, TYPES
 from mechanics.compiled.custody.status import OK
 from mechanics.compiled.custody.truth import BITS, Truth, doubtful
-from mechanics.exact import Finding, Verdict, Witness
+from mechanics.exact import Finding, Witness
 from mechanics.exact.balls import precision
+from mechanics.kernel import refuted, supported, undecided
 
 
 @dataclass(frozen=True)
@@ -62,11 +63,11 @@ def compare(known: Truth, built: Built) -> tuple[Finding, Measured | None]:
     symbol, kind = text.kernel.symbol, text.kernel.kind
     subject = f"{symbol}, {built.words} = {text.kernel.file}"
     if built.library is None:
-        return Finding(subject, Verdict.UNDECIDED, f"refused: {built.refusal}"), None
+        return undecided(subject, f"refused: {built.refusal}"), None
     call = lanes if text.kernel.lanes else one_by_one
     results, statuses, odd = call(known, getattr(built.library, symbol))
     if odd:
-        return Finding(subject, Verdict.REFUTED, odd), None
+        return refuted(subject, odd), None
     ulp = ulp_terms = 0.0
     for i, normal, entries in known.exact:
         for k, (name, exact, around) in enumerate(entries):
@@ -86,7 +87,7 @@ def compare(known: Truth, built: Built) -> tuple[Finding, Measured | None]:
     if wrong is not None:
         return wrong, None
     if known.doubt:
-        return Finding(subject, Verdict.UNDECIDED, known.doubt), None
+        return undecided(subject, known.doubt), None
     count = len(known.given.stratum) if statuses is not None else 0
     measured = Measured(symbol, built.words, len(known.exact), ulp, ulp_terms, count)
     words = (
@@ -94,7 +95,7 @@ def compare(known: Truth, built: Built) -> tuple[Finding, Measured | None]:
         f" {ulp_terms:.3g} ulp of the sum of the terms, {ulp:.3g} of the result at ordinary states;"
         f" status at {count} states"
     )
-    return Finding(subject, Verdict.SUPPORTED, words), measured
+    return supported(subject, words), measured
 
 
 def _last(value: float, kind: str) -> float:
@@ -107,7 +108,7 @@ def _last(value: float, kind: str) -> float:
 def _refuted(subject: str, known: Truth, i: int, name: str, around: arb, found: float) -> Finding:
     witness = Witness(_state(known, i), around.str(20), repr(found))
     words = f"{name} is not what correct roundings of the text can give"
-    return Finding(subject, Verdict.REFUTED, words, witness=witness)
+    return refuted(subject, words, witness)
 
 
 def _state(known: Truth, i: int) -> tuple[tuple[str, str], ...]:
@@ -128,7 +129,7 @@ def _wrong_status(subject: str, known: Truth, statuses: Any) -> Finding | None:
     found, wanted = int(statuses[i]), int(known.statuses[i])
     witness = Witness(_state(known, i), str(wanted), str(found))
     words = f"the status is {found}, the text says {wanted} ({STRATA[known.given.stratum[i]]})"
-    return Finding(subject, Verdict.REFUTED, words, witness=witness)
+    return refuted(subject, words, witness)
 
 
 def _no_number(subject: str, known: Truth, results: Any, statuses: Any) -> Finding | None:
@@ -141,4 +142,4 @@ def _no_number(subject: str, known: Truth, results: Any, statuses: Any) -> Findi
     i = int(np.flatnonzero(wild)[0])
     witness = Witness(_state(known, i), f"status {OK}", str(results[i].tolist()))
     words = f"the status is {OK}, and a value is no number ({STRATA[known.given.stratum[i]]})"
-    return Finding(subject, Verdict.REFUTED, words, witness=witness)
+    return refuted(subject, words, witness)

@@ -16,9 +16,10 @@ from mechanics.compiled.custody.text import Text, read_text
 from mechanics.compiled.programs.hoist import CONSTANTS, PREPARE, PREPARED
 from mechanics.compiled.programs.program import Program
 from mechanics.errors import ExpressionError
-from mechanics.exact import Arithmetic, Finding, Verdict
+from mechanics.exact import Arithmetic, Finding
 from mechanics.exact.c.parse import Source
 from mechanics.exact.graph import evaluated
+from mechanics.kernel import undecided
 
 SMALL = 80
 """Nodes of a text for which a proof is tried beyond the certificate."""
@@ -88,10 +89,10 @@ def prove_text(
         small = len(text.nodes) <= SMALL
         found = decide_entries(subject, pairs, **{"try_normal": small, **options})
     except ExpressionError as error:
-        return Finding(subject, Verdict.UNDECIDED, f"refused: {error}"), None
+        return undecided(subject, f"refused: {error}"), None
     doubt = _doubt(text)
     if found.shown and doubt:
-        return Finding(subject, Verdict.UNDECIDED, doubt), text
+        return undecided(subject, doubt), text
     return found, text
 
 

@@ -27,7 +27,7 @@ from mechanics.compiled.custody.derived import Derived
 from mechanics.compiled.custody.prove import Graph, program_numbers
 from mechanics.compiled.custody.text import Text
 from mechanics.errors import SingularError
-from mechanics.exact import Finding, Inadmissible, Verdict
+from mechanics.exact import Finding, Inadmissible
 from mechanics.exact.c.condition import (
     Atom,
     Choice,
@@ -42,6 +42,7 @@ from mechanics.exact.field import FieldArithmetic
 from mechanics.exact.field_size import Memory
 from mechanics.exact.primes import pooled_prime
 from mechanics.exact.signals import Restart
+from mechanics.kernel import same, undecided
 
 OK, SINGULAR, OVERFLOW, BAD_INPUT = range(4)
 BITS = 255
@@ -72,13 +73,13 @@ def prove_status(text: Text, graph: Graph, known: Derived) -> Finding:
     found = point.found()
     wanted = point.lanes() if text.kernel.lanes else point.scalar()
     if found == wanted and text.kernel.lanes and (missed := point.not_far()):
-        return Finding(subject, Verdict.UNDECIDED, missed)
+        return undecided(subject, missed)
     if found == wanted:
         words = (
             f"the same decision about the same values; chance of error below 2^{point.log2_bound}"
         )
-        return Finding(subject, Verdict.CERTIFIED, words, error_bound=2.0**point.log2_bound)
-    return Finding(subject, Verdict.UNDECIDED, difference(found, wanted))
+        return same(subject, found, wanted, words, point.log2_bound)
+    return undecided(subject, difference(found, wanted))
 
 
 class _Point:

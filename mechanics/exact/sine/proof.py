@@ -22,13 +22,14 @@ from mechanics.errors import ExpressionError
 from mechanics.exact.balls import precision
 from mechanics.exact.c.literal import literal
 from mechanics.exact.c.parse import Source, parse
-from mechanics.exact.finding import Finding, Verdict, Witness
+from mechanics.exact.finding import Finding, Witness
 from mechanics.exact.sine.affine import SMALLEST
 from mechanics.exact.sine.bounds import Largest, largest_errors
 from mechanics.exact.sine.machine import sincos
 from mechanics.exact.sine.quadrant import check_parity, check_quadrants
 from mechanics.exact.sine.reduction import reduced, small
 from mechanics.exact.sine.rounding import unit
+from mechanics.kernel import enclosed, refuted, undecided
 
 MOST = 1.6
 """Largest error that is accepted, in ulp."""
@@ -73,20 +74,22 @@ def verify_sine(
         for source in sources:
             # What is wrong is seen at a few angles, most often, and a proof takes seconds.
             if (witness := _witness(source, name, kind, limit, most, FEW)) is not None:
-                return Finding(subject, Verdict.REFUTED, "see the witness", None, witness)
+                return refuted(subject, "see the witness", witness)
         for source in sources:
             found = found.joined(_proved(_inline(source), name, kind, limit))
     except ExpressionError as error:
         why = str(error)
     else:
-        if max(found.sine, found.cosine) <= most:
-            return Finding(subject, Verdict.PROVED, _evidence(found, limit))
+        bounds = [(Fraction(0), arb(error), Fraction(most)) for error in (found.sine, found.cosine)]
+        finding = enclosed(subject, bounds, _evidence(found, limit))
+        if finding.shown:
+            return finding
         why = f"the error is bounded by {max(found.sine, found.cosine):.3g} ulp only"
     for source in sources:
         witness = _witness(source, name, kind, limit, most, TRIALS)
         if witness is not None:
-            return Finding(subject, Verdict.REFUTED, f"{why}; see the witness", None, witness)
-    return Finding(subject, Verdict.UNDECIDED, why)
+            return refuted(subject, f"{why}; see the witness", witness)
+    return undecided(subject, why)
 
 
 def _inline(source: Source) -> str:

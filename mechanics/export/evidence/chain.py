@@ -20,10 +20,11 @@ from mechanics.compiled.custody.text import Text
 from mechanics.compiled.programs.hoist import PREPARE
 from mechanics.compiled.programs.of_model import PARTS, WHOLE
 from mechanics.errors import ExpressionError, InputError
-from mechanics.exact import Finding, Verdict
+from mechanics.exact import Finding
 from mechanics.exact.c.parse import Source
 from mechanics.export.evidence.graphs import RATES
 from mechanics.export.evidence.texts import not_named, sources
+from mechanics.kernel import undecided
 
 SMALL = 80
 """Nodes of a graph for which a proof is tried beyond the certificate."""
@@ -87,7 +88,7 @@ def first_step(evidence: Evidence, known: Derived, report: Report = silent) -> I
             found = prove_derived(name, code, known, evidence.rates, try_normal=small)
         except (ExpressionError, InputError, KeyError) as error:
             words = f"refused: {error}"
-            found = Finding(f"compiled {title} = derived", Verdict.UNDECIDED, words)
+            found = undecided(f"compiled {title} = derived", words)
         yield found if title == name else replace(found, subject=f"{found.subject}, for {title}")
 
 
@@ -102,7 +103,7 @@ def second_step(evidence: Evidence, read: list[Read], report: Report = silent) -
     plain = {f: s for (f, t), s in found.items() if not t and isinstance(s, Source)}
     for name in not_named(evidence.kernels, plain):
         words = "refused: the manifest does not say what this function should be"
-        yield Finding(name, Verdict.UNDECIDED, words)
+        yield undecided(name, words)
 
 
 def _kernel(
@@ -122,7 +123,7 @@ def _kernel(
     elif is_prepared(kernel.function) and prepare is None:
         words = f"there is no {PREPARE} function beside it"
     if isinstance(source, ExpressionError) or words:
-        yield _titled(Finding(subject, Verdict.UNDECIDED, f"refused: {words}"), title)
+        yield _titled(undecided(subject, f"refused: {words}"), title)
         return
     finding, text = prove_text(kernel, source, evidence.graphs, evidence.known, prepare)
     yield _titled(finding, title)

@@ -10,12 +10,13 @@ from pycparser import c_generator
 from mechanics.compiled.c.lanes import FAR, WILD
 from mechanics.compiled.custody.status import BAD_INPUT, OK, OVERFLOW, SINGULAR
 from mechanics.errors import ExpressionError
-from mechanics.exact import Finding, Verdict
+from mechanics.exact import Finding
 from mechanics.exact.c.parse import parse
 from mechanics.exact.c.text import preprocess
 from mechanics.exact.c.types import parameters
 from mechanics.export.evidence.chain import Evidence
 from mechanics.export.evidence.texts import FMA, odd_conditions
+from mechanics.kernel import refuted, same, undecided
 
 CODES = {
     "OK": OK, "SINGULAR": SINGULAR, "OVERFLOW": OVERFLOW, "BAD_INPUT": BAD_INPUT,
@@ -35,31 +36,32 @@ def prove_headers(evidence: Evidence) -> Iterator[Finding]:
     for file, text in headers.items():
         if wrong := _documented(evidence, text):
             words = f"refused: {', '.join(wrong)}"
-            yield Finding(f"{file}: comments", Verdict.UNDECIDED, words)
+            yield undecided(f"{file}: comments", words)
         # What includes a header gets one reading of it, whatever compiles it.
         fused = FMA if file.endswith("_sine.h") else frozenset()
         if words := odd_conditions(text, file, fused.__contains__):
-            yield Finding(f"{file}: conditions", Verdict.UNDECIDED, f"refused: {words}")
+            yield undecided(f"{file}: conditions", f"refused: {words}")
         try:
             macros = preprocess(text, file, headers).macros
         except ExpressionError as error:
-            yield Finding(f"{file}: macros", Verdict.UNDECIDED, f"refused: {error}")
+            yield undecided(f"{file}: macros", f"refused: {error}")
             continue
         # Longest first: the name of one library may begin that of another.
         known = sorted(prefixes, key=len, reverse=True)
         numbers = {name: body for name, body in macros.items() if body}
         if missing := _missing(evidence, file, headers, numbers):
-            yield Finding(f"{file}: sizes", Verdict.REFUTED, f"missing: {', '.join(missing)}")
+            yield refuted(f"{file}: sizes", f"missing: {', '.join(missing)}")
+        values = {name: _value(name, known, wanted) for name in numbers}
         wrong = [
             f"{name} is {body}{_instead(name, known, wanted)}"
             for name, body in numbers.items()
-            if _value(name, known, wanted) != body
+            if values[name] != body
         ]
         if wrong:
-            yield Finding(f"{file}: macros", Verdict.UNDECIDED, f"refused: {', '.join(wrong)}")
+            yield undecided(f"{file}: macros", f"refused: {', '.join(wrong)}")
         elif numbers:
             words = f"{len(numbers)} sizes and codes are those of the graphs"
-            yield Finding(f"{file}: macros", Verdict.PROVED, words)
+            yield same(f"{file}: macros", numbers, values, words)
 
 
 def _prototypes(evidence: Evidence, headers: dict[str, str]) -> Iterator[Finding]:
@@ -74,7 +76,7 @@ def _prototypes(evidence: Evidence, headers: dict[str, str]) -> Iterator[Finding
             texts = {write(p.type) for p in source.prototypes[name]}
             if len(texts) > 1:
                 words = f"it is declared as {' and as '.join(sorted(texts))}"
-                yield Finding(f"{node.coord.file}: {name}", Verdict.REFUTED, words)
+                yield refuted(f"{node.coord.file}: {name}", words)
 
 
 def _declarations(evidence: Evidence, headers: dict[str, str]) -> Iterator[Finding]:
@@ -85,7 +87,7 @@ def _declarations(evidence: Evidence, headers: dict[str, str]) -> Iterator[Findi
         try:
             source = parse(text, file, headers)
         except ExpressionError as error:
-            yield Finding(f"{file}: declarations", Verdict.UNDECIDED, f"refused: {error}")
+            yield undecided(f"{file}: declarations", f"refused: {error}")
             continue
         declared |= source.prototypes.keys() - source.functions.keys()
         # The inline sine is for the sources, and proved by itself.
@@ -96,10 +98,10 @@ def _declarations(evidence: Evidence, headers: dict[str, str]) -> Iterator[Findi
         names = {node.name or "a struct" for node in own}
         if odd := sorted({*(names - symbols), *source.functions}):
             words = f"refused: no source defines {', '.join(odd)}"
-            yield Finding(f"{file}: declarations", Verdict.UNDECIDED, words)
+            yield undecided(f"{file}: declarations", words)
     if missing := sorted(symbols - declared):
         words = f"refused: no header declares {', '.join(missing)}"
-        yield Finding("declarations", Verdict.UNDECIDED, words)
+        yield undecided("declarations", words)
 
 
 def _missing(

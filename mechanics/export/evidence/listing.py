@@ -17,7 +17,7 @@ from typing import Any
 from mechanics.compiled.c.lanes import SHARED
 from mechanics.compiled.custody.kernel import Kernel
 from mechanics.errors import ExpressionError
-from mechanics.exact import Finding, Verdict
+from mechanics.exact import Finding
 from mechanics.exact.c.literal import literal
 from mechanics.export.batch import batched
 from mechanics.export.batch_selftest import batch_selftest
@@ -27,6 +27,7 @@ from mechanics.export.package import build_files
 from mechanics.export.precision import Part, named_parts
 from mechanics.export.selftest import selftest
 from mechanics.export.vectors import Vector
+from mechanics.kernel import same, undecided
 
 TABLE = r"    static const \w+ {name}\[\d+\]\[\d+\] = \{{\n(.*?)\n    \}};"
 ODD = (KeyError, TypeError, ValueError, IndexError, AttributeError, SyntaxError, ExpressionError)
@@ -44,7 +45,7 @@ def prove_files(folder: Folder) -> Iterator[Finding]:
 
 
 def _odd(name: str, words: str) -> Finding:
-    return Finding(name, Verdict.UNDECIDED, f"refused: {words}")
+    return undecided(name, f"refused: {words}")
 
 
 def _many(folder: Folder, part: Part) -> tuple[str, ...]:
@@ -97,7 +98,7 @@ def _texts(folder: Folder, prefix: str, parts: Sequence[Part]) -> Iterator[Findi
         elif folder.texts[name] != text:
             yield _odd(name, "not shown: it differs from what this version writes for the graphs")
         else:
-            yield Finding(name, Verdict.PROVED, "what is written for these graphs")
+            yield same(name, folder.texts[name], text, "what is written for these graphs")
     for name in folder.texts:
         if name not in wanted and name not in looked and name not in NEEDED:
             yield _odd(name, "no step looks at it")

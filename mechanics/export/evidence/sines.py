@@ -14,11 +14,12 @@ from typing import Any
 from pycparser import c_generator
 
 from mechanics.errors import ExpressionError
-from mechanics.exact import Finding, Verdict
+from mechanics.exact import Finding
 from mechanics.exact.c.parse import parse
 from mechanics.exact.sine.proof import verify_sine
 from mechanics.export.evidence.chain import Report, silent
 from mechanics.export.evidence.texts import FMA, odd_conditions
+from mechanics.kernel import same, undecided
 
 SUFFIX = {"double": "", "float": "f"}
 
@@ -48,10 +49,10 @@ def prove_sines(texts: Mapping[str, str], report: Report = silent) -> Iterator[F
                 functions = parse(text, name, headers).functions
             except ExpressionError as error:
                 if USED.search(text):
-                    yield Finding(f"{name}: {own}", Verdict.UNDECIDED, f"refused: {error}")
+                    yield undecided(f"{name}: {own}", f"refused: {error}")
                 continue
             if stray := _stray(name, text, kind, headers):
-                yield Finding(f"{name}: {own}", Verdict.UNDECIDED, f"refused: {stray}")
+                yield undecided(f"{name}: {own}", f"refused: {stray}")
             if own in functions and str(functions[own].coord.file) == name:
                 seen = True
                 report(f"{name}: {own} = sine and cosine")
@@ -59,7 +60,7 @@ def prove_sines(texts: Mapping[str, str], report: Report = silent) -> Iterator[F
                 yield from _singles(name, text, kind, headers)
         if f in used and not seen:
             words = "refused: it is used, and no header defines it"
-            yield Finding(own, Verdict.UNDECIDED, words)
+            yield undecided(own, words)
 
 
 def _stray(file: str, text: str, kind: str, headers: Mapping[str, str]) -> str:
@@ -99,10 +100,11 @@ def _singles(
         if own not in found:
             continue
         subject = f"{file}: {own} = one of mechanics_sincos{f}"
-        if _words(found[own]) == _words(wanted[own]):
-            yield Finding(subject, Verdict.PROVED, "it calls it, and gives no number beyond")
+        texts = _words(found[own]), _words(wanted[own])
+        if texts[0] == texts[1]:
+            yield same(subject, *texts, "it calls it, and gives no number beyond")
         else:
-            yield Finding(subject, Verdict.UNDECIDED, "refused: its text is another one")
+            yield undecided(subject, "refused: its text is another one")
 
 
 def _words(function: Any) -> str:

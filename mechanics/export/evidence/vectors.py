@@ -22,11 +22,12 @@ from mechanics.compiled.custody.prove import Graph
 from mechanics.compiled.custody.rounding import DIGITS
 from mechanics.compiled.custody.states import TYPES
 from mechanics.errors import ExpressionError
-from mechanics.exact import Finding, Verdict, Witness
+from mechanics.exact import Finding, Witness
 from mechanics.exact.balls import Ball, BallArithmetic, State, precision
 from mechanics.exact.c.literal import literal
 from mechanics.exact.c.parse import parse
 from mechanics.exact.graph import evaluated
+from mechanics.kernel import enclosed, refuted, undecided
 
 BITS = 320
 ENDING, TEST = "_selftest.c", "test_"
@@ -48,7 +49,7 @@ def prove_vectors(texts: Mapping[str, str], graphs: Mapping[str, Graph]) -> Iter
             # What the tables stand in is not read: printf and its like are of no concern.
             functions = parse(_plain(text), file, headers).functions
         except ExpressionError as error:
-            yield Finding(f"{file}: vectors", Verdict.UNDECIDED, f"refused: {error}")
+            yield undecided(f"{file}: vectors", f"refused: {error}")
             continue
         for name, function in functions.items():
             if name.startswith(TEST) and name.removeprefix(TEST) in graphs:
@@ -67,7 +68,7 @@ def _judged(file: str, function: Any, graph: Graph) -> Finding:
         kind, tables = _tables(function)
         return _compared(subject, kind, tables, graph)
     except (ExpressionError, KeyError, IndexError) as error:
-        return Finding(subject, Verdict.UNDECIDED, f"refused: {error}")
+        return undecided(subject, f"refused: {error}")
 
 
 def _tables(function: Any) -> tuple[str, dict[str, Rows]]:
@@ -96,7 +97,8 @@ def _compared(subject: str, kind: str, tables: Mapping[str, Rows], graph: Graph)
     asked = [name for name, (rows, columns) in code.shapes if rows * columns]
     count = len(tables[f"{asked[0]}_expected"])
     if not count:
-        return Finding(subject, Verdict.REFUTED, "refused: there is no state in its tables")
+        return refuted(subject, "refused: there is no state in its tables")
+    bounds: list[tuple[Fraction, arb, Fraction]] = []
     for i in range(count):
         given = [
             _row(tables[f"{group}_in"], i) if size else [] for group, size in code.inputs
@@ -113,9 +115,14 @@ def _compared(subject: str, kind: str, tables: Mapping[str, Rows], graph: Graph)
                 state = tuple((g, " ".join(map(str, row))) for (g, _), row in
                               zip(code.inputs, given, strict=True))  # fmt: skip
                 witness = Witness(state, value.str(20), str(float(found)))
-                return Finding(subject, Verdict.REFUTED, words, witness=witness)
+                return refuted(subject, words, witness)
+            bounds += [
+                (min(near), arb(float(found)), max(near))
+                for value, found in zip(results[name], tables[f"{name}_expected"][i], strict=True)
+                for near in [_allowed(value, kind)]
+            ]
     words = f"{count} states: every expected value is the enclosed one, rounded once"
-    return Finding(subject, Verdict.PROVED, words)
+    return enclosed(subject, bounds, words)
 
 
 def _row(rows: Rows, i: int) -> list[Fraction]:
@@ -130,17 +137,19 @@ def _odd(
     size = max((abs(float(v.mid())) for v in values), default=0.0)
     most = Fraction(2.0 ** (SLACK - DIGITS[kind] // 2) * size)
     for k, (value, found, room) in enumerate(zip(values, expected, tolerance, strict=True)):
-        nearest = TYPES[kind](0.0 if value.contains(0) else float(value.mid()))
-        near = {
-            Fraction(float(np.nextafter(nearest, TYPES[kind](way)))) for way in (-np.inf, np.inf)
-        }
-        # In single precision a double was rounded once more.
-        allowed = {Fraction(float(nearest))} | (near if kind == "float" else set())
-        if found not in allowed:
+        if found not in _allowed(value, kind):
             return f"{name}_expected[{i}][{k}] is not the value", value, found
         if not 0 <= room <= most:
             return f"{name}_tolerance[{i}][{k}] is too large to tell anything", value, room
     return None
+
+
+def _allowed(value: arb, kind: str) -> set[Fraction]:
+    """The number of a type that is next to a value."""
+    nearest = TYPES[kind](0.0 if value.contains(0) else float(value.mid()))
+    near = {Fraction(float(np.nextafter(nearest, TYPES[kind](way)))) for way in (-np.inf, np.inf)}
+    # In single precision a double was rounded once more.
+    return {Fraction(float(nearest))} | (near if kind == "float" else set())
 
 
 def _ball(number: Fraction) -> arb:
