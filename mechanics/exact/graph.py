@@ -8,13 +8,13 @@ expanded into a rational linear combination of their monomials, as SymPy's argum
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
 import casadi
 
 from mechanics.errors import ExpressionError
 from mechanics.exact.graph_angles import Node, Tracer
+from mechanics.program.casadi_reader import single_assignment
 
 if TYPE_CHECKING:
     from mechanics.exact.arithmetic import Arithmetic
@@ -93,35 +93,6 @@ def _dense(a: Arithmetic, function: Any, index: int, entries: list[Any]) -> list
     for position, entry in zip(function.sparsity_out(index).find(), entries, strict=True):
         result[position] = entry
     return result
-
-
-def single_assignment(function: Any) -> tuple[list[Node], list[tuple[int, int, int]]]:
-    """Return the nodes in order, and (output, entry, node) for every stored output."""
-    nodes: list[Node] = []
-    stores: list[tuple[int, int, int]] = []
-    slots: dict[int, int] = {}
-    for k in range(function.n_instructions()):
-        op = function.instruction_id(k)
-        operands = tuple(function.instruction_input(k))
-        if op == casadi.OP_OUTPUT:
-            stores.append((*function.instruction_output(k), slots[operands[0]]))
-            continue
-        constant = None
-        if op == casadi.OP_CONST:
-            constant = _exact(function, function.instruction_constant(k))
-        elif op != casadi.OP_INPUT:
-            operands = tuple(slots[slot] for slot in operands)
-        slots[function.instruction_output(k)[0]] = len(nodes)
-        nodes.append(Node(op, operands, constant))
-    return nodes, stores
-
-
-def _exact(function: Any, constant: float) -> Fraction:
-    if constant != constant or constant in (float("inf"), float("-inf")):
-        raise ExpressionError(
-            f"casadi function {function.name()} holds the constant {constant}: no exact value"
-        )
-    return Fraction(constant)
 
 
 def _number(

@@ -9,9 +9,11 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 import casadi
+
+from mechanics.program.casadi_reader import Instruction as Node
 
 if TYPE_CHECKING:
     from mechanics.exact.arithmetic import Arithmetic
@@ -23,14 +25,6 @@ Form = dict[Monomial, Fraction]
 
 LARGEST_FORM = 64
 LARGEST_POWER = 64
-
-
-class Node(NamedTuple):
-    """One value of a graph: operation, operand nodes (for an input: its place), constant."""
-
-    op: int
-    operands: tuple[int, ...]
-    constant: Fraction | None
 
 
 class Tracer:

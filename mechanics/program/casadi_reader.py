@@ -8,6 +8,8 @@ that condition, since the other side discards it.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
+from fractions import Fraction
+from math import isfinite
 from typing import NamedTuple
 
 import casadi
@@ -18,12 +20,15 @@ from mechanics.program.builder import Builder, Node
 from mechanics.program.operations import OPERATIONS
 
 
-class _Instruction(NamedTuple):
-    """One value of a graph: operation, earlier values or (input, entry), constant."""
+class Instruction(NamedTuple):
+    """One value of straight-line code: operation of CasADi, operands, constant.
 
-    operation: int
+    Operands are numbers of earlier instructions; those of an input are (input, entry).
+    """
+
+    op: int
     operands: tuple[int, ...]
-    constant: float
+    constant: Fraction | None
 
 
 def read(
@@ -62,11 +67,9 @@ def read(
     <program of 3 operations: y>
     """
     function = _graph(function)
-    instructions, stores = _single_assignment(function)
+    instructions, stores = single_assignment(function)
     entries = [_entries(builder, function, i, arguments or {}) for i in range(function.n_in())]
-    nodes = build(
-        builder, [value for _, _, value in stores], _expansion(builder, instructions, entries)
-    )
+    nodes = nodes_of(builder, instructions, entries, [value for _, _, value in stores])
     outputs: dict[str, tuple[Node, ...]] = {}
     for index in range(function.n_out()):
         stored = {e: n for (o, e, _), n in zip(stores, nodes, strict=True) if o == index}
@@ -76,6 +79,31 @@ def read(
             dense[place % rows * columns + place // rows] = stored[entry]
         outputs[function.name_out(index)] = tuple(dense)
     return outputs
+
+
+def nodes_of(
+    builder: Builder,
+    instructions: Sequence[Instruction],
+    inputs: Sequence[Sequence[Node]],
+    wanted: Sequence[int],
+) -> tuple[Node, ...]:
+    """Nodes of some values of straight-line code, each branch under its condition.
+
+    Parameters
+    ----------
+    builder : Builder
+    instructions : sequence of Instruction
+    inputs : sequence of sequence of Node
+        Entries of each input.
+    wanted : sequence of int
+        Numbers of instructions.
+
+    Raises
+    ------
+    ExpressionError
+        If an operation has no meaning here, which is named.
+    """
+    return build(builder, wanted, _expansion(builder, instructions, inputs))
 
 
 def _graph(function: casadi.Function) -> casadi.Function:
@@ -109,11 +137,11 @@ def _entries(
     return [nodes[place % rows * columns + place // rows] for place in places]
 
 
-def _single_assignment(
+def single_assignment(
     function: casadi.Function,
-) -> tuple[list[_Instruction], list[tuple[int, int, int]]]:
+) -> tuple[list[Instruction], list[tuple[int, int, int]]]:
     """Each value once, and (output, entry, value): CasADi's own slots are used again and again."""
-    values: list[_Instruction] = []
+    values: list[Instruction] = []
     stores: list[tuple[int, int, int]] = []
     slots: dict[int, int] = {}
     for k in range(function.n_instructions()):
@@ -123,14 +151,22 @@ def _single_assignment(
             output, entry = function.instruction_output(k)
             stores.append((output, entry, slots[operands[0]]))
             continue
-        constant = 0.0
+        constant = None
         if operation == casadi.OP_CONST:
-            constant = function.instruction_constant(k)
+            constant = _rational(function, function.instruction_constant(k))
         elif operation != casadi.OP_INPUT:
             operands = tuple(slots[slot] for slot in operands)
         slots[function.instruction_output(k)[0]] = len(values)
-        values.append(_Instruction(operation, operands, constant))
+        values.append(Instruction(operation, operands, constant))
     return values, stores
+
+
+def _rational(function: casadi.Function, constant: float) -> Fraction:
+    if not isfinite(constant):
+        raise ExpressionError(
+            f"casadi function {function.name()} holds the constant {constant}, which is not finite: no exact value"
+        )
+    return Fraction(constant)
 
 
 _NOUGHT = -1
@@ -138,13 +174,13 @@ _NOUGHT = -1
 
 
 def _expansion(
-    builder: Builder, instructions: Sequence[_Instruction], entries: Sequence[Sequence[Node]]
+    builder: Builder, instructions: Sequence[Instruction], entries: Sequence[Sequence[Node]]
 ) -> Callable[[int], Parts | Choice]:
     def expand(number: int) -> Parts | Choice:
         if number == _NOUGHT:
             return Parts((), lambda: builder.zero_number)
         operation, operands, constant = instructions[number]
-        if operation == casadi.OP_CONST:
+        if constant is not None:
             return Parts((), lambda: builder.constant(constant).number)
         if operation == casadi.OP_INPUT:
             group, entry = operands
@@ -169,16 +205,16 @@ def _expansion(
     return expand
 
 
-def _either(instructions: Sequence[_Instruction], x: int, y: int) -> Choice | None:
+def _either(instructions: Sequence[Instruction], x: int, y: int) -> Choice | None:
     """(c ? a : 0) + (!c ? b : 0), which is what CasADi makes of `if_else`."""
     first, second = instructions[x], instructions[y]
-    if {first.operation, second.operation} != {casadi.OP_IF_ELSE_ZERO}:
+    if {first.op, second.op} != {casadi.OP_IF_ELSE_ZERO}:
         return None
     for (condition, yes), (other, no) in (
         (first.operands, second.operands), (second.operands, first.operands)
     ):  # fmt: skip
         negation = instructions[other]
-        if negation.operation == casadi.OP_NOT and negation.operands[0] == condition:
+        if negation.op == casadi.OP_NOT and negation.operands[0] == condition:
             return Choice(condition, yes, no)
     return None
 

@@ -24,7 +24,7 @@ from mechanics.compiled.programs.program import Program
 from mechanics.exact import Verdict
 from mechanics.exact.balls import precision
 from mechanics.exact.c.parse import parse
-from mechanics.exact.graph_angles import Node
+from mechanics.program.casadi_reader import Instruction as Node
 from mechanics.routes import free_body
 from systems import elastic_pendulum
 

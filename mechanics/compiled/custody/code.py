@@ -21,7 +21,7 @@ from mechanics.compiled.programs.program import Program, program
 from mechanics.errors import ExpressionError
 from mechanics.exact import Arithmetic, Number
 from mechanics.exact.graph import evaluated
-from mechanics.exact.graph_angles import Node
+from mechanics.program.casadi_reader import Instruction as Node
 
 CONSTANTS = "constants"
 

@@ -19,7 +19,7 @@ import numpy as np
 from mechanics.compiled.custody.code import Code
 from mechanics.compiled.programs.operations import OPERATIONS
 from mechanics.exact.c.literal import rounded
-from mechanics.exact.graph_angles import Node
+from mechanics.program.casadi_reader import Instruction as Node
 
 DIGITS = 40
 

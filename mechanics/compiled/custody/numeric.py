@@ -20,7 +20,7 @@ from numpy.typing import NDArray
 from mechanics.compiled.c.sine import LIMIT
 from mechanics.compiled.programs.operations import OPERATIONS
 from mechanics.exact.c.condition import Atom, Choice, Condition, Decision
-from mechanics.exact.graph_angles import Node
+from mechanics.program.casadi_reader import Instruction as Node
 
 Values = list[NDArray[np.floating]]
 

@@ -14,7 +14,7 @@ from fractions import Fraction
 import casadi as ca
 
 from mechanics.compiled.custody.code import CONSTANTS, Code
-from mechanics.exact.graph_angles import Node
+from mechanics.program.casadi_reader import Instruction as Node
 
 STAGES = ((Fraction(1, 2), Fraction(2)), (Fraction(1, 2), Fraction(2)), (Fraction(1), Fraction(1)))
 """For k2, k3, k4: the share of the step, and the weight in the sum; k1 has weight 1."""

@@ -21,7 +21,7 @@ from mechanics.exact import Arithmetic
 from mechanics.exact.c.parse import Source
 from mechanics.exact.c.program import CProgram
 from mechanics.exact.graph import evaluated
-from mechanics.exact.graph_angles import Node
+from mechanics.program.casadi_reader import Instruction as Node
 
 Symbols = Mapping[str, Sequence[Symbol]]
 

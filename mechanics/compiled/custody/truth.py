@@ -21,7 +21,7 @@ from mechanics.compiled.programs.program import Program
 from mechanics.exact.balls import Ball, BallArithmetic, State, precision
 from mechanics.exact.c.condition import atoms
 from mechanics.exact.graph import evaluated
-from mechanics.exact.graph_angles import Node
+from mechanics.program.casadi_reader import Instruction as Node
 
 BITS = 320
 WORK = 16_000

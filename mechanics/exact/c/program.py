@@ -15,7 +15,7 @@ from typing import NamedTuple
 import casadi
 
 from mechanics.exact.c.condition import Condition, Decision
-from mechanics.exact.graph_angles import Node
+from mechanics.program.casadi_reader import Instruction as Node
 
 
 @dataclass(frozen=True)

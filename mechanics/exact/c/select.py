@@ -15,7 +15,7 @@ from mechanics.errors import ExpressionError
 from mechanics.exact.c.condition import Atom, Choice, Condition, Decision, negation
 from mechanics.exact.c.library import RELATIONS, TRUTHS
 from mechanics.exact.c.program import Writer
-from mechanics.exact.graph_angles import Node
+from mechanics.program.casadi_reader import Instruction as Node
 
 
 def select(writer: Writer, condition: Condition, yes: int, no: int, kind: str, where: Any) -> int:

@@ -25,7 +25,6 @@ from mechanics.compiled.programs.operations import OPERATIONS
 from mechanics.compiled.programs.program import Node as ProgramNode
 from mechanics.compiled.programs.program import Program
 from mechanics.errors import ExpressionError
-from mechanics.exact.graph_angles import Node
 from mechanics.export.evidence.equations import lines
 from mechanics.export.evidence.expressions import (
     NUMBER,
@@ -34,6 +33,7 @@ from mechanics.export.evidence.expressions import (
     read_nodes,
     read_symbols,
 )
+from mechanics.program.casadi_reader import Instruction as Node
 
 FILE = "graphs.json"
 RATES = "rates"

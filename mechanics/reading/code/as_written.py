@@ -11,7 +11,7 @@ from functools import partial
 import casadi
 from sympy import Expr, Symbol, preorder_traversal
 
-from mechanics.exact.graph_angles import Node as Instruction
+from mechanics.program.casadi_reader import Instruction
 from mechanics.reading.from_sympy import CALLS, Untreeable, tree_of
 from mechanics.reading.place import Refused
 from mechanics.reading.tree import (

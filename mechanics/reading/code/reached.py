@@ -11,7 +11,7 @@ from collections.abc import Iterator, Sequence
 import casadi
 from sympy import And, Basic, Eq, Expr, Le, Lt, Ne, Not, Or, S
 
-from mechanics.exact.graph_angles import Node
+from mechanics.program.casadi_reader import Instruction as Node
 from mechanics.reading.demands import Demand, of_function, of_power
 
 MOST_WAYS = 8

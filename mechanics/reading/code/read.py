@@ -16,8 +16,9 @@ from mechanics.errors import ExpressionError, InputError
 from mechanics.exact.c.functions import lower
 from mechanics.exact.c.parse import parse
 from mechanics.exact.c.program import Parameter
-from mechanics.exact.graph import evaluated, single_assignment
-from mechanics.exact.graph_angles import Node
+from mechanics.exact.graph import evaluated
+from mechanics.program.casadi_reader import Instruction as Node
+from mechanics.program.casadi_reader import single_assignment
 from mechanics.reading.about import QUANTITIES
 from mechanics.reading.assemble import Reading
 from mechanics.reading.code.arguments import Arguments, arguments_of

@@ -14,7 +14,7 @@ from sympy import Integer, pi
 from mechanics.compiled.custody.code import Code
 from mechanics.compiled.custody.constants import Irrational, literals
 from mechanics.exact import Verdict
-from mechanics.exact.graph_angles import Node
+from mechanics.program.casadi_reader import Instruction as Node
 
 OUTPUT = re.compile(r"[a-z_]+\[\d+\]: ")
 KEPT = "coordinate_rates", "prepare"
