@@ -164,7 +164,8 @@ def single_assignment(
 def _rational(function: casadi.Function, constant: float) -> Fraction:
     if not isfinite(constant):
         raise ExpressionError(
-            f"casadi function {function.name()} holds the constant {constant}, which is not finite: no exact value"
+            f"casadi function {function.name()} holds the constant {constant}, which is not finite:"
+            " it has no exact value"
         )
     return Fraction(constant)
 
