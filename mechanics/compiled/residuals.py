@@ -24,9 +24,9 @@ from sympy import Expr, Symbol
 from mechanics.compiled.calls.functions import MANY
 from mechanics.compiled.model import Model
 from mechanics.compiled.sampling import States, sample
-from mechanics.compiled.terms import BITS, BallTerms, ball_terms, extended_terms, typed_terms
+from mechanics.compiled.terms import BITS, Terms, read_terms, typed_terms
 from mechanics.errors import InputError
-from mechanics.exact.balls import precision
+from mechanics.kernel.balls import precision
 
 STATES = 100_000
 SEED = 1
@@ -149,15 +149,15 @@ def _residual(
     epsilon = float(np.finfo(kind).eps)
     used = [i for i, s in enumerate(symbols) if any(s in t.free_symbols for t in terms)]
     chosen = [symbols[i] for i in used]
-    balls = ball_terms(terms, chosen)
+    read = read_terms(terms, chosen)
     rows = columns[used]
     numbers = np.flatnonzero(np.isfinite(rows).all(axis=0))
     if not len(numbers):
         return Residual(subject, inf, columns.shape[1], _state(symbols, columns[:, 0]), 0)
-    low, high = extended_terms(terms, chosen).bounds(list(rows[:, numbers]), epsilon)
+    low, high = read.bounds(list(rows[:, numbers]), epsilon)
     # Elsewhere the true ratio is below the one at the state with the largest lower bound.
     candidates = numbers[high >= low.max()]
-    worst, largest = _largest(balls, rows, candidates, epsilon)
+    worst, largest = _largest(read, rows, candidates, epsilon)
     state = _state(symbols, columns[:, worst])
     return Residual(subject, largest, columns.shape[1], state, len(candidates))
 
@@ -167,13 +167,13 @@ def _state(symbols: Sequence[Symbol], column: Columns) -> tuple[tuple[str, float
 
 
 def _largest(
-    balls: BallTerms, rows: Columns, candidates: NDArray[np.intp], epsilon: float
+    terms: Terms, rows: Columns, candidates: NDArray[np.intp], epsilon: float
 ) -> tuple[int, float]:
     """The candidate with the largest ratio, and that ratio from above, by Arb."""
     worst, largest = int(candidates[0]), 0.0
     with precision(BITS):
         for index in candidates:
-            ratio = balls.ratio(rows[:, index].tolist(), epsilon)
+            ratio = terms.ratio(rows[:, index].tolist(), epsilon)
             upper = _above(ratio)
             if upper > largest:
                 worst, largest = int(index), upper

@@ -3,29 +3,26 @@
     lhs - rhs = t_1 + ... + t_n          ratio = |t_1 + ... + t_n| / (eps (|t_1| + ... + |t_n|))
 
 Products over sums are multiplied out on each side; terms of the two sides are not merged. The terms
-are evaluated in two ways, by routines that share no code: Arb balls at one state, from the SymPy
-expression, and extended precision at many, from a program.
+are one program, interpreted in Arb balls at one state, and in extended precision at many.
 """
 
-import operator
 import os
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 
 import numpy as np
 import sympy
-from flint import arb, fmpq
+from flint import arb
 from numpy.typing import NDArray
 from sympy import Expr, Symbol
 
 from mechanics.errors import ExpressionError
+from mechanics.kernel.balls import Balls
 from mechanics.program import Builder, Program, interpret
 from mechanics.program.numpy_domain import Arrays
 from mechanics.program.running_error_domain import enclose
 from mechanics.program.sympy_reader import read
-
-Step = tuple[Callable[..., arb], tuple[int, ...]]
 
 UNIT = np.finfo(np.longdouble).eps
 CHUNK = 8192
@@ -42,97 +39,8 @@ def typed_terms(left: Expr, right: Expr) -> tuple[Expr, ...]:
 
 
 @dataclass(frozen=True)
-class BallTerms:
-    """Terms as straight-line Arb code: symbols first, then constants, then steps."""
-
-    constants: tuple[Callable[[], arb], ...]
-    steps: tuple[Step, ...]
-    terms: tuple[int, ...]
-
-    def ratio(self, values: Sequence[float], epsilon: float) -> arb:
-        """Enclosure of the ratio, not finite where a value is not; precision is the caller's."""
-        v = [arb(value) for value in values]
-        v += [constant() for constant in self.constants]
-        for function, operands in self.steps:
-            v.append(function(*[v[i] for i in operands]))
-        total, size = arb(0), arb(0)
-        for i in self.terms:
-            total += v[i]
-            size += abs(v[i])
-        return total if total.is_zero() else abs(total) / (size * epsilon)
-
-
-def ball_terms(terms: Sequence[Expr], symbols: Sequence[Symbol]) -> BallTerms:
-    """Straight-line Arb code for terms; every shared part once.
-
-    Raises
-    ------
-    ExpressionError
-        If a term holds an operation that is not known here, or a symbol that is not given.
-    """
-    atoms = set().union(*(term.atoms(sympy.Rational, sympy.NumberSymbol) for term in terms))
-    leaves = sorted(atoms, key=str)
-    place: dict[sympy.Basic, int] = {s: i for i, s in enumerate((*symbols, *leaves))}
-    steps: list[Step] = []
-
-    base = len(symbols) + len(leaves)
-
-    def add(function: Callable[..., arb], *operands: int) -> int:
-        steps.append((function, operands))
-        return base + len(steps) - 1
-
-    def visit(node: sympy.Basic) -> int:
-        if node not in place:
-            place[node] = _emit(node, visit, add)
-        return place[node]
-
-    found = tuple(visit(term) for term in terms)
-    return BallTerms(tuple(map(_constant, leaves)), tuple(steps), found)
-
-
-def _emit(
-    node: sympy.Basic,
-    visit: Callable[[sympy.Basic], int],
-    add: Callable[..., int],
-) -> int:
-    if isinstance(node, sympy.Add | sympy.Mul):
-        combine = operator.add if isinstance(node, sympy.Add) else operator.mul
-        first, *rest = (visit(part) for part in node.args)
-        for part in rest:
-            first = add(combine, first, part)
-        return first
-    if isinstance(node, sympy.Pow) and isinstance(node.exp, sympy.Rational) and node.exp.q <= 2:
-        power, base = int(node.exp.p), visit(node.base)
-        if node.exp.q == 2:
-            base = add(arb.sqrt, base)
-        return add(lambda x, n=power: x**n, base)
-    if type(node) in _BALLS:
-        return add(_BALLS[type(node)], visit(node.args[0]))
-    raise ExpressionError(
-        f"{type(node).__name__} in {str(node)[:80]}: a published equation of motion is checked with"
-        " + - * /, roots, sin, cos, tan, |x|, signs and the symbols of its scene"
-    )
-
-
-_BALLS: dict[type, Callable[[arb], arb]] = {
-    sympy.sin: arb.sin, sympy.cos: arb.cos, sympy.tan: arb.tan, sympy.Abs: abs,
-    sympy.exp: arb.exp, sympy.sign: arb.sgn,
-}  # fmt: skip
-
-
-def _constant(number: Expr) -> Callable[[], arb]:
-    """A number at the precision of the moment."""
-    if isinstance(number, sympy.Rational):
-        return lambda: arb(fmpq(int(number.p), int(number.q)))
-    known = {sympy.pi: arb.pi, sympy.E: arb.const_e}
-    if number not in known:
-        raise ExpressionError(f"constant {number} has no enclosure: declare it as a parameter")
-    return known[number]
-
-
-@dataclass(frozen=True)
-class ExtendedTerms:
-    """Terms as a program for `numpy.longdouble`.
+class Terms:
+    """Terms as a program.
 
     Attributes
     ----------
@@ -141,6 +49,15 @@ class ExtendedTerms:
     """
 
     program: Program
+
+    def ratio(self, values: Sequence[float], epsilon: float) -> arb:
+        """Enclosure of the ratio, not finite where a value is not; precision is the caller's."""
+        inputs = {name: arb(values[int(name)]) for name in self.program.inputs}
+        total, size = arb(0), arb(0)
+        for term in interpret(self.program, Balls(), inputs, release=False)["terms"]:
+            total += term
+            size += abs(term)
+        return total if total.is_zero() else abs(total) / (size * epsilon)
 
     def bounds(
         self, columns: Sequence[NDArray[np.float64]], epsilon: float
@@ -186,8 +103,8 @@ class ExtendedTerms:
         return {name: columns[int(name)] for name in self.program.inputs}
 
 
-def extended_terms(terms: Sequence[Expr], symbols: Sequence[Symbol]) -> ExtendedTerms:
-    """The same terms as a program for extended precision.
+def read_terms(terms: Sequence[Expr], symbols: Sequence[Symbol]) -> Terms:
+    """Terms as a program; every shared part once.
 
     Raises
     ------
@@ -199,4 +116,4 @@ def extended_terms(terms: Sequence[Expr], symbols: Sequence[Symbol]) -> Extended
     unknown = set().union(*(term.free_symbols for term in terms)) - set(places)
     if unknown:
         raise ExpressionError(f"symbol {min(map(str, unknown))} in terms has no place")
-    return ExtendedTerms(builder.program({"terms": read(builder, terms, places)}))
+    return Terms(builder.program({"terms": read(builder, terms, places)}))

@@ -14,10 +14,10 @@ from mechanics.compiled import Model, residuals
 from mechanics.compiled import compile as compile_model
 from mechanics.compiled.residuals import _columns, _symbols
 from mechanics.compiled.sampling import sample
-from mechanics.compiled.terms import BITS, ball_terms, extended_terms, typed_terms
+from mechanics.compiled.terms import BITS, read_terms, typed_terms
 from mechanics.errors import ExpressionError, InputError
 from mechanics.exact import enclose
-from mechanics.exact.balls import precision
+from mechanics.kernel.balls import precision
 
 GOAL = 16.0
 ROUTES = ("free_body", "moving_point", "kane", "lagrange")
@@ -101,14 +101,14 @@ def test_screening_finds_what_arb_finds_everywhere(modelled, system: str) -> Non
     columns = _columns(model, drawn, np.float64)
     found = residuals([model], typed(model), states=3000, precisions=[np.float64])
     for (_, left, right), residual in zip(typed(model), found, strict=True):
-        routine = ball_terms(typed_terms(left, right), _symbols(model))
+        routine = read_terms(typed_terms(left, right), _symbols(model))
         with precision(BITS):
             ratios = [routine.ratio(c.tolist(), 2.0**-52) for c in columns.T]
         largest = max(float(ratio.mid()) for ratio in ratios)
         assert residual.max_eps == pytest.approx(largest, rel=1e-15)
         assert residual.max_eps >= largest
         assert residual.confirmed < 100
-        screened = extended_terms(typed_terms(left, right), _symbols(model))
+        screened = read_terms(typed_terms(left, right), _symbols(model))
         low, high = screened.bounds(list(columns), 2.0**-52)
         middle = np.array([float(r.mid()) for r in ratios])
         assert (low <= middle * (1 + 1e-15)).all() and (middle <= high * (1 + 1e-15)).all()
@@ -117,7 +117,7 @@ def test_screening_finds_what_arb_finds_everywhere(modelled, system: str) -> Non
 
 def test_where_the_screening_has_no_bound_a_state_is_left_to_arb() -> None:
     terms = (sympy.sqrt(y * y - x * x), y)
-    low, high = extended_terms(terms, [x, y]).bounds([np.array([1.1, 1.1]), np.array([1.1, 3])], 1)
+    low, high = read_terms(terms, [x, y]).bounds([np.array([1.1, 1.1]), np.array([1.1, 3])], 1)
     assert low[0] == 0 and np.isinf(high[0])
     assert 0 < low[1] <= high[1] < low[1] * (1 + 1e-15)
 
@@ -155,7 +155,7 @@ def test_arb_routine_encloses_the_typed_expression(first: float, second: float) 
     total = enclose(abs(left - right), values, BITS)
     size = enclose(sum(abs(term) for term in terms), values, BITS)
     with precision(BITS):
-        ratio = ball_terms(terms, [x, y]).ratio([first, second], 1.0)
+        ratio = read_terms(terms, [x, y]).ratio([first, second], 1.0)
         assert (ratio * size).overlaps(total)
 
 

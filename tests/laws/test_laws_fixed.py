@@ -14,7 +14,7 @@ from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 import systems
 from mechanics.compiled import Model, compile, prove_compiled
 from mechanics.compiled.quantities import Quantities
-from mechanics.compiled.terms import extended_terms, typed_terms
+from mechanics.compiled.terms import read_terms, typed_terms
 from mechanics.crosscheck import derive
 from mechanics.equations import Equations
 from mechanics.errors import SingularError
@@ -73,7 +73,7 @@ def largest_residual(equations: Equations, known: Quantities, columns: np.ndarra
     symbols = [entry.symbol for group in groups for entry in group]
     left, right = equations.system
     rows = [
-        extended_terms(
+        read_terms(
             typed_terms(Add(*(canonical(entry) * x for entry, x in
                               zip(left[i, :], equations.unknowns, strict=True))),
                         canonical(right[i])),

@@ -18,7 +18,7 @@ from mechanics.compiled.forms.order import Array, Order, pivot_order
 from mechanics.compiled.programs.program import Program, program, run
 from mechanics.compiled.quantities import Quantities
 from mechanics.compiled.sampling import DECADES, ordinary, sample
-from mechanics.compiled.terms import CHUNK, UNIT, ExtendedTerms, extended_terms
+from mechanics.compiled.terms import CHUNK, UNIT, Terms, read_terms
 from mechanics.equations import Equations
 from mechanics.errors import SingularError
 from mechanics.exact import TooLarge, canonical
@@ -183,7 +183,7 @@ def _missing(code: Program, states: list[list[Array]]) -> bool:
 
 
 @lru_cache(maxsize=4)
-def _rows(equations: Equations, symbols: tuple[Symbol, ...]) -> list[ExtendedTerms]:
+def _rows(equations: Equations, symbols: tuple[Symbol, ...]) -> list[Terms]:
     """Terms of K x - k, row by row, in normal form where that is small."""
     left, right = equations.system
     unknowns = (*equations.unknowns, S.NegativeOne)
@@ -192,7 +192,7 @@ def _rows(equations: Equations, symbols: tuple[Symbol, ...]) -> list[ExtendedTer
     with suppress(TooLarge):
         entries = [[canonical(entry) for entry in row] for row in entries]
     return [
-        extended_terms(
+        read_terms(
             [
                 term * x
                 for entry, x in zip(row, unknowns, strict=True)
