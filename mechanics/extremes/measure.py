@@ -14,8 +14,8 @@ from math import inf, isfinite
 import numpy as np
 from flint import arb
 
-from mechanics.exact.balls import precision
 from mechanics.extremes.truth import Enclosed
+from mechanics.kernel.balls import precision
 
 
 @dataclass(frozen=True)

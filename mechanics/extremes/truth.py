@@ -1,5 +1,9 @@
 """The solution of K x = k at a point, enclosed: what every error is measured against.
 
+    K_ij = sum of terms,  |K|_ij = sum of their magnitudes         in normal form
+
+Terms that cancel identically are gone, so a sum of magnitudes holds what is really added up.
+
 The precision is raised until each unknown is known to 2^-80 of its value. An unknown that is zero
 there would never be: what the normal form proves zero is zero. Where neither comes to an end, 2^-80
 of the sum of the magnitudes of its terms, (|K^-1| |k|)_i, has to do.
@@ -7,22 +11,28 @@ of the sum of the magnitudes of its terms, (|K^-1| |k|)_i, has to do.
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any
+from fractions import Fraction
+from typing import TypeVar
 
 import sympy
 from flint import arb, arb_mat
 
 from mechanics.equations import Equations
-from mechanics.exact import Arithmetic, generic_rank
-from mechanics.exact.balls import precision
-from mechanics.exact.decide import proved as is_proved
-from mechanics.extremes.polynomials import LinearCode, linear_code
+from mechanics.exact import canonical
+from mechanics.kernel import Statement
+from mechanics.kernel.balls import Balls, precision
+from mechanics.kernel.independence import generic_rank
+from mechanics.kernel.normal import proves
+from mechanics.program import Builder, Node, Program, interpret
+from mechanics.program.interpret import include
+from mechanics.program.sympy_reader import read
 
 BITS = 192
 LAST_BITS = 192 * 2**6
 PROOF_BITS = 192 * 2**3
 ENOUGH = 80
 Rows = list[list[arb]]
+T = TypeVar("T")
 
 
 @dataclass(frozen=True, eq=False)
@@ -59,21 +69,27 @@ class Truth:
 
     Attributes
     ----------
-    equations : Equations
-    symbols : tuple of Symbol
-        In the order of the values of a point.
-    code : LinearCode
+    size : int
+        Number of unknowns n.
+    names : tuple of str
+        Inputs of the program, in the order of the values of a point.
+    program : Program
+        The terms of each entry of K and k as an output of its own, row by row; what is k stands in
+        column n.
+    turning : frozenset of str
+        Names of what stands under a sine or cosine.
     """
 
-    equations: Equations
-    symbols: tuple[sympy.Symbol, ...]
-    code: LinearCode
+    size: int
+    names: tuple[str, ...]
+    program: Program
+    turning: frozenset[str]
 
     def at(self, values: Sequence[float]) -> Enclosed:
         """The system and its solution where the symbols have these values, exactly."""
         bits = BITS
         found = self._at(values, bits)
-        zeros: tuple[bool, ...] = (False,) * self.code.size
+        zeros: tuple[bool, ...] = (False,) * self.size
         while bits < LAST_BITS and not _known(found, zeros):
             if bits == PROOF_BITS:
                 if found.solution is None and self._singular(values):
@@ -86,7 +102,7 @@ class Truth:
     def _at(self, values: Sequence[float], bits: int) -> Enclosed:
         with precision(bits):
             rows, sizes = self._system(values)
-            n = self.code.size
+            n = self.size
             left, right = arb_mat([row[:n] for row in rows]), arb_mat([row[n:] for row in rows])
             nothing = (False,) * n
             if not all(entry.is_finite() for row in rows for entry in row):
@@ -107,62 +123,49 @@ class Truth:
             return Enclosed(rows, sizes, tuple(x), spread, condition, nothing, bits)
 
     def _system(self, values: Sequence[float]) -> tuple[Rows, Rows]:
-        n = self.code.size
-        rows = [[arb(0)] * (n + 1) for _ in range(n)]
-        sizes = [[arb(0)] * (n + 1) for _ in range(n)]
-        v = self.code.values([arb(value) for value in values])
-        for entry in self.code.entries:
-            total, size = arb(0), arb(0)
-            for place in entry.terms:
-                total += v[place]
-                size += abs(v[place])
-            rows[entry.row][entry.column], sizes[entry.row][entry.column] = total, size
-        return rows, sizes
+        balls = {name: arb(value) for name, value in zip(self.names, values, strict=True)}
+        found = interpret(self.program, Balls(), balls, release=False)
+        totals = [sum(terms, arb(0)) for terms in found.values()]
+        sizes = [sum(map(abs, terms), arb(0)) for terms in found.values()]
+        return _rows(totals, self.size + 1), _rows(sizes, self.size + 1)
 
-    def _exactly(self, values: Sequence[float]) -> tuple[sympy.Matrix, sympy.Matrix]:
+    def _exactly(self, builder: Builder, values: Sequence[float]) -> list[list[Node]]:
         """K and k with exact rationals in place of the symbols, angles left open.
 
         What vanishes at every angle does so at these; equal angles stay equal.
         """
-        left, right = self.equations.system
-        turning = set().union(
-            *(
-                f.free_symbols
-                for matrix in (left, right)
-                for f in matrix.atoms(sympy.sin, sympy.cos)
-            )
-        )
         table = {}
-        for symbol, value in zip(self.symbols, values, strict=True):
-            number = sympy.Rational(*value.as_integer_ratio())
-            if symbol in turning and number:
-                angle = sympy.Symbol(f"angle {abs(value)!r}", real=True)
+        for name, value in zip(self.names, values, strict=True):
+            number = builder.constant(Fraction(value))
+            if name in self.turning and value:
+                angle = builder.input(f"angle {abs(value)!r}")
                 number = angle if value > 0 else -angle
-            table[symbol] = number
-        return left.xreplace(table), right.xreplace(table)
+            table[name] = number
+        found = include(builder, self.program, table)
+        return _rows([sum(terms, builder.zero) for terms in found.values()], self.size + 1)
 
     def _zeros(self, values: Sequence[float], found: Enclosed) -> tuple[bool, ...]:
         """Which unknowns the normal form proves zero."""
         if found.solution is None:
             return found.proved_zero
-        left, right = self._exactly(values)
+        builder, n = Builder(), self.size
+        rows = self._exactly(builder, values)
+        unknowns = builder.solve([row[:n] for row in rows], [row[n] for row in rows])
 
-        def proved(i: int) -> bool:
-            def experiment(a: Arithmetic) -> list[tuple[Any, Any]]:
-                rows = [[a.value(left[r, c]) for c in range(left.cols)] for r in range(left.rows)]
-                solution = a.solve(rows, [a.value(entry) for entry in right])
-                return [(solution[i], a.rational(0))]
-
-            return is_proved(experiment)
+        def proved(unknown: Node) -> bool:
+            sides = builder.program({"left": [unknown], "right": [builder.zero]})
+            return proves(Statement("the unknown is zero", sides))
 
         return tuple(
-            not x.is_zero() and bool(x.contains(0)) and proved(i)
-            for i, x in enumerate(found.solution)
+            not x.is_zero() and bool(x.contains(0)) and proved(unknown)
+            for x, unknown in zip(found.solution, unknowns, strict=True)
         )
 
     def _singular(self, values: Sequence[float]) -> bool:
-        left, _ = self._exactly(values)
-        return generic_rank(left.tolist()) < left.rows
+        builder, n = Builder(), self.size
+        rows = self._exactly(builder, values)
+        left = builder.program({"left": [entry for row in rows for entry in row[:n]]})
+        return generic_rank(left, "left", n, {}) < n
 
 
 def truth(equations: Equations, symbols: Sequence[sympy.Symbol]) -> Truth:
@@ -177,9 +180,25 @@ def truth(equations: Equations, symbols: Sequence[sympy.Symbol]) -> Truth:
     Raises
     ------
     ExpressionError
-        If an operation has no enclosure; it is named.
+        If an operation has no meaning in programs; it is named.
+    TooLarge
+        If the normal form is.
     """
-    return Truth(equations, tuple(symbols), linear_code(equations, symbols))
+    left, right = equations.system
+    builder = Builder()
+    inputs = {symbol: builder.input(symbol.name) for symbol in symbols}
+    terms = {
+        str(place): read(builder, sympy.Add.make_args(canonical(entry)), inputs)
+        for place, entry in enumerate(left.row_join(right))
+    }
+    waves = left.row_join(right).atoms(sympy.sin, sympy.cos)
+    turning = frozenset(symbol.name for wave in waves for symbol in wave.free_symbols)
+    names = tuple(symbol.name for symbol in symbols)
+    return Truth(left.rows, names, builder.program(terms, names), turning)
+
+
+def _rows(entries: Sequence[T], columns: int) -> list[list[T]]:
+    return [list(entries[i : i + columns]) for i in range(0, len(entries), columns)]
 
 
 def _known(found: Enclosed, zeros: Sequence[bool]) -> bool:

@@ -8,10 +8,10 @@ from flint import arb
 from mechanics.compiled import compile
 from mechanics.compiled.programs.describe import describe
 from mechanics.compiled.programs.trace import trace
-from mechanics.exact.balls import precision
 from mechanics.extremes.measure import measure, spacing
 from mechanics.extremes.survey import GROUPS, computed
 from mechanics.extremes.truth import truth
+from mechanics.kernel.balls import precision
 
 PENDULUM = ("x", "theta", "x_dot", "theta_dot", "L", "M", "g", "k", "m")
 
@@ -71,7 +71,7 @@ def test_the_scene_without_mass_is_the_model_with_mass_zero(derived) -> None:
 def test_an_unknown_that_vanishes_at_every_angle_is_proved_zero(derived) -> None:
     """With the last length zero the last link feels nothing but the force along it."""
     chain = judge(derived("pendulum_chain", "kane"))
-    names = [symbol.name for symbol in chain.symbols]
+    names = chain.names
     values = dict.fromkeys(names, 0.0) | {"q1": 0.7, "q2": 0.7, "q3": 0.7, "q1_dot": 1.0}
     values |= {"l0": 1.0, "l1": 3.0, "l2": 7.0, "m0": 1.0, "m1": 3.0, "m2": 7.0, "m3": 11.0}
     found = chain.at(list(values.values()))
@@ -85,7 +85,7 @@ def test_an_unknown_that_vanishes_at_every_angle_is_proved_zero(derived) -> None
 def test_singular_where_only_the_angles_make_it_so(derived) -> None:
     """Two free masses at the ends of massless links in line: no mass resists their fold."""
     chain = judge(derived("pendulum_chain", "kane"))
-    names = [symbol.name for symbol in chain.symbols]
+    names = chain.names
     values = dict.fromkeys(names, 1.0) | {"q1": 0.3, "q2": 0.3, "q3": 0.9, "m1": 0.0}
     assert chain.at(list(values.values())).solution is None
     apart = chain.at(list((values | {"q2": 0.4}).values()))
