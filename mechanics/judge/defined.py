@@ -12,11 +12,12 @@ from fractions import Fraction
 from functools import partial
 
 from flint import arb
-from sympy import Add, Expr, Mul, Pow, Symbol, sympify
+from sympy import Add, Basic, Expr, Mul, Not, Pow, Symbol, sympify
+from sympy.core.relational import Relational
 
 from mechanics.checks.metric import metric
 from mechanics.equations import Equations
-from mechanics.errors import ExpressionError, MechanicsError
+from mechanics.errors import MechanicsError
 from mechanics.exact import Finding, Verdict
 from mechanics.exact.balls import BallArithmetic, State
 from mechanics.kernel import refuted, undecided
@@ -27,6 +28,7 @@ from mechanics.kinematics.manifold import settle
 from mechanics.program import Builder, Node, Obligation
 from mechanics.program.operations import Sign
 from mechanics.program.sympy_reader import read
+from mechanics.reading.code.called import UNCALLED
 from mechanics.reading.demands import Demand, Demands, within
 from mechanics.reading.statement import Statement
 from mechanics.scene import Scene
@@ -64,11 +66,15 @@ def where_defined(
     demands = statement.demands
     if finding.verdict is Verdict.REFUTED or not demands.of:
         return finding
-    if any(d.operation == "divide" and d.operands[1] == 0 for d in demands.of if not d.conditions):
-        return _never(finding, "a division by 0", "at any state")
-    if not finding.shown or all(map(_plain_divisor, demands.of)):
+    if never := [d for d in demands.of if d.nowhere and not d.conditions]:
+        return _never(finding, _operation(never[0]), "at any state")
+    uncalled = statement.doubt.startswith(UNCALLED) and statement.row is not None
+    if not (finding.shown or uncalled) or all(map(_plain_divisor, demands.of)):
         return finding
     try:
+        if uncalled:  # what it computes is not known; that it has no value is
+            found = _decided(truth, demands, replace(finding, verdict=Verdict.PROVED), region, {})
+            return found if found.undefined else finding
         return _decided(truth, demands, finding, region, dict(values or {}))
     except MechanicsError as error:
         return undecided(finding.subject, str(error))
@@ -115,8 +121,9 @@ def at_the_bound(truth: Equations, statement: Statement, finding: Finding) -> tu
 
 def _subtracts(demand: Demand) -> bool:
     """Whether it is a root of a difference; sums of squares are not negative in floats either."""
-    terms = Add.make_args(demand.operands[0])
-    return demand.operation == "sqrt" and any(t.could_extract_minus_sign() for t in terms)
+    if demand.operation != "sqrt":
+        return False
+    return any(t.could_extract_minus_sign() for t in Add.make_args(demand.operands[0]))
 
 
 def _plain_divisor(demand: Demand) -> bool:
@@ -144,7 +151,7 @@ def _written(scene: Scene, demands: Demands, fixed: Mapping[Symbol, Expr]) -> Wr
     for demand, operands, conditions in read_in:
         builder.obligations = {}
         known = [answer for _, answer in demand.conditions]
-        _ask(builder, demand.operation, operands, list(zip(conditions, known, strict=True)))
+        _ask(builder, demand, operands, list(zip(conditions, known, strict=True)))
         for obligation in builder.obligations:
             origin.setdefault(obligation, demand)
     builder.obligations = {}
@@ -156,7 +163,7 @@ def _plain(scene: Scene, expression: Expr, fixed: Mapping[Symbol, Expr]) -> Expr
 
 
 def _ask(
-    builder: Builder, operation: str, operands: Sequence[Node],
+    builder: Builder, demand: Demand, operands: Sequence[Node],
     conditions: list[tuple[Node, bool]],
 ) -> None:  # fmt: skip
     """Ask for an operation within a branch, so that its obligations are recorded."""
@@ -164,14 +171,14 @@ def _ask(
         (condition, answer), *others = conditions
         if condition.constant is not None:
             if bool(condition.constant) == answer:
-                _ask(builder, operation, operands, others)
+                _ask(builder, demand, operands, others)
             return
         with builder.under(condition, answer):
-            _ask(builder, operation, operands, others)
-        return
-    if operation == "divide" and operands[1].constant == 0:
-        raise ExpressionError("a division by zero has no value")
-    builder.call(operation, *operands)
+            _ask(builder, demand, operands, others)
+    elif demand.nowhere or (demand.operation == "divide" and operands[1].constant == 0):
+        builder.demand(Sign.NONZERO, 0, demand.operation)
+    else:
+        builder.call(demand.operation, *operands)
 
 
 def _space(
@@ -188,8 +195,14 @@ def _space(
     kept = dict(builder.obligations)
     zero = tuple(node.number for node in read(builder, closing))
     builder.obligations = kept
-    references = () if closing else (rest,)
-    return Space(positive, rest, references, region, truth, zero, partial(_settled, scene))
+    return Space(
+        positive, rest, (rest, _start(scene, rest)), region, truth, zero, partial(_settled, scene)
+    )
+
+
+def _start(scene: Scene, rest: Mapping[str, Fraction]) -> Mapping[str, Fraction]:
+    """The state in which a motion of the scene starts; constraints give what depends."""
+    return {**rest, **{name: Fraction(str(value)) for name, value in scene.example.items()}}
 
 
 def _settled(scene: Scene, state: Mapping[str, Fraction]) -> Mapping[str, Fraction | arb] | None:
@@ -228,7 +241,7 @@ def _of_truth(
         kept = dict(builder.obligations)
         builder.obligations = kept
         answers = [answer for _, answer in demand.conditions]
-        _ask(builder, demand.operation, operands, list(zip(conditions, answers, strict=True)))
+        _ask(builder, demand, operands, list(zip(conditions, answers, strict=True)))
     found = tuple(builder.obligations)
     if scene.constraints or len(scene.u) > LARGEST_DETERMINANT:
         return found
@@ -339,6 +352,8 @@ def _state(gap: Gap, written: Written) -> str:
 
 def _operation(demand: Demand) -> str:
     """The operation as a person writes it."""
+    if not demand.operands:
+        return demand.operation
     x = demand.operands[0]
     match demand.operation:
         case "divide":
@@ -356,6 +371,8 @@ def _bare(expression: Expr) -> Expr:
 
 def _needed(demand: Demand) -> str:
     """Where an operation has a value."""
+    if demand.nowhere:
+        return " or ".join(_condition(c, not answer) for c, answer in demand.conditions)
     x = _bare(demand.operands[0])
     match demand.operation:
         case "divide":
@@ -379,8 +396,22 @@ def _needed(demand: Demand) -> str:
     return f"{_operation(demand)} has a value"
 
 
+def _condition(condition: Basic, answer: bool) -> str:
+    """A comparison or what denies it, as a person writes it: the rest on the right."""
+    there = condition if answer else Not(condition)
+    if not isinstance(there, Relational):
+        return str(there)
+    number, rest = (there.lhs - there.rhs).as_coeff_Add()
+    if number > 0 and rest.could_extract_minus_sign():
+        there, rest, number = there.reversedsign, -rest, -number
+    sign = {"==": "=", "!=": "!="}.get(there.rel_op, there.rel_op)
+    return f"{rest} {sign} {-number}"
+
+
 def _excluded(demand: Demand) -> str:
     """The thin set where an operation has none."""
+    if demand.nowhere:
+        return " and ".join(_condition(*pair) for pair in demand.conditions)
     x = _bare(demand.operands[0])
     match demand.operation:
         case "divide":

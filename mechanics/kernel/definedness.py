@@ -20,6 +20,8 @@ from fractions import Fraction
 from flint import arb, fmpq_mpoly
 
 from mechanics.kernel.balls import enclose
+from mechanics.kernel.conjugates import has_cases, is_thin
+from mechanics.kernel.draws import Draws
 from mechanics.kernel.signs import (
     ANY,
     NEGATIVE,
@@ -35,26 +37,26 @@ from mechanics.kernel.signs import (
 from mechanics.kernel.states import State, candidates
 from mechanics.program.builder import Builder, Condition, Node, Obligation
 from mechanics.program.operations import (
-    ABS,
     AND,
     CONSTANT,
     EQUAL,
-    FLOOR,
     INPUT,
     LESS,
     NOT,
     NOT_GREATER,
     OR,
-    SELECT,
-    SIGN,
-    SQRT,
     Sign,
 )
 from mechanics.program.program import reachable
 
 BITS = 192
 
-PIECEWISE = frozenset({ABS, SIGN, FLOOR, SELECT, SQRT, LESS, NOT_GREATER, EQUAL})
+MOST_ZEROS = 12
+"""States at which an argument is 0 that are looked at further."""
+NEAR = 6
+"""States near one that are tried, to tell an open set from a thin one."""
+PRODUCTS = 4
+"""States at which the product over all cases is tried."""
 
 
 class Kind(Enum):
@@ -199,6 +201,7 @@ def _left(
         facts = _facts(forms, space.region, obligation.conditions)
         signs = forms.sign_on(forms.forms[obligation.node], closing, facts)
         known = met(signs, obligation.sign) or truth.has(obligation, facts)
+        known = known or any(not forms.sign(p) & possible for p, possible in facts)
         if not (known or any(_follows(forms, obligation, other) for other, _ in left)):
             left.append((obligation, signs))
     return left
@@ -269,7 +272,7 @@ class _Truth:
     def has(self, obligation: Obligation, facts: Sequence[Fact]) -> bool:
         """Whether the truth has no value either where an obligation is not met."""
         form = self.forms.forms[obligation.node]
-        if form is None or not self.rows:
+        if form is None or not form.above or not self.rows:
             return False
         rows = [o for o in self.rows if set(o.conditions) <= set(obligation.conditions)]
         if obligation.sign is Sign.NONZERO:
@@ -321,66 +324,106 @@ class _Trial:
 
     def gap(self, obligation: Obligation, signs: int) -> Gap | None:
         """What an obligation leaves out."""
-        form = self.forms.forms[obligation.node]
-        never = NEGATIVE if obligation.sign is Sign.NONNEGATIVE else NOT_POSITIVE
-        if obligation.sign is Sign.NONZERO:
+        sign, form = obligation.sign, self.forms.forms[obligation.node]
+        never = NEGATIVE if sign is Sign.NONNEGATIVE else NOT_POSITIVE
+        if sign is Sign.NONZERO:
             never = ZERO
         vanishes = form is not None and not len(form.above)
-        if not obligation.conditions and (vanishes or not signs & ~never):
-            if vanishes and obligation.sign is Sign.NONNEGATIVE:
-                return None
-            return Gap(obligation, Kind.NOWHERE, True, (), bool(self.space.region))
-        outside, zero, inside = self._tried(obligation)
-        rest = any(self._at(obligation, reference) == -1 for reference in self.space.references)
+        if vanishes and sign is Sign.NONNEGATIVE:
+            return None
         region = bool(self.space.region)
-        if obligation.sign is not Sign.NONZERO and outside is not None:
+        if not obligation.conditions and (vanishes or not signs & ~never):
+            return Gap(obligation, Kind.NOWHERE, True, (), region)
+        places = [self._at(obligation, reference) for reference in self.space.references]
+        outside, zeros, inside = self._tried(obligation)
+        if sign is not Sign.NONZERO and outside is not None:
             interior = self._interior(obligation, signs) if inside is None else True
             kind = Kind.OPEN if interior else Kind.NOWHERE
-            return Gap(obligation, kind, rest, tuple(outside.items()), region)
-        at_zero = any(self._at(obligation, r) == 0 for r in self.space.references)
-        if obligation.sign is Sign.NONNEGATIVE or (
-            obligation.sign is Sign.POSITIVE and signs & NEGATIVE
-        ):
+            return Gap(obligation, kind, -1 in places, tuple(outside.items()), region)
+        if sign is Sign.NONNEGATIVE or (sign is Sign.POSITIVE and signs & NEGATIVE):
             return Gap(obligation, Kind.UNKNOWN)
-        if inside is None:
+        # What is left fails where its argument is 0.
+        rests = [r for r, place in zip(self.space.references, places, strict=True) if place == 0]
+        if self._is_thin(obligation, vanishes, inside):
+            return Gap(obligation, Kind.THIN, bool(rests))
+        wide = next(
+            (state for state in (*rests, *zeros) if self._zero_around(obligation, state)), None
+        )
+        if wide is None:
             return Gap(obligation, Kind.UNKNOWN)
-        if zero is not None and self._piecewise(obligation.node):
-            return Gap(obligation, Kind.OPEN, False, tuple(zero.items()), region)
-        return Gap(obligation, Kind.THIN, at_zero)
+        return Gap(
+            obligation, Kind.OPEN, any(wide is r for r in rests), tuple(wide.items()), region
+        )
 
     def _interior(self, obligation: Obligation, signs: int) -> bool:
         """Whether states may be left where it is met: none where its sign is known."""
         return bool(signs & POSITIVE) or bool(obligation.conditions)
 
-    def _piecewise(self, node: int) -> bool:
-        operations = self.builder.operations
-        return any(operations[n] in PIECEWISE for n in reachable(self.builder, [node]))
+    def _is_thin(self, obligation: Obligation, vanishes: bool, inside: State | None) -> bool:
+        """Whether what must not be 0 is so on a thin set, or stands in a branch of one."""
+        builder, (first, second, _) = self.builder, self.builder.operands
+        nodes = [] if vanishes else [Node(builder, obligation.node)]
+        for node, truth in obligation.conditions:
+            while builder.operations[node] == NOT:
+                node, truth = first[node], not truth
+            if truth and builder.operations[node] == EQUAL:
+                nodes.append(Node(builder, first[node]) - Node(builder, second[node]))
+        return any(self._vanishes_on_a_thin_set(node, inside) for node in nodes)
 
-    def _tried(self, obligation: Obligation) -> tuple[State | None, State | None, State | None]:
-        """States where it fails, where its argument is zero, and where it holds."""
+    def _vanishes_on_a_thin_set(self, node: Node, inside: State | None) -> bool:
+        program = self.builder.program({"x": [node]})
+        if not has_cases(program) and inside is not None:
+            return True
+        drawn = list(
+            candidates(
+                program.text, self._names(program.inputs), self.space.positive.__contains__,
+                self._base(), (),
+            )
+        )  # fmt: skip
+        states = [*([] if inside is None else [inside]), *drawn[-PRODUCTS:]]
+        there = (self.space.admissible(state) for state in states)
+        return is_thin(program, "x", [balls for balls in there if balls is not None])
+
+    def _names(self, inputs: Sequence[str]) -> list[str]:
+        """Inputs that are tried for some of them: on constraints, one cannot be changed alone."""
+        return sorted(self.space.base if self.space.zero else inputs)
+
+    def _zero_around(self, obligation: Obligation, state: State) -> bool:
+        """Whether the argument is 0 at a state and at all drawn ones near it."""
+        draws = Draws(self.text, "near")
+        for _ in range(NEAR):
+            moved = {
+                name: value + (1 + abs(value)) * Fraction(draws.below(2 << 12) - (1 << 12), 1 << 40)
+                for name, value in state.items()
+            }
+            if self._at(obligation, moved) != 0:
+                return False
+        return True
+
+    def _tried(self, obligation: Obligation) -> tuple[State | None, list[State], State | None]:
+        """A state where it fails, states where its argument is zero, and one where it holds."""
         builder = self.builder
         nodes = [obligation.node, *(node for node, _ in obligation.conditions)]
         own, first = reachable(builder, nodes), builder.operands[0]
-        # On constraints one cannot be changed alone.
-        names = sorted(self.space.base) if self.space.zero else self._inputs(nodes)
+        names = self._names(self._inputs(nodes))
         constants = [builder.constants[first[n]] for n in own if builder.operations[n] == CONSTANT]
         positive = self.space.positive.__contains__
-        tried = candidates(self.text, names, positive, self._base(), constants)
-        outside = zero = inside = None
-        piecewise = self._piecewise(obligation.node)
-        for state in tried:
+        analytic = not has_cases(builder.program({"x": [Node(builder, obligation.node)]}))
+        zeros: list[State] = []
+        outside = inside = None
+        for state in candidates(self.text, names, positive, self._base(), constants):
             place = self._at(obligation, state)
             if place == -1 and outside is None:
                 outside = state
-            elif place == 0 and zero is None:
-                zero = state
+            elif place == 0 and len(zeros) < MOST_ZEROS:
+                zeros.append(state)
             elif place == 1 and inside is None:
                 inside = state
             # What is analytic and not zero at one state is zero on a thin set at most.
-            known = outside is not None or (obligation.sign is Sign.NONZERO and not piecewise)
+            known = outside is not None or (obligation.sign is Sign.NONZERO and analytic)
             if known and inside is not None:
                 break
-        return outside, zero, inside
+        return outside, zeros, inside
 
     def _has_truth(self, values: Mapping[str, Sequence[arb]]) -> bool:
         """Whether a state is in the region, and the truth has its value there."""

@@ -12,6 +12,9 @@ from typing import Any, NamedTuple
 
 from sympy import Basic, Expr, Function, Piecewise, Pow, S, cos, sin, sinh
 
+CONSTANT_NAN, ERROR = "the constant nan", "a way that ends in an error"
+"""What has no value at any state of its branch, in words; its demand has no operands."""
+
 Condition = tuple[Basic, bool]
 """What decides, as a comparison or as 0 and 1, and the answer that leads to a branch."""
 
@@ -23,14 +26,20 @@ class Demand:
     Attributes
     ----------
     operation : str
-        By its name in the table of operations.
+        By its name in the table of operations; or `CONSTANT_NAN`, `ERROR`.
     operands : tuple of Expr
     conditions : tuple of Condition
     """
 
     operation: str
-    operands: tuple[Expr, ...]
+    operands: tuple[Expr, ...] = ()
     conditions: tuple[Condition, ...] = ()
+
+    @property
+    def nowhere(self) -> bool:
+        """Whether it has no value wherever its branch is taken."""
+        zero = self.operation == "divide" and self.operands[1] == 0
+        return zero or self.operation in (CONSTANT_NAN, ERROR)
 
     def under(self, conditions: Iterable[Condition]) -> "Demand":
         """The same within a branch."""

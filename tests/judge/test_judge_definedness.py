@@ -1,9 +1,7 @@
 """Where what was written has a value: the rows of the table, in every form.
 
-theta'' = 3 g / (2 l) sin theta + 3 u / (m l^2)        of a rod that a torque u swings up
-
-Each statement is that one; `E` is written in it in a way that is zero where it has a value, and
-`ANGLE` in a way that is theta there.
+Each statement is that of a rod pendulum; what is added is zero where it has a value, and what
+stands for the angle is theta there.
 """
 
 import json
@@ -12,7 +10,19 @@ import math
 import casadi
 import numpy as np
 import pytest
-import sympy as sp
+import sympy
+from rod_statements import (
+    LATEX,
+    ROD,
+    C,
+    of_c,
+    of_casadi,
+    of_latex,
+    of_python,
+    of_sympy,
+    of_text,
+    outcome,
+)
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 from typer.testing import CliRunner
 
@@ -20,59 +30,6 @@ import mechanics
 from mechanics.cli.app import app
 from mechanics.judge.check_json import to_json
 from mechanics.scene import force
-from systems import rod_pendulum
-
-ROD = mechanics.derive(rod_pendulum.scene(), "free_body")
-TEXT = "theta'' = 3*g/(2*l)*sin({angle}) + 3*u/(m*l^2) + {more}"
-LATEX = r"\ddot\theta = \frac{3 g}{2 l} \sin(ANGLE) + \frac{3 u}{m l^2} + MORE"
-C = """
-#include <math.h>
-double theta_ddot(double theta, double theta_dot, double u, double m, double l, double g)
-{
-    return 3*g/(2*l)*sin(%s) + 3*u/(m*l*l) + %s;
-}
-"""
-
-
-def of_text(angle="theta", more="0", **options):
-    text = TEXT.format(angle=angle, more=more)
-    return mechanics.check(ROD, text, blame=False, notation="text", **options)
-
-
-def of_latex(angle=r"\theta", more="0", **options):
-    text = LATEX.replace("ANGLE", angle).replace("MORE", more)
-    return mechanics.check(ROD, text, blame=False, **options)
-
-
-def of_c(angle="theta", more="0", **options):
-    return mechanics.check(ROD, C % (angle, more), blame=False, notation="c", **options)
-
-
-def of_python(angle, **options):
-    def theta_ddot(theta, theta_dot, u, m, l, g):
-        return 3 * g / (2 * l) * np.sin(angle(theta)) + 3 * u / (m * l * l)
-
-    return mechanics.check(ROD, theta_ddot, blame=False, **options)
-
-
-def of_casadi(angle, **options):
-    names = ("theta", "theta_dot", "u", "m", "l", "g")
-    theta, _, u, m, l, g = symbols = [casadi.SX.sym(name) for name in names]
-    value = 3 * g / (2 * l) * casadi.sin(angle(theta)) + 3 * u / (m * l * l)
-    function = casadi.Function("theta_ddot", symbols, [value], list(names), ["theta_ddot"])
-    return mechanics.check(ROD, function, blame=False, **options)
-
-
-def of_sympy(angle, **options):
-    theta, u, m, l, g, second = sp.symbols("theta u m l g theta_ddot")
-    right = 3 * g / (2 * l) * sp.sin(angle(theta)) + 3 * u / (m * l**2)
-    return mechanics.check(ROD, sp.Eq(second, right), blame=False, **options)
-
-
-def outcome(found):
-    (entry,) = found.judged
-    return entry.finding.verdict.name, entry.finding.domain
-
 
 FORMS = {
     "text": lambda: of_text("sqrt(theta)^2"),
@@ -81,15 +38,15 @@ FORMS = {
         ROD,
         r"$r = \sqrt{\theta}$ and "
         + "$"
-        + LATEX.replace("ANGLE", "r^2").replace("MORE", "0")
+        + LATEX.replace("ANGLE", "r^2").replace("TORQUE", "u").replace("MORE", "0")
         + "$",
         blame=False,
     ),
     "C": lambda: of_c("sqrt(theta)*sqrt(theta)"),
-    "C, multiplied by zero": lambda: of_c("theta", "0*sqrt(theta)"),
+    "C, multiplied by zero": lambda: of_c("theta", more="0*sqrt(theta)"),
     "Python": lambda: of_python(lambda theta: np.sqrt(theta) ** 2),
     "CasADi": lambda: of_casadi(lambda theta: casadi.sqrt(theta) * casadi.sqrt(4 * theta) / 2),
-    "SymPy": lambda: of_sympy(lambda theta: sp.Pow(sp.sqrt(theta), 2, evaluate=False)),
+    "SymPy": lambda: of_sympy(lambda theta: sympy.Pow(sympy.sqrt(theta), 2, evaluate=False)),
 }
 
 
@@ -145,7 +102,7 @@ def test_a_region_that_was_stated_is_where_it_has_to_have_a_value():
     ("found", "expected"),
     [
         (lambda: of_text("theta^2/theta"), ("PROVED", "except where theta = 0")),
-        (lambda: of_text("theta", "0/u"), ("PROVED", "except where u = 0")),
+        (lambda: of_text("theta", more="0/u"), ("PROVED", "except where u = 0")),
         (lambda: of_c("theta*theta/theta"), ("UNDECIDED", "NOT SHOWN: NaN at rest (theta = 0)")),
         (
             lambda: of_python(lambda x: x * x / x),
@@ -286,7 +243,7 @@ def test_where_a_load_has_no_value_nobody_has_to(right, expected):
 def test_exit_codes_and_first_lines(tmp_path):
     def run(more):
         path = tmp_path / "mine.c"
-        path.write_text(C % ("theta", more))
+        path.write_text(C % ("theta", "u", more))
         return CliRunner().invoke(app, ["check", "rod_pendulum", str(path)])
 
     assert run("0").exit_code == 0

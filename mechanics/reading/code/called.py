@@ -27,6 +27,9 @@ from mechanics.reading.code.held import held
 from mechanics.reading.code.taken_apart import Record
 from mechanics.reading.code.tracing import NONE, Given, Outputs, Value, parts_of
 
+UNCALLED = "it cannot be called with numbers"
+"""How the doubt begins where no state was found at which it returns numbers."""
+
 STATES = 6
 """That are tried whatever the code decides; each way through it that is met is tried besides."""
 DRAWN = 60
@@ -94,7 +97,7 @@ def doubt_when_called(
         failure = str(error)
     except RecursionError:
         failure = "its expressions are nested too deeply"
-    return "" if compared else f"it cannot be called with numbers: {failure}"
+    return "" if compared else f"{UNCALLED}: {failure}"
 
 
 def _at_states(symbols: Sequence[Value], outputs: Outputs) -> Iterator[_Formulas]:

@@ -138,6 +138,7 @@ NUMPY: dict[str, Any] = {
     **{name: Float for name in ("float64", "float32", "double")},
     "random": Changing("np.random"),
     "linalg": Module(np.linalg, linear_systems.NUMPY),
+    "hypot": lambda x, y: np.sqrt(x * x + y * y),
     "arctan2": lambda y, x: y.arctan2(x) if isinstance(y, Traced) else np.arctan2(y, x),
     "sign": _signs, "select": _selected,
     "finfo": lambda kind: np.finfo(float if kind is Float else kind),
@@ -148,9 +149,8 @@ MATH: dict[str, Any] = {
     "atan2": NUMPY["arctan2"],
     "pow": lambda x, y: x**y,
     "fmod": lambda x, y: x.fmod(y) if isinstance(x, Traced) else math.fmod(x, y),
-    "hypot": lambda x, y: NUMPY["sqrt_of"](x * x + y * y),
+    "hypot": lambda x, *others: np.sqrt(sum((y * y for y in others), x * x)),
 }
-NUMPY["sqrt_of"] = MATH["sqrt"]
 LINEAR = {"numpy.linalg": linear_systems.NUMPY, "scipy.linalg": linear_systems.SCIPY}
 MODULES: dict[str, dict[str, Any]] = {
     "math": MATH, "numpy": NUMPY, "scipy": {}, **LINEAR,

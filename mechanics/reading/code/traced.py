@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable
 from fractions import Fraction
+from math import isnan
 from numbers import Real
 from typing import Any
 
@@ -31,7 +32,15 @@ from mechanics.reading.code.as_written import (
 )
 from mechanics.reading.code.constants import constant_of
 from mechanics.reading.code.explorer import Condition, Explorer
-from mechanics.reading.demands import NOTHING, Asked, Demand, asked, of_function, of_power
+from mechanics.reading.demands import (
+    CONSTANT_NAN,
+    NOTHING,
+    Asked,
+    Demand,
+    asked,
+    of_function,
+    of_power,
+)
 
 Operation = tuple[
     Callable[[Expr, Expr], Any],
@@ -171,6 +180,10 @@ class Traced:
         """Itself, as of an array with one entry."""
         return self
 
+    def hypot(self, other: Any) -> Any:
+        """The length of (self, other)."""
+        return np.sqrt(self * self + other * other)
+
     def arctan2(self, other: Any) -> Traced:
         """The angle of (other, self)."""
         value = expression_of(other, self.explorer)
@@ -183,9 +196,8 @@ Real.register(Traced)
 
 
 def _quotient(a: Expr, b: Expr) -> Expr:
-    if b == 0:
-        raise ZeroDivisionError("division by zero")
-    return a / b
+    # By 0 it has no value, which is what it asks for; any number may stand for it.
+    return a / b if b != 0 else sympy.S.Zero
 
 
 def _power(a: Expr, b: Expr) -> Expr:
@@ -228,6 +240,8 @@ def asked_of(value: Any) -> Asked:
     """What a number asks for, traced or not."""
     if isinstance(value, np.ndarray) and value.shape == ():
         return asked_of(value.item())
+    if isinstance(value, float | np.floating) and isnan(value):
+        return NAN
     return value.asked if isinstance(value, Traced) else NOTHING
 
 
@@ -252,6 +266,8 @@ def expression_of(value: Any, explorer: Explorer) -> Expr | None:
         return sympy.Integer(int(value))
     if isinstance(value, Fraction):
         return sympy.Rational(value.numerator, value.denominator)
+    if isinstance(value, float | np.floating) and isnan(value):
+        return sympy.S.Zero  # it asks for what no state has
     if isinstance(value, float | np.floating):
         number, note = constant_of(float(value))
         if note and note not in explorer.notes:
@@ -261,6 +277,8 @@ def expression_of(value: Any, explorer: Explorer) -> Expr | None:
         return sympy.Integer(int(bool(value)))
     return None
 
+
+NAN = asked([Demand(CONSTANT_NAN)])
 
 NAMES = {
     "arcsin": "asin", "arccos": "acos", "arctan": "atan", "arcsinh": "asinh", "arccosh": "acosh",
@@ -284,7 +302,9 @@ ELEMENTARY: dict[str, Callable[[Expr], Expr]] = {
     "sin": sympy.sin, "cos": sympy.cos, "tan": sympy.tan, "arcsin": sympy.asin,
     "arccos": sympy.acos, "arctan": sympy.atan, "sinh": sympy.sinh, "cosh": sympy.cosh,
     "tanh": sympy.tanh, "arcsinh": sympy.asinh, "arccosh": sympy.acosh, "arctanh": sympy.atanh,
-    "exp": sympy.exp, "log": sympy.log, "sqrt": sympy.sqrt, "fabs": sympy.Abs, "sign": sympy.sign,
+    "exp": sympy.exp, "log": sympy.log, "sqrt": sympy.sqrt,
+    "cbrt": lambda x: sympy.sign(x) * sympy.Abs(x) ** sympy.Rational(1, 3),
+    "fabs": sympy.Abs, "sign": sympy.sign,
     "conjugate": lambda x: x,
     "radians": lambda x: x * sympy.pi / 180, "deg2rad": lambda x: x * sympy.pi / 180,
 }  # fmt: skip

@@ -24,7 +24,7 @@ from mechanics.reading.code.lasting import changed, seen
 from mechanics.reading.code.stand_ins import copy_of
 from mechanics.reading.code.taken_apart import Record
 from mechanics.reading.code.traced import Traced, asked_of, expression_of
-from mechanics.reading.demands import Demand, gathered
+from mechanics.reading.demands import ERROR, Demand, gathered
 
 Value: TypeAlias = Expr | Sequence[Expr] | Record
 Given = Mapping[str, Value]
@@ -100,7 +100,7 @@ def trace(
     if not defined:
         raise InputError(f"{title} ends in an error whatever its arguments are")
     if len(defined) < len(ways.found):
-        ways.notes.append("ways that end in an error are left out")
+        ways.notes.append("ways that end in an error have no value")
     shapes = {tuple(value.shape for value in way.values or ()) for way in defined}
     if len(shapes) > 1:
         raise InputError(f"{title} returns arrays of different shapes")
@@ -108,7 +108,8 @@ def trace(
     names = {way.names for way in ways.found}
     values = _joined(defined, 0)
     entries = [entry for value in values for entry in value]
-    demands = {entry: tuple(_demanded(defined, 0, k)) for k, entry in enumerate(entries)}
+    failing = [Demand(ERROR, conditions=way.conditions) for way in ways.found if way.values is None]
+    demands = {entry: (*_demanded(defined, 0, k), *failing) for k, entry in enumerate(entries)}
     return Outputs(
         values, tuple(ways.notes), tuple(conditions), demands=demands,
         formulas=defined[0].formulas if len(ways.found) == 1 else {},

@@ -1,0 +1,163 @@
+"""Whether an expression with cases is zero on thin sets only: by the product over all its cases.
+
+    N = prod_sigma f_sigma        sqrt x -> sigma sqrt x,  |x| -> sigma x,  c ? x : y -> x or y
+
+Where f is zero on an open set, one f_sigma is zero wherever it can be continued to, and so is N.
+One state at which N is not zero shows that there is no such set: sqrt(x^2 + y^2) - x is zero on a
+thin set, |x| - x is not.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from fractions import Fraction
+from itertools import product
+from typing import Any
+
+from flint import acb, arb
+
+from mechanics.errors import ExpressionError
+from mechanics.kernel.balls import ball, precision
+from mechanics.program import Program, interpret
+from mechanics.program.operations import (
+    ABS,
+    ACOS,
+    ACOSH,
+    ADD,
+    ASIN,
+    ASINH,
+    ATAN,
+    ATAN2,
+    ATANH,
+    BY_NAME,
+    CONSTANT,
+    DIVIDE,
+    ENTRY,
+    INPUT,
+    LOG,
+    MULTIPLY,
+    NEGATE,
+    OPERATIONS,
+    PI,
+    POWER,
+    SELECT,
+    SIGN,
+    SOLVE,
+    SQRT,
+    SUBTRACT,
+    TAN,
+    TANH,
+)
+
+MOST_CASES = 512
+BITS = 128
+
+ENTIRE = ("exp", "sin", "cos", "sinh", "cosh", "erf")
+SHEETED = {"log": True, "atan": False, "asinh": False}
+"""Analytic where they are real, with other sheets beyond; whether their argument is positive."""
+
+
+class Case:
+    """The domain of complex balls in which every choice is made beforehand.
+
+    Parameters
+    ----------
+    choices : iterator of int
+        One for each operation that has cases, in the order of the program.
+    """
+
+    def __init__(self, choices: Iterator[int]) -> None:
+        def chosen(*cases: acb) -> acb:
+            return cases[next(choices)]
+
+        self.operations: Mapping[str, Callable[..., acb]] = {
+            "add": acb.__add__, "subtract": acb.__sub__, "multiply": acb.__mul__,
+            "divide": acb.__truediv__, "negate": acb.__neg__,
+            "sqrt": lambda x: chosen(acb.sqrt(x), -acb.sqrt(x)),
+            "abs": lambda x: chosen(x, -x),
+            "sign": lambda x: chosen(acb(1), acb(-1)),
+            "select": lambda c, x, y: chosen(x, y),
+            "power": _power, "tan": acb.tan, "tanh": acb.tanh,
+            **{name: _on_the_real_sheet(name) for name in SHEETED},
+            **{name: getattr(acb, name) for name in ENTIRE},
+            # What a choice is made by.
+            **{row.name: lambda *operands: acb(0) for row in OPERATIONS if row.boolean},
+        }  # fmt: skip
+
+    def constant(self, value: Fraction) -> acb:
+        """The enclosure of a rational."""
+        return acb(ball(value))
+
+    def pi(self) -> acb:
+        """The enclosure of pi."""
+        return acb.pi()
+
+    def solve(
+        self, matrix: Sequence[Sequence[acb]], right: Sequence[acb], symmetric: bool
+    ) -> Sequence[acb]:
+        """Not known here.
+
+        Raises
+        ------
+        ExpressionError
+        """
+        raise ExpressionError("the cases of a linear system are not looked at")
+
+
+def _power(x: acb, y: acb) -> acb:
+    """Of what is positive."""
+    return x.pow(y) if x.imag.is_zero() and x.real > 0 else _NOWHERE
+
+
+def _on_the_real_sheet(name: str) -> Callable[[acb], acb]:
+    def apply(x: acb) -> acb:
+        real = x.imag.is_zero() and (x.real > 0 or not SHEETED[name])
+        return getattr(acb, name)(x) if real else _NOWHERE
+
+    return apply
+
+
+_NOWHERE = acb(arb.nan())
+_SMOOTH = frozenset({
+    CONSTANT, PI, INPUT, ADD, SUBTRACT, MULTIPLY, DIVIDE, NEGATE, SOLVE, ENTRY, POWER, LOG, TAN,
+    TANH, ASIN, ACOS, ATAN, ATAN2, ACOSH, ATANH, ASINH, *(BY_NAME[name].code for name in ENTIRE),
+})  # fmt: skip
+
+
+def has_cases(program: Program) -> bool:
+    """Whether a program holds something else than analytic functions."""
+    return not _SMOOTH.issuperset(program.operations)
+
+
+def is_thin(program: Program, output: str, states: Sequence[Mapping[str, Fraction | arb]]) -> bool:
+    """Whether it is shown that an output is zero on a set without interior at most.
+
+    Parameters
+    ----------
+    program : Program
+    output : str
+        Name of an output of one entry.
+    states : sequence of mappings of str to Fraction or arb
+        At which the product is tried.
+    """
+    counts = [2 for code in program.operations if code in (SQRT, ABS, SIGN, SELECT)]
+    if 2 ** len(counts) > MOST_CASES:
+        return False
+    with precision(BITS):
+        return any(_all_nonzero(program, output, counts, state) for state in states)
+
+
+def _all_nonzero(
+    program: Program, output: str, counts: Sequence[int], state: Mapping[str, Fraction | arb]
+) -> bool:
+    inputs: dict[str, Any] = {
+        name: acb(value if isinstance(value, arb) else ball(value)) for name, value in state.items()
+    }
+    for choices in product(*map(range, counts)):
+        try:
+            (value,) = interpret(program, Case(iter(choices)), inputs)[output]
+        except (ExpressionError, ZeroDivisionError):
+            return False
+        if not value.is_finite() or value.contains(0):
+            return False
+    return True
