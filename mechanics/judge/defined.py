@@ -29,7 +29,7 @@ from mechanics.program import Builder, Node, Obligation
 from mechanics.program.operations import Sign
 from mechanics.program.sympy_reader import read
 from mechanics.reading.code.called import UNCALLED
-from mechanics.reading.demands import Demand, Demands, within
+from mechanics.reading.demands import RAISED, Demand, Demands, within
 from mechanics.reading.statement import Statement
 from mechanics.scene import Scene
 
@@ -73,7 +73,7 @@ def where_defined(
         return finding
     try:
         if uncalled:  # what it computes is not known; that it has no value is
-            found = _decided(truth, demands, replace(finding, verdict=Verdict.PROVED), region, {})
+            found = _decided(truth, demands, finding, region, {})
             return found if found.undefined else finding
         return _decided(truth, demands, finding, region, dict(values or {}))
     except MechanicsError as error:
@@ -279,7 +279,13 @@ def _determinant(rows: Sequence[Sequence[Node]]) -> Node:
 
 
 def _told(finding: Finding, left: Sequence[Gap], written: Written, code: bool) -> Finding:
-    """The verdict of what is left, the worst first."""
+    """The verdict of what is left, the worst first.
+
+    An error that code raises itself says where the author means it: it is named, and refutes only
+    where a motion has to begin.
+    """
+    raised = [gap for gap in left if gap.obligation.operation == RAISED and not _refutes(gap)]
+    left = [gap for gap in left if gap not in raised]
     for test, tell in (
         (_refutes, _refuted), (_unknown, _undecided), (_open, _restricted),
     ):  # fmt: skip
@@ -290,6 +296,7 @@ def _told(finding: Finding, left: Sequence[Gap], written: Written, code: bool) -
         words = _listed([_excluded(written.origin[gap.obligation]) for gap in at_rest], " or ")
         advice = "its formulas are right elsewhere: give the value there a branch of its own"
         return undecided(finding.subject, advice, f"NOT SHOWN: NaN at rest ({words})")
+    left = [*left, *raised]
     if not left:
         return finding
     words = _listed([_excluded(written.origin[gap.obligation]) for gap in left], " or ")

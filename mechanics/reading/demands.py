@@ -12,7 +12,11 @@ from typing import Any, NamedTuple
 
 from sympy import Basic, Expr, Function, Piecewise, Pow, S, cos, sin, sinh
 
-CONSTANT_NAN, ERROR = "the constant nan", "a way that ends in an error"
+CONSTANT_NAN, ERROR, RAISED = (
+    "the constant nan",
+    "a way that ends in an error",
+    "an error it raises",
+)
 """What has no value at any state of its branch, in words; its demand has no operands."""
 
 Condition = tuple[Basic, bool]
@@ -26,7 +30,7 @@ class Demand:
     Attributes
     ----------
     operation : str
-        By its name in the table of operations; or `CONSTANT_NAN`, `ERROR`.
+        By its name in the table of operations; or `CONSTANT_NAN`, `ERROR`, `RAISED`.
     operands : tuple of Expr
     conditions : tuple of Condition
     """
@@ -39,7 +43,7 @@ class Demand:
     def nowhere(self) -> bool:
         """Whether it has no value wherever its branch is taken."""
         zero = self.operation == "divide" and self.operands[1] == 0
-        return zero or self.operation in (CONSTANT_NAN, ERROR)
+        return zero or self.operation in (CONSTANT_NAN, ERROR, RAISED)
 
     def under(self, conditions: Iterable[Condition]) -> "Demand":
         """The same within a branch."""

@@ -53,8 +53,11 @@ OPEN = [
         "C": lambda: of_c(more="0/(fabs(theta) - theta)"),
         "Python": lambda: of_python(more=lambda x: 0 / (abs(x) - x)),
     }),
-    ("beyond a value, an error", ("UNDECIDED", "PROVED WHERE theta <= 2"), {
+    ("beyond a value, an error that it raises", ("PROVED", "except where theta > 2"), {
         "Python": lambda: of_python(more=fails_beyond(2)),
+    }),
+    ("beyond a value, a division by 0", ("UNDECIDED", "PROVED WHERE theta <= 2"), {
+        "Python": lambda: of_python(more=lambda x: 1 / 0 if x > 2 else 0),
     }),
 ]  # fmt: skip
 
@@ -69,7 +72,7 @@ def fails_beyond(bound):
 
 
 OPEN_AT_REST = [
-    ("an error", "a way that ends in an error has no real value at theta = 0", {
+    ("an error", "has no real value at theta = 0", {
         "Python": lambda: of_python(more=fails_beyond(-1)),
         "Python, a division by zero": lambda: of_python(more=lambda x: 0 / (max(x, 1.0) - 1)),
     }),

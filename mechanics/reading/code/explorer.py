@@ -28,7 +28,8 @@ class Explorer:
 
     `formulas` are those of the numbers that it returns, as its code has them; `names` are the keys
     that they have, where they are entries of a dictionary; `asked` is what each decision asks
-    for, `outputs` what each number that is returned does.
+    for, `outputs` what each number that is returned does; `failure` is how it ended in an
+    error.
     """
 
     prefix: tuple[bool, ...] = ()
@@ -38,6 +39,7 @@ class Explorer:
     names: tuple[str, ...] = ()
     asked: list[Asked] = field(default_factory=list)
     outputs: list[tuple[Demand, ...]] = field(default_factory=list)
+    failure: str = ""
 
     def decide(self, condition: Boolean, asked: Asked = NOTHING) -> bool:
         """Which way to go at a condition."""

@@ -10,6 +10,7 @@ import re
 import traceback
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
+from dis import opmap
 from typing import Any, TypeAlias
 
 import numpy as np
@@ -24,7 +25,7 @@ from mechanics.reading.code.lasting import changed, seen
 from mechanics.reading.code.stand_ins import copy_of
 from mechanics.reading.code.taken_apart import Record
 from mechanics.reading.code.traced import Traced, asked_of, expression_of
-from mechanics.reading.demands import ERROR, Demand, gathered
+from mechanics.reading.demands import ERROR, RAISED, Demand, gathered
 
 Value: TypeAlias = Expr | Sequence[Expr] | Record
 Given = Mapping[str, Value]
@@ -73,6 +74,7 @@ class _Way:
     names: tuple[str, ...]
     decided: tuple[tuple[Demand, ...], ...] = ()
     asked: tuple[tuple[Demand, ...], ...] = ()
+    failure: str = ""
 
 
 def trace(
@@ -108,7 +110,9 @@ def trace(
     names = {way.names for way in ways.found}
     values = _joined(defined, 0)
     entries = [entry for value in values for entry in value]
-    failing = [Demand(ERROR, conditions=way.conditions) for way in ways.found if way.values is None]
+    failing = [
+        Demand(way.failure, conditions=way.conditions) for way in ways.found if way.values is None
+    ]
     demands = {entry: (*_demanded(defined, 0, k), *failing) for k, entry in enumerate(entries)}
     return Outputs(
         values, tuple(ways.notes), tuple(conditions), demands=demands,
@@ -148,7 +152,15 @@ def _follow(
         taken = tuple(explorer.taken)
         decided = tuple(map(gathered, explorer.asked))
         ways.found.append(
-            _Way(taken, values, explorer.formulas, explorer.names, decided, tuple(explorer.outputs))
+            _Way(
+                taken,
+                values,
+                explorer.formulas,
+                explorer.names,
+                decided,
+                tuple(explorer.outputs),
+                explorer.failure,
+            )
         )
         prefix = _next([answer for _, answer in taken])
 
@@ -177,12 +189,23 @@ def _called(
         raise
     except (ValueError, ZeroDivisionError, AssertionError, FloatingPointError) as error:
         if explorer.taken:
+            explorer.failure = RAISED if _raises(error) else ERROR
             return None
         raise InputError(f"{title}{_where(origin, error, given)}") from None
     except Exception as error:
         raise InputError(f"{title} cannot be traced{_where(origin, error, given)}") from None
     explorer.names = _keys(result)
     return tuple(_matrix(part, explorer, title) for part in parts_of(result))
+
+
+def _raises(error: Exception) -> bool:
+    """Whether the code says ``raise`` or ``assert`` there, and no operation of it failed."""
+    frame = error.__traceback__
+    while frame is not None and frame.tb_next is not None:
+        frame = frame.tb_next
+    if frame is None:
+        return False
+    return frame.tb_frame.f_code.co_code[frame.tb_lasti] == opmap["RAISE_VARARGS"]
 
 
 def _where(function: Callable[..., Any], error: Exception, given: Given) -> str:
