@@ -12,7 +12,9 @@ from benchmarks.kernels.race import Contender, Lap
 from mechanics.compiled.machine.batch import library_source
 from mechanics.compiled.machine.library import find_compiler, load
 from mechanics.compiled.machine.vectorised import settings
-from mechanics.simulate.integrators.heyoka import expressions
+from mechanics.program import Builder, interpret
+from mechanics.program.casadi_reader import read
+from mechanics.simulate.integrators.heyoka import Expressions
 
 PASSES = """
 void passes(long n, {arguments})
@@ -82,16 +84,27 @@ def heyoka(form: str = "ldl", constant: bool = False) -> Contender:
     def prepare(case: Case) -> Lap:
         import heyoka as hy
 
-        code = model(case.links, form).program("forward_dynamics")
+        builder = Builder()
+        function = model(case.links, form).casadi["forward_dynamics"]
+        groups = [
+            [f"{function.name_in(i)}{k}" for k in range(function.numel_in(i))]
+            for i in range(function.n_in())
+        ]
+        arguments = {
+            function.name_in(i): [*map(builder.input, names)] for i, names in enumerate(groups)
+        }
+        program = builder.program({"ud": read(builder, function, arguments)["ud"]})
         rows = {
             f"{name}{k}": row
             for name, array in zip(("q", "u", "inputs"), (case.q, case.u, case.inputs), strict=True)
             for k, row in enumerate(array)
         }
-        given = [[hy.expression(f"{name}{k}") for k in range(size)] for name, size in code.inputs]
-        numbers = enumerate(case.p)
-        given[-1] = [hy.expression(float(x)) if constant else hy.par[k] for k, x in numbers]
-        written = expressions(code, given)[0]
+        given = {name: hy.expression(name) for names in groups[:-1] for name in names}
+        given |= {
+            name: hy.expression(float(x)) if constant else hy.par[k]
+            for k, (name, x) in enumerate(zip(groups[-1], case.p, strict=True))
+        }
+        written = [*interpret(program, Expressions(), given)["ud"]]
         used = sorted(set().union(*(hy.get_variables(e) for e in written)))
         function = hy.cfunc(written, vars=[hy.expression(name) for name in used], fast_math=True)
         states = np.ascontiguousarray([rows[name] for name in used])

@@ -7,12 +7,13 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 
-import casadi as ca
 import numpy as np
-from flint import arb, arb_mat, fmpq
+from flint import arb, arb_mat
 from numpy.typing import NDArray
 
-from mechanics.exact.balls import Ball, BallArithmetic, State, ball, precision
+from mechanics.kernel.balls import ball, enclose, precision
+from mechanics.program import Builder, tangent
+from mechanics.program.interpret import include
 from mechanics.simulate.reference_taylor import Exact
 
 Array = NDArray[np.float64]
@@ -39,35 +40,26 @@ class Enclosure:
 
 def linear_solution(given: Exact, times: Array) -> Enclosure | None:
     """The enclosed solution at the times; None where the equations are not linear in y."""
-    y, *rest = given.rate.sx_in()
-    slope = ca.densify(ca.jacobian(given.rate(y, *rest), y))
-    if ca.depends_on(slope, y):
+    builder, size = Builder(), len(given.start)
+    rates = include(builder, given.program)["yd"]
+    state = [builder.input(name) for name in given.start]
+    slopes = [tangent(rates, {entry: builder.one}) for entry in state]
+    matrix = builder.program({"A": [row for column in zip(*slopes, strict=True) for row in column]})
+    if set(matrix.inputs) & set(given.start):
         return None
-    function = ca.Function("linear", [y, *rest], [slope, given.rate(y, *rest)])
-    size = len(given.start)
+    at_zero = include(builder, given.program, dict.fromkeys(given.start, builder.zero))["yd"]
+    values = enclose(builder.program({"b": at_zero}), given.held, BITS)
+    values |= enclose(matrix, given.held, BITS)
     with precision(BITS):
-        held = [[Ball(_ball(number)) for number in group] for group in given.held]
-        still = [Ball(arb(0))] * size
-        entries, offset = BallArithmetic(State({})).graph(function, [still, *held])
         generator = arb_mat(size + 1, size + 1)
         for i in range(size):
             for j in range(size):
-                generator[i, j] = _arb(entries[j * size + i])
-            generator[i, size] = _arb(offset[i])
-        start = arb_mat([[ball(number)] for number in (*given.start, Fraction(1))])
+                generator[i, j] = values["A"][size * i + j]
+            generator[i, size] = values["b"][i]
+        start = arb_mat([[ball(number)] for number in (*given.start.values(), Fraction(1))])
         return Enclosure(tuple(_moved(generator, start, time) for time in times))
 
 
 def _moved(generator: arb_mat, start: arb_mat, time: float) -> tuple[arb, ...]:
-    exact_time = Fraction(float(time))
-    moved = (generator * arb(fmpq(exact_time.numerator, exact_time.denominator))).exp() * start
+    moved = (generator * ball(Fraction(float(time)))).exp() * start
     return tuple(moved.entries()[:-1])
-
-
-def _ball(number: object) -> arb:
-    a = BallArithmetic(State({}))
-    return _arb(a.value(number)) if not isinstance(number, Fraction) else ball(number)
-
-
-def _arb(number: object) -> arb:
-    return number.arb if isinstance(number, Ball) else ball(number)

@@ -1,21 +1,20 @@
-"""The recurrences of `reference_series` in C, on integers of four 64-bit words.
+"""Steps of Taylor series in C, on integers of four 64-bit words.
 
 Python computes the coefficients of order zero, with Arb's sines, and reciprocals of divisors; the
-higher orders, which cost the time, follow here from a list of rules. A number that outgrows its
+higher orders, which cost the time, follow here from the list of steps. A number that outgrows its
 words is reported, and Python's own integers take over: the digits are the same.
 """
 
 import ctypes
 import functools
 from collections.abc import Sequence
-from enum import IntEnum
-from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from mechanics.compiled.machine.native import load
 from mechanics.errors import CompilerError
+from mechanics.program.taylor import Kind, Recurrences
 from mechanics.simulate.reference_words import SOURCE
 
 WORDS = 4
@@ -26,22 +25,8 @@ FLAGS = "-O3 -march=native -funroll-loops"
 LARGEST = 64 * WORDS - 8
 
 
-class Op(IntEnum):
-    """What a rule does at an order above zero."""
-
-    COPY, SUM, DIFFERENCE, SCALED, TIMES, PRODUCT, OVER, QUOTIENT, SLOPE, CHAIN, CHAIN_CONSTANT = (
-        range(11)
-    )
-
-
-class Line(NamedTuple):
-    """One rule: places of series, and a small integer or the place of a number."""
-
-    op: Op
-    out: int
-    a: int = 0
-    b: int = 0
-    number: int = 0
+SLOPE = len(Kind)
+"""The operation of C, beside those of steps, that computes the numbers i x_i."""
 
 
 def reciprocal(divisor: int, bits: int) -> tuple[int, int]:
@@ -69,53 +54,63 @@ class Recurrence:
     compiler : str or None
     bits : int
         P.
-    lines : sequence of Line
-    state : sequence of (int, int)
-        Places of the series of each entry of the state and of its rate; -1 - k where the rate is
-        the number k.
-    count : int
-        Number of series.
+    rules : Recurrences
+    constants : sequence of int
+        Those of the rules.
     """
 
     def __init__(
-        self,
-        compiler: str | None,
-        bits: int,
-        lines: Sequence[Line],
-        state: Sequence[tuple[int, int]],
-        count: int,
+        self, compiler: str | None, bits: int, rules: Recurrences, constants: Sequence[int]
     ) -> None:
         self._library = None if compiler is None else _library(compiler)
-        self._bits, self._count = bits, count
-        self._lines = np.array([tuple(line) for line in lines], dtype=np.int32).reshape(-1, 5)
-        self._state = np.array(state, dtype=np.int32)
+        self._bits = bits
+        # Constants, reciprocals of those that are divided by, and room for those of what moves.
+        numbers = [(value, 0) for value in constants]
+        self._divisors: list[int] = []
+        slopes: dict[int, int] = {}
+        count = len(rules.first.outputs["first"])
+        over = sum(step.kind is Kind.OVER for step in rules.steps)
+        lines: list[tuple[int, ...]] = []
+        for kind, out, a, b, sign in rules.steps:
+            number = sign
+            if kind is Kind.TIMES:
+                number = -1 - b
+            elif kind is Kind.OVER:
+                number = len(numbers)
+                numbers.append(reciprocal(constants[-1 - b], bits))
+            elif kind is Kind.QUOTIENT:
+                number = len(constants) + over + len(self._divisors)
+                self._divisors.append(b)
+            elif kind is Kind.CHAIN:
+                if a not in slopes:
+                    slopes[a] = count + len(slopes)
+                    lines.append((SLOPE, slopes[a], a, 0, 0))
+                a = slopes[a]
+            lines.append((kind, out, a, b, number))
+        self._held = [value for value, _ in numbers]
+        self._shifts = [shift for _, shift in numbers]
+        self._count = count + len(slopes)
+        self._lines = np.array(lines, dtype=np.int32).reshape(-1, 5)
+        self._state = np.array(list(enumerate(rules.rates)), dtype=np.int32)
 
-    def expand(
-        self,
-        order: int,
-        first: Sequence[int],
-        numbers: Sequence[int],
-        shifts: Sequence[int],
-        step: int,
-    ) -> list[list[int]] | None:
+    def expand(self, order: int, first: Sequence[int], step: int) -> list[list[int]] | None:
         """Coefficients of the state, or None where C cannot compute them.
 
         Parameters
         ----------
         first : sequence of int
             Coefficient zero of every series.
-        numbers, shifts : sequence of int
-            What the rules refer to: constants, and reciprocals of divisors with their shifts.
         """
         if self._library is None:
             return None
-        everything = (*first, *numbers, step)
-        if max(x.bit_length() for x in everything) >= LARGEST:
+        divisors = [reciprocal(first[place], self._bits) for place in self._divisors]
+        numbers = [*self._held, *(value for value, _ in divisors)]
+        if max(x.bit_length() for x in (*first, *numbers, step)) >= LARGEST:
             return None
         series = np.zeros((self._count, order + 1, WORDS), dtype=np.uint64)
-        series[:, 0] = _words(first)
+        series[: len(first), 0] = _words(first)
         known, length = _words(numbers), _words([step])
-        turned = np.array(shifts, dtype=np.int32)
+        turned = np.array([*self._shifts, *(shift for _, shift in divisors)], dtype=np.int32)
         failed = self._library.mechanics_expand(
             order, self._bits, len(self._lines), _at(self._lines), len(self._state),
             _at(self._state), _at(series), _at(known), _at(turned), _at(length),

@@ -8,23 +8,25 @@ the polynomial is evaluated there.
 """
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
 from weakref import WeakKeyDictionary
 
-import casadi as ca
-import sympy
-
 from mechanics.compiled.forms.members import ELIMINATION, LDL, PRIMITIVE
-from mechanics.compiled.graphs import Graphs
+from mechanics.compiled.graphs import STATE, Graphs
 from mechanics.compiled.model import Model
-from mechanics.compiled.programs.program import Program, program
 from mechanics.errors import SingularError
+from mechanics.program import Builder, Program
+from mechanics.program.builder import Node
+from mechanics.program.casadi_reader import read as read_graph
+from mechanics.program.interpret import include
+from mechanics.program.sympy_reader import read as read_expressions
+from mechanics.program.taylor import Recurrences, recurrences
 from mechanics.simulate.integrators.problem import OverBudget, Problem
-from mechanics.simulate.integrators.rate import motion_graphs
-from mechanics.simulate.reference_series import Taylor
+from mechanics.simulate.integrators.rate import motion_graphs, rate_entries
+from mechanics.simulate.reference_series import FixedPoint, Taylor
 
 # Steps after which the solution is given up, and after how many it is known what it will take.
 STEPS, TRIAL = 40_000, 20
@@ -35,9 +37,7 @@ SHORT = 120
 # would be larger than the solution.
 LEAST, MOST = -1.0, 0.5
 
-_known: WeakKeyDictionary[Model, dict[bool, tuple[ca.Function, tuple[sympy.Expr, ...]]]] = (
-    WeakKeyDictionary()
-)
+_known: WeakKeyDictionary[Model, Program] = WeakKeyDictionary()
 
 
 @dataclass(frozen=True, eq=False)
@@ -46,90 +46,93 @@ class Exact:
 
     Attributes
     ----------
-    rate : casadi.Function
-        y' from the state (with t as its last entry where the equations hold t), inputs, parameters
-        and named constants.
-    start : tuple of Fraction
-    held : tuple of tuple of (Fraction or sympy.Expr)
-        Inputs, parameters, constants.
+    program : Program
+        y' from the state, inputs and parameters, by name; the rate of t is 1 where t moves.
+    start : mapping of str to Fraction
+        The state at t = 0, in the order of y; t is its last entry where it moves.
+    held : mapping of str to Fraction
+        Inputs and parameters.
     compiler : str or None
         For what is quicker in C, with the same digits.
     """
 
-    rate: ca.Function
-    start: tuple[Fraction, ...]
-    held: tuple[tuple[Fraction | sympy.Expr, ...], ...]
+    program: Program
+    start: Mapping[str, Fraction]
+    held: Mapping[str, Fraction]
     compiler: str | None = None
 
     @cached_property
-    def code(self) -> Program:
-        """Instructions of the rate."""
-        return program(self.rate)
+    def rules(self) -> Recurrences:
+        """What the series follow, whatever their digits."""
+        return recurrences(self.program, tuple(self.start))
 
     @property
     def key(self) -> tuple[object, ...]:
         """Everything that the solution depends on."""
-        return self.code, self.start, self.held
+        return self.program.digest, *self.start.items(), *self.held.items()
 
     @property
     def spread(self) -> int:
         """Binary digits between 1 and the smallest number but zero."""
-        numbers = [*self.start, *(x for group in self.held for x in group)]
+        numbers = (*self.start.values(), *self.held.values())
         sizes = [abs(float(x)) for x in numbers if x != 0]
         return max(0, math.ceil(-math.log2(min(sizes, default=1.0))))
 
 
 def exact(problem: Problem) -> Exact:
-    """The equations with named constants, and numbers as the rationals that doubles are."""
-    timed = "t" in problem.varying
-    function, constants = _shortest(problem.model, timed)
-    inputs = tuple(Fraction(value) for value in problem.signals(0.0))
-    parameters = tuple(Fraction(float(value)) for value in problem.p)
-    start = [Fraction(float(value)) for value in problem.start] + [Fraction(0)] * timed
-    held = inputs, parameters, constants
-    return Exact(function, tuple(start), held, problem.model.compiler)
+    """The equations with exact constants, and numbers as the rationals that doubles are."""
+    names, timed = rate_entries(problem.model), "t" in problem.varying
+    start = dict(zip(names["y"], map(_rational, problem.start), strict=True))
+    held = dict(zip(names["inputs"], map(_rational, problem.signals(0.0)), strict=True))
+    held |= dict(zip(names["p"], map(_rational, problem.p), strict=True))
+    if timed:
+        start["t"] = held.pop("t")
+    program = _shortest(problem.model)
+    if timed:
+        builder = Builder()
+        outputs = {"yd": [*include(builder, program)["yd"], builder.one]}
+        program = builder.program(outputs, program.inputs)
+    return Exact(program, start, held, problem.model.compiler)
 
 
-def _shortest(model: Model, timed: bool) -> tuple[ca.Function, tuple[sympy.Expr, ...]]:
-    """The rate in the form with the fewest instructions: in exact numbers all forms are equal."""
-    known = _known.setdefault(model, {})
-    if timed not in known:
-        known[timed] = _searched(model, timed)
-    return known[timed]
+def _rational(value: float) -> Fraction:
+    return Fraction(float(value))
 
 
-def _searched(model: Model, timed: bool) -> tuple[ca.Function, tuple[sympy.Expr, ...]]:
-    best = _rate(model, motion_graphs(model), timed)
-    if best[0].n_instructions() < SHORT:
+def _shortest(model: Model) -> Program:
+    """The rate in the form with the fewest operations: in exact numbers all forms are equal."""
+    if model not in _known:
+        _known[model] = _searched(model)
+    return _known[model]
+
+
+def _searched(model: Model) -> Program:
+    best = _rate(motion_graphs(model), rate_entries(model))
+    if best.count < SHORT:
         return best
     for form in (LDL, ELIMINATION, PRIMITIVE):
         if form.name == model.form or form.unsuited(model.equations):
             continue
-        other = _rate(model, motion_graphs(model, form.name), timed)
-        best = min(best, other, key=lambda found: found[0].n_instructions())
+        other = _rate(motion_graphs(model, form.name), rate_entries(model))
+        best = min(best, other, key=lambda program: program.count)
     return best
 
 
-def _rate(model: Model, graphs: Graphs, timed: bool) -> tuple[ca.Function, tuple[sympy.Expr, ...]]:
-    """``rate(y, inputs, p, constants)`` with t' = 1 at the end of y if asked for."""
-    sizes = {group: len(getattr(model.quantities, group)) for group in ("q", "u", "inputs", "p")}
-    size = sizes["q"] + sizes["u"]
-    dynamics, _ = graphs.exact("forward_dynamics")
-    rates, constants = graphs.exact("coordinate_rates")
-    y, w, p, c = (
-        ca.SX.sym(name, count)
-        for name, count in (
-            ("y", size + timed), ("w", sizes["inputs"]), ("p", sizes["p"]), ("c", len(constants)),
-        )
-    )  # fmt: skip
-    used = ca.SX(w)
-    if timed:
-        used[model.entries["inputs"].index("t")] = y[size]
-    state = (y[: sizes["q"]], y[sizes["q"] : size], used, p)
-    # Constants are numbered in the order in which they were found: an earlier graph has fewer.
-    found = [rates(*state, c), dynamics(*state, c[: dynamics.numel_in(4)])[0]]
-    yd = ca.densify(ca.vertcat(*found, *([1] * timed)))
-    return ca.Function("rate", [y, w, p, c], ca.cse([yd])), constants
+def _rate(graphs: Graphs, names: Mapping[str, Sequence[str]]) -> Program:
+    """``yd``, its constants exact, of inputs by name."""
+    builder = Builder()
+    q = names["y"][: len(graphs.quantities.q)]
+    groups = (q, names["y"][len(q) :], names["inputs"], names["p"])
+    arguments = {
+        name: [builder.input(entry) for entry in group]
+        for name, group in zip(STATE, groups, strict=True)
+    }
+    rates: list[Node] = []
+    for name, output in (("coordinate_rates", "qd"), ("forward_dynamics", "ud")):
+        function, constants = graphs.exact(name)
+        arguments["constants"] = [*read_expressions(builder, constants)]
+        rates += read_graph(builder, function, arguments)[output]
+    return builder.program({"yd": rates}, [entry for group in groups for entry in group])
 
 
 def solve(
@@ -150,15 +153,18 @@ def solve(
 
     Raises
     ------
+    ExpressionError
+        If the program holds an operation that is not analytic; it is named.
     OverBudget
         If it would take more than `STEPS` steps.
     SingularError
         If the motion cannot be continued.
     """
-    held = [[_fixed(number, bits) for number in group] for group in problem.held]
-    taylor = Taylor(problem.code, held, bits, problem.compiler)
-    wanted = [_fixed(Fraction(float(time)), bits) for time in times]
-    state = [_fixed(number, bits) for number in problem.start]
+    fixed = FixedPoint(bits).constant
+    held = {name: fixed(value) for name, value in problem.held.items()}
+    taylor = Taylor(problem.rules, tuple(problem.start), held, bits, problem.compiler)
+    wanted = [fixed(_rational(time)) for time in times]
+    state = [*map(fixed, problem.start.values())]
     found, t, steps = [state], 0, 0
     step = max(1, wanted[-1] // 64)
     keep = math.ceil(digits * math.log2(10))
@@ -224,10 +230,3 @@ def _along(coefficients: Sequence[Sequence[int]], s: int, bits: int) -> list[int
             value = (value * s >> bits) + coefficient
         values.append(value)
     return values
-
-
-def _fixed(number: Fraction | sympy.Expr, bits: int) -> int:
-    if isinstance(number, sympy.Expr):
-        digits = math.ceil(bits * math.log10(2)) + 40
-        return int(sympy.floor((number * sympy.Integer(2) ** bits).evalf(digits)))
-    return (number.numerator << bits) // number.denominator

@@ -9,8 +9,7 @@ SOURCE = """\
 #include <string.h>
 
 typedef unsigned __int128 wide;
-enum { L = @WORDS, COPY = 0, SUM, DIFFERENCE, SCALED, TIMES, PRODUCT, OVER, QUOTIENT, SLOPE, CHAIN,
-    CHAIN_CONSTANT };
+enum { L = @WORDS, COPY = 0, SUM, TIMES, OVER, PRODUCT, QUOTIENT, CHAIN, SLOPE };
 
 static __thread int bad;
 
@@ -116,6 +115,16 @@ static void convolved(uint64_t *sum, const uint64_t *a, const uint64_t *b, int f
         accumulate(sum, a + i * L, b + (j - i) * L);
 }
 
+/* sum_(i = 0 .. j) a_i a_(j - i): half of the terms, twice */
+static void squared(uint64_t *sum, const uint64_t *a, int j)
+{
+    convolved(sum, a, a, 0, (j + 1) / 2 - 1, j);
+    for (int i = 2 * L - 1; i >= 0; --i)
+        sum[i] = sum[i] << 1 | (i ? sum[i - 1] >> 63 : 0);
+    if (j % 2 == 0)
+        accumulate(sum, a + j / 2 * L, a + j / 2 * L);
+}
+
 static void times(uint64_t *out, const uint64_t *a, const uint64_t *b, int bits)
 {
     uint64_t sum[2 * L] = {0};
@@ -139,31 +148,24 @@ int mechanics_expand(int order, int bits, int rules, const int32_t *rule, int st
             switch (line[0]) {
             case COPY:
                 memcpy(x, a + j * L, L * sizeof *x);
-                break;
-            case SUM:
-                memcpy(x, a + j * L, L * sizeof *x);
-                add(x, b + j * L, L);
-                check(x);
-                break;
-            case DIFFERENCE:
-                memcpy(x, b + j * L, L * sizeof *x);
-                negate(x, L);
-                add(x, a + j * L, L);
-                check(x);
-                break;
-            case SCALED:
-                memcpy(x, a + j * L, L * sizeof *x);
-                for (int i = line[4] < 0 ? -line[4] : line[4]; i > 1; --i)
-                    add(x, a + j * L, L);
                 if (line[4] < 0)
                     negate(x, L);
+                break;
+            case SUM:
+                memcpy(x, b + j * L, L * sizeof *x);
+                if (line[4] < 0)
+                    negate(x, L);
+                add(x, a + j * L, L);
                 check(x);
                 break;
             case TIMES:
                 times(x, a + j * L, held, bits);
                 break;
             case PRODUCT:
-                convolved(sum, a, b, 0, j, j);
+                if (a == b)
+                    squared(sum, a, j);
+                else
+                    convolved(sum, a, b, 0, j, j);
                 shifted(x, sum, bits);
                 break;
             case OVER:
@@ -187,13 +189,8 @@ int mechanics_expand(int order, int bits, int rules, const int32_t *rule, int st
                 accumulate(sum, a + j * L, x);
                 shifted(x, sum, 0);
                 break;
-            default:
-                if (line[0] == CHAIN)
-                    convolved(sum, a, b, 1, j, j);
-                else {
-                    memset(sum, 0, sizeof sum);
-                    accumulate(sum, a + j * L, number + line[3] * L);
-                }
+            default: /* CHAIN */
+                convolved(sum, a, b, 1, j, j);
                 shifted(x, sum, bits);
                 divided(x, (uint64_t)j);
                 if (line[4] < 0)

@@ -12,14 +12,14 @@ a division as 10; series that do not fit into the first cache take twice as long
 
 from functools import lru_cache
 
-import casadi as ca
 import numpy as np
 from scipy.integrate import DOP853
 
-from mechanics.compiled.programs.program import DIVISIONS, Program
 from mechanics.errors import ExpressionError
-from mechanics.simulate.ensembles.recurrences import Recurrences
-from mechanics.simulate.ensembles.taylor import order
+from mechanics.program import Program
+from mechanics.program.operations import COS, DIVIDE, SIN
+from mechanics.program.taylor import recurrences
+from mechanics.simulate.ensembles.taylor import kept, order
 
 PAIR, DIVISION = 40, 10
 SLOPES = sum(np.count_nonzero(a) for a in (DOP853.A, DOP853.B, DOP853.E3, DOP853.E5))
@@ -28,30 +28,33 @@ MORE_STEPS, AT = 2.3, 1e-12
 
 
 @lru_cache(maxsize=64)
-def best(code: Program, share: float) -> str:
+def best(program: Program, state: tuple[str, ...], share: float) -> str:
     """``"taylor"`` or ``"dop853"``.
 
     Parameters
     ----------
-    code : Program
+    program : Program
         The right-hand side.
+    state : tuple of str
+        Its inputs that move.
     share : float
         Relative error that a step may make.
     """
     try:
-        rules = Recurrences(code)
+        rules = recurrences(program, state)
     except ExpressionError:
         return "dop853"
     n = order(share)
-    series = rules.convolutions * n * (n + 1) / 2 + 2 * n * code.operations
-    if rules.rows * (n + 1) * BYTES > CACHE:
+    series = rules.convolutions * n * (n + 1) / 2 + 2 * n * program.count
+    if sum(map(len, kept(rules.steps, len(state)))) * (n + 1) * BYTES > CACHE:
         series *= 2
     ratio = MORE_STEPS * (AT / share) ** (1 / 9)
-    return "taylor" if series < ratio * _dop853(code) else "dop853"
+    return "taylor" if series < ratio * _dop853(program) else "dop853"
 
 
-def _dop853(code: Program) -> float:
-    angles = {n.operands for n in code.nodes if n.operation in (ca.OP_SIN, ca.OP_COS)}
-    divisions = sum(node.operation in DIVISIONS for node in code.nodes)
-    one = code.operations + PAIR * len(angles) + DIVISION * divisions
-    return DOP853.n_stages * one + SLOPES * len(code.outputs[0])
+def _dop853(program: Program) -> float:
+    waves = (k for k, code in enumerate(program.operations) if code in (SIN, COS))
+    angles = {program.operands_of(k) for k in waves}
+    divisions = program.operations.count(DIVIDE)
+    one = program.count + PAIR * len(angles) + DIVISION * divisions
+    return DOP853.n_stages * one + SLOPES * len([*program.roots])

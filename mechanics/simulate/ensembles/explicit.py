@@ -10,12 +10,13 @@ ends of a step. The coefficients are SciPy's.
 from collections.abc import Sequence
 from fractions import Fraction
 
+import casadi as ca
 from scipy.integrate import DOP853
 
 from mechanics.compiled.c.batch import batch_source
 from mechanics.compiled.c.sine import sine_source
 from mechanics.compiled.c.source import function_source, literal, signature
-from mechanics.compiled.programs.program import Program
+from mechanics.compiled.programs.program import Program, program
 from mechanics.compiled.step import Tableau
 from mechanics.simulate.ensembles.text import text
 
@@ -45,14 +46,14 @@ def _arrays(code: Program) -> str:
     return ", ".join([*given, "(double *)yd"])
 
 
-def dop853_source(code: Program) -> str:
+def dop853_source(function: ca.Function) -> str:
     """Steps of DOP853, each lane with its own control."""
     stages, more = len(DOP853.B), len(DOP853.A_EXTRA)
     rows = [*DOP853.A[1:].tolist(), DOP853.B.tolist()]
     extra = [row[: stages + 1 + i] for i, row in enumerate(DOP853.A_EXTRA.tolist())]
     dense = ",\n".join(f"    {{{', '.join(map(_number, row))}}}" for row in DOP853.D.tolist())
     return "\n".join([
-        rate_source(code),
+        rate_source(program(function)),
         f"enum {{ STAGES = {stages}, MORE = {more}, DENSE = {len(DOP853.D)} }};",
         "typedef struct {",
         "    L slopes[STAGES + 1 + MORE][SIZE], old[SIZE], length, careful;",
@@ -69,10 +70,10 @@ def dop853_source(code: Program) -> str:
     ])  # fmt: skip
 
 
-def fixed_source(code: Program, tableau: Tableau) -> str:
+def fixed_source(function: ca.Function, tableau: Tableau) -> str:
     """Steps of one length for all."""
     return "\n".join([
-        rate_source(code),
+        rate_source(program(function)),
         f"enum {{ STAGES = {len(tableau.a)} }};",
         _stages("stages", tableau.a[1:], 1),
         _sum("slope", tableau.b),

@@ -79,15 +79,3 @@ static inline int some(I mask)
    mantissa as they stand in the number. Lengths of steps need no more. */
 static inline V logarithm(I bits) { return __builtin_convertvector(bits, V) * 0x1p-52; }
 static inline V power(V x) { return (V)__builtin_convertvector((x + 1023.0) * 0x1p52, I); }
-
-/* A function of the C library, lane by lane. */
-#define LIBRARY(name, call)                                                                        \
-    static inline L name(L x)                                                                      \
-    {                                                                                              \
-        double a[LANES];                                                                           \
-        memcpy(a, &x, sizeof a);                                                                   \
-        for (int i = 0; i < LANES; ++i)                                                            \
-            a[i] = call(a[i]);                                                                     \
-        memcpy(&x, a, sizeof a);                                                                   \
-        return x;                                                                                  \
-    }

@@ -17,25 +17,26 @@ from mechanics.compiled.machine.library import load
 from mechanics.compiled.machine.native import affordable
 from mechanics.compiled.machine.vectorised import settings
 from mechanics.compiled.model import Model
-from mechanics.compiled.programs.program import Program, program
 from mechanics.simulate.ensembles.text import text
 from mechanics.simulate.integrators.rate import rate_function
+
+Source = Callable[[ca.Function], str]
 
 ALIGNED = 64
 """Bytes of the widest vectors."""
 # Products that are added are one operation where the machine has it.
 FUSED = "-ffp-contract=fast"
 
-_programs: WeakKeyDictionary[Model, Program] = WeakKeyDictionary()
+_functions: WeakKeyDictionary[Model, ca.Function] = WeakKeyDictionary()
 _libraries: WeakKeyDictionary[Model, dict[Hashable, "Library"]] = WeakKeyDictionary()
 
 
-def ensemble_program(model: Model) -> Program:
+def ensemble_function(model: Model) -> ca.Function:
     """``rate(y, held)``: y' from the state, with t as its last entry if it is held, and the rest.
 
     What is held are the inputs without t, and the parameters.
     """
-    if model not in _programs:
+    if model not in _functions:
         function, names = rate_function(model), model.entries["inputs"]
         y, w, p = function.sx_in()
         state, given = y, w
@@ -45,9 +46,10 @@ def ensemble_program(model: Model) -> Program:
             state, rates = ca.vertcat(y, time), ca.vertcat(rates, 1)
             given = ca.vertcat(*(w[i] for i, name in enumerate(names) if name != "t"))
         held = ca.vertcat(given, p)
-        graph = ca.Function("rate", [state, held], [ca.densify(rates)], ["y", "held"], ["yd"])
-        _programs[model] = program(graph)
-    return _programs[model]
+        _functions[model] = ca.Function(
+            "rate", [state, held], [ca.densify(rates)], ["y", "held"], ["yd"]
+        )
+    return _functions[model]
 
 
 def timed(model: Model) -> bool:
@@ -60,13 +62,13 @@ class Library:
 
     Parameters
     ----------
-    code : Program
+    function : casadi.Function
         y' from the state and from what is held.
     moving : int
         Entries of the state whose errors count: the first ones.
     compiler : str
     source : callable
-        Of the program, to C text that follows the arithmetic of lanes.
+        Of the function, to C text that follows the arithmetic of lanes.
 
     Attributes
     ----------
@@ -79,16 +81,14 @@ class Library:
         If the compiler refuses the code; the message carries its words.
     """
 
-    def __init__(
-        self, code: Program, moving: int, compiler: str, source: Callable[[Program], str]
-    ) -> None:
-        (_, size), (_, held) = code.inputs
+    def __init__(self, function: ca.Function, moving: int, compiler: str, source: Source) -> None:
+        size, held = function.numel_in(0), function.numel_in(1)
         self.text = "\n".join([
             text("lanes.h"),
             f"enum {{ SIZE = {size}, HELD = {held}, MOVING = {moving} }};",
-            source(code),
+            source(function),
         ])  # fmt: skip
-        self.flags = f"{affordable(settings(compiler), code.operations)} {FUSED}"
+        self.flags = f"{affordable(settings(compiler), function.n_instructions())} {FUSED}"
         library = load(self.text, compiler, self.flags)
         self._march = library.mechanics_march
         self._march.restype = None
@@ -131,7 +131,7 @@ def at(array: np.ndarray) -> ctypes.c_void_p:
     return ctypes.c_void_p(array.ctypes.data)
 
 
-def library(model: Model, key: Hashable, source: Callable[[Program], str]) -> Library:
+def library(model: Model, key: Hashable, source: Source) -> Library:
     """The method for a model that has a compiler, kept with it.
 
     Parameters
@@ -141,7 +141,7 @@ def library(model: Model, key: Hashable, source: Callable[[Program], str]) -> Li
     """
     known = _libraries.setdefault(model, {})
     if key not in known:
-        code = ensemble_program(model)
-        moving = code.inputs[0][1] - timed(model)
-        known[key] = Library(code, moving, model.compiler or "", source)
+        function = ensemble_function(model)
+        moving = function.numel_in(0) - timed(model)
+        known[key] = Library(function, moving, model.compiler or "", source)
     return known[key]

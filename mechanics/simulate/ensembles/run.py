@@ -1,7 +1,6 @@
 """The methods: what each is compiled from, and how it is called."""
 
 import ctypes
-from collections.abc import Callable
 from dataclasses import dataclass
 from functools import partial
 from typing import Any, NamedTuple
@@ -10,11 +9,10 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.integrate import DOP853
 
-from mechanics.compiled.programs.program import Program
 from mechanics.compiled.step import Tableau
 from mechanics.compiled.tableaus import TABLEAUX
 from mechanics.simulate.ensembles.explicit import dop853_source, fixed_source
-from mechanics.simulate.ensembles.library import Library, at, library, timed
+from mechanics.simulate.ensembles.library import Library, Source, at, library, timed
 from mechanics.simulate.ensembles.motions import Motions
 from mechanics.simulate.ensembles.outcome import CODES, Status
 from mechanics.simulate.ensembles.taylor import order, taylor_source
@@ -53,8 +51,7 @@ def adaptive(motions: Motions, name: str, tolerance: float, budget: int, threads
     budget : int
         Steps that a motion may try.
     """
-    sources: dict[str, Callable[[Program], str]]
-    sources = {"taylor": taylor_source, "dop853": dop853_source}
+    sources: dict[str, Source] = {"taylor": taylor_source, "dop853": dop853_source}
     method = library(motions.model, name, sources[name])
     by = Control(tolerance, order(tolerance), budget)
     found = integrated(method, *_given(motions), motions.times, by, threads)

@@ -104,32 +104,3 @@ static inline void waves(L x, L *sine, L *cosine)
     memcpy(sine, s, sizeof s);
     memcpy(cosine, c, sizeof c);
 }
-
-LIBRARY(each_sqrt, sqrt)
-LIBRARY(each_exp, exp)
-LIBRARY(each_log, log)
-LIBRARY(each_sinh, sinh)
-LIBRARY(each_cosh, cosh)
-LIBRARY(each_asin, asin)
-LIBRARY(each_acos, acos)
-LIBRARY(each_atan, atan)
-LIBRARY(each_asinh, asinh)
-LIBRARY(each_acosh, acosh)
-LIBRARY(each_atanh, atanh)
-LIBRARY(each_erf, erf)
-
-static inline L each_pow(L x, L y)
-{
-    double a[LANES], b[LANES];
-    memcpy(a, &x, sizeof a);
-    memcpy(b, &y, sizeof b);
-    for (int i = 0; i < LANES; ++i)
-        a[i] = pow(a[i], b[i]);
-    memcpy(&x, a, sizeof a);
-    return x;
-}
-
-static inline L each_root_of_pi(L one)
-{
-    return mul(one, all(0x1.c5bf891b4ef6bp+0));
-}

@@ -5,48 +5,71 @@ MNRAS 504 (2021). The model's instructions become heyoka's expressions, and thes
 included, machine code. A step of order n is counted as n evaluations of the right-hand side.
 """
 
-import functools
 import importlib.util
-from collections.abc import Callable, Sequence
+import math
+import operator
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cached_property
 from typing import Any
 from weakref import WeakKeyDictionary
 
-import casadi as ca
 import numpy as np
 
 from mechanics.compiled.model import Model
-from mechanics.compiled.programs.program import Program
+from mechanics.program import Program, interpret
 from mechanics.simulate.integrators.loop import stopped
 from mechanics.simulate.integrators.problem import Integrator, Outcome, Problem, Setting
-from mechanics.simulate.integrators.rate import rate_program
+from mechanics.simulate.integrators.rate import motion_program, rate_entries
 
 NAME = "heyoka Taylor"
 _solvers: WeakKeyDictionary[Model, dict[Setting, Any]] = WeakKeyDictionary()
 # Programs longer than this are compiled as loops: straight code would take a minute.
 LONG = 250
 
-UNARY = {
-    ca.OP_SQRT: "sqrt", ca.OP_SIN: "sin", ca.OP_COS: "cos", ca.OP_TAN: "tan",
-    ca.OP_ASIN: "asin", ca.OP_ACOS: "acos", ca.OP_ATAN: "atan",
-    ca.OP_SINH: "sinh", ca.OP_COSH: "cosh", ca.OP_TANH: "tanh",
-    ca.OP_ASINH: "asinh", ca.OP_ACOSH: "acosh", ca.OP_ATANH: "atanh",
-    ca.OP_EXP: "exp", ca.OP_LOG: "log", ca.OP_ERF: "erf",
+FUNCTIONS = (
+    "sqrt", "exp", "log", "sin", "cos", "tan", "asin", "acos", "atan", "sinh", "cosh", "tanh",
+    "asinh", "acosh", "atanh", "erf",
+)  # fmt: skip
+ARITHMETIC = {
+    "add": operator.add, "subtract": operator.sub, "multiply": operator.mul,
+    "divide": operator.truediv, "negate": operator.neg, "power": operator.pow,
 }  # fmt: skip
 
-ALGEBRA: dict[int, Callable[..., Any]] = {
-    ca.OP_ASSIGN: lambda x: x,
-    ca.OP_ADD: lambda x, y: x + y,
-    ca.OP_SUB: lambda x, y: x - y,
-    ca.OP_MUL: lambda x, y: x * y,
-    ca.OP_DIV: lambda x, y: x / y,
-    ca.OP_NEG: lambda x: -x,
-    ca.OP_SQ: lambda x: x * x,
-    ca.OP_TWICE: lambda x: 2.0 * x,
-    ca.OP_INV: lambda x: 1.0 / x,
-    ca.OP_POW: lambda x, y: x**y,
-    ca.OP_CONSTPOW: lambda x, y: x**y,
-}
-KNOWN = frozenset((*UNARY, *ALGEBRA, ca.OP_INPUT, ca.OP_CONST))
+
+@dataclass(frozen=True)
+class Expressions:
+    """The domain of heyoka's expressions.
+
+    Attributes
+    ----------
+    kind : callable
+        The precision of constants, from a whole number.
+    """
+
+    kind: Callable[[int], Any] = float
+
+    @cached_property
+    def operations(self) -> Mapping[str, Callable[..., Any]]:
+        """Those that heyoka has."""
+        import heyoka
+
+        return {**ARITHMETIC, **{name: getattr(heyoka, name) for name in FUNCTIONS}}
+
+    def constant(self, value: Fraction) -> Any:
+        """The nearest number of the precision, by one division."""
+        import heyoka
+
+        return heyoka.expression(self.kind(value.numerator) / self.kind(value.denominator))
+
+    def pi(self) -> Any:
+        """The nearest double to pi."""
+        return self.constant(Fraction(math.pi))
+
+    def solve(self, matrix: list[list[Any]], right: list[Any], symmetric: bool) -> Sequence[Any]:
+        """The right-hand side of a motion holds no linear systems."""
+        raise NotImplementedError
 
 
 def _available() -> str:
@@ -59,9 +82,9 @@ def _suits(problem: Problem, setting: Setting) -> str:
     moved = [name for name in problem.varying if name != "t"]
     if moved:
         return f"inputs are numbers for heyoka, and {', '.join(moved)} is a function of time"
-    unknown = {node.operation for node in rate_program(problem.model).nodes} - KNOWN
+    unknown = set(motion_program(problem.model).counts()) - {*FUNCTIONS, *ARITHMETIC}
     if unknown:
-        return f"heyoka has no CasADi operation {', '.join(map(str, sorted(unknown)))}"
+        return f"heyoka has no operation {', '.join(sorted(unknown))}"
     finest = float(np.finfo(setting.kind).eps)
     if setting.tolerance is None or not finest <= setting.tolerance < 1:
         return f"a tolerance from {finest:.1g} to 1 is needed, {setting.tolerance} found"
@@ -104,60 +127,42 @@ def _solver(problem: Problem, setting: Setting, kind: Any) -> Any:
     """
     import heyoka
 
-    names, code = problem.model.entries["inputs"], rate_program(problem.model)
+    program = motion_program(problem.model)
     return heyoka.taylor_adaptive(
-        equations(code, names.index("t") if "t" in names else None),
+        equations(program, rate_entries(problem.model)["y"]),
         np.array(problem.start, dtype=kind),
         time=kind(0),
         tol=kind(setting.tolerance),
         fp_type=kind,
-        compact_mode=code.operations > LONG,
+        compact_mode=program.count > LONG,
     )
 
 
-def equations(code: Program, time: int | None) -> list[tuple[Any, Any]]:
+def equations(
+    program: Program, state: Sequence[str], kind: Callable[[int], Any] = float
+) -> list[tuple[Any, Any]]:
     """Pairs (state, rate) of heyoka's expressions.
 
     Parameters
     ----------
-    code : Program
-        ``rate(y, inputs, p, ...)``.
-    time : int or None
-        Which of the inputs is the time; all else but y are heyoka's parameters, in a row.
+    program : Program
+        Rates of the state. An input ``"t"`` is the time; all others are heyoka's parameters, in a
+        row.
+    state : sequence of str
+        The inputs that move.
+    kind : callable
+        The precision of constants, from a whole number.
     """
     import heyoka
 
-    state = heyoka.make_vars(*(f"y{i}" for i in range(code.inputs[0][1])))
-    state = state if isinstance(state, list | tuple) else [state]
-    given: list[list[Any]] = [list(state)]
-    start = 0
-    for _, size in code.inputs[1:]:
-        given.append([heyoka.par[i] for i in range(start, start + size)])
-        start += size
-    if time is not None:
-        given[1][time] = heyoka.time
-    return list(zip(state, expressions(code, given)[0], strict=True))
-
-
-def expressions(code: Program, given: Sequence[Sequence[Any]]) -> list[list[Any]]:
-    """Outputs of a program as heyoka's expressions, by output, from those of its inputs."""
-    import heyoka
-
-    values: list[Any] = []
-    for operation, operands, constant in code.nodes:
-        if constant is not None:
-            values.append(heyoka.expression(constant))
-        elif operation == ca.OP_INPUT:
-            values.append(given[operands[0]][operands[1]])
-        else:
-            values.append(_function(heyoka, operation)(*(values[k] for k in operands)))
-    return [[values[k] for k in nodes] for nodes in code.outputs]
-
-
-def _function(heyoka: Any, operation: int) -> Callable[..., Any]:
-    if operation in ALGEBRA:
-        return ALGEBRA[operation]
-    return functools.partial(getattr(heyoka, UNARY[operation]))
+    variables = [heyoka.expression(f"y{i}") for i in range(len(state))]
+    held = [name for name in program.inputs if name not in state]
+    given = {name: heyoka.par[i] for i, name in enumerate(held)}
+    given |= dict(zip(state, variables, strict=True))
+    if "t" in held:
+        given["t"] = heyoka.time
+    (rates,) = interpret(program, Expressions(kind), given).values()
+    return list(zip(variables, rates, strict=True))
 
 
 def _why(heyoka: Any, outcome: Any, limit: int) -> str:

@@ -17,6 +17,9 @@ from mechanics.compiled.graphs import Graphs
 from mechanics.compiled.machine.evaluator import evaluator
 from mechanics.compiled.model import Model
 from mechanics.compiled.programs.program import Program, program
+from mechanics.program import Builder
+from mechanics.program import Program as Straight
+from mechanics.program.casadi_reader import read
 from mechanics.simulate.integrators.problem import OverBudget, Problem
 
 Array = NDArray[np.float64]
@@ -47,6 +50,14 @@ def jacobian_function(model: Model) -> ca.Function:
 def rate_program(model: Model) -> Program:
     """Instructions of the right-hand side."""
     return program(rate_function(model))
+
+
+def motion_program(model: Model) -> Straight:
+    """``yd`` of inputs by name; constants are the doubles of the graph."""
+    function, names, builder = rate_function(model), rate_entries(model), Builder()
+    arguments = {group: [*map(builder.input, entries)] for group, entries in names.items()}
+    order = [entry for entries in names.values() for entry in entries]
+    return builder.program(read(builder, function, arguments), order)
 
 
 def rate_entries(model: Model) -> dict[str, tuple[str, ...]]:
