@@ -1,0 +1,131 @@
+"""Mutants of the trusted part, and how many the tests notice.
+
+    python -m benchmarks.mutants                     what has changed since the last run
+    python -m benchmarks.mutants --folder kernel     one folder
+    python -m benchmarks.mutants --sample 12         some that are known to be noticed
+
+Of all mutants 500 are drawn by their names, so that a change in one file draws no others elsewhere.
+Each runs the tests that cover its file, up to the first that fails; running out of time or memory
+counts as noticed. ``results.json`` keeps what became of them, by the hash of the file;
+``equivalent.json`` names those that change nothing, each with the reason. Survivors run again each
+time, since tests may have come. Prints Markdown; exit code 1 if one survives that has no reason.
+"""
+
+import argparse
+import json
+import sys
+import tempfile
+from collections import Counter
+from collections.abc import Iterable
+from hashlib import sha256
+from itertools import islice
+from pathlib import Path
+
+from benchmarks.mutants.covering import FOLDERS, tests_of
+from benchmarks.mutants.operators import STRICT, Mutant, is_python, mutants
+from benchmarks.mutants.trial import ROOT, copy_tree, survives, warm_up
+
+HERE = Path(__file__).parent
+RESULTS, EQUIVALENT = HERE / "results.json", HERE / "equivalent.json"
+DRAWN, SEED = 500, "1"
+
+
+def draw(count: int) -> list[Mutant]:
+    """Some of the mutants of every file of the folders, by the hashes of their names."""
+    found: list[Mutant] = []
+    for folder in FOLDERS:
+        for path in sorted((ROOT / "mechanics" / folder).glob("*.py")):
+            name = str(path.relative_to(ROOT / "mechanics"))
+            found += mutants(name, text_of(name))
+    found.sort(key=lambda mutant: sha256(f"{SEED} {mutant.key}".encode()).digest())
+    whole = (m for m in found if is_python(m.apply(text_of(m.path))))
+    return list(islice(whole, count))
+
+
+def text_of(path: str) -> str:
+    """The text of a file below ``mechanics/``."""
+    return (ROOT / "mechanics" / path).read_text(encoding="utf-8")
+
+
+def hash_of(path: str) -> str:
+    """Twelve digits that change with a file."""
+    return sha256(text_of(path).encode()).hexdigest()[:12]
+
+
+def campaign(
+    drawn: Iterable[Mutant], results: dict, *, again: bool = False
+) -> dict[str, bool]:  # fmt: skip
+    """Whether each of the mutants survives, by key; what was noticed before is not tried again."""
+    outcome: dict[str, bool] = {}
+    reasons = json.loads(EQUIVALENT.read_text(encoding="utf-8"))
+    warm_up()
+    sound: set[tuple[str, ...]] = set()
+    with tempfile.TemporaryDirectory() as name:
+        folder = Path(name)
+        copy_tree(folder)
+        for mutant in drawn:
+            kept = results.setdefault(mutant.path, {})
+            if kept.get("file") != hash_of(mutant.path):
+                kept = results[mutant.path] = {"file": hash_of(mutant.path), "noticed": []}
+            if mutant.key in reasons:
+                outcome[mutant.key] = True
+                continue
+            if mutant.key in kept["noticed"] and not again:
+                outcome[mutant.key] = False
+                continue
+            tests = tests_of(mutant.path)
+            if tests not in sound:
+                if not survives(folder, None, tests):
+                    raise SystemExit(f"{' '.join(tests)}: they fail without a mutant: mend them")
+                sound.add(tests)
+            outcome[mutant.key] = alive = survives(folder, mutant, tests)
+            kept["noticed"] = sorted(
+                {*kept["noticed"], mutant.key} - ({mutant.key} if alive else set())
+            )
+            word = "SURVIVES" if alive else "noticed"
+            print(f"{word} {mutant.key} {mutant.path} {mutant.name}", file=sys.stderr, flush=True)
+            if not again:
+                RESULTS.write_text(json.dumps(results, indent=1) + "\n", encoding="utf-8")
+    return outcome
+
+
+def summary(drawn: list[Mutant], outcome: dict[str, bool], reasons: dict[str, str]) -> str:
+    """Shares by folder and survivors, in Markdown."""
+    asked = [m for m in drawn if m.key not in reasons]
+    counts, noticed = Counter(m.path.rpartition("/")[0] for m in asked), Counter[str]()
+    noticed.update(m.path.rpartition("/")[0] for m in asked if not outcome[m.key])
+    lines = ["| folder | mutants | noticed |", "| --- | --- | --- |"]
+    lines += [f"| {f} | {n} | {noticed[f]} ({noticed[f] / n:.1%}) |" for f, n in counts.items()]
+    whole = sum(noticed.values())
+    lines += [f"| all | {len(asked)} | {whole} ({whole / max(len(asked), 1):.1%}) |", ""]
+    strict = [m for m in asked if m.path.startswith("kernel/") and m.kind in STRICT]
+    seen = sum(not outcome[m.key] for m in strict)
+    lines += [f"Of error bounds, signs and comparisons in the kernel: {seen} of {len(strict)}."]
+    lines += [f"{len(drawn) - len(asked)} more change nothing, for reasons that are given."]
+    alive = [f"- {m.key} {m.path} {m.name}" for m in asked if outcome[m.key]]
+    return "\n".join([*lines, *(["", "Survivors:", *alive] if alive else [])])
+
+
+def main() -> int:
+    """Print the figures."""
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--folder", nargs="+", choices=list(FOLDERS), default=list(FOLDERS))
+    parser.add_argument("--drawn", type=int, default=DRAWN, help="mutants to draw of all")
+    parser.add_argument("--strict", action="store_true", help="bounds, signs, comparisons only")
+    parser.add_argument("--sample", type=int, help="that many of those known to be noticed")
+    options = parser.parse_args()
+    results = json.loads(RESULTS.read_text(encoding="utf-8"))
+    reasons = json.loads(EQUIVALENT.read_text(encoding="utf-8"))
+    drawn = [m for m in draw(options.drawn) if m.path.rpartition("/")[0] in options.folder]
+    if options.strict:
+        drawn = [m for m in drawn if m.kind in STRICT]
+    if options.sample:
+        known = {key for kept in results.values() for key in kept["noticed"]}
+        drawn = [m for m in drawn if m.key in known][: options.sample]
+    outcome = campaign(drawn, results, again=bool(options.sample))
+    print(summary(drawn, outcome, reasons))
+    return int(any(outcome[m.key] for m in drawn if m.key not in reasons))
+
+
+if __name__ == "__main__":
+    sys.exit(main())
