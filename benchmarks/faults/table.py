@@ -1,6 +1,6 @@
 """All faults. A row whose text has changed fails in `tests/benchmarks/test_benchmark_faults.py`."""
 
-from benchmarks.faults import rows_exact, rows_motion, rows_routes, rows_scene
+from benchmarks.faults import rows_exact, rows_motion, rows_programs, rows_routes, rows_scene
 from benchmarks.faults.fault import Fault
 
 FAULTS: tuple[Fault, ...] = (
@@ -8,4 +8,5 @@ FAULTS: tuple[Fault, ...] = (
     *rows_motion.ROWS,
     *rows_routes.ROWS,
     *rows_exact.ROWS,
+    *rows_programs.ROWS,
 )

@@ -12,6 +12,7 @@ import os
 import signal
 import sys
 from collections.abc import Mapping, Sequence
+from random import Random
 from typing import Any
 
 from sympy import Abs, cos, sin, sqrt, symbols
@@ -21,6 +22,9 @@ from benchmarks.faults.fault import Fault, plant
 from benchmarks.faults.scenes import SCENES
 from mechanics.checks.jets import precision
 from mechanics.checks.programs.admissible import check_scene
+from mechanics.checks.programs.agreement import compare_pairs
+from mechanics.checks.programs.canaries import known_findings
+from mechanics.checks.programs.energy import kinetic
 from mechanics.checks.states import State
 from mechanics.checks.virtual_power import (
     BITS,
@@ -30,9 +34,15 @@ from mechanics.checks.virtual_power import (
     solved,
 )
 from mechanics.crosscheck import CrossCheck, crosscheck
+from mechanics.crosscheck.programs import Programs, check_laws, derive_rows
+from mechanics.crosscheck.programs import solved as solved_program
 from mechanics.crosscheck.routes import ROUTES
 from mechanics.equations import Equations
 from mechanics.exact import Verdict, prove_equal
+from mechanics.program.interpret import interpret
+from mechanics.program.numpy_domain import Arrays
+from mechanics.routes.programs.loads import potential as potential_of
+from mechanics.routes.programs.motion import poses
 from mechanics.scene import Scene
 from mechanics.scene.potential import potential
 
@@ -47,7 +57,7 @@ def outcome(name: str, clean: Mapping[str, str] | None) -> dict[str, Any]:
     try:
         numbers = verdicts_of_probes()
         scene = SCENES[name]()
-        check_scene(scene)
+        mechanism = check_scene(scene)
         states, support = drawn_states(scene), None
         numbers |= potential_numbers(scene, states)
         for route in ROUTES:
@@ -59,6 +69,15 @@ def outcome(name: str, clean: Mapping[str, str] | None) -> dict[str, Any]:
             finding = check_virtual_power(equations, states, support)
             if finding.verdict is not Verdict.SUPPORTED:
                 return {"changed": True, "noticed": f"{finding.subject}: {finding.verdict.name}"}
+        if not scene.constraints:
+            programs = derive_rows(mechanism, [route.name for route in ROUTES])
+            numbers |= program_numbers(programs)
+            findings = (*compare_pairs(programs.routes).values(), *check_laws(programs))
+            numbers |= {f"programs: {f.subject}": "" if f.shown else "not" for f in findings}
+            wrong = [finding for finding in findings if not finding.shown]
+            if clean is not None and wrong:
+                words = f"programs: {wrong[0].subject}: {wrong[0].verdict.name}"
+                return {"changed": True, "noticed": words}
         if clean is None:
             return {"numbers": numbers}
         changed = differ(numbers, clean)
@@ -93,6 +112,21 @@ def motion_numbers(equations: Equations, support: Equations, states: Sequence[St
     return found
 
 
+def program_numbers(programs: Programs) -> Numbers:
+    """Accelerations and reactions of the routes as programs, and both energies, at two states."""
+    mechanism, found = programs.mechanism, {}
+    where = poses(mechanism)
+    energies = {"kinetic": [kinetic(mechanism)], "potential": [potential_of(mechanism, where)]}
+    every = {name: solved_program(programs, name) for name in programs.routes}
+    every["energies"] = mechanism.builder.program(energies)
+    for title, program in every.items():
+        for seed in range(2):
+            state = {name: 0.5 + Random(f"{seed} {name}").random() for name in program.inputs}
+            for name, values in interpret(program, Arrays(), state).items():
+                found[f"program {title} {seed} {name}"] = " ".join(f"{v:.9g}" for v in values)
+    return found
+
+
 def potential_numbers(scene: Scene, states: Sequence[State]) -> Numbers:
     """Potential energy at the drawn states."""
     with precision(BITS):
@@ -120,7 +154,7 @@ def verdicts_of_probes() -> Numbers:
     return {
         f"{left} = {right}": prove_equal("probe", left, right).verdict.name
         for left, right in probes
-    }
+    } | {words: finding.verdict.name for words, _, finding in known_findings()}
 
 
 def answer(fault: Fault | None, scenes: Sequence[str], clean: Mapping[str, Any] | None) -> None:

@@ -16,18 +16,20 @@ import json
 import sys
 import tempfile
 from collections import Counter
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from hashlib import sha256
 from itertools import islice
 from pathlib import Path
 
 from benchmarks.mutants.covering import FOLDERS, tests_of
 from benchmarks.mutants.operators import STRICT, Mutant, is_python, mutants
-from benchmarks.mutants.trial import ROOT, copy_tree, survives, warm_up
+from benchmarks.mutants.trial import ROOT, copy_tree, record_calls, survives, warm_up
 
 HERE = Path(__file__).parent
 RESULTS, EQUIVALENT = HERE / "results.json", HERE / "equivalent.json"
 DRAWN, SEED = 500, "1"
+MOST_SECONDS = 15.0
+"""Of processor time that tests of one mutant take without it."""
 
 
 def draw(count: int) -> list[Mutant]:
@@ -59,34 +61,53 @@ def campaign(
     outcome: dict[str, bool] = {}
     reasons = json.loads(EQUIVALENT.read_text(encoding="utf-8"))
     warm_up()
-    sound: set[tuple[str, ...]] = set()
+    recorded: dict[tuple[str, ...], dict] = {}
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
         copy_tree(folder)
-        for mutant in drawn:
-            kept = results.setdefault(mutant.path, {})
+        # Survivors of before come last: they take the longest, and most stay.
+        for mutant in sorted(
+            drawn, key=lambda m: m.key in results.get(m.path, {}).get("alive", ())
+        ):
+            kept = results.get(mutant.path, {})
             if kept.get("file") != hash_of(mutant.path):
-                kept = results[mutant.path] = {"file": hash_of(mutant.path), "noticed": []}
-            if mutant.key in reasons:
-                outcome[mutant.key] = True
-                continue
-            if mutant.key in kept["noticed"] and not again:
-                outcome[mutant.key] = False
+                kept = {"file": hash_of(mutant.path), "noticed": [], "alive": []}
+            outcome[mutant.key] = mutant.key in reasons or mutant.key not in kept["noticed"]
+            if mutant.key in reasons or (not again and not outcome[mutant.key]):
                 continue
             tests = tests_of(mutant.path)
-            if tests not in sound:
-                if not survives(folder, None, tests):
-                    raise SystemExit(f"{' '.join(tests)}: they fail without a mutant: mend them")
-                sound.add(tests)
+            if not again:
+                # What is known to be noticed needs no record of who does.
+                if tests not in recorded:
+                    recorded[tests] = record_calls(folder, tests)
+                tests = callers(recorded[tests], mutant) or tests
             outcome[mutant.key] = alive = survives(folder, mutant, tests)
-            kept["noticed"] = sorted(
-                {*kept["noticed"], mutant.key} - ({mutant.key} if alive else set())
-            )
             word = "SURVIVES" if alive else "noticed"
             print(f"{word} {mutant.key} {mutant.path} {mutant.name}", file=sys.stderr, flush=True)
             if not again:
+                for word, here in (("noticed", not alive), ("alive", alive)):
+                    others = {*kept[word]} - {mutant.key}
+                    kept[word] = sorted(others | {mutant.key} if here else others)
+                results[mutant.path] = kept
                 RESULTS.write_text(json.dumps(results, indent=1) + "\n", encoding="utf-8")
     return outcome
+
+
+def callers(recorded: Mapping[str, tuple[float, list[str]]], mutant: Mutant) -> tuple[str, ...]:
+    """Tests that call the function of a mutant, the quickest first, as long as there is time."""
+    name = f"{mutant.path}:{mutant.function}"
+    found = {
+        test: seconds
+        for test, (seconds, called) in recorded.items()
+        if any(one == name or one.startswith(f"{name}.") for one in called)
+    }
+    total, chosen = 0.0, []
+    for test in sorted(found, key=lambda test: found[test]):
+        total += found[test]
+        if total > MOST_SECONDS and chosen:
+            break
+        chosen.append(test)
+    return tuple(chosen)
 
 
 def summary(drawn: list[Mutant], outcome: dict[str, bool], reasons: dict[str, str]) -> str:

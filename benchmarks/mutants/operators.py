@@ -39,6 +39,8 @@ class Mutant:
         What stands there instead.
     kind : str
         What is changed: ``comparison``, ``sign``, ``constant``, ...
+    function : str
+        Qualified name; empty at the level of the module.
     name : str
         Function, line with the change, and which of equal ones it is.
     """
@@ -48,6 +50,7 @@ class Mutant:
     end: int
     new: str
     kind: str
+    function: str
     name: str
 
     @property
@@ -88,7 +91,7 @@ def mutants(path: str, text: str) -> list[Mutant]:
         label = f"{function}: {kind} {' '.join(old.split())[:60]} -> {new} in {line}"
         seen[label] += 1
         name = f"{label} #{seen[label]}"
-        made.append(Mutant(path, first, last, new, _strict(kind, function, line), name))
+        made.append(Mutant(path, first, last, new, _strict(kind, function, line), function, name))
     return made
 
 
@@ -145,7 +148,7 @@ def _own(node: ast.AST, data: bytes, where) -> Iterator[tuple[str, int, int, str
 
     match node:
         case ast.Compare(left=left, ops=ops, comparators=rest):
-            for one, op, other in zip((left, *rest), ops, rest):
+            for one, op, other in zip((left, *rest[:-1]), ops, rest, strict=True):
                 old = {"IsNot": "is not", "NotIn": "not in", "Is": "is", "In": "in"}.get(
                     type(op).__name__
                 ) or {"Lt": "<", "LtE": "<=", "Gt": ">", "GtE": ">=", "Eq": "==",

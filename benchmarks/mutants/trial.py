@@ -2,18 +2,22 @@
 
 import gc
 import io
+import json
 import os
 import resource
 import shutil
 import sys
+from collections.abc import Callable, Sequence
 from contextlib import redirect_stderr, redirect_stdout
 from pathlib import Path
+from time import process_time
+from types import FrameType
 
 from benchmarks.mutants.operators import Mutant
 
 ROOT = Path(__file__).resolve().parents[2]
 COPIED = ("mechanics", "systems", "tests", "benchmarks")
-SECONDS, MEMORY = 120, 4 << 30
+SECONDS, LONG, MEMORY = 120, 3600, 4 << 30
 """Of processor time and bytes that the tests of one mutant may take; more counts as noticed."""
 
 
@@ -46,31 +50,87 @@ def warm_up() -> None:
     gc.freeze()
 
 
-def survives(folder: Path, mutant: Mutant | None, tests: tuple[str, ...]) -> bool:
-    """Whether all tests pass with a mutant in place; without one, whether they pass at all."""
-    path = folder / "mechanics" / mutant.path if mutant else None
-    text = path.read_text(encoding="utf-8") if path else ""
-    if mutant and path:
-        path.write_text(mutant.apply(text), encoding="utf-8")
+class Calls:
+    """Which functions each test calls, and how long it takes: a plugin of pytest."""
+
+    def __init__(self, folder: Path) -> None:
+        self.root = f"{folder / 'mechanics'}/"
+        self.tests: dict[str, tuple[float, list[str]]] = {}
+
+    def pytest_runtest_protocol(self, item, nextitem) -> bool:
+        """Run one test, and keep what it called."""
+        from _pytest.runner import runtestprotocol
+
+        called: set[str] = set()
+
+        def seen(frame: FrameType, event: str, argument: object) -> None:
+            code = frame.f_code
+            if code.co_filename.startswith(self.root):
+                called.add(f"{code.co_filename.removeprefix(self.root)}:{code.co_qualname}")
+
+        start = process_time()
+        sys.settrace(seen)
+        try:
+            reports = runtestprotocol(item, nextitem=nextitem)
+        finally:
+            sys.settrace(None)
+        if not all(report.passed or report.skipped for report in reports):
+            raise RuntimeError(f"{item.nodeid} fails without a mutant: mend it")
+        self.tests[item.nodeid] = process_time() - start, sorted(called)
+        return True
+
+
+def record_calls(folder: Path, tests: Sequence[str]) -> dict[str, tuple[float, list[str]]]:
+    """Seconds and functions of every test, each function as ``path:name``.
+
+    Raises
+    ------
+    RuntimeError
+        If one fails without a mutant.
+    """
+    kept = folder / "calls.json"
+
+    def run() -> int:
+        calls = Calls(folder)
+        status = _run(folder, tests, calls)
+        kept.write_text(json.dumps(calls.tests), encoding="utf-8")
+        return status
+
+    if _forked(run) != 0:
+        raise RuntimeError(f"{' '.join(tests)}: they fail without a mutant: mend them")
+    return json.loads(kept.read_text(encoding="utf-8"))
+
+
+def survives(folder: Path, mutant: Mutant, tests: Sequence[str]) -> bool:
+    """Whether all tests pass with a mutant in place."""
+    path = folder / "mechanics" / mutant.path
+    text = path.read_text(encoding="utf-8")
+    path.write_text(mutant.apply(text), encoding="utf-8")
+    try:
+        return _forked(lambda: _run(folder, tests)) == 0
+    finally:
+        path.write_text(text, encoding="utf-8")
+
+
+def _forked(run: Callable[[], int]) -> int:
+    """The status of a function that is run in a process of its own."""
     child = os.fork()
     if child == 0:
         status = 1
         try:
-            status = _run(folder, tests)
+            status = run()
         finally:
             os._exit(status)
-    _, ended = os.waitpid(child, 0)
-    if path:
-        path.write_text(text, encoding="utf-8")
-    return ended == 0
+    return os.waitpid(child, 0)[1]
 
 
-def _run(folder: Path, tests: tuple[str, ...]) -> int:
+def _run(folder: Path, tests: Sequence[str], *plugins: object) -> int:
     import pytest
 
     os.setpgid(0, 0)
     os.chdir(folder)
-    resource.setrlimit(resource.RLIMIT_CPU, (SECONDS, SECONDS))
+    seconds = LONG if plugins else SECONDS
+    resource.setrlimit(resource.RLIMIT_CPU, (seconds, seconds))
     resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
     sys.dont_write_bytecode = True
     sys.path[:] = [str(folder), *(p for p in sys.path if Path(p or ".").resolve() != ROOT)]
@@ -81,4 +141,4 @@ def _run(folder: Path, tests: tuple[str, ...]) -> int:
     options = ["-x", "-q", "-p", "no:cacheprovider", "--import-mode=importlib"]
     wanted = ["-m", "not campaign and not browser", "-o", "addopts="]
     with redirect_stdout(io.StringIO()), redirect_stderr(io.StringIO()):
-        return int(pytest.main([*options, *wanted, *tests]))
+        return int(pytest.main([*options, *wanted, *tests], plugins=list(plugins)))

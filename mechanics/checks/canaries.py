@@ -32,6 +32,7 @@ from sympy import (
 from sympy.physics.vector import Point, ReferenceFrame
 
 from mechanics.checks.jets import Instant, precision
+from mechanics.checks.programs.canaries import known_findings
 from mechanics.exact import Finding, Verdict, prove_equal
 from mechanics.kernel import refuted, supported
 from mechanics.scene.bodies import Particle, RigidBody
@@ -103,7 +104,19 @@ def check_canaries() -> tuple[Finding, ...]:
         _told("numbers as they are typed", len(TYPED), [*_read_wrongly()]),
         _told("declarations keep what is given", 13, [*_kept_wrongly()]),
         _told("shapes against integrals", 7, [*_integrated_wrongly()]),
+        _compared(),
     )
+
+
+def _compared() -> Finding:
+    """Routes and laws that are known to be right, and to be wrong."""
+    known = [*known_findings()]
+    wrong = [
+        f"{words}: {finding.verdict.name}"
+        for words, true, finding in known
+        if not (finding.shown if true else finding.verdict is Verdict.REFUTED)
+    ]
+    return _told("routes and laws", len(known), wrong)
 
 
 def _told(what: str, count: int, wrong: list[str]) -> Finding:

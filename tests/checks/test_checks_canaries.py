@@ -5,9 +5,12 @@ from typing import Any
 import pytest
 from sympy import Matrix
 
+from mechanics import kernel
 from mechanics.checks import canaries
 from mechanics.checks.canaries import check_canaries
+from mechanics.checks.programs import canaries as routes
 from mechanics.exact import Finding, Verdict
+from mechanics.kernel import same
 from mechanics.scene.composite import Part
 from mechanics.scene.loads import spring
 from mechanics.scene.shapes import Rod, Semidisc
@@ -21,7 +24,7 @@ def refuted() -> str:
 
 def test_all_are_alive() -> None:
     found = check_canaries()
-    assert len(found) == 4
+    assert len(found) == 5
     assert {finding.verdict for finding in found} == {Verdict.SUPPORTED}
 
 
@@ -33,6 +36,16 @@ def test_a_checker_that_always_says_the_same_is_seen(
     words = refuted()
     assert ("is not proved" in words) is (verdict is not Verdict.PROVED)
     assert ("is not refuted" in words) is (verdict is not Verdict.REFUTED)
+
+
+@pytest.mark.parametrize("shown", [True, False])
+def test_a_comparison_of_routes_that_always_says_the_same_is_seen(
+    monkeypatch: pytest.MonkeyPatch, shown: bool
+) -> None:
+    found = same("canary", 1, 1, "always") if shown else kernel.refuted("canary", "always")
+    monkeypatch.setattr(routes, "compare", lambda one, two, filter_: found)
+    assert ("one term more" in refuted()) is shown
+    assert ("in another order" in refuted()) is not shown
 
 
 @pytest.mark.parametrize(
