@@ -66,9 +66,14 @@ def planted(fault: Fault) -> tuple[FunctionType, CodeType]:
     ]
     if len(names) != 1:
         raise LookupError(f"fault {fault.what!r}: {fault.old!r} is in no function: change one")
-    whole = compile(text.replace(fault.old, fault.new), str(module.__file__), "exec")
-    code = next(code for code in _codes(whole) if code.co_qualname == names[0])
-    return _live(module, names[0]), code
+    changed = text.replace(fault.old, fault.new)
+    return function_of(fault.module, names[0]), code_of(changed, str(module.__file__), names[0])
+
+
+def code_of(text: str, path: str, name: str) -> CodeType:
+    """The code of a function in the text of a module, by its qualified name."""
+    whole = compile(text, path, "exec")
+    return next(code for code in _codes(whole) if code.co_qualname == name)
 
 
 def _functions(node: ast.AST, prefix: str = "") -> Iterator[tuple[str, ast.FunctionDef]]:
@@ -87,10 +92,10 @@ def _codes(code: CodeType) -> Iterator[CodeType]:
             yield from _codes(part)
 
 
-def _live(module: Any, name: str) -> FunctionType:
+def function_of(module: str, name: str) -> FunctionType:
     """The function object itself, out of what wraps it."""
     *owners, last = name.split(".")
-    place: Any = module
+    place: Any = import_module(module)
     for owner in owners:
         place = getattr(place, owner)
     found = vars(place)[last]

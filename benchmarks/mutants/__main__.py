@@ -14,22 +14,19 @@ time, since tests may have come. Prints Markdown; exit code 1 if one survives th
 import argparse
 import json
 import sys
-import tempfile
 from collections import Counter
-from collections.abc import Iterable, Mapping
+from collections.abc import Sequence
 from hashlib import sha256
 from itertools import islice
 from pathlib import Path
 
 from benchmarks.mutants.covering import FOLDERS, tests_of
 from benchmarks.mutants.operators import STRICT, Mutant, is_python, mutants
-from benchmarks.mutants.trial import ROOT, copy_tree, record_calls, survives, warm_up
+from benchmarks.mutants.trial import ROOT, try_files, try_functions, warm_up
 
 HERE = Path(__file__).parent
 RESULTS, EQUIVALENT = HERE / "results.json", HERE / "equivalent.json"
 DRAWN, SEED = 500, "1"
-MOST_SECONDS = 15.0
-"""Of processor time that tests of one mutant take without it."""
 
 
 def draw(count: int) -> list[Mutant]:
@@ -55,59 +52,42 @@ def hash_of(path: str) -> str:
 
 
 def campaign(
-    drawn: Iterable[Mutant], results: dict, *, again: bool = False
+    drawn: Sequence[Mutant], results: dict, *, again: bool = False
 ) -> dict[str, bool]:  # fmt: skip
     """Whether each of the mutants survives, by key; what was noticed before is not tried again."""
     outcome: dict[str, bool] = {}
     reasons = json.loads(EQUIVALENT.read_text(encoding="utf-8"))
+    asked: list[Mutant] = []
+    for mutant in drawn:
+        kept = results.get(mutant.path, {})
+        if kept.get("file") != hash_of(mutant.path):
+            results[mutant.path] = kept = {"file": hash_of(mutant.path), "noticed": [], "alive": []}
+        outcome[mutant.key] = mutant.key not in kept["noticed"]
+        if mutant.key not in reasons and (again or outcome[mutant.key]):
+            asked.append(mutant)
+
+    def report(mutant: Mutant, alive: bool) -> None:
+        outcome[mutant.key] = alive
+        word = "SURVIVES" if alive else "noticed"
+        print(f"{word} {mutant.key} {mutant.path} {mutant.name}", file=sys.stderr, flush=True)
+        for word, here in (("noticed", not alive), ("alive", alive)):
+            others = {*results[mutant.path][word]} - {mutant.key}
+            results[mutant.path][word] = sorted(others | {mutant.key} if here else others)
+        if not again:
+            RESULTS.write_text(json.dumps(results, indent=1) + "\n", encoding="utf-8")
+
     warm_up()
-    recorded: dict[tuple[str, ...], dict] = {}
-    with tempfile.TemporaryDirectory() as name:
-        folder = Path(name)
-        copy_tree(folder)
-        # Survivors of before come last: they take the longest, and most stay.
-        for mutant in sorted(
-            drawn, key=lambda m: m.key in results.get(m.path, {}).get("alive", ())
-        ):
-            kept = results.get(mutant.path, {})
-            if kept.get("file") != hash_of(mutant.path):
-                kept = {"file": hash_of(mutant.path), "noticed": [], "alive": []}
-            outcome[mutant.key] = mutant.key in reasons or mutant.key not in kept["noticed"]
-            if mutant.key in reasons or (not again and not outcome[mutant.key]):
-                continue
-            tests = tests_of(mutant.path)
-            if not again:
-                # What is known to be noticed needs no record of who does.
-                if tests not in recorded:
-                    recorded[tests] = record_calls(folder, tests)
-                tests = callers(recorded[tests], mutant) or tests
-            outcome[mutant.key] = alive = survives(folder, mutant, tests)
-            word = "SURVIVES" if alive else "noticed"
-            print(f"{word} {mutant.key} {mutant.path} {mutant.name}", file=sys.stderr, flush=True)
-            if not again:
-                for word, here in (("noticed", not alive), ("alive", alive)):
-                    others = {*kept[word]} - {mutant.key}
-                    kept[word] = sorted(others | {mutant.key} if here else others)
-                results[mutant.path] = kept
-                RESULTS.write_text(json.dumps(results, indent=1) + "\n", encoding="utf-8")
+    # Survivors of before come last: they take the longest, and most stay.
+    asked.sort(key=lambda m: m.key in results[m.path]["alive"])
+    groups: dict[tuple[str, ...], list[Mutant]] = {}
+    for mutant in asked:
+        if mutant.in_function:
+            groups.setdefault(tests_of(mutant.path), []).append(mutant)
+    for tests, group in groups.items():
+        try_functions(group, tests, report)
+    # Forked from here, what was imported is dropped; the package is imported again.
+    try_files([m for m in asked if not m.in_function], tests_of, report)
     return outcome
-
-
-def callers(recorded: Mapping[str, tuple[float, list[str]]], mutant: Mutant) -> tuple[str, ...]:
-    """Tests that call the function of a mutant, the quickest first, as long as there is time."""
-    name = f"{mutant.path}:{mutant.function}"
-    found = {
-        test: seconds
-        for test, (seconds, called) in recorded.items()
-        if any(one == name or one.startswith(f"{name}.") for one in called)
-    }
-    total, chosen = 0.0, []
-    for test in sorted(found, key=lambda test: found[test]):
-        total += found[test]
-        if total > MOST_SECONDS and chosen:
-            break
-        chosen.append(test)
-    return tuple(chosen)
 
 
 def summary(drawn: list[Mutant], outcome: dict[str, bool], reasons: dict[str, str]) -> str:

@@ -1,33 +1,13 @@
-"""Which tests cover a file: those that mirror it first, then those of what is built on it."""
+"""Which tests cover a file: those that mirror its folder, and those of what is built on it."""
 
-KERNEL = tuple(
-    f"tests/kernel/test_kernel_{name}.py"
-    for name in (
-        "finding", "normal", "signs", "balls", "angles", "determinism", "constraints", "decide",
-        "field",
-    )
-)  # fmt: skip
-PROGRAM = tuple(
-    f"tests/program/test_program_{name}.py"
-    for name in (
-        "builder", "elimination", "derivatives", "casadi", "taylor", "running_errors", "json",
-        "sympy", "c",
-    )
-)  # fmt: skip
 ROUTES = (
-    "tests/routes", "tests/checks/programs", "tests/recursions", "tests/laws/test_laws_arms.py",
-    "tests/laws/test_laws_random_trees.py",
+    "tests/routes", "tests/checks/programs", "tests/checks/test_checks_canaries.py",
+    "tests/recursions", "tests/laws/test_laws_arms.py", "tests/laws/test_laws_random_trees.py",
 )  # fmt: skip
-
-FIRST: dict[str, tuple[str, ...]] = {
-    "kernel/definedness.py": ("tests/judge/test_judge_definedness.py",),
-    "kernel/sizes.py": ("tests/kernel/test_kernel_field.py",),
-}
-"""What comes before the tests of the folder."""
 
 FOLDERS: dict[str, tuple[str, ...]] = {
-    "kernel": (*KERNEL, "tests/judge/test_judge_definedness.py"),
-    "program": (*PROGRAM, *KERNEL),
+    "kernel": ("tests/kernel", "tests/judge"),
+    "program": ("tests/program", "tests/kernel", "tests/routes"),
     "checks": ("tests/checks",),
     "checks/programs": ROUTES,
     "kinematics": ("tests/laws/test_laws_spatial.py", "tests/checks"),
@@ -37,10 +17,5 @@ FOLDERS: dict[str, tuple[str, ...]] = {
 
 
 def tests_of(path: str) -> tuple[str, ...]:
-    """Test files of a file below ``mechanics/``, in the order in which they are run."""
-    folder, _, file = path.rpartition("/")
-    stem = file.removesuffix(".py")
-    mirrored = f"tests/{folder}/test_{folder}_{stem}.py"
-    every = FOLDERS[folder]
-    first = (*([mirrored] if mirrored in every else []), *FIRST.get(path, ()))
-    return tuple(dict.fromkeys((*first, *every)))
+    """Test files of a file below ``mechanics/``, by its folder."""
+    return FOLDERS[path.rpartition("/")[0]]

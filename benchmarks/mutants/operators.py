@@ -22,6 +22,7 @@ NAMES = {"min": "max", "max": "min", "ceil": "floor", "floor": "ceil", "any": "a
          "upper": "lower", "lower": "upper", "abs": "", "sorted": "list"}  # fmt: skip
 STRICT = ("comparison", "condition", "bound", "sign")
 """Kinds of which none may survive in the kernel: comparisons, sign tests and error bounds."""
+LARGEST = 16
 BOUND = ("bound", "error", "log2", "degree", "height", "radius", "bits", "chance", "size", "sign")
 
 
@@ -41,6 +42,8 @@ class Mutant:
         What is changed: ``comparison``, ``sign``, ``constant``, ...
     function : str
         Qualified name; empty at the level of the module.
+    in_function : bool
+        Whether it is the body of a function that is changed.
     name : str
         Function, line with the change, and which of equal ones it is.
     """
@@ -51,6 +54,7 @@ class Mutant:
     new: str
     kind: str
     function: str
+    in_function: bool
     name: str
 
     @property
@@ -84,15 +88,31 @@ def mutants(path: str, text: str) -> list[Mutant]:
         return (starts[node.lineno - 1] + node.col_offset,
                 starts[node.end_lineno - 1] + node.end_col_offset)  # fmt: skip
 
-    for function, kind, first, last, new in _changes(ast.parse(text), data, where):
+    tree = ast.parse(text)
+    bodies = [(where(body[0])[0], where(body[-1])[1]) for body in _bodies(tree)]
+    for function, kind, first, last, new in _changes(tree, data, where):
         row = max(i for i, start in enumerate(starts) if start <= first)
         old = data[first:last].decode()
         line = data[starts[row] : starts[row + 1]].decode().strip()
         label = f"{function}: {kind} {' '.join(old.split())[:60]} -> {new} in {line}"
         seen[label] += 1
         name = f"{label} #{seen[label]}"
-        made.append(Mutant(path, first, last, new, _strict(kind, function, line), function, name))
+        inside = any(start <= first < end for start, end in bodies)
+        # A budget at the head of a module is no statement that could be wrong by one.
+        if not inside and old.replace("_", "").isdigit() and int(old) > LARGEST:
+            continue
+        strict = _strict(kind, function, line)
+        made.append(Mutant(path, first, last, new, strict, function, inside, name))
     return made
+
+
+def _bodies(tree: ast.AST) -> Iterator[list[ast.stmt]]:
+    """Bodies of functions and of methods, outermost ones."""
+    for child in ast.iter_child_nodes(tree):
+        if isinstance(child, ast.FunctionDef):
+            yield child.body
+        elif isinstance(child, ast.ClassDef):
+            yield from _bodies(child)
 
 
 def _strict(kind: str, function: str, line: str) -> str:
@@ -103,14 +123,17 @@ def _strict(kind: str, function: str, line: str) -> str:
 
 def _changes(tree: ast.AST, data: bytes, where) -> Iterator[tuple[str, str, int, int, str]]:
     """(function, kind, first byte, last byte, new text) of every change."""
-    stack: list[tuple[ast.AST, str]] = [(tree, "")]
+    stack: list[tuple[ast.AST, str, bool]] = [(tree, "", True)]
     while stack:
-        node, function = stack.pop()
-        if isinstance(node, ast.FunctionDef | ast.ClassDef):
+        node, function, outside = stack.pop()
+        if isinstance(node, ast.FunctionDef | ast.ClassDef) and (
+            outside or isinstance(node, ast.ClassDef)
+        ):
             function = f"{function}.{node.name}" if function else node.name
+            outside = isinstance(node, ast.ClassDef)
         for kind, first, last, new in _own(node, data, where):
             yield function, kind, first, last, new
-        stack += [(child, function) for child in reversed(list(_children(node)))]
+        stack += [(child, function, outside) for child in reversed(list(_children(node)))]
 
 
 def _children(node: ast.AST) -> Iterator[ast.AST]:
@@ -183,11 +206,15 @@ def _own(node: ast.AST, data: bytes, where) -> Iterator[tuple[str, int, int, str
                 yield "condition", *where(test), f"(not ({text(test)}))"
         case ast.comprehension(ifs=[test, *_]):
             yield "condition", *where(test), "True"
-        case ast.Expr(value=ast.Call()) | ast.Raise() | ast.AugAssign() | ast.Delete():
-            yield "deletion", *where(node), "pass"
-        case ast.Assign(targets=[ast.Subscript() | ast.Attribute()]):
-            yield "deletion", *where(node), "pass"
-        case ast.Continue() | ast.Break():
+    match node:
+        case (
+            ast.Expr(value=ast.Call())
+            | ast.Raise()
+            | ast.AugAssign()
+            | ast.Continue()
+            | ast.Break()
+            | ast.Assign(targets=[ast.Subscript() | ast.Attribute()])
+        ):
             yield "deletion", *where(node), "pass"
     if isinstance(node, ast.Call):
         called = getattr(node.func, "id", getattr(node.func, "attr", ""))

@@ -1,118 +1,200 @@
-"""One mutant, in a copy of the tree: forked from a process that has imported everything else."""
+"""Mutants one at a time, each in a process of its own, until a test fails.
 
-import gc
-import io
+Tests are collected once. What stands in a function is changed in a fork of that process, as
+`benchmarks.faults` does it, and only tests that call the function are run, the quickest first. What
+stands outside of functions is changed in a copy of the tree, before the package is imported.
+"""
+
 import json
 import os
 import resource
 import shutil
 import sys
-from collections.abc import Callable, Sequence
-from contextlib import redirect_stderr, redirect_stdout
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from contextlib import contextmanager
 from pathlib import Path
+from tempfile import TemporaryDirectory
 from time import process_time
 from types import FrameType
+from typing import Any
 
+import pytest
+
+from benchmarks.faults.fault import code_of, function_of
 from benchmarks.mutants.operators import Mutant
 
 ROOT = Path(__file__).resolve().parents[2]
+PACKAGE = ROOT / "mechanics"
 COPIED = ("mechanics", "systems", "tests", "benchmarks")
-SECONDS, LONG, MEMORY = 120, 3600, 4 << 30
+SECONDS, MEMORY = 60, 4 << 30
 """Of processor time and bytes that the tests of one mutant may take; more counts as noticed."""
+ENOUGH = 8.0
+"""Seconds of tests that call a function, the quickest first; the others are left out."""
+OPTIONS = ["-x", "-q", "-p", "no:cacheprovider", "--import-mode=importlib", "-o", "addopts=",
+           "-m", "not campaign and not browser"]  # fmt: skip
+
+Report = Callable[[Mutant, bool], None]
+Calls = dict[str, tuple[float, list[str]]]
 
 
-def copy_tree(folder: Path) -> None:
-    """Copy what is tested, and its tests."""
-    for name in COPIED:
-        ignored = shutil.ignore_patterns("__pycache__", ".hypothesis")
-        shutil.copytree(ROOT / name, folder / name, ignore=ignored)
-    for name in ("pyproject.toml", "README.md"):
-        shutil.copy(ROOT / name, folder)
+class Planting:
+    """A plugin of pytest that plants mutants where tests would be run."""
+
+    def __init__(self, mutants: Sequence[Mutant], report: Report, folder: Path) -> None:
+        self.mutants, self.report, self.kept = mutants, report, folder / "calls.json"
+
+    def pytest_runtestloop(self, session: pytest.Session) -> bool:
+        """Try each mutant in a fork, which has what was collected."""
+        items = {item.nodeid: item for item in session.items}
+        with quiet():
+            if forked(lambda: self._record(session.items)) != 0:
+                raise RuntimeError("a test fails without a mutant: mend it")
+        calls: Calls = json.loads(self.kept.read_text(encoding="utf-8"))
+        for mutant in self.mutants:
+            chosen = [items[name] for name in callers(calls, mutant)]
+            with quiet():
+                status = forked(lambda m=mutant, c=chosen: self._try(m, c))
+            self.report(mutant, status == 0)
+        return True
+
+    def _record(self, items: Sequence[pytest.Item]) -> int:
+        """Seconds and functions of every test, each function as ``path:name``."""
+        root, found = f"{PACKAGE}/", {}
+        for item in items:
+            called: set[str] = set()
+
+            def seen(frame: FrameType, event: str, argument: object, called: set = called) -> None:
+                code = frame.f_code
+                if code.co_filename.startswith(root):
+                    called.add(f"{code.co_filename.removeprefix(root)}:{code.co_qualname}")
+
+            start = process_time()
+            sys.settrace(seen)
+            passed = passes(item)
+            sys.settrace(None)
+            if not passed:
+                return 1
+            found[item.nodeid] = process_time() - start, sorted(called)
+        self.kept.write_text(json.dumps(found), encoding="utf-8")
+        return 0
+
+    def _try(self, mutant: Mutant, items: Iterable[pytest.Item]) -> int:
+        limit()
+        module = "mechanics." + mutant.path.removesuffix(".py").replace("/", ".")
+        text = (PACKAGE / mutant.path).read_text(encoding="utf-8")
+        function = function_of(module, mutant.function)
+        function.__code__ = code_of(mutant.apply(text), mutant.path, mutant.function)
+        return 0 if all(map(passes, items)) else 1
+
+
+def callers(calls: Calls, mutant: Mutant) -> list[str]:
+    """Tests that call the function of a mutant, the quickest first, as long as there is time."""
+    name = f"{mutant.path}:{mutant.function}"
+    found = {
+        test: seconds
+        for test, (seconds, called) in calls.items()
+        if any(one == name or one.startswith(f"{name}.") for one in called)
+    }
+    total, chosen = 0.0, []
+    for test in sorted(found, key=lambda test: found[test]):
+        total += found[test]
+        if total > ENOUGH and chosen:
+            break
+        chosen.append(test)
+    return chosen
+
+
+def passes(item: pytest.Item) -> bool:
+    """Whether one test passes."""
+    from _pytest.runner import runtestprotocol
+
+    reports = runtestprotocol(item, log=False, nextitem=None)
+    return all(report.passed or report.skipped for report in reports)
+
+
+def try_functions(mutants: Sequence[Mutant], tests: Sequence[str], report: Report) -> None:
+    """Try mutants in functions, all covered by the same test files."""
+    with TemporaryDirectory() as name:
+        plugin = Planting(mutants, report, Path(name))
+        status = pytest.main([*OPTIONS, *(str(ROOT / test) for test in tests)], plugins=[plugin])
+    if status not in (0, pytest.ExitCode.NO_TESTS_COLLECTED):
+        raise RuntimeError(f"{' '.join(tests)}: pytest ends with {status}")
+
+
+def try_files(
+    mutants: Iterable[Mutant], tests_of: Callable[[str], Sequence[str]], report: Report
+) -> None:
+    """Try mutants outside of functions, each in a copy of the tree."""
+    with TemporaryDirectory() as name:
+        folder = Path(name)
+        for part in COPIED:
+            ignored = shutil.ignore_patterns("__pycache__", ".hypothesis")
+            shutil.copytree(ROOT / part, folder / part, ignore=ignored)
+        for part in ("pyproject.toml", "README.md"):
+            shutil.copy(ROOT / part, folder)
+        for mutant in mutants:
+            path = folder / "mechanics" / mutant.path
+            text = path.read_text(encoding="utf-8")
+            path.write_text(mutant.apply(text), encoding="utf-8")
+            tests = tests_of(mutant.path)
+            with quiet():
+                status = forked(lambda tests=tests: _whole(folder, tests))
+            path.write_text(text, encoding="utf-8")
+            report(mutant, status == 0)
+
+
+def _whole(folder: Path, tests: Sequence[str]) -> int:
+    limit()
+    os.chdir(folder)
+    sys.dont_write_bytecode = True
+    sys.path[:] = [str(folder), *(p for p in sys.path if Path(p or ".").resolve() != ROOT)]
+    for name in [n for n in sys.modules if n.partition(".")[0] in COPIED]:
+        del sys.modules[name]
+    os.environ["PYTHONPATH"] = str(folder)
+    return int(pytest.main([*OPTIONS, *tests]))
 
 
 def warm_up() -> None:
-    """Import what every test needs but this package, and collect no garbage of it."""
-    import _pytest.assertion.rewrite
+    """Import what tests need but this package."""
     import casadi
     import flint
     import hypothesis
-    import numpy
-    import pytest
     import scipy.linalg
     import sympy.physics.mechanics
 
     # A test that is slow for others is not wrong, and draws what it always draws.
     hypothesis.settings.register_profile("mutants", derandomize=True, deadline=None, database=None)
     hypothesis.settings.load_profile("mutants")
-    loaded = (casadi, flint, numpy, pytest, scipy, sympy, _pytest)
-    if any(name.partition(".")[0] == "mechanics" for name in sys.modules) or not all(loaded):
+    loaded: tuple[Any, ...] = (casadi, flint, scipy, sympy)
+    if "mechanics" in sys.modules or not all(loaded):
         raise RuntimeError("the package is imported already: its mutants would not be")
-    gc.freeze()
 
 
-class Calls:
-    """Which functions each test calls, and how long it takes: a plugin of pytest."""
-
-    def __init__(self, folder: Path) -> None:
-        self.root = f"{folder / 'mechanics'}/"
-        self.tests: dict[str, tuple[float, list[str]]] = {}
-
-    def pytest_runtest_protocol(self, item, nextitem) -> bool:
-        """Run one test, and keep what it called."""
-        from _pytest.runner import runtestprotocol
-
-        called: set[str] = set()
-
-        def seen(frame: FrameType, event: str, argument: object) -> None:
-            code = frame.f_code
-            if code.co_filename.startswith(self.root):
-                called.add(f"{code.co_filename.removeprefix(self.root)}:{code.co_qualname}")
-
-        start = process_time()
-        sys.settrace(seen)
-        try:
-            reports = runtestprotocol(item, nextitem=nextitem)
-        finally:
-            sys.settrace(None)
-        if not all(report.passed or report.skipped for report in reports):
-            raise RuntimeError(f"{item.nodeid} fails without a mutant: mend it")
-        self.tests[item.nodeid] = process_time() - start, sorted(called)
-        return True
+def limit() -> None:
+    """End this process where it takes too much, and let it start others in its own group."""
+    os.setpgid(0, 0)
+    resource.setrlimit(resource.RLIMIT_CPU, (SECONDS, SECONDS))
+    resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
 
 
-def record_calls(folder: Path, tests: Sequence[str]) -> dict[str, tuple[float, list[str]]]:
-    """Seconds and functions of every test, each function as ``path:name``.
-
-    Raises
-    ------
-    RuntimeError
-        If one fails without a mutant.
-    """
-    kept = folder / "calls.json"
-
-    def run() -> int:
-        calls = Calls(folder)
-        status = _run(folder, tests, calls)
-        kept.write_text(json.dumps(calls.tests), encoding="utf-8")
-        return status
-
-    if _forked(run) != 0:
-        raise RuntimeError(f"{' '.join(tests)}: they fail without a mutant: mend them")
-    return json.loads(kept.read_text(encoding="utf-8"))
-
-
-def survives(folder: Path, mutant: Mutant, tests: Sequence[str]) -> bool:
-    """Whether all tests pass with a mutant in place."""
-    path = folder / "mechanics" / mutant.path
-    text = path.read_text(encoding="utf-8")
-    path.write_text(mutant.apply(text), encoding="utf-8")
+@contextmanager
+def quiet() -> Iterator[None]:
+    """Nothing that a fork prints is shown."""
+    sys.stdout.flush()
+    kept = [os.dup(1), os.dup(2)]
+    null = os.open(os.devnull, os.O_WRONLY)
+    os.dup2(null, 1)
+    os.dup2(null, 2)
     try:
-        return _forked(lambda: _run(folder, tests)) == 0
+        yield
     finally:
-        path.write_text(text, encoding="utf-8")
+        for number, old in enumerate(kept, 1):
+            os.dup2(old, number)
+            os.close(old)
+        os.close(null)
 
 
-def _forked(run: Callable[[], int]) -> int:
+def forked(run: Callable[[], int]) -> int:
     """The status of a function that is run in a process of its own."""
     child = os.fork()
     if child == 0:
@@ -122,23 +204,3 @@ def _forked(run: Callable[[], int]) -> int:
         finally:
             os._exit(status)
     return os.waitpid(child, 0)[1]
-
-
-def _run(folder: Path, tests: Sequence[str], *plugins: object) -> int:
-    import pytest
-
-    os.setpgid(0, 0)
-    os.chdir(folder)
-    seconds = LONG if plugins else SECONDS
-    resource.setrlimit(resource.RLIMIT_CPU, (seconds, seconds))
-    resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
-    sys.dont_write_bytecode = True
-    sys.path[:] = [str(folder), *(p for p in sys.path if Path(p or ".").resolve() != ROOT)]
-    for name in [n for n in sys.modules if n.partition(".")[0] == "benchmarks"]:
-        del sys.modules[name]
-    os.environ["PYTHONPATH"] = str(folder)
-    os.environ["PYTHONDONTWRITEBYTECODE"] = "1"
-    options = ["-x", "-q", "-p", "no:cacheprovider", "--import-mode=importlib"]
-    wanted = ["-m", "not campaign and not browser", "-o", "addopts="]
-    with redirect_stdout(io.StringIO()), redirect_stderr(io.StringIO()):
-        return int(pytest.main([*options, *wanted, *tests], plugins=list(plugins)))

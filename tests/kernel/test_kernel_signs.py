@@ -36,3 +36,40 @@ def test_sign(name):
     node, expected = SIGNS[name]
     forms = Forms(B, [node.number], {"m", "k"}.__contains__)
     assert forms.sign_of(forms.forms[node.number]) == expected
+
+
+POWERS = {
+    "a power of what is positive": (K.power(X), POSITIVE),
+    "a power of anything": (X.power(Y), NOT_NEGATIVE),
+}
+
+
+@pytest.mark.parametrize("name", POWERS)
+def test_sign_of_a_power(name):
+    node, expected = POWERS[name]
+    forms = Forms(B, [node.number], {"m", "k"}.__contains__)
+    assert forms.sign_of(forms.forms[node.number]) == expected
+
+
+WHERE = {
+    "a number on a line": (X - Y, [X - Y - K], POSITIVE),
+    "a quotient": (X, [M * X - K], POSITIVE),
+    "a quotient below": (X, [M * X + K], NEGATIVE),
+    "a divisor below": (X, [-M * X - K], NEGATIVE),
+    "what vanishes and more": (M * X * X + K * X + K, [M * X + K], POSITIVE),
+    "a square that is known": (X * X - 1, [X * X - K - 1], POSITIVE),
+    "a cosine by its sine": (1 - 2 * THETA.cos() ** 2, [THETA.sin() - 1 - K], POSITIVE),
+    "one after the other": (X, [X - Y, Y - K], POSITIVE),
+    "a divisor without a sign": (X, [Y * X - K], ANY),
+    "another unknown": (X, [Y - K], ANY),
+    "nothing": (X - Y, [], ANY),
+    "what is positive everywhere": (X * X + K, [X - Y], POSITIVE),
+}
+
+
+@pytest.mark.parametrize("name", WHERE)
+def test_sign_where_others_are_zero(name):
+    node, zero, expected = WHERE[name]
+    forms = Forms(B, [node.number, *(z.number for z in zero)], {"m", "k"}.__contains__)
+    polynomials = [forms.forms[z.number].above for z in zero]
+    assert forms.sign_on(forms.forms[node.number], polynomials) == expected
