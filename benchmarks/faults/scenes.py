@@ -1,6 +1,7 @@
 """Scenes over which faults are planted."""
 
 from collections.abc import Callable
+from functools import partial
 
 from sympy import pi
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols, inertia
@@ -64,15 +65,16 @@ def plate() -> Scene:
     )  # fmt: skip
 
 
-def arm() -> Scene:
-    """Three turning joints in space with a quarter turn between two of them; every kind of load."""
+def arm(count: int = 3) -> Scene:
+    """Turning joints in space with a quarter turn between two of them; every kind of load."""
     m, L, k, c, g, A, B, C = parameters("m L k c g A B C")
-    q1, q2, q3, tau, f = dynamicsymbols("q1:4 tau f")
+    angles = dynamicsymbols(f"q1:{count + 1}")
+    tau, f = dynamicsymbols("tau f")
     N, O = ReferenceFrame("N"), Point("O")
     frame, pivot, inner = N, O, None
     bodies, reactions = [], []
-    for i, (angle, quarters) in enumerate(((q1, 0), (q2, 1), (q3, 0)), 1):
-        if quarters:
+    for i, angle in enumerate(angles, 1):
+        if i == 2:
             frame = frame.orientnew(f"F{i}", "Axis", (pi / 2, frame.x))
         frame = frame.orientnew(f"B{i}", "Axis", (angle, frame.z))
         name, axes = f"link{i}", (("x", frame.x), ("y", frame.y), ("z", frame.z))
@@ -83,16 +85,16 @@ def arm() -> Scene:
             *(reaction_couple(f"Q{x}{i}", on=name, by=inner, along=e) for x, e in axes[:2]),
         ]
         pivot, inner = pivot.locatenew(f"P{i}", L * frame.x), name
-    one, two, three = bodies
+    one, two, three = bodies[0], bodies[-2], bodies[-1]
     return Scene(
-        "arm in space", N, O, coordinates=(q1, q2, q3), inputs=(tau, f), bodies=tuple(bodies),
+        "arm in space", N, O, coordinates=angles, inputs=(tau, f), bodies=tuple(bodies),
         loads=(
             gravity(-g * N.y),
-            torque("tau", tau * two.frame.z, on="link2", by="link1"),
-            force("f", pivot, f * two.frame.x, on="link3"),
+            torque("tau", tau * two.frame.z, on=two.name, by=f"link{count - 2}"),
+            force("f", pivot, f * two.frame.x, on=three.name),
             spring("k", O, three.centre, k, length=L / 3),
             damper("c", one.centre, three.centre, c),
-            torsion_spring("t", q3, three.frame.z, k * L**2, on="link3", by="link2"),
+            torsion_spring("t", angles[-1], three.frame.z, k * L**2, on=three.name, by=two.name),
         ),
         reactions=tuple(reactions),
     )  # fmt: skip
@@ -108,4 +110,5 @@ SCENES: dict[str, Callable[[], Scene]] = {
     "cartpole_friction": cartpole_friction.scene,
     "plate": plate,
     "arm": arm,
+    "arm of programs": partial(arm, 4),
 }

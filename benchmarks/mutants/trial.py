@@ -26,7 +26,7 @@ from benchmarks.mutants.operators import Mutant
 ROOT = Path(__file__).resolve().parents[2]
 PACKAGE = ROOT / "mechanics"
 COPIED = ("mechanics", "systems", "tests", "benchmarks")
-SECONDS, MEMORY = 60, 4 << 30
+SECONDS, MEMORY = 20, 4 << 30
 """Of processor time and bytes that the tests of one mutant may take; more counts as noticed."""
 ENOUGH = 8.0
 """Seconds of tests that call a function, the quickest first; the others are left out."""
