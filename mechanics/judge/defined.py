@@ -300,7 +300,8 @@ def _told(finding: Finding, left: Sequence[Gap], written: Written, code: bool) -
     if not left:
         return finding
     words = _listed([_excluded(written.origin[gap.obligation]) for gap in left], " or ")
-    return replace(finding, domain=f"except where {words}")
+    before = f"{finding.domain}, " if finding.domain else ""
+    return replace(finding, domain=f"{before}except where {words}")
 
 
 def _refutes(gap: Gap) -> bool:

@@ -3,6 +3,8 @@
 statement  --ledger, by cases where it has some-->  PROVED, CERTIFIED, REFUTED, UNDECIDED
 """
 
+from functools import partial
+
 from mechanics.checks.ledger import check_row
 from mechanics.equations import Equations
 from mechanics.errors import ExpressionError, InputError, SceneError, SingularError
@@ -10,10 +12,13 @@ from mechanics.exact import Finding, Verdict
 from mechanics.judge.at_values import Values, judged_at
 from mechanics.judge.cases import check_cases
 from mechanics.judge.defined import where_defined
+from mechanics.judge.limits import limited
+from mechanics.judge.principal import on_principal_range
 from mechanics.judge.vacuous import with_content
 from mechanics.kernel import undecided
 from mechanics.reading.statement import Statement
 from mechanics.scene import Scene
+from mechanics.scene.published import Published
 from mechanics.scene.symbols import plain_symbol
 
 FAILURES = (InputError, SceneError, ExpressionError, SingularError)
@@ -35,15 +40,27 @@ def identity(truth: Equations, statement: Statement, values: Values) -> Finding:
     try:
         if values:
             return with_content(statement, judged_at(truth, statement.row, values))
-        found = check_row(truth.scene, statement.row, truth)
-        if found.verdict is Verdict.UNDECIDED:
-            by_cases = check_cases(truth, statement.row)
-            found = found if by_cases is None else by_cases
-        return with_content(statement, found)
+        return with_content(statement, _of_row(truth, statement.row))
     except FAILURES as error:
         return undecided(subject, str(error))
     except RecursionError:
         return undecided(subject, "its expressions are nested too deeply")
+
+
+def _of_row(truth: Equations, row: Published) -> Finding:
+    """The finding of a row: by cases, of limited inputs, or where its own wraps are principal."""
+    found = check_row(truth.scene, row, truth)
+    if found.verdict is Verdict.UNDECIDED:
+        found = _first(check_cases(truth, row), found)
+    if not found.shown:
+        found = _first(limited(truth, row), found)
+    if found.verdict is Verdict.REFUTED:
+        found = _first(on_principal_range(row, found, partial(_of_row, truth)), found)
+    return found
+
+
+def _first(one: Finding | None, other: Finding) -> Finding:
+    return other if one is None else one
 
 
 def subject_of(statement: Statement) -> str:

@@ -40,7 +40,10 @@ def headline(finding: Finding) -> str:
     """The verdict, and where it holds: ``PROVED except where cos(theta) = 0``."""
     if not finding.domain or finding.undefined:
         return finding.verdict.name
-    return f"{finding.verdict.name} {finding.domain}" if finding.shown else finding.domain
+    if not finding.shown:
+        return finding.domain
+    between = " " if finding.domain.startswith("except") else ", "
+    return f"{finding.verdict.name}{between}{finding.domain}"
 
 
 def difference(sides: tuple[str, str], values: tuple[str, str]) -> str:

@@ -1,0 +1,140 @@
+"""Inputs that are limited before anything else is done with them, as motors are.
+
+    f(u) = truth(min(max(u, low), high))        PROVED, u is limited to +-u_max
+
+The limits are read off what the input is compared with; that the statement is the truth of the
+limited input, and of nothing else, is then decided. Coordinates are not limited by anybody.
+"""
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import replace
+from itertools import combinations, islice, permutations, product
+
+from sympy import Abs, Dummy, Expr, Max, Min, Piecewise, Symbol
+from sympy.core.relational import Relational
+
+from mechanics.checks.ledger_compare import settle_defined
+from mechanics.checks.ledger_motion import put_motion
+from mechanics.equations import Equations
+from mechanics.exact import Arithmetic, Finding, Number, decide
+from mechanics.scene.published import Published
+from mechanics.scene.quantities import EquationOfMotion
+
+MOST = 8
+"""Choices of limits and of their order that are tried."""
+MOST_MODULI = 3
+"""In one another."""
+
+Limits = tuple[Expr | None, Expr | None]
+"""The least and the largest value."""
+
+
+def limited(truth: Equations, row: Published) -> Finding | None:
+    """The finding of a row as one about limited inputs, if it is shown; else None.
+
+    Parameters
+    ----------
+    truth : Equations
+    row : Published
+        In plain symbols.
+    """
+    if not isinstance(row.quantity, EquationOfMotion):
+        return None
+    choices = {u: found for u in truth.scene.input_symbols if (found := _limits(row.sides, u))}
+    if not choices:
+        return None
+    found = (
+        (dict(zip(choices, chosen, strict=True)), order)
+        for chosen in product(*choices.values()) for order in (1, -1)
+    )  # fmt: skip
+    for limits, order in islice(found, MOST):
+        finding = decide(f"{row.tag} {row.label}", _of_limited(truth, row, limits, order))
+        if finding.shown:
+            words = " and ".join(_words(u, *pair) for u, pair in limits.items())
+            return replace(finding, domain=words)
+    return None
+
+
+def _of_limited(
+    truth: Equations, row: Published, limits: Mapping[Symbol, Limits], order: int
+) -> Callable[[Arithmetic], list[tuple[Number, Number]]]:
+    """The experiment in which the truth sees limited inputs and the row sees them as they are."""
+    free = {u: Dummy(u.name, real=True) for u in limits}
+    first, *others = (side.xreplace(free) for side in row.sides)
+
+    def experiment(a: Arithmetic) -> list[tuple[Number, Number]]:
+        for u, w in free.items():
+            a.assign(u, a.value(_clipped(w, *limits[u], order)))
+        settle_defined(truth.scene, a)
+        put_motion(a, truth)
+        return [(a.value(first), a.value(side)) for side in others]
+
+    return experiment
+
+
+def _clipped(u: Expr, low: Expr | None, high: Expr | None, order: int) -> Expr:
+    """The limited value; a field has no order, and asks in that of the code."""
+    cases = [(low, u < low)] if low is not None else []
+    cases += [(high, u > high)] if high is not None else []
+    return Piecewise(*cases[::order], (u, True))
+
+
+def _limits(sides: Sequence[Expr], u: Symbol) -> list[Limits]:
+    """What an input may be limited to."""
+    bounds = dict.fromkeys(bound for side in sides for bound in _compared(side, u))
+    if len(bounds) == 1:
+        (bound,) = bounds
+        pairs: list[Limits] = [(None, bound), (bound, None)]
+    elif len(bounds) == 2:
+        pairs = list(permutations(sorted(bounds, key=str)))
+    else:
+        return []
+    return [pair for pair in pairs if _holds_rest(*pair)]
+
+
+def _holds_rest(low: Expr | None, high: Expr | None) -> bool:
+    """Whether nothing is limited at rest, where inputs are 0."""
+    if low is not None and high is not None and (high - low).is_negative:
+        return False
+    return (low is None or not low.is_positive) and (high is None or not high.is_negative)
+
+
+def _compared(side: Expr, u: Symbol) -> Iterator[Expr]:
+    """What an input is compared with, however that is written: where u - bound is zero."""
+    for node in side.atoms(Relational, Max, Min, Abs):
+        if isinstance(node, Relational):
+            zeros = [node.lhs - node.rhs]
+        elif isinstance(node, Abs):
+            zeros = _without_moduli(node.args[0])
+        else:
+            zeros = [one - two for one, two in combinations(node.args, 2)]
+            zeros = [zero for one in zeros for zero in _without_limits(one)]
+        for zero in zeros:
+            slope = zero.expand().coeff(u)
+            if slope.is_number and slope != 0 and not (bound := (u - zero / slope).expand()).has(u):
+                yield bound
+
+
+def _without_moduli(expression: Expr) -> list[Expr]:
+    """What it is where the moduli in it are one or the other."""
+    found = [expression]
+    for node in sorted(expression.atoms(Abs), key=str)[:MOST_MODULI]:
+        found = [e.xreplace({node: sign * node.args[0]}) for e in found for sign in (1, -1)]
+    return found
+
+
+def _without_limits(expression: Expr) -> list[Expr]:
+    """What it is where the largest and the least of it are one or the other."""
+    found = [expression]
+    for node in sorted(expression.atoms(Max, Min), key=str)[:MOST_MODULI]:
+        found = [e.xreplace({node: one}) for e in found for one in node.args]
+    return found
+
+
+def _words(u: Symbol, low: Expr | None, high: Expr | None) -> str:
+    if low is None or high is None:
+        return (
+            f"{u} is limited to {u} <= {high}" if low is None else f"{u} is limited to {u} >= {low}"
+        )
+    opposite = low + high == 0
+    return f"{u} is limited to +-{high}" if opposite else f"{u} is limited to {low} .. {high}"
