@@ -5,7 +5,7 @@
 A case of a function that is hardly ever entered would not be met by random states.
 """
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 
 from sympy import (
@@ -33,8 +33,10 @@ from mechanics.exact import (
     decide,
 )
 from mechanics.judge.entered import Region, entered
+from mechanics.judge.guards import inside, is_guard
 from mechanics.judge.regions import region_of, slice_of
-from mechanics.kernel import follows, undecided
+from mechanics.kernel import follows, refuted, undecided
+from mechanics.reading.demands import Demand
 from mechanics.scene.published import Published
 from mechanics.scene.quantities import EquationOfMotion, Identity
 
@@ -44,7 +46,14 @@ MOST = 64
 """Alternatives of the conditions of one case."""
 
 
-def check_cases(truth: Equations, row: Published) -> Finding | None:
+def has_guard(row: Published, demands: Sequence[Demand]) -> bool:
+    """Whether a row has a case within a small guard."""
+    conditions = {c for side in row.sides for p in side.atoms(Piecewise) for _, c in p.args}
+    relations = {r for c in conditions for r in c.atoms(Relational)}
+    return any(is_guard(s, demands) for r in relations for s in (r, Not(r)))
+
+
+def check_cases(truth: Equations, row: Published, demands: Sequence[Demand] = ()) -> Finding | None:
     """The finding of a row with cases, from its cases one by one; None where that is no help.
 
     Parameters
@@ -52,16 +61,28 @@ def check_cases(truth: Equations, row: Published) -> Finding | None:
     truth : Equations
     row : Published
         About an equation of motion, in a scene without constraints.
+    demands : sequence of Demand
+        What it asks for; within a small guard of that it has to be near the truth only.
     """
     kinds = (EquationOfMotion, Identity)
     if truth.scene.constraints or not isinstance(row.quantity, kinds):
         return None
     if not any(side.has(Piecewise) for side in row.sides):
         return None
-    findings, open_ones = [], []
+    findings, open_ones, near, singular = [], [], [], []
     for conditions, sides in _parts(row):
         if conditions is None:
             return None
+        if guard := [c for c in conditions if is_guard(c, demands)]:
+            experiment = _in_region(truth, replace(row, sides=sides), {})
+            found = inside(truth, conditions, experiment)
+            where = " and ".join(map(_in_words, guard))
+            if found.apart is not None:
+                words = f"within its guard {where} the value is not near the truth"
+                return refuted(f"{row.tag} {row.label}", words, found.apart)
+            if found.states or found.singular:
+                (singular if found.singular else near).append(where)
+                continue
         try:
             finding = in_case(truth, replace(row, sides=sides), conditions)
         except Inadmissible:
@@ -79,7 +100,10 @@ def check_cases(truth: Equations, row: Published) -> Finding | None:
         return open_ones[0] if open_ones else None
     worst = [f for f in findings if f.verdict is Verdict.CERTIFIED] or findings
     words = f"{worst[0].evidence}, in each of {len(findings)} cases"
-    return replace(follows(worst[0].subject, findings), evidence=words)
+    if near:
+        words += f"; within 1e-9 of the truth at the states that were tried where {near[0]}"
+    domain = f"except where {singular[0]}" if singular else ""
+    return replace(follows(worst[0].subject, findings), evidence=words, domain=domain)
 
 
 def _in_words(condition: Relational) -> str:

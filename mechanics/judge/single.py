@@ -10,12 +10,13 @@ from mechanics.equations import Equations
 from mechanics.errors import ExpressionError, InputError, SceneError, SingularError
 from mechanics.exact import Finding, Verdict
 from mechanics.judge.at_values import Values, judged_at
-from mechanics.judge.cases import check_cases
+from mechanics.judge.cases import check_cases, has_guard
 from mechanics.judge.defined import where_defined
 from mechanics.judge.limits import limited
 from mechanics.judge.principal import on_principal_range
 from mechanics.judge.vacuous import with_content
 from mechanics.kernel import undecided
+from mechanics.reading.demands import Demand
 from mechanics.reading.statement import Statement
 from mechanics.scene import Scene
 from mechanics.scene.published import Published
@@ -40,22 +41,24 @@ def identity(truth: Equations, statement: Statement, values: Values) -> Finding:
     try:
         if values:
             return with_content(statement, judged_at(truth, statement.row, values))
-        return with_content(statement, _of_row(truth, statement.row))
+        return with_content(statement, _of_row(truth, statement.demands.of, statement.row))
     except FAILURES as error:
         return undecided(subject, str(error))
     except RecursionError:
         return undecided(subject, "its expressions are nested too deeply")
 
 
-def _of_row(truth: Equations, row: Published) -> Finding:
+def _of_row(truth: Equations, demands: tuple[Demand, ...], row: Published) -> Finding:
     """The finding of a row: by cases, of limited inputs, or where its own wraps are principal."""
     found = check_row(truth.scene, row, truth)
-    if found.verdict is Verdict.UNDECIDED:
-        found = _first(check_cases(truth, row), found)
+    guarded = found.verdict is Verdict.REFUTED and has_guard(row, demands)
+    if found.verdict is Verdict.UNDECIDED or guarded:
+        by_cases = _first(check_cases(truth, row, demands), found)
+        found = found if guarded and by_cases.verdict is Verdict.UNDECIDED else by_cases
     if not found.shown:
         found = _first(limited(truth, row), found)
     if found.verdict is Verdict.REFUTED:
-        found = _first(on_principal_range(row, found, partial(_of_row, truth)), found)
+        found = _first(on_principal_range(row, found, partial(_of_row, truth, demands)), found)
     return found
 
 

@@ -137,3 +137,183 @@ def test_functions_of_numpy(name):
 def test_a_wrong_root_is_refuted():
     assert of_python(more=lambda x: np.cbrt(x) - x).verdict.name == "REFUTED"
     assert of_python(more=lambda x: np.hypot(x, 1) - x).verdict.name == "REFUTED"
+
+
+LIMITED = {
+    "text": lambda: of_text(torque="min(max(u, -2), 2)"),
+    "LaTeX": lambda: of_latex(torque=r"\min(\max(u, -2), 2)"),
+    "C": lambda: of_c(torque="fmin(fmax(u, -2), 2)"),
+    "C, by cases": lambda: of_c(torque="(u > 2 ? 2 : (u < -2 ? -2 : u))"),
+    "Python": lambda: of_python(torque=lambda u: np.clip(u, -2, 2)),
+    "Python, min and max": lambda: of_python(torque=lambda u: max(-2.0, min(2.0, u))),
+    "Python, by cases": lambda: of_python(
+        torque=lambda u: 2.0 if u > 2.0 else (-2.0 if u < -2.0 else u)
+    ),
+    "CasADi": lambda: of_casadi(torque=lambda u: casadi.fmin(casadi.fmax(u, -2), 2)),
+    "SymPy": lambda: of_sympy(torque=lambda u: sympy.Min(sympy.Max(u, -2), 2)),
+}
+
+
+@pytest.mark.parametrize("form", LIMITED)
+def test_an_input_may_be_limited_before_it_is_used(form):
+    verdict, domain = outcome(LIMITED[form]())
+    assert verdict in ("PROVED", "CERTIFIED")
+    assert domain == "u is limited to +-2"
+
+
+@pytest.mark.parametrize(
+    ("torque", "words"),
+    [
+        (lambda u: min(u, 3), "u is limited to u <= 3"),
+        (lambda u: max(u, 0), "u is limited to u >= 0"),
+        (lambda u: np.clip(u, -1, 4), "u is limited to -1 .. 4"),
+    ],
+)
+def test_limits_are_named(torque, words):
+    found = of_python(torque=torque)
+    assert found.ok
+    assert outcome(found)[1] == words
+
+
+NOT_LIMITS = {
+    "a coordinate": lambda: of_python(angle=lambda theta: np.clip(theta, -2, 2)),
+    "a coordinate in C": lambda: of_c(angle="fmin(fmax(theta, -2), 2)"),
+    "another value beyond": lambda: of_python(torque=lambda u: u if abs(u) < 2 else 0),
+    "used before": lambda: of_python(torque=lambda u: np.clip(u, -2, 2) / 2 + u / 2),
+    "rest is beyond": lambda: of_python(torque=lambda u: max(u, 1)),
+    "a wrong factor": lambda: of_python(torque=lambda u: 2 * np.clip(u, -2, 2)),
+    "exchanged limits": lambda: of_c(torque="(u > 2 ? -2 : (u < -2 ? 2 : u))"),
+}
+
+
+@pytest.mark.parametrize("name", NOT_LIMITS)
+def test_anything_else_is_refuted(name):
+    assert NOT_LIMITS[name]().verdict.name == "REFUTED"
+
+
+def sinc(x, least=1e-8, at_zero=1.0):
+    return np.sin(x) / x if abs(x) > least else at_zero
+
+
+GUARDED = {
+    "Python": lambda: of_python(more=lambda x: x * sinc(x) - np.sin(x)),
+    "Python, np.where": lambda: of_python(
+        more=lambda x: x * np.where(abs(x) < 1e-8, 1, np.sin(x) / x) - np.sin(x)
+    ),
+    "C": lambda: of_c(more="theta*(fabs(theta) < 1e-8 ? 1 : sin(theta)/theta) - sin(theta)"),
+    "Python, a wider one": lambda: of_python(more=lambda x: x * sinc(x, 1e-6) - np.sin(x)),
+    "Python, of a square": lambda: of_python(
+        more=lambda x: x * (np.sin(x) / x if x * x > 1e-16 else 1.0) - np.sin(x)
+    ),
+    "CasADi": lambda: of_casadi(
+        more=lambda x: (
+            casadi.if_else(casadi.fabs(x) < 1e-8, 1, casadi.sin(x) / x) * x - casadi.sin(x)
+        )
+    ),
+}
+
+
+@pytest.mark.parametrize("form", GUARDED)
+def test_within_a_small_guard_what_is_near_the_truth_will_do(form):
+    found = GUARDED[form]()
+    assert outcome(found) == SILENT
+    assert "within 1e-9 of the truth" in found.judged[0].finding.evidence
+
+
+NO_GUARDS = {
+    "another value": lambda: of_python(more=lambda x: x * sinc(x, at_zero=0.5) - np.sin(x)),
+    "another value in C": lambda: of_c(
+        more="theta*(fabs(theta) < 1e-8 ? 0.5 : sin(theta)/theta) - sin(theta)"
+    ),
+    "a wide one": lambda: of_python(more=lambda x: x * sinc(x, 1e-3) - np.sin(x)),
+    "on one side": lambda: of_python(
+        more=lambda x: x * (np.sin(x) / x if x > 1e-8 else 1.0) - np.sin(x)
+    ),
+    "wrong beside it": lambda: of_python(more=lambda x: 2 * x * sinc(x) - np.sin(x)),
+    "nothing to guard": lambda: of_python(more=lambda x: x if abs(x) < 1e-8 else 0),
+}
+
+
+@pytest.mark.parametrize("name", NO_GUARDS)
+def test_other_guards_are_refuted(name):
+    assert NO_GUARDS[name]().verdict.name == "REFUTED"
+
+
+HALF = "PROVED WHERE -pi/2 < theta < pi/2"
+WHOLE = "PROVED WHERE -pi < theta < pi"
+PRINCIPAL = [
+    ("asin", ("UNDECIDED", HALF), {
+        "text": lambda: of_text(more="u*(asin(sin(theta)) - theta)"),
+        "LaTeX": lambda: of_latex(more=r"u (\arcsin(\sin\theta) - \theta)"),
+        "C": lambda: of_c(more="u*(asin(sin(theta)) - theta)"),
+        "Python": lambda: of_python(more=lambda x: np.arcsin(np.sin(x)) - x),
+        "CasADi": lambda: of_casadi(more=lambda x: casadi.asin(casadi.sin(x)) - x),
+        "SymPy": lambda: of_sympy(more=lambda x: sympy.asin(sympy.sin(x)) - x),
+    }),
+    ("atan2", ("UNDECIDED", WHOLE), {
+        "text": lambda: of_text(more="u*(atan2(sin(theta), cos(theta)) - theta)"),
+        "C": lambda: of_c(more="u*(atan2(sin(theta), cos(theta)) - theta)"),
+        "Python": lambda: of_python(more=lambda x: np.arctan2(np.sin(x), np.cos(x)) - x),
+        "CasADi": lambda: of_casadi(
+            more=lambda x: casadi.atan2(casadi.sin(x), casadi.cos(x)) - x),
+    }),
+    ("twice atan", ("UNDECIDED", WHOLE), {
+        "text": lambda: of_text(more="u*(2*atan(tan(theta/2)) - theta)"),
+        "Python": lambda: of_python(more=lambda x: 2 * np.arctan(np.tan(x / 2)) - x),
+    }),
+    ("acos", ("UNDECIDED", "PROVED WHERE 0 < theta < pi"), {
+        "text": lambda: of_text(more="u*(acos(cos(theta)) - theta)"),
+        "Python": lambda: of_python(more=lambda x: np.arccos(np.cos(x)) - x),
+    }),
+    ("modulo", ("UNDECIDED", WHOLE), {
+        "Python": lambda: of_python(more=lambda x: (x + np.pi) % (2 * np.pi) - np.pi - x),
+    }),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("found", "expected"), rows(PRINCIPAL))
+def test_what_differs_beyond_the_range_of_its_own_wraps_is_right_within(found, expected):
+    assert outcome(found()) == expected
+
+
+@pytest.mark.parametrize(
+    "more",
+    [
+        lambda x: np.arcsin(np.sin(x)) + x,
+        lambda x: np.arctan2(np.cos(x), np.sin(x)) - x,
+        lambda x: (x + np.pi) % (2 * np.pi) - x,
+        lambda x: x % 3 - x,
+    ],
+)
+def test_what_is_wrong_within_it_is_refuted(more):
+    assert of_python(more=more).verdict.name == "REFUTED"
+
+
+ROUND = 2 * np.pi
+PERIODS = {
+    "a period": lambda: of_c("fmod(theta, 2*3.141592653589793)"),
+    "two periods": lambda: of_c("fmod(theta, 4*3.141592653589793)"),
+    "two of half the angle": lambda: of_python(
+        more=lambda x: (
+            2 * np.sin(np.fmod(x, 2 * ROUND) / 2) * np.cos(np.fmod(x, 2 * ROUND) / 2) - np.sin(x)
+        )
+    ),
+    "a period, shifted": lambda: of_python(lambda x: (x + 1) % ROUND - 1),
+    "of a multiple": lambda: of_python(more=lambda x: np.sin(3 * (x % ROUND)) - np.sin(3 * x)),
+}
+NO_PERIODS = {
+    "half a period": lambda: of_c("fmod(theta, 3.141592653589793)"),
+    "of half the angle": lambda: of_python(more=lambda x: np.sin((x % ROUND) / 2) - np.sin(x / 2)),
+    "rounded": lambda: of_c("fmod(theta, 6.28)"),
+    "the angle itself": lambda: of_c("theta", more="u*(fmod(theta, 2*3.141592653589793) - theta)"),
+}
+
+
+@pytest.mark.parametrize("name", PERIODS)
+def test_wrapping_by_whole_periods_is_nothing_under_a_sine(name):
+    assert outcome(PERIODS[name]()) == SILENT
+
+
+@pytest.mark.parametrize("name", NO_PERIODS)
+def test_wrapping_otherwise_is_not_shown(name):
+    assert not NO_PERIODS[name]().ok

@@ -80,7 +80,7 @@ def within(theta, theta_dot, u, m, l, g):
 
 
 def clipped(theta, u, m, l, g):
-    return right(theta, np.clip(u, -100, 100), m, l, g)
+    return right(np.clip(theta, -100, 100), u, m, l, g)
 
 
 def dead_zone(theta, u, m, l, g):
@@ -96,7 +96,7 @@ def or_far(theta, theta_dot, u, m, l, g):
     ("function", "inside"),
     [
         (within, lambda s: 50 < s["theta_dot"] < 60),
-        (clipped, lambda s: abs(s["u"]) > 100),
+        (clipped, lambda s: abs(s["theta"]) > 100),
         (dead_zone, lambda s: abs(s["u"]) < 50),
         (or_far, lambda s: s.get("theta_dot", 0) < -70 or s["theta"] > 80),
     ],

@@ -1,0 +1,160 @@
+"""A small guard around a point where what is written has no value: sin(x)/x, and 1 for |x| < 1e-8.
+
+    | guarded value - truth |  <=  1e-9 max(1, |truth|)        at states inside, by enclosure
+
+A guard is a condition with a number of at most 1e-6 whose other branch has an obligation in the
+same symbols. Where the truth has no value either, that is said.
+"""
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from itertools import product
+from typing import Any
+
+from flint import arb
+from sympy import Not, Rational, S, Symbol
+from sympy.core.relational import Ge, Gt, Le, Lt, Relational
+
+from mechanics.equations import Equations
+from mechanics.errors import MechanicsError
+from mechanics.exact import Arithmetic
+from mechanics.exact.balls import BallArithmetic, State, ball, precision
+from mechanics.kernel import Witness
+from mechanics.reading.demands import Demand
+
+LARGEST = Fraction(1, 10**6)
+NEAR = Fraction(1, 10**9)
+BITS = 256
+DIGITS = 17
+
+SHARES = (
+    Fraction(0),
+    1 - Fraction(1, 2**20),
+    Fraction(1, 2),
+    Fraction(1, 2**10),
+    Fraction(1, 2**40),
+)
+"""Of the number that the guard compares with: values of what it holds."""
+SIZES = tuple(Fraction(2) ** scale for scale in (-48, -34, -20, 0, 4, 20))
+"""Other values, of which those beyond a guard that is none on one side are far from the truth."""
+SIMPLE = (Fraction(1), Fraction(-1, 2), Fraction(2))
+
+Pairs = list[tuple[Any, Any]]
+
+
+@dataclass(frozen=True)
+class Inside:
+    """What was found inside of a guard.
+
+    Attributes
+    ----------
+    apart : Witness or None
+        A state at which the guarded value is not near the truth.
+    singular : bool
+        Whether the truth has no value at a state inside.
+    states : int
+        At how many the values are near.
+    """
+
+    apart: Witness | None
+    singular: bool
+    states: int
+
+
+def is_guard(condition: Relational, demands: Sequence[Demand]) -> bool:
+    """Whether a condition is a small guard of something that is demanded beside it."""
+    if not _is_small(condition):
+        return False
+    held = condition.free_symbols
+    return any(
+        held & set().union(*(e.free_symbols for e in demand.operands))
+        for demand in demands
+        for other, answer in demand.conditions
+        if isinstance(other, Relational) and _is_small(Not(other) if answer else other)
+    )
+
+
+def _is_small(condition: Relational) -> bool:
+    """Whether it says of something that it is less than a small number."""
+    return 0 < _number(condition) <= LARGEST
+
+
+def _number(condition: Relational) -> Fraction:
+    """The number that something is less than; 0 where there is none."""
+    if not isinstance(condition, Lt | Le | Gt | Ge):
+        return Fraction(0)
+    number = (condition.gts - condition.lts).as_coeff_Add()[0]
+    return Fraction(int(number.p), int(number.q)) if number.is_Rational else Fraction(0)
+
+
+def inside(
+    truth: Equations, conditions: Sequence[Relational], experiment: Callable[[Arithmetic], Pairs]
+) -> Inside:
+    """Guarded values beside those of the truth, at states where conditions hold.
+
+    Parameters
+    ----------
+    truth : Equations
+    conditions : sequence of Relational
+        Of the case.
+    experiment : callable
+        Pairs of a value of the truth and a guarded one.
+    """
+    singular, near = False, 0
+    for state in _states(truth, conditions):
+        with precision(BITS):
+            values = _at(state, experiment)
+            if values is None:
+                singular = True
+                continue
+            far = [(x, y) for x, y in values if not _is_near(x, y)]
+            if far:
+                return Inside(_witness(state, *far[0]), singular, near)
+            near += 1
+    return Inside(None, singular, near)
+
+
+def _states(
+    truth: Equations, conditions: Sequence[Relational]
+) -> Iterator[Mapping[Symbol, Fraction]]:
+    """States near 0 of what the guard holds, and far from it, where conditions hold."""
+    scene = truth.scene
+    symbols = (*scene.parameters, *scene.q, *scene.u, *scene.input_symbols)
+    held = set().union(*(c.free_symbols for c in conditions))
+    numbers = [number for c in conditions if (number := _number(c)) > 0]
+    sizes = [share * number for share in SHARES for number in numbers]
+    for k, size in enumerate((*sizes, *SIZES)):
+        for sign, moving in product((1, -1), (0, 1)):
+            state = {}
+            for place, symbol in enumerate(symbols):
+                value = SIMPLE[(place + k) % len(SIMPLE)]
+                if symbol.is_positive:
+                    typical = Fraction(getattr(symbol, "typical", None) or 1)
+                    state[symbol] = abs(value) if k % 2 else typical
+                else:
+                    state[symbol] = sign * size if symbol in held else moving * value
+            table = {s: Rational(v.numerator, v.denominator) for s, v in state.items()}
+            if all(condition.xreplace(table) == S.true for condition in conditions):
+                yield state
+
+
+def _at(
+    state: Mapping[Symbol, Fraction], experiment: Callable[[Arithmetic], Pairs]
+) -> list[tuple[arb, arb]] | None:
+    try:
+        pairs = [(x.arb, y.arb) for x, y in experiment(BallArithmetic(State(dict(state))))]
+    except (ArithmeticError, MechanicsError):
+        return None
+    return pairs if all(x.is_finite() for x, _ in pairs) else None
+
+
+def _is_near(x: arb, y: arb) -> bool:
+    if not y.is_finite():
+        return True  # where it has a value is another question
+    return bool(abs(x - y) <= ball(NEAR) * abs(x).max(arb(1)))
+
+
+def _witness(state: Mapping[Symbol, Fraction], x: arb, y: arb) -> Witness:
+    words = tuple(sorted((symbol.name, str(value)) for symbol, value in state.items()))
+    return Witness(words, x.str(DIGITS), y.str(DIGITS))
