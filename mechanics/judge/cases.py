@@ -69,7 +69,10 @@ def check_cases(truth: Equations, row: Published, demands: Sequence[Demand] = ()
         return None
     if not any(side.has(Piecewise) for side in row.sides):
         return None
-    findings, open_ones, near, singular = [], [], [], []
+    findings: list[Finding] = []
+    open_ones: list[Finding] = []
+    near: list[str] = []
+    singular: list[str] = []
     for conditions, sides in _parts(row):
         if conditions is None:
             return None

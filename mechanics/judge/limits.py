@@ -40,7 +40,7 @@ def limited(truth: Equations, row: Published) -> Finding | None:
     """
     if not isinstance(row.quantity, EquationOfMotion):
         return None
-    choices = {u: found for u in truth.scene.input_symbols if (found := _limits(row.sides, u))}
+    choices = {u: some for u in truth.scene.input_symbols if (some := _limits(row.sides, u))}
     if not choices:
         return None
     found = (
