@@ -16,8 +16,8 @@ from pycparser import c_ast
 from sympy import Expr, Symbol
 
 from mechanics.errors import ExpressionError
-from mechanics.exact.c.literal import literal
-from mechanics.exact.c.parse import parse
+from mechanics.program.c.literal import literal
+from mechanics.program.c.parse import parse
 
 FOLDER = Path(__file__).parent / "kernels"
 FUNCTIONS = {"sin": sympy.sin, "cos": sympy.cos, "sqrt": sympy.sqrt}

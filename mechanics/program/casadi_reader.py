@@ -17,6 +17,7 @@ import casadi
 from mechanics.errors import ExpressionError
 from mechanics.program.branches import Choice, Parts, build
 from mechanics.program.builder import Builder, Node
+from mechanics.program.composed import COMPOSED
 from mechanics.program.operations import OPERATIONS
 
 
@@ -229,12 +230,6 @@ def _call(name: str) -> Callable[..., Node]:
     return lambda b, *operands: b.call(name, *operands)
 
 
-def _fmod(b: Builder, x: Node, y: Node) -> Node:
-    quotient = x / y
-    whole = b.call("floor", abs(quotient))
-    return x - y * b.less(quotient, 0).choose(-whole, whole)
-
-
 _RULES: dict[int, Callable[..., Node]] = {
     getattr(casadi, row.casadi): _call(row.name) for row in OPERATIONS if row.casadi
 } | {
@@ -243,14 +238,8 @@ _RULES: dict[int, Callable[..., Node]] = {
     casadi.OP_TWICE: lambda b, x: x * 2,
     casadi.OP_INV: lambda b, x: 1 / x,
     casadi.OP_CONSTPOW: lambda b, x, y: x.power(y),
-    casadi.OP_EXPM1: lambda b, x: x.exp() - 1,
-    casadi.OP_LOG1P: lambda b, x: (1 + x).log(),
-    casadi.OP_HYPOT: lambda b, x, y: (x * x + y * y).sqrt(),
-    casadi.OP_CEIL: lambda b, x: -b.call("floor", -x),
-    casadi.OP_FMAX: lambda b, x, y: b.less(x, y).choose(y, x),
-    casadi.OP_FMIN: lambda b, x, y: b.less(x, y).choose(x, y),
-    casadi.OP_FMOD: _fmod,
-    casadi.OP_COPYSIGN: lambda b, x, y: b.less(y, 0).choose(-abs(x), abs(x)),
-    casadi.OP_NE: lambda b, x, y: b.call("not", b.call("equal", x, y)),
-}
-"""What an operation means; what has no row of its own is written in those that have."""
+    casadi.OP_NE: COMPOSED["not_equal"].build,
+    **{getattr(casadi, f"OP_{name.upper()}"): COMPOSED[name].build
+       for name in COMPOSED if name != "not_equal"},
+}  # fmt: skip
+"""What an operation means."""

@@ -6,30 +6,29 @@ from dataclasses import replace
 import casadi as ca
 import numpy as np
 import pytest
+from flint import arb
 from sympy import Symbol
 
 from mechanics.compiled import compile
 from mechanics.compiled.custody.binary import compare
 from mechanics.compiled.custody.build import Built, building
-from mechanics.compiled.custody.code import Code, code_of
+from mechanics.compiled.custody.code import EVERY, code_of
 from mechanics.compiled.custody.derived import derived
 from mechanics.compiled.custody.graph import prove_derived
 from mechanics.compiled.custody.kernel import Kernel
-from mechanics.compiled.custody.rounding import RoundedArithmetic
+from mechanics.compiled.custody.rounding import RoundedBalls
 from mechanics.compiled.custody.states import FINITE, states
-from mechanics.compiled.custody.text import Text, read_text
+from mechanics.compiled.custody.text import VALUES, Text, read_text
 from mechanics.compiled.custody.truth import truth
-from mechanics.compiled.programs.program import Node as ProgramNode
-from mechanics.compiled.programs.program import Program
 from mechanics.exact import Verdict
 from mechanics.exact.balls import precision
-from mechanics.exact.c.parse import parse
+from mechanics.program import Program
+from mechanics.program.c.parse import parse
 from mechanics.program.casadi_reader import Instruction as Node
 from mechanics.routes import free_body
 from systems import elastic_pendulum
 
 SYMBOLS = {"x": [Symbol("x0", real=True), Symbol("x1", positive=True)]}
-NOTHING = Code("f", (), (), (("x", 2),), (("y", (1, 1)),))
 
 
 @pytest.fixture(scope="module")
@@ -74,18 +73,13 @@ int f(const {kind} x[2], {kind} y[1])
 }}
 """
     kernel = Kernel("f", "f", "f.c", kind)
-    return read_text(kernel, parse(source, "f.c"), NOTHING, (("x", 2),), (("y", 1),)), source
+    return read_text(kernel, parse(source, "f.c"), (("x", 2),), (("y", 1),)), source
 
 
 def written(read: Text) -> Program:
     """The text itself, as what it was printed from."""
-    nodes = tuple(
-        ProgramNode(n.op, n.operands, None if n.constant is None else float(n.constant))
-        for n in read.program.nodes
-    )
-    (entry,) = read.entries()
-    outputs = ((read.program.outputs[entry[1]][0].node,),)
-    return Program("f", nodes, outputs, (("x", 2),), (("y", (1, 1)),))
+    outputs = read.program.outputs
+    return replace(read.program, outputs={"y": outputs[VALUES], EVERY: outputs[EVERY]})
 
 
 @pytest.mark.parametrize("vain", ["(x[0] + 0x1p200) - 0x1p200", "x[0] * 0x1p600 * 0x1p-600",
@@ -146,10 +140,10 @@ def test_what_does_not_compile_is_undecided(gcc: str) -> None:
 
 def test_roundings_grow_a_ball() -> None:
     with precision(200):
-        a = RoundedArithmetic("double")
-        third = a.rational(1) / a.rational(3)
-        assert third.arb.contains(1 / 3) and not third.arb.contains(1 / 3 + 2.0**-53)
-        assert float((a.rational(1) + a.rational(2)).arb.rad()) < 2.0**-51
+        rounded = RoundedBalls("double").operations
+        third = rounded["divide"](arb(1), arb(3))
+        assert third.contains(1 / 3) and not third.contains(1 / 3 + 2.0**-53)
+        assert float(rounded["add"](arb(1), arb(2)).rad()) < 2.0**-51
 
 
 def test_states_are_the_same_every_time_and_of_every_kind() -> None:

@@ -6,7 +6,7 @@ import pytest
 
 import mechanics
 from mechanics.errors import InputError
-from mechanics.exact.c.tokens import lines, tokens
+from mechanics.program.c.tokens import lines, tokens
 from systems import rod_pendulum
 
 SCENE = rod_pendulum.scene()

@@ -14,7 +14,7 @@ import numpy as np
 from flint import arb, arb_mat
 
 from mechanics.exact.balls import precision
-from mechanics.exact.c.literal import rounded as nearest
+from mechanics.program.c.literal import rounded as nearest
 
 REACHES = {"double": "0.7855", "float": "0.83"}
 """Largest |r|: pi/4 = 0.785398... and what rounding of 2/pi adds, times the largest |x|."""

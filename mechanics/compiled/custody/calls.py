@@ -30,14 +30,14 @@ def one_by_one(known: Truth, function: Any) -> tuple[Array, Any, str]:
     kind = TYPES[text.kernel.kind]
     outs = [np.zeros((count, size), kind) for _, size in text.outputs]
     ins = [np.ascontiguousarray(known.given.columns[name]) for name, _ in text.groups]
-    function.restype = ctypes.c_int if text.program.status is not None else None
+    function.restype = ctypes.c_int if text.status is not None else None
     statuses = np.zeros(count, dtype=np.int64)
     for i in range(count):
         given = [_pointer(array, i * array.shape[1]) for array in (*ins, *outs)]
         result = function(*given)
         statuses[i] = result if result is not None else 0
     values = np.concatenate(outs, axis=1) if outs else np.zeros((count, 0))
-    return values, statuses if text.program.status is not None else None, ""
+    return values, statuses if text.status is not None else None, ""
 
 
 def lanes(known: Truth, function: Any) -> tuple[Array, Any, str]:
@@ -68,7 +68,7 @@ def lanes(known: Truth, function: Any) -> tuple[Array, Any, str]:
     first = table[:count]
     if not np.array_equal(table, first[order], equal_nan=True):
         return table, None, "a lane has another value where it stands elsewhere in the batch"
-    if known.statuses is not None and text.program.status is not None:
+    if known.statuses is not None and text.status is not None:
         wanted = int(np.bitwise_or.reduce(known.statuses))
         if flags != wanted:
             return table, None, f"it returns {flags}, the text says {wanted}"

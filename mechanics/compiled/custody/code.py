@@ -12,18 +12,21 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from typing import Any
 
 import casadi as ca
-from sympy import Expr, Rational, Symbol
+from sympy import Expr, Rational
 
-from mechanics.compiled.programs.program import Program, program
+from mechanics.compiled.programs.program import Program as Printed
+from mechanics.compiled.programs.program import program
 from mechanics.errors import ExpressionError
-from mechanics.exact import Arithmetic, Number
-from mechanics.exact.graph import evaluated
-from mechanics.program.casadi_reader import Instruction as Node
+from mechanics.program import Builder, Node, Program
+from mechanics.program.as_written import AsWritten
+from mechanics.program.casadi_reader import Instruction, nodes_of
+from mechanics.program.sympy_reader import read
 
 CONSTANTS = "constants"
+EVERY = "every"
+"""The output of a program that holds all its values."""
 
 
 @dataclass(frozen=True)
@@ -33,9 +36,9 @@ class Code:
     Attributes
     ----------
     name : str
-    nodes : tuple of Node
+    nodes : tuple of Instruction
     outputs : tuple of tuple of int
-        Node of each entry of each output, column by column.
+        Instruction of each entry of each output, column by column.
     inputs : tuple of (str, int)
         Name and number of entries; without the constants.
     shapes : tuple of (str, (int, int))
@@ -45,27 +48,29 @@ class Code:
     """
 
     name: str
-    nodes: tuple[Node, ...]
+    nodes: tuple[Instruction, ...]
     outputs: tuple[tuple[int, ...], ...]
     inputs: tuple[tuple[str, int], ...]
     shapes: tuple[tuple[str, tuple[int, int]], ...]
     constants: tuple[Expr, ...] = ()
 
-    def numbers(
-        self, a: Arithmetic, symbols: Mapping[str, Sequence[Symbol]], whole_angles: bool = False
-    ) -> list[Number]:
-        """The number of every node, inputs being symbols."""
-        given: list[list[Any]] = [
-            [a.value(symbol) for symbol in symbols[group]] for group, _ in self.inputs
-        ]
-        constants = [a.value(constant) for constant in self.constants]
-        return evaluated(a, self.nodes, [*given, constants], whole_angles)
+    def build(
+        self, builder: Builder, given: Mapping[str, Sequence[Node]], wanted: Sequence[int]
+    ) -> tuple[Node, ...]:
+        """Nodes of some of its values, inputs being those that are given by group."""
+        inputs = [given.get(group, ()) for group, _ in self.inputs]
+        constants = read(builder, self.constants)
+        return nodes_of(builder, self.nodes, [*inputs, constants], wanted)
 
-    def results(self, numbers: Sequence[Number]) -> dict[str, list[Number]]:
-        """The numbers of every output by name."""
+    def results(
+        self, builder: Builder, given: Mapping[str, Sequence[Node]]
+    ) -> dict[str, list[Node]]:
+        """Nodes of every output by name."""
+        flat = [number for numbers in self.outputs for number in numbers]
+        nodes = iter(self.build(builder, given, flat))
         return {
-            name: [numbers[node] for node in nodes]
-            for (name, _), nodes in zip(self.shapes, self.outputs, strict=True)
+            name: [next(nodes) for _ in numbers]
+            for (name, _), numbers in zip(self.shapes, self.outputs, strict=True)
         }
 
 
@@ -89,20 +94,33 @@ def code_of(function: ca.Function, constants: Sequence[Expr]) -> Code:
                 op, operands, value = ca.OP_CONST, (), Fraction(int(named.p), int(named.q))
             else:
                 operands = (last, irrational.index(operands[1]))
-        nodes.append(Node(op, operands, value))
+        nodes.append(Instruction(op, operands, value))
     left = tuple(constants[i] for i in irrational)
     return Code(
         found.name, tuple(nodes), found.outputs, found.inputs[:-1], found.shapes, left
     )  # fmt: skip
 
 
-def exact(found: Program) -> Code:
+def exact(found: Printed) -> Code:
     """A program with the rationals that its doubles are."""
-    nodes: list[Node] = []
+    nodes: list[Instruction] = []
     for op, operands, constant in found.nodes:
         value = None if constant is None else _dyadic(found.name, constant)
-        nodes.append(Node(op, operands, value))
+        nodes.append(Instruction(op, operands, value))
     return Code(found.name, tuple(nodes), found.outputs, found.inputs, found.shapes)
+
+
+def as_written(found: Printed) -> Program:
+    """What a text was printed from, every operation as it stands; all values, too."""
+    builder, code = AsWritten(), exact(found)
+    given = {name: entries(builder, name, size) for name, size in code.inputs}
+    every = code.build(builder, given, range(len(code.nodes)))
+    return builder.program({**code.results(builder, given), EVERY: every})
+
+
+def entries(builder: Builder, name: str, size: int) -> list[Node]:
+    """The inputs that stand for an array."""
+    return [builder.input(f"{name}[{k}]") for k in range(size)]
 
 
 def _dyadic(name: str, constant: float) -> Fraction:

@@ -2,20 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
-from dataclasses import replace
-from functools import partial
+from collections.abc import Iterator
 from typing import Any
 
 from mechanics.compiled.custody.code import Code
+from mechanics.compiled.custody.defined import divides_by_zero, where_defined
 from mechanics.compiled.custody.derived import Derived
-from mechanics.compiled.custody.laws import LAWS, Pair
+from mechanics.compiled.custody.laws import LAWS, Outputs
+from mechanics.compiled.custody.physics import Entry, Physics
 from mechanics.compiled.custody.step import composed
 from mechanics.compiled.fixed import words
 from mechanics.errors import InputError
-from mechanics.exact import Arithmetic, Finding, decide
+from mechanics.kernel import Finding, undecided
+from mechanics.program.operations import Sign
 
-Named = Callable[[Arithmetic], Iterator[Pair]]
 STEP = "step"
 
 
@@ -34,7 +34,7 @@ def prove_derived(
     rates : Code, optional
         For the step: the graph of (q', u'), which is a function of its own to decide about.
     **options
-        As for `mechanics.exact.decide`.
+        As for `mechanics.kernel.decide`.
 
     Raises
     ------
@@ -44,59 +44,31 @@ def prove_derived(
     subject = f"compiled {name.replace('_', ' ')} = derived, {known.route}"
     if known.fixed:
         subject += f", {words(known.fixed)}"
-    if name == STEP and rates is not None:
-        other = composed(rates, known.time)
-        return decide_entries(subject, _same(code, other, known), **options)
-    if name not in LAWS:
+    physics = Physics(known)
+    if name not in LAWS and (name != STEP or rates is None):
         raise InputError(f"function {name!r}: what it should be is known for {', '.join(LAWS)}")
-
-    def pairs(a: Arithmetic) -> Iterator[Pair]:
-        fix(a, known)
-        results = code.results(code.numbers(a, known.symbols))
-        yield from LAWS[name](a, results, known)
-
-    return decide_entries(subject, pairs, **options)
-
-
-def fix(a: Arithmetic, known: Derived) -> None:
-    """Let fixed parameters have their values: how a graph was simplified is not relied on."""
-    for symbol, value in known.fixed.items():
-        a.assign(symbol, a.value(value))
-
-
-def _same(code: Code, other: Code, known: Derived) -> Named:
-    """Both graphs at the same arguments."""
-
-    def pairs(a: Arithmetic) -> Iterator[Pair]:
-        fix(a, known)
-        left = code.results(code.numbers(a, known.symbols, whole_angles=True))
-        right = other.results(other.numbers(a, known.symbols, whole_angles=True))
-        for name, numbers in left.items():
-            for i, (x, y) in enumerate(zip(numbers, right[name], strict=True)):
-                yield f"{name}[{i}]", x, y
-
-    return pairs
-
-
-def decide_entries(subject: str, pairs: Named, **options: Any) -> Finding:
-    """Decide about all pairs at once; where that fails, name the first entry that differs."""
-    found = decide(subject, lambda a: [(x, y) for _, x, y in pairs(a)], **options)
-    if found.shown:
+    outputs = code.results(physics.builder, physics.inputs)
+    written = tuple(physics.builder.obligations)
+    physics.builder.obligations = {}
+    entries = list(_entries(name, outputs, physics, rates))
+    truth = tuple(physics.builder.obligations)
+    found = physics.decide_entries(subject, entries, **options)
+    if not found.shown:
         return found
-    names: list[str] = []
-    decide(subject, lambda a: _noted(pairs, names, a), **{**options, "try_normal": False})
-    for name in dict.fromkeys(names):
-        single = decide(subject, partial(_only, pairs, name), **options)
-        if not single.shown:
-            return replace(single, evidence=f"{name}: {single.evidence}")
-    return found
+    if doubt := divides_by_zero(physics, written):
+        return undecided(subject, doubt)
+    # What a graph divides by are pivots, which its status tells.
+    others = [obligation for obligation in written if obligation.sign is not Sign.NONZERO]
+    return where_defined(found, physics, others, truth)
 
 
-def _noted(pairs: Named, names: list[str], a: Arithmetic) -> list[tuple[Any, Any]]:
-    found = list(pairs(a))
-    names[:] = [name for name, _, _ in found]
-    return [(x, y) for _, x, y in found]
-
-
-def _only(pairs: Named, wanted: str, a: Arithmetic) -> list[tuple[Any, Any]]:
-    return [(x, y) for name, x, y in pairs(a) if name == wanted]
+def _entries(
+    name: str, outputs: Outputs, physics: Physics, rates: Code | None
+) -> Iterator[Entry]:  # fmt: skip
+    if rates is None or name != STEP:
+        yield from LAWS[name](physics, outputs)
+        return
+    other = composed(physics.builder, rates, physics.known.time, physics.inputs)
+    for output, nodes in outputs.items():
+        for i, (x, y) in enumerate(zip(nodes, other[output], strict=True)):
+            yield f"{output}[{i}]", x, y

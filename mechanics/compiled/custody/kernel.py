@@ -5,9 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from mechanics.exact.c.functions import lower
-from mechanics.exact.c.parse import Source
-from mechanics.exact.c.program import CProgram, Parameter
+from mechanics.program.c.function import Parameter
 
 COUNT, STRIDE = "count", "stride"
 """The first arguments of a function of many states."""
@@ -42,23 +40,14 @@ class Kernel:
         return self.shared is not None
 
 
-def lowered(
-    source: Source,
-    kernel: Kernel,
-    groups: Sequence[tuple[str, int]],
-    outputs: Sequence[tuple[str, int]],
-) -> CProgram:
-    """The straight-line code of a C function with arrays of these names and sizes.
-
-    Raises
-    ------
-    ExpressionError
-        If the text holds what is not known here.
-    """
+def parameters(
+    kernel: Kernel, groups: Sequence[tuple[str, int]], outputs: Sequence[tuple[str, int]]
+) -> list[Parameter]:
+    """What the arguments of a C function are, with arrays of these names and sizes."""
     given = [Parameter(COUNT, "size_t"), Parameter(STRIDE, "size_t")] if kernel.lanes else []
     for group, size in groups:
         moving = kernel.shared is not None and group not in kernel.shared
         given.append(Parameter(group, kernel.kind, size, False, STRIDE if moving else ""))
     for name, size in outputs:
         given.append(Parameter(name, kernel.kind, size, True, STRIDE if kernel.lanes else ""))
-    return lower(source, kernel.symbol, given)
+    return given

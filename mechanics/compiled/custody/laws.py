@@ -1,140 +1,156 @@
 """What each function of a model has to be, in terms of what was derived.
 
     forward dynamics     K x = k,  K = [[M, -B], [A, 0]],  k = [f, b],  x what the graph gives
-    jacobians            column = K^-1 (dk/ds - (dK/ds) x),  K x = k,  s in q, u, inputs, p
+    jacobians            column = dx/ds,  x = K^-1 k,  s in q, u, inputs, p
     step                 y + h/6 (k1 + 2 k2 + 2 k3 + k4) of the rates, themselves K x = k
     the rest             graph = expression
 
-A law gives, by output, pairs of numbers that have to be equal: the graph's, and what was derived.
+A law gives, by output, pairs of values that have to be equal: the graph's, and what was derived.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
-from functools import partial
 
-from sympy import Add, Dummy, Expr, Matrix, S
+from sympy import Expr
 
-from mechanics.compiled.custody.derived import Derived
-from mechanics.exact import Arithmetic, Number, slope
+from mechanics.compiled.custody.physics import Entry, Physics
+from mechanics.program import Builder, Node, gradient, tangent
+from mechanics.program.interpret import include
+from mechanics.program.sympy_reader import read
 
-Pair = tuple[str, Number, Number]
-"""Name of an entry, and two numbers."""
-Outputs = dict[str, list[Number]]
-Law = Callable[[Arithmetic, Outputs, Derived], Iterator[Pair]]
+Outputs = dict[str, list[Node]]
+Law = Callable[[Physics, Outputs], Iterator[Entry]]
 
 STATE = ("q", "u", "inputs", "p")
 
 
-def _forward_dynamics(a: Arithmetic, outputs: Outputs, known: Derived) -> Iterator[Pair]:
+def _forward_dynamics(physics: Physics, outputs: Outputs) -> Iterator[Entry]:
+    known, zero = physics.known, physics.builder.zero
     solution = outputs["ud"] + outputs["multipliers"]
-    if known.rows:
-        # The value of a row at what the graph gives; M and f would be its slope and its rest.
-        for symbol, number in zip(known.unknowns, solution, strict=True):
-            a.assign(symbol, number)
-        for i, row in enumerate(known.rows):
-            yield f"row {i} as derived", a.value(row), a.rational(0)
-    for i in range(known.left.rows):
-        yield f"row {i} of K x = k", _row(a, known.left, i, solution), a.value(known.right[i])
+    # The value of a row at what the graph gives; M and f would be its slope and its rest.
+    at = dict(zip(known.unknowns, solution, strict=True)) if known.rows else {}
+    for i, row in enumerate(physics.nodes(known.rows, at)):
+        yield f"row {i} as derived", row, zero
+    matrix, right = _system(physics)
+    for i, (entries, side) in enumerate(zip(matrix, right, strict=True)):
+        yield f"row {i} of K x = k", _dot(physics, entries, solution), side
 
 
-def _rates(a: Arithmetic, outputs: Outputs, known: Derived) -> Iterator[Pair]:
-    yield from _forward_dynamics(a, outputs, known)
-    yield from _coordinate_rates(a, outputs, known)
+def _rates(physics: Physics, outputs: Outputs) -> Iterator[Entry]:
+    yield from _forward_dynamics(physics, outputs)
+    yield from _coordinate_rates(physics, outputs)
 
 
-def _row(a: Arithmetic, matrix: Matrix, i: int, vector: Sequence[Number]) -> Number:
-    total = a.rational(0)
-    for j, number in enumerate(vector):
-        if matrix[i, j] != 0:
-            total = total + a.value(matrix[i, j]) * number
+def _system(physics: Physics) -> tuple[list[list[Node]], list[Node]]:
+    """K and k."""
+    left, right = physics.known.left, physics.known.right
+    entries = physics.nodes([*left, *right])
+    size = left.cols
+    rows = [entries[size * i : size * (i + 1)] for i in range(left.rows)]
+    return rows, entries[size * left.rows :]
+
+
+def _solution(physics: Physics) -> list[Node]:
+    """x = K^-1 k."""
+    return list(physics.builder.solve(*_system(physics)))
+
+
+def _dot(physics: Physics, row: Sequence[Node], vector: Sequence[Node]) -> Node:
+    total = physics.builder.zero
+    for entry, number in zip(row, vector, strict=True):
+        total = total + entry * number
     return total
 
 
-def _residual(a: Arithmetic, outputs: Outputs, known: Derived) -> Iterator[Pair]:
-    expressions = known.left * Matrix(known.unknowns) - known.right
-    yield from _equal(a, outputs, "residual", list(expressions))
+def _residual(physics: Physics, outputs: Outputs) -> Iterator[Entry]:
+    matrix, right = _system(physics)
+    unknowns = physics.nodes(physics.known.unknowns)
+    rows = zip(outputs["residual"], matrix, right, strict=True)
+    for i, (number, entries, side) in enumerate(rows):
+        yield f"residual[{i}]", number, _dot(physics, entries, unknowns) - side
 
 
-def _solved(a: Arithmetic, known: Derived) -> tuple[list[list[Number]], list[Number]]:
-    """K and x = K^-1 k."""
-    left = known.left
-    rows = [[a.value(left[i, j]) for j in range(left.cols)] for i in range(left.rows)]
-    return rows, a.solve(rows, [a.value(entry) for entry in known.right])
+def _momentum(physics: Physics, speeds: Sequence[Node]) -> tuple[Node, ...]:
+    """dT/du at other speeds."""
+    known, own = physics.known, Builder()
+    (kinetic,) = read(own, [known.kinetic])
+    symbols = known.symbols["u"]
+    rates = gradient([kinetic], [1], [own.input(symbol.name) for symbol in symbols])
+    given = {symbol.name: node for symbol, node in physics.leaves.items()}
+    given |= {symbol.name: speed for symbol, speed in zip(symbols, speeds, strict=True)}
+    program = own.program({"momentum": rates})
+    given = {name: node for name, node in given.items() if name in program.inputs}
+    return include(physics.builder, program, given)["momentum"]
 
 
-def _inverse_dynamics(a: Arithmetic, outputs: Outputs, known: Derived) -> Iterator[Pair]:
-    """tau = M_T w with w = u' - what the loads give, the latter solved for in the arithmetic.
+def _inverse_dynamics(physics: Physics, outputs: Outputs) -> Iterator[Entry]:
+    """tau = M_T w with w = u' - what the loads give, the latter solved for.
 
     dT/du is affine in u with the slope M_T: tau is its change from u = 0 to u = w.
     """
-    u, ud = known.symbols["u"], known.symbols["ud"]
-    _, given = _solved(a, known)
-    gains = {symbol: Dummy(f"gain of {symbol}", real=True) for symbol in u}
-    for gain, wanted, x in zip(gains.values(), ud, given, strict=False):
-        a.assign(gain, a.value(wanted) - x)
-    still = dict.fromkeys(u, S.Zero)
-    for i, (symbol, force) in enumerate(zip(u, outputs["forces"], strict=True)):
-        momentum = known.kinetic.diff(symbol)
-        change = a.value(momentum.xreplace(gains)) - a.value(momentum.xreplace(still))
-        yield f"forces[{i}]", force, change
+    wanted, zero = physics.inputs["ud"], physics.builder.zero
+    gains = [x - y for x, y in zip(wanted, _solution(physics), strict=False)]
+    moving = _momentum(physics, gains)
+    still = _momentum(physics, [zero] * len(gains))
+    for i, force in enumerate(outputs["forces"]):
+        yield f"forces[{i}]", force, moving[i] - still[i]
 
 
-def _energy(a: Arithmetic, outputs: Outputs, known: Derived) -> Iterator[Pair]:
-    yield "kinetic[0]", outputs["kinetic"][0], a.value(known.kinetic)
-    yield "potential[0]", outputs["potential"][0], a.value(known.potential)
-    yield "total[0]", outputs["total"][0], a.value(known.kinetic) + a.value(known.potential)
+def _energy(physics: Physics, outputs: Outputs) -> Iterator[Entry]:
+    kinetic, potential = physics.nodes([physics.known.kinetic, physics.known.potential])
+    yield "kinetic[0]", outputs["kinetic"][0], kinetic
+    yield "potential[0]", outputs["potential"][0], potential
+    yield "total[0]", outputs["total"][0], kinetic + potential
 
 
-def _momenta(a: Arithmetic, outputs: Outputs, known: Derived) -> Iterator[Pair]:
-    yield from _equal(a, outputs, "linear", known.linear)
-    yield from _equal(a, outputs, "angular", known.angular)
-    rates = [known.kinetic.diff(u) for u in known.symbols["u"]]
-    yield from _equal(a, outputs, "generalized", rates)
+def _momenta(physics: Physics, outputs: Outputs) -> Iterator[Entry]:
+    yield from _equal(physics, outputs, "linear", physics.known.linear)
+    yield from _equal(physics, outputs, "angular", physics.known.angular)
+    rates = _momentum(physics, physics.inputs["u"])
+    for i, (number, rate) in enumerate(zip(outputs["generalized"], rates, strict=True)):
+        yield f"generalized[{i}]", number, rate
 
 
-def _reactions(a: Arithmetic, outputs: Outputs, known: Derived) -> Iterator[Pair]:
-    _, solution = _solved(a, known)
-    for symbol, number in zip(known.unknowns, solution, strict=True):
-        a.assign(symbol, number)
-    yield from _equal(a, outputs, "reactions", [value for _, value in known.reactions])
+def _reactions(physics: Physics, outputs: Outputs) -> Iterator[Entry]:
+    known = physics.known
+    at = dict(zip(known.unknowns, _solution(physics), strict=True))
+    values = physics.nodes([value for _, value in known.reactions], at)
+    for i, (number, value) in enumerate(zip(outputs["reactions"], values, strict=True)):
+        yield f"reactions[{i}]", number, value
 
 
-def _coordinate_rates(a: Arithmetic, outputs: Outputs, known: Derived) -> Iterator[Pair]:
-    yield from _equal(a, outputs, "qd", known.rates)
+def _coordinate_rates(physics: Physics, outputs: Outputs) -> Iterator[Entry]:
+    yield from _equal(physics, outputs, "qd", physics.known.rates)
 
 
-def _jacobians(a: Arithmetic, outputs: Outputs, known: Derived) -> Iterator[Pair]:
-    """The derivative of the solution, solved for in the arithmetic."""
-    left, right = known.left, known.right
-    rows, solution = _solved(a, known)
-    n = len(known.symbols["ud"])
+def _jacobians(physics: Physics, outputs: Outputs) -> Iterator[Entry]:
+    """Derivatives of the solution, by the rule for one of a linear system."""
+    solution, one = _solution(physics), physics.builder.one
+    n = len(physics.inputs["ud"])
     for group in STATE:
-        for k, symbol in enumerate(known.symbols[group]):
-            change = left.applyfunc(partial(slope, symbol=symbol))
-            rest = [
-                a.value(slope(right[i], symbol)) - _row(a, change, i, solution)
-                for i in range(left.rows)
-            ]
-            derivative = a.solve(rows, rest)
+        for k, node in enumerate(physics.inputs[group]):
+            derivative = tangent(solution, {node: one})
             for i in range(n):
                 at = k * n + i
                 yield f"ud_{group}[{at}]", outputs[f"ud_{group}"][at], derivative[i]
 
 
 def _equal(
-    a: Arithmetic, outputs: Outputs, name: str, expressions: Sequence[Expr]
-) -> Iterator[Pair]:
-    for i, (number, expression) in enumerate(zip(outputs[name], expressions, strict=True)):
-        yield f"{name}[{i}]", number, a.value(Add(expression))
+    physics: Physics, outputs: Outputs, name: str, expressions: Sequence[Expr]
+) -> Iterator[Entry]:
+    nodes = physics.nodes(expressions)
+    for i, (number, node) in enumerate(zip(outputs[name], nodes, strict=True)):
+        yield f"{name}[{i}]", number, node
 
 
 def _matrix(output: str) -> Law:
     """A law for an output that is one matrix of the equations, column by column."""
 
-    def law(a: Arithmetic, outputs: Outputs, known: Derived) -> Iterator[Pair]:
+    def law(physics: Physics, outputs: Outputs) -> Iterator[Entry]:
+        known = physics.known
         matrix = known.mass if output == "mass_matrix" else known.forcing
-        yield from _equal(a, outputs, output, list(matrix.T))
+        yield from _equal(physics, outputs, output, list(matrix.T))
 
     return law
 

@@ -1,4 +1,4 @@
-"""Straight-line code at many states at once, in the precision of the machine.
+"""Programs at many states at once, in the precision of the machine.
 
 Used for what is discrete, statuses, and for how large the terms of a result are:
 
@@ -10,65 +10,57 @@ A result of plain operations is off by a few roundings of S, whatever cancels.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from typing import Any
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cached_property
+from typing import Any, NamedTuple
 
-import casadi as ca
 import numpy as np
 from numpy.typing import NDArray
 
 from mechanics.compiled.c.sine import LIMIT
-from mechanics.compiled.programs.operations import OPERATIONS
-from mechanics.exact.c.condition import Atom, Choice, Condition, Decision
-from mechanics.program.casadi_reader import Instruction as Node
+from mechanics.program.c.condition import Atom, Choice, Condition, Decision
+from mechanics.program.numpy_domain import Arrays
 
-Values = list[NDArray[np.floating]]
+Values = Sequence[NDArray[np.floating]]
 
 
-def values(
-    nodes: Sequence[Node], inputs: Sequence[NDArray[np.floating]], kind: type[np.floating]
-) -> Values:
-    """Every node at N states.
+def decided(
+    decision: Decision, known: Values, places: Mapping[int, int], count: int
+) -> NDArray[np.int64]:
+    """What a decision comes to at each state.
 
     Parameters
     ----------
-    inputs : arrays, N x entries
-        By place of the argument.
+    known : sequence of array
+        Operands of its conditions.
+    places : mapping of int to int
+        Where each operand stands among them.
+    count : int
+        Number of states.
     """
-    found: Values = []
-    with np.errstate(all="ignore"):
-        for node in nodes:
-            if node.constant is not None:
-                found.append(np.asarray(kind(float(node.constant))))
-            elif node.op == ca.OP_INPUT:
-                place, entry = node.operands
-                found.append(inputs[place][:, entry])
-            else:
-                operands = [found[i] for i in node.operands]
-                found.append(np.asarray(OPERATIONS[node.op].numpy(*operands)))
-    return found
-
-
-def decided(decision: Decision, known: Values, count: int) -> NDArray[np.int64]:
-    """What a decision comes to at each state."""
     if not isinstance(decision, Choice):
         return np.full(count, decision)
-    holds = _holds(decision.condition, known, count)
-    return np.where(holds, decided(decision.yes, known, count), decided(decision.no, known, count))
+    holds = _holds(decision.condition, known, places, count)
+    yes, no = (decided(side, known, places, count) for side in (decision.yes, decision.no))
+    return np.where(holds, yes, no)
 
 
-def _holds(condition: Condition, known: Values, count: int) -> NDArray[np.bool_]:
+def _holds(
+    condition: Condition, known: Values, places: Mapping[int, int], count: int
+) -> NDArray[np.bool_]:
     if isinstance(condition, bool):
         return np.full(count, condition)
     if isinstance(condition, Atom):
-        found = np.broadcast_to(_atom(condition, known), count)
+        operands = [known[places[i]] for i in condition.operands]
+        found = np.broadcast_to(_atom(condition, operands), count)
         return found if condition.holds else ~found
-    parts = [_holds(part, known, count) for part in condition.parts]
+    parts = [_holds(part, known, places, count) for part in condition.parts]
     return np.all(parts, axis=0) if condition.both else np.any(parts, axis=0)
 
 
-def _atom(atom: Atom, known: Values) -> Any:
-    x = [known[i] for i in atom.operands]
+def _atom(atom: Atom, x: Values) -> Any:
     if atom.relation == "finite":
         return np.isfinite(x[0])
     if atom.relation == "far":
@@ -76,34 +68,77 @@ def _atom(atom: Atom, known: Values) -> Any:
     return {"<": np.less, "<=": np.less_equal, "==": np.equal}[atom.relation](*x)
 
 
-def sizes(nodes: Sequence[Node], known: Values) -> Values:
-    """S of every node."""
-    found: Values = []
-    with np.errstate(all="ignore"):
-        for k, node in enumerate(nodes):
-            size = np.abs(np.asarray(known[k], dtype=float))
-            if node.constant is None and node.op != ca.OP_INPUT:
-                x = [np.asarray(known[i], dtype=float) for i in node.operands]
-                s = [found[i] for i in node.operands]
-                if node.op in _SIZES:
-                    size = _SIZES[node.op](x, s)
-                elif node.op in _SLOPES and nodes[node.operands[0]].op != ca.OP_INPUT:
-                    size = size + np.abs(_SLOPES[node.op](x[0])) * s[0]
-            found.append(size)
-    return found
+class Sized(NamedTuple):
+    """Values, the sum of magnitudes of their terms, and whether they were computed at all."""
+
+    value: Any
+    size: Any
+    computed: bool = True
 
 
-_SIZES: dict[int, Any] = {
-    ca.OP_ADD: lambda x, s: s[0] + s[1], ca.OP_SUB: lambda x, s: s[0] + s[1],
-    ca.OP_MUL: lambda x, s: s[0] * s[1], ca.OP_SQ: lambda x, s: s[0] * s[0],
-    ca.OP_TWICE: lambda x, s: 2 * s[0], ca.OP_NEG: lambda x, s: s[0],
-    ca.OP_DIV: lambda x, s: s[0] / np.abs(x[1]) * (s[1] / np.abs(x[1])),
-    ca.OP_INV: lambda x, s: s[0] / np.abs(x[0]) / np.abs(x[0]),
-    ca.OP_FABS: lambda x, s: s[0],
-}  # fmt: skip
-_SLOPES: dict[int, Any] = {
-    ca.OP_SIN: np.cos, ca.OP_COS: np.sin, ca.OP_EXP: np.exp,
-    ca.OP_TAN: lambda x: 1 / np.cos(x) ** 2, ca.OP_SQRT: lambda x: 0.5 / np.sqrt(x),
-    ca.OP_ATAN: lambda x: 1 / (1 + x * x), ca.OP_TANH: lambda x: 1 / np.cosh(x) ** 2,
-    ca.OP_LOG: lambda x: 1 / x,
+@dataclass(frozen=True)
+class Magnitudes:
+    """The domain of values with the sums of the magnitudes of their terms.
+
+    Attributes
+    ----------
+    precision : type
+        Of the values; sums are doubles.
+    """
+
+    precision: type
+
+    @cached_property
+    def operations(self) -> Mapping[str, Callable[..., Sized]]:
+        """NumPy's functions, and their sums."""
+        known = Arrays(self.precision).operations
+        return {name: self._sized(name, function) for name, function in known.items()}
+
+    def _sized(self, name: str, function: Callable[..., Any]) -> Callable[..., Sized]:
+        rule, slope = _SIZES.get(name), _SLOPES.get(name)
+
+        def sized(*operands: Sized) -> Sized:
+            value = function(*(operand.value for operand in operands))
+            if rule is not None:
+                return Sized(value, rule(*operands))
+            size = np.abs(np.asarray(value, dtype=float))
+            if slope is not None and operands[0].computed:
+                size = size + np.abs(slope(operands[0].value)) * operands[0].size
+            return Sized(value, size)
+
+        return sized
+
+    def constant(self, value: Fraction) -> Sized:
+        """A number."""
+        return self._leaf(Arrays(self.precision).constant(value))
+
+    def pi(self) -> Sized:
+        """The nearest number to pi."""
+        return self._leaf(Arrays(self.precision).pi())
+
+    def _leaf(self, value: Any) -> Sized:
+        return Sized(value, np.abs(np.asarray(value, dtype=float)))
+
+    def input(self, value: Any) -> Sized:
+        """An input, which is exact."""
+        return Sized(value, np.abs(np.asarray(value, dtype=float)), False)
+
+    def solve(self, matrix: list[list[Any]], right: list[Any], symmetric: bool) -> Sequence[Sized]:
+        """Of no text."""
+        raise NotImplementedError("C has no linear systems")
+
+
+_SIZES: Mapping[str, Callable[..., Any]] = {
+    "add": lambda x, y: x.size + y.size,
+    "subtract": lambda x, y: x.size + y.size,
+    "multiply": lambda x, y: x.size * y.size,
+    "divide": lambda x, y: x.size / np.abs(y.value) * (y.size / np.abs(y.value)),
+    "negate": lambda x: x.size,
+    "abs": lambda x: x.size,
+}
+_SLOPES: Mapping[str, Callable[..., Any]] = {
+    "sin": np.cos, "cos": np.sin, "exp": np.exp,
+    "tan": lambda x: 1 / np.cos(x) ** 2, "sqrt": lambda x: 0.5 / np.sqrt(x),
+    "atan": lambda x: 1 / (1 + x * x), "tanh": lambda x: 1 / np.cosh(x) ** 2,
+    "log": lambda x: 1 / x,
 }  # fmt: skip

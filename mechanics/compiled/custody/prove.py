@@ -2,24 +2,26 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
+import casadi as ca
+
 from mechanics.compiled.custody.code import Code, exact
-from mechanics.compiled.custody.constants import interpreted, literals
+from mechanics.compiled.custody.constants import literals
+from mechanics.compiled.custody.defined import divides_by_zero, where_defined
 from mechanics.compiled.custody.derived import Derived
-from mechanics.compiled.custody.graph import decide_entries, fix
-from mechanics.compiled.custody.kernel import COUNT, Kernel
-from mechanics.compiled.custody.laws import Pair
-from mechanics.compiled.custody.text import Text, read_text
+from mechanics.compiled.custody.kernel import Kernel
+from mechanics.compiled.custody.physics import Entry, Physics
+from mechanics.compiled.custody.text import Groups, Reading, Text, read_into, read_text
 from mechanics.compiled.programs.hoist import CONSTANTS, PREPARE, PREPARED
 from mechanics.compiled.programs.program import Program
 from mechanics.errors import ExpressionError
-from mechanics.exact import Arithmetic, Finding
-from mechanics.exact.c.parse import Source
-from mechanics.exact.graph import evaluated
-from mechanics.kernel import undecided
+from mechanics.kernel import Finding, undecided
+from mechanics.program import Node
+from mechanics.program.c.parse import Source
+from mechanics.program.casadi_reader import Instruction, nodes_of
 
 SMALL = 80
 """Nodes of a text for which a proof is tried beyond the certificate."""
@@ -41,11 +43,20 @@ class Graph:
     written: Program
 
 
-def text_of(kernel: Kernel, source: Source, graph: Graph) -> Text:
-    """Read the C function of a kernel."""
-    written = graph.written
-    outputs = [(name, rows * columns) for name, (rows, columns) in written.shapes]
-    return read_text(kernel, source, graph.code, written.inputs, outputs)
+def outputs_of(graph: Graph) -> Groups:
+    """Names and sizes of what a function gives."""
+    return [(name, rows * columns) for name, (rows, columns) in graph.written.shapes]
+
+
+def read_beside(
+    physics: Physics, kernel: Kernel, source: Source, graph: Graph,
+    given: Mapping[str, Sequence[Node]],
+) -> Reading:  # fmt: skip
+    """Read a C function into the builder of the physics, with literals as what they stand for."""
+    table = literals(physics.builder, graph.code, kernel.kind)
+    return read_into(
+        physics.builder, kernel, source, graph.written.inputs, outputs_of(graph), given, table
+    )
 
 
 def prove_text(
@@ -69,7 +80,7 @@ def prove_text(
     prepare : Kernel, optional
         The function that prepares parameters, for one that takes them prepared.
     **options
-        As for `mechanics.exact.decide`.
+        As for `mechanics.kernel.decide`.
 
     Returns
     -------
@@ -79,69 +90,55 @@ def prove_text(
     """
     graph = graphs[kernel.function]
     subject = f"{kernel.file}: {kernel.symbol} = graph"
+    physics = Physics(known)
+    builder, given = physics.builder, dict(physics.inputs)
     try:
-        text = text_of(kernel, source, graph)
-        before = text_of(prepare, source, graphs[prepare.function]) if prepare else None
-
-        def pairs(a: Arithmetic) -> Iterator[Pair]:
-            yield from _pairs(a, text, graph, known, before)
-
-        small = len(text.nodes) <= SMALL
-        found = decide_entries(subject, pairs, **{"try_normal": small, **options})
+        text = read_text(kernel, source, graph.written.inputs, outputs_of(graph))
+        expected = _expected(physics, kernel, graph)
+        truth = tuple(builder.obligations)
+        builder.obligations = {}
+        if prepare is not None:
+            before = read_beside(physics, prepare, source, graphs[prepare.function], given)
+            given[CONSTANTS] = list(dict(before.written()).values())
+        reading = read_beside(physics, kernel, source, graph, given)
+        written = tuple(builder.obligations)
+        entries: list[Entry] = [(n, node, expected[n]) for n, node in reading.written()]
+        small = len(builder) <= SMALL
+        found = physics.decide_entries(subject, entries, **{"try_normal": small, **options})
+        if not found.shown:
+            return found, text
+        if doubt := reading.doubt or divides_by_zero(physics, written):
+            return undecided(subject, doubt), text
+        return where_defined(found, physics, written, truth), text
     except ExpressionError as error:
         return undecided(subject, f"refused: {error}"), None
-    doubt = _doubt(text)
-    if found.shown and doubt:
-        return undecided(subject, doubt), text
-    return found, text
 
 
-def _pairs(
-    a: Arithmetic, text: Text, graph: Graph, known: Derived, prepare: Text | None
-) -> Iterator[Pair]:
-    fix(a, known)
-    given = {group: [a.value(s) for s in symbols] for group, symbols in known.symbols.items()}
-    if text.kernel.function == PREPARE:
-        numbers = program_numbers(a, graph, text.kernel.kind, given)
-        results = [numbers[node] for nodes in graph.written.outputs for node in nodes]
-        expected = {CONSTANTS: results}
+def _expected(physics: Physics, kernel: Kernel, graph: Graph) -> dict[str, Node]:
+    """What the entries of the outputs should be, by name."""
+    builder, code = physics.builder, graph.code
+    if kernel.function == PREPARE:
+        flat = [k for numbers in graph.written.outputs for k in numbers]
+        results = {CONSTANTS: list(written_nodes(physics, graph, physics.inputs, flat))}
     else:
-        code = graph.code
-        expected = code.results(code.numbers(a, known.symbols, whole_angles=True))
-    if prepare is not None:
-        held = dict(prepare.written(prepare.numbers(a, given)))
-        given[CONSTANTS] = list(held.values())
-    wanted = {f"{name}[{i}]": n for name, values in expected.items() for i, n in enumerate(values)}
-    for name, number in text.written(text.numbers(a, given)):
-        yield name, number, wanted[name]
+        results = code.results(builder, physics.inputs)
+    return {f"{name}[{i}]": n for name, nodes in results.items() for i, n in enumerate(nodes)}
 
 
-def program_numbers(
-    a: Arithmetic, graph: Graph, kind: str, given: Mapping[str, Sequence[Any]]
-) -> list[Any]:
-    """The number of every node of the program that the C was printed from."""
-    code = exact(graph.written)
-    place = len(code.inputs)
-    nodes, of = interpreted(code.nodes, literals(graph.code, "double"), graph.code, place)
-    arguments = [given[group] if size else [] for group, size in code.inputs]
-    constants = [a.value(constant) for constant in graph.code.constants]
-    numbers = evaluated(a, nodes, [*arguments, constants], whole_angles=True)
-    return [numbers[i] for i in of]
-
-
-def _doubt(text: Text) -> str:
-    """What the text does besides, where it should not."""
-    found = text.program
-    if text.kernel.lanes and found.lanes != COUNT:
-        return f"refused: its loop ends at {found.lanes or 'one state'}, not at the number of lanes"
-    if found.beyond:
-        return f"refused: {found.beyond[0]} is read, beyond the end of the array"
-    if found.late and not text.kernel.lanes:
-        return (
-            f"refused: {found.late[0]} is read after an output was written, which may be the same"
-            " array"
-        )
-    return ""
+def written_nodes(
+    physics: Physics, graph: Graph, given: Mapping[str, Sequence[Node]], wanted: Sequence[int]
+) -> tuple[Node, ...]:
+    """Values of the program that the C was printed from, its doubles as what they stand for."""
+    code, builder = exact(graph.written), physics.builder
+    table = literals(builder, graph.code, "double")
+    place, last = {value: k for k, value in enumerate(table)}, len(code.inputs)
+    nodes = [
+        Instruction(ca.OP_INPUT, (last, place[node.constant]), None)
+        if node.constant in place else node
+        for node in code.nodes
+    ]  # fmt: skip
+    inputs = [given.get(group, ()) for group, _ in code.inputs]
+    return nodes_of(builder, nodes, [*inputs, list(table.values())], wanted)
 
 
 def is_prepared(function: str) -> bool:

@@ -4,17 +4,17 @@
               else 2
     batch     1 if an angle of some lane is too far, plus 2 if the sum of the values is not finite
 
-Conditions of the text are about values; two values are the same if they are equal at a random point
-of a finite field, up to their sign. The decisions are then compared as they stand.
+Conditions of the text are about values. Which of them are the same, up to their sign, is proposed
+by residues at a point; the decisions are compared as they stand, and the kernel decides whether
+these values are the same.
 """
 
 from __future__ import annotations
 
 import random
 from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import replace
 from fractions import Fraction
-from math import log2
-from typing import Any
 
 import casadi as ca
 import numpy as np
@@ -22,13 +22,15 @@ import numpy as np
 from mechanics.compiled.c.flow import looked_at
 from mechanics.compiled.c.lanes import FAR, WILD
 from mechanics.compiled.c.status import watched
-from mechanics.compiled.custody.code import exact
+from mechanics.compiled.custody.code import entries, exact
 from mechanics.compiled.custody.derived import Derived
-from mechanics.compiled.custody.prove import Graph, program_numbers
-from mechanics.compiled.custody.text import Text
-from mechanics.errors import SingularError
-from mechanics.exact import Finding, Inadmissible
-from mechanics.exact.c.condition import (
+from mechanics.compiled.custody.kernel import Kernel
+from mechanics.compiled.custody.physics import Entry, Physics
+from mechanics.compiled.custody.prove import Graph, read_beside, written_nodes
+from mechanics.errors import ExpressionError
+from mechanics.kernel import Finding, undecided
+from mechanics.program import Node
+from mechanics.program.c.condition import (
     Atom,
     Choice,
     Condition,
@@ -38,123 +40,129 @@ from mechanics.exact.c.condition import (
     joined,
     renamed,
 )  # fmt: skip
-from mechanics.exact.field import FieldArithmetic
-from mechanics.exact.field_size import Memory
-from mechanics.exact.primes import pooled_prime
-from mechanics.exact.signals import Restart
-from mechanics.kernel import same, undecided
+from mechanics.program.c.parse import Source
+from mechanics.program.operations import ABS, ADD, NEGATE, SUBTRACT
+from mechanics.program.residues import PRIME, Residues
 
 OK, SINGULAR, OVERFLOW, BAD_INPUT = range(4)
-BITS = 255
-DRAWS = 64
-POOL = 16
 
 LARGEST = {
     "double": Fraction(float(np.finfo(np.float64).max)),
     "float": Fraction(float(np.finfo(np.float32).max)),
 }
 
-Key = tuple[str, int]
 
-
-def prove_status(text: Text, graph: Graph, known: Derived) -> Finding:
+def prove_status(kernel: Kernel, source: Source, graph: Graph, known: Derived) -> Finding:
     """Decide whether the status of a C function is the one that is specified.
 
     Parameters
     ----------
-    text : Text
+    kernel : Kernel
         Whose outputs are the graph's.
+    source : Source
+        Of its file.
     graph : Graph
     known : Derived
         For the signs of the inputs.
     """
-    subject = f"{text.kernel.file}: status of {text.kernel.symbol}"
-    point = _Point(text, graph, known)
-    found = point.found()
-    wanted = point.lanes() if text.kernel.lanes else point.scalar()
-    if found == wanted and text.kernel.lanes and (missed := point.not_far()):
+    subject = f"{kernel.file}: status of {kernel.symbol}"
+    try:
+        values = _Values(kernel, source, graph, known)
+    except ExpressionError as error:
+        return undecided(subject, f"refused: {error}")
+    found = values.found()
+    wanted = values.lanes() if kernel.lanes else values.scalar()
+    if found == wanted and kernel.lanes and (missed := values.not_far()):
         return undecided(subject, missed)
-    if found == wanted:
-        words = (
-            f"the same decision about the same values; chance of error below 2^{point.log2_bound}"
-        )
-        return same(subject, found, wanted, words, point.log2_bound)
-    return undecided(subject, difference(found, wanted))
+    if found != wanted:
+        return undecided(subject, difference(found, wanted))
+    return values.same(subject)
 
 
-class _Point:
-    """Values of text and program at one random point, as keys."""
+class _Values:
+    """Values of text and program, as keys: the same for values that are equal up to their sign.
 
-    def __init__(self, text: Text, graph: Graph, known: Derived) -> None:
-        self.text, self.graph = text, graph
-        source = random.Random(f"status of {text.kernel.symbol}")
-        memory = Memory()
-        for index in range(DRAWS):
-            a = FieldArithmetic(pooled_prime(BITS, index % POOL), source, memory)
-            try:
-                self._evaluate(a, known)
-            except (Inadmissible, Restart):
-                continue
-            return
-        raise SingularError(f"{text.kernel.symbol}: it is defined at no random point")
+    Which are is proposed by residues at a point, and decided by the kernel at the end.
+    """
 
-    def _evaluate(self, a: FieldArithmetic, known: Derived) -> None:
-        for symbol, value in known.fixed.items():
-            a.assign(symbol, a.value(value))
-        given = {group: [a.value(s) for s in symbols] for group, symbols in known.symbols.items()}
-        for group, size in self.graph.written.inputs:
+    def __init__(self, kernel: Kernel, source: Source, graph: Graph, known: Derived) -> None:
+        self.kernel, self.graph = kernel, graph
+        self.physics = Physics(known)
+        builder, given = self.physics.builder, dict(self.physics.inputs)
+        for group, size in graph.written.inputs:
             # Prepared parameters are free here.
-            given.setdefault(group, [a.draw(False) for _ in range(size)])
-        text = self.text.numbers(a, given)
-        self._text = [text[i] for i in self.text.of]
-        self._program = program_numbers(a, self.graph, self.text.kernel.kind, given)
-        self._prime = a.prime
-        every = [*self._text, *self._program]
-        degree = max(max(n.numerator, n.denominator, 1.0) for n in every)
-        self.log2_bound = round(2 * log2(len(every)) + log2(2 * degree) + 1 - (BITS - 2)) + 1
+            given.setdefault(group, entries(builder, group, size))
+        self.text = read_beside(self.physics, kernel, source, graph, given)
+        every = range(len(graph.written.nodes))
+        self._program = written_nodes(self.physics, graph, given, every)
+        self._residues = Residues(builder)
+        self._members: dict[int, dict[int, int]] = {}
 
-    def key(self, number: Any) -> int:
-        """A number up to its sign."""
-        return min(int(number.residue), self._prime - int(number.residue))
+    def key(self, node: Node) -> int:
+        """A value up to its sign."""
+        (residue,) = self._residues.values([node])
+        key = min(residue, PRIME - residue)
+        self._members.setdefault(key, {})[node.number] = 1 if residue == key else -1
+        return key
+
+    def same(self, subject: str) -> Finding:
+        """Whether values of one key are equal up to their signs."""
+        builder = self.physics.builder
+        pairs: list[Entry] = []
+        for key, members in self._members.items():
+            first, *others = members
+            for other in others or [first]:
+                sign = 0 if key == 0 else members[first] * members[other]
+                left = Node(builder, first)
+                pairs.append(("value", left, Node(builder, other) * sign if sign else builder.zero))
+        found = self.physics.decide_entries(subject, pairs, try_normal=False)
+        if not found.shown:
+            return undecided(subject, f"the conditions are about other values: {found.evidence}")
+        return replace(found, evidence=f"the same decision about the same values: {found.evidence}")
 
     def found(self) -> Decision | None:
         """What the text decides, about keys."""
-        status = self.text.program.status
+        status = self.text.function.status
         return None if status is None else renamed(status, self._named)
 
     def _named(self, atom: Atom) -> Condition:
-        keys = [self.key(self._text[i]) for i in atom.operands]
+        nodes = [Node(self.physics.builder, operand) for operand in atom.operands]
+        keys = [self.key(node) for node in nodes]
         if atom.relation == "==" and keys[1] == 0:
             return Atom("zero", (keys[0],))
-        if atom.relation == "<=" and self.text.kernel.lanes:
-            return self._wild(*atom.operands) or Atom(atom.relation, tuple(keys))
+        if atom.relation == "<=" and self.kernel.lanes:
+            return self._wild(*nodes) or Atom(atom.relation, tuple(keys))
         return Atom(atom.relation, tuple(keys))
 
-    def _wild(self, size: int, limit: int) -> Condition | None:
+    def _wild(self, size: Node, limit: Node) -> Condition | None:
         """``fabs(a + b + ...) <= largest`` as: a, b, ... are finite."""
-        nodes = self.text.program.nodes
-        if nodes[size].op != ca.OP_FABS or nodes[limit].constant != LARGEST[self.text.kernel.kind]:
+        builder = self.physics.builder
+        operations, (first, second, _) = builder.operations, builder.operands
+        if operations[size.number] != ABS or limit.constant != LARGEST[self.kernel.kind]:
             return None
         wanted = {self.key(self._program[k]): k for k in looked_at(self.graph.written)}
         found: set[int] = set()
         # A sum is finite only where its terms and the sums of some of them are.
-        stack = [(i, False) for i in nodes[size].operands]
+        stack = [(first[size.number], False)]
         while stack:
             at, inside = stack.pop()
-            key = self.key(self._text[at])
+            key = self.key(Node(builder, at))
             found.add(key)
-            if nodes[at].op == ca.OP_ADD:
-                stack += [(i, inside or key in wanted) for i in nodes[at].operands]
-            elif not inside and key not in wanted and nodes[at].constant is None:
+            inner = inside or key in wanted
+            if operations[at] in (ADD, SUBTRACT):
+                stack += [(first[at], inner), (second[at], inner)]
+            elif operations[at] == NEGATE:
+                stack.append((first[at], inside))
+            elif not inside and key not in wanted and builder.constant_at(at) is None:
                 return None
         if not found.issuperset(wanted):
             return None
         return self._finite(self._program[k] for k in wanted.values())
 
-    def _finite(self, numbers: Iterable[Any]) -> Condition:
+    def _finite(self, nodes: Iterable[Node]) -> Condition:
         result: Condition = True
-        for number in numbers:
-            result = joined(True, result, Atom("finite", (self.key(number),)))
+        for node in nodes:
+            result = joined(True, result, Atom("finite", (self.key(node),)))
         return result
 
     def scalar(self) -> Decision:
@@ -181,8 +189,8 @@ class _Point:
     def not_far(self) -> str:
         """Which output is not written once more where an angle is too far, if there is one."""
         far = self.far()
-        for name, at in self.text.entries():
-            last = renamed(choice(self.text.program.outputs[at][-1].condition, 1, 0), self._named)
+        for name, at in self.text.signature.entries():
+            last = renamed(choice(self.text.function.outputs[at][-1].condition, 1, 0), self._named)
             if far is not False and last != choice(far, 1, 0):
                 return f"{name} is not written by the library's sine exactly where one is too far"
         return ""
@@ -197,7 +205,7 @@ class _Point:
     def _turned(self) -> list[int]:
         """Angles of sines and cosines that differ from lane to lane."""
         place = {i for i, (group, _) in enumerate(self.graph.written.inputs)
-                 if group not in (self.text.kernel.shared or ())}  # fmt: skip
+                 if group not in (self.kernel.shared or ())}  # fmt: skip
         moving: set[int] = set()
         found: dict[int, None] = {}
         for k, node in enumerate(self.graph.written.nodes):

@@ -1,45 +1,40 @@
 """Second step of the chain: graph = C text, output by output.
 
-The text is parsed and its operations are carried out in exact arithmetic, beside those of the
-graph, at the same arguments. Sine and cosine by inline text are sine and cosine here; that text has
-a check of its own.
+The text is read into a program twice. As it was written, with every rounding that a machine makes,
+for the third step; and, here, into the builder that holds the graph, with literals as the constants
+that they stand for. Sine and cosine by inline text are sine and cosine here; that text has a check
+of its own.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
+from fractions import Fraction
 
-from sympy import Symbol
-
-from mechanics.compiled.custody.code import Code
-from mechanics.compiled.custody.constants import interpreted, literals
-from mechanics.compiled.custody.kernel import Kernel, lowered
+from mechanics.compiled.custody.code import EVERY, entries
+from mechanics.compiled.custody.kernel import COUNT, Kernel, parameters
 from mechanics.errors import ExpressionError
-from mechanics.exact import Arithmetic
-from mechanics.exact.c.parse import Source
-from mechanics.exact.c.program import CProgram
-from mechanics.exact.graph import evaluated
-from mechanics.program.casadi_reader import Instruction as Node
+from mechanics.program import Builder, Node, Program
+from mechanics.program.as_written import AsWritten
+from mechanics.program.c.condition import Decision, atoms
+from mechanics.program.c.function import Function
+from mechanics.program.c.nodes import Nodes
+from mechanics.program.c.parse import Source
+from mechanics.program.c.reader import read_function
+from mechanics.program.program import reachable
 
-Symbols = Mapping[str, Sequence[Symbol]]
+Groups = Sequence[tuple[str, int]]
+"""Names and sizes of arrays."""
 
 
 @dataclass(frozen=True)
-class Text:
-    """A C function beside the graph that it should be.
+class Signature:
+    """What the arguments of a C function are.
 
     Attributes
     ----------
     kernel : Kernel
-    code : Code
-        The graph; for ``prepare`` that of the function whose parameters are prepared.
-    program : CProgram
-    nodes : tuple of Node
-        Of the text, with literals as the constants that they stand for.
-    of : tuple of int
-        Where each node of the program is among these.
     groups : tuple of (str, int)
         Inputs in the order of the arguments, with their sizes; the integers left out.
     outputs : tuple of (str, int)
@@ -47,10 +42,6 @@ class Text:
     """
 
     kernel: Kernel
-    code: Code
-    program: CProgram
-    nodes: tuple[Node, ...]
-    of: tuple[int, ...]
     groups: tuple[tuple[str, int], ...]
     outputs: tuple[tuple[str, int], ...]
 
@@ -65,44 +56,69 @@ class Text:
             for entry in range(size):
                 yield f"{name}[{entry}]", (self.first + len(self.groups) + i, entry)
 
-    def numbers(self, a: Arithmetic, given: Mapping[str, Sequence[Any]]) -> list[Any]:
-        """The number of every node.
 
-        Parameters
-        ----------
-        given : mapping of str to sequence of numbers
-            By name of the input.
-        """
-        arguments: list[Sequence[Any]] = [()] * self.first
-        arguments += [given[group] for group, _ in self.groups]
-        arguments += [()] * len(self.outputs)
-        arguments.append([a.value(constant) for constant in self.code.constants])
-        # What is read beyond an array is the place -1: the last.
-        arguments.append([a.value(Symbol(words, real=True)) for words in self.program.beyond])
-        return evaluated(a, self.nodes, arguments, whole_angles=True)
+@dataclass(frozen=True, eq=False)
+class Reading:
+    """A C function in a builder.
 
-    def written(self, numbers: Sequence[Any]) -> Iterator[tuple[str, Any]]:
-        """Every number that an entry of an output gets; mostly one."""
-        for name, at in self.entries():
-            for written in self.program.outputs[at]:
-                yield name, numbers[self.of[written.node]]
+    Attributes
+    ----------
+    signature : Signature
+    builder : Builder
+    function : Function
+        Its nodes are those of the builder.
+    """
+
+    signature: Signature
+    builder: Builder
+    function: Function
+
+    def written(self) -> Iterator[tuple[str, Node]]:
+        """Every value that an entry of an output gets; mostly one."""
+        for name, at in self.signature.entries():
+            for written in self.function.outputs[at]:
+                yield name, Node(self.builder, written.node)
+
+    @property
+    def doubt(self) -> str:
+        """What the text does besides, where it should not; mostly empty."""
+        found, lanes = self.function, self.signature.kernel.lanes
+        if lanes and found.lanes != COUNT:
+            end = found.lanes or "one state"
+            return f"refused: its loop ends at {end}, not at the number of lanes"
+        if found.beyond:
+            return f"refused: {found.beyond[0]} is read, beyond the end of the array"
+        if found.late and not lanes:
+            return (
+                f"refused: {found.late[0]} is read after an output was written, which may be the"
+                " same array"
+            )
+        return ""
 
 
-def read_text(
-    kernel: Kernel, source: Source, code: Code, groups: Sequence[tuple[str, int]],
-    outputs: Sequence[tuple[str, int]],
-) -> Text:  # fmt: skip
+def read_into(
+    builder: Builder,
+    kernel: Kernel,
+    source: Source,
+    groups: Groups,
+    outputs: Groups,
+    given: Mapping[str, Sequence[Node]],
+    meaning: Mapping[Fraction, Node] | None = None,
+) -> Reading:
     """Read a C function.
 
     Parameters
     ----------
+    builder : Builder
     kernel : Kernel
     source : Source
         Of its file, with those that it calls.
-    code : Code
-        Whose constants the literals may stand for.
     groups, outputs : sequences of (str, int)
         Names and sizes of the arrays that it takes and gives.
+    given : mapping of str to sequence of Node
+        Entries of the inputs.
+    meaning : mapping of Fraction to Node, optional
+        What literals stand for.
 
     Raises
     ------
@@ -111,13 +127,78 @@ def read_text(
     """
     kept = tuple((name, size) for name, size in groups if size)
     asked = tuple((name, size) for name, size in outputs if size)
-    program = lowered(source, kernel, kept, asked)
-    place = (2 if kernel.lanes else 0) + len(kept) + len(asked)
-    nodes, of = interpreted(program.nodes, literals(code, kernel.kind), code, place)
-    text = Text(kernel, code, program, tuple(nodes), tuple(of), kept, asked)
-    for name, at in text.entries():
-        if at not in program.outputs:
+    signature = Signature(kernel, kept, asked)
+    arguments: list[Sequence[Node]] = [()] * signature.first
+    arguments += [given[name] for name, _ in kept]
+    target = Nodes(builder, arguments, meaning)
+    function = read_function(source, kernel.symbol, parameters(kernel, kept, asked), target)
+    for name, at in signature.entries():
+        if at not in function.outputs:
             raise ExpressionError(f"{kernel.symbol}: {name} is not written")
-        if program.outputs[at][0].condition is not True:
+        if function.outputs[at][0].condition is not True:
             raise ExpressionError(f"{kernel.symbol}: {name} is written under a condition only")
-    return text
+    return Reading(signature, builder, function)
+
+
+VALUES, ASKED = "values", "asked"
+
+
+@dataclass(frozen=True)
+class Text:
+    """A C function as it was written, as a program.
+
+    Attributes
+    ----------
+    signature : Signature
+    program : Program
+        Inputs ``"q[0]"``; outputs ``"values"``: every value that an entry gets, in order;
+        ``"asked"``: operands of the conditions of the status; ``"every"``: all that the values are
+        computed from.
+    counts : tuple of int
+        How many values each entry gets.
+    status : Decision or None
+        Operands of its conditions are nodes of the builder, see `places`.
+    places : mapping of int to int
+        Where the operands of its conditions stand among those that are asked.
+    """
+
+    signature: Signature
+    program: Program
+    counts: tuple[int, ...]
+    status: Decision | None
+    places: Mapping[int, int]
+
+    @property
+    def kernel(self) -> Kernel:
+        """Which function it is."""
+        return self.signature.kernel
+
+    @property
+    def groups(self) -> tuple[tuple[str, int], ...]:
+        """Its inputs."""
+        return self.signature.groups
+
+    @property
+    def outputs(self) -> tuple[tuple[str, int], ...]:
+        """Its outputs."""
+        return self.signature.outputs
+
+
+def read_text(kernel: Kernel, source: Source, groups: Groups, outputs: Groups) -> Text:
+    """Read a C function as it was written; arguments as for `read_into`."""
+    builder = AsWritten()
+    given = {name: entries(builder, name, size) for name, size in groups}
+    reading = read_into(builder, kernel, source, groups, outputs, given)
+    status = reading.function.status
+    found = [] if status is None else atoms(status)
+    asked = list(dict.fromkeys(operand for atom in found for operand in atom.operands))
+    values = [node for _, node in reading.written()]
+    every = reachable(builder, [node.number for node in values])
+    program = builder.program({
+        VALUES: values,
+        ASKED: [Node(builder, number) for number in asked],
+        EVERY: [Node(builder, number) for number in every],
+    })  # fmt: skip
+    counts = [len(reading.function.outputs[at]) for _, at in reading.signature.entries()]
+    places = {number: place for place, number in enumerate(asked)}
+    return Text(reading.signature, program, tuple(counts), status, places)

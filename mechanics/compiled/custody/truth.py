@@ -4,24 +4,20 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
 
-import casadi as ca
 import numpy as np
 from flint import arb
 from numpy.typing import NDArray
 from sympy import Symbol
 
-from mechanics.compiled.custody.code import exact as exact_code
-from mechanics.compiled.custody.numeric import decided, sizes, values
-from mechanics.compiled.custody.rounding import Rounded, RoundedArithmetic
+from mechanics.compiled.custody.code import EVERY
+from mechanics.compiled.custody.numeric import Magnitudes, decided
+from mechanics.compiled.custody.rounding import RoundedBalls
 from mechanics.compiled.custody.states import FINITE, STRATA, TYPES, States, states
-from mechanics.compiled.custody.text import Text
-from mechanics.compiled.programs.program import Program
-from mechanics.exact.balls import Ball, BallArithmetic, State, precision
-from mechanics.exact.c.condition import atoms
-from mechanics.exact.graph import evaluated
-from mechanics.program.casadi_reader import Instruction as Node
+from mechanics.compiled.custody.text import ASKED, VALUES, Text
+from mechanics.kernel.balls import Balls, precision
+from mechanics.program import Program, interpret
+from mechanics.program.c.condition import atoms
 
 BITS = 320
 WORK = 16_000
@@ -69,32 +65,36 @@ def truth(text: Text, symbols: Mapping[str, Sequence[Symbol]], written: Program)
     symbols : mapping of str to sequence of Symbol
         Of the inputs.
     written : Program
-        What the text was printed from: its roundings are the measure of the text's. A text that is
-        equal to it over the real numbers may still be of no use to a machine: (x + 2^200) - 2^200.
+        What the text was printed from, see `as_written`: its roundings are the measure of the
+        text's. A text that is equal to it over the real numbers may still be of no use to a
+        machine: (x + 2^200) - 2^200.
     """
-    kind, nodes = text.kernel.kind, text.program.nodes
-    each = int(np.clip(WORK // (FINITE * max(len(nodes), 1)), FEWEST, MOST))
+    kind, program = text.kernel.kind, text.program
+    each = int(np.clip(WORK // (FINITE * max(len(program), 1)), FEWEST, MOST))
     given = states(text.groups, dict(symbols), kind, each)
     for name in text.kernel.shared or ():
         if name in given.columns:
             given.columns[name][:] = given.columns[name][0]
-    arguments: list[Array] = [np.zeros((0, 0))] * text.first
-    arguments += [given.columns[name] for name, _ in text.groups]
     count = len(given.stratum)
-    known = values(nodes, arguments, TYPES[kind])
-    known = [np.broadcast_to(value, count) for value in known]
-    at = [text.program.outputs[place][0].node for _, place in text.entries()]
-    scale = sizes(nodes, known)
-    magnitudes = np.stack([np.broadcast_to(scale[k], count) for k in at], axis=1)
-    status = text.program.status
-    statuses = None if status is None else decided(status, known, count)
+    columns = {
+        f"{name}[{k}]": given.columns[name][:, k] for name, n in text.groups for k in range(n)
+    }
+    domain = Magnitudes(TYPES[kind])
+    with np.errstate(all="ignore"):
+        known = interpret(program, domain, {n: domain.input(c) for n, c in columns.items()})
+    firsts = np.cumsum((0, *text.counts))[:-1]
+    magnitudes = np.stack([np.broadcast_to(known[VALUES][k].size, count) for k in firsts], axis=1)
+    asked = [np.broadcast_to(one.value, count) for one in known[ASKED]]
+    status = text.status
+    statuses = None if status is None else decided(status, asked, text.places, count)
     exact, doubt = [], ""
     for i in np.flatnonzero(given.stratum < FINITE):
-        own = original(written, {n: c[i] for n, c in given.columns.items()}, kind)
-        if own is None:
+        state = {name: arb(float(column[i])) for name, column in columns.items()}
+        mine = original(written, state, kind)
+        if mine is None:
             continue
-        found = _enclosed(text, [a[i] if a.size else a for a in arguments])
-        doubt = doubt or _worse(found, own, STRATA[given.stratum[i]])
+        found = _enclosed(text, state)
+        doubt = doubt or _worse(found, mine, STRATA[given.stratum[i]])
         if found is not None:
             exact.append((int(i), *found))
     if not any(given.stratum[i] == 0 for i, *_ in exact):
@@ -102,32 +102,24 @@ def truth(text: Text, symbols: Mapping[str, Sequence[Symbol]], written: Program)
     return Truth(text, given, exact, magnitudes, statuses, doubt)
 
 
-def original(
-    written: Program, given: Mapping[str, Array], kind: str
-) -> dict[str, arb] | None:  # fmt: skip
-    """What may be computed of every entry by the program; None where a value may overflow."""
-    code = exact_code(written)
+def original(program: Program, state: Mapping[str, arb], kind: str) -> dict[str, arb] | None:
+    """What may be computed of every entry by a program; None where a value may overflow."""
     with precision(BITS):
-        rough = RoundedArithmetic(kind)
-        numbers = [
-            [Rounded(arb(float(x)), rough) for x in given[name]] if size else []
-            for name, size in code.inputs
-        ]
-        wide = evaluated(rough, code.nodes, [*numbers, []], True)
-        if not _bounded(code.nodes, wide, kind):
+        wide = interpret(program, RoundedBalls(kind), state)
+        if not _bounded(wide[EVERY], kind):
             return None
-        return {
-            f"{name}[{k}]": number.arb
-            for name, entries in code.results(wide).items()
-            for k, number in enumerate(entries)
-        }
+    return {
+        f"{name}[{k}]": value
+        for name, values in wide.items()
+        for k, value in enumerate(values)
+        if name != EVERY
+    }
 
 
-def _bounded(nodes: Sequence[Node], wide: Sequence[Any], kind: str) -> bool:
+def _bounded(values: Sequence[arb], kind: str) -> bool:
     """Whether no value may overflow."""
     largest = arb(float(np.finfo(TYPES[kind]).max))
-    computed = (x.arb for x, node in zip(wide, nodes, strict=True) if node.constant is None)
-    return all(abs(x) < largest for x in computed)
+    return all(abs(value) <= largest for value in values)
 
 
 def _worse(
@@ -148,63 +140,45 @@ def _worse(
 
 
 def _enclosed(
-    text: Text, arguments: Sequence[Array]
+    text: Text, state: Mapping[str, arb]
 ) -> tuple[bool, list[tuple[str, arb, arb]]] | None:  # fmt: skip
     """Every entry at one state, and whether all is normal; None where a value overflows."""
-    kind, nodes = text.kernel.kind, text.program.nodes
-    limits = np.finfo(TYPES[kind])
-    tiny = arb(float(limits.tiny))
+    kind = text.kernel.kind
+    tiny = arb(float(np.finfo(TYPES[kind]).tiny))
     with precision(BITS):
-        rough, sharp = RoundedArithmetic(kind), BallArithmetic(State({}))
-        numbers = [[arb(float(x)) for x in group] for group in arguments]
-        wide = evaluated(rough, nodes, [[Rounded(x, rough) for x in g] for g in numbers], True)
-        needed = _needed(text)
-        if not _bounded([nodes[k] for k in needed], [wide[k] for k in needed], kind):
+        wide = interpret(text.program, RoundedBalls(kind), state)
+        if not _bounded(wide[EVERY], kind):
             return None
-        fine = evaluated(sharp, nodes, [[Ball(x) for x in g] for g in numbers], True)
-        found = []
-        for name, place in text.entries():
-            node = text.program.outputs[place][0].node
-            value, around = fine[node].arb, wide[node].arb
-            for other in text.program.outputs[place][1:]:
-                around = around.union(wide[other.node].arb)
+        fine = interpret(text.program, Balls(), state)
+        found, first = [], 0
+        for (name, _), count in zip(text.signature.entries(), text.counts, strict=True):
+            value, around = fine[VALUES][first], wide[VALUES][first]
+            for other in wide[VALUES][first + 1 : first + count]:
+                around = around.union(other)
             found.append((name, value, around))
-        normal = all(abs(x.arb) >= tiny or x.arb.is_zero() for x in fine)
+            first += count
+        normal = all(abs(x) >= tiny or x.is_zero() for x in fine[EVERY])
     return normal, found
-
-
-def _needed(text: Text) -> list[int]:
-    """Nodes that an output depends on: reading c ? x : y leaves others behind."""
-    nodes = text.program.nodes
-    waiting = [written.node for _, at in text.entries() for written in text.program.outputs[at]]
-    found: set[int] = set()
-    while waiting:
-        node = waiting.pop()
-        if node not in found:
-            found.add(node)
-            if nodes[node].constant is None and nodes[node].op != ca.OP_INPUT:
-                waiting += nodes[node].operands
-    return sorted(found)
 
 
 def doubtful(known: Truth, state: int) -> bool:
     """Whether roundings decide a condition of the status: a divisor may just be zero, or not."""
     text = known.text
-    if known.given.stratum[state] >= FINITE or text.program.status is None:
+    if known.given.stratum[state] >= FINITE or text.status is None:
         return False
-    kind, nodes = text.kernel.kind, text.program.nodes
+    kind = text.kernel.kind
     largest = arb(float(np.finfo(TYPES[kind]).max))
     with precision(BITS):
-        rough = RoundedArithmetic(kind)
-        given: list[list[Rounded]] = [[]] * text.first
-        for name, _ in text.groups:
-            column = known.given.columns[name][state]
-            given.append([Rounded(arb(float(x)), rough) for x in column])
-        wide = evaluated(rough, nodes, given, True)
-        for atom in atoms(text.program.status):
-            first = wide[atom.operands[0]].arb
+        given = {
+            f"{name}[{k}]": arb(float(known.given.columns[name][state, k]))
+            for name, size in text.groups
+            for k in range(size)
+        }
+        wide = interpret(text.program, RoundedBalls(kind), given)[ASKED]
+        for atom in atoms(text.status):
+            first, *others = (wide[text.places[operand]] for operand in atom.operands)
             if atom.relation == "==":
-                difference = first - wide[atom.operands[1]].arb
+                difference = first - others[0]
                 if difference.contains(0) and not difference.is_zero():
                     return True
             elif not abs(first) < largest and not abs(first) > largest:

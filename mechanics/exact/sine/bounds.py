@@ -21,11 +21,11 @@ from flint import arb, arb_poly, fmpq
 
 from mechanics.errors import ExpressionError
 from mechanics.exact.balls import precision
-from mechanics.exact.c.parse import Source
 from mechanics.exact.sine.affine import BITS, SMALLEST, half_unit
 from mechanics.exact.sine.reduction import Reduced
 from mechanics.exact.sine.rounding import Poly, Polynomials, Rounded, Roundings, unit
 from mechanics.exact.sine.tape import Recorded, record
+from mechanics.program.c.parse import Source
 
 DIGITS = 160
 """Bits of the balls."""

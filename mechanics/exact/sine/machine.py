@@ -8,9 +8,9 @@ from typing import Any
 
 import numpy as np
 
-from mechanics.exact.c.literal import rounded
-from mechanics.exact.c.parse import Source
 from mechanics.exact.sine.walk import Domain, Function
+from mechanics.program.c.literal import rounded
+from mechanics.program.c.parse import Source
 
 _CODES = {"double": ("<d", "<Q"), "float": ("<f", "<I")}
 _TYPES: dict[str, Any] = {"double": np.float64, "float": np.float32}

@@ -20,8 +20,6 @@ from pycparser import c_ast, c_generator
 
 from mechanics.errors import ExpressionError
 from mechanics.exact.balls import precision
-from mechanics.exact.c.literal import literal
-from mechanics.exact.c.parse import Source, parse
 from mechanics.exact.finding import Finding, Witness
 from mechanics.exact.sine.affine import SMALLEST
 from mechanics.exact.sine.bounds import Largest, largest_errors
@@ -30,6 +28,8 @@ from mechanics.exact.sine.quadrant import check_parity, check_quadrants
 from mechanics.exact.sine.reduction import reduced, small
 from mechanics.exact.sine.rounding import unit
 from mechanics.kernel import enclosed, refuted, undecided
+from mechanics.program.c.literal import literal
+from mechanics.program.c.parse import Source, parse
 
 MOST = 1.6
 """Largest error that is accepted, in ulp."""

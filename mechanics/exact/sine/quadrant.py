@@ -13,10 +13,10 @@ from fractions import Fraction
 from typing import Any, NamedTuple
 
 from mechanics.errors import ExpressionError
-from mechanics.exact.c.parse import Source
 from mechanics.exact.sine.affine import BITS
 from mechanics.exact.sine.machine import Machine
 from mechanics.exact.sine.walk import Domain, Function
+from mechanics.program.c.parse import Source
 
 TABLE = (
     (("s", 1), ("c", 1)),

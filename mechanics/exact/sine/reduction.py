@@ -11,9 +11,9 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from mechanics.errors import ExpressionError
-from mechanics.exact.c.parse import Source
 from mechanics.exact.sine.affine import BITS, Affine, AffineForms, half_pi
 from mechanics.exact.sine.walk import Function
+from mechanics.program.c.parse import Source
 
 
 @dataclass(frozen=True)

@@ -6,8 +6,8 @@ from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from typing import Any, NamedTuple
 
-from mechanics.exact.c.parse import Source
 from mechanics.exact.sine.walk import Domain, Function
+from mechanics.program.c.parse import Source
 
 
 class Step(NamedTuple):

@@ -17,8 +17,8 @@ from typing import Any, NamedTuple
 from pycparser import c_ast
 
 from mechanics.errors import ExpressionError
-from mechanics.exact.c.literal import literal
-from mechanics.exact.c.parse import Source
+from mechanics.program.c.literal import literal
+from mechanics.program.c.parse import Source
 
 FLOATS = ("float", "double")
 BITS = {"int": 32, "unsigned int": 32, "uint32_t": 32, "uint64_t": 64}

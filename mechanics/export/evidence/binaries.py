@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 from mechanics.compiled.custody.binary import Measured, compare
 from mechanics.compiled.custody.build import Built
+from mechanics.compiled.custody.code import as_written
 from mechanics.compiled.custody.truth import truth
 from mechanics.exact import Finding
 from mechanics.export.evidence.chain import Evidence, Read, Report, silent
@@ -36,7 +37,7 @@ def third_step(
     measured: list[Measured] = []
     for one in read:
         report(f"{one.kernel.symbol}: text = binary")
-        written = evidence.graphs[one.kernel.function].written
+        written = as_written(evidence.graphs[one.kernel.function].written)
         known = truth(one.text, evidence.known.symbols, written)
         for library in libraries:
             finding, figures = compare(known, library)

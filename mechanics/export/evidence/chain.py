@@ -21,10 +21,10 @@ from mechanics.compiled.programs.hoist import PREPARE
 from mechanics.compiled.programs.of_model import PARTS, WHOLE
 from mechanics.errors import ExpressionError, InputError
 from mechanics.exact import Finding
-from mechanics.exact.c.parse import Source
 from mechanics.export.evidence.graphs import RATES
 from mechanics.export.evidence.texts import not_named, sources
 from mechanics.kernel import undecided
+from mechanics.program.c.parse import Source
 
 SMALL = 80
 """Nodes of a graph for which a proof is tried beyond the certificate."""
@@ -128,7 +128,8 @@ def _kernel(
     finding, text = prove_text(kernel, source, evidence.graphs, evidence.known, prepare)
     yield _titled(finding, title)
     if text is not None and finding.shown:
-        status = prove_status(text, evidence.graphs[kernel.function], evidence.known)
+        graph = evidence.graphs[kernel.function]
+        status = prove_status(kernel, source, graph, evidence.known)
         yield _titled(status, title)
         if status.shown and not title:
             read.append(Read(kernel, text))

@@ -15,11 +15,11 @@ from pycparser import c_generator
 
 from mechanics.errors import ExpressionError
 from mechanics.exact import Finding
-from mechanics.exact.c.parse import parse
 from mechanics.exact.sine.proof import verify_sine
 from mechanics.export.evidence.chain import Report, silent
 from mechanics.export.evidence.texts import FMA, odd_conditions
 from mechanics.kernel import same, undecided
+from mechanics.program.c.parse import parse
 
 SUFFIX = {"double": "", "float": "f"}
 

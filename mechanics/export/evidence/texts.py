@@ -10,10 +10,10 @@ from pycparser import c_generator
 
 from mechanics.compiled.custody.kernel import Kernel
 from mechanics.errors import ExpressionError
-from mechanics.exact.c.conditionals import asked_names
-from mechanics.exact.c.library import FAR, FUNCTIONS, FUSED, SINCOS
-from mechanics.exact.c.parse import Source, linked, parse
-from mechanics.exact.c.text import preprocess
+from mechanics.program.c.conditionals import asked_names
+from mechanics.program.c.library import FAR, FUNCTIONS, FUSED, SINCOS
+from mechanics.program.c.parse import Source, linked, parse
+from mechanics.program.c.text import preprocess
 
 FMA = frozenset({"__FMA__", "__ARM_FEATURE_FMA", "FP_FAST_FMA", "FP_FAST_FMAF"})
 ASKED = FMA | {"__GNUC__", "__clang__"}

@@ -9,7 +9,7 @@ of the table. How a self-test goes through its tables is not looked at: running 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
 from typing import Any
 
@@ -17,17 +17,15 @@ import numpy as np
 from flint import arb
 from pycparser import c_ast
 
-from mechanics.compiled.custody.code import exact
+from mechanics.compiled.custody.code import as_written
 from mechanics.compiled.custody.prove import Graph
 from mechanics.compiled.custody.rounding import DIGITS
 from mechanics.compiled.custody.states import TYPES
 from mechanics.errors import ExpressionError
 from mechanics.exact import Finding, Witness
-from mechanics.exact.balls import Ball, BallArithmetic, State, precision
-from mechanics.exact.c.literal import literal
-from mechanics.exact.c.parse import parse
-from mechanics.exact.graph import evaluated
-from mechanics.kernel import enclosed, refuted, undecided
+from mechanics.kernel import enclose, enclosed, refuted, undecided
+from mechanics.program.c.literal import literal
+from mechanics.program.c.parse import parse
 
 BITS = 320
 ENDING, TEST = "_selftest.c", "test_"
@@ -93,7 +91,7 @@ def _number(node: Any) -> Fraction:
 
 
 def _compared(subject: str, kind: str, tables: Mapping[str, Rows], graph: Graph) -> Finding:
-    code = exact(graph.written)
+    code, program = graph.written, as_written(graph.written)
     asked = [name for name, (rows, columns) in code.shapes if rows * columns]
     count = len(tables[f"{asked[0]}_expected"])
     if not count:
@@ -103,18 +101,19 @@ def _compared(subject: str, kind: str, tables: Mapping[str, Rows], graph: Graph)
         given = [
             _row(tables[f"{group}_in"], i) if size else [] for group, size in code.inputs
         ]  # fmt: skip
-        with precision(BITS):
-            balls = [[Ball(_ball(x)) for x in group] for group in given]
-            numbers = evaluated(BallArithmetic(State({})), code.nodes, [*balls, []], True)
-            results = {name: [n.arb for n in values] for name, values in
-                       code.results(numbers).items()}  # fmt: skip
+        state = {
+            f"{group}[{k}]": arb(float(number))
+            for (group, _), row in zip(code.inputs, given, strict=True)
+            for k, number in enumerate(row)
+        }
+        results = enclose(program, state, BITS)
         for name in asked:
             odd = _odd(name, results[name], tables, i, kind)
             if odd is not None:
                 words, value, found = odd
-                state = tuple((g, " ".join(map(str, row))) for (g, _), row in
+                told = tuple((g, " ".join(map(str, row))) for (g, _), row in
                               zip(code.inputs, given, strict=True))  # fmt: skip
-                witness = Witness(state, value.str(20), str(float(found)))
+                witness = Witness(told, value.str(20), str(float(found)))
                 return refuted(subject, words, witness)
             bounds += [
                 (min(near), arb(float(found)), max(near))
@@ -130,7 +129,7 @@ def _row(rows: Rows, i: int) -> list[Fraction]:
 
 
 def _odd(
-    name: str, values: list[arb], tables: Mapping[str, Rows], i: int, kind: str
+    name: str, values: Sequence[arb], tables: Mapping[str, Rows], i: int, kind: str
 ) -> tuple[str, arb, Fraction] | None:
     """What is wrong with a row, the value and what stands there."""
     expected, tolerance = tables[f"{name}_expected"][i], tables[f"{name}_tolerance"][i]
@@ -150,7 +149,3 @@ def _allowed(value: arb, kind: str) -> set[Fraction]:
     near = {Fraction(float(np.nextafter(nearest, TYPES[kind](way)))) for way in (-np.inf, np.inf)}
     # In single precision a double was rounded once more.
     return {Fraction(float(nearest))} | (near if kind == "float" else set())
-
-
-def _ball(number: Fraction) -> arb:
-    return arb(float(number))

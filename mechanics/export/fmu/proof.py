@@ -20,7 +20,6 @@ from mechanics.compiled.custody.prove import Graph, prove_text
 from mechanics.compiled.programs.program import program
 from mechanics.compiled.proof import prove_compiled, prove_graph
 from mechanics.exact import Finding
-from mechanics.exact.c.parse import Source, parse
 from mechanics.export.fmu.functions import (
     CLOCK,
     STEP_SIZE,
@@ -29,6 +28,7 @@ from mechanics.export.fmu.functions import (
     functions,
 )
 from mechanics.export.fmu.model_text import symbol
+from mechanics.program.c.parse import Source, parse
 
 SOURCE, HEADER = "model.c", "model.h"
 PARTS = ("forward_dynamics", "coordinate_rates", "reactions", "energy")

@@ -14,7 +14,7 @@ from typing import Any
 from pycparser import c_ast
 
 from mechanics.errors import ExpressionError
-from mechanics.exact.c.parse import Source
+from mechanics.program.c.parse import Source
 
 LARGEST = 64
 """Entries of an array of arrays."""

@@ -9,7 +9,7 @@ import re
 from dataclasses import dataclass
 
 from mechanics.errors import ExpressionError
-from mechanics.exact.c.tokens import Line, tokens
+from mechanics.program.c.tokens import Line, tokens
 from mechanics.reading.code.c_person import GUARD, without_comments
 
 DEFINE = re.compile(r"[ \t\v]*#[ \t\v]*define[ \t\v]+(\w+)\(([^()]*)\)(.*)", re.DOTALL)

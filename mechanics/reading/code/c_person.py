@@ -17,12 +17,12 @@ from fractions import Fraction
 from typing import Any
 
 from mechanics.errors import ExpressionError
-from mechanics.exact.c.library import FAR, FUNCTIONS, FUSED, SINCOS
-from mechanics.exact.c.literal import literal
-from mechanics.exact.c.parse import Source
-from mechanics.exact.c.text import SYSTEM
-from mechanics.exact.c.tokens import TOKEN
-from mechanics.exact.c.types import declared, signature
+from mechanics.program.c.library import FAR, FUNCTIONS, FUSED, SINCOS
+from mechanics.program.c.literal import literal
+from mechanics.program.c.parse import Source
+from mechanics.program.c.text import SYSTEM
+from mechanics.program.c.tokens import TOKEN
+from mechanics.program.c.types import declared, signature
 
 LIBRARY = frozenset({*FUNCTIONS, *SINCOS, *FAR, *FUSED, "isfinite"})
 

@@ -11,8 +11,8 @@ import re
 from dataclasses import dataclass
 
 from mechanics.errors import ExpressionError
-from mechanics.exact.c.library import FUNCTIONS, FUSED, SINCOS
-from mechanics.exact.c.tokens import TOKEN
+from mechanics.program.c.library import FUNCTIONS, FUSED, SINCOS
+from mechanics.program.c.tokens import TOKEN
 from mechanics.reading.code.taken_apart import Apart
 
 SINGLE = {name: known.kind for name, known in FUNCTIONS.items()} | SINCOS | FUSED

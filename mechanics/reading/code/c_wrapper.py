@@ -16,8 +16,8 @@ from typing import Any
 from pycparser import c_ast
 
 from mechanics.errors import ExpressionError, InputError
-from mechanics.exact.c.parse import Source
-from mechanics.exact.c.types import declared, parameters
+from mechanics.program.c.parse import Source
+from mechanics.program.c.types import declared, parameters
 
 WRAPPER = "mechanics_wrapper_of_a_function"
 LARGEST_ARRAY = 64

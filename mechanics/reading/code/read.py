@@ -13,10 +13,10 @@ import casadi
 from sympy import Expr, Matrix
 
 from mechanics.errors import ExpressionError, InputError
-from mechanics.exact.c.functions import lower
-from mechanics.exact.c.parse import parse
-from mechanics.exact.c.program import Parameter
 from mechanics.exact.graph import evaluated
+from mechanics.program.c.function import Parameter
+from mechanics.program.c.parse import parse
+from mechanics.program.c.reader import read_function as read_c_function
 from mechanics.program.casadi_reader import Instruction as Node
 from mechanics.program.casadi_reader import single_assignment
 from mechanics.reading.about import QUANTITIES
@@ -29,6 +29,7 @@ from mechanics.reading.code.c_macros import without_macros
 from mechanics.reading.code.c_person import defaults, known_meaning, without_comments
 from mechanics.reading.code.c_place import placed
 from mechanics.reading.code.c_plain import plain
+from mechanics.reading.code.c_target import Instructions
 from mechanics.reading.code.c_wrapper import WRAPPER, wrapped
 from mechanics.reading.code.called import doubt_when_called
 from mechanics.reading.code.out_arguments import returning
@@ -192,14 +193,15 @@ def _c_outputs(
         ),
         Parameter("outputs", "double", size, output=True),
     ]
-    program = lower(source, WRAPPER, parameters)
+    target = Instructions()
+    program, nodes = read_c_function(source, WRAPPER, parameters, target), target.nodes
     if program.beyond:
         raise InputError(f"{program.beyond[0]} is read beyond the end of the array")
-    bounded_code(program.nodes, origin)
+    bounded_code(nodes, origin)
     a = Written()
-    numbers = evaluated(a, program.nodes, entries)
+    numbers = evaluated(a, nodes, entries)
     found: list[Expr] = []
-    formulas = of_graph(program.nodes, entries, a.rational)
+    formulas = of_graph(nodes, entries, a.rational)
     known: dict[Expr, Formula] = {}
     asked: list[tuple[Expr, tuple[Demand, ...]]] = []
     place = len(wanted)
@@ -211,7 +213,7 @@ def _c_outputs(
             raise InputError(f"{origin}: output {entry} is written under a condition only")
         found.append(numbers[first.node])
         known[numbers[first.node]] = formulas[first.node]
-        asked.append((numbers[first.node], demands_of(program.nodes, numbers, first.node)))
+        asked.append((numbers[first.node], demands_of(nodes, numbers, first.node)))
     return Outputs(
         (Matrix(found),), tuple(a.notes), formulas=_known(known), demands=_demanded(asked)
     )

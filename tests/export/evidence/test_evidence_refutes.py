@@ -12,8 +12,9 @@ import pytest
 from sympy import Integer, pi
 
 from mechanics.compiled.custody.code import Code
-from mechanics.compiled.custody.constants import Irrational, literals
+from mechanics.compiled.custody.constants import literals
 from mechanics.exact import Verdict
+from mechanics.program import Builder
 from mechanics.program.casadi_reader import Instruction as Node
 
 OUTPUT = re.compile(r"[a-z_]+\[\d+\]: ")
@@ -120,11 +121,12 @@ def code(*constants) -> Code:
 
 
 def test_a_literal_is_a_constant_only_to_its_last_digit() -> None:
-    table = literals(code(pi), "double")
+    b = Builder()
+    table = literals(b, code(pi), "double")
     third, circle = Fraction(1 / 3), Fraction(float(pi.evalf(30)))
-    assert table[third] == Fraction(1, 3) and table[-third] == Fraction(-1, 3)
-    assert table[circle] == Irrational(2, False) and table[-circle] == Irrational(2, True)
+    assert table[third].constant == Fraction(1, 3) and table[-third].constant == Fraction(-1, 3)
+    assert table[circle] == b.pi and table[-circle] == -b.pi
     unit = Fraction(2) ** -54
     assert third + unit not in table and third - unit not in table and Fraction(5) not in table
-    single = literals(code(Integer(3)), "float")
-    assert single[Fraction(11184811, 2**25)] == Fraction(1, 3) and third not in single
+    single = literals(b, code(Integer(3)), "float")
+    assert single[Fraction(11184811, 2**25)].constant == Fraction(1, 3) and third not in single

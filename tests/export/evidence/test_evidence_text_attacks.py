@@ -1,5 +1,6 @@
 """Texts that were changed with care, so that a careless reader takes them for their graph."""
 
+import re
 from dataclasses import replace
 
 import pytest
@@ -47,6 +48,69 @@ def test_a_text_that_only_seems_to_be_its_graph_is_not_shown(evidence, attack: s
     changed = replace(evidence, kernels=kernels, texts=evidence.texts | {"name.c": text})
     verdicts = {f.verdict for f in second_step(changed, []) if "forward_dynamics =" in f.subject}
     assert verdicts & {Verdict.REFUTED, Verdict.UNDECIDED}
+
+
+NOWHERE, SOMEWHERE = Verdict.REFUTED, Verdict.UNDECIDED
+NO_NUMBERS = {
+    "sqrt(-1.0 - x * x) * sqrt(-1.0 - x * x) + 1.0 + x * x": NOWHERE,
+    "0.0 * sqrt(-1.0 - x * x)": NOWHERE,
+    "0.0 * acos(2.0 + x * x)": NOWHERE,
+    "log(-1.0 - x * x) - log(-1.0 - x * x)": NOWHERE,
+    "(x * x < -1.0 ? 0.0 : 0.0 * sqrt(-1.0 - x * x))": NOWHERE,
+    "exp(log(x)) - x": SOMEWHERE,
+    "sqrt(x) * sqrt(x) - x": SOMEWHERE,
+    "x / x - 1.0": SOMEWHERE,
+    "0.0 / (x - x)": SOMEWHERE,
+    "0.0 / ((x + 1.0) * (x + 1.0) - x * x - 2.0 * x - 1.0)": SOMEWHERE,
+}
+
+
+ONE, MANY = "name_forward_dynamics", "name_forward_dynamics_batch"
+
+
+@pytest.mark.parametrize(
+    ("symbol", "term"), [*((ONE, term) for term in NO_NUMBERS), (MANY, next(iter(NO_NUMBERS)))]
+)
+def test_what_is_no_number_is_seen_where_the_field_sees_zero(
+    evidence, symbol: str, term: str
+) -> None:
+    (kernel,) = [k for k in evidence.kernels if k.symbol == symbol]
+    found = list(second_step(_planted(evidence, kernel, term), []))
+    verdicts = [f.verdict for f in found if f.subject.endswith(f"{symbol} = graph")]
+    assert verdicts and set(verdicts) == {NO_NUMBERS[term]}
+
+
+@pytest.mark.parametrize(
+    "term",
+    [
+        "0.0 * sqrt(x * x)",
+        "0.0 * sqrt(1.0 + x * x)",
+        "0.0 * log(exp(x))",
+        "0.0 * acos(sin(x))",
+        "(x > 0.0 ? 0.0 * log(x) : 0.0)",
+        "(x > 0.0 && log(x) > 1.0 ? 0.0 : 0.0)",
+        "0.0 / (1.0 + x * x)",
+    ],
+)
+def test_what_is_a_number_at_all_states_is_none_of_it(evidence, term: str) -> None:
+    (kernel,) = [k for k in evidence.kernels if k.symbol == "name_forward_dynamics"]
+    found = list(second_step(_planted(evidence, kernel, term), []))
+    verdicts = [f.verdict for f in found if f.subject.endswith(f"{kernel.symbol} = graph")]
+    assert verdicts and set(verdicts) <= {Verdict.PROVED, Verdict.CERTIFIED}
+
+
+def _planted(evidence, kernel, term: str):
+    """The evidence of one function with a term of zero in an output."""
+    text = evidence.texts[kernel.file]
+    begin = text.index(f"int {kernel.symbol}")
+    head, body = text[:begin], text[begin:]
+    stored = re.search(r"^ +ud\[[^]]*\] = [^;]*(?=;)", body, re.MULTILINE)
+    assert stored is not None
+    body = body[: stored.end()] + f" + ({term})" + body[stored.end() :]
+    texts = evidence.texts | {kernel.file: head + body}
+    # That of many states calls the one of one state.
+    one = replace(kernel, symbol="name_forward_dynamics", file="name.c", shared=None)
+    return replace(evidence, kernels=tuple(dict.fromkeys((kernel, one))), texts=texts)
 
 
 def test_a_sine_that_is_used_has_to_be_defined() -> None:

@@ -11,9 +11,9 @@ from sympy import Symbol
 
 from mechanics.compiled import Model
 from mechanics.exact import Verdict, decide
-from mechanics.exact.c.parse import parse
 from mechanics.export.fmu.functions import functions
 from mechanics.export.fmu.proof import prove_functions, prove_unit
+from mechanics.program.c.parse import parse
 from systems import ALL
 
 SYSTEMS = [system.name for system in ALL]

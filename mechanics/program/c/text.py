@@ -14,7 +14,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
 from mechanics.errors import ExpressionError
-from mechanics.exact.c.tokens import Line, lines, tokens, touching
+from mechanics.program.c.tokens import Line, lines, tokens, touching
 
 SYSTEM = frozenset({"math.h", "stddef.h", "stdint.h", "string.h", "stdio.h", "float.h", "stdlib.h"})
 """Headers of the C library; what is used of them is known to the reader of the program."""

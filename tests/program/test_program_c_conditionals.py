@@ -3,7 +3,7 @@
 import pytest
 
 from mechanics.errors import ExpressionError
-from mechanics.exact.c.conditionals import asked_names
+from mechanics.program.c.conditionals import asked_names
 
 LINKAGE = '#ifdef __cplusplus\nextern "C" {\n#endif\nint f(void);\n#ifdef __cplusplus\n}\n#endif\n'
 

@@ -16,7 +16,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 from mechanics.errors import ExpressionError
-from mechanics.exact.c.tokens import lines, tokens
+from mechanics.program.c.tokens import lines, tokens
 
 OPENS = ("if", "ifdef", "ifndef")
 LINKAGE = (["extern", '"C"', "{"], ["}"])

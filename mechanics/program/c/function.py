@@ -1,21 +1,14 @@
-"""A C function as straight-line code: what it computes, node by node, as `graph` has it.
-
-    node k = operation(earlier nodes)        output group, entry = node        status = decision
-
-The nodes are those of a CasADi graph, so that one walker evaluates both.
-"""
+"""What a C function does, in terms of nodes of whatever it is read into."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from contextlib import AbstractContextManager
+from dataclasses import dataclass
 from fractions import Fraction
-from typing import NamedTuple
+from typing import Any, NamedTuple, Protocol
 
-import casadi
-
-from mechanics.exact.c.condition import Condition, Decision
-from mechanics.program.casadi_reader import Instruction as Node
+from mechanics.program.c.condition import Condition, Decision
 
 
 @dataclass(frozen=True)
@@ -52,16 +45,12 @@ class Written(NamedTuple):
 
 
 @dataclass(frozen=True)
-class CProgram:
+class Function:
     """What a C function computes.
 
     Attributes
     ----------
     name : str
-    nodes : tuple of Node
-        For an input: (place among the parameters, entry).
-    kinds : tuple of str
-        Type of each node.
     outputs : mapping of (place, entry) to tuple of (Condition, node)
         What was written, in the order in which it was: each is what stands there at last where its
         condition holds and those after it do not.
@@ -77,8 +66,6 @@ class CProgram:
     """
 
     name: str
-    nodes: tuple[Node, ...]
-    kinds: tuple[str, ...]
     outputs: Mapping[tuple[int, int], tuple[Written, ...]]
     status: Decision | None
     beyond: tuple[str, ...]
@@ -89,30 +76,33 @@ class CProgram:
 BEYOND = -1
 
 
-@dataclass
-class Writer:
-    """Nodes as they are found, equal ones once."""
-
-    nodes: list[Node] = field(default_factory=list)
-    kinds: list[str] = field(default_factory=list)
-    _places: dict[tuple[Node, str], int] = field(default_factory=dict)
-
-    def add(self, op: int, operands: tuple[int, ...], kind: str) -> int:
-        """The node of an operation."""
-        return self._kept(Node(op, operands, None), kind)
+class Target(Protocol):
+    """Where operations go as they are read; a node is an integer, `kind` its type in C."""
 
     def number(self, value: Fraction, kind: str) -> int:
         """The node of a constant."""
-        return self._kept(Node(casadi.OP_CONST, (), value), kind)
+        ...
 
     def input(self, place: int, entry: int, kind: str) -> int:
         """The node of an entry of an argument."""
-        return self._kept(Node(casadi.OP_INPUT, (place, entry), None), kind)
+        ...
 
-    def _kept(self, node: Node, kind: str) -> int:
-        """One place for equal nodes."""
-        if (node, kind) not in self._places:
-            self._places[node, kind] = len(self.nodes)
-            self.nodes.append(node)
-            self.kinds.append(kind)
-        return self._places[node, kind]
+    def apply(self, operation: str, operands: tuple[int, ...], kind: str) -> int:
+        """The node of an operation, by its name in the table or in `COMPOSED`."""
+        ...
+
+    def constant(self, node: int) -> Fraction | None:
+        """The number that a node is, if it is one."""
+        ...
+
+    def is_truth(self, node: int) -> bool:
+        """Whether the value of a node is 0 or 1."""
+        ...
+
+    def choose(self, condition: Condition, yes: int, no: int, kind: str, where: Any) -> int:
+        """The node that is `yes` where the condition holds, else `no`."""
+        ...
+
+    def under(self, condition: Condition) -> AbstractContextManager[Any]:
+        """What is read inside is computed where the condition holds."""
+        ...

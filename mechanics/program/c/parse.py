@@ -10,7 +10,7 @@ from typing import Any
 from pycparser import CParser, c_ast
 
 from mechanics.errors import ExpressionError
-from mechanics.exact.c.text import preprocess
+from mechanics.program.c.text import preprocess
 
 LIBRARY = """\
 typedef unsigned long size_t; typedef int int32_t; typedef unsigned int uint32_t;

@@ -7,10 +7,10 @@ from dataclasses import dataclass, field
 from typing import Any, NamedTuple
 
 from mechanics.errors import ExpressionError
-from mechanics.exact.c.condition import Choice, Condition, Decision, choice, joined, negation
-from mechanics.exact.c.program import Written
-from mechanics.exact.c.types import Type
-from mechanics.exact.c.whole import Whole, whole
+from mechanics.program.c.condition import Choice, Condition, Decision, choice, joined, negation
+from mechanics.program.c.function import Written
+from mechanics.program.c.types import Type
+from mechanics.program.c.whole import Whole, whole
 
 
 class Real(NamedTuple):

@@ -9,21 +9,30 @@ import pytest
 from sympy import Symbol, cos, pi, sin
 
 from mechanics.errors import ExpressionError
-from mechanics.exact import decide
-from mechanics.exact.c.functions import lower
-from mechanics.exact.c.literal import literal
-from mechanics.exact.c.parse import parse
-from mechanics.exact.c.program import CProgram, Parameter
-from mechanics.exact.graph import evaluated
+from mechanics.kernel import Statement, decide
+from mechanics.program import Builder, Node, sympy_reader
+from mechanics.program.as_written import AsWritten
+from mechanics.program.c.function import Function, Parameter
+from mechanics.program.c.literal import literal
+from mechanics.program.c.nodes import Nodes
+from mechanics.program.c.parse import parse
+from mechanics.program.c.reader import read_function
 
-X = [Symbol("x0", real=True), Symbol("x1", real=True)]
-a, b = X
+a, b = Symbol("x0", real=True), Symbol("x1", real=True)
 GIVEN = (Parameter("x", "double", 2), Parameter("y", "double", 1, True))
 HEAD = "void f(const double x[2], double y[1])"
 
 
-def read(body: str, before: str = "", head: str = HEAD) -> CProgram:
-    return lower(parse(f"{before}\n{head} {{ {body} }}", "f.c"), "f", GIVEN)
+def read(body: str, before: str = "", head: str = HEAD, builder: Builder | None = None) -> Function:
+    builder = builder or Builder()
+    x = [builder.input("x0"), builder.input("x1")]
+    source = parse(f"{before}\n{head} {{ {body} }}", "f.c")
+    return read_function(source, "f", GIVEN, Nodes(builder, [x, ()]))
+
+
+def operations(builder: Builder, function: Function) -> int:
+    nodes = [Node(builder, w.node) for written in function.outputs.values() for w in written]
+    return builder.program({"y": nodes}).count
 
 
 VALUES = [
@@ -47,18 +56,16 @@ VALUES = [
 
 @pytest.mark.parametrize(("body", "value"), VALUES)
 def test_what_is_modelled_has_the_value_of_c(body: str, value: object) -> None:
-    program = read(body)
-    ((written,),) = program.outputs.values()
-    finding = decide(
-        body,
-        lambda a: [
-            (
-                evaluated(a, program.nodes, [[a.value(x) for x in X]])[written.node],
-                a.value(value) if hasattr(value, "free_symbols") else a.rational(value),
-            )
-        ],
-    )
-    assert finding.shown and not program.late and not program.beyond
+    for builder in (Builder(), AsWritten()):
+        function = read(body, builder=builder)
+        ((written,),) = function.outputs.values()
+        right = builder.node(value) if isinstance(value, int | Fraction) else None
+        sides = {
+            "left": [Node(builder, written.node)],
+            "right": [right] if right is not None else sympy_reader.read(builder, [value]),
+        }
+        assert decide(Statement(body, builder.program(sides))).shown
+        assert not function.late and not function.beyond
 
 
 def test_functions_and_macros_of_the_file_are_read() -> None:
@@ -69,8 +76,9 @@ def test_functions_and_macros_of_the_file_are_read() -> None:
         #error not here
         #endif
     """
-    program = read("y[0] = half(x[0] + half(x[1]));", before)
-    assert len(program.nodes) == 6 and not program.status
+    builder = AsWritten()
+    function = read("y[0] = half(x[0] + half(x[1]));", before, builder=builder)
+    assert operations(builder, function) == 3 and not function.status
 
 
 def test_an_error_that_compilers_may_meet_changes_no_text() -> None:
@@ -164,7 +172,7 @@ def test_two_declarations_have_to_agree() -> None:
 def test_arguments_are_bound_by_their_place() -> None:
     swapped = read("y[0] = x[0];", head="void f(const double z[2], double y[1])".replace("z", "x"))
     named = read("u[0] = v[0];", head="void f(const double v[2], double u[1])")
-    assert swapped.nodes == named.nodes and swapped.outputs == named.outputs
+    assert swapped == named
 
 
 def test_reads_beyond_and_after_a_write_are_noted() -> None:
@@ -183,9 +191,15 @@ BATCH = """void f(size_t count, size_t stride, const double *x, const double *p,
         y[i] = x[i] + p[1] * x[1 * stride + i]; }"""
 
 
+def lanes(text: str, builder: Builder) -> Function:
+    groups = ([builder.input(f"{name}{k}") for k in range(2)] for name in "xp")
+    return read_function(parse(text), "f", LANES, Nodes(builder, [(), (), *groups, ()]))
+
+
 def test_one_lane_stands_for_all() -> None:
-    program = lower(parse(BATCH), "f", LANES)
-    assert program.lanes == "count" and len(program.nodes) == 5
+    builder = Builder()
+    function = lanes(BATCH, builder)
+    assert function.lanes == "count" and operations(builder, function) == 2
 
 
 CHANGED = [
@@ -206,10 +220,10 @@ def test_a_lane_touches_its_own_entries_only(old: str, new: str, words: str) -> 
     text = BATCH.replace(old, new)
     if not words:
         # The function of another count: the caller compares which argument counts.
-        assert lower(parse(text), "f", LANES).lanes == "stride"
+        assert lanes(text, Builder()).lanes == "stride"
         return
     with pytest.raises(ExpressionError) as refusal:
-        lower(parse(text), "f", LANES)
+        lanes(text, Builder())
     assert words in str(refusal.value)
 
 

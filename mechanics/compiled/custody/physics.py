@@ -1,0 +1,99 @@
+"""What was derived, as nodes: inputs by group, and expressions at what their symbols are."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from fractions import Fraction
+
+from sympy import Expr, Symbol
+
+from mechanics.compiled.custody.derived import Derived
+from mechanics.kernel import Finding, Range, Statement, decide
+from mechanics.kernel.statement import LEFT, RIGHT
+from mechanics.program import Builder, Node
+from mechanics.program.sympy_reader import read
+
+Entry = tuple[str, Node, Node]
+"""Name of an entry, and two values that should be equal."""
+
+
+@dataclass(frozen=True, eq=False)
+class Physics:
+    """What was derived in a builder; fixed parameters are their values.
+
+    Attributes
+    ----------
+    known : Derived
+    builder : Builder
+    inputs : dict of str to list of Node
+        By group.
+    leaves : dict of Symbol to Node
+    """
+
+    known: Derived
+    builder: Builder = field(default_factory=Builder)
+    inputs: dict[str, list[Node]] = field(init=False)
+    leaves: dict[Symbol, Node] = field(init=False)
+
+    def __post_init__(self) -> None:
+        symbols, fixed = self.known.symbols, self.known.fixed
+        every = [symbol for group in symbols.values() for symbol in group]
+        leaves = {symbol: self.builder.input(symbol.name) for symbol in every}
+        leaves |= zip(fixed, read(self.builder, list(fixed.values())), strict=True)
+        inputs = {name: [leaves[symbol] for symbol in group] for name, group in symbols.items()}
+        object.__setattr__(self, "leaves", leaves)
+        object.__setattr__(self, "inputs", inputs)
+
+    def nodes(
+        self, expressions: Sequence[Expr], given: Mapping[Symbol, Node] | None = None
+    ) -> list[Node]:
+        """Nodes of expressions, of which some symbols may be given."""
+        return list(read(self.builder, expressions, {**self.leaves, **(given or {})}))
+
+    @property
+    def ranges(self) -> dict[str, Range]:
+        """What is declared of the inputs."""
+        every = [symbol for group in self.known.symbols.values() for symbol in group]
+        return {symbol.name: _range(symbol) for symbol in every}
+
+    @property
+    def constrained(self) -> bool:
+        """Whether its states are those on constraints."""
+        known = self.known
+        return bool(known.symbols.get("multipliers")) or known.left.rows > known.mass.rows
+
+    def typical(self, name: str) -> Fraction:
+        """What an input is at rest: 0, or a typical value of a parameter."""
+        for symbol in self.leaves:
+            if symbol.name == name:
+                value = getattr(symbol, "typical", None)
+                return Fraction(int(bool(symbol.is_positive)) if value is None else value)
+        return Fraction(0)
+
+    def decide_entries(
+        self, subject: str, entries: Sequence[Entry], *, try_normal: bool = True
+    ) -> Finding:
+        """Decide about all entries at once; where that fails, name the first one that differs."""
+
+        def decided(rows: Sequence[Entry], words: str) -> Finding:
+            left, right = [row[1] for row in rows], [row[2] for row in rows]
+            program = self.builder.program({LEFT: left, RIGHT: right})
+            return decide(Statement(words, program, self.ranges), try_normal=try_normal)
+
+        together = decided(entries, subject)
+        if together.shown:
+            return together
+        for name in dict.fromkeys(name for name, _, _ in entries):
+            single = decided([entry for entry in entries if entry[0] == name], subject)
+            if not single.shown:
+                return replace(single, evidence=f"{name}: {single.evidence}")
+        return together
+
+
+def _range(symbol: Symbol) -> Range:
+    if symbol.is_positive:
+        return Range.POSITIVE
+    if symbol.is_nonnegative:
+        return Range.NONNEGATIVE
+    return Range.NEGATIVE if symbol.is_negative else Range.FREE
