@@ -28,7 +28,7 @@ PACKAGE = ROOT / "mechanics"
 COPIED = ("mechanics", "systems", "tests", "benchmarks")
 SECONDS, MEMORY = 20, 4 << 30
 """Of processor time and bytes that the tests of one mutant may take; more counts as noticed."""
-ENOUGH = 8.0
+ENOUGH = 6.0
 """Seconds of tests that call a function, the quickest first; the others are left out."""
 OPTIONS = ["-x", "-q", "-p", "no:cacheprovider", "--import-mode=importlib", "-o", "addopts=",
            "-m", "not campaign and not browser"]  # fmt: skip

@@ -2,7 +2,7 @@
 
 from fractions import Fraction
 from itertools import pairwise
-from math import log2
+from math import log, log2
 
 import pytest
 import sympy as sp
@@ -23,6 +23,7 @@ from mechanics.kernel.primes import (
 )
 from mechanics.kernel.sizes import Size, Sizes, determinant_size, is_algebraic
 from mechanics.kernel.trial import (
+    HOPELESS,
     MOST_DRAWS,
     Answer,
     FailedError,
@@ -97,6 +98,16 @@ def test_the_count_of_primes_is_a_lower_bound_of_the_right_size() -> None:
     assert log2_count(127, 9240) < log2_count(127)
     with pytest.raises(ValueError, match="64 or more"):
         prime(63)
+
+
+@pytest.mark.parametrize("bits", [64, 127])
+def test_the_count_of_primes_is_that_of_the_counting_bound(bits: int) -> None:
+    """|theta(x; m, -1) - x / phi(m)| < x / (160 log x) at both ends, over the largest logarithm."""
+    phi = int(fmpz(MODULUS).euler_phi())
+    ends = [(2.0**b, b * log(2)) for b in (bits, bits - 1)]
+    (high, error), (low, other) = ((x / phi, x / (160 * width)) for x, width in ends)
+    expected = log2((high - low - error - other) / ends[0][1])
+    assert log2_count(bits) == pytest.approx(expected, abs=1e-12)
 
 
 # ---------------------------------------------------------------------- the error bound
@@ -215,6 +226,16 @@ def test_many_roots_that_are_no_squares_need_one_point_only() -> None:
     assert prepare(Statement("springs", program)).log2_bound < -81
     wrong = b.program({"left": [total * total], "right": [total * total + points[0] / 10**9]})
     assert decide(Statement("springs", wrong)).verdict is Verdict.REFUTED
+
+
+def test_what_divides_by_zero_everywhere_is_given_up_after_a_few_points() -> None:
+    b = Builder()
+    x = b.input("x")
+    nothing = 1 / (x.sin() * x.sin() + x.cos() * x.cos() - 1)
+    session = Session(prepare(Statement("1/0", b.program({"left": [nothing], "right": [x]}))))
+    with pytest.raises(FailedError, match=f"at every one of {HOPELESS} points"):
+        session.point()
+    assert session._steps == HOPELESS * len(session.experiment.program)
 
 
 def test_roots_are_counted_from_the_first_that_is_unsure() -> None:
@@ -410,6 +431,23 @@ def test_multiples_of_pi_have_their_order_and_go_with_the_roots(n: int, modulus:
         assert (2 * double[0] - f.operations["sqrt"](f.constant(Fraction(3)))) % p == 0
     if n == 5:
         assert (4 * c - 1 - f.operations["sqrt"](f.constant(Fraction(5)))) % p == 0
+
+
+@pytest.mark.parametrize("seed", range(8))
+def test_multiples_of_pi_go_with_all_roots_at_any_prime(seed: int) -> None:
+    turns = [Fraction(*turn) for turn in ((1, 4), (1, 6), (1, 5), (1, 7), (2, 7), (3, 7))]
+    p = prime(127, seed=str(seed))
+    f = Residues(p, MODULUS, Draws(str(seed)), turns)
+    root = {n: f.operations["sqrt"](f.constant(Fraction(n))) for n in (2, 3, 5, 7)}
+
+    def at(name: str, k: int, n: int) -> int:
+        return f.operations[name](f.pi() * k * pow(n, -1, p))
+
+    assert (2 * at("cos", 1, 4) - root[2]) % p == 0
+    assert (2 * at("cos", 1, 6) - root[3]) % p == 0
+    assert (4 * at("cos", 1, 5) - 1 - root[5]) % p == 0
+    sines = at("sin", 1, 7) * at("sin", 2, 7) * at("sin", 3, 7)
+    assert (8 * sines - root[7]) % p == 0
 
 
 def test_roots_are_squares_and_radicands_that_are_none_ask_for_another_point() -> None:

@@ -2,7 +2,16 @@
 
 import pytest
 
-from mechanics.kernel.signs import ANY, NEGATIVE, NOT_NEGATIVE, POSITIVE, ZERO, Forms
+from mechanics.kernel.signs import (
+    ANY,
+    NEGATIVE,
+    NOT_NEGATIVE,
+    NOT_POSITIVE,
+    POSITIVE,
+    ZERO,
+    Fact,
+    Forms,
+)
 from mechanics.program import Builder
 
 B = Builder()
@@ -64,6 +73,11 @@ WHERE = {
     "another unknown": (X, [Y - K], ANY),
     "nothing": (X - Y, [], ANY),
     "what is positive everywhere": (X * X + K, [X - Y], POSITIVE),
+    "a root": ((X * X - Y).sqrt(), [X * X - Y - K], POSITIVE),
+    "a root and a mass": (M * (X * X - Y).sqrt(), [X * X - Y - K], POSITIVE),
+    "a root that is zero there": ((X * X - Y).sqrt(), [X * X - Y], NOT_NEGATIVE),
+    "a root and a square": (X * X * (X * X - Y).sqrt(), [X * X - Y - K], NOT_NEGATIVE),
+    "a square": (X * X, [X * X - Y - K], NOT_NEGATIVE),
 }
 
 
@@ -73,3 +87,35 @@ def test_sign_where_others_are_zero(name):
     forms = Forms(B, [node.number, *(z.number for z in zero)], {"m", "k"}.__contains__)
     polynomials = [forms.forms[z.number].above for z in zero]
     assert forms.sign_on(forms.forms[node.number], polynomials) == expected
+
+
+NOT_ZERO = NEGATIVE | POSITIVE
+KNOWN = {
+    "the fact": (X - Y, X - Y, POSITIVE, POSITIVE),
+    "its negative": (Y - X, X - Y, POSITIVE, NEGATIVE),
+    "a multiple": (3 * X - 3 * Y, X - Y, NOT_NEGATIVE, NOT_NEGATIVE),
+    "a negative multiple": (3 * Y - 3 * X, X - Y, NOT_NEGATIVE, NOT_POSITIVE),
+    "the fact and more": (X, X - 1, POSITIVE, POSITIVE),
+    "the fact, zero too, and more": (X, X - K, NOT_NEGATIVE, POSITIVE),
+    "the fact and a square": (X, X - Y * Y, NOT_NEGATIVE, NOT_NEGATIVE),
+    "less than the negative": (-X, X - K, POSITIVE, NEGATIVE),
+    "the fact and less": (X, X + K, POSITIVE, ANY),
+    "what is not positive says nothing of more": (X, X - 1, NOT_POSITIVE, ANY),
+    "a square that is not zero": (X, X * X - K, NOT_NEGATIVE, NOT_ZERO),
+    "a square that may be zero": (X, X * X, NOT_NEGATIVE, ANY),
+    "a square of two terms": (X - Y, X * X - K, POSITIVE, ANY),
+    "a modulus": (X - Y, abs(X - Y), POSITIVE, NOT_ZERO),
+    "a modulus that may be zero": (X - Y, abs(X - Y), NOT_NEGATIVE, ANY),
+    "a modulus of others": (X - Y, abs(X), POSITIVE, ANY),
+    "a product": (M * (X - Y), X - Y, POSITIVE, POSITIVE),
+    "another fact": (X, Y, POSITIVE, ANY),
+}
+
+
+@pytest.mark.parametrize("name", KNOWN)
+def test_sign_where_a_fact_holds(name):
+    node, fact, signs, expected = KNOWN[name]
+    forms = Forms(B, [node.number, fact.number], {"m", "k"}.__contains__)
+    known = Fact(forms.forms[fact.number].above, signs)
+    assert forms.sign_of(forms.forms[node.number], [known]) == expected
+    assert forms.sign_of(forms.forms[node.number]) == ANY
