@@ -76,8 +76,6 @@ class Sizes:
         self._tokens: dict[tuple[int, int], int] = {}
         self._looked_up: dict[int, Size] = {}
         self._lookups = 0
-        self._degree = 0.0
-        self._height = 0.0
         opaque = ("log", "asin", "acos", "atan", "asinh", "acosh", "atanh", "floor", "erf")
         self.operations: Mapping[str, Callable[..., Size]] = {
             "add": self._sum, "subtract": self._sum, "multiply": self._product,
@@ -216,15 +214,9 @@ class Sizes:
 
     # ------------------------------------------------------------------ the sum of all events
 
-    def branch(self, rows: Sequence[Sequence[Size]]) -> None:
-        """Count that something is chosen by which minors of the rows vanish."""
-        degree, height = determinant_size(rows)
-        self._degree += degree
-        self._height += height
-
     def total(self, values: Sequence[Size]) -> tuple[float, float]:
         """Degree and height of the product of the values and of all that was looked up."""
-        degree, height = self._degree, self._height
+        degree = height = 0.0
         for value in self._looked_up.values():
             degree += self._lookups * (value.numerator + value.denominator)
             height += self._lookups * (2 * value.height + 1)

@@ -82,6 +82,17 @@ def test_a_quadratic_constraint_has_two_branches() -> None:
     assert decide(positive, try_normal=False).verdict is Verdict.CERTIFIED
 
 
+def test_a_quadratic_constraint_with_a_linear_term() -> None:
+    """x^2 + 2 y x = 1: (x + y)^2 = 1 + y^2 on both branches, x = 1 at none of most y."""
+    b = Builder()
+    x, y = b.input("x"), b.input("y")
+    zero = [x * x + 2 * x * y - 1]
+    right = statement(b, (x + y).power(2), 1 + y * y, zero, dependent=("x",))
+    assert decide(right, try_normal=False).shown
+    wrong = statement(b, (x + y).power(4), 1 + y * y, zero, dependent=("x",))
+    assert decide(wrong, try_normal=False).verdict is Verdict.REFUTED
+
+
 def test_solutions_keep_their_range() -> None:
     """x^2 = y^2: x is y or -y, by the signs of both."""
     b = Builder()

@@ -256,6 +256,18 @@ def test_roots_are_counted_from_the_first_that_is_unsure() -> None:
     assert unsure(x, y, x * y) == 1
 
 
+@pytest.mark.parametrize(("times", "bits"), [(22, 127), (24, 255), (86, 255), (88, 383)])
+def test_primes_are_long_enough_for_the_characters_of_roots(times: int, bits: int) -> None:
+    """Weil's bound leaves 2^-30 where the root of the prime exceeds the degree by 40 bits."""
+    b = Builder()
+    x = b.input("x")
+    root = (x * x + 1).sqrt()
+    sides = {"left": [tower_node(x, times) + root], "right": [root + tower_node(x, times) * 1]}
+    plain = {"left": [tower_node(x, 22)], "right": [x]}
+    assert prepare(Statement("plain", b.program(plain))).bits == 127
+    assert prepare(Statement("roots", b.program(sides))).bits == bits
+
+
 def test_the_prime_grows_with_the_degree_and_ends() -> None:
     b = Builder()
     x = b.input("x")
@@ -398,6 +410,15 @@ def test_powers_that_are_made_of_roots() -> None:
 def field(seed: str = "field", **options: object) -> Residues:
     modulus = options.pop("modulus", MODULUS)
     return Residues(prime(127, modulus), modulus, Draws(seed), **options)
+
+
+def test_positive_inputs_are_positive_where_ranks_are_taken() -> None:
+    b = Builder()
+    names = [f"a{k}" for k in range(8)]
+    nodes = [(b.input(name) * b.input(name)).sqrt() - b.input(name) for name in names]
+    program = b.program({"v": nodes})
+    assert zeros(program, "v", dict.fromkeys(names, Range.POSITIVE)) == (True,) * 8
+    assert zeros(program, "v", {}) != (True,) * 8
 
 
 def test_points_lie_on_the_circle_and_opposite_angles_are_opposite_points() -> None:

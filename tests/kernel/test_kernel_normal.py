@@ -113,6 +113,8 @@ def test_roots_and_absolute_values() -> None:
     assert shown(abs(x) * abs(x), x * x)
     assert shown(abs(a * x + a), a * abs(x + 1), **positive)
     assert shown(abs(x * x + 1), x * x + 1)
+    assert shown(abs(a + 1), a + 1, **positive)
+    assert shown(abs(-a * a * a - x * x), a * a * a + x * x, **positive)
     assert not shown(abs(x * x - 1), x * x - 1)
     assert shown(n.sign() * n, -n, **positive)
     assert shown((-x).sign(), -(x.sign()))
@@ -148,6 +150,25 @@ def test_angles_are_first_kept_whole() -> None:
     assert shown((b.constant(Fraction(1, 2**40)) * x).sin().power(2) - 1,
                  -(b.constant(Fraction(1, 2**40)) * x).cos().power(2))  # fmt: skip
     assert shown((2 * x).sin(), 2 * x.sin() * x.cos())
+
+
+def test_what_is_kept_whole_is_known_again() -> None:
+    """Whatever the order in which its argument was built."""
+    b = Builder()
+    x, y, z = b.input("x"), b.input("y"), b.input("z")
+    one, other = 1 / (y + 1) / (z + 2), 1 / (z + 2) / (y + 1)
+    assert shown((x * one).log(), (other * x).log())
+    assert shown((x * one + x).log(), (x + other * x).log())
+    assert not shown((x * one).log(), (2 * other * x).log())
+
+
+def test_exponentials_of_small_parts() -> None:
+    b = Builder()
+    x = b.input("x")
+    part = b.constant(Fraction(1, 2**40)) * x
+    assert shown(part.exp() * (-part).exp(), b.one)
+    assert shown((-3 * part).exp() * part.exp() ** 3, b.one)
+    assert not shown((-part).exp(), b.one)
 
 
 def test_capacity_is_enough() -> None:

@@ -36,6 +36,23 @@ SIGNS = {
     "the smaller of x and 0": ((X - abs(X)) / 2, NEGATIVE | ZERO),
     "a modulus by a root": ((X * X).sqrt() - abs(X), ZERO),
     "Cauchy-Schwarz": (1 - (X * Y + 1) ** 2 / ((1 + X * X) * (1 + Y * Y)), NOT_NEGATIVE),
+    "sines of opposite angles": ((X - Y).sin() + (Y - X).sin(), ZERO),
+    "cosines of opposite angles": ((X - Y).cos() - (Y - X).cos(), ZERO),
+    "a ratio of opposite sines": ((X - Y).sin() / (Y - X).sin() + 1, ZERO),
+    "the sine of a difference": (
+        1 - (THETA.cos() * PHI.cos() + THETA.sin() * PHI.sin()) ** 2,
+        NOT_NEGATIVE,
+    ),
+    "the sine of a sum": (
+        (THETA.cos() * PHI.cos() - THETA.sin() * PHI.sin()) ** 2 - 1,
+        NOT_POSITIVE,
+    ),
+    "the cosine of a sum": (
+        2 - 2 * (THETA.sin() * PHI.cos() + PHI.sin() * THETA.cos()) ** 2,
+        NOT_NEGATIVE,
+    ),
+    "more than the sine of a sum": (THETA.cos() * PHI.cos() - THETA.sin() * PHI.sin(), ANY),
+    "a modulus squared": (abs(X - Y) ** 2 - (X - Y) ** 2, ZERO),
     "nothing is known": (X - Y, ANY),
 }
 
