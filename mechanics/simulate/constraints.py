@@ -1,22 +1,24 @@
-"""The constraints of a scene as fast functions, with numbers bound.
+"""The constraints of a scene as programs and fast functions.
 
     Phi(q, t)  and  Phi_q,      c(q, u, t) = A u - b  and  A = c_u
 
-where c are the nonholonomic constraints and the rates of the holonomic ones. The Jacobians come
-from CasADi's automatic differentiation.
+where c are the nonholonomic constraints and the rates of the holonomic ones.
 """
 
-from collections.abc import Mapping
-from typing import Any
+from collections.abc import Callable, Mapping, Sequence
+from typing import Any, NamedTuple
 
 import casadi as ca
 import numpy as np
 from numpy.typing import NDArray
 from sympy import Expr, Symbol, cos, sin
 
-from mechanics.compiled.translate import Translator
+from mechanics.program import Builder, Program, tangent
+from mechanics.program.casadi_printer import print_function
+from mechanics.program.sympy_reader import read
 from mechanics.scene import Scene
-from mechanics.scene.rates import rate, rate_table
+from mechanics.scene.rates import TIME, rate, rate_table
+from mechanics.scene.symbols import DOTS
 from mechanics.simulate.graph_call import Call
 from mechanics.simulate.manifold import Manifold
 from mechanics.simulate.values import read_inputs
@@ -28,25 +30,40 @@ def manifold(
     scene: Scene, parameters: Mapping[Symbol, float], inputs: Mapping[str, Any]
 ) -> Manifold:
     """The constraints with parameters and inputs bound."""
-    positions = [scene.plain(c.expression, c.name) for c in scene.constraints if c.holonomic]
-    table = rate_table(scene)
-    speeds = [
-        rate(plain, table) if constraint.holonomic else plain
-        for constraint in scene.constraints
-        for plain in [scene.plain(constraint.expression, constraint.name)]
-    ]
+    return manifolds(scene)(parameters, inputs)
+
+
+def manifolds(
+    scene: Scene,
+) -> Callable[[Mapping[Symbol, float], Mapping[str, Any]], Manifold]:
+    """`manifold` of one scene, for many parameters and inputs: a binding takes microseconds."""
     names = [c.name for c in scene.constraints if c.holonomic] + [
         f"rate of {c.name}" if c.holonomic else c.name for c in scene.constraints
     ]
-    phi = _Bound(scene, positions, parameters, inputs)
-    c = _Bound(scene, speeds, parameters, inputs)
-    at, rest = len(scene.q), np.zeros(len(scene.u))
-    return Manifold(
-        at,
-        tuple(names),
-        lambda t, q: phi.with_jacobian(t, q, rest, "q"),
-        lambda t, q, u: c.with_jacobian(t, q, u, "u"),
-    )
+    phi, c = constraint_programs(scene)
+    functions = _function(scene, phi, len(scene.q)), _function(scene, c, len(scene.u))
+    rest = np.zeros(len(scene.u))
+
+    def bind(parameters: Mapping[Symbol, float], inputs: Mapping[str, Any]) -> Manifold:
+        position, speed = (_bound(scene, each, parameters, inputs) for each in functions)
+        return Manifold(len(scene.q), tuple(names), lambda t, q: position(t, q, rest), speed)
+
+    return bind
+
+
+def constraint_programs(scene: Scene) -> tuple[Program, Program]:
+    """Phi and Phi_q, then c and c_u: outputs ``"value"`` and ``"slope"``, this row by row.
+
+    Inputs are q, u, parameters, inputs and their rates, by name.
+    """
+    plain = [scene.plain(c.expression, c.name) for c in scene.constraints]
+    holonomic = [c.holonomic for c in scene.constraints]
+    table = rate_table(scene)
+    positions = [each for each, held in zip(plain, holonomic, strict=True) if held]
+    speeds = [
+        rate(each, table) if held else each for each, held in zip(plain, holonomic, strict=True)
+    ]
+    return _with_slope(positions, scene.q), _with_slope(speeds, scene.u)
 
 
 def periodic(scene: Scene) -> tuple[bool, ...]:
@@ -60,39 +77,48 @@ def periodic(scene: Scene) -> tuple[bool, ...]:
     return tuple(q not in bare for q in scene.q)
 
 
-class _Bound:
-    """Expressions in q, u, inputs and parameters, of which only t, q and u are left open."""
+def _with_slope(expressions: Sequence[Expr], by: Sequence[Symbol]) -> Program:
+    """Expressions and their derivatives."""
+    builder = Builder()
+    values = read(builder, expressions)
+    columns = [tangent(values, {builder.input(x.name): builder.one}) for x in by]
+    rows = zip(*columns, strict=True)
+    return builder.program({"value": values, "slope": [entry for row in rows for entry in row]})
 
-    def __init__(
-        self,
-        scene: Scene,
-        expressions: list[Expr],
-        parameters: Mapping[Symbol, float],
-        inputs: Mapping[str, Any],
-    ) -> None:
-        given = {*scene.q, *scene.u, *parameters}
-        free = {s for e in expressions for s in e.free_symbols} - given
-        signals = sorted(free, key=lambda symbol: symbol.name)
-        self._signals = read_inputs(scene, signals, inputs)
-        graphs = {symbol: ca.SX.sym(symbol.name) for symbol in (*scene.q, *scene.u, *signals)}
-        graphs |= {symbol: ca.SX(value) for symbol, value in parameters.items()}
-        translate = Translator(graphs)
-        column = translate.column(expressions)
-        if translate.constants:
-            bound = [ca.SX(float(number.evalf(40))) for number in translate.constants]
-            column = ca.substitute(
-                column, ca.vertcat(*translate.constants.values()), ca.vertcat(*bound)
-            )
-        q, u, w = (
-            ca.vertcat(*(graphs[s] for s in group)) if group else ca.SX(0, 1)
-            for group in (scene.q, scene.u, signals)
-        )
-        self._jacobians = {
-            name: Call([q, u, w], column, ca.densify(ca.jacobian(column, to)))
-            for name, to in (("q", q), ("u", u))
-        }
 
-    def with_jacobian(self, t: float, q: Array, u: Array, by: str) -> tuple[Array, Array]:
-        """Values, shape (k,), and their derivatives by ``"q"`` or ``"u"``, shape (k, n)."""
-        value, jacobian = self._jacobians[by](q, u, self._signals(t))
-        return value[:, 0], jacobian
+class _Function(NamedTuple):
+    """A function of q, u, inputs and parameters, and names of the latter two."""
+
+    graph: ca.Function
+    inputs: tuple[str, ...]
+    parameters: tuple[str, ...]
+
+
+def _function(scene: Scene, program: Program, columns: int) -> _Function:
+    q, u = (tuple(s.name for s in group) for group in (scene.q, scene.u))
+    given = {TIME.name, *(s.name + dots for s in scene.input_symbols for dots in DOTS)}
+    inputs = tuple(name for name in program.inputs if name in given)
+    parameters = tuple(n for n in program.inputs if n not in {*q, *u, *inputs})
+    groups = {"q": q, "u": u, "inputs": inputs, "p": parameters}
+    shapes = {"slope": (len(program.outputs["value"]), columns)}
+    graph = print_function(program, "constraints", groups, shapes)
+    return _Function(graph, inputs, parameters)
+
+
+def _bound(
+    scene: Scene,
+    function: _Function,
+    parameters: Mapping[Symbol, float],
+    inputs: Mapping[str, Any],
+) -> Callable[[float, Array, Array], tuple[Array, Array]]:
+    """Values, shape (k,), and derivatives, shape (k, n), as a function of (t, q, u)."""
+    numbers = {symbol.name: value for symbol, value in parameters.items()}
+    p = np.array([numbers[name] for name in function.parameters], dtype=float)
+    symbols = [TIME if n == TIME.name else Symbol(n, real=True) for n in function.inputs]
+    signals, call = read_inputs(scene, symbols, inputs), Call(function.graph)
+
+    def values(t: float, q: Array, u: Array) -> tuple[Array, Array]:
+        value, slope = call(q, u, signals(t), p)
+        return value[:, 0], slope
+
+    return values

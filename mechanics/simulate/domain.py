@@ -92,7 +92,7 @@ def domain(
     n = len(scene.q)
 
     def along(graph: ca.SX) -> Callable[[float, Array], Array]:
-        call = Call(state, graph)
+        call = Call(ca.Function("along", state, [graph]))
         return lambda t, y: call(y[:n], y[n:], signals(t, y))[0][:, 0]
 
     inside = along(margins(graphs, state, constants))

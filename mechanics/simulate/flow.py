@@ -64,7 +64,8 @@ def _linear(
     bound, u = ca.SX(ca.DM(p)), groups[1]
     kinetic, *_ = model.casadi["energy"](*groups, bound)
     rates = model.casadi["coordinate_rates"](*groups, bound)
-    call = Call(groups, ca.densify(ca.hessian(kinetic, u)[0]), ca.densify(ca.jacobian(rates, u)))
+    slopes = [ca.densify(ca.hessian(kinetic, u)[0]), ca.densify(ca.jacobian(rates, u))]
+    call = Call(ca.Function("linear", groups, slopes))
 
     def linear(t: float, state: Array) -> Linear:
         q, u = state[:n], state[n:]

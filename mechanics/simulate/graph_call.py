@@ -1,6 +1,4 @@
-"""A CasADi graph called through its buffers, which costs microseconds and not fifty of them."""
-
-from collections.abc import Sequence
+"""A CasADi function called through its buffers, which costs microseconds and not fifty of them."""
 
 import casadi as ca
 import numpy as np
@@ -12,22 +10,14 @@ Array = NDArray[np.float64]
 
 
 class Call:
-    """Outputs as a function of the columns `inputs`.
+    """Outputs of a CasADi function as arrays, from its inputs, which are columns."""
 
-    Parameters
-    ----------
-    inputs : sequence of casadi.SX
-        Columns of symbols.
-    *outputs : casadi.SX
-        Dense graphs in these symbols.
-    """
-
-    def __init__(self, inputs: Sequence[ca.SX], *outputs: ca.SX) -> None:
-        self._inputs = [np.zeros(group.numel()) for group in inputs]
+    def __init__(self, function: ca.Function) -> None:
+        self._inputs = [np.zeros(function.numel_in(i)) for i in range(function.n_in())]
         # CasADi keeps matrices column by column.
-        self._outputs = [np.zeros(out.shape, order="F") for out in outputs]
+        sizes = [function.size_out(i) for i in range(function.n_out())]
+        self._outputs = [np.zeros(size, order="F") for size in sizes]
         flat = [out.reshape(-1, order="F") for out in self._outputs]
-        function = ca.Function("bound", list(inputs), list(outputs))
         self._run = VirtualKernel(function).bound(self._inputs, flat)
 
     def __call__(self, *groups: Array) -> list[Array]:

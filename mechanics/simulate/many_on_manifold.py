@@ -6,20 +6,16 @@
 The same steps as in `mechanics.simulate.manifold`, for states that have parameters of their own.
 """
 
-from collections.abc import Sequence
+from collections.abc import Mapping
 
-import casadi as ca
 import numpy as np
 from numpy.typing import NDArray
-from sympy import Expr
 
 from mechanics.compiled.model import Model
-from mechanics.compiled.programs.program import Program, program, run
-from mechanics.compiled.quantities import DIGITS
 from mechanics.compiled.sampling import States, sample
-from mechanics.compiled.translate import Translator
-from mechanics.scene import Scene
-from mechanics.scene.rates import rate, rate_table
+from mechanics.program import Program, interpret
+from mechanics.program.numpy_domain import Arrays
+from mechanics.simulate.constraints import constraint_programs
 
 Array = NDArray[np.float64]
 
@@ -50,13 +46,10 @@ def states_on_manifold(model: Model, count: int, seed: int) -> States:
         Fewer where Newton's method takes less than one in `ROUNDS` of the states that are drawn
         onto the constraints; none where these hold what the equations of motion do not.
     """
-    scene, known = model.equations.scene, model.quantities
-    positions, speeds = _positions(scene), _speeds(scene)
-    given = {e.symbol for group in (known.q, known.u, known.inputs, known.p) for e in group}
-    held = set().union(*(e.free_symbols for e in (*positions, *speeds)))
+    known, programs = model.quantities, constraint_programs(model.equations.scene)
+    given = {e.name for group in (known.q, known.u, known.inputs, known.p) for e in group}
     found = [sample(known, 0, seed)]
-    if held <= given:
-        programs = _program(model, positions, "q"), _program(model, speeds, "u")
+    if given.issuperset(name for program in programs for name in program.inputs):
         for number in range(ROUNDS):
             if sum(map(len, found)) < count:
                 found.append(_closed(model, *programs, count, seed + number))
@@ -69,13 +62,20 @@ def _closed(model: Model, position: Program, speed: Program, count: int, seed: i
     drawn = sample(model.quantities, count, seed, DECADES)
     u, inputs, p = drawn.u, drawn.inputs, drawn.p
     q = _near_the_example(model, drawn.q, np.random.default_rng(seed))
+    known = model.quantities
+    names = [e.name for e in (*known.q, *known.u, *known.inputs, *known.p)]
+
+    def at(program: Program) -> tuple[Array, Array]:
+        columns = dict(zip(names, (*q.T, *u.T, *inputs.T, *p.T), strict=True))
+        return _evaluated(program, columns, q.shape if program is position else u.shape)
+
     with np.errstate(all="ignore"):
         for _ in range(NEWTON_STEPS):
-            q = q - _shortest(*_evaluated(position, q, u, inputs, p))
+            q = q - _shortest(*at(position))
         for _ in range(REFINED):
-            u = u - _shortest(*_evaluated(speed, q, u, inputs, p))
-        closed = _holds(*_evaluated(position, q, u, inputs, p), q)
-        holds = np.flatnonzero(closed & _holds(*_evaluated(speed, q, u, inputs, p), u))
+            u = u - _shortest(*at(speed))
+        closed = _holds(*at(position), q)
+        holds = np.flatnonzero(closed & _holds(*at(speed), u))
     return States(q[holds], u[holds], inputs[holds], p[holds])
 
 
@@ -88,46 +88,16 @@ def _near_the_example(model: Model, q: Array, random: np.random.Generator) -> Ar
     return near
 
 
-def _positions(scene: Scene) -> list[Expr]:
-    return [scene.plain(c.expression, c.name) for c in scene.constraints if c.holonomic]
-
-
-def _speeds(scene: Scene) -> list[Expr]:
-    table = rate_table(scene)
-    plain = [(c, scene.plain(c.expression, c.name)) for c in scene.constraints]
-    return [rate(each, table) if c.holonomic else each for c, each in plain]
-
-
-def _program(model: Model, expressions: Sequence[Expr], by: str) -> Program:
-    """Values and their derivatives by q or u, as a function of (q, u, inputs, p)."""
-    known = model.quantities
-    groups = {"q": known.q, "u": known.u, "inputs": known.inputs, "p": known.p}
-    given = {name: ca.SX.sym(name, len(entries)) for name, entries in groups.items()}
-    translate = Translator(
-        {e.symbol: given[name][i] for name, group in groups.items() for i, e in enumerate(group)}
-    )
-    column = translate.column(list(expressions))
-    if translate.constants:
-        bound = [ca.SX(float(number.evalf(DIGITS))) for number in translate.constants]
-        named = ca.vertcat(*translate.constants.values())
-        column = ca.substitute(column, named, ca.vertcat(*bound))
-    slopes = ca.densify(ca.jacobian(column, given[by]))
-    return program(ca.Function("constraints", [*given.values()], [ca.densify(column), slopes]))
-
-
-def _evaluated(code: Program, *groups: Array) -> tuple[Array, Array]:
-    """Values, shape (N, c), and derivatives, shape (N, c, n)."""
-    count = len(groups[0])
-    values, slopes = run(code, [list(group.T) for group in groups], np.float64)
-    (_, (rows, columns)) = code.shapes[1]
-    off = np.empty((count, rows))
-    jacobian = np.empty((count, rows, columns))
-    for i, entry in enumerate(values):
-        off[:, i] = entry
-    # Entries come column by column.
-    for i, entry in enumerate(slopes):
-        jacobian[:, i % rows, i // rows] = entry
-    return off, jacobian
+def _evaluated(
+    program: Program, columns: Mapping[str, Array], shape: tuple[int, ...]
+) -> tuple[Array, Array]:
+    """Values, shape (N, c), and derivatives, shape (N, c, n), for variables of shape (N, n)."""
+    found = interpret(program, Arrays(), columns)
+    value, slope = (np.empty((shape[0], len(entries))) for entries in found.values())
+    for rows, entries in zip((value, slope), found.values(), strict=True):
+        for k, entry in enumerate(entries):
+            rows[:, k] = entry
+    return value, slope.reshape(shape[0], value.shape[1], shape[1])
 
 
 def _shortest(off: Array, jacobian: Array) -> Array:

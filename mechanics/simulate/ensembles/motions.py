@@ -18,7 +18,7 @@ from mechanics.compiled.quantities import DIGITS, typical_value
 from mechanics.compiled.translate import Translator
 from mechanics.errors import InputError
 from mechanics.simulate.consistent import consistent_coordinates, consistent_speeds
-from mechanics.simulate.constraints import manifold, periodic
+from mechanics.simulate.constraints import manifolds, periodic
 from mechanics.simulate.manifold import Manifold
 from mechanics.simulate.values import (
     for_equations,
@@ -197,14 +197,14 @@ def _evaluated(expression: Expr, many: Mapping[str, Array], count: int) -> Array
 def _consistent(motions: Motions, given: Mapping[str, Array]) -> Motions:
     """The same on the constraints, motion by motion."""
     model, scene = motions.model, motions.model.equations.scene
-    start, n = motions.start.copy(), len(scene.q)
+    start, n, bind = motions.start.copy(), len(scene.q), manifolds(scene)
     names = [e.name for e in model.quantities.inputs]
 
     @lru_cache(maxsize=1)
     def closed_by(p: tuple[float, ...], inputs: tuple[float, ...]) -> Manifold:
         held = dict(zip(names, inputs, strict=True))
         held.pop("t", None)
-        return manifold(scene, model.numbers(p), held)
+        return bind(model.numbers(p), held)
 
     for i in range(len(motions)):
         own = {name: float(np.broadcast_to(a, len(motions))[i]) for name, a in given.items()}
