@@ -17,9 +17,11 @@ import sympy
 from sympy.core.cache import clear_cache
 
 from benchmarks import peers
-from mechanics.checks.agreement import compare_pairs
-from mechanics.equations import Equations
-from mechanics.exact import Verdict
+from mechanics.checks.programs.agreement import compare_pairs
+from mechanics.crosscheck.programs import derive_rows
+from mechanics.kernel import Verdict
+from mechanics.mechanism import lower
+from mechanics.program import Builder
 from mechanics.routes import free_body, kane, lagrange, moving_point
 from systems import pendulum_chain
 
@@ -44,24 +46,24 @@ def row(links: int, rounds: int) -> dict[str, float | str]:
     times: dict[str, list[float]] = {}
     verdicts: set[Verdict] = set()
     for _ in range(rounds):
-        found: dict[str, Equations] = {}
-        scene = pendulum_chain.scene(links)
         for name, route in routes.items():
             # A new scene for each: nobody profits from positions that another has worked out.
             own = pendulum_chain.scene(links)
             seconds, _ = timed(lambda route=route, own=own: route.derive(own).system)
             times.setdefault(name, []).append(seconds)
-            found[name] = route.derive(scene)
         for name, peer in (("SymPy", peers.stock_kane), ("explicit", peers.explicit_kane)):
             seconds, _ = timed(lambda peer=peer: peer(links))
             times.setdefault(name, []).append(seconds)
-        seconds, pairs = timed(lambda found=found: compare_pairs(found))
+        mechanism = lower(pendulum_chain.scene(links), Builder())
+        seconds, pairs = timed(
+            lambda mechanism=mechanism: compare_pairs(derive_rows(mechanism, tuple(routes)).routes)
+        )
         times.setdefault("proofs", []).append(seconds)
         verdicts |= {finding.verdict for finding in pairs.values()}
         if links == 1:
-            seconds, left = timed(
-                lambda found=found: peers.simplified_difference(found["kane"], found["lagrange"])
-            )
+            scene = pendulum_chain.scene(links)
+            both = kane.derive(scene), lagrange.derive(scene)
+            seconds, left = timed(lambda both=both: peers.simplified_difference(*both))
             times.setdefault("simplify", []).append(seconds)
             if left != sympy.zeros(*left.shape):
                 print("simplify did not find zero", file=sys.stderr)

@@ -12,6 +12,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
+from fractions import Fraction
 from itertools import pairwise
 from typing import Any
 
@@ -21,10 +22,14 @@ from sympy.physics.vector import Point as SympyPoint
 from sympy.physics.vector import ReferenceFrame as SympyFrame
 from sympy.physics.vector import Vector as SympyVector
 
+from mechanics.closure import Closure, close
 from mechanics.errors import SceneError
+from mechanics.kernel import Range
 from mechanics.program.builder import Builder, Node
+from mechanics.program.derivatives import tangent
 from mechanics.program.operations import INPUT
 from mechanics.program.program import reachable
+from mechanics.program.residues import Residues
 from mechanics.program.sympy_reader import read
 from mechanics.program.vectors import Matrix, Vector
 from mechanics.scene import (
@@ -248,6 +253,8 @@ class Mechanism:
     constraints : tuple of Constraint
     signs : mapping of str to str
         What is declared of inputs: ``"positive"``, ``"nonnegative"``.
+    closure : Closure
+        Where the constraints hold.
     """
 
     name: str
@@ -273,6 +280,7 @@ class Mechanism:
     joints: tuple[tuple[int, ...], ...]
     constraints: tuple[Constraint, ...]
     signs: Mapping[str, str]
+    closure: Closure
 
     def __repr__(self) -> str:
         return (
@@ -293,6 +301,17 @@ class Mechanism:
         table = dict(zip(self.q, self.qd, strict=True))
         table.update(zip(self.qd, self.qdd, strict=True))
         return {**table, **self.given_rates}
+
+    @property
+    def filters(self) -> tuple[Residues, Residues]:
+        """Filters for what is zero at all states, and for what is where the constraints hold.
+
+        No pivot may be zero where the constraints hold. One filter is both without constraints.
+        """
+        anywhere, closure = Residues(self.builder), self.closure
+        if not closure:
+            return anywhere, anywhere
+        return anywhere, Residues(self.builder, closure.values, closure.point, closure.parts)
 
     @property
     def multipliers(self) -> tuple[int, ...]:
@@ -383,9 +402,41 @@ class _Lowering:
                 for constraint in scene.constraints
             ),
             signs=signs(scene),
+            closure=Closure(),
         )
         # Frames and points are complete when everything that mentions them was read.
-        return replace(mechanism, frames=tuple(self.frames), points=tuple(self.points))
+        return replace(
+            mechanism,
+            frames=tuple(self.frames),
+            points=tuple(self.points),
+            closure=self.closure(mechanism),
+        )
+
+    def closure(self, mechanism: Mechanism) -> Closure:
+        """Where the constraints hold, on the component of the example and the typical values."""
+        scene = self.scene
+        if not scene.constraints:
+            return Closure()
+        configuration = [c.expression for c in mechanism.constraints if c.holonomic]
+        motion = [c.expression for c in mechanism.constraints if not c.holonomic]
+        suggested = {name: Fraction(str(value)) for name, value in scene.example.items()}
+        suggested |= {
+            p.name: p.typical for p in scene.parameters if getattr(p, "typical", None) is not None
+        }
+        # What drives a constraint by itself may have any value.
+        suggested |= {name_of(node): Fraction(1) for node in mechanism.given_rates}
+        names = [name_of(node) for node in mechanism.u]
+        names += [symbol.name for symbol in scene.parameters]
+        names += [name_of(node) for node in mechanism.q]
+        return close(
+            self.builder,
+            configuration,
+            [*tangent(configuration, mechanism.rates), *motion],
+            names,
+            mechanism.q,
+            suggested,
+            ranges(mechanism),
+        )
 
     def read(self, expression: sympy.Expr) -> Node:
         (node,) = read(self.builder, (expression,))
@@ -571,6 +622,17 @@ def inputs_of(nodes: Iterable[Node]) -> set[Node]:
     builder = listed[0].builder
     numbers = reachable(builder, [node.number for node in listed])
     return {Node(builder, n) for n in numbers if builder.operations[n] == INPUT}
+
+
+def name_of(node: Node) -> str:
+    """The name of an input."""
+    return node.builder.inputs[node.builder.operands[0][node.number]]
+
+
+def ranges(mechanism: Mechanism) -> dict[str, Range]:
+    """What the scene declares of the inputs, as the kernel takes it."""
+    words = {"positive": Range.POSITIVE, "nonnegative": Range.NONNEGATIVE}
+    return {name: words[sign] for name, sign in mechanism.signs.items()}
 
 
 def signs(scene: Scene) -> dict[str, str]:

@@ -14,19 +14,25 @@ from time import perf_counter
 import casadi
 
 from mechanics.checks.programs import laws, reactions
-from mechanics.checks.programs.agreement import Derived, linear_system
+from mechanics.checks.programs.agreement import (
+    Derived,
+    check_multipliers,
+    linear_system,
+    maintaining_forces,
+)
 from mechanics.checks.programs.statements import equal
 from mechanics.compiled.outputs import jacobians, solvable
 from mechanics.compiled.program_model import ProgramModel
 from mechanics.equations import Equations
 from mechanics.kernel import Finding
-from mechanics.mechanism import Mechanism
+from mechanics.mechanism import Mechanism, name_of
 from mechanics.program import Program
 from mechanics.program.builder import Node
 from mechanics.program.casadi_reader import read as read_graph
 from mechanics.program.interpret import include
 from mechanics.program.residues import Residues
 from mechanics.program.sympy_reader import read
+from mechanics.program.vectors import dot
 from mechanics.routes.programs import free_body, kane, lagrange, moving_point
 from mechanics.routes.programs.rows import Rows, coefficients, remainder, substitute
 
@@ -54,8 +60,14 @@ class Programs:
 
     @property
     def filter_(self) -> Residues:
-        """A filter for proposals of pivots and pairings."""
-        return Residues(self.mechanism.builder)
+        """A filter for proposals of pivots, none of which is zero where the constraints hold."""
+        return self.mechanism.filters[1]
+
+    def route(self, name: str) -> Derived:
+        """A route, derived now if nobody asked for it."""
+        if name in self.routes:
+            return self.routes[name]
+        return linear_system(self.mechanism, DERIVATIONS[name](self.mechanism), self.filter_)
 
     def operations(self, name: str) -> int:
         """Operations of a route's rows, shared ones once."""
@@ -84,7 +96,7 @@ def derive_rows(
     SingularError
         When the first route does not determine the accelerations.
     """
-    filter_ = Residues(mechanism.builder)
+    _, filter_ = mechanism.filters
     routes: dict[str, Derived] = {}
     seconds = {}
     for name in names:
@@ -100,7 +112,8 @@ def derive_rows(
 def check_laws(programs: Programs) -> Iterator[Finding]:
     """Kinematics, loads, reactions, mass matrix and energy.
 
-    Kane's rows serve the checks that need a route whose multipliers are the declared reactions.
+    Kane's rows serve the checks that need a route whose multipliers are the declared reactions,
+    those of procedure (i) the checks that need all reactions.
     """
     mechanism, routes = programs.mechanism, programs.routes
     yield laws.check_kinematics(mechanism)
@@ -108,17 +121,21 @@ def check_laws(programs: Programs) -> Iterator[Finding]:
     yield from laws.check_dampers(mechanism)
     yield from laws.check_frictions(mechanism)
     yield from laws.check_ideal(mechanism, programs.filter_)
-    driven = laws.is_driven(mechanism)
     for derived in routes.values():
         if derived.rows.conjugate:
             yield laws.check_mass_matrix(mechanism, derived.rows)
-            if not driven:
-                yield laws.check_energy(mechanism, derived.rows)
+    driven = laws.is_driven(mechanism)
+    balanced = driven or mechanism.constraints or mechanism.frictions
+    support = programs.route("free_body") if balanced else None
+    for derived in routes.values():
+        if derived.rows.conjugate and not driven:
+            yield laws.check_energy(mechanism, derived.rows)
+        elif support is not None:
+            yield laws.check_energy_balance(derived, support)
     if "free_body" in routes and mechanism.reactions:
-        by_kane = routes.get("kane")
-        if by_kane is None:
-            by_kane = linear_system(mechanism, kane.derive(mechanism), programs.filter_)
-        yield reactions.check_reactions(routes["free_body"].rows, by_kane)
+        yield reactions.check_reactions(routes["free_body"].rows, programs.route("kane"))
+    if "lagrange" in routes and mechanism.constraints:
+        yield check_multipliers(programs.route("kane"), routes["lagrange"])
 
 
 def solved(programs: Programs, name: str) -> Program:
@@ -140,16 +157,31 @@ def solved(programs: Programs, name: str) -> Program:
 
 
 def check_textbook(programs: Programs, derived: Mapping[str, Equations]) -> Iterator[Finding]:
-    """The matrices of each route, written in SymPy, give the accelerations of its program."""
+    """The matrices of each route, written in SymPy, give the accelerations of its program.
+
+    They give its multipliers, too, where it keeps some: by name, or as generalized forces.
+    """
     mechanism = programs.mechanism
+    build, size = mechanism.builder, len(mechanism.u)
     for name, equations in derived.items():
+        own = programs.routes[name]
         left, right = equations.system
-        width = left.cols
-        flat = read(mechanism.builder, [*left, *right])
-        matrix = [flat[width * i : width * (i + 1)] for i in range(width)]
-        solved = mechanism.builder.solve(matrix, flat[width * width :])[: len(mechanism.u)]
-        own = programs.routes[name].accelerations
-        yield equal(f"{name}: program = textbook form", mechanism, own, solved)
+        flat = read(build, [*left, *right])
+        matrix = _rows(flat, left.cols)[: left.cols]
+        solved = build.solve(matrix, flat[left.cols**2 :])
+        one, two = list(own.accelerations), list(solved[:size])
+        names = [name_of(multiplier) for multiplier in own.rows.multipliers]
+        if names == [symbol.name for symbol in equations.multipliers]:
+            one, two = list(own.solution), list(solved)
+        elif equations.multipliers and equations.conjugate:
+            forces = _rows(read(build, [*equations.reaction_matrix]), left.cols - size)
+            one += maintaining_forces(own)
+            two += [dot(row, solved[size:]) for row in forces]
+        yield equal(f"{name}: program = textbook form", mechanism, one, two)
+
+
+def _rows(flat: Sequence[Node], width: int) -> list[Sequence[Node]]:
+    return [flat[i : i + width] for i in range(0, len(flat), width)]
 
 
 def check_model(programs: Programs, model: ProgramModel) -> Iterator[Finding]:

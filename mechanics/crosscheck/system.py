@@ -13,12 +13,10 @@ from sympy import Symbol
 from mechanics.checks.agreement import proof_pays
 from mechanics.checks.canaries import check_canaries
 from mechanics.checks.dimensions import check_dimensions
-from mechanics.checks.energy import check_energy
 from mechanics.checks.ledger import QUANTITIES, check_row
 from mechanics.checks.ledger_motion import check_complete, gives
 from mechanics.checks.programs.admissible import check_scene
 from mechanics.checks.programs.agreement import compare_pairs
-from mechanics.checks.programs.laws import is_driven
 from mechanics.checks.virtual_power import (
     check_powers,
     check_program,
@@ -28,7 +26,6 @@ from mechanics.checks.virtual_power import (
 from mechanics.compiled import Model, compile, prove_compiled
 from mechanics.compiled.finite import not_finite
 from mechanics.compiled.program_model import compile_programs
-from mechanics.crosscheck.constrained import check_constrained
 from mechanics.crosscheck.measured import NOT_CLOSED, ON_MANIFOLD, holds_others, measured
 from mechanics.crosscheck.motion import example_motion
 from mechanics.crosscheck.programs import (
@@ -122,11 +119,9 @@ def crosscheck(system: System | Scene, options: CrossCheck | None = None) -> Sys
         return _without_textbook(system, scene, programs, stage)
     derived, seconds = _derived(scene, names, stage)
     stage("comparing routes")
-    if scene.constraints:
-        pairs, held = check_constrained(scene, derived, _support(scene, derived))
-    else:
-        pairs, held = _compared(scene, derive_rows(mechanism, names), derived)
-    findings = [*pairs.values(), *held]
+    programs = derive_rows(mechanism, names)
+    pairs = compare_pairs(programs.routes)
+    findings = [*pairs.values(), *check_textbook(programs, derived), *check_laws(programs)]
     stage("the scene as declared")
     witnesses = tuple(_witnesses(scene, derived))
     stage("published equations")
@@ -239,41 +234,11 @@ def _derived(
     return derived, seconds
 
 
-def _compared(
-    scene: Scene, programs: Programs, derived: Mapping[str, Equations]
-) -> tuple[dict[tuple[str, str], Finding], list[Finding]]:
-    """Pairs of routes as programs, their matrices in SymPy, and the laws."""
-    found = [
-        *check_textbook(programs, derived),
-        *check_laws(programs),
-        *_driven_energy(scene, programs, derived),
-    ]
-    return compare_pairs(programs.routes), found
-
-
-def _driven_energy(
-    scene: Scene, programs: Programs, derived: Mapping[str, Equations]
-) -> Iterator[Finding]:
-    """The balance of energy where a support moves by itself, or friction takes some out."""
-    if frictions(scene) or is_driven(programs.mechanism):
-        support = _support(scene, derived)
-        for equations in derived.values():
-            yield check_energy(equations, support)
-
-
-def _support(scene: Scene, derived: Mapping[str, Equations]) -> Equations | None:
-    """Equations that tell the reactions, where a check needs them.
-
-    A support that moves in a prescribed way does work through its reactions, friction by one.
-    """
-    if "free_body" in derived or not (scene.inputs or frictions(scene)):
-        return derived.get("free_body")
-    return free_body.derive(scene)
-
-
 def _witnesses(scene: Scene, derived: Mapping[str, Equations]) -> Iterator[Finding]:
     yield from check_canaries()
-    states, support = drawn_states(scene), _support(scene, derived)
+    states, support = drawn_states(scene), derived.get("free_body")
+    if support is None and frictions(scene):
+        support = free_body.derive(scene)
     yield from check_powers(scene, states, potential(scene))
     for equations in derived.values():
         yield check_virtual_power(equations, states, support)

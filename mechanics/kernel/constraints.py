@@ -10,27 +10,43 @@
     two circles: f - lambda g, without its squares, is linear                                (5)
 
 One input at a time, the first way that applies; what is put in is a program like any other, so that
-field, normal form and balls know nothing of constraints. sigma is the sign of an input of its own:
-what holds on one branch only is not shown. (4) takes one angle out of a loop of two and leaves an
-equation (3) for the other.
+field, normal form and balls know nothing of constraints. (4) takes one angle out of a loop of two
+and leaves an equation (3) for the other.
+
+A point certifies its own component, and components meet where a divisor or a radicand vanishes. If
+a state on the constraints is known, nothing is divided by what is zero there, and sigma is the sign
+that leads to it: a parallelogram and its folded twin are two components, told apart by sigma where
+w is a polynomial, of which the radicand is the square. Without such a state sigma is the sign of an
+input of its own: what holds on one branch only is not shown.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
+from functools import partial
 
 from mechanics.kernel.angles import Form, Forms, Monomial, base_angles
+from mechanics.kernel.balls import enclose
 from mechanics.kernel.field import Inadmissible
 from mechanics.kernel.independence import zeros
-from mechanics.kernel.statement import POSITIVE, ZERO, Range, Statement
+from mechanics.kernel.squares import square_root
+from mechanics.kernel.statement import POSITIVE, RATES, ZERO, Range, Statement
 from mechanics.program import Builder, Node
 from mechanics.program.interpret import include
+from mechanics.program.operations import ATAN2
 from mechanics.program.program import reachable
 
 MOST_STEPS = 64
 """Inputs that are taken out of one statement."""
+
+BITS = 256
+NEGLIGIBLE = 2.0**-64
+"""What is smaller at a state that is on the constraints to `BITS` digits is taken for zero."""
+
+COARSE = 1000
+"""Largest denominator of the numbers near the start that witnesses are looked for at."""
 
 
 @dataclass(frozen=True)
@@ -48,25 +64,32 @@ def on_constraints(statement: Statement) -> Statement | None:
     Parameters
     ----------
     statement : Statement
-        Its output ``"zero"`` lists the constraints; its `dependent` inputs are tried in order.
+        Its outputs ``"zero"`` and then ``"rates"`` list the constraints; its `dependent` inputs are
+        tried in order.
 
     Returns
     -------
     Statement
         Without constraints; the inputs that were replaced are outputs of their names.
     """
+    start = statement.typical
     for step in range(MOST_STEPS):
         program = base_angles(statement.program)
         builder = Builder()
         outputs = include(builder, program)
-        held = _held(builder, outputs[ZERO], statement)
+        stage, held = ZERO, _held(builder, outputs.pop(ZERO, ()), statement)
         if not held:
-            rest = {name: nodes for name, nodes in outputs.items() if name != ZERO}
-            return replace(statement, program=builder.program(rest))
+            stage, held = RATES, _held(builder, outputs.pop(RATES, ()), statement)
+        if not held:
+            program = builder.program(outputs)
+            # What a person reads of a witness: the state on the constraints has all its digits.
+            near = {name: start[name].limit_denominator(COARSE)
+                    for name in program.inputs if name in start}  # fmt: skip
+            return replace(statement, program=program, typical=near)
         found = _step(builder, held, statement, step)
         if found is None:
             return None
-        statement = _replaced(builder, outputs, found, statement)
+        statement = _replaced(builder, {**outputs, stage: found.left}, found, statement)
     return None
 
 
@@ -89,8 +112,7 @@ def _replaced(
     known = statement.range_of(found.name)
     if known is not Range.FREE:
         conditions.append(-found.value if known is Range.NEGATIVE else found.value)
-    wanted = {**outputs, ZERO: found.left, POSITIVE: conditions}
-    program = builder.program(wanted)
+    program = builder.program({**outputs, POSITIVE: conditions})
     value = builder.program({found.name: [found.value]})
     target = Builder()
     (node,) = include(target, value)[found.name]
@@ -176,19 +198,55 @@ class _Solver:
         """Whether a node is computed from an input."""
         return self.builder.input(name).number in reachable(self.builder, [number])
 
+    def at_start(self, node: Node) -> float | None:
+        """The value at the state on the constraints, or None where that does not give it."""
+        program = self.builder.program({"x": [node]})
+        start = self.statement.typical
+        if not start.keys() >= set(program.inputs):
+            return None
+        (value,) = enclose(program, start, BITS)["x"]
+        return float(value.mid()) if value.is_finite() else None
+
     def vanishes(self, node: Node) -> bool:
-        """Whether a node is zero everywhere, so that nothing can be divided by it."""
+        """Whether a node is zero everywhere, or at the start, so that nothing is divided by it."""
         if node.constant is not None:
             return node.is_zero
+        value = self.at_start(node)
+        if value is not None and abs(value) < NEGLIGIBLE:
+            return True
         try:
             return zeros(self.builder.program({"x": [node]}), "x", self.statement.signs)[0]
         except Inadmissible:
             return True
 
-    def sign(self) -> Node:
-        """1 or -1, whatever: the sign of an input of its own."""
+    def roots(self, radicand: Node, solution: Callable[[Node], Node], name: str) -> Node | None:
+        """The solution for the root that leads to the start, or for either by a sign that is free.
+
+        None where both roots meet at the start: there the branch cannot be told.
+        """
+        value, root = (
+            self.at_start(radicand),
+            square_root(self.builder, self.forms.of(radicand.number)),
+        )
+        root = radicand.sqrt() if root is None else root
+        if value is not None and abs(value) < NEGLIGIBLE:
+            return None
+        solutions = [solution(root), solution(-root)]
+        one, two = (self.from_start(node, name) for node in solutions)
+        if one is not None and two is not None:
+            return solutions[two < one]
         free = self.builder.input(self.branch)
-        return (free * free).sqrt() / free
+        return solution(root * ((free * free).sqrt() / free))
+
+    def from_start(self, node: Node, name: str) -> float | None:
+        """How far a value for an input is from the start; angles by the chord between them."""
+        if name not in self.statement.typical:
+            return None
+        apart = node - self.statement.typical[name]
+        if self.builder.operations[node.number] == ATAN2:
+            apart = (apart / 2).sin()
+        found = self.at_start(apart)
+        return None if found is None else abs(found)
 
     def angle(self, name: str) -> tuple[Node, Node]:
         """Cosine and sine of an input."""
@@ -226,13 +284,21 @@ def _quadratic(solver: _Solver, name: str, held: Sequence[Node]) -> Replacement 
         zero = solver.builder.zero
         a, b, d = split[_SQUARE], split.get(_FIRST, zero), split.get((), zero)
         if not solver.vanishes(a):
-            root = (b * b - 4 * a * d).sqrt()
-            if solver.statement.range_of(name) is not Range.POSITIVE or not b.is_zero:
-                root = root * solver.sign()
-            elif (constant := a.constant) is not None and constant < 0:
-                root = -root  # of two opposite solutions, the positive one
-            return Replacement(name, (root - b) / (2 * a), _others(held, node))
+            radicand = b * b - 4 * a * d
+            if solver.statement.range_of(name) is Range.POSITIVE and b.is_zero:
+                root, constant = radicand.sqrt(), a.constant
+                if constant is not None and constant < 0:
+                    root = -root  # of two opposite solutions, the positive one
+                value: Node | None = root / (2 * a)
+            else:
+                value = solver.roots(radicand, partial(_of_quadratic, a, b), name)
+            if value is not None:
+                return Replacement(name, value, _others(held, node))
     return None
+
+
+def _of_quadratic(a: Node, b: Node, root: Node) -> Node:
+    return (root - b) / (2 * a)
 
 
 def _angle_parts(solver: _Solver, name: str, node: Node) -> tuple[Node, Node, Node] | None:
@@ -254,9 +320,13 @@ def _of_one_angle(solver: _Solver, name: str, held: Sequence[Node]) -> Replaceme
     square = a * a + b * b
     if solver.vanishes(square):
         return None
-    root = (square - d * d).sqrt() * solver.sign()
-    c, s = (-(a * d) - b * root) / square, (a * root - b * d) / square
-    return Replacement(name, solver.builder.call("atan2", s, c), _others(held, holding[0]))
+
+    def solution(root: Node) -> Node:
+        c, s = (-(a * d) - b * root) / square, (a * root - b * d) / square
+        return solver.builder.call("atan2", s, c)
+
+    value = solver.roots(square - d * d, solution, name)
+    return None if value is None else Replacement(name, value, _others(held, holding[0]))
 
 
 def _of_two_angles(solver: _Solver, name: str, held: Sequence[Node]) -> Replacement | None:

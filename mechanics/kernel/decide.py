@@ -13,9 +13,9 @@ from math import ceil, inf
 
 from mechanics.kernel.canaries import CANARIES
 from mechanics.kernel.constraints import on_constraints
-from mechanics.kernel.finding import Finding, Verdict, refuted, undecided
+from mechanics.kernel.finding import COMPONENT, Finding, Verdict, refuted, undecided
 from mechanics.kernel.normal import proves
-from mechanics.kernel.statement import LEFT, RIGHT, ZERO, Statement
+from mechanics.kernel.statement import LEFT, RATES, RIGHT, ZERO, Statement
 from mechanics.kernel.trial import Answer, Trial, trial
 from mechanics.kernel.witness import find_boundary_witness, find_witness
 
@@ -71,7 +71,7 @@ def _decided(statement: Statement, try_normal: bool) -> Finding:
     subject, outputs = statement.subject, statement.program.outputs
     if outputs[LEFT] == outputs[RIGHT]:
         return Finding(subject, Verdict.PROVED, SAME)
-    if outputs.get(ZERO):
+    if outputs.get(ZERO) or outputs.get(RATES):
         return _decided_on_constraints(statement, try_normal)
     is_proved = cache(lambda: try_normal and proves(statement))
     outcome = trial(statement, is_proved)
@@ -111,8 +111,10 @@ def _decided_on_constraints(statement: Statement, try_normal: bool) -> Finding:
     if not finding.shown or not solved:
         return finding
     # x y = 0 holds where x = 0 and where y = 0: a point knows its own component only.
-    words = f"{finding.evidence}, on the component where the constraints give {', '.join(solved)}"
-    return replace(finding, evidence=words)
+    start = statement.typical
+    here = ", ".join(f"{name} = {float(start[name]):.3g}" for name in solved if name in start)
+    words = f"{finding.evidence}{COMPONENT}{', '.join(solved)}"
+    return replace(finding, evidence=f"{words} (at the start {here})" if here else words)
 
 
 def _certified(subject: str, outcome: Trial) -> Finding:

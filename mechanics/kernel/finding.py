@@ -26,6 +26,10 @@ class Verdict(Enum):
     UNDECIDED = "neither shown nor refuted"
 
 
+COMPONENT = ", on the component where the constraints give "
+"""Ends the evidence of what is shown where constraints hold, and not off them."""
+
+
 @dataclass(frozen=True)
 class Witness:
     """A real, admissible state at which two sides differ.
@@ -190,6 +194,8 @@ def follows(subject: str, premises: Sequence[Finding]) -> Finding:
     if doubts or not premises:
         raise ValueError(f"{subject}: it cannot follow from {doubts or 'nothing'}")
     words = "follows from " + " and ".join(premise.subject for premise in premises)
+    places = [premise.evidence.partition(COMPONENT) for premise in premises]
+    words += "".join(dict.fromkeys(COMPONENT + where for _, found, where in places if found))
     bounds = [premise.error_bound for premise in premises if premise.error_bound is not None]
     if not bounds:
         return Finding(subject, Verdict.PROVED, words)

@@ -9,7 +9,7 @@ from fractions import Fraction
 
 from mechanics.program import Program
 
-LEFT, RIGHT, POSITIVE, ZERO = "left", "right", "positive", "zero"
+LEFT, RIGHT, POSITIVE, ZERO, RATES = "left", "right", "positive", "zero", "rates"
 """Outputs of a statement's program that have a meaning; others are shown with a witness."""
 
 TARGET = 2.0**-80
@@ -36,11 +36,13 @@ class Statement:
         Outputs ``"left"`` and ``"right"`` of equal length. An output ``"positive"`` lists
         conditions: the statement is about the states at which all its entries are positive. An
         output ``"zero"`` lists constraints: it is about the states at which all of them are zero.
+        So does ``"rates"``, constraints that are solved after those, on speeds.
         Whatever else it computes is shown with a witness, under the name of the output.
     signs : mapping of str to Range
         What is known of the inputs; an input that is not listed is any real number.
     typical : mapping of str to Fraction
-        Values of inputs at which the conditions hold, where simple numbers may not meet them.
+        Values of inputs at which the conditions hold, where simple numbers may not meet them. If
+        they are a state on the constraints, it is about the component and branch of that state.
     dependent : tuple of str
         Inputs for which the constraints may be solved, those to be tried first at the beginning.
     target : float

@@ -9,13 +9,14 @@ their parts; functions that the field does not know are any numbers, equal for e
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
 from mechanics.program.builder import Builder, Node
 from mechanics.program.operations import (
     ADD,
     ARITY,
+    ATAN2,
     CONSTANT,
     COS,
     DIVIDE,
@@ -36,7 +37,14 @@ PRIME = (1 << 61) - 1
 PARTS = 840
 """An angle is this many times its base, so that its fractions are multiples of the base, too."""
 
+ODD_PARTS = 105
+
 Point = tuple[int, int]
+
+
+class NoRoot(Exception):
+    """The point of an angle has no half in the field."""
+
 
 _SMALL = {0: 0, 1: 1, PRIME - 1: -1}
 
@@ -63,6 +71,41 @@ def _times(point: Point, count: int) -> Point:
     return result
 
 
+def _root(point: Point, parts: int) -> Point:
+    """The point of an angle over `parts`: the circle has 2^61 points, so that odd roots exist.
+
+    Raises
+    ------
+    NoRoot
+        Where the angle cannot be halved as often.
+    """
+    odd = parts
+    while odd % 2 == 0:
+        odd //= 2
+    whole = _times(point, pow(odd, -1, PRIME + 1))
+    halved = _halved(whole, parts // odd)
+    if halved is None:
+        raise NoRoot
+    return halved
+
+
+def _halved(point: Point, parts: int) -> Point | None:
+    """One of the points that `parts`, a power of two, take to a point."""
+    if parts == 1:
+        return point
+    c, s = point
+    square = (1 + c) * pow(2, -1, PRIME) % PRIME
+    x = pow(square, (PRIME + 1) // 4, PRIME)
+    if not x or x * x % PRIME != square:
+        return point if point == (1, 0) else None
+    y = s * pow(2 * x, -1, PRIME) % PRIME
+    for half in ((x, y), (-x % PRIME, -y % PRIME)):
+        found = _halved(half, parts // 2)
+        if found is not None:
+            return found
+    return None
+
+
 @dataclass
 class Residues:
     """Values of nodes of one builder, each computed once.
@@ -70,9 +113,18 @@ class Residues:
     Parameters
     ----------
     builder : Builder
+    replaced : mapping of Node to Node, optional
+        What takes the place of inputs: what constraints give.
+    point : int
+        Another point for every number.
+    parts : int
+        `PARTS`, or `ODD_PARTS` where an angle that is replaced has no half in the field.
     """
 
     builder: Builder
+    replaced: Mapping[Node, Node] = field(default_factory=dict)
+    point: int = 0
+    parts: int = PARTS
     _values: dict[int, int] = field(default_factory=dict)
     _bases: dict[int, Point] = field(default_factory=dict)
     _solutions: dict[int, list[int]] = field(default_factory=dict)
@@ -107,6 +159,9 @@ class Residues:
             code = operations[last]
             if code == SOLVE:
                 operands: Sequence[int] = self.builder.systems[self.builder.operands[0][last]][2:]
+            elif code == INPUT:
+                value = self.replaced.get(Node(self.builder, last))
+                operands = [] if value is None else [value.number]
             else:
                 operands = [column[last] for column in self.builder.operands[: ARITY[code]]]
             missing = [n for n in operands if n not in values and n not in solutions]
@@ -129,13 +184,15 @@ class Residues:
         elif code == NEGATE:
             values[number] = -values[a] % PRIME
         elif code in (SIN, COS, TAN):
-            c, s = _times(self._base(a), PARTS)
+            c, s = _times(self._base(a), self.parts)
             values[number] = s if code == SIN else c if code == COS else s * pow(c, -1, PRIME)
         elif code == CONSTANT:
             ratio = build.constants[a]
             values[number] = ratio.numerator * pow(ratio.denominator, -1, PRIME) % PRIME
         elif code == INPUT:
-            values[number] = _draw("input", build.inputs[a])
+            value = self.replaced.get(Node(build, number))
+            words = ("input", build.inputs[a], *([self.point] if self.point else []))
+            values[number] = _draw(*words) if value is None else values[value.number]
         elif code == DIVIDE and values[b]:
             values[number] = values[a] * pow(values[b], -1, PRIME) % PRIME
         elif code == SOLVE:
@@ -151,19 +208,22 @@ class Residues:
             values[number] = _draw(OPERATIONS[code].name, *operands)
 
     def _base(self, number: int) -> Point:
-        """The point of an angle over PARTS: linear in angles that are looked into no further."""
+        """The point of an angle over its parts: linear in angles that are not looked into."""
         if number in self._bases:
             return self._bases[number]
         code, (first, second, _) = self.builder.operations[number], self.builder.operands
         a, b = first[number], second[number]
         factor = self.builder.constant_at(a) if code == MULTIPLY else None
-        if code == ADD:
+        value = self.replaced.get(Node(self.builder, number)) if code == INPUT else None
+        if value is not None:
+            point = self._base(value.number)
+        elif code == ADD:
             point = _turned(self._base(a), self._base(b))
         elif code == SUBTRACT:
             point = _turned(self._base(a), _times(self._base(b), -1))
         elif code == NEGATE:
             point = _times(self._base(a), -1)
-        elif factor is not None and (factor * PARTS).denominator == 1:
+        elif factor is not None and (factor * self.parts).denominator == 1:
             whole = factor.denominator
             point = _times(self._fraction(b, whole), factor.numerator)
         else:
@@ -171,12 +231,30 @@ class Residues:
         self._bases[number] = point
         return point
 
+    def _direction(self, y: int, x: int) -> Point:
+        """(x, y) / sqrt(x^2 + y^2)."""
+        c, s = self._values[x], self._values[y]
+        radius = pow((c * c + s * s) % PRIME, (PRIME + 1) // 4, PRIME)
+        below = pow(radius, -1, PRIME) if radius else 0
+        return c * below % PRIME, s * below % PRIME
+
     def _fraction(self, number: int, parts: int) -> Point:
-        """The point of an angle over PARTS and over `parts`."""
+        """The point of an angle over its parts, as the multiple of one over `parts`."""
+        value = self.replaced.get(Node(self.builder, number))
+        if value is not None:
+            number = value.number
+        if self.builder.operations[number] == ATAN2:
+            y, x, _ = (column[number] for column in self.builder.operands)
+            try:
+                return _root(self._direction(y, x), self.parts * parts)
+            except NoRoot:
+                # A part of an angle is less than the angle: known by its value alone.
+                if parts == 1:
+                    raise
         t = _draw("angle", self._values[number])
         below = pow(1 + t * t, -1, PRIME)
         finest: Point = ((1 - t * t) * below % PRIME, 2 * t * below % PRIME)
-        return _times(finest, PARTS // parts)
+        return _times(finest, self.parts // parts)
 
     def _solved(self, number: int) -> list[int]:
         size, _, *entries = self.builder.systems[self.builder.operands[0][number]]

@@ -22,11 +22,9 @@ from mechanics.blame.mistakes import held, substituted
 from mechanics.blame.mistakes.known import KNOWN
 from mechanics.blame.mistakes.slip import Slip, equations, right
 from mechanics.blame.rows import generalized_rows, moving_rows
-from mechanics.checks.agreement import require_regular
 from mechanics.checks.ledger import check_row
 from mechanics.equations import Equations
-from mechanics.errors import SingularError
-from mechanics.exact import Finding, Verdict, is_zero
+from mechanics.exact import Finding, Verdict, independent_rows, is_zero
 from mechanics.reading.statement import Statement
 from mechanics.scene import force
 from mechanics.scene.actions import frictions
@@ -50,11 +48,8 @@ def slips(truth: Equations) -> Iterator[Slip]:
 
 def determined(truth: Equations, slip: Slip) -> bool:
     """Whether there is a motion with the mistake: a disc without inertia has none."""
-    try:
-        require_regular(equations(truth, slip))
-    except SingularError:
-        return False
-    return True
+    left, _ = equations(truth, slip).system
+    return len(independent_rows(left.tolist())) == left.cols
 
 
 def made_wrong(slip: Slip, stated: Stated) -> list[Statement]:

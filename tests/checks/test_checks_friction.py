@@ -9,14 +9,16 @@ import pytest
 from sympy import Symbol, sign
 
 import mechanics
-from mechanics.checks.agreement import compare
-from mechanics.checks.energy import check_energy
-from mechanics.checks.friction import check_friction
 from mechanics.checks.ledger import check_row
+from mechanics.checks.programs import laws
+from mechanics.checks.programs.agreement import Derived, compare, linear_system
 from mechanics.crosscheck import derive
 from mechanics.equations import Equations
-from mechanics.errors import InputError
 from mechanics.exact import Verdict, is_zero, slope
+from mechanics.mechanism import lower
+from mechanics.program import Builder
+from mechanics.routes.programs import free_body, kane, lagrange, moving_point
+from mechanics.scene import Scene
 from mechanics.scene.published import published
 from mechanics.scene.quantities import EquationOfMotion
 from systems import cartpole_friction as system
@@ -68,13 +70,28 @@ def test_a_row_about_a_reaction_asks_for_a_route_that_tells_it(truth: Equations)
     assert "moving_point does not give N_c: take those of free_body" in finding.evidence
 
 
-def test_the_energy_needs_what_presses(truth: Equations) -> None:
-    equations = derive(truth.scene, "moving_point")
-    with pytest.raises(InputError, match="friction depends on N_c"):
-        check_energy(equations)
-    assert check_energy(equations, truth).verdict is Verdict.PROVED
-    (finding,) = check_friction(truth.scene)
+def by(route: Any, scene: Scene, builder: Builder | None = None) -> Derived:
+    mechanism = lower(scene, builder or Builder())
+    return linear_system(mechanism, route.derive(mechanism), mechanism.filters[1])
+
+
+def test_the_energy_that_friction_takes_out(truth: Equations) -> None:
+    builder = Builder()
+    support = by(free_body, truth.scene, builder)
+    for route in (free_body, moving_point, kane, lagrange):
+        finding = laws.check_energy_balance(by(route, truth.scene, builder), support)
+        assert finding.verdict is Verdict.PROVED, finding
+    (finding,) = laws.check_frictions(support.mechanism)
     assert finding.verdict is Verdict.PROVED
+
+
+def test_energy_at_accelerations_of_less_friction_is_refuted(truth: Equations) -> None:
+    builder, scene = Builder(), truth.scene
+    support = by(free_body, scene, builder)
+    half = replace(scene.loads[2], coefficient=system.mu_c / 2)
+    wrong = by(kane, replace(scene, loads=(*scene.loads[:2], half, scene.loads[3])), builder)
+    wrong = replace(wrong, mechanism=support.mechanism)
+    assert laws.check_energy_balance(wrong, support).verdict is Verdict.REFUTED
 
 
 def test_friction_the_wrong_way_is_refuted(truth: Equations) -> None:
@@ -142,11 +159,14 @@ def test_a_sign_by_division_has_no_value_at_rest(truth: Equations, tmp_path: Pat
 def test_friction_that_is_left_out_is_found(truth: Equations) -> None:
     """Routes that forget it, or half of it, differ from those that do not."""
     scene = truth.scene
-    smooth = derive(replace(scene, loads=(*scene.loads[:2], scene.loads[3])), "kane")
-    assert compare(truth, smooth).verdict is Verdict.REFUTED
+    builder = Builder()
+    right = by(free_body, scene, builder)
+    anywhere, _ = right.mechanism.filters
+    smooth = by(kane, replace(scene, loads=(*scene.loads[:2], scene.loads[3])), builder)
+    assert compare(right, smooth, anywhere).verdict is Verdict.REFUTED
     other = replace(scene.loads[2], coefficient=system.mu_c / 2)
-    half = derive(replace(scene, loads=(*scene.loads[:2], other, scene.loads[3])), "lagrange")
-    assert compare(truth, half).verdict is Verdict.REFUTED
+    half = by(lagrange, replace(scene, loads=(*scene.loads[:2], other, scene.loads[3])), builder)
+    assert compare(right, half, anywhere).verdict is Verdict.REFUTED
 
 
 def test_a_sign_is_constant_between_its_jumps() -> None:

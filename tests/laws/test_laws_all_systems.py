@@ -1,24 +1,34 @@
-"""Laws over all systems and routes, and what moving_point chooses."""
+"""Laws over all systems and closed loops by all routes, and what moving_point chooses."""
 
-from itertools import combinations
+from collections.abc import Callable
+from functools import cache
 from typing import Any
 
 import pytest
+from linkages import LINKAGES
 
 import systems
-from mechanics.checks import laws
-from mechanics.checks.agreement import compare
-from mechanics.checks.energy import check_energy
-from mechanics.checks.friction import check_friction
-from mechanics.checks.reactions import check_multipliers, check_reactions
+from mechanics.checks.programs import laws, reactions
+from mechanics.checks.programs.admissible import check_scene
+from mechanics.checks.programs.agreement import check_multipliers, compare
 from mechanics.crosscheck import ROUTES
-from mechanics.exact import Finding
-from mechanics.routes import kane
-from mechanics.routes.kane_reactions import auxiliary_equations
-from mechanics.scene.actions import frictions
+from mechanics.crosscheck.programs import Programs, check_textbook, derive_rows
+from mechanics.kernel import Finding
+from mechanics.mechanism import name_of
+from mechanics.scene import Scene
 
 SYSTEMS = [system.name for system in systems.ALL]
 NAMES = [route.name for route in ROUTES]
+SCENES: dict[str, Callable[[], Scene]] = {
+    **{system.name: system.scene for system in systems.ALL},
+    **LINKAGES,
+}
+CONSTRAINED = [name for name, scene in SCENES.items() if scene().constraints]
+
+
+@cache
+def programs_of(name: str) -> Programs:
+    return derive_rows(check_scene(SCENES[name]()), NAMES)
 
 
 def shown(finding: Finding) -> bool:
@@ -26,61 +36,76 @@ def shown(finding: Finding) -> bool:
     return True
 
 
-@pytest.mark.parametrize("system", SYSTEMS)
-@pytest.mark.parametrize("pair", list(combinations(NAMES, 2)), ids="-".join)
-def test_routes_agree(derived: Any, system: str, pair: tuple[str, str]) -> None:
-    one, two = (derived(system)[name] for name in pair)
-    assert shown(compare(one, two))
-    assert shown(compare(two, one))
+@pytest.mark.parametrize("name", SCENES)
+def test_routes_agree_either_way(name: str) -> None:
+    programs = programs_of(name)
+    anywhere, _ = programs.mechanism.filters
+    routes = programs.routes.values()
+    for one in routes:
+        assert all(shown(compare(one, two, anywhere)) for two in routes if two is not one)
 
 
 @pytest.mark.parametrize("system", SYSTEMS)
-def test_kinematics_and_loads(derived: Any, system: str) -> None:
-    scene = derived(system)["kane"].scene
-    findings = [laws.check_kinematics(scene), *laws.check_potentials(scene)]
-    findings += [*laws.check_dampers(scene), *laws.check_ideal(scene), *check_friction(scene)]
+def test_programs_are_the_textbook_forms(derived: Any, system: str) -> None:
+    findings = list(check_textbook(programs_of(system), derived(system)))
+    assert len(findings) == len(NAMES)
     assert all(shown(finding) for finding in findings)
-    assert len(findings) > len(scene.reactions)
 
 
-@pytest.mark.parametrize("system", SYSTEMS)
-@pytest.mark.parametrize("route", NAMES)
-def test_energy_grows_by_the_power_of_the_loads(derived: Any, system: str, route: str) -> None:
-    routes = derived(system)
-    assert shown(check_energy(routes[route], routes["free_body"]))
+@pytest.mark.parametrize("name", SCENES)
+def test_kinematics_and_loads(name: str) -> None:
+    programs = programs_of(name)
+    mechanism = programs.mechanism
+    findings = [
+        laws.check_kinematics(mechanism),
+        *laws.check_potentials(mechanism),
+        *laws.check_dampers(mechanism),
+        *laws.check_frictions(mechanism),
+        *laws.check_ideal(mechanism, programs.filter_),
+    ]
+    assert all(shown(finding) for finding in findings)
+    assert len(findings) > len(mechanism.reactions)
 
 
-@pytest.mark.parametrize("system", SYSTEMS)
-def test_the_mass_matrix_is_the_metric_of_the_kinetic_energy(derived: Any, system: str) -> None:
-    conjugate = [e for e in derived(system).values() if e.conjugate]
+@pytest.mark.parametrize("name", SCENES)
+def test_energy_grows_by_the_power_of_the_loads(name: str) -> None:
+    programs = programs_of(name)
+    mechanism = programs.mechanism
+    for derived in programs.routes.values():
+        # With reactions, of every route; without them, of rows that are power-conjugate to u.
+        assert shown(laws.check_energy_balance(derived, programs.route("free_body")))
+        if derived.rows.conjugate and not laws.is_driven(mechanism):
+            assert shown(laws.check_energy(mechanism, derived.rows))
+
+
+@pytest.mark.parametrize("name", SCENES)
+def test_the_mass_matrix_is_the_metric_of_the_kinetic_energy(name: str) -> None:
+    programs = programs_of(name)
+    rows = [derived.rows for derived in programs.routes.values()]
+    conjugate = [one for one in rows if one.conjugate]
     # Friction that depends on the accelerations stands beside M, and not symmetrically.
-    assert bool(conjugate) != bool(frictions(derived(system)["kane"].scene))
-    for equations in conjugate:
-        assert shown(laws.check_mass_matrix(equations))
+    assert bool(conjugate) != bool(programs.mechanism.frictions)
+    assert all(shown(laws.check_mass_matrix(programs.mechanism, one)) for one in conjugate)
 
 
-@pytest.mark.parametrize("system", SYSTEMS)
-def test_reactions_by_two_ways(derived: Any, system: str) -> None:
-    equations = derived(system)["free_body"]
-    scene = equations.scene
-    findings = check_reactions(equations, auxiliary_equations(scene))
-    assert all(shown(finding) for finding in findings)
-    kept = {name for constraint in scene.constraints for name in constraint.reactions}
-    assert len(findings) == len(scene.reactions) - len(kept)
-    assert {symbol.name for symbol, _ in equations.reactions} | kept == {
-        reaction.name for reaction in scene.reactions
-    }
+@pytest.mark.parametrize("name", SCENES)
+def test_reactions_by_two_ways(name: str) -> None:
+    programs = programs_of(name)
+    rows = programs.route("free_body").rows
+    assert shown(reactions.check_reactions(rows, programs.route("kane")))
+    kept = {name_of(multiplier) for multiplier in rows.multipliers}
+    assert rows.reactions.keys() | kept == {r.name for r in programs.mechanism.reactions}
+    assert not rows.reactions.keys() & kept
 
 
-@pytest.mark.parametrize("system", [s.name for s in systems.ALL if s.scene().constraints])
-def test_multipliers_agree(derived: Any, system: str) -> None:
-    routes = derived(system)
-    reference = kane.derive_with_multipliers(routes["kane"].scene)
-    for name in ("free_body", "moving_point", "lagrange"):
-        assert shown(check_multipliers(reference, routes[name]))
-        assert shown(compare(reference, routes[name]))
-    for name in ("free_body", "moving_point"):
-        assert routes[name].multipliers == reference.multipliers
+@pytest.mark.parametrize("name", CONSTRAINED)
+def test_multipliers_agree(name: str) -> None:
+    programs = programs_of(name)
+    kane = programs.route("kane")
+    assert shown(check_multipliers(kane, programs.route("lagrange")))
+    for other in ("free_body", "moving_point"):
+        # Compared with their accelerations: the unknowns are the same reactions.
+        assert programs.route(other).unknowns == kane.unknowns
 
 
 CHOSEN = {

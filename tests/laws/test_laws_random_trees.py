@@ -7,14 +7,12 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
-from mechanics.checks import laws
-from mechanics.checks.agreement import compare_pairs
-from mechanics.checks.energy import check_energy
-from mechanics.checks.reactions import check_reactions
+from mechanics.checks.programs.admissible import check_scene
+from mechanics.checks.programs.agreement import compare_pairs
 from mechanics.compiled import compile, prove_graph
 from mechanics.crosscheck import derive_with
+from mechanics.crosscheck.programs import check_laws, check_textbook, derive_rows
 from mechanics.routes import free_body
-from mechanics.routes.kane_reactions import auxiliary_equations
 from mechanics.scene import (
     RigidBody,
     Scene,
@@ -103,10 +101,9 @@ def build(links: tuple[Link, ...]) -> Scene:
 def test_random_trees(links: tuple[Link, ...]) -> None:
     scene = build(links)
     routes = derive_with(scene)
-    findings = [*compare_pairs(routes).values(), laws.check_kinematics(scene)]
-    findings += [*laws.check_potentials(scene), *laws.check_dampers(scene)]
-    findings += [check_energy(routes["moving_point"]), laws.check_mass_matrix(routes["kane"])]
-    findings += check_reactions(routes["free_body"], auxiliary_equations(scene))
+    programs = derive_rows(check_scene(scene), tuple(routes))
+    findings = [*compare_pairs(programs.routes).values(), *check_laws(programs)]
+    findings += check_textbook(programs, routes)
     assert not [finding for finding in findings if not finding.shown]
 
 

@@ -4,8 +4,9 @@
     complete    rank of the reactions = freedoms of the isolated bodies - independent speeds
     regular     the metric of the kinetic energy has full rank
 
-Ranks are those at one point of a field: a scene is refused for what is not zero there, and so not
-zero at all, or for a rank that is too small but for a chance of degree / 2^61.
+Ranks are those at one point of a field, on the constraints if there are any: a scene is refused for
+what is not zero there, and so not zero at all, or for a rank that is too small but for a chance of
+degree / 2^61.
 """
 
 from __future__ import annotations
@@ -14,7 +15,6 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from mechanics.checks.programs.energy import kinetic
-from mechanics.checks.soundness import check_sound
 from mechanics.errors import SceneError
 from mechanics.mechanism import GROUND, Mechanism, lower
 from mechanics.program.builder import Builder, Node
@@ -41,15 +41,9 @@ class _Freedom:
 
 
 def check_scene(scene: Scene) -> Mechanism:
-    """The mechanism of a scene that was found admissible; see `check_admissible`.
-
-    Constraints are looked at where they hold, which programs cannot yet.
-    """
+    """The mechanism of a scene that was found admissible; see `check_admissible`."""
     mechanism = lower(scene, Builder())
-    if scene.constraints:
-        check_sound(scene)
-    else:
-        check_admissible(mechanism)
+    check_admissible(mechanism)
     return mechanism
 
 
@@ -64,14 +58,14 @@ def check_admissible(mechanism: Mechanism) -> None:
         plane, a torsion spring or friction whose angle or velocity is another, a singular mass
         matrix.
     """
-    filter_ = Residues(mechanism.builder)
+    anywhere, filter_ = mechanism.filters
     motions = chain.motions(mechanism)
     bodies = body_motions(mechanism, motions)
     units = unit_reactions(mechanism, motions.poses)
     every = [*applied(mechanism, motions), *(unit for pair in units for unit in pair)]
-    directions = used_directions(filter_, bodies, every)
+    directions = used_directions(anywhere, bodies, every)
     table = _constraint_rows(mechanism, filter_)
-    _lines(mechanism, motions, filter_)
+    _lines(mechanism, motions, anywhere)
     _torsions(mechanism, motions, filter_)
     _frictions(mechanism, motions, filter_)
     _scalar_inertias(mechanism, bodies, directions)

@@ -11,9 +11,15 @@ entry; where the unknown reactions of the two are others, both are solved:
     M_1 (u', lambda) = f_1      =>      s_j(u', lambda) = 0                                    (2)
     M_1 (u', lambda) = f_1      M_2 (v', mu) = f_2      u' = v'                                (3)
 
-Both systems are regular, which is checked first. Points are free: what agrees everywhere agrees
-where the constraints hold, on every branch. Each route is compared with one of them; the other
-pairs follow.
+Both systems are regular where the constraints hold, which is checked first; of a mechanism with
+constraints it is the bordered matrix that is inverted, never M. What agrees at all states agrees on
+every branch; what does not is compared where the constraints hold, on the component of the scene's
+example. Each route is compared with one of them; the other pairs follow.
+
+Multipliers of Lagrange's method have a sign and a scale of their own; the generalized force
+B lambda has not, where the rows of both routes are power-conjugate to u:
+
+    B_1 lambda = B_2 mu                                                                       (4)
 """
 
 from __future__ import annotations
@@ -28,6 +34,7 @@ from mechanics.kernel import Finding, follows
 from mechanics.mechanism import Mechanism
 from mechanics.program.builder import Node
 from mechanics.program.residues import PRIME, Residues, eliminate
+from mechanics.program.vectors import dot
 from mechanics.routes.programs.rows import (
     Rows,
     acceleration_forms,
@@ -75,6 +82,8 @@ class Derived:
 def linear_system(mechanism: Mechanism, rows: Rows, filter_: Residues) -> Derived:
     """The system of a route, found regular: a determinant that is not zero at a point is not zero.
 
+    `filter_` is that of the states at which the constraints hold.
+
     Raises
     ------
     SingularError
@@ -103,7 +112,7 @@ def compare_pairs(routes: Mapping[str, Derived]) -> dict[tuple[str, str], Findin
     if not routes:
         return {}
     first = next(iter(routes.values()))
-    filter_ = Residues(first.mechanism.builder)
+    filter_, _ = first.mechanism.filters
     reference = REFERENCE if REFERENCE in routes else first.rows.route
     direct = {
         name: compare(derived, routes[reference], filter_)
@@ -136,6 +145,19 @@ def compare(one: Derived, two: Derived, filter_: Residues) -> Finding:
         left = substitute(mechanism.builder, one.rows.values, values)
         return equal(subject, mechanism, left, [0] * len(left))
     return equal(subject, mechanism, one.accelerations, two.accelerations)
+
+
+def check_multipliers(one: Derived, two: Derived) -> Finding:
+    """Equation (4): the reactions that maintain the constraints are the same."""
+    subject = f"{one.rows.route} = {two.rows.route}: multipliers"
+    return equal(subject, one.mechanism, maintaining_forces(one), maintaining_forces(two))
+
+
+def maintaining_forces(derived: Derived) -> list[Node]:
+    """B lambda: what maintains the constraints, as a generalized force in each row."""
+    multipliers = derived.rows.multipliers
+    sizes = derived.solution[len(derived.mechanism.u) :]
+    return [-dot(row, sizes) for row in coefficients(derived.rows.values, multipliers)]
 
 
 def matched(filter_: Residues, one: Rows, two: Rows) -> list[tuple[int, int]] | None:

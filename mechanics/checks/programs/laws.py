@@ -5,6 +5,9 @@ sum F . dv/du = -(dV/dq) N                               each conservative load
 a unit of a reaction has no power:  sum F . dv/du + tau . domega/du = 0
 M = dr/du' = d2T/du2                                     rows r power-conjugate to u
 u . r = d(T + V)/dt - power of the loads without a potential              where nothing is driven
+dT/dt = power of the loads + sum_j R_j w_j,    w_j the power of a unit of reaction j    elsewhere
+
+What is said of reactions holds on the velocities that the constraints admit.
 """
 
 from __future__ import annotations
@@ -13,6 +16,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import Any
 
+from mechanics.checks.programs.agreement import Derived
 from mechanics.checks.programs.energy import kinetic
 from mechanics.checks.programs.statements import each_or_all, equal
 from mechanics.kernel import Finding
@@ -26,6 +30,7 @@ from mechanics.routes.programs.lagrange import virtual_power
 from mechanics.routes.programs.loads import (
     Wrench,
     acting_reactions,
+    applied,
     conservative,
     elongation,
     other,
@@ -119,6 +124,8 @@ def check_ideal(mechanism: Mechanism, filter_: Residues) -> Iterator[Finding]:
     With constraints A u + a = 0 its power is a combination of their rows:
 
         sum F . dv/du + tau . domega/du = c^T A,      c from columns where A is regular
+
+    `filter_` is that of the states at which the constraints hold.
     """
     motions = chain.motions(mechanism)
     table = coefficients(velocity_forms(mechanism), mechanism.u)
@@ -132,7 +139,7 @@ def check_ideal(mechanism: Mechanism, filter_: Residues) -> Iterator[Finding]:
 
 
 def _regular_columns(table: Sequence[Sequence[Node]], filter_: Residues) -> list[int]:
-    """Columns of the constraints' matrix that are independent at a point."""
+    """Columns of the constraints' matrix that are independent where the constraints hold."""
     transposed = [filter_.values(column) for column in zip(*table, strict=True)]
     return [i for i, _ in eliminate(transposed, len(table))] if table else []
 
@@ -164,7 +171,7 @@ def check_mass_matrix(mechanism: Mechanism, rows: Rows) -> Finding:
 
 
 def is_driven(mechanism: Mechanism) -> bool:
-    """Whether geometry or what is stored in loads changes with time by itself."""
+    """Whether geometry, a constraint or what is stored in loads changes with time by itself."""
     motions = differentiate.motions(mechanism)
     stored = inputs_of([potential(mechanism, motions.poses)])
     if stored & set(mechanism.given_rates):
@@ -172,6 +179,7 @@ def is_driven(mechanism: Mechanism) -> bool:
     still = dict.fromkeys(mechanism.u, mechanism.builder.zero)
     velocities = [entry for point in motions.points for entry in point.velocity]
     velocities += [entry for frame in motions.frames for entry in frame.omega]
+    velocities += velocity_forms(mechanism)
     return any(not v.is_zero for v in substitute(mechanism.builder, velocities, still))
 
 
@@ -188,6 +196,37 @@ def check_energy(mechanism: Mechanism, rows: Rows) -> Finding:
     work = dot(mechanism.u, remainder(mechanism.builder, rows.values, rows.multipliers))
     subject = f"{rows.route}: rate of energy = power of the loads"
     return equal(subject, mechanism, [work], [growth - power])
+
+
+def check_energy_balance(route: Derived, support: Derived) -> Finding:
+    """The rate of T is the power of loads and reactions, those of what moves by itself among them.
+
+    A support that is moved, a constraint that moves and friction do work by reactions; those that
+    do none drop out.
+
+    Parameters
+    ----------
+    route : Derived
+        Whose accelerations are put in.
+    support : Derived
+        Of procedure (i), which tells the reactions.
+    """
+    mechanism, build = route.mechanism, route.mechanism.builder
+    motions = differentiate.motions(mechanism)
+    (growth,) = tangent([kinetic(mechanism)], mechanism.rates)
+    power = _power(mechanism, motions, applied(mechanism, motions))
+    anywhere, _ = mechanism.filters
+    units = acting_reactions(mechanism, motions.poses)
+    for reaction, pair in zip(mechanism.reactions, units, strict=True):
+        work = _power(mechanism, motions, pair)
+        if not anywhere.is_zero(work):
+            known = support.rows.reactions.get(reaction.name)
+            power = power + (build.input(reaction.name) if known is None else known) * work
+    values = dict(zip(support.unknowns, support.solution, strict=True))
+    values |= dict(zip(route.unknowns, route.solution, strict=True))
+    left, right = substitute(build, [growth, power], values)
+    subject = f"{route.rows.route}: rate of energy = power of the loads"
+    return equal(subject, mechanism, [left], [right])
 
 
 def _power(mechanism: Mechanism, motions: Motions, wrenches: Sequence[Wrench]) -> Node:

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-from mechanics.kernel import Finding, Range, Statement, decide, follows
-from mechanics.mechanism import Mechanism
+from mechanics.kernel import Finding, Statement, decide, follows
+from mechanics.kernel.statement import RATES, ZERO
+from mechanics.mechanism import Mechanism, ranges
 from mechanics.program.builder import Node
 
 LARGEST_PROOF = 1500
@@ -21,7 +22,10 @@ def equal(
     right: Sequence[Node | int],
     shown: Shown | None = None,
 ) -> Finding:
-    """Whether nodes of a mechanism are equal, entry by entry.
+    """Whether nodes of a mechanism are equal, entry by entry, wherever its constraints hold.
+
+    What is equal at all states is so on every component; what is not is looked at on that of the
+    scene's example.
 
     Parameters
     ----------
@@ -32,9 +36,13 @@ def equal(
         What else a witness shows: accelerations, reactions.
     """
     outputs: dict[str, Sequence[Node | int]] = {"left": left, "right": right, **(shown or {})}
+    pays = mechanism.builder.program(outputs).count <= LARGEST_PROOF
+    closure = mechanism.closure
+    if closure:
+        outputs |= {ZERO: closure.configuration, RATES: closure.rates}
     program = mechanism.builder.program(outputs)
-    pays = program.count <= LARGEST_PROOF
-    return decide(Statement(subject, program, ranges(mechanism)), try_normal=pays)
+    statement = Statement(subject, program, ranges(mechanism), closure.start, closure.dependent)
+    return decide(statement, try_normal=pays)
 
 
 def each_or_all(
@@ -55,9 +63,3 @@ def each_or_all(
         equal(subject, mechanism, one, other)
         for subject, (one, other) in zip(subjects, sides, strict=True)
     ]
-
-
-def ranges(mechanism: Mechanism) -> dict[str, Range]:
-    """What the scene declares of the inputs, as the kernel takes it."""
-    words = {"positive": Range.POSITIVE, "nonnegative": Range.NONNEGATIVE}
-    return {name: words[sign] for name, sign in mechanism.signs.items()}

@@ -34,9 +34,13 @@ class _Solved:
 
 @dataclass
 class Elimination:
-    """Rows that are left, and how each reaction was solved for; `filter_` proposes pivots."""
+    """Rows that are left, and how each reaction was solved for.
 
-    filter_: Residues
+    `anywhere` proposes what is zero at all states, `closed` what is where the constraints hold.
+    """
+
+    anywhere: Residues
+    closed: Residues
     work: list[Row]
     solved: list[_Solved] = field(default_factory=list)
 
@@ -55,6 +59,7 @@ class Elimination:
                 for reaction in waiting
                 for index, row in enumerate(self.work)
                 if reaction in row.coefficients
+                and not self.closed.is_zero(row.coefficients[reaction])
             ]
             if not candidates:
                 raise SingularError(
@@ -79,7 +84,7 @@ class Elimination:
         for r, c in pivot.coefficients.items():
             if r != reaction:
                 merged[r] = merged[r] - factor * c if r in merged else -(factor * c)
-        row.coefficients = nonzero(self.filter_, merged)
+        row.coefficients = nonzero(self.anywhere, merged)
 
     def reactions(self, unknown: dict[int, Node]) -> dict[int, Node]:
         """Each reaction in u' and the unknowns that stay: the last solved holds no other."""

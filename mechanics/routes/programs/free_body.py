@@ -62,10 +62,10 @@ def derive(mechanism: Mechanism) -> Rows:
         When no row determines a reaction.
     """
     build = mechanism.builder
-    filter_ = Residues(build)
+    filter_, closed = mechanism.filters
     rows = free_body_rows(mechanism, filter_)
     work = [Row(row.body, row.rate - row.applied, dict(row.coefficients)) for row in rows]
-    elimination = Elimination(filter_, work)
+    elimination = Elimination(filter_, closed, work)
     kept = mechanism.multipliers
     names = [reaction.name for reaction in mechanism.reactions]
     for body in reversed(mechanism.order):

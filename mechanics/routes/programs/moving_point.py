@@ -98,7 +98,7 @@ def derive(mechanism: Mechanism) -> Rows:
         When the principles do not determine the motion.
     """
     build = mechanism.builder
-    filter_ = Residues(build)
+    filter_, closed = filters = mechanism.filters
     motions = chain.motions(mechanism)
     units = acting_reactions(mechanism, motions.poses)
     loops = _loop_reactions(mechanism)
@@ -117,7 +117,7 @@ def derive(mechanism: Mechanism) -> Rows:
         crossing = _crossing(units, mechanism.subtree(root))
         stopped = {j: unit for j, unit in crossing.items() if j not in let_in}
         about = motions.points[subtrees[root].point].position
-        for principle in _principles(mechanism, motions, filter_, root, about, stopped, directions):
+        for principle in _principles(mechanism, motions, filters, root, about, stopped, directions):
             principles.append(principle)
             centre = add(about, principle.offset)
             held.append(
@@ -129,9 +129,9 @@ def derive(mechanism: Mechanism) -> Rows:
                 }
             )
     values = _values(mechanism, motions, subtrees, principles)
-    kept = _independent(mechanism, filter_, values, held, let_in)
+    kept = _independent(mechanism, closed, values, held, let_in)
     rows = [Row(principles[i].root, values[i], held[i]) for i in kept]
-    elimination = Elimination(filter_, rows)
+    elimination = Elimination(filter_, closed, rows)
     names = [reaction.name for reaction in mechanism.reactions]
     elimination.solve_for(list(loops), None, names)
     residuals = [_without(row, let_in) for row in elimination.work]
@@ -252,14 +252,14 @@ def _values(
 def _principles(
     mechanism: Mechanism,
     motions: Motions,
-    filter_: Residues,
+    filters: tuple[Residues, Residues],
     root: int,
     about: Vector,
     crossing: Mapping[int, Wrench],
     directions: Directions,
 ) -> list[Principle]:
     """Every principle of a subtree in which no crossing reaction enters, translations first."""
-    none = zeros(mechanism.builder)
+    none, (filter_, _) = zeros(mechanism.builder), filters
     frame = _frame(mechanism, crossing, directions)
     rotation = motions.frames[frame].rotation
     back = transpose(rotation)
@@ -280,7 +280,7 @@ def _principles(
         )
     size = len(directions.translation) + len(directions.rotation)
     found = []
-    for vector in null_space(rows, size, filter_, mechanism.builder.one):
+    for vector in null_space(rows, size, filters, mechanism.builder.one):
         v, w = _twist(vector, directions, mechanism.builder.zero)
         found.append(_principle(root, rotation, v, w))
     return sorted(found, key=lambda principle: not principle.linear)
@@ -327,9 +327,13 @@ def _principle(root: int, rotation: Sequence[Vector], v: Vector, w: Vector) -> P
 
 
 def null_space(
-    rows: Sequence[Sequence[Node]], size: int, filter_: Residues, one: Node
+    rows: Sequence[Sequence[Node]], size: int, filters: tuple[Residues, Residues], one: Node
 ) -> list[list[Node]]:
-    """Basis of the vectors that every row annihilates, by fraction-free elimination."""
+    """Basis of the vectors that every row annihilates, by fraction-free elimination.
+
+    Where the constraints hold, if they do not at all states: no pivot is zero there.
+    """
+    anywhere, closed = filters
     work = [list(row) for row in rows]
     pivots: dict[int, int] = {}
     waiting = list(range(len(work)))
@@ -338,7 +342,7 @@ def null_space(
             (work[r][c].constant is None, c, r)
             for r in waiting
             for c in range(size)
-            if c not in pivots and not work[r][c].is_zero
+            if c not in pivots and not closed.is_zero(work[r][c])
         ]
         if not candidates:
             break
@@ -351,7 +355,7 @@ def null_space(
                 continue
             number = work[row][column].constant
             keep, factor = (one, head / number) if number is not None else (work[row][column], head)
-            work[i] = [filter_.tidy(keep * other[k] - factor * work[row][k]) for k in range(size)]
+            work[i] = [anywhere.tidy(keep * other[k] - factor * work[row][k]) for k in range(size)]
     basis = []
     for free in (c for c in range(size) if c not in pivots):
         # Without the divisors of its entries, which vanish at some states.

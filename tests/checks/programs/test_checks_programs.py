@@ -2,26 +2,30 @@
 
 from collections.abc import Callable
 from dataclasses import replace
+from fractions import Fraction
 
 import pytest
+from linkages import LINKAGES, lifted_bead, parallelogram, slider_crank
 
 from mechanics.checks.programs import laws, reactions
 from mechanics.checks.programs.admissible import check_scene
 from mechanics.checks.programs.agreement import (
     Derived,
+    check_multipliers,
     compare,
     compare_pairs,
     linear_system,
     matched,
 )
 from mechanics.errors import SingularError
-from mechanics.kernel import Finding, Verdict
+from mechanics.kernel import Finding, Verdict, enclose
 from mechanics.mechanism import Mechanism, lower
 from mechanics.program import Builder, Node
+from mechanics.program.derivatives import gradient
 from mechanics.program.residues import Residues
 from mechanics.routes.programs import free_body, kane, lagrange, moving_point
 from mechanics.routes.programs.rows import Rows
-from systems import ALL, elastic_pendulum, pendulum_chain, rolling_disc
+from systems import ALL, elastic_pendulum, four_bar, pendulum_chain, rolling_disc
 
 ROUTES = (free_body, moving_point, kane, lagrange)
 
@@ -135,3 +139,64 @@ def test_laws_hold(system) -> None:
     ]
     assert len(findings) > len(mechanism.reactions)
     assert all(finding.shown for finding in findings)
+
+
+def planted(mechanism: Mechanism, rows: Rows) -> Derived:
+    """The route with the sign of gravity wrong in its first row."""
+    g = mechanism.builder.input("g")
+    (weight,) = gradient([rows.values[0]], [1], [g])
+    return changed(mechanism, rows, lambda row: row - 2 * weight * g)
+
+
+@pytest.mark.parametrize("name", [*LINKAGES, "four_bar"])
+def test_a_planted_sign_is_refuted_where_the_constraints_hold(name: str) -> None:
+    mechanism = check_scene({**LINKAGES, "four_bar": four_bar.scene}[name]())
+    anywhere, _ = mechanism.filters
+    by_kane, by_lagrange = (
+        linear_system(mechanism, route.derive(mechanism), mechanism.filters[1])
+        for route in (kane, lagrange)
+    )
+    right = compare(by_lagrange, by_kane, anywhere)
+    assert right.shown, right
+    other = planted(mechanism, by_lagrange.rows)
+    finding = compare(other, by_kane, anywhere)
+    assert_refuted(finding)
+    assert finding.witness is not None
+    values = {n: Fraction(v) for n, v in (*finding.witness.state, *finding.witness.solved)}
+    closure = mechanism.closure
+    off = mechanism.builder.program({"off": [*closure.configuration, *closure.rates]})
+    assert all(abs(entry) < 1e-12 for entry in enclose(off, values, 200)["off"])
+
+
+def test_what_cannot_be_closed_is_undecided() -> None:
+    mechanism = check_scene(parallelogram(False, "coupler"))
+    by_kane, by_lagrange = (
+        linear_system(mechanism, route.derive(mechanism), mechanism.filters[1])
+        for route in (kane, lagrange)
+    )
+    unknown = replace(mechanism, closure=replace(mechanism.closure, dependent=()))
+    one, two = replace(by_kane, mechanism=unknown), replace(by_lagrange, mechanism=unknown)
+    finding = compare(one, two, mechanism.filters[0])
+    assert finding.verdict is Verdict.UNDECIDED
+    assert "no exact point on them is known" in finding.evidence
+
+
+def test_a_false_multiplier_is_refuted() -> None:
+    mechanism = check_scene(slider_crank("slider"))
+    closed = mechanism.filters[1]
+    by_kane = linear_system(mechanism, kane.derive(mechanism), closed)
+    rows = lagrange.derive(mechanism)
+    assert check_multipliers(by_kane, linear_system(mechanism, rows, closed)).shown
+    weaker = replace(rows, values=(rows.values[0] + mechanism.u[0], *rows.values[1:]))
+    assert_refuted(check_multipliers(by_kane, linear_system(mechanism, weaker, closed)))
+
+
+def test_energy_of_a_lifted_rail_counts_the_work_of_its_reaction() -> None:
+    mechanism = check_scene(lifted_bead())
+    assert laws.is_driven(mechanism)
+    closed = mechanism.filters[1]
+    support = linear_system(mechanism, free_body.derive(mechanism), closed)
+    assert laws.check_energy_balance(support, support).shown
+    still = replace(mechanism, reactions=())
+    idle = replace(support, mechanism=still)
+    assert_refuted(laws.check_energy_balance(idle, idle))

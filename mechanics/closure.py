@@ -1,0 +1,145 @@
+"""Where the constraints of a mechanism hold: a state that is closed, and points of its component.
+
+    phi(q, p) = 0               configuration, by Newton's method from the scene's example      (1)
+    q <- q - J^T (J J^T)^-1 phi,    J = dphi/dq
+    A(q, p) u + a = 0           conditions on the speeds                                        (2)
+
+Dependent inputs are replaced as the kernel does it (`mechanics.kernel.constraints`): a chart of the
+component that the closed state is on. At its points routes choose pivots and scenes are checked.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from fractions import Fraction
+from itertools import product
+
+from flint import arb, arb_mat
+
+from mechanics.kernel import Range, Statement, enclose
+from mechanics.kernel.balls import precision
+from mechanics.kernel.constraints import BITS, on_constraints
+from mechanics.kernel.statement import RATES, ZERO
+from mechanics.program.builder import Builder, Node
+from mechanics.program.derivatives import gradient
+from mechanics.program.interpret import include
+from mechanics.program.residues import ODD_PARTS, PARTS, NoRoot, Residues
+
+STEPS = 60
+CLOSED = 2.0**-200
+POINTS = 128
+"""Points that are tried: half of all radicands have no root in the field."""
+
+
+@dataclass(frozen=True)
+class Closure:
+    """What is known of the states at which constraints hold.
+
+    Attributes
+    ----------
+    configuration, rates : tuples of Node
+        Constraints of the coordinates, and those of the speeds with the rates of the first.
+    dependent : tuple of str
+        Inputs for which they may be solved: speeds, parameters, coordinates.
+    start : mapping of str to Fraction
+        A state at which (1) holds to 200 binary digits; empty where none is known.
+    values : mapping of Node to Node
+        What takes the place of dependent inputs; empty where no exact point is known.
+    point, parts : int
+        Which point of the field the filter takes: one at which every root exists.
+    """
+
+    configuration: tuple[Node, ...] = ()
+    rates: tuple[Node, ...] = ()
+    dependent: tuple[str, ...] = ()
+    start: Mapping[str, Fraction] = field(default_factory=dict)
+    values: Mapping[Node, Node] = field(default_factory=dict)
+    point: int = 0
+    parts: int = PARTS
+
+    def __bool__(self) -> bool:
+        return bool(self.configuration or self.rates)
+
+
+def close(
+    builder: Builder,
+    configuration: Sequence[Node],
+    rates: Sequence[Node],
+    dependent: Sequence[str],
+    coordinates: Sequence[Node],
+    suggested: Mapping[str, Fraction],
+    signs: Mapping[str, Range],
+) -> Closure:
+    """The closure of constraints.
+
+    Parameters
+    ----------
+    builder : Builder
+    configuration, rates : sequences of Node
+    dependent : sequence of str
+        Inputs in the order in which they are tried.
+    coordinates : sequence of Node
+        Inputs that Newton's method may move.
+    suggested : mapping of str to Fraction
+        The scene's example and typical values; without them no state is known.
+    signs : mapping of str to Range
+    """
+    start = closed_state(builder, configuration, coordinates, suggested)
+    plain = Closure(tuple(configuration), tuple(rates), tuple(dependent), start)
+    outputs = {"left": [builder.zero], "right": [builder.one], ZERO: configuration, RATES: rates}
+    program = builder.program(outputs)
+    statement = Statement("closure", program, signs, start, tuple(dependent))
+    constrained = on_constraints(statement)
+    if constrained is None:
+        return plain
+    solved = [name for name in program.inputs if name in constrained.program.outputs]
+    nodes = include(builder, constrained.program)
+    values = {builder.input(name): nodes[name][0] for name in solved}
+    every = [*configuration, *rates]
+    for parts, point in product((PARTS, ODD_PARTS), range(POINTS)):
+        filter_ = Residues(builder, values, point, parts)
+        try:
+            closed = not any(filter_.values(every))
+        except NoRoot:
+            continue
+        if closed:
+            return replace(plain, values=values, point=point, parts=parts)
+    return plain
+
+
+def closed_state(
+    builder: Builder,
+    configuration: Sequence[Node],
+    coordinates: Sequence[Node],
+    suggested: Mapping[str, Fraction],
+) -> dict[str, Fraction]:
+    """Equation (1); empty where a value is missing or Newton's method does not come to a point."""
+    slopes = [gradient([one], [1], coordinates) for one in configuration]
+    program = builder.program({"value": configuration, "slope": [e for row in slopes for e in row]})
+    names = [builder.inputs[builder.operands[0][q.number]] for q in coordinates]
+    state = {**dict.fromkeys(names, Fraction(0)), **suggested}
+    if not state.keys() >= set(program.inputs):
+        return {}
+    with precision(BITS):
+        for _ in range(STEPS):
+            outputs = enclose(program, state, BITS)
+            if not all(ball.is_finite() for balls in outputs.values() for ball in balls):
+                return {}
+            value = arb_mat(len(configuration), 1, [v.mid() for v in outputs["value"]])
+            if all(abs(entry) < CLOSED for entry in value.entries()):
+                return state
+            slope = arb_mat(len(configuration), len(names), [v.mid() for v in outputs["slope"]])
+            try:
+                step = slope.transpose() * (slope * slope.transpose()).solve(value)
+            except ZeroDivisionError:
+                return {}
+            for name, change in zip(names, step.entries(), strict=True):
+                state[name] = _exact(arb(state[name].numerator) / state[name].denominator - change)
+    return {}
+
+
+def _exact(value: arb) -> Fraction:
+    """The midpoint of a ball."""
+    mantissa, exponent = value.mid().man_exp()
+    return Fraction(int(mantissa)) * Fraction(2) ** int(exponent)

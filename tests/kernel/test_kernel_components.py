@@ -1,0 +1,121 @@
+"""A state on the constraints tells which component of them a statement is about."""
+
+from fractions import Fraction
+
+import pytest
+
+from mechanics.kernel import Finding, Range, Statement, Verdict, decide, enclose
+from mechanics.kernel.constraints import on_constraints
+from mechanics.program import Builder, Node
+
+LENGTHS = {"a": Range.POSITIVE, "b": Range.POSITIVE}
+
+
+def parallelogram(b: Builder) -> list[Node]:
+    """Crank and rocker of length a, coupler and ground of length b."""
+    p, q, r, a, c = (b.input(name) for name in ("p", "q", "r", "a", "b"))
+    return [
+        a * p.cos() + c * q.cos() - c - a * r.cos(),
+        a * p.sin() + c * q.sin() - a * r.sin(),
+    ]
+
+
+def folded_angle(digits: int) -> Fraction:
+    """Angle of the rocker of the folded twin at p = 1 with a = 1, b = 2, by bisection.
+
+    Crank and rocker ends are b apart there, too: |(cos p - b - cos r, sin p - sin r)| = b.
+    """
+    b = Builder()
+    p, r = b.constant(1), b.input("r")
+    off = (p.cos() - 2 - r.cos()).power(2) + (p.sin() - r.sin()).power(2) - 4
+    program = b.program({"off": [off]})
+    low, high = Fraction(-5, 2), Fraction(-3, 2)
+    for _ in range(digits):
+        middle = (low + high) / 2
+        values = [enclose(program, {"r": at}, 600)["off"][0] for at in (low, middle)]
+        low, high = (middle, high) if values[0] * values[1] > 0 else (low, middle)
+    return low
+
+
+def start(folded: bool) -> dict[str, Fraction]:
+    lengths = {"a": Fraction(1), "b": Fraction(2)}
+    if not folded:
+        return {"p": Fraction(1), "q": Fraction(0), "r": Fraction(1), **lengths}
+    r = folded_angle(400)
+    b = Builder()
+    angle = b.input("r")
+    coupler = (angle.sin() - b.constant(1).sin()) / 2
+    (found,) = enclose(b.program({"q": [b.call("asin", coupler)]}), {"r": r}, 600)["q"]
+    mantissa, exponent = found.mid().man_exp()
+    q = Fraction(int(mantissa)) * Fraction(2) ** int(exponent)
+    return {"p": Fraction(1), "q": q, "r": r, **lengths}
+
+
+def decided(left: Node, right: Node, folded: bool, dependent: str) -> Finding:
+    b = left.builder
+    program = b.program({"left": [left], "right": [right], "zero": parallelogram(b)})
+    statement = Statement("rods", program, LENGTHS, start(folded), tuple(dependent))
+    return decide(statement)
+
+
+@pytest.mark.parametrize("dependent", ["abpqr", "abrqp", "rq"])
+def test_both_rods_turn_equally_on_one_component_of_a_parallelogram(dependent: str) -> None:
+    b = Builder()
+    p, r = b.input("p"), b.input("r")
+    finding = decided(p.sin(), r.sin(), False, dependent)
+    assert finding.verdict is Verdict.PROVED
+    assert "on the component where the constraints give" in finding.evidence
+    assert "(at the start" in finding.evidence
+    finding = decided(p.sin(), r.sin(), True, dependent)
+    assert finding.verdict is Verdict.REFUTED
+    assert finding.witness is not None
+    wrong = decided(p.sin(), r.cos(), False, dependent)
+    assert wrong.verdict is Verdict.REFUTED
+
+
+def test_points_of_the_folded_twin_lie_on_it() -> None:
+    b = Builder()
+    zero = parallelogram(b)
+    outputs = {"left": [b.zero], "right": [b.one], "zero": zero, "check": zero}
+    claim = Statement("twin", b.program(outputs), LENGTHS, start(True), ("r", "q"))
+    constrained = on_constraints(claim)
+    assert constrained is not None
+    assert {"r", "q"}.isdisjoint(constrained.program.inputs)
+    near = {"p": Fraction(11, 10), "a": Fraction(1), "b": Fraction(2)}
+    found = enclose(constrained.program, near, 256)
+    assert all(abs(ball) < 1e-50 for ball in found["check"])
+    (r,) = found["r"]
+    # The rocker turns back while the crank turns on.
+    assert float(r) < float(start(True)["r"])
+
+
+def test_a_root_follows_the_start() -> None:
+    b = Builder()
+    x, y, l = b.input("x"), b.input("y"), b.input("l")
+    outputs = {"left": [x], "right": [(l * l - y * y).sqrt()], "zero": [x * x + y * y - l * l]}
+    program = b.program(outputs)
+    for x_start, verdict in ((4, Verdict.CERTIFIED), (-4, Verdict.REFUTED)):
+        at = {"x": Fraction(x_start), "y": Fraction(3), "l": Fraction(5)}
+        claim = Statement("upper", program, {"l": Range.POSITIVE}, at, ("x",))
+        assert decide(claim, try_normal=False).verdict is verdict
+
+
+def test_where_both_roots_meet_no_branch_is_told() -> None:
+    b = Builder()
+    x, y = b.input("x"), b.input("y")
+    program = b.program({"left": [x], "right": [y], "zero": [x * x - y]})
+    at = {"x": Fraction(0), "y": Fraction(0)}
+    finding = decide(Statement("fold", program, {}, at, ("x",)))
+    assert finding.verdict is Verdict.UNDECIDED
+    assert "no exact point" in finding.evidence
+
+
+def test_speeds_are_solved_for_where_the_constraints_on_coordinates_hold() -> None:
+    """On x = y the row (x - y) u + v = 0 gives v = 0, and u stays free."""
+    b = Builder()
+    x, y, u, v, w = (b.input(name) for name in "xyuvw")
+    outputs = {"left": [v * w], "right": [b.zero], "zero": [x - y], "rates": [(x - y) * u + v]}
+    claim = Statement("rates", b.program(outputs), {}, {}, ("u", "v", "x"))
+    finding = decide(claim)
+    assert finding.verdict is Verdict.PROVED
+    assert finding.evidence.endswith("on the component where the constraints give v, x")

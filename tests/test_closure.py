@@ -1,0 +1,144 @@
+"""Where constraints hold: closed states, charts of their component, points of the field on them."""
+
+from collections.abc import Callable
+from dataclasses import replace
+from fractions import Fraction
+
+import pytest
+from linkages import LINKAGES, parallelogram, slider_crank
+from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
+
+from mechanics.checks.programs.admissible import check_scene
+from mechanics.errors import SceneError
+from mechanics.kernel import enclose
+from mechanics.mechanism import Mechanism, lower, name_of
+from mechanics.program import Builder
+from mechanics.program.interpret import include
+from mechanics.program.residues import ODD_PARTS, PARTS, PRIME, NoRoot, Residues
+from mechanics.scene import Particle, Scene, holonomic, parameters, reaction
+from systems import ALL, four_bar, rolling_disc
+
+SCENES: dict[str, Callable[[], Scene]] = {
+    "four_bar": four_bar.scene,
+    "rolling_disc": rolling_disc.scene,
+    **LINKAGES,
+}
+
+
+def lowered(name: str) -> Mechanism:
+    return lower(SCENES[name](), Builder())
+
+
+@pytest.mark.parametrize("name", SCENES)
+def test_the_start_is_closed(name: str) -> None:
+    mechanism = lowered(name)
+    closure = mechanism.closure
+    program = mechanism.builder.program({"off": closure.configuration or [mechanism.builder.zero]})
+    assert closure.start.keys() >= set(program.inputs)
+    off = enclose(program, closure.start, 400)["off"]
+    assert all(abs(entry) < 2.0**-190 for entry in off)
+
+
+@pytest.mark.parametrize("name", SCENES)
+def test_constraints_vanish_at_the_point_of_the_closed_filter(name: str) -> None:
+    mechanism = lowered(name)
+    anywhere, closed = mechanism.filters
+    every = [*mechanism.closure.configuration, *mechanism.closure.rates]
+    assert len(every) >= len(mechanism.constraints)
+    assert set(closed.values(every)) == {0}
+    assert 0 not in anywhere.values(every)
+
+
+@pytest.mark.parametrize("name", SCENES)
+def test_values_of_dependent_inputs_close_real_states_too(name: str) -> None:
+    mechanism = lowered(name)
+    closure, build = mechanism.closure, mechanism.builder
+    program = build.program({"off": [*closure.configuration, *closure.rates]})
+    values = {name_of(old): new for old, new in closure.values.items()}
+    moved = build.program(include(build, program, values))
+    near = {
+        name: (closure.start.get(name, Fraction(k + 1, 3)) * (1 + Fraction(k % 5, 90)))
+        for k, name in enumerate(moved.inputs)
+    }
+    off = enclose(moved, near, 400)["off"]
+    assert all(abs(entry) < 2.0**-300 for entry in off)
+
+
+def test_scenes_without_constraints_have_one_filter() -> None:
+    for system in ALL:
+        scene = system.scene()
+        anywhere, closed = lower(scene, Builder()).filters
+        assert (anywhere is closed) != bool(scene.constraints)
+
+
+def test_a_parallelogram_and_its_twin_are_told_apart_by_the_example() -> None:
+    equal = []
+    for folded in (False, True):
+        mechanism = lower(parallelogram(folded, "rocker"), Builder())
+        q1, _, q3 = mechanism.q
+        _, closed = mechanism.filters
+        equal.append(closed.is_zero(q1.cos() - q3.cos()) and closed.is_zero(q1.sin() - q3.sin()))
+    assert equal == [True, False]
+
+
+def test_without_typical_values_no_start_is_known() -> None:
+    scene = slider_crank("slider")
+    plain = dict(zip(scene.parameters, parameters("r l m g"), strict=False))
+    assert len(plain) == 4
+    x, y = dynamicsymbols("x y")
+    N, O = ReferenceFrame("N"), Point("O")
+    (L,) = parameters("L")
+    bead = Scene(
+        "bead", N, O, coordinates=(x, y),
+        bodies=(Particle("bead", O.locatenew("B", x * N.x + y * N.y), L),),
+        reactions=(reaction("S", O.locatenew("B2", x * N.x + y * N.y), "bead", None, N.y),),
+        constraints=(holonomic("rail", y - L, "S"),),
+    )  # fmt: skip
+    closure = lower(bead, Builder()).closure
+    assert closure.start == {}
+    assert closure.values
+
+
+def test_redundant_constraints_of_a_parallelogram_are_refused() -> None:
+    """A third rod, parallel to both: off the component its constraints would stop all motion."""
+    scene = parallelogram(False, "coupler")
+    (m,) = parameters("m_4")
+    s = dynamicsymbols("s")
+    N = scene.frame
+    bead = Particle("bead", scene.origin.locatenew("bead", s * N.x), m)
+    q1, q2, q3 = scene.coordinates
+    at = bead.centre
+    more = replace(
+        scene,
+        coordinates=(*scene.coordinates, s),
+        bodies=(*scene.bodies, bead),
+        reactions=(
+            *scene.reactions,
+            reaction("E", at, "bead", None, N.y),
+            reaction("T", scene.body("rocker").centre, "rocker", "crank", N.x),
+        ),
+        constraints=(*scene.constraints, holonomic("rods turn equally", q3 - q1 + 0 * q2, "T")),
+    )
+    with pytest.raises(SceneError, match="redundant constraints: rods turn equally follow from"):
+        check_scene(more)
+
+
+def test_angles_of_the_circle_have_all_odd_roots_and_some_halves() -> None:
+    b = Builder()
+    q, t = b.input("q"), b.input("t")
+    halves = []
+    for point in range(40):
+        # q = atan2(2 t, 1 - t^2): the double of an angle, so that its radius is known.
+        value = b.call("atan2", 2 * t, 1 - t * t)
+        filter_ = Residues(b, {q: value}, point, PARTS)
+        try:
+            c, s, half, third = filter_.values([q.cos(), q.sin(), (q / 2).cos(), (q / 3).cos()])
+        except NoRoot:
+            filter_ = Residues(b, {q: value}, point, ODD_PARTS)
+            c, s, third = filter_.values([q.cos(), q.sin(), (q / 3).cos()])
+        else:
+            halves.append((2 * half * half - 1 - c) % PRIME == 0)
+        assert (c * c + s * s - 1) % PRIME == 0
+        assert (4 * pow(third, 3, PRIME) - 3 * third - c) % PRIME == 0
+    assert any(halves)
+    assert len(halves) < 40
