@@ -27,7 +27,8 @@ ROOT = Path(__file__).resolve().parents[2]
 PACKAGE = ROOT / "mechanics"
 COPIED = ("mechanics", "systems", "tests", "benchmarks")
 SECONDS, MEMORY = 20, 4 << 30
-"""Of processor time and bytes that the tests of one mutant may take; more counts as noticed."""
+"""Of processor time and bytes that tests of one mutant may take; more counts as noticed. All tests
+of a folder may take ten times as long."""
 ENOUGH = 6.0
 """Seconds of tests that call a function, the quickest first; the others are left out."""
 OPTIONS = ["-x", "-q", "-p", "no:cacheprovider", "--import-mode=importlib", "-o", "addopts=",
@@ -79,7 +80,7 @@ class Planting:
         return 0
 
     def _try(self, mutant: Mutant, items: Iterable[pytest.Item]) -> int:
-        limit()
+        limit(SECONDS)
         module = "mechanics." + mutant.path.removesuffix(".py").replace("/", ".")
         text = (PACKAGE / mutant.path).read_text(encoding="utf-8")
         function = function_of(module, mutant.function)
@@ -144,7 +145,7 @@ def try_files(
 
 
 def _whole(folder: Path, tests: Sequence[str]) -> int:
-    limit()
+    limit(10 * SECONDS)
     os.chdir(folder)
     sys.dont_write_bytecode = True
     sys.path[:] = [str(folder), *(p for p in sys.path if Path(p or ".").resolve() != ROOT)]
@@ -170,10 +171,9 @@ def warm_up() -> None:
         raise RuntimeError("the package is imported already: its mutants would not be")
 
 
-def limit() -> None:
-    """End this process where it takes too much, and let it start others in its own group."""
-    os.setpgid(0, 0)
-    resource.setrlimit(resource.RLIMIT_CPU, (SECONDS, SECONDS))
+def limit(seconds: int) -> None:
+    """End this process where it takes too much."""
+    resource.setrlimit(resource.RLIMIT_CPU, (seconds, seconds))
     resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
 
 

@@ -346,6 +346,9 @@ def test_sizes_follow_their_equations() -> None:
     assert (cube.numerator, cube.denominator) == pytest.approx((10, 5 * (4 + 2 * 2) / 3))
     assert cube.height == 30
     assert d.log2_conjugates == 1 + log2(3)
+    assert d.operations["power"](Size(4, 0, 6, 0), d.constant(Fraction(2))).token == 0
+    square = d.operations["power"](Size(4, 2, 6, 5), d.constant(Fraction(2)))
+    assert square.token not in (0, 5, cube.token)
     assert d.operations["sin"](u).numerator == d.operations["sin"](u).height == 1
     u.inverse = None
     first, again = (d.solve([[u]], [v], False)[0] for _ in range(2))

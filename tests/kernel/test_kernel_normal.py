@@ -8,6 +8,7 @@ from flint import fmpq
 from mechanics.kernel import Range, Statement
 from mechanics.kernel.normal import MOST_UNKNOWNS, Fractions, capacity, proves
 from mechanics.kernel.quotients import NoValue, Quotient, Quotients
+from mechanics.kernel.radicals import LARGEST_CONTENT
 from mechanics.kernel.ring import MOST_WORK, Ring, TooLarge, content, leading_powers
 from mechanics.program import Builder, Node
 
@@ -124,6 +125,13 @@ def test_roots_and_absolute_values() -> None:
     assert shown((x / -2).sign() * 3, -3 * x.sign())
     assert not shown(x.sign() * x.sign(), b.one)
     assert shown((x * x).power(Fraction(3, 2)), abs(x) * x * x)
+
+
+def test_large_radicands_are_not_factored() -> None:
+    b = Builder()
+    for number, factored in ((LARGEST_CONTENT // 4 - 2, True), (LARGEST_CONTENT - 2, False)):
+        root = b.constant(number).sqrt() + b.input("x")
+        assert shown(2 * root, b.constant(4 * number).sqrt() + 2 * b.input("x")) is factored
 
 
 def test_truth_values() -> None:
