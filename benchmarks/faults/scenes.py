@@ -3,7 +3,7 @@
 from collections.abc import Callable
 from functools import partial
 
-from sympy import pi
+from sympy import Rational, cos, pi, sin, sqrt
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols, inertia
 
 from mechanics.scene import (
@@ -100,6 +100,31 @@ def arm(count: int = 3) -> Scene:
     )  # fmt: skip
 
 
+def trammel() -> Scene:
+    """A rod whose end and mass centre slide along oblique lines; a speed that is no rate."""
+    a, b, k, m, A, g, f = parameters("a b k m A g f")
+    theta, u = dynamicsymbols("theta u")
+    N, O = ReferenceFrame("N"), Point("O")
+    rod = N.orientnew("B", "Axis", (theta, N.z))
+    one, two = (N.x - N.y) / sqrt(2), (N.x + N.y) / sqrt(2)
+    start = O.locatenew("S", (b + Rational(1, 2)) * N.y)
+    end = start.locatenew("E", a * cos(theta) * one + b * two)
+    centre = start.locatenew("C", (b - a * sin(theta)) * two)
+    return Scene(
+        "trammel", N, O, coordinates=(theta,), speeds=((u, 2 * theta.diff()),),
+        bodies=(RigidBody("rod", centre, rod, m, A),),
+        loads=(
+            gravity(-g * N.y),
+            spring("k", O, centre, k, length=a),
+            force("f", end, f * one, on="rod"),
+        ),
+        reactions=(
+            reaction("R1", at=end, on="rod", by=None, along=two),
+            reaction("R2", at=centre, on="rod", by=None, along=one),
+        ),
+    )  # fmt: skip
+
+
 SEED = ("elastic_pendulum", "rocker", "two_mass_chain")
 SCENES: dict[str, Callable[[], Scene]] = {
     "elastic_pendulum": elastic_pendulum.scene,
@@ -109,6 +134,7 @@ SCENES: dict[str, Callable[[], Scene]] = {
     "four_bar": four_bar.scene,
     "cartpole_friction": cartpole_friction.scene,
     "plate": plate,
+    "trammel": trammel,
     "arm": arm,
     "arm of programs": partial(arm, 4),
 }

@@ -96,7 +96,8 @@ BRANCHES = {
     "guarded by the other case": (asked(NONNEGATIVE, X, (BELOW, False)), None),
     "guarded by not": (asked(NONNEGATIVE, X, (B.call("not", BELOW), True)), None),
     "guarded by both": (asked(NONZERO, X, (B.call("and", ABOVE, B.less(Y, 1)), True)), None),
-    "guarded by neither": (asked(NONZERO, X, (B.call("or", B.less(Y, 1), BELOW), False)), (THIN, False)),
+    "guarded by neither": (
+        asked(NONZERO, X, (B.call("or", B.less(Y, 1), BELOW), False)), (THIN, False)),
     "the wrong guard": (asked(NONNEGATIVE, X, (BELOW, True)), (OPEN, False)),
     "a guard of another": (asked(NONZERO, X, (B.less(Y, 1), True)), (THIN, True)),
     "at equality": (asked(NONZERO, X, (B.call("equal", X, 0), True)), (THIN, True)),

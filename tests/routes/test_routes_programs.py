@@ -6,10 +6,13 @@ the kernel's verdicts on them are tests of `mechanics.checks`.
 
 import pytest
 
+from benchmarks.faults.scenes import trammel
 from mechanics.mechanism import Mechanism, lower
 from mechanics.program import Builder
 from mechanics.program.residues import PRIME, Residues, eliminate
+from mechanics.program.vectors import dot
 from mechanics.routes.programs import free_body, kane, lagrange, moving_point
+from mechanics.routes.programs.moving_point import null_space
 from mechanics.routes.programs.rows import (
     Rows,
     acceleration_forms,
@@ -20,7 +23,8 @@ from mechanics.scene import Scene
 from systems import ALL, VARIANTS, pendulum_chain
 
 ROUTES = (free_body, moving_point, kane, lagrange)
-SCENES = [system.scene for system in (*ALL, *VARIANTS)] + [lambda: pendulum_chain.scene(12)]
+SCENES = [system.scene for system in (*ALL, *VARIANTS)]
+SCENES += [lambda: pendulum_chain.scene(12), trammel]
 
 
 def accelerations(mechanism: Mechanism, rows: Rows, filter_: Residues) -> tuple[int, ...]:
@@ -83,3 +87,26 @@ def test_reactions_of_free_bodies_make_their_rows_zero() -> None:
     rest = remainder(mechanism.builder, [*own, *rows.values], mechanism.ud)
     table = [filter_.values([*row, r]) for row, r in zip(matrix, rest, strict=True)]
     assert len(eliminate(table, len(mechanism.ud) + 1)) == len(mechanism.u)
+
+
+@pytest.mark.parametrize(
+    ("numbers", "rank"),
+    [("s 0 0 1", 1), ("s s 0; s r q", 2), ("1 s r; s 1 q", 2), ("s r q 1; r s 1 q", 2),
+     ("s r q; s r q", 1), ("0 1 s; 0 r 0", 2), ("0 0 0", 0), ("s r 0; q 0 r; 1 1 1", 3)],
+)  # fmt: skip
+def test_every_row_annihilates_the_null_space(numbers: str, rank: int) -> None:
+    """Whether pivots are numbers or not, and in any mixture of both."""
+    build = Builder()
+    known = {"0": build.zero, "1": build.one, "s": build.constant(2).sqrt() / 2}
+    rows = [
+        [known[name] if name in known else build.input(name) for name in row.split()]
+        for row in numbers.split(";")
+    ]
+    filter_ = Residues(build)
+    width = len(rows[0])
+    basis = null_space(rows, width, filter_, build.one)
+    assert len(basis) == width - rank
+    for vector in basis:
+        for row in rows:
+            assert filter_.is_zero(dot(row, vector))
+    assert len(eliminate([filter_.values(vector) for vector in basis], width)) == len(basis)

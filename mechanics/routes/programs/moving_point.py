@@ -366,7 +366,7 @@ def null_space(
         for c, r in used.items():
             others = _product(one, (d for k, d in divisors.items() if k != c))
             scaled = -(work[r][free] * others)
-            vector[c] = scaled if c in divisors else scaled * vector[free] / work[r][c]
+            vector[c] = scaled if c in divisors else scaled / work[r][c]
         basis.append(vector)
     return basis
 
