@@ -104,7 +104,7 @@ def test_every_row_annihilates_the_null_space(numbers: str, rank: int) -> None:
     ]
     filter_ = Residues(build)
     width = len(rows[0])
-    basis = null_space(rows, width, filter_, build.one)
+    basis = null_space(rows, width, (filter_, filter_), build.one)
     assert len(basis) == width - rank
     for vector in basis:
         for row in rows:
