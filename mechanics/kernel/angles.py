@@ -186,6 +186,18 @@ def _divided(above: Form, below: Form, divisor: int) -> Form:
     return {_product(m, monomial, -1): factor / value for m, factor in above.items()}
 
 
+def node_of(builder: Builder, form: Form) -> Node:
+    """A form as a node."""
+    total = builder.zero
+    for monomial, factor in sorted(form.items()):
+        above = below = builder.one
+        for number, power in monomial:
+            part = Node(builder, number).power(abs(power))
+            above, below = (above * part, below) if power > 0 else (above, below * part)
+        total = total + above / below * factor
+    return total
+
+
 # ---------------------------------------------------------------------- a program in base angles
 
 
@@ -313,11 +325,7 @@ class _Rewriting:
 
     def _base(self, monomial: Monomial, above: int, below: int) -> Node:
         """A monomial times a rational, as a node."""
-        top = bottom = self._builder.one
-        for number, power in monomial:
-            factor = Node(self._builder, number).power(abs(power))
-            top, bottom = (top * factor, bottom) if power > 0 else (top, bottom * factor)
-        return top / bottom * Fraction(above, below)
+        return node_of(self._builder, {monomial: Fraction(above, below)})
 
     def _multiple(self, base: Node, times: int) -> Point:
         """Point of a multiple, by doubling."""

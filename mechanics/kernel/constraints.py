@@ -27,7 +27,7 @@ from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import partial
 
-from mechanics.kernel.angles import Form, Forms, Monomial, base_angles
+from mechanics.kernel.angles import Form, Forms, Monomial, base_angles, node_of
 from mechanics.kernel.balls import enclose
 from mechanics.kernel.field import Inadmissible
 from mechanics.kernel.independence import zeros
@@ -153,7 +153,7 @@ class _Solver:
         for key, form in powers.items():
             if any(self.depends(number, name) for monomial in form for number, _ in monomial):
                 return None
-            coefficients[key] = self.node(form)
+            coefficients[key] = node_of(self.builder, form)
         return coefficients
 
     def powers(self, form: Form, atoms: Sequence[Node]) -> dict[Monomial, Form]:
@@ -182,17 +182,6 @@ class _Solver:
             key = tuple(sorted((places[n], power) for n, power in monomial if n in places))
             put(key, tuple(pair for pair in monomial if pair[0] not in places), factor)
         return {key: part for key, part in found.items() if part}
-
-    def node(self, form: Form) -> Node:
-        """A form as a node."""
-        total = self.builder.zero
-        for monomial, factor in sorted(form.items()):
-            above = below = self.builder.one
-            for number, power in monomial:
-                part = Node(self.builder, number).power(abs(power))
-                above, below = (above * part, below) if power > 0 else (above, below * part)
-            total = total + above / below * factor
-        return total
 
     def depends(self, number: int, name: str) -> bool:
         """Whether a node is computed from an input."""

@@ -1,19 +1,26 @@
-"""Square roots that are quotients of polynomials: b sin t for b^2 (1 - cos^2 t), not |b sin t|.
+"""Roots of squares are absolute values, before a field sees them: sqrt(L^2) = |L|.
 
-sin^2 t + cos^2 t = 1 is used both ways, in turn: a square may show in one of them only.
+A root is many-valued: the false sqrt((x - y)^2) = x - y is zero at half of all points of a field,
+where |x - y| = x - y is so at none. L is found as the root of the radicand's polynomial, with
+cosines for the squares of sines; factors that are declared positive leave the bars.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Collection, Mapping
 from fractions import Fraction
+from functools import reduce
 
 from flint import fmpq, fmpq_mpoly, fmpq_mpoly_ctx
 from flint.utils.flint_exceptions import DomainError
 
-from mechanics.kernel.angles import Form
-from mechanics.program import Builder, Node
-from mechanics.program.operations import COS, SIN
+from mechanics.kernel.angles import Form, Forms, node_of
+from mechanics.kernel.statement import Range
+from mechanics.program import Builder, Node, Program, interpret
+from mechanics.program.interpret import Nodes
+from mechanics.program.operations import COS, INPUT, SIN, SQRT
+
+MOST_UNKNOWNS = 24
 
 
 def square_root(builder: Builder, form: Form) -> Node | None:
@@ -25,54 +32,126 @@ def square_root(builder: Builder, form: Form) -> Node | None:
         Whose nodes the monomials of the form are made of.
     form : mapping of monomials to Fraction
     """
-    partners = _partners(builder, {number for monomial in form for number, _ in monomial})
-    numbers = sorted({n for monomial in form for n, _ in monomial} | set(partners.values()))
-    if not numbers:
+    found = _root(builder, form)
+    unit = builder.constant(found[0]).sqrt() if found is not None else None
+    if found is None or unit is None or unit.constant is None:
         return None
-    ring = fmpq_mpoly_ctx.get([f"g{i}" for i in range(len(numbers))], "lex")
-    gens = dict(zip(numbers, ring.gens(), strict=True))
-    lowest = {n: min(dict(monomial).get(n, 0) for monomial in form) for n in numbers}
-    # Twice the negative powers clear the denominator, and are a square.
-    below = {n: -power for n, power in lowest.items() if power < 0}
-    for kept in (COS, SIN):
-        total = ring.constant(0)
-        for monomial, factor in form.items():
-            term = ring.constant(fmpq(factor.numerator, factor.denominator))
-            powers = dict(monomial)
-            for n in numbers:
-                power = powers.get(n, 0) + 2 * below.get(n, 0)
-                if n in partners and builder.operations[n] != kept:
-                    term *= (1 - gens[partners[n]] ** 2) ** (power // 2)
-                    power %= 2
-                term *= gens[n] ** power
-            total += term
+    return unit * node_of(builder, found[1])
+
+
+def roots_of_squares(program: Program, signs: Mapping[str, Range]) -> Program:
+    """The same program with |L| in the place of sqrt(L^2).
+
+    Parameters
+    ----------
+    program : Program
+        One without such roots is returned as it is.
+    signs : mapping of str to Range
+        What is known of the inputs.
+    """
+    if SQRT not in program.operations:
+        return program
+    builder = Builder()
+    forms = Forms(builder)
+
+    def root(x: Node) -> Node:
+        found = _root(builder, forms.of(x.number))
+        if found is None:
+            return x.sqrt()
+        factor, inner = found
+        return builder.constant(factor).sqrt() * _modulus(builder, inner, signs)
+
+    domain = Nodes(builder)
+    operations = {**domain.operations, "sqrt": root}
+    inputs = {name: builder.input(name) for name in program.inputs}
+    outputs = interpret(program, _Rewriting(domain, operations), inputs)
+    return builder.program(outputs, inputs=program.inputs)
+
+
+class _Rewriting:
+    """The domain of nodes with another meaning of some operations."""
+
+    def __init__(self, nodes: Nodes, operations: Mapping[str, Callable[..., Node]]) -> None:
+        self.constant, self.pi, self.solve = nodes.constant, nodes.pi, nodes.solve
+        self.operations = operations
+
+
+def _root(builder: Builder, form: Form) -> tuple[Fraction, Form] | None:
+    """A positive number and a form whose square is the rest, up to sign."""
+    unknowns = {number for monomial in form for number, _ in monomial}
+    if not form or len(unknowns) > MOST_UNKNOWNS:
+        return None
+    circles = _circles(builder, unknowns)
+    numbers = sorted(unknowns.union(*circles))
+    context = fmpq_mpoly_ctx.get([f"x{k}" for k in range(len(numbers))])
+    unknown = dict(zip(numbers, context.gens(), strict=True))
+    # Even powers of what stands below leave no negative powers.
+    below = {n: (1 - min(0, *(dict(m).get(n, 0) for m in form))) // 2 for n in numbers}
+    radicand = context.constant(0)
+    for monomial, factor in form.items():
+        powers = dict(monomial)
+        term = context.constant(fmpq(factor.numerator, factor.denominator))
+        for number, x in unknown.items():
+            term *= x ** (powers.get(number, 0) + 2 * below[number])
+        radicand += term
+    places = [(numbers.index(s), numbers.index(c)) for s, c in circles]
+    for polynomial in (
+        radicand,
+        reduce(_without_squares, places, radicand),
+        reduce(_without_squares, [(c, s) for s, c in places], radicand),
+    ):
+        unit = polynomial.leading_coefficient() if polynomial else fmpq(0)
         try:
-            root = total.sqrt()
+            root = (polynomial / unit).sqrt() if unit > 0 else None
         except DomainError:
-            continue
-        above = _of_polynomial(builder, root, numbers)
-        for n, power in below.items():
-            above = above / Node(builder, n).power(power)
-        return above
+            root = None  # no square as it is written
+        if root is not None:
+            inner: Form = {}
+            for monomial, value in root.to_dict().items():
+                powers = {n: int(k) - below[n] for n, k in zip(numbers, monomial, strict=True)}
+                key = tuple((n, k) for n, k in powers.items() if k)
+                inner[key] = Fraction(int(value.p), int(value.q))
+            return Fraction(int(unit.p), int(unit.q)), inner
     return None
 
 
-def _partners(builder: Builder, numbers: set[int]) -> dict[int, int]:
-    """The sine of each angle whose cosine is there, and the other way round."""
-    found: dict[int, int] = {}
-    for n in numbers:
-        code, angle = builder.operations[n], builder.operands[0][n]
-        if code in (COS, SIN):
-            other = builder.call("sin" if code == COS else "cos", Node(builder, angle)).number
-            found |= {n: other, other: n}
+def _without_squares(polynomial: fmpq_mpoly, places: tuple[int, int]) -> fmpq_mpoly:
+    """With s^2 = 1 - c^2 for the unknowns at two places."""
+    context = polynomial.context()
+    s, c = (context.gen(place) for place in places)
+    found = context.constant(0)
+    for monomial, value in polynomial.to_dict().items():
+        squares, rest = divmod(int(monomial[places[0]]), 2)
+        others = (*monomial[: places[0]], 0, *monomial[places[0] + 1 :])
+        found += context.from_dict({others: value}) * s**rest * (1 - c * c) ** squares
     return found
 
 
-def _of_polynomial(builder: Builder, polynomial: fmpq_mpoly, numbers: Sequence[int]) -> Node:
-    total = builder.zero
-    for powers, factor in polynomial.terms():
-        term = builder.constant(Fraction(int(factor.p), int(factor.q)))
-        for number, power in zip(numbers, powers, strict=True):
-            term = term * Node(builder, number).power(int(power))
-        total = total + term
-    return total
+def _circles(builder: Builder, unknowns: Collection[int]) -> list[tuple[int, int]]:
+    """Sines and cosines of the angles of which one is among the unknowns."""
+    first = builder.operands[0]
+    angles = {first[n] for n in unknowns if builder.operations[n] in (SIN, COS)}
+    return [
+        (Node(builder, angle).sin().number, Node(builder, angle).cos().number)
+        for angle in sorted(angles)
+    ]
+
+
+def _modulus(builder: Builder, form: Form, signs: Mapping[str, Range]) -> Node:
+    """|L|, the positive factors of a single monomial outside."""
+    if len(form) > 1:
+        return abs(node_of(builder, form))
+    ((monomial, factor),) = form.items()
+    outside = [
+        pair for pair in monomial if pair[1] % 2 == 0 or _is_positive(builder, pair[0], signs)
+    ]
+    inside = tuple(pair for pair in monomial if pair not in outside)
+    result = node_of(builder, {tuple(outside): abs(factor)})
+    return result * abs(node_of(builder, {inside: Fraction(1)})) if inside else result
+
+
+def _is_positive(builder: Builder, number: int, signs: Mapping[str, Range]) -> bool:
+    code, name = builder.operations[number], builder.operands[0][number]
+    if code == INPUT:
+        return signs.get(builder.inputs[name], Range.FREE) in (Range.POSITIVE, Range.NONNEGATIVE)
+    return code == SQRT

@@ -15,12 +15,13 @@ drawn until one is admissible: the union bound over them. C is the number of bra
 and of embeddings of the multiples of pi: N is replaced by its norm. deg and h include everything
 that is looked up by its residue (`sizes`): two different arguments meet with such a chance.
 
-Roots. If the radicand x of a square root is no square in the field of fractions, both branches are
-alike, and the norm speaks for both. If x = y**2, the real root is |y|, but the field takes y or -y,
-whichever is a square modulo p. At a random point and prime the quadratic characters of s such y
-take every combination that is consistent, with a chance of at least 2**-s (Weil's bound for
-character sums; Chebotarev for constants), among them the combination of the real signs. So a false
-statement survives k points with a chance of at most
+Roots. Radicands that are squares of polynomials are rewritten first (`squares`). If the radicand x
+of a square root is no square in the field of fractions, both branches are alike, and the norm
+speaks for both. If x = y**2, the real root is |y|, but the field takes y or -y, whichever is a
+square modulo p. At a random point and prime the quadratic characters of s such y take every
+combination that is consistent, with a chance of at least 2**-s (Weil's bound for character sums;
+Chebotarev for constants), among them the combination of the real signs. So a false statement
+survives k points with a chance of at most
 
     (1 - 2**-s + 2**-30)**k.                                                                  (2)
 
@@ -51,6 +52,7 @@ from mechanics.kernel.draws import Draws
 from mechanics.kernel.field import DivisionHere, Inadmissible, Residues
 from mechanics.kernel.primes import SIZES, common_modulus, draw_prime, log2_count
 from mechanics.kernel.sizes import Sizes
+from mechanics.kernel.squares import roots_of_squares
 from mechanics.kernel.statement import LEFT, POSITIVE, RIGHT, Statement
 from mechanics.program import OPERATIONS, Program, interpret
 from mechanics.program.operations import ABS, EQUAL, LESS, NOT_GREATER, SIGN
@@ -147,7 +149,7 @@ def prepare(statement: Statement, sizes: tuple[int, ...] = SIZES) -> Experiment:
     OverflowError
         If the degree bound is beyond the longest primes.
     """
-    program = base_angles(statement.program)
+    program = roots_of_squares(base_angles(statement.program), statement.signs)
     turns = turns_of(program)
     modulus = common_modulus(turns)
     domain = Sizes()
