@@ -2,10 +2,11 @@
 
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from time import monotonic
 
 from rich.console import Console
 from rich.progress import BarColumn, Progress, TextColumn, TimeRemainingColumn
+
+from mechanics.clock import Stopwatch
 
 PATIENCE = 1.0
 """Seconds after which a bar is worth its noise."""
@@ -20,7 +21,7 @@ def working(words: str) -> Iterator[Callable[[float], None]]:
     words : str
         What is being done.
     """
-    begin, shown = monotonic(), False
+    watch, shown = Stopwatch(), False
     bar = Progress(
         TextColumn("{task.description}"),
         BarColumn(),
@@ -32,7 +33,7 @@ def working(words: str) -> Iterator[Callable[[float], None]]:
 
     def tell(share: float) -> None:
         nonlocal shown
-        if not shown and monotonic() - begin > PATIENCE:
+        if not shown and watch.seconds > PATIENCE:
             bar.start()
             shown = True
         if shown:

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from time import perf_counter
+from functools import partial
 
 import casadi
 
@@ -21,6 +21,7 @@ from mechanics.checks.programs.agreement import (
     maintaining_forces,
 )
 from mechanics.checks.programs.statements import equal
+from mechanics.clock import timed
 from mechanics.compiled.outputs import jacobians, solvable
 from mechanics.compiled.program_model import ProgramModel
 from mechanics.equations import Equations
@@ -102,9 +103,7 @@ def derive_rows(
     for name in names:
         if stage is not None:
             stage(f"deriving by {name}")
-        start = perf_counter()
-        rows = DERIVATIONS[name](mechanism)
-        seconds[name] = perf_counter() - start
+        rows, seconds[name] = timed(partial(DERIVATIONS[name], mechanism))
         routes[name] = linear_system(mechanism, rows, filter_)
     return Programs(mechanism, routes, seconds)
 

@@ -6,7 +6,6 @@ scene --> routes --> pairs, laws, ledger --> compiled graphs --> residuals --> s
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from time import perf_counter
 
 from sympy import Symbol
 
@@ -23,6 +22,7 @@ from mechanics.checks.virtual_power import (
     check_virtual_power,
     drawn_states,
 )
+from mechanics.clock import Stopwatch
 from mechanics.compiled import Model, compile, prove_compiled
 from mechanics.compiled.finite import not_finite
 from mechanics.compiled.program_model import compile_programs
@@ -226,11 +226,11 @@ def _derived(
     derived, seconds = {}, {}
     for route in named_routes(names):
         stage(f"deriving by {route.name}")
-        start = perf_counter()
+        watch = Stopwatch()
         derived[route.name] = route.derive(scene)
         # M and f are written out when they are first read: they belong to the derivation.
         _ = derived[route.name].system
-        seconds[route.name] = perf_counter() - start
+        seconds[route.name] = watch.seconds
     return derived, seconds
 
 

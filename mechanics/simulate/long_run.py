@@ -7,13 +7,13 @@ Numerical Integration, IX and X. The motion z itself is a run of order 8 with sh
 """
 
 import math
-import time
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
 
+from mechanics.clock import timed
 from mechanics.errors import InputError
 from mechanics.simulate.drift import Drift, drift
 from mechanics.simulate.integrators import INTEGRATORS
@@ -210,9 +210,7 @@ def _affordable(
     trial = min(100, periods)
     solve = _prepared(replace(problem, times=_windows(trial * period, period)), setting)
     solve()
-    began = time.perf_counter()
-    solve()
-    needed = (time.perf_counter() - began) * periods / trial
+    needed = timed(solve)[1] * periods / trial
     decades = max(0, math.ceil(math.log10(needed / seconds)))
     return max(trial, periods // 10**decades)
 
@@ -220,9 +218,7 @@ def _affordable(
 def _measured(motion: _Motion, setting: Setting, count: int, wanted: int, period: float) -> LongRun:
     problem = motion.problem
     solve = _prepared(problem, setting)
-    began = time.perf_counter()
-    outcome = solve()
-    seconds = time.perf_counter() - began
+    outcome, seconds = timed(solve)
     states = outcome.states
     reached, times = len(states), problem.times[: len(states)] / period
     change = _energy(problem, states)

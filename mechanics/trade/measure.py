@@ -7,11 +7,11 @@ disturbs the machine disturbs all of them.
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from statistics import median
-from time import perf_counter
 
 import numpy as np
 from numpy.typing import NDArray
 
+from mechanics.clock import side_by_side, timed
 from mechanics.errors import MechanicsError
 from mechanics.simulate.conservative import conservative
 from mechanics.simulate.integrators import INTEGRATORS, Integrator, Outcome
@@ -93,9 +93,7 @@ def measured(
     case: Case, choice: Choice, truth: Truth, run: Callable[[], Outcome]
 ) -> tuple[Measurement, Array]:
     """One run of a choice: what it loses, a first time, and its states."""
-    begin = perf_counter()
-    outcome = run()
-    seconds = perf_counter() - begin
+    outcome, seconds = timed(run)
     errors = truth.errors(outcome.states)
     complete = not outcome.failure and len(outcome.states) == len(case.times)
     found = Measurement(
@@ -139,14 +137,5 @@ def times_side_by_side(
     budget : float
         Seconds that all of it may take, beyond the fewest rounds.
     """
-    found: list[list[float]] = [[] for _ in runs]
-    begin = perf_counter()
-    for done in range(rounds[1]):
-        spent = perf_counter() - begin
-        if done >= rounds[0] and spent * (done + 1) / done > budget:
-            break
-        for run, seconds in zip(runs, found, strict=True):
-            start = perf_counter()
-            run()
-            seconds.append((perf_counter() - start) / horizon)
-    return [tuple(seconds) for seconds in found]
+    found = side_by_side(runs, budget, rounds)
+    return [tuple(one / horizon for one in seconds) for seconds in found]

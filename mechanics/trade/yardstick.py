@@ -5,11 +5,11 @@ longer give the same motion, and the horizon is shortened to that time.
 """
 
 from dataclasses import dataclass, field
-from time import perf_counter
 
 import numpy as np
 from numpy.typing import NDArray
 
+from mechanics.clock import timed
 from mechanics.errors import InputError
 from mechanics.simulate.integrators import INTEGRATORS, Setting
 from mechanics.simulate.reference import reference
@@ -85,9 +85,7 @@ def yardstick(case: Case, digits: int = DIGITS) -> tuple[Case, Yardstick, tuple[
         If the motion cannot be integrated at all.
     """
     case, until, notes = _comparable(case)
-    begin = perf_counter()
-    found = reference(case.problem(), digits)
-    seconds = perf_counter() - begin
+    found, seconds = timed(lambda: reference(case.problem(), digits))
     scale = zip(found.scale.tolist(), case.units, strict=True)
     known = found.growth.factor[: found.growth.known]
     stick = Yardstick(

@@ -24,7 +24,8 @@ PARTS = (
     "blame",
     "judge",
 )
-CLOCK = re.compile(r"^\s*(from|import) time\b|SystemRandom|urandom|import secrets", re.MULTILINE)
+TIME = re.compile(r"^\s*(from|import) (time|datetime)\b", re.MULTILINE)
+CLOCK = re.compile(r"mechanics\.clock|SystemRandom|urandom|import secrets")
 
 RACING = """
 import itertools, time
@@ -95,3 +96,8 @@ def test_nothing_that_decides_reads_a_clock_or_draws_from_the_system(part: str) 
     files = sorted((ROOT / "mechanics" / part).rglob("*.py"))
     assert files
     assert [str(file) for file in files if CLOCK.search(file.read_text())] == []
+
+
+def test_one_file_reads_a_clock() -> None:
+    files = sorted((ROOT / "mechanics").rglob("*.py"))
+    assert [file.name for file in files if TIME.search(file.read_text())] == ["clock.py"]
