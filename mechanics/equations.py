@@ -15,6 +15,7 @@ from typing import Any
 
 from sympy import Expr, Matrix, Symbol
 
+from mechanics.errors import InputError
 from mechanics.exact import TooLarge
 from mechanics.mechanism import Mechanism
 from mechanics.program import Program
@@ -136,6 +137,11 @@ class Equations:
     def __repr__(self) -> str:
         return f"<equations of {self.scene.name} by {self.route}: {len(self.scene.u)} speeds>"
 
+    @property
+    def tells_reactions(self) -> bool:
+        """Whether reactions that the route eliminates can be had."""
+        return self.solve_reactions is not None
+
     @cached_property
     def reactions(self) -> tuple[tuple[Symbol, Expr], ...]:
         """Eliminated reactions, linear in u' and lambda, in the order of the elimination."""
@@ -236,9 +242,31 @@ class ProgramEquations:
         )
 
     @property
+    def tells_reactions(self) -> bool:
+        """Whether reactions can be had: by procedure (i), whatever the route."""
+        return bool(self.mechanism.reactions)
+
+    @property
     def program(self) -> Program:
         """The rows as a frozen program with the output ``"rows"``."""
         return self.mechanism.builder.program({"rows": self.values})
+
+
+def written_out(equations: Equations | ProgramEquations) -> Equations:
+    """Equations of whom M and f are expressions.
+
+    Raises
+    ------
+    InputError
+        Where the scene is too large for that.
+    """
+    if isinstance(equations, ProgramEquations):
+        raise InputError(
+            f"{equations.scene.name}: its equations of {equations.program.count} operations are too"
+            " long to be written out: crosscheck, codegen, fmu, simulate and compile take them as a"
+            " program, what needs M and f does not"
+        )
+    return equations
 
 
 class Late:

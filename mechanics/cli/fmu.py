@@ -9,7 +9,7 @@ from rich.console import Console
 from mechanics.cli.load import load
 from mechanics.cli.values import assignments, points, sorted_out
 from mechanics.compiled import compile
-from mechanics.crosscheck import derive_textbook
+from mechanics.crosscheck import derive
 from mechanics.crosscheck.fmu import unit_start
 from mechanics.export.atomic import named
 from mechanics.export.fmu import write_unit
@@ -57,7 +57,7 @@ def fmu(
     initial, parameters, inputs = sorted_out(scene, points(settings or [], "--set"))
     fixed = assignments(fix or [], "--fix")
     with Console(stderr=True).status("deriving"):
-        model = compile(derive_textbook(scene, route), fixed=fixed)
+        model = compile(derive(scene, route), fixed=fixed)
         start = unit_start(model, initial, parameters, inputs, step, beyond_domain)
         findings = write_unit(model, out, start, model.compiler)
     for finding in findings:

@@ -12,7 +12,7 @@ from mechanics.cli.load import is_file, load
 from mechanics.cli.progress import working
 from mechanics.cli.values import assignments, points, sorted_out
 from mechanics.compiled import compile
-from mechanics.crosscheck import derive_textbook
+from mechanics.crosscheck import derive
 from mechanics.exact import Verdict
 from mechanics.export import write_c
 from mechanics.export.atomic import named, replaced_file
@@ -74,7 +74,7 @@ def simulate(
     scene = load(system).scene()
     initial, parameters, inputs = sorted_out(scene, points(settings or [], "--set"))
     with Console(stderr=True).status("deriving"):
-        model = compile(derive_textbook(scene, route or ("free_body" if reactions else "kane")))
+        model = compile(derive(scene, route or ("free_body" if reactions else "kane")))
     with working("integrating") as progress:
         found = run(
             model,
@@ -167,7 +167,7 @@ def codegen(
     fixed = assignments(fix or [], "--fix")
     asked = [name.strip() for name in outputs.split(",")] if outputs else None
     with Console(stderr=True).status("deriving"):
-        model = compile(derive_textbook(scene, route), form=form, fixed=fixed, outputs=asked)
+        model = compile(derive(scene, route), form=form, fixed=fixed, outputs=asked)
         built_in = None if is_file(system) else system
         files = write_c(
             model, out, name=name, precision=precision, batch=batch, system=built_in

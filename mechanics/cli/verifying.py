@@ -16,8 +16,8 @@ from rich.markup import escape
 from mechanics.cli.files import write
 from mechanics.cli.findings import STYLES, counted, explain
 from mechanics.cli.load import CALL, built_in, load
-from mechanics.crosscheck import derive_textbook
-from mechanics.equations import Equations
+from mechanics.crosscheck import derive
+from mechanics.equations import Equations, ProgramEquations
 from mechanics.errors import InputError
 from mechanics.exact import Verdict
 from mechanics.export.evidence.read import Folder, read_folder
@@ -83,10 +83,10 @@ def verify(
         raise typer.Exit(found.outcome.value)
 
 
-def _derived(folder: Folder, scene: str | None) -> tuple[Equations | None, str]:
+def _derived(folder: Folder, scene: str | None) -> tuple[Equations | ProgramEquations | None, str]:
     """The equations derived again, or why they are not."""
     if scene is not None:
-        return derive_textbook(load(scene).scene(), folder.route), ""
+        return derive(load(scene).scene(), folder.route), ""
     name = folder.system
     if name is None:
         return None, f"the manifest names no system that comes with the program: {ASKED}"
@@ -99,7 +99,7 @@ def _derived(folder: Folder, scene: str | None) -> tuple[Equations | None, str]:
         # A scene of any size would take its time before it turns out to be another one.
         return None, f"the manifest's {name[:40]!r} has more coordinates than the folder"
     try:
-        return derive_textbook(system.scene(), folder.route), ""
+        return derive(system.scene(), folder.route), ""
     except InputError as error:
         return None, f"the manifest's {error}"
 

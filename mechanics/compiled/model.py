@@ -7,7 +7,7 @@ code where a C compiler is found and by CasADi's virtual machine where none is.
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any, overload
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -22,10 +22,9 @@ from mechanics.compiled.fixed import read_fixed
 from mechanics.compiled.graphs import Graphs
 from mechanics.compiled.machine.evaluator import FLAGS
 from mechanics.compiled.machine.native import find_compiler
-from mechanics.compiled.program_model import ProgramModel, compile_programs
 from mechanics.compiled.programs.of_model import Programs
 from mechanics.equations import Equations, ProgramEquations
-from mechanics.errors import InputError, wanted
+from mechanics.errors import wanted
 
 Array = NDArray[np.floating]
 
@@ -159,21 +158,6 @@ class Model(Functions):
         return found
 
 
-@overload
-def compile(equations: ProgramEquations) -> ProgramModel: ...
-@overload
-def compile(
-    equations: Equations,
-    *,
-    compiler: str | None = "auto",
-    flags: str = FLAGS[0],
-    form: str = "auto",
-    fixed: Mapping[str, Any] | None = None,
-    outputs: Sequence[str] | None = None,
-    reciprocals: bool = True,
-) -> Model: ...
-
-
 def compile(
     equations: Equations | ProgramEquations,
     *,
@@ -183,7 +167,7 @@ def compile(
     fixed: Mapping[str, Any] | None = None,
     outputs: Sequence[str] | None = None,
     reciprocals: bool = True,
-) -> Model | ProgramModel:
+) -> Model:
     """Compile equations of motion.
 
     Graphs and machine code are made when they are first used; what is not used is not derived.
@@ -191,8 +175,8 @@ def compile(
     Parameters
     ----------
     equations : Equations or ProgramEquations
-        Those of a scene that is too large to be written out take no options, and give a
-        `ProgramModel` on CasADi's functions.
+        M, f, the residual and the reactions of a scene that is too large to be written out are
+        those of rows conjugate to u, whatever the route.
     compiler : str or None
         Path or name of a C compiler; ``"auto"`` looks for one ($CC, cc, gcc, clang); None uses
         CasADi's virtual machine.
@@ -221,15 +205,7 @@ def compile(
     SingularError
         If the equations do not determine the accelerations at the fixed values.
     """
-    if isinstance(equations, ProgramEquations):
-        options = (compiler == "auto", flags == FLAGS[0], form == "auto", not fixed, not outputs)
-        if not all(options):
-            raise InputError(
-                f"compile: {equations.scene.name} is too large to be written out, and its model has"
-                " no options: leave them out"
-            )
-        return compile_programs(equations)
-    wanted(equations, Equations, "compile", "pass derive(scene, route)")
+    wanted(equations, (Equations, ProgramEquations), "compile", "pass derive(scene, route)")
     found = find_compiler() if compiler == "auto" else compiler
     table = read_fixed(equations.scene, fixed or {})
     graphs = Graphs(equations, form, table, outputs)

@@ -1,6 +1,7 @@
 """The outputs of a mechanism as programs, from the cheapest way to its rows.
 
     inverse dynamics    tau = rows(q, u, u')                 Newton and Euler's recursion, or Kane's
+    residual            the same: M u' - f
     mass matrix         M = d tau / d u', or composite bodies
     forcing             f = -tau(q, u, 0)
     forward dynamics    M u' = f, or articulated bodies
@@ -8,20 +9,26 @@
                         or the derivatives of articulated bodies
 
 All rows are power-conjugate to u, so that they are equal and not only equivalent: which of them an
-output is made from is a matter of operations alone. `mechanics.checks.programs.outputs` shows each.
+output is made from is a matter of operations alone. `mechanics.compiled.custody.program_laws` shows
+each. Parameters that are fixed are numbers before operations are counted.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
+from functools import cached_property
+
+from sympy import Expr
 
 from mechanics.errors import InputError
 from mechanics.mechanism import Mechanism
 from mechanics.program import Program
-from mechanics.program.builder import Node
+from mechanics.program.builder import Builder, Node
 from mechanics.program.derivatives import gradient, tangent
 from mechanics.program.elimination import expand_solves
+from mechanics.program.interpret import include
+from mechanics.program.sympy_reader import read
 from mechanics.program.vectors import Vector, add, cross, scale, times, zeros
 from mechanics.recursions import newton_euler
 from mechanics.recursions.articulated_bodies import forward_dynamics
@@ -36,7 +43,7 @@ from mechanics.routes.programs.motion import body_motions, poses
 from mechanics.routes.programs.rows import coefficients, remainder, substitute
 
 Rows = tuple[Node, ...]
-Outputs = dict[str, Sequence[Node]]
+Outcome = dict[str, Sequence[Node]]
 
 
 def kane_rows(mechanism: Mechanism) -> Rows:
@@ -65,56 +72,176 @@ class Solvable:
     mass: Sequence[Sequence[Node]]
     forcing: Sequence[Node]
 
-    def accelerations(self, mechanism: Mechanism) -> Rows:
+    def accelerations(self, build: Builder) -> Rows:
         """u' of M u' = f."""
-        return mechanism.builder.solve(self.mass, self.forcing, symmetric=True)
+        return build.solve(self.mass, self.forcing, symmetric=True)
 
 
-def solvable(mechanism: Mechanism, rows: Rows) -> Solvable:
-    """M and f of rows."""
-    mass = coefficients(rows, mechanism.ud)
-    rest = remainder(mechanism.builder, rows, mechanism.ud)
-    return Solvable(mass, [-entry for entry in rest])
+def solvable(build: Builder, rows: Sequence[Node], accelerations: Sequence[Node]) -> Solvable:
+    """M and f of rows that are linear in u'."""
+    rest = remainder(build, rows, accelerations)
+    return Solvable(coefficients(rows, accelerations), [-entry for entry in rest])
 
 
-def cheapest_rows(mechanism: Mechanism) -> Rows:
-    """The way to the rows that takes the fewest operations; what follows from them does, too."""
-    ways = [rows(mechanism) for rows in ROWS]
-    return min(ways, key=lambda rows: mechanism.builder.program({"rows": rows}).count)
+COMPOSITE, ARTICULATED, KANE = "composite", "articulated", "kane"
+FORMS = (COMPOSITE, ARTICULATED, KANE)
+"""Of forward dynamics: by composite bodies, by articulated bodies, or by the rows' own M."""
 
 
-def programs(mechanism: Mechanism) -> dict[str, Program]:
-    """The programs of a tree of bodies by name; see the outputs of `mechanics.compiled.Model`.
+@dataclass(frozen=True, eq=False)
+class Outputs:
+    """The programs of a tree of bodies by name, each made when it is first asked for.
+
+    Attributes
+    ----------
+    mechanism : Mechanism
+    variables : mapping of str to tuple of Node
+        What the derivatives of accelerations are taken by, by name of the group.
+    fixed : mapping of str to Expr
+        Exact values of parameters.
+    form : str
+        Of forward dynamics, one of `FORMS`, or ``"auto"``.
+    """
+
+    mechanism: Mechanism
+    variables: Mapping[str, Rows]
+    fixed: Mapping[str, Expr] = field(default_factory=dict)
+    form: str = "auto"
+
+    def __getitem__(self, name: str) -> Program:
+        """The program of an output; see `mechanics.compiled.Model`."""
+        if name not in self._made:
+            self._made[name] = self._programs[name]()
+        return self._made[name]
+
+    @cached_property
+    def _made(self) -> dict[str, Program]:
+        return {}
+
+    @cached_property
+    def _programs(self) -> dict[str, Callable[[], Program]]:
+        return {
+            "forward_dynamics": lambda: self._forward_dynamics[1],
+            "mass_matrix": self._mass_matrix,
+            "forcing": lambda: self._bound({"forcing": self._system.forcing}),
+            "residual": lambda: self._bound({"residual": self._rows}),
+            "inverse_dynamics": lambda: self._bound({"forces": self._rows}),
+            "energy": lambda: self._bound(energies(self.mechanism)),
+            "momenta": lambda: self._bound(momenta(self.mechanism)),
+            "coordinate_rates": lambda: self._bound({"qd": self.mechanism.q_rates}),
+            "jacobians": self._jacobians,
+            "reactions": self._reactions,
+        }
+
+    @property
+    def chosen(self) -> str:
+        """The form of forward dynamics."""
+        return self._forward_dynamics[0]
+
+    def _bound(self, outputs: Mapping[str, Sequence[Node]]) -> Program:
+        """Nodes as a program, numbers in place of fixed parameters, linear systems written out."""
+        program = self.mechanism.builder.program(outputs)
+        if self.fixed:
+            build, nodes = bind(program, self.fixed)
+            program = build.program(nodes)
+        return expand_solves(program)
+
+    def _cheapest(self, candidates: Iterable[Outcome]) -> Program:
+        """The program of the fewest operations; the first of several."""
+        return min(map(self._bound, candidates), key=operations)
+
+    @cached_property
+    def _rows(self) -> Rows:
+        ways = [rows(self.mechanism) for rows in ROWS]
+        return min(ways, key=lambda rows: operations(self._bound({"rows": rows})))
+
+    @cached_property
+    def _system(self) -> Solvable:
+        return solvable(self.mechanism.builder, self._rows, self.mechanism.ud)
+
+    @cached_property
+    def _trees(self) -> list[tuple[Link, ...]]:
+        return joint_trees(self.mechanism)
+
+    @cached_property
+    def _accelerations(self) -> list[tuple[str, Rows]]:
+        """u' in every form."""
+        mechanism, system = self.mechanism, self._system
+        bias = [-entry for entry in system.forcing]
+        found = [(KANE, system.accelerations(mechanism.builder))]
+        for links in self._trees:
+            composite = Solvable(mass_matrix(mechanism, links), system.forcing)
+            found.append((COMPOSITE, composite.accelerations(mechanism.builder)))
+        for links in self._trees:
+            found.append((ARTICULATED, forward_dynamics(mechanism, links, bias)))
+        chosen = [way for way in found if self.form in (way[0], "auto")]
+        if not chosen:
+            raise InputError(
+                f"form {self.form!r}: {mechanism.name} is no tree of joints with one freedom each:"
+                f" choose {KANE!r}, or 'auto'"
+            )
+        return chosen
+
+    @cached_property
+    def _forward_dynamics(self) -> tuple[str, Program]:
+        ways = [(form, self._bound({"ud": nodes})) for form, nodes in self._accelerations]
+        return min(ways, key=lambda way: operations(way[1]))
+
+    def _mass_matrix(self) -> Program:
+        masses = [self._system.mass]
+        masses += [mass_matrix(self.mechanism, links) for links in self._trees]
+        return self._cheapest({"mass_matrix": _flat(mass)} for mass in masses)
+
+    def _jacobians(self) -> Program:
+        """One group after the other, row by row."""
+        mechanism = self.mechanism
+        if not self._trees:
+            return self._bound(jacobians(mechanism, self._rows, self._system, self.variables))
+        every = tuple(node for group in self.variables.values() for node in group)
+        return self._cheapest(
+            self._split(jacobian(mechanism, links, every)) for links in self._trees
+        )
+
+    def _split(self, rows: Sequence[Sequence[Node]]) -> Outcome:
+        found: Outcome = {}
+        start = 0
+        for name, group in self.variables.items():
+            end = start + len(group)
+            found[f"ud_{name}"] = [entry for row in rows for entry in row[start:end]]
+            start = end
+        return found
+
+    def _reactions(self) -> Program:
+        """All reactions as functions of the state, by procedure (i), in the order of the scene."""
+        mechanism, ways = self.mechanism, self._accelerations
+        told = free_body.derive(mechanism).reactions
+        nodes = [told[reaction.name] for reaction in mechanism.reactions]
+        return self._cheapest(
+            {"reactions": substitute(
+                mechanism.builder, nodes, dict(zip(mechanism.ud, values, strict=True)))}
+            for _, values in ways
+        )  # fmt: skip
+
+
+def bind(
+    program: Program, numbers: Mapping[str, Expr]
+) -> tuple[Builder, dict[str, tuple[Node, ...]]]:
+    """A program with numbers in place of inputs, in a builder of its own.
 
     Raises
     ------
-    InputError
-        For a mechanism with constraints or friction, whose rows hold unknown reactions.
+    ExpressionError
+        If something is divided by zero.
     """
-    if mechanism.constraints or mechanism.frictions:
-        raise InputError(
-            f"{mechanism.name}: constraints and friction are compiled from equations that SymPy"
-            " writes out, and these are too long: derive a smaller scene"
-        )
-    rows = cheapest_rows(mechanism)
-    system = solvable(mechanism, rows)
-    trees = joint_trees(mechanism)
-    masses = [system.mass, *(mass_matrix(mechanism, links) for links in trees)]
-    solutions = [Solvable(mass, system.forcing).accelerations(mechanism) for mass in masses]
-    bias = [-entry for entry in system.forcing]
-    solutions += [forward_dynamics(mechanism, links, bias) for links in trees]
-    found: dict[str, Outputs] = {
-        "forward_dynamics": _cheapest(mechanism, [{"ud": solution} for solution in solutions]),
-        "mass_matrix": _cheapest(mechanism, [{"mass_matrix": _flat(mass)} for mass in masses]),
-        "forcing": {"forcing": system.forcing},
-        "inverse_dynamics": {"forces": rows},
-        "energy": energies(mechanism),
-        "momenta": momenta(mechanism),
-        "coordinate_rates": {"qd": mechanism.q_rates},
-        "jacobians": _jacobians_of_trees(mechanism, trees) or jacobians(mechanism, rows, system),
-        "reactions": reactions(mechanism, system),
-    }
-    return {name: mechanism.builder.program(outputs) for name, outputs in found.items() if outputs}
+    build = Builder()
+    nodes = dict(zip(numbers, read(build, tuple(numbers.values())), strict=True))
+    given = {name: node for name, node in nodes.items() if name in program.inputs}
+    return build, include(build, program, given)
+
+
+def operations(program: Program) -> int:
+    """What a program costs: its operations."""
+    return program.count
 
 
 def joint_trees(mechanism: Mechanism) -> list[tuple[Link, ...]]:
@@ -123,51 +250,32 @@ def joint_trees(mechanism: Mechanism) -> list[tuple[Link, ...]]:
     return [links for links in trees if links is not None]
 
 
-def _cheapest(mechanism: Mechanism, candidates: Sequence[Outputs]) -> Outputs:
-    """The candidate of the fewest operations, linear systems written out; the first of several."""
-    return min(
-        candidates, key=lambda outputs: expand_solves(mechanism.builder.program(outputs)).count
-    )
-
-
-def _jacobians_of_trees(mechanism: Mechanism, trees: Sequence[tuple[Link, ...]]) -> Outputs:
-    found: list[Outputs] = []
-    for links in trees:
-        both = jacobian(mechanism, links, (*mechanism.q, *mechanism.u))
-        n = len(mechanism.q)
-        found.append(
-            {
-                "ud_q": [entry for row in both for entry in row[:n]],
-                "ud_u": [entry for row in both for entry in row[n:]],
-            }
-        )
-    return _cheapest(mechanism, found) if found else {}
-
-
 def _flat(matrix: Sequence[Sequence[Node]]) -> list[Node]:
     return [entry for row in matrix for entry in row]
 
 
-def jacobians(mechanism: Mechanism, rows: Rows, system: Solvable) -> Outputs:
-    """du'/dq and du'/du, row by row.
+def jacobians(
+    mechanism: Mechanism, rows: Rows, system: Solvable, variables: Mapping[str, Rows]
+) -> Outcome:
+    """Derivatives of u' by groups of variables, row by row.
 
     One solution of M serves every column: differentiating through it costs more.
     """
     build = mechanism.builder
-    accelerations = system.accelerations(mechanism)
+    accelerations = system.accelerations(build)
     values = dict(zip(mechanism.ud, accelerations, strict=True))
-    found: Outputs = {}
-    for name, group in (("ud_q", mechanism.q), ("ud_u", mechanism.u)):
+    found: Outcome = {}
+    for name, group in variables.items():
         columns = []
         for entry in group:
             slopes = tangent(rows, {entry: build.one})
             right = [-slope for slope in substitute(build, slopes, values)]
             columns.append(build.solve(system.mass, right, symmetric=True))
-        found[name] = [column[i] for i in range(len(rows)) for column in columns]
+        found[f"ud_{name}"] = [column[i] for i in range(len(rows)) for column in columns]
     return found
 
 
-def energies(mechanism: Mechanism) -> Outputs:
+def energies(mechanism: Mechanism) -> Outcome:
     """Kinetic, potential and total energy, in J, in q and u."""
     kinetic = kinetic_energy(mechanism)
     if mechanism.u != mechanism.qd:
@@ -177,7 +285,7 @@ def energies(mechanism: Mechanism) -> Outputs:
     return {"kinetic": [kinetic], "potential": [stored], "total": [kinetic + stored]}
 
 
-def momenta(mechanism: Mechanism) -> Outputs:
+def momenta(mechanism: Mechanism) -> Outcome:
     """Linear momentum, angular momentum about the origin, and dT/du."""
     none = zeros(mechanism.builder)
     linear: Vector = none
@@ -192,13 +300,3 @@ def momenta(mechanism: Mechanism) -> Outputs:
     (kinetic,) = energies(mechanism)["kinetic"]
     generalized = gradient([kinetic], [1], mechanism.u)
     return {"linear": linear, "angular": angular, "generalized": generalized}
-
-
-def reactions(mechanism: Mechanism, system: Solvable) -> Outputs:
-    """All reactions as functions of the state, by procedure (i), in the order of the scene."""
-    if not mechanism.reactions:
-        return {}
-    told = free_body.derive(mechanism).reactions
-    values = dict(zip(mechanism.ud, system.accelerations(mechanism), strict=True))
-    nodes = [told[reaction.name] for reaction in mechanism.reactions]
-    return {"reactions": substitute(mechanism.builder, nodes, values)}

@@ -12,11 +12,12 @@ from typing import Any
 import casadi as ca
 
 from mechanics.compiled.custody.code import code_of
-from mechanics.compiled.custody.derived import derived
+from mechanics.compiled.custody.derived import Known, derived
 from mechanics.compiled.custody.graph import STEP, prove_derived
 from mechanics.compiled.custody.laws import LAWS
 from mechanics.compiled.graphs import Graphs
 from mechanics.compiled.model import Model
+from mechanics.equations import ProgramEquations
 from mechanics.errors import InputError
 from mechanics.exact import Finding
 
@@ -41,11 +42,17 @@ def prove_compiled(
     """
     present = tuple(model.casadi)
     names = [n for n in DEFAULT if n in present] if functions is None else functions
-    return tuple(prove_graph(name, model.casadi, **options) for name in names)
+    graphs = model.casadi
+    once = derived(graphs, names) if isinstance(graphs.derived, ProgramEquations) else None
+    return tuple(prove_graph(name, graphs, known=once, **options) for name in names)
 
 
 def prove_graph(
-    name: str, graphs: Graphs, function: ca.Function | None = None, **options: Any
+    name: str,
+    graphs: Graphs,
+    function: ca.Function | None = None,
+    known: Known | None = None,
+    **options: Any,
 ) -> Finding:
     """Decide whether one graph is what was derived.
 
@@ -56,6 +63,8 @@ def prove_graph(
     graphs : Graphs
     function : casadi.Function, optional
         The graph to examine, with the inputs of ``graphs.exact(name)``; that one by default.
+    known : Known, optional
+        What was derived, where the caller has it.
 
     Raises
     ------
@@ -66,5 +75,5 @@ def prove_graph(
         raise InputError(f"function {name!r}: what it should be is known for {', '.join(LAWS)}")
     own, constants = graphs.exact(name)
     rates = code_of(*graphs.exact_rates()) if name == STEP else None
-    known = derived(graphs, (name,), by_rows=True)
-    return prove_derived(name, code_of(function or own, constants), known, rates, **options)
+    law = known or derived(graphs, (name,), by_rows=True)
+    return prove_derived(name, code_of(function or own, constants), law, rates, **options)

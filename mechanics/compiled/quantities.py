@@ -12,15 +12,24 @@ from functools import cached_property
 import sympy
 from sympy import Expr, Symbol
 
-from mechanics.equations import Equations
+from mechanics.equations import Equations, ProgramEquations
 from mechanics.errors import ValueMissingError
-from mechanics.scene import Force, RigidBody, Scene, Torque, TorsionSpring
+from mechanics.mechanism import GROUND, Mechanism, inputs_of, lower
+from mechanics.program.builder import Builder, Node
+from mechanics.program.operations import COS, SIN, TAN
+from mechanics.program.program import reachable
+from mechanics.scene import Scene
 from mechanics.scene.rates import TIME
 from mechanics.scene.symbols import DOTS, plain_symbol
 
 # Digits for the value of an expression such as pi/4: more than a double has, so that rounding
 # it once gives the nearest double.
 DIGITS = 40
+
+CIRCULAR = (SIN, COS, TAN)
+
+STATE = ("q", "u", "inputs", "p")
+"""The arrays that every function takes."""
 
 
 @dataclass(frozen=True)
@@ -87,7 +96,7 @@ class Quantities:
 
 
 def quantities(
-    equations: Equations,
+    equations: Equations | ProgramEquations,
     fixed: Mapping[Symbol, Expr] | None = None,
     with_reactions: bool = True,
 ) -> Quantities:
@@ -95,22 +104,21 @@ def quantities(
 
     Parameters
     ----------
-    equations : Equations
+    equations : Equations or ProgramEquations
     fixed : mapping of Symbol to Expr, optional
         Values of parameters that are no longer given.
     with_reactions : bool
         Whether reactions are asked for; they are not solved for otherwise.
     """
     known = dict(fixed or {})
-    reactions = equations.reactions if with_reactions else ()
-    scene = equations.scene
-    angles = angle_symbols(equations)
+    scene, mechanism = equations.scene, mechanism_of(equations)
+    turning_q = {s for s in scene.q if s.name in angles(mechanism)}
 
     def motion(symbols: Iterable[Symbol], turning: set[Symbol], order: int) -> tuple[Quantity, ...]:
         per = ("", "/s", "/s^2")[order]
         return tuple(Quantity(s, ("rad" if s in turning else "m") + per) for s in symbols)
 
-    turning = {u for u in scene.u if _turns(scene, u, angles)}
+    turning = {u for u in scene.u if _turns(scene, u, turning_q)}
     rates = {ud for u, ud in zip(scene.u, scene.ud, strict=True) if u in turning}
     declared = {
         r.symbol: Quantity(r.symbol, "N m" if r.at is None else "N") for r in scene.reactions
@@ -118,18 +126,31 @@ def quantities(
     definitions = {
         s: sympy.sympify(e).xreplace(known) for s, e in scene.definitions.items() if s not in known
     }
+    multipliers: Iterable[Symbol] = ()
+    if isinstance(equations, Equations):
+        multipliers = equations.multipliers
+        told = [symbol for symbol, _ in equations.reactions] if with_reactions else []
+    else:
+        told = [r.symbol for r in scene.reactions] if with_reactions else []
     return Quantities(
-        q=motion(scene.q, angles, 0),
+        q=motion(scene.q, turning_q, 0),
         u=motion(scene.u, turning, 1),
         ud=motion(scene.ud, rates, 2),
-        inputs=tuple(_input(scene, symbol) for symbol in input_symbols(equations, reactions)),
-        p=tuple(_parameter(symbol) for symbol in scene.parameters if symbol not in known),
-        multipliers=tuple(
-            declared.get(s, Quantity(s, "", "multiplier")) for s in equations.multipliers
+        inputs=tuple(
+            _input(mechanism, symbol) for symbol in input_symbols(equations, with_reactions)
         ),
-        reactions=tuple(declared.get(s, Quantity(s, "N")) for s, _ in reactions),
+        p=tuple(_parameter(symbol) for symbol in scene.parameters if symbol not in known),
+        multipliers=tuple(declared.get(s, Quantity(s, "", "multiplier")) for s in multipliers),
+        reactions=tuple(declared.get(s, Quantity(s, "N")) for s in told),
         definitions=definitions,
     )
+
+
+def mechanism_of(equations: Equations | ProgramEquations) -> Mechanism:
+    """The scene of some equations as nodes."""
+    if isinstance(equations, ProgramEquations):
+        return equations.mechanism
+    return lower(equations.scene, Builder())
 
 
 def typical_value(symbol: Symbol, definitions: Mapping[Symbol, Expr]) -> float:
@@ -157,20 +178,37 @@ def _exact_value(symbol: Symbol, definitions: Mapping[Symbol, Expr]) -> Expr:
     return sympy.Rational(typical.numerator, typical.denominator)
 
 
-def angle_symbols(equations: Equations) -> set[Symbol]:
-    """Coordinates that turn a body, or stand under a sine or in the angle of a torsion spring."""
-    scene = equations.scene
-    found: set[Symbol] = set()
-    for body in scene.bodies:
-        if isinstance(body, RigidBody):
-            found |= scene.rotation(body.frame).free_symbols
-        for entry in scene.position(body.centre):
-            for function in entry.atoms(sympy.sin, sympy.cos, sympy.tan):
-                found |= function.free_symbols
-    for load in scene.loads:
-        if isinstance(load, TorsionSpring):
-            found |= scene.plain(load.angle, load.name).free_symbols
-    return found & set(scene.q)
+def angles(mechanism: Mechanism) -> set[str]:
+    """Inputs that turn a body, or stand under a sine or in the angle of a torsion spring."""
+    turns: list[Node] = []
+    moves: list[Node] = []
+    for body in mechanism.bodies:
+        if body.frame is not None:
+            turns += _rotations(mechanism, body.frame)
+        place = body.centre
+        while place != GROUND:
+            for frame, step in mechanism.points[place].step:
+                moves += [*step, *_rotations(mechanism, frame)]
+            place = mechanism.points[place].parent
+    turns += [torsion.angle for torsion in mechanism.torsions]
+    build = mechanism.builder
+    numbers = reachable(build, [node.number for node in moves])
+    turns += [Node(build, build.operands[0][n]) for n in numbers if build.operations[n] in CIRCULAR]
+    return names_of(turns)
+
+
+def _rotations(mechanism: Mechanism, frame: int) -> list[Node]:
+    """Entries of all rotations from the ground to a frame."""
+    found: list[Node] = []
+    while frame != GROUND:
+        found += [entry for row in mechanism.frames[frame].rotation for entry in row]
+        frame = mechanism.frames[frame].parent
+    return found
+
+
+def names_of(nodes: Iterable[Node]) -> set[str]:
+    """Names of the inputs that nodes are computed from."""
+    return {node.builder.inputs[node.builder.operands[0][node.number]] for node in inputs_of(nodes)}
 
 
 def _turns(scene: Scene, speed: Symbol, angles: set[Symbol]) -> bool:
@@ -181,7 +219,7 @@ def _turns(scene: Scene, speed: Symbol, angles: set[Symbol]) -> bool:
 
 
 def input_symbols(
-    equations: Equations, reactions: Iterable[tuple[Symbol, Expr]] = ()
+    equations: Equations | ProgramEquations, with_reactions: bool = False
 ) -> list[Symbol]:
     """Inputs in the scene's order, then their rates up to the highest that occurs, then time.
 
@@ -191,9 +229,10 @@ def input_symbols(
     scene = equations.scene
     orders = range(1, len(DOTS))
     given = {plain_symbol(f, k) for f in scene.inputs for k in orders}
-    used = _used(equations, given)
-    for _, expression in reactions:
-        used |= expression.free_symbols
+    used = _used(equations, given) if given else set()
+    if with_reactions and isinstance(equations, Equations):
+        for _, expression in equations.reactions:
+            used |= expression.free_symbols
     found = list(scene.input_symbols)
     highest = {f: max((k for k in orders if plain_symbol(f, k) in used), default=0)
                for f in scene.inputs}  # fmt: skip
@@ -202,24 +241,23 @@ def input_symbols(
     return found + ([TIME] if scene.explicit_time else [])
 
 
-def _used(equations: Equations, given: set[Symbol]) -> set[Symbol]:
+def _used(equations: Equations | ProgramEquations, given: set[Symbol]) -> set[Symbol]:
     """Those of the given symbols that the equations hold; M and f are not written out for none."""
+    if isinstance(equations, ProgramEquations):
+        held = names_of((*equations.values, *equations.reactions.values()))
+        return {symbol for symbol in given if symbol.name in held}
     if equations.rows and not any(row.free_symbols & given for row in equations.rows):
         return set()
     left, right = equations.system
     return (left.free_symbols | right.free_symbols) & given
 
 
-def _input(scene: Scene, symbol: Symbol) -> Quantity:
+def _input(mechanism: Mechanism, symbol: Symbol) -> Quantity:
     if symbol == TIME:
         return Quantity(symbol, "s", "time")
-    for load in scene.loads:
-        if isinstance(load, Force | Torque):
-            held = scene.vector(load.vector, load.name).free_symbols
-            if symbol in held:
-                return Quantity(
-                    symbol, "N" if isinstance(load, Force) else "N m", f"load {load.name}"
-                )
+    for push in mechanism.pushes:
+        if symbol.name in names_of(entry for _, step in push.vector for entry in step):
+            return Quantity(symbol, "N m" if push.at is None else "N", f"load {push.name}")
     return Quantity(symbol, "", "prescribed")
 
 

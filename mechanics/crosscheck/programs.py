@@ -11,8 +11,6 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
 
-import casadi
-
 from mechanics.checks.programs import laws, reactions
 from mechanics.checks.programs.agreement import (
     Derived,
@@ -22,20 +20,16 @@ from mechanics.checks.programs.agreement import (
 )
 from mechanics.checks.programs.statements import equal
 from mechanics.clock import timed
-from mechanics.compiled.outputs import jacobians, solvable
-from mechanics.compiled.program_model import ProgramModel
 from mechanics.equations import Equations
 from mechanics.kernel import Finding
 from mechanics.mechanism import Mechanism, name_of
 from mechanics.program import Program
 from mechanics.program.builder import Node
-from mechanics.program.casadi_reader import read as read_graph
-from mechanics.program.interpret import include
 from mechanics.program.residues import Residues
 from mechanics.program.sympy_reader import read
 from mechanics.program.vectors import dot
 from mechanics.routes.programs import free_body, kane, lagrange, moving_point
-from mechanics.routes.programs.rows import Rows, coefficients, remainder, substitute
+from mechanics.routes.programs.rows import Rows, substitute
 
 DERIVATIONS: Mapping[str, Callable[[Mechanism], Rows]] = {
     "free_body": free_body.derive,
@@ -181,48 +175,3 @@ def check_textbook(programs: Programs, derived: Mapping[str, Equations]) -> Iter
 
 def _rows(flat: Sequence[Node], width: int) -> list[Sequence[Node]]:
     return [flat[i : i + width] for i in range(0, len(flat), width)]
-
-
-def check_model(programs: Programs, model: ProgramModel) -> Iterator[Finding]:
-    """The compiled functions, read back, against Kane's rows and what they are made from.
-
-    Forward dynamics makes the rows zero; inverse dynamics, M, f and Jacobians are those of the
-    rows; all else computes its program.
-    """
-    mechanism = programs.mechanism
-    build = mechanism.builder
-    rows = kane.derive(mechanism).values
-    slopes = jacobians(mechanism, rows, solvable(mechanism, rows))
-    truth: dict[str, Sequence[Node]] = {
-        "jacobians": [entry for output in slopes.values() for entry in output],
-        "inverse_dynamics": rows,
-        "mass_matrix": [e for row in coefficients(rows, mechanism.ud) for e in row],
-        "forcing": [-entry for entry in remainder(build, rows, mechanism.ud)],
-    }
-    for name, function in model.casadi.items():
-        read_back = read_graph(build, function, _arguments(mechanism, model, function))
-        entries = [entry for output in read_back.values() for entry in output]
-        subject = f"compiled {name}"
-        if name == "forward_dynamics":
-            values = dict(zip(mechanism.ud, entries, strict=True))
-            left = substitute(build, rows, values)
-            yield equal(f"{subject}: rows are zero", mechanism, left, [0] * len(left))
-            continue
-        right = truth.get(name)
-        if right is None:
-            own = include(build, model.programs[name])
-            right = [entry for output in own.values() for entry in output]
-        yield equal(f"{subject}: as derived", mechanism, entries, right)
-
-
-def _arguments(
-    mechanism: Mechanism, model: ProgramModel, function: casadi.Function
-) -> dict[str, Sequence[Node]]:
-    named = {"inputs": model.inputs, "p": model.parameters}
-    groups: dict[str, Sequence[Node]] = {
-        "q": mechanism.q,
-        "u": mechanism.u,
-        "ud": mechanism.ud,
-        **{group: [mechanism.builder.input(n) for n in names] for group, names in named.items()},
-    }
-    return {group: groups[group] for group in function.name_in()}

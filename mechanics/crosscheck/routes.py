@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 from mechanics.checks.programs.admissible import check_scene
 from mechanics.crosscheck.programs import DERIVATIONS, is_written_out
-from mechanics.equations import Equations, ProgramEquations
+from mechanics.equations import Equations, ProgramEquations, written_out
 from mechanics.errors import InputError, wanted
 from mechanics.routes import free_body, kane, lagrange, moving_point
 from mechanics.scene import Scene
@@ -77,14 +77,7 @@ def derive_textbook(scene: Scene, route: str = "free_body") -> Equations:
     InputError
         Where the scene is too large for that.
     """
-    derived = derive(scene, route)
-    if isinstance(derived, ProgramEquations):
-        raise InputError(
-            f"{scene.name}: its equations of {derived.program.count} operations are too long to be"
-            " written out: `mechanics crosscheck`, and compile(derive(scene)) in Python, take them"
-            " as a program"
-        )
-    return derived
+    return written_out(derive(scene, route))
 
 
 def derive_with(scene: Scene, names: Sequence[str] = ()) -> dict[str, Equations]:

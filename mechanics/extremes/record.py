@@ -15,6 +15,7 @@ import numpy as np
 
 from mechanics.compiled import Model
 from mechanics.compiled.programs.trace import trace
+from mechanics.equations import written_out
 from mechanics.extremes.cause import CAUSES
 from mechanics.extremes.judge import Case, cause
 from mechanics.extremes.measure import LOST, measure
@@ -124,7 +125,7 @@ def reproduce(model: Model, values: Sequence[float], precision: str) -> dict[str
     kind, row = PRECISIONS[precision], np.array([values])
     known = model.quantities
     symbols = [entry.symbol for group in GROUPS for entry in getattr(known, group)]
-    found = truth(model.equations, symbols).at(values)
+    found = truth(written_out(model.equations), symbols).at(values)
     numbers, (fits,) = computed(model, row, kind), representable(row, kind)
     errors = measure(found, numbers[0].tolist(), kind) if fits else LOST
     events = trace(model.program("forward_dynamics"), row, kind)

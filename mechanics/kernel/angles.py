@@ -72,10 +72,22 @@ _TRUTH = frozenset(row.code for row in OPERATIONS if row.boolean)
 
 @dataclass
 class Forms:
-    """Expansions of the nodes of a program or of a builder, each made once."""
+    """Expansions of the nodes of a program or of a builder, each made once.
+
+    Attributes
+    ----------
+    nodes : Program or Builder
+    made : dict of int to Form
+    most : int
+        Terms beyond which a node is a monomial of its own.
+    cut : bool
+        Whether there was such a node.
+    """
 
     nodes: Program | Builder
     made: dict[int, Form] = field(default_factory=dict)
+    most: int = MOST_TERMS
+    cut: bool = False
 
     def of(self, root: int) -> Form:
         """The expansion of a node; a node that has none is a monomial of its own."""
@@ -91,7 +103,8 @@ class Forms:
                 stack.extend(missing)
                 continue
             form = self._form(number, [self.made[operand] for operand in operands])
-            if form is None or len(form) > MOST_TERMS:
+            if form is None or len(form) > self.most:
+                self.cut = self.cut or bool(operands)
                 form = _whole(number)
             self.made[number] = form
             stack.pop()
@@ -201,12 +214,13 @@ def node_of(builder: Builder, form: Form) -> Node:
 # ---------------------------------------------------------------------- a program in base angles
 
 
-def base_angles(program: Program) -> Program:
+def base_angles(program: Program, most: int = MOST_TERMS) -> Program:
     """The same program, with sines, cosines and exponentials of base angles only.
 
-    A program that has no others is returned as it is.
+    A program that has no others is returned as it is. Arguments of more than `most` terms stay
+    whole.
     """
-    forms = Forms(program)
+    forms = Forms(program, most=most)
     common = {"angle": 1, "exponent": 1}
     plain = has_truths(program)
     for number, code in enumerate(program.operations):
@@ -227,9 +241,18 @@ def base_angles(program: Program) -> Program:
     if plain:
         return program
     builder = Builder()
-    domain = _Rewriting(builder, common["angle"], common["exponent"])
+    domain = _Rewriting(builder, common["angle"], common["exponent"], most)
     inputs = {name: builder.input(name) for name in program.inputs}
     return builder.program(interpret(program, domain, inputs), inputs=program.inputs)
+
+
+def is_cut(program: Program) -> bool:
+    """Whether an argument of a sine, cosine or exponential is too long to be expanded."""
+    forms = Forms(program)
+    for number, code in enumerate(program.operations):
+        if code in _CIRCULAR or code in _EXPONENTIAL:
+            forms.of(program.operands[0][number])
+    return forms.cut
 
 
 def is_truth(nodes: Program | Builder, number: int) -> bool:
@@ -261,7 +284,7 @@ Point = tuple[Node, Node]
 class _Rewriting:
     """The domain of nodes, with equations (1) to (3) applied."""
 
-    def __init__(self, builder: Builder, angle: int, exponent: int) -> None:
+    def __init__(self, builder: Builder, angle: int, exponent: int, most: int) -> None:
         nodes = Nodes(builder)
         self.constant, self.pi, self.solve = nodes.constant, nodes.pi, nodes.solve
         self.operations: Mapping[str, Callable[..., Node]] = {
@@ -278,7 +301,7 @@ class _Rewriting:
             "not": lambda x: builder.call("not", self._truth(x)),
             "select": lambda c, x, y: builder.call("select", self._truth(c), x, y),
         }
-        self._builder, self._forms = builder, Forms(builder)
+        self._builder, self._forms = builder, Forms(builder, most=most)
         self._angle, self._exponent = angle, exponent
         self._points: dict[tuple[tuple[Monomial, Fraction], ...], Point] = {}
         self._multiples: dict[tuple[Node, int], Point] = {}

@@ -47,7 +47,7 @@ from typing import Any
 
 from flint import fmpz
 
-from mechanics.kernel.angles import base_angles, turns_of
+from mechanics.kernel.angles import MOST_TERMS, base_angles, is_cut, turns_of
 from mechanics.kernel.draws import Draws
 from mechanics.kernel.field import DivisionHere, Inadmissible, Residues
 from mechanics.kernel.primes import SIZES, common_modulus, draw_prime, log2_count
@@ -141,15 +141,19 @@ class Experiment:
         return any(code in self.program.operations for code in KINKS)
 
 
-def prepare(statement: Statement, sizes: tuple[int, ...] = SIZES) -> Experiment:
+def prepare(
+    statement: Statement, sizes: tuple[int, ...] = SIZES, terms: int = MOST_TERMS
+) -> Experiment:
     """Measure a statement and choose its primes by equation (1).
+
+    Arguments of sines of more than so many terms stay whole.
 
     Raises
     ------
     OverflowError
         If the degree bound is beyond the longest primes.
     """
-    program = roots_of_squares(base_angles(statement.program), statement.signs)
+    program = roots_of_squares(base_angles(statement.program, terms), statement.signs)
     turns = turns_of(program)
     modulus = common_modulus(turns)
     domain = Sizes()
@@ -326,8 +330,17 @@ def trial(statement: Statement, is_proved: Callable[[], bool]) -> Trial:
     ExpressionError
         If an operation has no meaning in a field.
     """
+    outcome = _tried(statement, MOST_TERMS, is_proved)
+    if outcome.answer is Answer.NONZERO and is_cut(statement.program):
+        # Two ways to write a long argument may be cut at other places: whole, they have one value.
+        whole = _tried(statement, 1, is_proved)
+        outcome = whole if whole.answer in (Answer.ZERO, Answer.PROVED) else outcome
+    return outcome
+
+
+def _tried(statement: Statement, terms: int, is_proved: Callable[[], bool]) -> Trial:
     try:
-        experiment = prepare(statement)
+        experiment = prepare(statement, terms=terms)
     except OverflowError as reason:
         return Trial(Answer.FAILED, inf, str(reason))
     outcome = _attempt(experiment, False, is_proved)

@@ -7,6 +7,7 @@ nearest doubles.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
 from fractions import Fraction
 from math import pi
 from typing import Any
@@ -14,7 +15,7 @@ from typing import Any
 import casadi
 
 from mechanics.errors import ExpressionError
-from mechanics.program.constants import unit_fraction
+from mechanics.program.constants import is_double, unit_fraction
 from mechanics.program.elimination import expand_solves
 from mechanics.program.interpret import interpret
 from mechanics.program.operations import MULTIPLY, OPERATIONS
@@ -72,15 +73,46 @@ def print_function(
             entries[entry] = vectors[vector][k]
     if missing := [entry for entry in program.inputs if entry not in entries]:
         raise ExpressionError(f"input {missing[0]} stands in no vector: say in which")
-    values = interpret(expand_solves(program), _Graph(), entries)
-    outputs = {
-        output: _column(output, [_graph(value) for value in numbers], (shapes or {}).get(output))
-        for output, numbers in values.items()
-    }
+    outputs = print_graphs(program, entries, shapes)
     return casadi.Function(
         name, list(vectors.values()), list(outputs.values()), list(vectors), list(outputs),
         dict(options or {}),
     )  # fmt: skip
+
+
+Named = Callable[[Fraction | None], Any]
+"""The graph that stands for a number that no double holds; None for pi."""
+
+
+def print_graphs(
+    program: Program,
+    entries: Mapping[str, Any],
+    shapes: Mapping[str, tuple[int, int]] | None = None,
+    named: Named | None = None,
+) -> dict[str, Any]:
+    """The outputs of a program as graphs.
+
+    Parameters
+    ----------
+    program : Program
+    entries : mapping of str to casadi.SX
+        For each input a scalar.
+    shapes : mapping of str to (int, int), optional
+        As in `print_function`.
+    named : callable, optional
+        What stands for numbers that no double holds; by default the nearest doubles do.
+    """
+    domain = _Graph(named or _nearest)
+    values = interpret(expand_solves(program), domain, entries)
+    return {
+        output: _column(output, [domain.graph(value) for value in numbers],
+                        (shapes or {}).get(output))
+        for output, numbers in values.items()
+    }  # fmt: skip
+
+
+def _nearest(value: Fraction | None) -> Any:
+    return casadi.SX(pi if value is None else float(value))
 
 
 def _column(name: str, values: Sequence[Any], shape: tuple[int, int] | None) -> Any:
@@ -96,45 +128,46 @@ def _column(name: str, values: Sequence[Any], shape: tuple[int, int] | None) -> 
     return casadi.reshape(casadi.vertcat(*ordered), rows, columns)
 
 
+@dataclass(frozen=True)
 class _Graph:
     """The domain of SX; constants stay rationals until an operation takes them."""
+
+    named: Named
 
     @property
     def operations(self) -> Mapping[str, Callable[..., Any]]:
         return {
-            row.name: _function(row.casadi) for row in OPERATIONS if row.casadi and row.arity
-        } | {"select": _select, OPERATIONS[MULTIPLY].name: _multiply}
+            row.name: self._function(row.casadi) for row in OPERATIONS if row.casadi and row.arity
+        } | {"select": self._select, OPERATIONS[MULTIPLY].name: self._multiply}
 
     def constant(self, value: Fraction) -> Fraction:
         return value
 
     def pi(self) -> Any:
-        return casadi.SX(pi)
+        return self.named(None)
 
     def solve(self, matrix: list[list[Any]], right: list[Any], symmetric: bool) -> Sequence[Any]:
         raise AssertionError("systems are written out before")
 
+    def graph(self, value: Any) -> Any:
+        if not isinstance(value, Fraction):
+            return value
+        return casadi.SX(float(value)) if is_double(value) else self.named(value)
 
-def _graph(value: Any) -> Any:
-    return casadi.SX(float(value)) if isinstance(value, Fraction) else value
+    def _function(self, operation: str) -> Callable[..., Any]:
+        code = getattr(casadi, operation)
 
+        def apply(*operands: Any) -> Any:
+            make = casadi.SX.unary if len(operands) == 1 else casadi.SX.binary
+            return make(code, *map(self.graph, operands))
 
-def _function(operation: str) -> Callable[..., Any]:
-    code = getattr(casadi, operation)
+        return apply
 
-    def apply(*operands: Any) -> Any:
-        make = casadi.SX.unary if len(operands) == 1 else casadi.SX.binary
-        return make(code, *map(_graph, operands))
+    def _multiply(self, x: Any, y: Any) -> Any:
+        for constant, other in ((x, y), (y, x)):
+            if isinstance(constant, Fraction) and (divisor := unit_fraction(constant)):
+                return casadi.SX.binary(casadi.OP_DIV, self.graph(other), casadi.SX(divisor))
+        return casadi.SX.binary(casadi.OP_MUL, self.graph(x), self.graph(y))
 
-    return apply
-
-
-def _multiply(x: Any, y: Any) -> Any:
-    for constant, other in ((x, y), (y, x)):
-        if isinstance(constant, Fraction) and (divisor := unit_fraction(constant)):
-            return casadi.SX.binary(casadi.OP_DIV, _graph(other), casadi.SX(divisor))
-    return casadi.SX.binary(casadi.OP_MUL, _graph(x), _graph(y))
-
-
-def _select(condition: Any, x: Any, y: Any) -> Any:
-    return casadi.if_else(*map(_graph, (condition, x, y)))
+    def _select(self, condition: Any, x: Any, y: Any) -> Any:
+        return casadi.if_else(*map(self.graph, (condition, x, y)))

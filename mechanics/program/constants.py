@@ -34,3 +34,11 @@ def unit_fraction(value: Fraction) -> int | None:
     divisor = value.denominator * value.numerator
     single = abs(value.numerator) == 1 and value.denominator & (value.denominator - 1)
     return divisor if single and abs(divisor) < 1 << 53 else None
+
+
+def is_double(value: Fraction) -> bool:
+    """Whether a double holds the rational exactly."""
+    try:
+        return Fraction(float(value)) == value
+    except OverflowError:
+        return False

@@ -17,6 +17,7 @@ from weakref import WeakKeyDictionary
 from mechanics.compiled.forms.members import ELIMINATION, LDL, PRIMITIVE
 from mechanics.compiled.graphs import STATE, Graphs
 from mechanics.compiled.model import Model
+from mechanics.equations import ProgramEquations
 from mechanics.errors import SingularError
 from mechanics.program import Builder, Program
 from mechanics.program.builder import Node
@@ -108,7 +109,7 @@ def _shortest(model: Model) -> Program:
 
 def _searched(model: Model) -> Program:
     best = _rate(motion_graphs(model), rate_entries(model))
-    if best.count < SHORT:
+    if best.count < SHORT or isinstance(model.equations, ProgramEquations):
         return best
     for form in (LDL, ELIMINATION, PRIMITIVE):
         if form.name == model.form or form.unsuited(model.equations):

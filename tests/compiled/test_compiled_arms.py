@@ -73,7 +73,7 @@ def test_four_joints_with_fixed_quarter_turns() -> None:
     arm = serial_arm(4, axes="zyx", fixed="zxy")
     model = modelled(kane.derive(arm.scene), "recursive")
     assert_follows(arm, model)
-    ways = recursive.ways(model.casadi._linear)
+    ways = recursive.ways(model.casadi.source._linear)
     assert len(ways) == len(leaf_to_root.WAYS)
     finding = prove_graph("forward_dynamics", model.casadi, try_normal=False)
     assert finding.shown, finding
@@ -102,7 +102,7 @@ def test_three_joints_with_mass_centres_off_their_axes() -> None:
     """The way that goes in a circle is not offered; the others are."""
     arm = serial_arm(3, **OFF_AXIS)
     model = modelled(kane.derive(arm.scene), "recursive")
-    assert len(recursive.ways(model.casadi._linear)) == len(leaf_to_root.WAYS) - 1
+    assert len(recursive.ways(model.casadi.source._linear)) == len(leaf_to_root.WAYS) - 1
     assert_follows(arm, model)
     assert_follows(arm, modelled(free_body.derive(arm.scene)))
 

@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 from sympy import Rational, pi
 
-from mechanics.compiled import Model, compile, graphs, prove_compiled
+from mechanics.compiled import Model, compile, prove_compiled, textbook
 from mechanics.compiled.fixed import read_fixed
 from mechanics.crosscheck import derive
 from mechanics.errors import InputError
@@ -165,7 +165,7 @@ def calls(monkeypatch: pytest.MonkeyPatch) -> tuple[Counter, Spy]:
 def watched(calls: tuple[Counter, Spy], route: str) -> tuple[Counter, Any]:
     """Equations derived while everything that may be left undone is watched."""
     counts, watch = calls
-    watch(graphs, "totals")
+    watch(textbook, "totals")
     watch(ca, "jacobian")
     watch(free_body, "solved_reactions")
     watch(free_body, "derivation_steps")

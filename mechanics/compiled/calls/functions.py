@@ -23,7 +23,7 @@ from mechanics.compiled.machine.native import LONG
 from mechanics.compiled.programs.of_model import Programs
 from mechanics.compiled.programs.program import Program
 from mechanics.compiled.quantities import DIGITS, Quantities
-from mechanics.equations import Equations
+from mechanics.equations import Equations, ProgramEquations
 from mechanics.errors import InputError
 
 Array = NDArray[np.floating]
@@ -39,7 +39,7 @@ class Functions:
 
     Attributes
     ----------
-    equations : Equations
+    equations : Equations or ProgramEquations
     casadi : mapping of str to casadi.Function
         Every function as a CasADi graph with named inputs and outputs, built on first use.
     compiler : str or None
@@ -50,7 +50,7 @@ class Functions:
         Settings of the C compiler.
     """
 
-    equations: Equations
+    equations: Equations | ProgramEquations
     casadi: Graphs
     compiler: str | None
     programs: Programs
@@ -75,7 +75,7 @@ class Functions:
     @property
     def form(self) -> str:
         """How forward dynamics is written: the name of one of `mechanics.compiled.FORMS`."""
-        return self.casadi.form.name
+        return self.casadi.form
 
     @property
     def fixed(self) -> dict[str, Expr]:

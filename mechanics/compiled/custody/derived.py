@@ -10,11 +10,11 @@ from dataclasses import dataclass, field
 
 from sympy import Expr, Matrix, S, Symbol, zeros
 
+from mechanics.compiled.custody.derived_program import GROUPS, DerivedProgram, derived_program
 from mechanics.compiled.graphs import Graphs
 from mechanics.compiled.mechanical import totals
+from mechanics.equations import ProgramEquations
 from mechanics.scene.rates import TIME
-
-GROUPS = ("q", "u", "ud", "inputs", "p", "multipliers", "reactions", "h")
 
 
 @dataclass(frozen=True, eq=False)
@@ -66,17 +66,22 @@ class Derived:
     rows: tuple[Expr, ...] = ()
 
 
+Known = Derived | DerivedProgram
+"""What was derived, written out or as a program."""
+
 WITH_TOTALS = frozenset({"energy", "momenta", "inverse_dynamics"})
 """Functions that need energies."""
 OF_ROWS = frozenset({"forward_dynamics", "coordinate_rates", "energy", "momenta"})
 """Functions that can be judged by rows that are not split into M and f."""
 
 
-def derived(graphs: Graphs, functions: Sequence[str], by_rows: bool = False) -> Derived:
+def derived(graphs: Graphs, functions: Sequence[str], by_rows: bool = False) -> Known:
     """What was derived, as far as some functions need it.
 
     With `by_rows`, M and f of a long chain are not written out where rows can judge.
     """
+    if isinstance(graphs.derived, ProgramEquations):
+        return derived_program(graphs.derived, graphs.quantities, graphs.fixed)
     equations, scene = graphs.derived, graphs.derived.scene
     by_rows = by_rows and bool(equations.rows) and OF_ROWS.issuperset(functions)
     by_rows = by_rows and (equations.long or not equations.readable)

@@ -26,7 +26,7 @@ STATE = ("q", "u", "inputs", "p")
 
 
 def _forward_dynamics(physics: Physics, outputs: Outputs) -> Iterator[Entry]:
-    known, zero = physics.known, physics.builder.zero
+    known, zero = physics.textbook, physics.builder.zero
     solution = outputs["ud"] + outputs["multipliers"]
     # The value of a row at what the graph gives; M and f would be its slope and its rest.
     at = dict(zip(known.unknowns, solution, strict=True)) if known.rows else {}
@@ -44,7 +44,7 @@ def _rates(physics: Physics, outputs: Outputs) -> Iterator[Entry]:
 
 def _system(physics: Physics) -> tuple[list[list[Node]], list[Node]]:
     """K and k."""
-    left, right = physics.known.left, physics.known.right
+    left, right = physics.textbook.left, physics.textbook.right
     entries = physics.nodes([*left, *right])
     size = left.cols
     rows = [entries[size * i : size * (i + 1)] for i in range(left.rows)]
@@ -65,7 +65,7 @@ def _dot(physics: Physics, row: Sequence[Node], vector: Sequence[Node]) -> Node:
 
 def _residual(physics: Physics, outputs: Outputs) -> Iterator[Entry]:
     matrix, right = _system(physics)
-    unknowns = physics.nodes(physics.known.unknowns)
+    unknowns = physics.nodes(physics.textbook.unknowns)
     rows = zip(outputs["residual"], matrix, right, strict=True)
     for i, (number, entries, side) in enumerate(rows):
         yield f"residual[{i}]", number, _dot(physics, entries, unknowns) - side
@@ -73,7 +73,7 @@ def _residual(physics: Physics, outputs: Outputs) -> Iterator[Entry]:
 
 def _momentum(physics: Physics, speeds: Sequence[Node]) -> tuple[Node, ...]:
     """dT/du at other speeds."""
-    known, own = physics.known, Builder()
+    known, own = physics.textbook, Builder()
     (kinetic,) = read(own, [known.kinetic])
     symbols = known.symbols["u"]
     rates = gradient([kinetic], [1], [own.input(symbol.name) for symbol in symbols])
@@ -98,22 +98,22 @@ def _inverse_dynamics(physics: Physics, outputs: Outputs) -> Iterator[Entry]:
 
 
 def _energy(physics: Physics, outputs: Outputs) -> Iterator[Entry]:
-    kinetic, potential = physics.nodes([physics.known.kinetic, physics.known.potential])
+    kinetic, potential = physics.nodes([physics.textbook.kinetic, physics.textbook.potential])
     yield "kinetic[0]", outputs["kinetic"][0], kinetic
     yield "potential[0]", outputs["potential"][0], potential
     yield "total[0]", outputs["total"][0], kinetic + potential
 
 
 def _momenta(physics: Physics, outputs: Outputs) -> Iterator[Entry]:
-    yield from _equal(physics, outputs, "linear", physics.known.linear)
-    yield from _equal(physics, outputs, "angular", physics.known.angular)
+    yield from _equal(physics, outputs, "linear", physics.textbook.linear)
+    yield from _equal(physics, outputs, "angular", physics.textbook.angular)
     rates = _momentum(physics, physics.inputs["u"])
     for i, (number, rate) in enumerate(zip(outputs["generalized"], rates, strict=True)):
         yield f"generalized[{i}]", number, rate
 
 
 def _reactions(physics: Physics, outputs: Outputs) -> Iterator[Entry]:
-    known = physics.known
+    known = physics.textbook
     at = dict(zip(known.unknowns, _solution(physics), strict=True))
     values = physics.nodes([value for _, value in known.reactions], at)
     for i, (number, value) in enumerate(zip(outputs["reactions"], values, strict=True)):
@@ -121,7 +121,7 @@ def _reactions(physics: Physics, outputs: Outputs) -> Iterator[Entry]:
 
 
 def _coordinate_rates(physics: Physics, outputs: Outputs) -> Iterator[Entry]:
-    yield from _equal(physics, outputs, "qd", physics.known.rates)
+    yield from _equal(physics, outputs, "qd", physics.textbook.rates)
 
 
 def _jacobians(physics: Physics, outputs: Outputs) -> Iterator[Entry]:
@@ -148,7 +148,7 @@ def _matrix(output: str) -> Law:
     """A law for an output that is one matrix of the equations, column by column."""
 
     def law(physics: Physics, outputs: Outputs) -> Iterator[Entry]:
-        known = physics.known
+        known = physics.textbook
         matrix = known.mass if output == "mass_matrix" else known.forcing
         yield from _equal(physics, outputs, output, list(matrix.T))
 

@@ -8,7 +8,7 @@ from fractions import Fraction
 
 from sympy import Expr, Symbol
 
-from mechanics.compiled.custody.derived import Derived
+from mechanics.compiled.custody.derived import Derived, Known
 from mechanics.kernel import Finding, Range, Statement, decide
 from mechanics.kernel.statement import LEFT, RIGHT
 from mechanics.program import Builder, Node
@@ -24,14 +24,14 @@ class Physics:
 
     Attributes
     ----------
-    known : Derived
+    known : Known
     builder : Builder
     inputs : dict of str to list of Node
         By group.
     leaves : dict of Symbol to Node
     """
 
-    known: Derived
+    known: Known
     builder: Builder = field(default_factory=Builder)
     inputs: dict[str, list[Node]] = field(init=False)
     leaves: dict[Symbol, Node] = field(init=False)
@@ -52,6 +52,13 @@ class Physics:
         return list(read(self.builder, expressions, {**self.leaves, **(given or {})}))
 
     @property
+    def textbook(self) -> Derived:
+        """What was derived, where it is written out."""
+        if not isinstance(self.known, Derived):
+            raise TypeError(f"{self.known.scene}: what was derived is a program")
+        return self.known
+
+    @property
     def ranges(self) -> dict[str, Range]:
         """What is declared of the inputs."""
         every = [symbol for group in self.known.symbols.values() for symbol in group]
@@ -61,6 +68,8 @@ class Physics:
     def constrained(self) -> bool:
         """Whether its states are those on constraints."""
         known = self.known
+        if not isinstance(known, Derived):
+            return False
         return bool(known.symbols.get("multipliers")) or known.left.rows > known.mass.rows
 
     def typical(self, name: str) -> Fraction:

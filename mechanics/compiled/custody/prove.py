@@ -11,7 +11,7 @@ import casadi as ca
 from mechanics.compiled.custody.code import Code, exact
 from mechanics.compiled.custody.constants import literals
 from mechanics.compiled.custody.defined import divides_by_zero, where_defined
-from mechanics.compiled.custody.derived import Derived
+from mechanics.compiled.custody.derived import Known
 from mechanics.compiled.custody.kernel import Kernel
 from mechanics.compiled.custody.physics import Entry, Physics
 from mechanics.compiled.custody.text import Groups, Reading, Text, read_into, read_text
@@ -63,7 +63,7 @@ def prove_text(
     kernel: Kernel,
     source: Source,
     graphs: Mapping[str, Graph],
-    known: Derived,
+    known: Known,
     prepare: Kernel | None = None,
     **options: Any,
 ) -> tuple[Finding, Text | None]:
@@ -75,7 +75,7 @@ def prove_text(
     source : Source
         Of its file, with those that it calls.
     graphs : mapping of str to Graph
-    known : Derived
+    known : Known
         For the names and signs of the inputs.
     prepare : Kernel, optional
         The function that prepares parameters, for one that takes them prepared.

@@ -14,10 +14,10 @@ from pathlib import Path
 
 from mechanics.compiled.custody.binary import Measured
 from mechanics.compiled.custody.build import building, compilers
-from mechanics.compiled.custody.derived import Derived, derived
+from mechanics.compiled.custody.derived import Known, derived
 from mechanics.compiled.fixed import Fixed, read_fixed
 from mechanics.compiled.graphs import STATE, Graphs
-from mechanics.equations import Equations
+from mechanics.equations import Equations, ProgramEquations
 from mechanics.errors import InputError
 from mechanics.exact import Finding, Verdict
 from mechanics.export.evidence.binaries import third_step
@@ -108,7 +108,7 @@ class Verification:
 
 def chain(
     evidence: Evidence,
-    again: Derived | None = None,
+    again: Known | None = None,
     measure: bool = True,
     sines: bool = True,
     report: Report = silent,
@@ -118,7 +118,7 @@ def chain(
     Parameters
     ----------
     evidence : Evidence
-    again : Derived, optional
+    again : Known, optional
         What was derived anew, to be compared with the graphs, too.
     measure : bool
         Whether to compile the code and compare.
@@ -175,7 +175,7 @@ def _not_compiled(measure: bool, paths: Sequence[str], shown: bool) -> str:
 
 def verify(
     folder: Folder | str | Path,
-    equations: Equations | None = None,
+    equations: Equations | ProgramEquations | None = None,
     measure: bool = True,
     report: Report = silent,
 ) -> Verification:
@@ -185,7 +185,7 @@ def verify(
     ----------
     folder : Folder, str or Path
         As `write_c` wrote it.
-    equations : Equations, optional
+    equations : Equations or ProgramEquations, optional
         Derived again from the scene by the route of the manifest: the graphs are compared with
         these, too. Without them the outcome is UNDECIDED at best.
     measure : bool
@@ -207,7 +207,7 @@ def verify(
     return Verification(folder, found, physics, unvouched(folder, physics))
 
 
-def derived_again(folder: Folder, equations: Equations) -> Derived:
+def derived_again(folder: Folder, equations: Equations | ProgramEquations) -> Known:
     """What was derived again, with the parameters fixed as the manifest says.
 
     Raises

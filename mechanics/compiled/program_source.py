@@ -1,0 +1,132 @@
+"""The functions of a model from programs, for scenes too large to be written out.
+
+What an output is made from is chosen in `mechanics.compiled.outputs`; numbers that no double holds
+stay exact, as named constants.
+"""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cached_property
+
+import casadi as ca
+import sympy
+
+from mechanics.compiled.fixed import Fixed, words
+from mechanics.compiled.outputs import FORMS, Outputs, bind
+from mechanics.compiled.quantities import STATE, Quantities
+from mechanics.equations import ProgramEquations
+from mechanics.errors import ExpressionError, InputError, SingularError
+from mechanics.program.casadi_printer import print_graphs
+from mechanics.program.residues import Residues, eliminate
+from mechanics.routes.programs.rows import coefficients
+
+
+@dataclass(frozen=True, eq=False)
+class ProgramSource:
+    """Graphs of the outputs of a mechanism.
+
+    Attributes
+    ----------
+    equations : ProgramEquations
+    fixed : mapping of Symbol to Expr
+    named : str
+        Form of forward dynamics, or ``"auto"``.
+    quantities : Quantities
+    columns : mapping of str to casadi.SX
+        The arrays.
+    constants : dict of Expr to casadi.SX
+        Numbers that no double holds, as they are found.
+
+    Raises
+    ------
+    InputError
+        For constraints and friction, a form that there is not, and a division by a parameter that
+        is fixed to zero.
+    SingularError
+        If the rows do not determine the accelerations at the fixed values.
+    """
+
+    equations: ProgramEquations
+    fixed: Fixed
+    named: str
+    quantities: Quantities
+    columns: Mapping[str, ca.SX]
+    constants: dict[sympy.Expr, ca.SX]
+
+    def __post_init__(self) -> None:
+        mechanism = self.equations.mechanism
+        if mechanism.constraints or mechanism.frictions:
+            raise InputError(
+                f"{mechanism.name}: constraints and friction are compiled from equations that SymPy"
+                " writes out, and these are too long: derive a smaller scene"
+            )
+        if self.named not in ("auto", *FORMS):
+            raise InputError(
+                f"form {self.named!r}: the equations of {mechanism.name} are too long to be written"
+                f" out: choose among {', '.join(FORMS)}, or 'auto'"
+            )
+        if self.fixed:
+            self._determined()
+
+    def _determined(self) -> None:
+        """Find M regular at the fixed values: at one point of a field."""
+        build, rows, of = self.equations.mechanism.builder, self.equations.values, self.equations
+        matrix = coefficients(rows, of.mechanism.ud)
+        program = build.program({"M": [entry for row in matrix for entry in row]})
+        named = f"{of.scene.name} by {of.route}: with {words(self.fixed)} fixed,"
+        try:
+            other, found = bind(program, self._numbers)
+        except ExpressionError:
+            raise InputError(
+                f"{named} something is divided by zero: leave the parameter free"
+            ) from None
+        n = len(of.mechanism.ud)
+        values = Residues(other).values(found["M"])
+        if len(eliminate([values[n * i : n * (i + 1)] for i in range(len(matrix))], n)) < n:
+            raise SingularError(
+                f"{named} the equations do not determine the accelerations: is a body left without"
+                " mass?"
+            )
+
+    @property
+    def _numbers(self) -> dict[str, sympy.Expr]:
+        return {symbol.name: value for symbol, value in self.fixed.items()}
+
+    @cached_property
+    def programs(self) -> Outputs:
+        """What each function computes, exactly."""
+        mechanism = self.equations.mechanism
+        groups = {name: getattr(self.quantities, name) for name in STATE}
+        variables = {
+            name: tuple(mechanism.builder.input(entry.name) for entry in group)
+            for name, group in groups.items()
+        }
+        return Outputs(mechanism, variables, self._numbers, self.named)
+
+    @property
+    def form(self) -> str:
+        """How forward dynamics is written: one of `mechanics.compiled.outputs.FORMS`."""
+        return self.programs.chosen
+
+    def outputs(self, name: str) -> dict[str, ca.SX]:
+        """The graphs of the outputs of a function."""
+        groups = {group: getattr(self.quantities, group) for group in (*STATE, "ud")}
+        entries = {
+            entry.name: self.columns[group][i]
+            for group, of_group in groups.items()
+            for i, entry in enumerate(of_group)
+        }
+        n = len(self.quantities.ud)
+        shapes = {f"ud_{group}": (n, len(groups[group])) for group in STATE}
+        shapes["mass_matrix"] = (n, n)
+        program = self.programs[name]
+        own = {output: shape for output, shape in shapes.items() if output in program.outputs}
+        found = print_graphs(program, entries, own, self._constant)
+        return {**found, "multipliers": ca.SX(0, 1)} if name == "forward_dynamics" else found
+
+    def _constant(self, value: Fraction | None) -> ca.SX:
+        number = sympy.pi if value is None else sympy.Rational(value.numerator, value.denominator)
+        if number not in self.constants:
+            self.constants[number] = ca.SX.sym(f"c{len(self.constants)}")
+        return self.constants[number]
