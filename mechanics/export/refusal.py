@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 
 from mechanics.errors import RefutedError
-from mechanics.exact import Finding, Verdict
+from mechanics.kernel import Finding, Verdict
 
 
 def refuse_refuted(findings: Sequence[Finding], target: str) -> None:

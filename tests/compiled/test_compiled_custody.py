@@ -20,8 +20,8 @@ from mechanics.compiled.custody.rounding import RoundedBalls
 from mechanics.compiled.custody.states import FINITE, states
 from mechanics.compiled.custody.text import VALUES, Text, read_text
 from mechanics.compiled.custody.truth import truth
-from mechanics.exact import Verdict
-from mechanics.exact.balls import precision
+from mechanics.kernel import Verdict
+from mechanics.kernel.balls import precision
 from mechanics.program import Program
 from mechanics.program.c.parse import parse
 from mechanics.program.casadi_reader import Instruction as Node

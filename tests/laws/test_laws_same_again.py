@@ -61,11 +61,47 @@ json.dump([found, told], sys.stdout)
 """
 
 
-def asked(seed: int, before: str = "") -> str:
+WRITTEN = r"""
+import hashlib, json, pathlib, sys, tempfile
+import mechanics
+from benchmarks.space import scenes
+from mechanics.checks.programs.statements import equal
+from mechanics.checks.programs.agreement import compare_pairs, linear_system
+from mechanics.export import write_c
+from mechanics.mechanism import lower
+from mechanics.program import Builder
+from mechanics.program.c_printer import print_c
+from mechanics.program.residues import Residues
+from mechanics.recursions import newton_euler
+from mechanics.recursions.pseudo_inertia import moments
+from mechanics.routes.programs import free_body, kane
+from systems import rocker
+
+model = mechanics.compile(mechanics.derive(rocker.scene(), "free_body"))
+with tempfile.TemporaryDirectory() as folder:
+    files = write_c(model, folder, name="rocker", measure=False)
+    told = {f.name: hashlib.sha256(f.read_bytes()).hexdigest() for f in files}
+mechanism = lower(scenes.panda(), Builder())
+rows = newton_euler.rows(mechanism, moments(mechanism))
+arrays = {"x": sorted(mechanism.builder.inputs)}
+text = print_c(mechanism.builder.program({"tau": rows}), "inverse_dynamics", arrays)
+filter_ = Residues(mechanism.builder)
+systems = {
+    r.route: linear_system(mechanism, r, filter_)
+    for r in (route.derive(mechanism) for route in (free_body, kane))
+}
+shown = [str(finding) for finding in compare_pairs(systems).values()]
+wrong = equal("a sign", mechanism, rows, [rows[0], -rows[1], *rows[2:]])
+json.dump([told, text, shown, str(wrong)], sys.stdout)
+"""
+
+
+def asked(seed: int, before: str = "", script: str = ASKED) -> str:
     """What a process of its own says."""
     places = os.pathsep.join([str(ROOT), os.environ.get("PYTHONPATH", "")])
     return subprocess.run(
-        [sys.executable, "-c", before + ASKED], capture_output=True, text=True, check=True, cwd="/",
+        [sys.executable, "-c", before + script],
+        capture_output=True, text=True, check=True, cwd="/",
         env={**os.environ, "PYTHONHASHSEED": str(seed), "PYTHONPATH": places},
     ).stdout  # fmt: skip
 
@@ -89,6 +125,20 @@ def test_another_hash_seed_says_the_same(said: str) -> None:
 
 def test_a_clock_that_runs_fast_changes_nothing(said: str) -> None:
     assert asked(1, RACING) == said
+
+
+def test_c_text_and_verdicts_of_an_arm_are_the_same_under_load_and_another_hash_seed() -> None:
+    first = asked(1, script=WRITTEN)
+    told, text, shown, wrong = json.loads(first)
+    assert len(told) > 8 and "sin(" in text
+    assert len(shown) == 1 and "CERTIFIED" in shown[0] and "Witness(" in wrong
+    busy = [subprocess.Popen([sys.executable, "-c", "while True: pass"]) for _ in range(2)]
+    try:
+        assert asked(2, script=WRITTEN) == first
+    finally:
+        for process in busy:
+            process.kill()
+            process.wait()
 
 
 @pytest.mark.parametrize("part", PARTS)

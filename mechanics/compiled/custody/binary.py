@@ -20,9 +20,8 @@ from mechanics.compiled.custody.calls import lanes, one_by_one
 from mechanics.compiled.custody.states import STRATA, TYPES
 from mechanics.compiled.custody.status import OK
 from mechanics.compiled.custody.truth import BITS, Truth, doubtful
-from mechanics.exact import Finding, Witness
-from mechanics.exact.balls import precision
-from mechanics.kernel import refuted, supported, undecided
+from mechanics.kernel import Finding, Witness, refuted, supported, undecided
+from mechanics.kernel.balls import precision
 
 
 @dataclass(frozen=True)

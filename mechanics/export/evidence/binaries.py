@@ -9,8 +9,8 @@ from mechanics.compiled.custody.binary import Measured, compare
 from mechanics.compiled.custody.build import Built
 from mechanics.compiled.custody.code import as_written
 from mechanics.compiled.custody.truth import truth
-from mechanics.exact import Finding
 from mechanics.export.evidence.chain import Evidence, Read, Report, silent
+from mechanics.kernel import Finding
 
 
 @dataclass(frozen=True)

@@ -20,10 +20,9 @@ from mechanics.compiled.custody.text import Text
 from mechanics.compiled.programs.hoist import PREPARE
 from mechanics.compiled.programs.of_model import PARTS, WHOLE
 from mechanics.errors import ExpressionError, InputError
-from mechanics.exact import Finding
 from mechanics.export.evidence.graphs import RATES
 from mechanics.export.evidence.texts import not_named, sources
-from mechanics.kernel import undecided
+from mechanics.kernel import Finding, undecided
 from mechanics.program.c.parse import Source
 
 SMALL = 80

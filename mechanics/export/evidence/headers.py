@@ -10,10 +10,9 @@ from pycparser import c_generator
 from mechanics.compiled.c.lanes import FAR, WILD
 from mechanics.compiled.custody.status import BAD_INPUT, OK, OVERFLOW, SINGULAR
 from mechanics.errors import ExpressionError
-from mechanics.exact import Finding
 from mechanics.export.evidence.chain import Evidence
 from mechanics.export.evidence.texts import FMA, odd_conditions
-from mechanics.kernel import refuted, same, undecided
+from mechanics.kernel import Finding, refuted, same, undecided
 from mechanics.program.c.parse import parse
 from mechanics.program.c.text import preprocess
 from mechanics.program.c.types import parameters

@@ -17,7 +17,6 @@ from typing import Any
 from mechanics.compiled.c.lanes import SHARED
 from mechanics.compiled.custody.kernel import Kernel
 from mechanics.errors import ExpressionError
-from mechanics.exact import Finding
 from mechanics.export.batch import batched
 from mechanics.export.batch_selftest import batch_selftest
 from mechanics.export.evidence.read import NEEDED, Folder
@@ -26,7 +25,7 @@ from mechanics.export.package import build_files
 from mechanics.export.precision import Part, named_parts
 from mechanics.export.selftest import selftest
 from mechanics.export.vectors import Vector
-from mechanics.kernel import same, undecided
+from mechanics.kernel import Finding, same, undecided
 from mechanics.program.c.literal import literal
 
 TABLE = r"    static const \w+ {name}\[\d+\]\[\d+\] = \{{\n(.*?)\n    \}};"

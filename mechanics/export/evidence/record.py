@@ -14,7 +14,6 @@ from mechanics.compiled.custody.graph import STEP
 from mechanics.compiled.custody.kernel import Kernel
 from mechanics.compiled.custody.prove import Graph
 from mechanics.compiled.programs.of_model import PARTS, WHOLE
-from mechanics.exact import Finding
 from mechanics.export.evidence.chain import Evidence
 from mechanics.export.evidence.equations import FILE as EQUATIONS
 from mechanics.export.evidence.equations import equations_text
@@ -22,6 +21,7 @@ from mechanics.export.evidence.graphs import FILE as GRAPHS
 from mechanics.export.evidence.graphs import graphs_text
 from mechanics.export.evidence.verify import Chain
 from mechanics.export.precision import Part
+from mechanics.kernel import Finding
 
 
 def evidence_of(

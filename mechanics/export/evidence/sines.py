@@ -13,12 +13,11 @@ from typing import Any
 
 from pycparser import c_generator
 
+from mechanics.compiled.custody.sine.proof import verify_sine
 from mechanics.errors import ExpressionError
-from mechanics.exact import Finding
-from mechanics.exact.sine.proof import verify_sine
 from mechanics.export.evidence.chain import Report, silent
 from mechanics.export.evidence.texts import FMA, odd_conditions
-from mechanics.kernel import same, undecided
+from mechanics.kernel import Finding, same, undecided
 from mechanics.program.c.parse import parse
 
 SUFFIX = {"double": "", "float": "f"}

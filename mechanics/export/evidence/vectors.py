@@ -22,8 +22,7 @@ from mechanics.compiled.custody.prove import Graph
 from mechanics.compiled.custody.rounding import DIGITS
 from mechanics.compiled.custody.states import TYPES
 from mechanics.errors import ExpressionError
-from mechanics.exact import Finding, Witness
-from mechanics.kernel import enclose, enclosed, refuted, undecided
+from mechanics.kernel import Finding, Witness, enclose, enclosed, refuted, undecided
 from mechanics.program.c.literal import literal
 from mechanics.program.c.parse import parse
 

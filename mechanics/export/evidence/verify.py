@@ -19,7 +19,6 @@ from mechanics.compiled.fixed import Fixed, read_fixed
 from mechanics.compiled.graphs import STATE, Graphs
 from mechanics.equations import Equations, ProgramEquations
 from mechanics.errors import InputError
-from mechanics.exact import Finding, Verdict
 from mechanics.export.evidence.binaries import third_step
 from mechanics.export.evidence.chain import (
     Evidence,
@@ -37,6 +36,7 @@ from mechanics.export.evidence.read import Folder, read_folder
 from mechanics.export.evidence.sines import prove_sines
 from mechanics.export.evidence.vectors import prove_vectors
 from mechanics.export.folder import MANIFEST
+from mechanics.kernel import Finding, Verdict
 from mechanics.scene import Scene
 
 FRACTION = re.compile(r"-?\d+(/\d+)?")

@@ -19,7 +19,6 @@ from mechanics.compiled.custody.kernel import Kernel
 from mechanics.compiled.custody.prove import Graph, prove_text
 from mechanics.compiled.programs.program import program
 from mechanics.compiled.proof import prove_compiled, prove_graph
-from mechanics.exact import Finding
 from mechanics.export.fmu.functions import (
     CLOCK,
     STEP_SIZE,
@@ -28,6 +27,7 @@ from mechanics.export.fmu.functions import (
     functions,
 )
 from mechanics.export.fmu.model_text import symbol
+from mechanics.kernel import Finding
 from mechanics.program.c.parse import Source, parse
 
 SOURCE, HEADER = "model.c", "model.h"

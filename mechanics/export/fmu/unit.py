@@ -27,7 +27,6 @@ from mechanics.compiled.machine.native import affordable
 from mechanics.compiled.programs.program import program
 from mechanics.compiled.tableaus import TABLEAUX
 from mechanics.errors import InputError
-from mechanics.exact import Finding
 from mechanics.export.atomic import named, replaced_file
 from mechanics.export.fmu.binary import OPTIONS, Platform, compiled_library, this_platform
 from mechanics.export.fmu.description import build_description, model_description
@@ -39,6 +38,7 @@ from mechanics.export.fmu.tables_text import tables_header, tables_source
 from mechanics.export.fmu.variables import Variables, variables
 from mechanics.export.manifest import version_of
 from mechanics.export.refusal import refuse_refuted
+from mechanics.kernel import Finding
 
 SUFFIX = ".fmu"
 # The method of highest order: few long steps, and errors near rounding.

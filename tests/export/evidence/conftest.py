@@ -11,11 +11,11 @@ import pytest
 
 from mechanics.compiled.custody.build import building
 from mechanics.compiled.custody.kernel import Kernel
-from mechanics.exact import Verdict
 from mechanics.export.evidence.binaries import third_step
 from mechanics.export.evidence.chain import Evidence, Read, second_step
 from mechanics.export.evidence.read import read_folder
 from mechanics.export.write_c import write_c
+from mechanics.kernel import Verdict
 from mechanics.program.c.tokens import tokens
 
 OPERATORS = ("+", "-", "*", "/", "<", "<=", "==", "!=", "&&", "||", "&", "|", "%")

@@ -8,7 +8,7 @@ the texts are judged as they stand.
 import random
 from collections import Counter
 
-from mechanics.exact import Verdict
+from mechanics.kernel import Verdict
 
 EDITS = 500
 SEED = 2

@@ -7,11 +7,11 @@ from typing import Any
 import pytest
 
 from mechanics.compiled.custody.build import building
-from mechanics.exact import Verdict
 from mechanics.export.evidence.binaries import third_step
 from mechanics.export.evidence.chain import Evidence, Read, second_step
 from mechanics.export.evidence.read import read_folder
 from mechanics.export.write_c import write_c
+from mechanics.kernel import Verdict
 
 SIGN = "(x_dot > 0.0 ? 1.0 : (x_dot < 0.0 ? -1.0 : x_dot))"
 NAME = "name_forward_dynamics"

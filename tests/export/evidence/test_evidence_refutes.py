@@ -13,7 +13,7 @@ from sympy import Integer, pi
 
 from mechanics.compiled.custody.code import Code
 from mechanics.compiled.custody.constants import literals
-from mechanics.exact import Verdict
+from mechanics.kernel import Verdict
 from mechanics.program import Builder
 from mechanics.program.casadi_reader import Instruction as Node
 

@@ -5,11 +5,11 @@ from dataclasses import replace
 
 import pytest
 
-from mechanics.exact import Verdict
 from mechanics.export.evidence.chain import second_step
 from mechanics.export.evidence.headers import prove_headers
 from mechanics.export.evidence.sines import prove_sines
 from mechanics.export.evidence.vectors import prove_vectors
+from mechanics.kernel import Verdict
 
 PUT = "static int put(double *o, double v)\n{\n    *o = v;\n    return 1;\n}\n\n"
 OUTPUT = "    ud[0] = v5;\n"

@@ -18,16 +18,15 @@ import numpy as np
 from flint import arb, fmpq
 from pycparser import c_ast, c_generator
 
+from mechanics.compiled.custody.sine.affine import SMALLEST
+from mechanics.compiled.custody.sine.bounds import Largest, largest_errors
+from mechanics.compiled.custody.sine.machine import sincos
+from mechanics.compiled.custody.sine.quadrant import check_parity, check_quadrants
+from mechanics.compiled.custody.sine.reduction import reduced, small
+from mechanics.compiled.custody.sine.rounding import unit
 from mechanics.errors import ExpressionError
-from mechanics.exact.balls import precision
-from mechanics.exact.finding import Finding, Witness
-from mechanics.exact.sine.affine import SMALLEST
-from mechanics.exact.sine.bounds import Largest, largest_errors
-from mechanics.exact.sine.machine import sincos
-from mechanics.exact.sine.quadrant import check_parity, check_quadrants
-from mechanics.exact.sine.reduction import reduced, small
-from mechanics.exact.sine.rounding import unit
-from mechanics.kernel import enclosed, refuted, undecided
+from mechanics.kernel import Finding, Witness, enclosed, refuted, undecided
+from mechanics.kernel.balls import precision
 from mechanics.program.c.literal import literal
 from mechanics.program.c.parse import Source, parse
 

@@ -14,9 +14,9 @@ from functools import cache
 
 from flint import arb
 
+from mechanics.compiled.custody.sine.walk import Domain
 from mechanics.errors import ExpressionError
-from mechanics.exact.balls import precision
-from mechanics.exact.sine.walk import Domain
+from mechanics.kernel.balls import precision
 
 BITS = {"double": 53, "float": 24}
 SMALLEST = {"double": -1074, "float": -149}

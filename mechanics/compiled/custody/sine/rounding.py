@@ -13,9 +13,9 @@ from typing import NamedTuple
 
 from flint import arb, fmpq
 
+from mechanics.compiled.custody.sine.affine import BITS, SMALLEST
+from mechanics.compiled.custody.sine.walk import Domain
 from mechanics.errors import ExpressionError
-from mechanics.exact.sine.affine import BITS, SMALLEST
-from mechanics.exact.sine.walk import Domain
 
 Poly = dict[tuple[int, int], Fraction]
 """Coefficients of r^i low^j."""

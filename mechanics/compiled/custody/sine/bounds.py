@@ -19,12 +19,12 @@ from math import factorial, isfinite
 
 from flint import arb, arb_poly, fmpq
 
+from mechanics.compiled.custody.sine.affine import BITS, SMALLEST, half_unit
+from mechanics.compiled.custody.sine.reduction import Reduced
+from mechanics.compiled.custody.sine.rounding import Poly, Polynomials, Rounded, Roundings, unit
+from mechanics.compiled.custody.sine.tape import Recorded, record
 from mechanics.errors import ExpressionError
-from mechanics.exact.balls import precision
-from mechanics.exact.sine.affine import BITS, SMALLEST, half_unit
-from mechanics.exact.sine.reduction import Reduced
-from mechanics.exact.sine.rounding import Poly, Polynomials, Rounded, Roundings, unit
-from mechanics.exact.sine.tape import Recorded, record
+from mechanics.kernel.balls import precision
 from mechanics.program.c.parse import Source
 
 DIGITS = 160

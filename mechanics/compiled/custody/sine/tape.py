@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from typing import Any, NamedTuple
 
-from mechanics.exact.sine.walk import Domain, Function
+from mechanics.compiled.custody.sine.walk import Domain, Function
 from mechanics.program.c.parse import Source
 
 

@@ -12,10 +12,10 @@ from __future__ import annotations
 from fractions import Fraction
 from typing import Any, NamedTuple
 
+from mechanics.compiled.custody.sine.affine import BITS
+from mechanics.compiled.custody.sine.machine import Machine
+from mechanics.compiled.custody.sine.walk import Domain, Function
 from mechanics.errors import ExpressionError
-from mechanics.exact.sine.affine import BITS
-from mechanics.exact.sine.machine import Machine
-from mechanics.exact.sine.walk import Domain, Function
 from mechanics.program.c.parse import Source
 
 TABLE = (
@@ -55,10 +55,6 @@ class Turned(NamedTuple):
     sign: int
 
 
-def _refused() -> Any:
-    raise ExpressionError("the quadrant is not found by reading bits alone")
-
-
 class Quadrant(Domain):
     """s and c, which may be stored and change their sign, and the shifted quotient, which is read.
 
@@ -71,39 +67,15 @@ class Quadrant(Domain):
     def __init__(self, turns: int) -> None:
         self._turns = turns
 
-    def number(self, kind: str, value: Fraction) -> Any:
-        """Refused."""
-        return _refused()
-
-    def negative(self, kind: str, x: Any) -> Any:
-        """Refused: a sign is changed by its bit, so that zeros keep theirs."""
-        return _refused()
-
-    def sum(self, kind: str, x: Any, y: Any) -> Any:
-        """Refused."""
-        return _refused()
-
-    def product(self, kind: str, x: Any, y: Any) -> Any:
-        """Refused."""
-        return _refused()
-
-    def fused(self, kind: str, x: Any, y: Any, z: Any) -> Any:
-        """Refused."""
-        return _refused()
-
-    def cast(self, kind: str, old: str, x: Any) -> Any:
-        """Refused."""
-        return _refused()
-
     def bits(self, kind: str, x: Any) -> Any:
         """The bits of the shifted quotient."""
-        return LowBits(self._turns) if x == "shifted" else _refused()
+        return LowBits(self._turns) if x == "shifted" else super().bits(kind, x)
 
     def flipped(self, kind: str, x: Any, mask: int) -> Any:
         """The sign may be changed."""
         length = 64 if kind == "double" else 32
         if not isinstance(x, Turned) or mask not in (0, 1 << (length - 1)):
-            _refused()
+            return super().flipped(kind, x, mask)
         return Turned(x.name, -x.sign if mask else x.sign)
 
 

@@ -9,7 +9,6 @@ names in its middle.
 
 from __future__ import annotations
 
-from abc import ABC, abstractmethod
 from collections.abc import Mapping
 from fractions import Fraction
 from typing import Any, NamedTuple
@@ -31,40 +30,46 @@ class Typed(NamedTuple):
     value: Any
 
 
-class Domain(ABC):
-    """What floating numbers are, and what is done with them; `kind` is the type of the result."""
+class Domain:
+    """What floating numbers are, and what is done with them; `kind` is the type of the result.
 
-    @abstractmethod
+    What a domain does not say it refuses.
+    """
+
     def number(self, kind: str, value: Fraction) -> Any:
         """A literal."""
+        return self._refused(f"the number {float(value):g}")
 
-    @abstractmethod
     def negative(self, kind: str, x: Any) -> Any:
         """-x."""
+        return self._refused("a change of sign")
 
-    @abstractmethod
     def sum(self, kind: str, x: Any, y: Any) -> Any:
         """x + y, rounded."""
+        return self._refused("a sum")
 
-    @abstractmethod
     def product(self, kind: str, x: Any, y: Any) -> Any:
         """x y, rounded."""
+        return self._refused("a product")
 
-    @abstractmethod
     def fused(self, kind: str, x: Any, y: Any, z: Any) -> Any:
         """x y + z, rounded once."""
+        return self._refused("a product in a sum")
 
-    @abstractmethod
     def cast(self, kind: str, old: str, x: Any) -> Any:
         """x in another type."""
+        return self._refused("a cast")
 
     def bits(self, kind: str, x: Any) -> int:
         """The number read as an integer."""
-        raise ExpressionError(f"{type(self).__name__} does not read the bits of a {kind}")
+        return int(self._refused("the bits of a number"))
 
     def flipped(self, kind: str, x: Any, mask: int) -> Any:
         """The number with these bits changed."""
-        raise ExpressionError(f"{type(self).__name__} does not change bits of a {kind}")
+        return self._refused("a change of bits")
+
+    def _refused(self, what: str) -> Any:
+        raise ExpressionError(f"{type(self).__name__}: {what} has no meaning there")
 
 
 class Function:

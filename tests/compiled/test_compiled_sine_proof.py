@@ -9,14 +9,14 @@ import pytest
 from flint import arb
 
 from mechanics.compiled.c.sine import LIMIT, sine_source
+from mechanics.compiled.custody.sine import MOST, verify_sine
+from mechanics.compiled.custody.sine.affine import Affine, AffineForms, half_pi, half_unit
+from mechanics.compiled.custody.sine.machine import sincos
+from mechanics.compiled.custody.sine.reduction import nearest_multiple, reduced
+from mechanics.compiled.custody.sine.walk import Function
 from mechanics.errors import ExpressionError
-from mechanics.exact.balls import precision
-from mechanics.exact.finding import Finding, Verdict
-from mechanics.exact.sine import MOST, verify_sine
-from mechanics.exact.sine.affine import Affine, AffineForms, half_pi, half_unit
-from mechanics.exact.sine.machine import sincos
-from mechanics.exact.sine.reduction import nearest_multiple, reduced
-from mechanics.exact.sine.walk import Function
+from mechanics.kernel import Finding, Verdict
+from mechanics.kernel.balls import precision
 from mechanics.program.c.parse import parse
 
 HEAD = "#include <math.h>\n#include <stdint.h>\n"

@@ -10,9 +10,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 from fractions import Fraction
 
+from mechanics.compiled.custody.sine.affine import BITS, Affine, AffineForms, half_pi
+from mechanics.compiled.custody.sine.walk import Function
 from mechanics.errors import ExpressionError
-from mechanics.exact.sine.affine import BITS, Affine, AffineForms, half_pi
-from mechanics.exact.sine.walk import Function
 from mechanics.program.c.parse import Source
 
 

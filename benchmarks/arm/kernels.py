@@ -1,0 +1,127 @@
+"""The kernels, compiled with the same flags: our C, CasADi's C of the same program, Pinocchio."""
+
+from __future__ import annotations
+
+import ctypes
+import importlib.util
+import shutil
+import subprocess
+import tempfile
+from collections.abc import Callable, Sequence
+from functools import cache
+from pathlib import Path
+
+import casadi
+import numpy as np
+
+from benchmarks.arm.programs import JOINTS, Q, U, joints, numbers
+from benchmarks.kernels.robots import BOOST, EIGEN
+from mechanics.errors import CompilerError
+from mechanics.program import Program
+from mechanics.program.c_printer import print_c
+from mechanics.program.casadi_printer import print_function
+
+FLAGS = ("-O3", "-march=native")
+HERE = Path(__file__).parent
+INVOKE = "-DBOOST_FUSION_INVOKE_MAX_ARITY=12"
+"""Boost's calls take too few arguments for Pinocchio's visitors otherwise."""
+
+Array = np.ndarray
+Run = Callable[[Array, Array, Array, Array], None]
+"""From q, u and what is given, a row a state, to what is found."""
+
+LOOP = """
+void loop(long count, const double *q, const double *u, const double *given, double *found)
+{
+    for (long i = 0; i < count; ++i) {
+        %s
+    }
+}
+"""
+
+
+def printed(program: Program, given: Sequence[str]) -> Run:
+    """Our own text."""
+    arrays = {"q": list(Q), "u": list(U), "given": list(given)}
+    call = "kernel(q + 7 * i, u + 7 * i, given + 7 * i, found + 7 * i);"
+    return _looping(print_c(program, "kernel", arrays), call)
+
+
+def by_casadi(program: Program, given: Sequence[str]) -> Run:
+    """What CasADi generates for the same program."""
+    arrays = {"q": list(Q), "u": list(U), "given": list(given)}
+    function = print_function(program, "kernel", arrays)
+    size = function.sz_w()
+    call = (
+        f"const double *arg[{function.sz_arg()}] = {{q + 7 * i, u + 7 * i, given + 7 * i}};\n"
+        f"        double *res[{function.sz_res()}] = {{found + 7 * i}}, w[{max(size, 1)}];\n"
+        "        kernel(arg, res, 0, w, 0);"
+    )
+    generator = casadi.CodeGenerator("kernel.c", {"with_export": False})
+    generator.add(function)
+    return _looping(generator.dump(), call)
+
+
+def _looping(text: str, call: str) -> Run:
+    library = _built("gcc", "kernel.c", text + LOOP % call, [], ["-lm"])
+
+    def run(q: Array, u: Array, given: Array, found: Array) -> None:
+        library.loop(ctypes.c_long(len(q)), *map(_at, (q, u, given, found)))
+
+    return run
+
+
+def no_pinocchio() -> str:
+    """Why Pinocchio cannot run here; empty if it can."""
+    if importlib.util.find_spec("pinocchio") is None:
+        return "Pinocchio is not installed: pip install pin"
+    if not EIGEN.exists() or not shutil.which("g++"):
+        return "Pinocchio's headers need g++ and Eigen (libeigen3-dev)"
+    return ""
+
+
+@cache
+def _pinocchio() -> tuple[ctypes.CDLL, ctypes.c_void_p]:
+    import pinocchio
+
+    prefix = Path(pinocchio.__file__).parents[4]
+    text = (HERE / "pinocchio_arm.cpp").read_text(encoding="ascii")
+    words = ["-std=c++17", "-DNDEBUG", *BOOST, INVOKE, f"-I{prefix}/include", f"-I{EIGEN}"]
+    library = _built("g++", "arm.cpp", text, words, [])
+    values = numbers()
+    rows = np.array([
+        [*joint, *(float(values[f"{name}{i}"]) for name in
+                   ("m", "cx", "cy", "cz", "Ixx", "Iyy", "Izz", "Ixy", "Iyz", "Izx"))]
+        for i, joint in enumerate(joints(), start=1)
+    ])  # fmt: skip
+    library.arm_new.restype = ctypes.c_void_p
+    gravity = ctypes.c_double(float(values["g"]))
+    return library, ctypes.c_void_p(library.arm_new(JOINTS, gravity, _at(rows)))
+
+
+def by_pinocchio(algorithm: str) -> Run:
+    """``"rnea"`` or ``"aba"``, from its headers, compiled with the same flags."""
+    library, arm = _pinocchio()
+    function = getattr(library, algorithm)
+
+    def run(q: Array, u: Array, given: Array, found: Array) -> None:
+        function(arm, ctypes.c_long(len(q)), *map(_at, (q, u, given, found)))
+
+    return run
+
+
+def _built(
+    compiler: str, name: str, text: str, before: Sequence[str], after: Sequence[str]
+) -> ctypes.CDLL:
+    with tempfile.TemporaryDirectory(prefix="mechanics-") as folder:
+        source, library = Path(folder) / name, Path(folder) / "kernel.so"
+        source.write_text(text, encoding="ascii")
+        command = [compiler, "-shared", "-fPIC", *FLAGS, *before, str(source), "-o", str(library)]
+        done = subprocess.run([*command, *after], capture_output=True, text=True, check=False)
+        if done.returncode:
+            raise CompilerError(f"{compiler} refused {name}: {done.stderr.strip()[:500]}")
+        return ctypes.CDLL(str(library))
+
+
+def _at(array: Array) -> ctypes.c_void_p:
+    return ctypes.c_void_p(array.ctypes.data)
