@@ -14,13 +14,10 @@ from typing import Any
 import numpy as np
 
 from mechanics.compiled import Model
-from mechanics.compiled.programs.trace import trace
 from mechanics.equations import written_out
 from mechanics.extremes.cause import CAUSES
-from mechanics.extremes.judge import Case, cause
-from mechanics.extremes.measure import LOST, measure
 from mechanics.extremes.result import PRECISIONS, End, Extremes, Figures, Reach, Visited, tolerance
-from mechanics.extremes.survey import GROUPS, computed, representable
+from mechanics.extremes.survey import GROUPS, figures_at
 from mechanics.extremes.truth import truth
 
 DIGITS = 3
@@ -75,9 +72,11 @@ def _walk(visited: Visited) -> dict[str, Any]:
 
 
 def _figures(figures: Figures) -> dict[str, Any]:
+    return {"form": figures.form, "precision": figures.precision, **_columns(figures)}
+
+
+def _columns(figures: Figures) -> dict[str, list[Any]]:
     return {
-        "form": figures.form,
-        "precision": figures.precision,
         "forward_ulp": list(map(rounded, figures.forward.tolist())),
         "relative": list(map(rounded, figures.relative.tolist())),
         "backward_eps": list(map(rounded, figures.backward.tolist())),
@@ -122,17 +121,8 @@ def reproduce(model: Model, values: Sequence[float], precision: str) -> dict[str
     dict
         ``forward_ulp``, ``relative``, ``backward_eps`` and ``cause`` as in a record.
     """
-    kind, row = PRECISIONS[precision], np.array([values])
     known = model.quantities
     symbols = [entry.symbol for group in GROUPS for entry in getattr(known, group)]
-    found = truth(written_out(model.equations), symbols).at(values)
-    numbers, (fits,) = computed(model, row, kind), representable(row, kind)
-    errors = measure(found, numbers[0].tolist(), kind) if fits else LOST
-    events = trace(model.program("forward_dynamics"), row, kind)
-    why = cause(Case(found, bool(fits), numbers[0], errors, events, 0), precision)
-    return {
-        "forward_ulp": rounded(errors.forward),
-        "relative": rounded(errors.relative),
-        "backward_eps": rounded(errors.backward),
-        "cause": CAUSES.index(why),
-    }
+    enclosed = [truth(written_out(model.equations), symbols).at(values)]
+    (found,) = figures_at(enclosed, {model.form: model}, np.array([values]), precision)
+    return {name: each[0] for name, each in _columns(found).items()}

@@ -71,39 +71,42 @@ def _split(whole: _Part, found: Sequence[Walk]) -> Iterator[Visited]:
 
 def _part(judge: Truth, models: Mapping[str, Model], points: Array) -> _Part:
     enclosed = [judge.at(point) for point in points.tolist()]
-    regular = np.array([found.solution is not None for found in enclosed])
-    any_model = next(iter(models.values()))
-    figures: list[Figures] = []
-    for precision, kind in PRECISIONS.items():
-        given = representable(points, kind)
-        normal = given & regular
-        for name in ("mass_matrix", "forcing"):
-            normal &= trace(any_model.program(name), points, kind).normal
-        seen: dict[tuple[int, bytes], Errors] = {}
-        for form, model in models.items():
-            values = computed(model, points, kind)
-            errors = [
-                _once(seen, index, enclosed[index], row, kind) if given[index] else LOST
-                for index, row in enumerate(values)
-            ]
-            events = trace(model.program("forward_dynamics"), points, kind)
-            causes = [
-                cause(Case(enclosed[i], bool(given[i]), values[i], errors[i], events, i), precision)
-                for i in range(len(points))
-            ]
-            figures.append(
-                Figures(
-                    form,
-                    precision,
-                    np.array([e.forward for e in errors]),
-                    np.array([e.relative for e in errors]),
-                    np.array([e.backward for e in errors]),
-                    np.array([CAUSES.index(c) for c in causes], dtype=np.int8),
-                    normal & events.normal,
-                )
-            )
+    figures = [f for name in PRECISIONS for f in figures_at(enclosed, models, points, name)]
     condition = np.array([_float(e.condition) for e in enclosed])
     return _Part(condition, np.array(list(map(_sensitivity, enclosed))), tuple(figures))
+
+
+def figures_at(
+    enclosed: Sequence[Enclosed], models: Mapping[str, Model], points: Array, precision: str
+) -> Iterator[Figures]:
+    """Figures of every form in one precision, at points whose true values are enclosed."""
+    kind = PRECISIONS[precision]
+    given = representable(points, kind)
+    normal = given & np.array([found.solution is not None for found in enclosed])
+    any_model = next(iter(models.values()))
+    for name in ("mass_matrix", "forcing"):
+        normal &= trace(any_model.program(name), points, kind).normal
+    seen: dict[tuple[int, bytes], Errors] = {}
+    for form, model in models.items():
+        values = computed(model, points, kind)
+        errors = [
+            _once(seen, index, enclosed[index], row, kind) if given[index] else LOST
+            for index, row in enumerate(values)
+        ]
+        events = trace(model.program("forward_dynamics"), points, kind)
+        causes = [
+            cause(Case(enclosed[i], bool(given[i]), values[i], errors[i], events, i), precision)
+            for i in range(len(points))
+        ]
+        yield Figures(
+            form,
+            precision,
+            np.array([e.forward for e in errors]),
+            np.array([e.relative for e in errors]),
+            np.array([e.backward for e in errors]),
+            np.array([CAUSES.index(c) for c in causes], dtype=np.int8),
+            normal & events.normal,
+        )
 
 
 def _once(

@@ -8,15 +8,16 @@ from dataclasses import dataclass
 from functools import lru_cache
 from typing import Any
 
-import casadi as ca
 import numpy as np
 from numpy.typing import NDArray
 from sympy import Expr, Rational, Symbol, sympify
 
 from mechanics.compiled.model import Model
-from mechanics.compiled.quantities import DIGITS, typical_value
-from mechanics.compiled.translate import Translator
+from mechanics.compiled.quantities import typical_value
 from mechanics.errors import InputError
+from mechanics.program import Builder, interpret
+from mechanics.program.numpy_domain import Arrays
+from mechanics.program.sympy_reader import read
 from mechanics.simulate.consistent import consistent_coordinates, consistent_speeds
 from mechanics.simulate.constraints import manifolds, periodic
 from mechanics.simulate.manifold import Manifold
@@ -182,16 +183,11 @@ def _expanded(symbol: Symbol, table: Mapping[Symbol, Expr], many: set[str]) -> E
 
 
 def _evaluated(expression: Expr, many: Mapping[str, Array], count: int) -> Array:
-    used = sorted(expression.free_symbols, key=lambda s: s.name)
-    graphs = {s: ca.SX.sym(s.name) for s in used}
-    translate = Translator(graphs)
-    value = translate(expression)
-    constants = list(translate.constants.items())
-    names = [*graphs.values(), *(graph for _, graph in constants)]
-    numbers = [np.full(count, float(number.evalf(DIGITS))) for number, _ in constants]
-    function = ca.Function("value", [ca.vertcat(*names)], [value])
-    columns = np.array([*(many[s.name] for s in used), *numbers])
-    return np.asarray(function.map(count)(columns)).ravel() if count else np.zeros(0)
+    builder = Builder()
+    program = builder.program({"value": read(builder, [expression])})
+    columns = {name: many[name] for name in program.inputs}
+    (value,) = interpret(program, Arrays(), columns)["value"]
+    return np.broadcast_to(value, count)
 
 
 def _consistent(motions: Motions, given: Mapping[str, Array]) -> Motions:
