@@ -24,6 +24,7 @@ from sympy.logic.boolalg import And, Boolean, Not, Or
 from mechanics.checks.ledger_compare import settle_defined
 from mechanics.checks.ledger_motion import put_motion
 from mechanics.equations import Equations
+from mechanics.errors import ExpressionError
 from mechanics.exact import (
     Arithmetic,
     Finding,
@@ -36,6 +37,9 @@ from mechanics.judge.entered import Region, entered
 from mechanics.judge.guards import inside, is_guard
 from mechanics.judge.regions import region_of, slice_of
 from mechanics.kernel import follows, refuted, undecided
+from mechanics.kernel.definedness import excludes
+from mechanics.program import Builder
+from mechanics.program.sympy_reader import read
 from mechanics.reading.demands import Demand
 from mechanics.scene.published import Published
 from mechanics.scene.quantities import EquationOfMotion, Identity
@@ -145,6 +149,8 @@ def in_case(truth: Equations, row: Published, conditions: tuple[Relational, ...]
             return undecided(subject, "it is something else at single states")
         witness = None if finding.witness is None else _of_scene(finding.witness, region)
         return replace(finding, witness=witness)
+    if _is_empty(conditions):
+        raise Inadmissible("no state meets the conditions")
     everywhere = decide(subject, _in_region(truth, row, {}))
     if everywhere.shown or equal:
         return everywhere if everywhere.shown else undecided(subject, "not right everywhere")
@@ -153,6 +159,19 @@ def in_case(truth: Equations, row: Published, conditions: tuple[Relational, ...]
         if finding.verdict is Verdict.REFUTED and finding.witness is not None:
             return replace(finding, witness=_of_scene(finding.witness, point))
     return undecided(subject, "right at no state that was tried, and none entered")
+
+
+def _is_empty(conditions: tuple[Relational, ...]) -> bool:
+    """Whether no state meets the conditions, as far as signs tell: sin(theta) > 1."""
+    builder = Builder()
+    try:
+        nodes = read(builder, conditions)
+    except ExpressionError:
+        return False
+    positive = {s.name for c in conditions for s in c.free_symbols if s.is_positive}
+    truths = [(node.number, True) for node in nodes if node.constant is None]
+    falsehood = any(node.is_zero for node in nodes)
+    return falsehood or excludes(builder, truths, frozenset(positive))
 
 
 def _cases(

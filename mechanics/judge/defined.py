@@ -12,7 +12,7 @@ from fractions import Fraction
 from functools import partial
 
 from flint import arb
-from sympy import Add, Basic, Expr, Mul, Not, Pow, Symbol, sympify
+from sympy import Add, And, Basic, Expr, Mul, Not, Or, Pow, Symbol, sympify
 from sympy.core.relational import Relational
 
 from mechanics.checks.metric import metric
@@ -337,7 +337,7 @@ def _undecided(finding: Finding, left: Sequence[Gap], written: Written) -> Findi
 
 
 def _restricted(finding: Finding, left: Sequence[Gap], written: Written) -> Finding:
-    needed = [_needed(written.origin[gap.obligation]) for gap in left]
+    needed = [_needed(written.origin[gap.obligation], gap.branch) for gap in left]
     words = _listed(needed, " and ")
     advice = f"undefined at {_state(left[0], written)}; declare it, or --where '{needed[0]}'"
     return undecided(finding.subject, advice, f"{finding.verdict.name} WHERE {words}")
@@ -377,9 +377,9 @@ def _bare(expression: Expr) -> Expr:
     return rest if number.is_positive else expression
 
 
-def _needed(demand: Demand) -> str:
-    """Where an operation has a value."""
-    if demand.nowhere:
+def _needed(demand: Demand, branch: bool = False) -> str:
+    """Where an operation has a value; outside of its branch, if it has none in it."""
+    if demand.nowhere or (branch and demand.conditions):
         return " or ".join(_condition(c, not answer) for c, answer in demand.conditions)
     x = _bare(demand.operands[0])
     match demand.operation:
@@ -406,7 +406,10 @@ def _needed(demand: Demand) -> str:
 
 def _condition(condition: Basic, answer: bool) -> str:
     """A comparison or what denies it, as a person writes it: the rest on the right."""
-    there = condition if answer else Not(condition)
+    there = (condition if answer else Not(condition)).to_nnf()
+    if isinstance(there, And | Or):
+        between = " and " if isinstance(there, And) else " or "
+        return between.join(_condition(part, True) for part in there.args)
     if not isinstance(there, Relational):
         return str(there)
     number, rest = (there.lhs - there.rhs).as_coeff_Add()

@@ -21,6 +21,8 @@ Region = dict[Symbol, Expr]
 
 DRAWN, MOVED, MOST = 1500, 400, 2
 SCALES = (1, 1, 4, 32)
+LEAST_SCALE, LARGEST_SCALE = -48, 40
+"""Powers of two that every fifth state is drawn from instead."""
 HALVED = 16
 """Steps of one size, each half as large as those before."""
 BITS = 96
@@ -36,7 +38,9 @@ def entered(conditions: tuple[Relational, ...]) -> Iterator[Region]:
     nearest, least = Region(), -float("inf")
     for k in range(DRAWN + MOVED):
         if k < DRAWN:
-            values = {symbol: _drawn(symbol, source, SCALES[k % len(SCALES)]) for symbol in symbols}
+            wide = Rational(2) ** (LEAST_SCALE + k // 5 * 7 % (LARGEST_SCALE - LEAST_SCALE + 1))
+            scale = wide if k % 5 == 4 else SCALES[k % len(SCALES)]
+            values = {symbol: _drawn(symbol, source, scale) for symbol in symbols}
         elif nearest:
             values = _moved(nearest, source, (k - DRAWN) // HALVED)
         else:
@@ -72,6 +76,6 @@ def _moved(values: Region, source: random.Random, halvings: int) -> Region:
     return there
 
 
-def _drawn(symbol: Symbol, source: random.Random, scale: int) -> Rational:
+def _drawn(symbol: Symbol, source: random.Random, scale: Rational | int) -> Rational:
     size = Rational(source.randrange(1, 1024) * scale, 256)
     return size if symbol.is_nonnegative or source.random() < 0.5 else -size

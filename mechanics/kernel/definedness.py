@@ -82,6 +82,8 @@ class Gap:
         One of its states; empty where none is known.
     region : bool
         Whether that state lies in a region that was stated.
+    branch : bool
+        Whether it is not met wherever its branch is taken.
     """
 
     obligation: Obligation
@@ -89,6 +91,7 @@ class Gap:
     at_rest: bool = False
     state: tuple[tuple[str, Fraction], ...] = ()
     region: bool = False
+    branch: bool = False
 
 
 @dataclass(frozen=True)
@@ -134,6 +137,25 @@ def unmet(builder: Builder, written: Sequence[Obligation], space: Space) -> tupl
     """
     forms = _forms(builder, written, space)
     return tuple(o for o, _ in _left(forms, written, space))
+
+
+def excludes(builder: Builder, conditions: Sequence[Condition], positive: frozenset[str]) -> bool:
+    """Whether no state meets all conditions, by the signs of their differences.
+
+    Parameters
+    ----------
+    builder : Builder
+    conditions : sequence of (int, bool)
+        Nodes, and the truth values that are asked for.
+    positive : frozenset of str
+        Inputs that are declared positive.
+    """
+    forms = Forms(builder, [node for node, _ in conditions], positive.__contains__)
+    return _contradict(forms, _facts(forms, (), conditions))
+
+
+def _contradict(forms: Forms, facts: Sequence[Fact]) -> bool:
+    return any(not forms.sign(p) & possible for p, possible in facts)
 
 
 def touching(
@@ -201,7 +223,7 @@ def _left(
         facts = _facts(forms, space.region, obligation.conditions)
         signs = forms.sign_on(forms.forms[obligation.node], closing, facts)
         known = met(signs, obligation.sign) or truth.has(obligation, facts)
-        known = known or any(not forms.sign(p) & possible for p, possible in facts)
+        known = known or _contradict(forms, facts)
         if not (known or any(_follows(forms, obligation, other) for other, _ in left)):
             left.append((obligation, signs))
     return left
@@ -331,15 +353,15 @@ class _Trial:
         vanishes = form is not None and not len(form.above)
         if vanishes and sign is Sign.NONNEGATIVE:
             return None
-        region = bool(self.space.region)
-        if not obligation.conditions and (vanishes or not signs & ~never):
+        region, always = bool(self.space.region), vanishes or not signs & ~never
+        if not obligation.conditions and always:
             return Gap(obligation, Kind.NOWHERE, True, (), region)
         places = [self._at(obligation, reference) for reference in self.space.references]
         outside, zeros, inside = self._tried(obligation)
         if sign is not Sign.NONZERO and outside is not None:
             interior = self._interior(obligation, signs) if inside is None else True
             kind = Kind.OPEN if interior else Kind.NOWHERE
-            return Gap(obligation, kind, -1 in places, tuple(outside.items()), region)
+            return Gap(obligation, kind, -1 in places, tuple(outside.items()), region, always)
         if sign is Sign.NONNEGATIVE or (sign is Sign.POSITIVE and signs & NEGATIVE):
             return Gap(obligation, Kind.UNKNOWN)
         # What is left fails where its argument is 0.

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from fractions import Fraction
+from itertools import pairwise
 
 from mechanics.kernel.draws import Draws
 
@@ -40,12 +41,14 @@ def candidates(
         Whether the input of a name is positive.
     reference : mapping of str to Fraction
     constants : sequence of Fraction
-        Numbers at whose both sides something may change.
+        Numbers at whose both sides something may change; what lies between two is tried, too.
     """
     pool = list(SIMPLE)
     for constant in constants:
         step = max(abs(constant) / 8, Fraction(1, 1 << 30))
         pool += [constant, constant + step, constant - step, -constant]
+    bounds = sorted({abs(constant) for constant in constants})
+    pool += [side * (one + two) / 2 for one, two in pairwise(bounds) for side in (1, -1)]
     pool = list(dict.fromkeys(value for value in pool if value))
     for name in names:
         for value in pool:

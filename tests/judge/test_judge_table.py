@@ -10,6 +10,8 @@ import pytest
 import sympy
 from rod_statements import of_c, of_casadi, of_latex, of_python, of_sympy, of_text, outcome
 
+from mechanics.errors import InputError
+
 SILENT = ("PROVED", "")
 
 
@@ -317,3 +319,51 @@ def test_wrapping_by_whole_periods_is_nothing_under_a_sine(name):
 @pytest.mark.parametrize("name", NO_PERIODS)
 def test_wrapping_otherwise_is_not_shown(name):
     assert not NO_PERIODS[name]().ok
+
+
+def undefined_where(condition):
+    """Zero, but for a logarithm of what is negative in a branch."""
+    return lambda x: 0 * np.log(-1 - x * x) if condition(x) else 0
+
+
+BRANCHES = {
+    "far": (lambda x: x > 1e5, "PROVED WHERE theta <= 100000"),
+    "farther": (lambda x: x**3 > 1e27, "PROVED WHERE theta**3 <= 1000000000000000000000000000"),
+    "near 0": (lambda x: 0 < x**3 < 1e-30, "PROVED WHERE theta**3 <= 0 or theta**3 >="
+               " 1/1000000000000000000000000000000"),
+    "beside a value": (lambda x: 2 < x < 2.001, "PROVED WHERE theta <= 2 or theta >= 2001/1000"),
+}  # fmt: skip
+EMPTY = {
+    "a sine above 1": lambda x: np.sin(x) > 1,
+    "a sine beyond 2": lambda x: np.sin(x) > 2,
+    "an exponential below 0": lambda x: np.exp(x) < 0,
+    "a square below 0": lambda x: x * x + 1 < 0,
+    "above and below": lambda x: (x * x < 0) or (abs(x) < 0),
+}
+
+
+@pytest.mark.parametrize("name", BRANCHES)
+def test_branches_are_reached_at_all_scales(name):
+    condition, words = BRANCHES[name]
+    assert outcome(of_python(more=undefined_where(condition))) == ("UNDECIDED", words)
+    assert of_python(more=lambda x: 1 if condition(x) else 0).verdict.name == "REFUTED"
+
+
+@pytest.mark.parametrize("name", EMPTY)
+def test_branches_that_no_state_takes_are_shown_empty(name):
+    assert outcome(of_python(more=undefined_where(EMPTY[name]))) == SILENT
+    assert outcome(of_python(more=lambda x: 1 if EMPTY[name](x) else 0)) == SILENT
+
+
+def test_a_branch_that_is_neither_reached_nor_shown_empty_is_undecided():
+    def hardly(x):
+        return np.sin(x) ** 2 * np.exp(-x * x) > 0.9999
+
+    for more in (undefined_where(hardly), lambda x: 1 if hardly(x) else 0):
+        assert outcome(of_python(more=more)) == ("UNDECIDED", "")
+
+
+@pytest.mark.parametrize("setting", ["NDEBUG", "FAST_MATH", "__cplusplus"])
+def test_code_under_two_settings_of_a_macro_is_refused_by_name(setting):
+    with pytest.raises(InputError, match=setting):
+        of_c(more=f"0;\n#ifdef {setting}\n    return 0;\n#endif\n    (void)0")
