@@ -131,7 +131,9 @@ class Forms:
         self.builder, self.positive = builder, positive
         needed = reachable(builder, roots)
         arithmetic = {CONSTANT, ADD, SUBTRACT, MULTIPLY, DIVIDE, NEGATE}
-        count = 2 * sum(builder.operations[n] not in arithmetic for n in needed) + 1
+        codes = [builder.operations[n] for n in needed]
+        # A sine needs its cosine, too.
+        count = 1 + sum(1 if code in (INPUT, PI) else 2 for code in codes if code not in arithmetic)
         # Contexts are kept by their names: few sizes are few contexts.
         count = 1 << count.bit_length()
         names = tuple(f"a{k}" for k in range(count))
@@ -233,11 +235,15 @@ class Forms:
 
     def _powers(self, polynomial: fmpq_mpoly, place: int) -> dict[int, fmpq_mpoly]:
         """Coefficients of the powers of one unknown."""
-        parts: dict[int, dict[tuple[int, ...], fmpq]] = {}
-        for monomial, coefficient in polynomial.to_dict().items():
-            rest = (*monomial[:place], 0, *monomial[place + 1 :])
-            parts.setdefault(monomial[place], {})[rest] = coefficient
-        return {k: self.context.from_dict(part) for k, part in parts.items()}
+        parts: dict[int, fmpq_mpoly] = {}
+        exponent = 0
+        while len(polynomial):
+            rest = polynomial.subs({place: 0})
+            if len(rest):
+                parts[exponent] = rest
+            polynomial = (polynomial - rest) // self.generators[place]
+            exponent += 1
+        return parts
 
     def _opaque(self, number: int, code: int, inner: Quotient | None) -> Quotient:
         if code in (SIN, COS, TAN):
