@@ -34,11 +34,12 @@ from mechanics.kernel.independence import zeros
 from mechanics.kernel.squares import square_root
 from mechanics.kernel.statement import POSITIVE, RATES, ZERO, Range, Statement
 from mechanics.program import Builder, Node
+from mechanics.program.derivatives import gradient
 from mechanics.program.interpret import include
-from mechanics.program.operations import ATAN2
+from mechanics.program.operations import ADD, ATAN2, DIVIDE, MULTIPLY, NEGATE, SUBTRACT
 from mechanics.program.program import reachable
 
-MOST_STEPS = 64
+MOST_STEPS = 256
 """Inputs that are taken out of one statement."""
 
 BITS = 256
@@ -156,6 +157,19 @@ class _Solver:
             coefficients[key] = node_of(self.builder, form)
         return coefficients
 
+    def slope(self, node: Node, name: str) -> dict[Monomial, Node] | None:
+        """The same for a node that was too large to be expanded, where its slope is constant."""
+        numbers = {number for monomial in self.forms.of(node.number) for number, _ in monomial}
+        whole = {n for n in numbers if self.builder.operations[n] in _EXPANDED}
+        if not any(self.depends(number, name) for number in whole):
+            return None
+        (slope,) = gradient([node], [1], [self.builder.input(name)])
+        if self.depends(slope.number, name):
+            return None
+        program = self.builder.program({"rest": [node]})
+        (rest,) = include(self.builder, program, {name: self.builder.zero})["rest"]
+        return {(): rest, _FIRST: slope}
+
     def powers(self, form: Form, atoms: Sequence[Node]) -> dict[Monomial, Form]:
         """A form sorted by powers of atoms; of cosine and sine, the sine at most once."""
         places = {atom.number: k for k, atom in enumerate(atoms)}
@@ -243,6 +257,7 @@ class _Solver:
         return angle.cos(), angle.sin()
 
 
+_EXPANDED = frozenset({ADD, SUBTRACT, NEGATE, MULTIPLY, DIVIDE})
 _FIRST: Monomial = ((0, 1),)
 _SECOND: Monomial = ((1, 1),)
 _SQUARE: Monomial = ((0, 2),)
@@ -256,6 +271,8 @@ def _linear(solver: _Solver, name: str, held: Sequence[Node]) -> Replacement | N
     """Equation (1)."""
     for node in held:
         split = solver.split(node, [solver.builder.input(name)], name)
+        if split is None:
+            split = solver.slope(node, name)
         if split is None or not split.keys() <= {(), _FIRST} or _FIRST not in split:
             continue
         if not solver.vanishes(split[_FIRST]):

@@ -240,8 +240,10 @@ class Session:
             domain = Residues(prime, e.modulus, self.draws, e.turns, signs=self.signs)
             try:
                 outputs = self._evaluated(domain)
-                for entry in outputs.get(POSITIVE, ()):
-                    domain.positive(entry)
+                # Rational functions that are equal on an open set are equal everywhere.
+                if domain.square_roots or domain.kinks:
+                    for entry in outputs.get(POSITIVE, ()):
+                        domain.positive(entry)
             except Inadmissible as reason:
                 if domain.not_square is not None:
                     self.not_squares.add(domain.not_square)

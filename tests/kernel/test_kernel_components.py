@@ -7,6 +7,7 @@ import pytest
 from mechanics.kernel import Finding, Range, Statement, Verdict, decide, enclose
 from mechanics.kernel.constraints import on_constraints
 from mechanics.program import Builder, Node
+from mechanics.program.derivatives import tangent
 
 LENGTHS = {"a": Range.POSITIVE, "b": Range.POSITIVE}
 
@@ -119,3 +120,50 @@ def test_speeds_are_solved_for_where_the_constraints_on_coordinates_hold() -> No
     finding = decide(claim)
     assert finding.verdict is Verdict.PROVED
     assert finding.evidence.endswith("on the component where the constraints give v, x")
+
+
+def test_many_lengths_that_have_to_be_positive_need_no_lucky_point() -> None:
+    """Rational sides are equal everywhere or on no open set: 16 lengths are no 16 tosses."""
+    b = Builder()
+    names = [f"l{k}" for k in range(16)]
+    zero = [b.input(name) * b.input(f"x{k}") - b.input(f"y{k}") for k, name in enumerate(names)]
+    total = b.zero
+    for k, name in enumerate(names):
+        total = total + b.input(name) * b.input(f"x{k}") - b.input(f"y{k}")
+    outputs = {"left": [total + 1], "right": [b.one], "zero": zero}
+    signs = dict.fromkeys(names, Range.POSITIVE)
+    finding = decide(Statement("sum", b.program(outputs), signs, {}, tuple(names)))
+    assert finding.verdict is Verdict.PROVED
+    wrong = {**outputs, "right": [b.input("l0") * b.input("x1")]}
+    finding = decide(Statement("sum", b.program(wrong), signs, {}, tuple(names)))
+    assert finding.verdict is Verdict.REFUTED
+    assert finding.witness is not None
+    lengths = [value for name, value in finding.witness.solved if name in names]
+    assert lengths
+    assert all(float(value) > 0 for value in lengths)
+
+
+@pytest.mark.parametrize("count", [2, 9])
+def test_speeds_of_a_row_of_four_bars_are_solved_for_however_long_it_is(count: int) -> None:
+    """Each rocker is the crank of the next; what is put in is soon too large to be expanded."""
+    b = Builder()
+    zero, lengths = [], []
+    angles = [b.input(f"t{k}") for k in range(2 * count + 1)]
+    bars = [b.input(f"l{k}") for k in range(2 * count + 1)]
+    table = {angle: b.input(f"w{k}") for k, angle in enumerate(angles)}
+    for k in range(0, 2 * count, 2):
+        (p, a), (q, c), (r, e) = ((angles[i], bars[i]) for i in (k, k + 1, k + 2))
+        zero.append(a * p.cos() + c * q.cos() - e * r.cos() - b.input(f"d{k}"))
+        zero.append(a * p.sin() + c * q.sin() - e * r.sin())
+        lengths += [f"d{k}", f"l{k}"]
+    rates = tangent(zero, table)
+    speeds = [f"w{k}" for k in range(2 * count)]
+    first = angles[0].sin() * bars[0] * table[angles[0]]
+    outputs = {"left": [sum(rates, b.zero) + first], "right": [first]}
+    constraints = {"zero": zero, "rates": rates}
+    program = b.program({**outputs, "shown": [first], **constraints})
+    statement = Statement("row", program, {}, {}, (*speeds, *lengths))
+    constrained = on_constraints(statement)
+    assert constrained is not None
+    assert len([name for name in constrained.program.outputs if name[0] == "w"]) == 2 * count
+    assert decide(statement, try_normal=False).verdict is Verdict.CERTIFIED

@@ -70,7 +70,9 @@ def check_admissible(mechanism: Mechanism) -> None:
     _frictions(mechanism, motions, filter_)
     _scalar_inertias(mechanism, bodies, directions)
     powers = [filter_.values(virtual_power(mechanism, motions, pair)) for pair in units]
-    _ideal(mechanism, table, powers)
+    if mechanism.closure.values or not mechanism.closure:
+        # Where no point on the constraints is known, the laws say that it is undecided.
+        _ideal(mechanism, table, powers)
     _complete(mechanism, _freedoms(mechanism, bodies, directions, units), filter_)
     _maintained(mechanism, powers)
     _regular(mechanism, table, filter_)

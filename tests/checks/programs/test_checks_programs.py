@@ -8,7 +8,7 @@ import pytest
 from linkages import LINKAGES, lifted_bead, parallelogram, slider_crank
 
 from mechanics.checks.programs import laws, reactions
-from mechanics.checks.programs.admissible import check_scene
+from mechanics.checks.programs.admissible import check_admissible, check_scene
 from mechanics.checks.programs.agreement import (
     Derived,
     check_multipliers,
@@ -179,6 +179,18 @@ def test_what_cannot_be_closed_is_undecided() -> None:
     finding = compare(one, two, mechanism.filters[0])
     assert finding.verdict is Verdict.UNDECIDED
     assert "no exact point on them is known" in finding.evidence
+
+
+def test_a_scene_that_cannot_be_closed_is_not_refused_but_undecided() -> None:
+    """Off the closed loop a pin that is told at the slider does work on the rod."""
+    mechanism = check_scene(slider_crank("slider"))
+    closure = replace(mechanism.closure, dependent=(), values={})
+    unknown = replace(mechanism, closure=closure)
+    check_admissible(unknown)
+    findings = {f.subject: f for f in laws.check_ideal(unknown, mechanism.filters[1])}
+    assert findings["reaction Ox: no power"].shown
+    assert findings["reaction Qx: no power"].verdict is Verdict.UNDECIDED
+    assert "no exact point on them is known" in findings["reaction Qx: no power"].evidence
 
 
 def test_a_false_multiplier_is_refuted() -> None:
