@@ -47,7 +47,7 @@ from mechanics.scene import Scene
 from mechanics.scene.potential import potential
 
 PATIENCE = 300
-"""Seconds for one fault in all scenes."""
+"""Seconds of processor time for one fault in all scenes."""
 
 Numbers = dict[str, str]
 
@@ -70,15 +70,16 @@ def outcome(name: str, clean: Mapping[str, str] | None) -> dict[str, Any]:
             finding = check_virtual_power(equations, states, support)
             if finding.verdict is not Verdict.SUPPORTED:
                 return {"changed": True, "noticed": f"{finding.subject}: {finding.verdict.name}"}
+        programs = derive_rows(mechanism, [route.name for route in ROUTES])
         if not scene.constraints:
-            programs = derive_rows(mechanism, [route.name for route in ROUTES])
+            # Drawn states do not meet constraints, off which routes may differ.
             numbers |= program_numbers(programs, reactions=not written)
-            findings = [*compare_pairs(programs.routes).values(), *check_laws(programs)]
-            numbers |= {f"programs: {f.subject}": "" if f.shown else "not" for f in findings}
-            wrong = [finding for finding in findings if not finding.shown]
-            if clean is not None and wrong:
-                words = f"programs: {wrong[0].subject}: {wrong[0].verdict.name}"
-                return {"changed": True, "noticed": words}
+        findings = [*compare_pairs(programs.routes).values(), *check_laws(programs)]
+        numbers |= {f"programs: {f.subject}": "" if f.shown else "not" for f in findings}
+        wrong = [finding for finding in findings if not finding.shown]
+        if clean is not None and wrong:
+            words = f"programs: {wrong[0].subject}: {wrong[0].verdict.name}"
+            return {"changed": True, "noticed": words}
         if clean is None:
             return {"numbers": numbers}
         changed = differ(numbers, clean)
@@ -182,7 +183,7 @@ def main() -> None:
         child = os.fork()
         if child == 0:
             # What has no end is stopped, and has shown nothing.
-            signal.alarm(PATIENCE)
+            signal.setitimer(signal.ITIMER_PROF, PATIENCE)
             answer(fault, request["scenes"], request["clean"])
             os._exit(0)
         os.waitpid(child, 0)
