@@ -363,8 +363,8 @@ DERIVED = (
             "programs, moving_point: v_B x P is left out",
         ),
         (
-            "spin = subtract(subtree.spin, cross(principle.offset, subtree.momentum))",
-            "spin = add(subtree.spin, cross(principle.offset, subtree.momentum))",
+            "torque = subtract(subtree.torque, cross(principle.offset, subtree.force))",
+            "torque = add(subtree.torque, cross(principle.offset, subtree.force))",
             "programs, moving_point: the centre on the other side",
         ),
         (
@@ -376,11 +376,6 @@ DERIVED = (
             "spin = add(spin, times(motion.inertia, motion.turning.omega))",
             "spin = add(spin, motion.turning.omega)",
             "programs, moving_point: H is omega",
-        ),
-        (
-            "rows = [Row(principles[i].root, values[i], held[i]) for i in kept]",
-            "rows = [Row(principles[i].root, values[i], held[kept[0]]) for i in kept]",
-            "programs, moving_point: every row holds the first one's reactions",
         ),
     ),
     *faults_in(

@@ -85,7 +85,6 @@ def campaign(
             groups.setdefault(tests_of(mutant.path), []).append(mutant)
     for tests, group in groups.items():
         try_functions(group, tests, report)
-    # Forked from here, what was imported is dropped; the package is imported again.
     try_files([m for m in asked if not m.in_function], tests_of, report)
     return outcome
 

@@ -114,12 +114,44 @@ def passes(item: pytest.Item) -> bool:
 
 
 def try_functions(mutants: Sequence[Mutant], tests: Sequence[str], report: Report) -> None:
-    """Try mutants in functions, all covered by the same test files."""
-    with TemporaryDirectory() as name:
-        plugin = Planting(mutants, report, Path(name))
-        status = pytest.main([*OPTIONS, *(str(ROOT / test) for test in tests)], plugins=[plugin])
+    """Try mutants in functions, all covered by the same test files.
+
+    Raises
+    ------
+    RuntimeError
+        If a test cannot be collected, or fails without a mutant.
+    """
+    by_key = {mutant.key: mutant for mutant in mutants}
+    reader, writer = os.pipe()
+
+    def tell(mutant: Mutant, alive: bool) -> None:
+        os.write(writer, f"{mutant.key} {int(alive)}\n".encode())
+
+    def run() -> int:
+        os.close(reader)
+        with TemporaryDirectory() as name, quiet():
+            plugin = Planting(mutants, tell, Path(name))
+            paths = [str(ROOT / test) for test in tests]
+            return int(pytest.main([*OPTIONS, *paths], plugins=[plugin]))
+
+    # In a process of its own, so that the next tests are collected where nothing is imported.
+    child = os.fork()
+    if child == 0:
+        status = 1
+        try:
+            status = run()
+        finally:
+            os._exit(status)
+    os.close(writer)
+    with os.fdopen(reader) as lines:
+        for line in lines:
+            key, alive = line.split()
+            report(by_key[key], alive == "1")
+    status = os.waitstatus_to_exitcode(os.waitpid(child, 0)[1])
     if status not in (0, pytest.ExitCode.NO_TESTS_COLLECTED):
-        raise RuntimeError(f"{' '.join(tests)}: pytest ends with {status}")
+        raise RuntimeError(
+            f"{' '.join(tests)}: pytest ends with {status}: run them without mutants"
+        )
 
 
 def try_files(

@@ -1,0 +1,120 @@
+"""Values of nodes at one point of a field: what is equal there, what is not, ranks."""
+
+from fractions import Fraction
+
+import pytest
+
+from mechanics.program import Builder, Node
+from mechanics.program.residues import PRIME, Residues, eliminate
+
+B = Builder()
+X, Y, Z = (B.input(name) for name in "xyz")
+THIRD = Fraction(1, 3)
+
+EQUAL = {
+    "a product": ((X + Y) * (X - Y), X * X - Y * Y),
+    "a quotient": (X / Y + Y / X, (X * X + Y * Y) / (X * Y)),
+    "numbers": (B.constant(Fraction(2, 3)) * X + X / 3, X),
+    "a sum of angles": ((X + Y).sin(), X.sin() * Y.cos() + X.cos() * Y.sin()),
+    "a difference of angles": ((X - Y).cos(), X.cos() * Y.cos() + X.sin() * Y.sin()),
+    "the sine of a difference": ((X - Y).sin(), X.sin() * Y.cos() - X.cos() * Y.sin()),
+    "an opposite angle": ((-X - Y).sin(), -((X + Y).sin())),
+    "a doubled angle": ((2 * X).cos(), 1 - 2 * X.sin() ** 2),
+    "half an angle": ((X / 2).sin() ** 2, (1 - X.cos()) / 2),
+    "two thirds of an angle": ((2 * THIRD * X).cos(), 2 * (THIRD * X).cos() ** 2 - 1),
+    "a tangent": (B.call("tan", X) * X.cos(), X.sin()),
+    "a tangent squared": (1 + B.call("tan", X) ** 2, 1 / X.cos() ** 2),
+    "a root of a square that is one": ((X * X * X * X).sqrt(), X * X),
+    "what is looked up": ((X * Y + Y).exp(), (Y * (X + 1)).exp()),
+    "a solution": (B.solve([[X, Y], [Y, Z]], [1, 2])[0] * (X * Z - Y * Y), Z - 2 * Y),
+    "another component": (B.solve([[X, Y], [Y, Z]], [1, 2])[1] * (X * Z - Y * Y), 2 * X - Y),
+    "a solution without symmetry": (
+        B.solve([[X, Y], [0, Z]], [1, 2])[0], (1 - 2 * Y / Z) / X),
+}  # fmt: skip
+
+DIFFERENT = {
+    "sums": (X + Y, X - Y), "signs": (X, -X), "sine and cosine": (X.sin(), X.cos()),
+    "angles": ((X + Y).sin(), (X - Y).sin()), "parts of angles": ((X / 2).sin(), X.sin() / 2),
+    "functions": (X.exp(), (-X).exp()), "names": (X, Y), "zero": (X - X + Y, B.zero),
+    "pi": (B.pi, B.constant(Fraction(22, 7))),
+    "components": (B.solve([[X, Y], [Y, Z]], [1, 2])[0], B.solve([[X, Y], [Y, Z]], [1, 2])[1]),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", EQUAL)
+def test_what_is_equal_is_equal_at_the_point(name: str) -> None:
+    left, right = EQUAL[name]
+    one, other = Residues(B).values([left, right])
+    assert one == other
+    assert Residues(B).is_zero(left - right)
+    assert 0 <= one < PRIME
+
+
+@pytest.mark.parametrize("name", DIFFERENT)
+def test_what_differs_differs_at_the_point(name: str) -> None:
+    left, right = DIFFERENT[name]
+    one, other = Residues(B).values([left, right])
+    assert one != other
+
+
+def test_what_hides_a_number_is_that_number() -> None:
+    filter_ = Residues(B)
+    square = X.sin() ** 2 + X.cos() ** 2
+    assert filter_.tidy(square).constant == 1
+    assert filter_.tidy(-square).constant == -1
+    assert filter_.tidy(square - 1).constant == 0
+    assert filter_.tidy(X) == X
+    assert filter_.tidy(2 * square) == 2 * square
+    assert filter_.tidy(B.constant(7)) == B.constant(7)
+
+
+def test_values_do_not_depend_on_what_was_asked_before() -> None:
+    nodes = [left for left, _ in EQUAL.values()]
+    together = Residues(B).values(nodes)
+    assert [Residues(B).values([node])[0] for node in nodes] == together
+    filter_ = Residues(B)
+    assert [filter_.values([node])[0] for node in reversed(nodes)] == together[::-1]
+
+
+def test_a_singular_system_has_some_value() -> None:
+    x = B.solve([[X, X], [X, X]], [1, 2])
+    one, other = Residues(B).values(list(x))
+    assert one != other
+
+
+@pytest.mark.parametrize(
+    ("rows", "pivots"),
+    [
+        ([[1, 2], [2, 4]], [(0, 0)]),
+        ([[0, 3], [2, 1]], [(0, 1), (1, 0)]),
+        ([[0, 0], [0, 5]], [(1, 1)]),
+        ([[1, 2, 3], [4, 5, 6], [5, 7, 9]], [(0, 0), (1, 1)]),
+        ([[2, 4, 2], [1, 2, 3], [0, 1, 1]], [(0, 0), (1, 2), (2, 1)]),
+    ],
+)
+def test_elimination_takes_rows_in_order(
+    rows: list[list[int]], pivots: list[tuple[int, int]]
+) -> None:
+    table = [list(row) for row in rows]
+    assert eliminate(table, len(rows[0])) == pivots
+    for row, column in pivots:
+        assert [table[other][column] for other, _ in pivots] == [
+            int(other == row) for other, _ in pivots
+        ]
+
+
+def test_columns_beyond_are_carried_along() -> None:
+    """2 x + y = 5, x - y = 1: x = 2, y = 1."""
+    table = [[2, 1, 5], [1, PRIME - 1, 1]]
+    pivots = {column: row for row, column in eliminate(table, 2)}
+    assert [table[pivots[k]][2] for k in range(2)] == [2, 1]
+
+
+def node_count(node: Node) -> int:
+    return len(node.builder)
+
+
+def test_asking_makes_no_nodes() -> None:
+    before = node_count(X)
+    Residues(B).values([left for left, _ in EQUAL.values()])
+    assert node_count(X) == before
