@@ -43,7 +43,7 @@ class Mutant:
     function : str
         Qualified name; empty at the level of the module.
     in_function : bool
-        Whether it is the body of a function that is changed.
+        Whether the body of a function is changed that nothing calls while it is imported.
     name : str
         Function, line with the change, and which of equal ones it is.
     """
@@ -89,7 +89,11 @@ def mutants(path: str, text: str) -> list[Mutant]:
                 starts[node.end_lineno - 1] + node.end_col_offset)  # fmt: skip
 
     tree = ast.parse(text)
-    bodies = [(where(body[0])[0], where(body[-1])[1]) for body in _bodies(tree)]
+    makers = {called_name(call) for call in _calls_of_the_module(tree)}
+    bodies = [
+        (where(node.body[0])[0], where(node.body[-1])[1])
+        for node in _functions(tree) if node.name not in makers
+    ]  # fmt: skip
     for function, kind, first, last, new in _changes(tree, data, where):
         row = max(i for i, start in enumerate(starts) if start <= first)
         old = data[first:last].decode()
@@ -106,13 +110,27 @@ def mutants(path: str, text: str) -> list[Mutant]:
     return made
 
 
-def _bodies(tree: ast.AST) -> Iterator[list[ast.stmt]]:
-    """Bodies of functions and of methods, outermost ones."""
+def _functions(tree: ast.AST) -> Iterator[ast.FunctionDef]:
+    """Functions and methods, outermost ones."""
     for child in ast.iter_child_nodes(tree):
         if isinstance(child, ast.FunctionDef):
-            yield child.body
+            yield child
         elif isinstance(child, ast.ClassDef):
-            yield from _bodies(child)
+            yield from _functions(child)
+
+
+def _calls_of_the_module(tree: ast.AST) -> Iterator[ast.Call]:
+    """Calls that are made when the module is imported: what they made stays what it is."""
+    for child in ast.iter_child_nodes(tree):
+        if isinstance(child, ast.Call):
+            yield child
+        if not isinstance(child, ast.FunctionDef | ast.Lambda):
+            yield from _calls_of_the_module(child)
+
+
+def called_name(call: ast.Call) -> str:
+    """Last name of what is called."""
+    return getattr(call.func, "id", getattr(call.func, "attr", ""))
 
 
 def _strict(kind: str, function: str, line: str) -> str:
@@ -217,7 +235,7 @@ def _own(node: ast.AST, data: bytes, where) -> Iterator[tuple[str, int, int, str
         ):
             yield "deletion", *where(node), "pass"
     if isinstance(node, ast.Call):
-        called = getattr(node.func, "id", getattr(node.func, "attr", ""))
+        called = called_name(node)
         if (called in NAMES and node.args) or (called in ("upper", "lower") and not node.args):
             last = where(node.func)[1]
             yield "bound", last - len(called), last, NAMES[called]

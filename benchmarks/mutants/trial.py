@@ -5,6 +5,7 @@ Tests are collected once. What stands in a function is changed in a fork of that
 stands outside of functions is changed in a copy of the tree, before the package is imported.
 """
 
+import gc
 import json
 import os
 import resource
@@ -12,6 +13,7 @@ import shutil
 import sys
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
+from functools import _lru_cache_wrapper
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from time import process_time
@@ -69,6 +71,7 @@ class Planting:
                 if code.co_filename.startswith(root):
                     called.add(f"{code.co_filename.removeprefix(root)}:{code.co_qualname}")
 
+            forget()
             start = process_time()
             sys.settrace(seen)
             passed = passes(item)
@@ -103,6 +106,18 @@ def callers(calls: Calls, mutant: Mutant) -> list[str]:
             break
         chosen.append(test)
     return chosen
+
+
+def forget() -> None:
+    """Empty the caches of functions, so that what a test needs is called in it.
+
+    Canaries are decided once all the same.
+    """
+    for thing in gc.get_objects():
+        if not isinstance(thing, _lru_cache_wrapper) or thing.__name__ == "check_canaries":
+            continue
+        if thing.__module__.startswith("mechanics."):
+            thing.cache_clear()
 
 
 def passes(item: pytest.Item) -> bool:

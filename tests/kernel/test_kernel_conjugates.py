@@ -40,6 +40,9 @@ WIDE = {
     "a case that is 0": lambda b, x, y: b.less(x, y).choose(x - y, 0),
     "two roots": lambda b, x, y: (x * x).sqrt() - (y * y).sqrt() + y - x,
     "a sign that is 1": lambda b, x, y: x.sign() - 1,
+    "a logarithm of what is not real": lambda b, x, y: (2 + (-1 - x * x).sqrt()).log() - y,
+    "a logarithm of what is negative": lambda b, x, y: (-1 - x * x).log() - y,
+    "an angle of what is not real": lambda b, x, y: b.call("atan", 2 + (-1 - x * x).sqrt()) - y,
     "cases of a floor are not known": lambda b, x, y: b.call("floor", x),
 }
 

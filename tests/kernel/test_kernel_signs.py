@@ -83,6 +83,7 @@ WHERE = {
     "a quotient below": (X, [M * X + K], NEGATIVE),
     "a divisor below": (X, [-M * X - K], NEGATIVE),
     "what vanishes and more": (M * X * X + K * X + K, [M * X + K], POSITIVE),
+    "a form of both": (M**2 * X**2 - K**2 * Y**2 + K, [M * X - K * Y], POSITIVE),
     "a square that is known": (X * X - 1, [X * X - K - 1], POSITIVE),
     "a cosine by its sine": (1 - 2 * THETA.cos() ** 2, [THETA.sin() - 1 - K], POSITIVE),
     "one after the other": (X, [X - Y, Y - K], POSITIVE),

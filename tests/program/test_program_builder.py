@@ -8,7 +8,8 @@ from hypothesis import strategies as st
 
 from mechanics.errors import ExpressionError
 from mechanics.program import Builder, Node, Obligation
-from mechanics.program.interpret import include
+from mechanics.program.interpret import include, interpret
+from mechanics.program.numpy_domain import Arrays
 from mechanics.program.operations import ARITY, OPERATIONS, Sign
 
 
@@ -123,6 +124,14 @@ def test_integer_powers_are_products(n: int) -> None:
     assert b.constant(Fraction(3, 2)).power(n).constant == Fraction(3, 2) ** n
     power: Node = b.input("x").power(n)
     assert "power" not in b.program({"p": [power]}).counts()
+
+
+@pytest.mark.parametrize("n", [-300, -65, 65, 300])
+def test_large_powers_have_their_sign(n: int) -> None:
+    b = Builder()
+    program = b.program({"p": [b.input("x").power(n)]})
+    (found,) = interpret(program, Arrays(), {"x": 1.01})["p"]
+    assert found == pytest.approx(1.01**n)
 
 
 def test_programs_of_many_nodes_need_no_recursion() -> None:

@@ -31,6 +31,13 @@ def test_a_function_has_the_values_of_its_program(
         )
 
 
+def test_an_output_of_no_entries_is_an_empty_column() -> None:
+    b = Builder()
+    function = print_function(b.program({"none": [], "one": [b.input("x")]}), "f", {"x": ["x"]})
+    assert function.size_out("none") == (0, 1)
+    assert function.size_out("one") == (1, 1)
+
+
 def test_outputs_may_be_matrices_row_by_row() -> None:
     b = Builder()
     entries = [b.input("x") * k for k in range(6)]

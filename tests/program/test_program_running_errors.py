@@ -190,3 +190,46 @@ def test_products_carry_one_number_for_their_error() -> None:
     (near,) = solution(lambda b: [(b.input("x") / 3 * b.input("x").sin()).sqrt()], x=np.ones(5))
     assert near.error is None
     assert 0 < near.relative < 20 * np.finfo(np.longdouble).eps
+
+
+@pytest.mark.parametrize("name", ["less", "not_greater", "equal"])
+@pytest.mark.parametrize(
+    ("x", "y", "errors", "known"),
+    [
+        (1.0, 1.5, (0.125, 0.125), True),
+        (1.0, 1.5, (0.25, 0.25), False),  # both may be 1.25
+        (1.0, 1.5, (0.375, 0.25), False),
+        (1.5, 1.0, (0.25, 0.375), False),
+        (1.5, 1.0, (0.375, 0.0625), True),
+    ],
+)
+def test_a_comparison_is_known_where_the_sides_cannot_meet(
+    name: str, x: float, y: float, errors: tuple[float, float], known: bool
+) -> None:
+    b = Builder()
+    program = b.program({"f": [b.call(name, b.input("x"), b.input("y"))]})
+    near = (Near(np.float64(v), np.float64(e)) for v, e in zip((x, y), errors, strict=True))
+    (found,) = enclose(program, dict(zip("xy", near, strict=True)), np.float64)["f"]
+    assert bool(found.absolute.error == 0) is known
+
+
+CONVEX = {"asin": 0.9, "acos": 0.9, "atanh": 0.9, "acosh": 1.1, "log": 0.2, "sqrt": 0.1, "exp": 2.0,
+          "tan": 1.2, "sinh": 2.0, "cosh": 2.0}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", CONVEX)
+def test_bounds_are_near_what_the_ends_do(name: str, multiple_precision: Domain) -> None:
+    """Within the product of the error and the largest slope, a root within twice that."""
+    b = Builder()
+    program = b.program({"f": [b.call(name, b.input("x"))]})
+    (found,) = enclose(program, {"x": Near(np.float64(CONVEX[name]), np.float64(0.01))})["f"]
+    with mpmath.workdps(DIGITS):
+
+        def at(x: Any) -> Any:
+            return interpret(program, multiple_precision, {"x": x})["f"][0]
+
+        low, high = (mpmath.mpf(CONVEX[name]) + sign * mpmath.mpf("0.01") for sign in (-1, 1))
+        step = mpmath.mpf(10) ** -20
+        slopes = [abs(at(end + step) - at(end - step)) / (2 * step) for end in (low, high)]
+        room = 2 if name == "sqrt" else 1.05
+        assert float(found.absolute.error) <= float(max(slopes)) * 0.01 * room
