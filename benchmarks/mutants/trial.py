@@ -116,7 +116,7 @@ def forget() -> None:
     for thing in gc.get_objects():
         if not isinstance(thing, _lru_cache_wrapper) or thing.__name__ == "check_canaries":
             continue
-        if thing.__module__.startswith("mechanics."):
+        if str(thing.__module__).startswith("mechanics."):
             thing.cache_clear()
 
 
