@@ -20,11 +20,11 @@ if TYPE_CHECKING:
     from mechanics.crosscheck.fmu import write_fmu
     from mechanics.equations import Equations
     from mechanics.errors import MechanicsError
-    from mechanics.exact import Finding, Verdict, Witness
     from mechanics.export import write_c
     from mechanics.extremes import extremes
     from mechanics.judge.check import check
     from mechanics.judge.check_json import to_json as check_json
+    from mechanics.kernel import Finding, Verdict, Witness
     from mechanics.linear import damped_modes, linearise, modes
     from mechanics.reading.code.black_box import BlackBox
     from mechanics.report.answer.page import check_html
@@ -110,9 +110,9 @@ _MODULES = {
     "write_fmu": ("mechanics.crosscheck.fmu", "write_fmu"),
     "Equations": ("mechanics.equations", "Equations"),
     "MechanicsError": ("mechanics.errors", "MechanicsError"),
-    "Finding": ("mechanics.exact", "Finding"),
-    "Verdict": ("mechanics.exact", "Verdict"),
-    "Witness": ("mechanics.exact", "Witness"),
+    "Finding": ("mechanics.kernel", "Finding"),
+    "Verdict": ("mechanics.kernel", "Verdict"),
+    "Witness": ("mechanics.kernel", "Witness"),
     "write_c": ("mechanics.export", "write_c"),
     "extremes": ("mechanics.extremes", "extremes"),
     "check": ("mechanics.judge.check", "check"),

@@ -16,7 +16,7 @@ from typing import Any
 from sympy import Expr, Matrix, Symbol
 
 from mechanics.errors import InputError
-from mechanics.exact import TooLarge
+from mechanics.kernel.ring import TooLarge
 from mechanics.mechanism import Mechanism
 from mechanics.program import Program
 from mechanics.program.builder import Node

@@ -17,6 +17,10 @@ class ExpressionError(MechanicsError, ValueError):
     """An expression that cannot be evaluated or translated: the message names the operation."""
 
 
+class ZeroDivisorError(ExpressionError, ZeroDivisionError):
+    """A division by what is zero everywhere."""
+
+
 class ValueMissingError(MechanicsError, KeyError):
     """A number is needed for a parameter that has none."""
 

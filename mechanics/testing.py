@@ -13,8 +13,8 @@ from typing import Any
 
 from mechanics.equations import Equations
 from mechanics.errors import InputError, MechanicsError, wanted
-from mechanics.exact import Verdict
 from mechanics.judge.check import check
+from mechanics.kernel import Verdict
 from mechanics.report.answer.check import Check
 from mechanics.scene import Scene
 from mechanics.scene.system import System

@@ -9,9 +9,9 @@ from benchmarks.detection.rows import UNKNOWN_UP_TO_A_CONSTANT, Row, Subject
 from benchmarks.detection.tree import Tree, written
 from mechanics.checks.agreement import solve
 from mechanics.checks.ledger_compare import ordered
-from mechanics.exact import Arithmetic
-from mechanics.exact.decide import proved
 from mechanics.kinematics.manifold import settle
+from mechanics.symbolic import Arithmetic
+from mechanics.symbolic.decide import proved
 
 
 def same(about: Subject, row: Row, trees: tuple[Tree, ...]) -> bool:

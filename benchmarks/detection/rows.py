@@ -22,12 +22,12 @@ from mechanics.checks.ledger_energy import kinetic_energy
 from mechanics.crosscheck.routes import derive
 from mechanics.equations import Equations
 from mechanics.errors import MechanicsError
-from mechanics.exact import canonical
-from mechanics.exact.balls import precision
+from mechanics.kernel.balls import precision
 from mechanics.scene import Scene
 from mechanics.scene.potential import potential
 from mechanics.scene.quantities import EquationOfMotion, ReactionValue
 from mechanics.scene.system import System
+from mechanics.symbolic import canonical
 from systems import ALL
 
 ROUTES = ("free_body", "moving_point", "kane", "lagrange")

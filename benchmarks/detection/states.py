@@ -17,7 +17,7 @@ from benchmarks.detection.tree import Tree, read
 from mechanics.checks.ledger_compare import ordered
 from mechanics.equations import Equations
 from mechanics.errors import MechanicsError
-from mechanics.exact.balls import precision
+from mechanics.kernel.balls import precision
 from mechanics.kinematics.constraints import velocity_forms
 from mechanics.scene import Scene
 from mechanics.scene.rates import TIME, rate, rate_table

@@ -17,9 +17,9 @@ from benchmarks.detection.case import Case
 from benchmarks.detection.rows import holds
 from benchmarks.detection.tree import read, written
 from mechanics.blame.result import Mistake, Repair
-from mechanics.exact import canonical
 from mechanics.judge.check import Judged
 from mechanics.scene.published import Published
+from mechanics.symbolic import canonical
 
 SIZES = {Mistake.MISSING: 2, Mistake.EXTRA: 2, Mistake.TERM: 3}
 """Of edits; all others have size 1."""

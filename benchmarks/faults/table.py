@@ -1,12 +1,12 @@
 """All faults. A row whose text has changed fails in `tests/benchmarks/test_benchmark_faults.py`."""
 
-from benchmarks.faults import rows_exact, rows_motion, rows_programs, rows_routes, rows_scene
+from benchmarks.faults import rows_kernel, rows_motion, rows_programs, rows_routes, rows_scene
 from benchmarks.faults.fault import Fault
 
 FAULTS: tuple[Fault, ...] = (
     *rows_scene.ROWS,
     *rows_motion.ROWS,
     *rows_routes.ROWS,
-    *rows_exact.ROWS,
+    *rows_kernel.ROWS,
     *rows_programs.ROWS,
 )

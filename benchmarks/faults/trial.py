@@ -38,13 +38,14 @@ from mechanics.crosscheck.programs import Programs, check_laws, derive_rows, is_
 from mechanics.crosscheck.programs import solved as solved_program
 from mechanics.crosscheck.routes import ROUTES
 from mechanics.equations import Equations
-from mechanics.exact import Verdict, prove_equal
+from mechanics.kernel import Verdict
 from mechanics.program.interpret import interpret
 from mechanics.program.numpy_domain import Arrays
 from mechanics.routes.programs.loads import potential as potential_of
 from mechanics.routes.programs.motion import poses
 from mechanics.scene import Scene
 from mechanics.scene.potential import potential
+from mechanics.symbolic import prove_equal
 
 PATIENCE = 300
 """Seconds of processor time for one fault in all scenes."""

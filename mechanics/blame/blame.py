@@ -15,8 +15,8 @@ from mechanics.blame.search.budget import Budget
 from mechanics.blame.search.claim import Claim, as_motion, at_once, claim_of, problems
 from mechanics.blame.search.find import EQUALLY, Solution, solutions
 from mechanics.blame.search.judge import Problem
+from mechanics.blame.search.point import Points
 from mechanics.blame.search.repair import edited_row, proved, spelling_of
-from mechanics.equations import Equations
 from mechanics.errors import ExpressionError, MechanicsError
 from mechanics.reading.from_sympy import Untreeable
 from mechanics.reading.place import Refused
@@ -37,7 +37,7 @@ STEPS = 10_000
 
 
 def blame(
-    truth: Equations,
+    points: Points,
     statement: Statement,
     kept: frozenset[int | str] = frozenset(),
     budget: Budget | None = None,
@@ -46,8 +46,8 @@ def blame(
 
     Parameters
     ----------
-    truth : Equations
-        Derived from the scene, with its reactions.
+    points : Points
+        Of the equations that were derived from the scene, with their reactions.
     statement : Statement
         Refuted.
     kept : frozenset of int or str
@@ -61,7 +61,7 @@ def blame(
         With the smallest repairs, each of them proved; `searched` says what was tried in vain.
     """
     try:
-        claim = claim_of(truth, statement)
+        claim = claim_of(points, statement)
     except (Untreeable, Refused) as reason:
         return Blame((), (), searched=f"not searched: it holds what has no tree: {reason}")
     if claim is None:

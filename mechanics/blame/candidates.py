@@ -16,7 +16,8 @@ from mechanics.blame.rows import Row, free_rows, moving_rows
 from mechanics.blame.terms import terms_of
 from mechanics.blame.view import View
 from mechanics.equations import Equations
-from mechanics.exact import TooLarge, collect_linear
+from mechanics.kernel.ring import TooLarge
+from mechanics.symbolic import collect_linear
 
 LARGEST_SOLVED = 3
 """Number of speeds up to which equations are solved for an acceleration, by Cramer's rule."""

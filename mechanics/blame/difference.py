@@ -29,7 +29,7 @@ from mechanics.blame.terms import Terms, difference, terms_of, written
 from mechanics.blame.view import View, view_of
 from mechanics.equations import Equations
 from mechanics.errors import ExpressionError
-from mechanics.exact import TooLarge
+from mechanics.kernel.ring import TooLarge
 from mechanics.kinematics.momenta import momenta_written_out, momentum_symbols, rate_symbol
 from mechanics.reading.statement import Statement
 from mechanics.scene.published import Published

@@ -17,8 +17,7 @@ from mechanics.blame.power import keeps
 from mechanics.blame.shape import shortest
 from mechanics.blame.terms import terms_of
 from mechanics.equations import Equations
-from mechanics.exact import Verdict
-from mechanics.exact.finding import Finding
+from mechanics.kernel import Finding, Verdict
 from mechanics.kinematics.momenta import momenta_written_out
 from mechanics.reading.statement import Statement
 from mechanics.scene import Scene

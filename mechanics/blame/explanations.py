@@ -23,7 +23,8 @@ from mechanics.blame.terms import terms_of
 from mechanics.checks.ledger import check_row
 from mechanics.equations import Equations
 from mechanics.errors import ExpressionError, MechanicsError
-from mechanics.exact import Finding, TooLarge, Verdict
+from mechanics.kernel import Finding, Verdict
+from mechanics.kernel.ring import TooLarge
 from mechanics.reading.statement import Statement
 from mechanics.scene import Scene
 from mechanics.scene.quantities import EquationOfMotion, ReactionValue

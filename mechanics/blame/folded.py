@@ -12,10 +12,10 @@ from sympy.physics.vector import Dyadic
 
 from mechanics.checks.ledger_compare import ordered
 from mechanics.equations import Equations
-from mechanics.exact import canonical
 from mechanics.routes.free_body import derive
 from mechanics.scene import RigidBody, Scene
 from mechanics.scene.bodies import Body
+from mechanics.symbolic import canonical
 
 
 def folded(truth: Equations, expression: Expr) -> tuple[Equations, Expr]:

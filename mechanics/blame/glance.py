@@ -14,11 +14,13 @@ from mechanics.blame.mistakes.slip import Part, Slip, split
 from mechanics.checks.ledger_compare import settle_defined
 from mechanics.equations import Equations
 from mechanics.errors import ExpressionError
-from mechanics.exact import Arithmetic, Number, SingularHere
-from mechanics.exact.field_trial import look
+from mechanics.kernel.field import Inadmissible
+from mechanics.kernel.independence import pivot_columns
 from mechanics.kinematics.momenta import momenta_written_out
 from mechanics.scene import Scene
 from mechanics.scene.published import Published
+from mechanics.symbolic import Arithmetic, Number
+from mechanics.symbolic.point import Point
 
 Motion = dict[Symbol, Number]
 
@@ -52,23 +54,21 @@ def glances(
 ) -> list[tuple[Slip, frozenset[int]]]:
     """Mistakes along whose motion statements vanish, and the indices of these."""
     found: list[tuple[Slip, frozenset[int]]] = []
-    slips = tuple(slips)
-
-    def experiment(a: Arithmetic) -> list[tuple[Number, Number]]:
-        found.clear()
-        settle_defined(truth.scene, a)
-        for slip in slips:
-            motion = _motion(a, truth, slip)
-            zero = frozenset(s.index for s in stated if motion and _vanishes(a, s, motion))
-            if zero:
-                found.append((slip, zero))
-        return [(a.rational(0), a.rational(0))]
-
-    look(experiment)
-    return list(found)
+    a = Arithmetic()
+    settle_defined(truth.scene, a)
+    try:
+        _, point = a.residues(list(a.assigned.values()))
+    except Inadmissible:
+        return []
+    for slip in slips:
+        motion = _motion(a, point, truth, slip)
+        zero = frozenset(s.index for s in stated if motion and _vanishes(a, point, s, motion))
+        if zero:
+            found.append((slip, zero))
+    return found
 
 
-def _motion(a: Arithmetic, truth: Equations, slip: Slip) -> Motion | None:
+def _motion(a: Arithmetic, point: Point, truth: Equations, slip: Slip) -> Motion | None:
     """Accelerations and reactions with the mistake; None where it leaves them undetermined."""
     size = len(slip.unknowns)
     matrix, right = [], []
@@ -84,9 +84,12 @@ def _motion(a: Arithmetic, truth: Equations, slip: Slip) -> Motion | None:
     if len(matrix) != size:
         return None
     try:
-        return dict(zip(slip.unknowns, a.solve(matrix, right), strict=True))
-    except SingularHere:
+        residues = [[point.value(entry) for entry in row] for row in matrix]
+    except Inadmissible:
         return None
+    if len(pivot_columns(residues, point.prime)) < size:
+        return None
+    return dict(zip(slip.unknowns, a.solve(matrix, right), strict=True))
 
 
 def _row(a: Arithmetic, row: Sequence[Part], unknowns: tuple[Symbol, ...]) -> list[Number]:
@@ -100,20 +103,20 @@ def _row(a: Arithmetic, row: Sequence[Part], unknowns: tuple[Symbol, ...]) -> li
     return total
 
 
-def _vanishes(a: Arithmetic, stated: Stated, motion: Motion) -> bool:
+def _vanishes(a: Arithmetic, point: Point, stated: Stated, motion: Motion) -> bool:
     try:
-        return _zero(a, stated, motion)
-    except ExpressionError:
+        return _zero(a, point, stated, motion)
+    except (ExpressionError, Inadmissible):
         return False  # it holds what no field knows, such as the imaginary unit
 
 
-def _zero(a: Arithmetic, stated: Stated, motion: Motion) -> bool:
+def _zero(a: Arithmetic, point: Point, stated: Stated, motion: Motion) -> bool:
     total = a.value(stated.rest)
     for symbol, factor in stated.factors:
         if symbol not in motion:
             return False
         total = total + a.value(factor) * motion[symbol]
-    return a.is_zero(total)
+    return point.value(total) == 0
 
 
 def stated(scene: Scene, index: int, row: Published, residual: Expr, refuted: bool) -> Stated:

@@ -19,11 +19,13 @@ from mechanics.checks.ledger_compare import settle_defined
 from mechanics.checks.ledger_motion import put_motion
 from mechanics.equations import Equations
 from mechanics.errors import ExpressionError
-from mechanics.exact import Arithmetic, Number, TooLarge, collect_linear
-from mechanics.exact.field_trial import Answer, trial
+from mechanics.kernel.ring import TooLarge
+from mechanics.kernel.trial import Answer
+from mechanics.symbolic import Arithmetic, Number, collect_linear
+from mechanics.symbolic.decide import answer
 
-QUICK = -40.0
-"""Bound, as a power of two, of the chance that a claim is wrong."""
+QUICK = 2.0**-40
+"""Bound of the chance that a claim is wrong."""
 
 
 def origins_of(
@@ -43,7 +45,7 @@ def holds(truth: Equations, right: Expr) -> bool:
         put_motion(a, truth)
         return [(a.value(value), a.rational(0))]
 
-    return trial(experiment, QUICK).answer is Answer.ZERO
+    return answer(experiment, QUICK) is Answer.ZERO
 
 
 def origins_in_field(truth: Equations, right: Expr) -> dict[str, tuple[str, ...]]:
@@ -79,7 +81,7 @@ def origins_in_field(truth: Equations, right: Expr) -> dict[str, tuple[str, ...]
                 found.setdefault(group, {})[words] = None
         return [(whole, a.value(truth.scene.plain(right)))]
 
-    if trial(experiment, QUICK).answer is not Answer.ZERO:
+    if answer(experiment, QUICK) is not Answer.ZERO:
         return {}
     return {group: tuple(words) for group, words in found.items()}
 

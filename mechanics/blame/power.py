@@ -15,12 +15,14 @@ from mechanics.blame.rows import generalized_rows
 from mechanics.checks.ledger_compare import settle_defined
 from mechanics.checks.ledger_motion import put_motion
 from mechanics.equations import Equations
-from mechanics.exact import Arithmetic, Finding, Number, canonical
-from mechanics.exact.field_trial import Answer, trial
+from mechanics.kernel import Finding
+from mechanics.kernel.trial import Answer
 from mechanics.reading.statement import Statement
 from mechanics.scene import Scene
 from mechanics.scene.actions import frictions
 from mechanics.scene.rates import rate, rate_table
+from mechanics.symbolic import Arithmetic, Number, canonical
+from mechanics.symbolic.decide import answer
 
 
 def keeps(truth: Equations, value: Expr) -> bool:
@@ -32,7 +34,7 @@ def keeps(truth: Equations, value: Expr) -> bool:
         put_motion(a, truth)
         return [(a.value(growth), a.rational(0))]
 
-    return trial(experiment, QUICK).answer is Answer.ZERO
+    return answer(experiment, QUICK) is Answer.ZERO
 
 
 def unbalanced(
@@ -71,7 +73,7 @@ def unbalanced(
             growth = growth + a.value(u) * a.value(row.value)
         return [(growth, a.rational(0))]
 
-    return trial(experiment, QUICK).answer is Answer.NONZERO
+    return answer(experiment, QUICK) is Answer.NONZERO
 
 
 def _drift(scene: Scene) -> list[Expr]:

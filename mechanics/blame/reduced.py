@@ -12,9 +12,9 @@ from sympy import Expr, S, Symbol
 from mechanics.blame.pieces import Piece, merged
 from mechanics.blame.rows import Row, generalized_rows
 from mechanics.blame.view import View
-from mechanics.exact import collect_linear, independent_rows
-from mechanics.exact.cramer import cramer
 from mechanics.scene.rates import rate
+from mechanics.symbolic import collect_linear, independent_rows
+from mechanics.symbolic.cramer import cramer
 
 
 def view_rows(view: View) -> tuple[Row, ...]:

@@ -6,7 +6,7 @@ written - right = sum of differences        statement with one of the repairs pu
 from dataclasses import dataclass
 from enum import Enum
 
-from mechanics.exact import Finding
+from mechanics.kernel import Finding
 from mechanics.scene.published import Published
 
 

@@ -14,9 +14,9 @@ from flint import fmpq, fmpq_mpoly
 from sympy import Add, Expr, Mul, Pow, Rational, Symbol, cos, sin
 
 from mechanics.blame.angles import single_angles
-from mechanics.exact.canonical_back import generator_expression
-from mechanics.exact.canonical_back import terms as polynomial_terms
-from mechanics.exact.canonical_poly import Reader, reader
+from mechanics.symbolic.canonical_back import generator_expression
+from mechanics.symbolic.canonical_back import terms as polynomial_terms
+from mechanics.symbolic.canonical_poly import Reader, reader
 
 Monomial = frozenset[tuple[Expr, int]]
 Terms = dict[Monomial, Fraction]

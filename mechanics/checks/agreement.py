@@ -4,8 +4,8 @@
 """
 
 from mechanics.equations import Equations
-from mechanics.exact import Arithmetic, Number
 from mechanics.scene import Scene
+from mechanics.symbolic import Arithmetic, Number
 
 Pairs = list[tuple[Number, Number]]
 

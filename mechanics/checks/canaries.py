@@ -33,8 +33,7 @@ from sympy.physics.vector import Point, ReferenceFrame
 
 from mechanics.checks.jets import Instant, precision
 from mechanics.checks.programs.canaries import known_findings
-from mechanics.exact import Finding, Verdict, prove_equal
-from mechanics.kernel import refuted, supported
+from mechanics.kernel import Finding, Verdict, refuted, supported
 from mechanics.scene.bodies import Particle, RigidBody
 from mechanics.scene.composite import composite, part
 from mechanics.scene.declared import scalar
@@ -49,6 +48,7 @@ from mechanics.scene.loads import (
 )
 from mechanics.scene.reactions import holonomic, nonholonomic, reaction, reaction_couple
 from mechanics.scene.shapes import Disc, Rectangle, Ring, Rod, Semidisc
+from mechanics.symbolic import prove_equal
 
 BITS = 100
 CLOSE = arb(2) ** -50

@@ -15,8 +15,7 @@ from typing import Any
 from sympy import Abs, Derivative, Expr, Function, Pow, Symbol, cos, exp, sign, sin, tan
 
 from mechanics.checks.ledger import QUANTITIES, plain_side
-from mechanics.exact import Finding
-from mechanics.kernel import refuted, same
+from mechanics.kernel import Finding, refuted, same
 from mechanics.scene import Scene
 from mechanics.scene.published import Published
 from mechanics.scene.unit_names import UNITS, Dimension, dimension_of_unit, words

@@ -3,7 +3,7 @@
     x(t) = x_0 + x_1 t + x_2 t^2 + O(t^3)          every x_k a ball that holds the true value
 
 A second reading of what SymPy's objects mean, for a check that must not share an error with the
-first: nothing of `mechanics.exact`, and no derivative of SymPy's. The operations on series and
+first: nothing of `mechanics.kernel`, and no derivative of SymPy's. The operations on series and
 balls are Arb's (python-flint).
 """
 

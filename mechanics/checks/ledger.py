@@ -17,7 +17,7 @@ from mechanics.checks.ledger_momenta import DERIVED, derived
 from mechanics.checks.ledger_motion import check_equation, check_reaction
 from mechanics.equations import Equations
 from mechanics.errors import InputError
-from mechanics.exact import Finding
+from mechanics.kernel import Finding
 from mechanics.kinematics.momenta import momenta_written_out
 from mechanics.scene import Scene
 from mechanics.scene.published import Published, Quantity

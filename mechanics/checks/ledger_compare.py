@@ -14,18 +14,10 @@ from flint import arb
 from sympy import Expr, Float, S, Symbol, sympify
 
 from mechanics.errors import InputError, SceneError
-from mechanics.exact import (
-    Arithmetic,
-    Finding,
-    Number,
-    Witness,
-    decide,
-    enclose,
-    roundings,
-)
-from mechanics.kernel import enclosed, refuted
+from mechanics.kernel import Finding, Witness, enclosed, refuted
 from mechanics.kinematics.manifold import settle, settle_accelerations
 from mechanics.scene import Scene
+from mechanics.symbolic import Arithmetic, Number, decide, enclose, roundings
 
 Pairs = list[tuple[Number, Number]]
 

@@ -16,14 +16,14 @@ from mechanics.checks.agreement import solve
 from mechanics.checks.ledger_compare import decide_in, equal, symbols_of
 from mechanics.equations import Equations
 from mechanics.errors import InputError
-from mechanics.exact import Arithmetic, Finding, Number, Verdict, decide, slope
-from mechanics.kernel import undecided
+from mechanics.kernel import Finding, Verdict, undecided
 from mechanics.kinematics.momenta import momenta_written_out
 from mechanics.scene import Scene
 from mechanics.scene.actions import frictions
 from mechanics.scene.published import Published
 from mechanics.scene.quantities import EquationOfMotion
 from mechanics.scene.rates import TIME, rate_table
+from mechanics.symbolic import Arithmetic, Number, decide, slope
 
 Pairs = list[tuple[Number, Number]]
 

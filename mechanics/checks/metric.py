@@ -4,9 +4,9 @@ from collections.abc import Sequence
 
 from sympy import Matrix
 
-from mechanics.exact import collect_linear
 from mechanics.kinematics.motion import BodyMotion, inertia_matrix
 from mechanics.scene import Scene
+from mechanics.symbolic import collect_linear
 
 
 def metric(scene: Scene, motions: Sequence[BodyMotion]) -> Matrix:

@@ -8,7 +8,7 @@ Four routes that read a scene through the same functions are one witness where t
 this check reads SymPy's frames, points, vectors and dyadics itself (`mechanics.checks.as_declared`)
 and evaluates them itself (`mechanics.checks.jets`). Nothing of `mechanics.scene` is used but the
 data of the declaration, nothing of `mechanics.kinematics` or `mechanics.routes`, and of
-`mechanics.exact` only the form of a finding. The equations in question say u' at a drawn state;
+`mechanics.kernel` only the form of a finding. The equations in question say u' at a drawn state;
 that motion, as a Taylor series, has to satisfy (1) to (3) and the constraints.
 
 Numbers are enclosures. Sides that are apart at a state prove the statement false there: REFUTED.
@@ -27,8 +27,7 @@ from mechanics.checks.jets import Instant, OutsideDomain, precision
 from mechanics.checks.states import State, draw_states, name_of
 from mechanics.equations import Equations
 from mechanics.errors import ExpressionError
-from mechanics.exact import Finding, Witness
-from mechanics.kernel import enclose, refuted, supported, undecided
+from mechanics.kernel import Finding, Witness, enclose, refuted, supported, undecided
 from mechanics.program import Program
 from mechanics.scene import Scene
 from mechanics.scene.loads import CONSERVATIVE, Coulomb

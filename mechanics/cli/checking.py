@@ -13,9 +13,9 @@ from mechanics.cli.files import refuse_unwritable, write, write_file
 from mechanics.cli.load import load, run_file
 from mechanics.cli.values import assignments
 from mechanics.errors import InputError
-from mechanics.exact import Verdict
 from mechanics.judge.check import check as run
 from mechanics.judge.check_json import to_json
+from mechanics.kernel import Verdict
 from mechanics.reading.code.black_box import BlackBox
 from mechanics.reading.declared import NAMES
 from mechanics.report.answer.page import check_html

@@ -17,7 +17,7 @@ from mechanics.crosscheck import CrossCheck
 from mechanics.crosscheck import crosscheck as check
 from mechanics.crosscheck.routes import named_routes
 from mechanics.crosscheck.system import DEFAULT_STATES
-from mechanics.exact import Finding, Verdict
+from mechanics.kernel import Finding, Verdict
 from mechanics.report.html import to_html
 from mechanics.report.json_report import to_json
 from mechanics.report.result import SystemResult

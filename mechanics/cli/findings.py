@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from rich.console import Console
 from rich.markup import escape
 
-from mechanics.exact import Finding, Verdict
+from mechanics.kernel import Finding, Verdict
 
 STYLES = {
     Verdict.PROVED: "green",

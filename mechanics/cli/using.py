@@ -13,10 +13,10 @@ from mechanics.cli.progress import working
 from mechanics.cli.values import assignments, points, sorted_out
 from mechanics.compiled import compile
 from mechanics.crosscheck import derive
-from mechanics.exact import Verdict
 from mechanics.export import write_c
 from mechanics.export.atomic import named, replaced_file
 from mechanics.export.folder import MANIFEST
+from mechanics.kernel import Verdict
 from mechanics.simulate import Ending, with_reactions, write_plot, write_table
 from mechanics.simulate.files import SUFFIXES, writable
 from mechanics.trade.accurate import simulate as run

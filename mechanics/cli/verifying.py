@@ -19,11 +19,11 @@ from mechanics.cli.load import CALL, built_in, load
 from mechanics.crosscheck import derive
 from mechanics.equations import Equations, ProgramEquations
 from mechanics.errors import InputError
-from mechanics.exact import Verdict
 from mechanics.export.evidence.read import Folder, read_folder
 from mechanics.export.evidence.record import chain_record
 from mechanics.export.evidence.verify import NO_PHYSICS, Outcome, Verification
 from mechanics.export.evidence.verify import verify as check
+from mechanics.kernel import Verdict
 
 ASKED = "give --scene FILE"
 SHOWN_FINDINGS = 12

@@ -18,8 +18,7 @@ from mechanics.compiled.model import Model
 from mechanics.compiled.programs.trace import trace
 from mechanics.compiled.residuals import NAMES, PRECISIONS, SEED
 from mechanics.compiled.sampling import States, sample
-from mechanics.exact import Finding
-from mechanics.kernel import undecided
+from mechanics.kernel import Finding, undecided
 
 UNDERFLOW = "underflow: a product is below {tiny:.1e}, the smallest normal number, and divided by"
 SINGULAR = "singular in this precision: a pivot is zero to its last digit"

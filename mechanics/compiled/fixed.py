@@ -16,9 +16,9 @@ from sympy import Expr, Matrix, Rational, Symbol
 
 from mechanics.equations import Equations
 from mechanics.errors import InputError, RangeError, SingularError
-from mechanics.exact import generic_rank
 from mechanics.program.constants import rational
 from mechanics.scene import Scene
+from mechanics.symbolic import generic_rank
 
 Fixed = Mapping[Symbol, Expr]
 

@@ -19,7 +19,7 @@ from mechanics.compiled.graphs import Graphs
 from mechanics.compiled.model import Model
 from mechanics.equations import ProgramEquations
 from mechanics.errors import InputError
-from mechanics.exact import Finding
+from mechanics.kernel import Finding
 
 DEFAULT = (
     "forward_dynamics", "mass_matrix", "forcing", "residual", "inverse_dynamics", "energy",
@@ -38,7 +38,7 @@ def prove_compiled(
     functions : sequence of str, optional
         Names of functions; by default all that the model has but the Jacobians and the step.
     **options
-        As for `mechanics.exact.decide`.
+        As for `mechanics.symbolic.decide`.
     """
     present = tuple(model.casadi)
     names = [n for n in DEFAULT if n in present] if functions is None else functions

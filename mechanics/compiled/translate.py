@@ -16,7 +16,7 @@ from sympy.core.relational import Relational
 from sympy.logic.boolalg import BooleanFalse, BooleanTrue
 
 from mechanics.errors import ExpressionError
-from mechanics.exact.angles import float_as_rational
+from mechanics.symbolic.decimals import float_as_rational
 
 EXACT_INTEGER = 2**53
 

@@ -39,7 +39,7 @@ from mechanics.crosscheck.routes import named_routes
 from mechanics.crosscheck.small_motions import small_motions
 from mechanics.equations import Equations, ProgramEquations
 from mechanics.errors import wanted
-from mechanics.exact import Finding, Verdict
+from mechanics.kernel import Finding, Verdict
 from mechanics.linear.ledger import check_linear_row
 from mechanics.report.result import LedgerResult, RouteResult, SystemResult
 from mechanics.routes import free_body

@@ -19,12 +19,13 @@ import numpy as np
 from flint import arb
 
 from mechanics.compiled import Model
+from mechanics.compiled.custody.code import as_written
 from mechanics.compiled.programs.program import program
 from mechanics.compiled.quantities import Quantities, Quantity
 from mechanics.compiled.sampling import sample
 from mechanics.errors import SingularError
-from mechanics.exact.balls import Ball, BallArithmetic, State, ball, precision
 from mechanics.export.roundings import first_order
+from mechanics.kernel import enclose
 
 COUNT = 5
 DRAWN = 60
@@ -143,10 +144,14 @@ def _narrow(fine: Sequence[Sequence[arb]], radii: Sequence[Sequence[float]]) -> 
 
 def enclosed(function: ca.Function, inputs: Inputs, bits: int) -> list[list[arb]]:
     """Every output as balls."""
-    with precision(bits):
-        arguments = [[Ball(arb(value)) for value in group] for group in inputs]
-        outputs = BallArithmetic(State({})).graph(function, arguments)
-        return [[n.arb if isinstance(n, Ball) else ball(n) for n in entries] for entries in outputs]
+    written = program(function)
+    state = {
+        f"{name}[{k}]": arb(value)
+        for (name, _), values in zip(written.inputs, inputs, strict=True)
+        for k, value in enumerate(values)
+    }
+    found = enclose(as_written(written), state, bits)
+    return [list(found[name]) for name, _ in written.shapes]
 
 
 def _nearest(enclosure: arb) -> float:

@@ -18,7 +18,6 @@ import sympy
 from flint import arb, arb_mat
 
 from mechanics.equations import Equations
-from mechanics.exact import canonical
 from mechanics.kernel import Statement
 from mechanics.kernel.balls import Balls, precision
 from mechanics.kernel.independence import generic_rank
@@ -26,6 +25,7 @@ from mechanics.kernel.normal import proves
 from mechanics.program import Builder, Node, Program, interpret
 from mechanics.program.interpret import include
 from mechanics.program.sympy_reader import read
+from mechanics.symbolic import canonical
 
 BITS = 192
 LAST_BITS = 192 * 2**6

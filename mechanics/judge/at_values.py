@@ -17,9 +17,9 @@ from mechanics.checks.ledger import check_row
 from mechanics.compiled.fixed import fix, read_fixed
 from mechanics.equations import Equations
 from mechanics.errors import InputError, MechanicsError
-from mechanics.exact import Finding
 from mechanics.judge.glance import glance
 from mechanics.judge.moved import each_side, in_plain_symbols
+from mechanics.kernel import Finding
 from mechanics.reading.statement import Statement
 from mechanics.scene import Scene
 from mechanics.scene.published import Published

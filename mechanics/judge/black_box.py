@@ -19,9 +19,8 @@ from mechanics.checks.ledger_compare import definitions_in_full
 from mechanics.compiled import compile
 from mechanics.equations import Equations
 from mechanics.errors import InputError, SingularError
-from mechanics.exact import Finding, Witness
 from mechanics.judge.mean_rates import State, mean_rates
-from mechanics.kernel import refuted, supported, undecided
+from mechanics.kernel import Finding, Witness, refuted, supported, undecided
 from mechanics.reading.code.black_box import BlackBox, Box, entries, match_box
 from mechanics.reading.names import Match
 from mechanics.reading.statement import Statement

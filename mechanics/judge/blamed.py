@@ -13,9 +13,10 @@ from mechanics.blame.explanations import explanations
 from mechanics.blame.result import Blame, Edit
 from mechanics.blame.search.budget import Budget
 from mechanics.blame.search.claim import claim_of, used
+from mechanics.blame.search.point import Points
 from mechanics.equations import Equations
 from mechanics.errors import MechanicsError
-from mechanics.exact import Verdict
+from mechanics.kernel import Verdict
 from mechanics.reading.from_sympy import Untreeable
 from mechanics.reading.place import Refused
 from mechanics.reading.statement import Statement
@@ -55,10 +56,10 @@ def blamed(truth: Equations, judged: Sequence[Judged]) -> tuple[Judged, ...]:
     for k in wrong:
         words = "it is too large" if k not in small else f"{MOST} statements before it are wrong"
         found[k] = replace(found[k], blame=Blame((), (), searched=f"not searched: {words}"))
-    budget = Budget(STEPS)
+    budget, points = Budget(STEPS), Points(truth)
     for k, reasons in zip(searched, told[: len(searched)], strict=True):
         late = Blame((), (), searched=f"not searched: those before it took {STEPS} steps")
-        blame = late if budget.spent else _search(truth, judged, k, budget)
+        blame = late if budget.spent else _search(points, judged, k, budget)
         found[k] = replace(found[k], blame=replace(blame, explanations=reasons))
     return named_once(found)
 
@@ -118,7 +119,7 @@ def walked(node: Node) -> Iterator[Node]:
         yield from walked(part)
 
 
-def shown_with(truth: Equations, judged: Sequence[Judged], k: int) -> frozenset[int | str]:
+def shown_with(points: Points, judged: Sequence[Judged], k: int) -> frozenset[int | str]:
     """What a refuted statement has in common with those that are shown: an edit there spoils them.
 
     Definitions, and of an equation of matrices the line itself.
@@ -133,17 +134,17 @@ def shown_with(truth: Equations, judged: Sequence[Judged], k: int) -> frozenset[
             found |= set(range(len(own.written.sides)))
         if own.written.definitions:
             try:
-                claim = claim_of(truth, other)
+                claim = claim_of(points, other)
             except (Untreeable, Refused):
                 continue  # no edit of it was told, either
             found |= used(claim) if claim is not None else set()
     return frozenset(found)
 
 
-def _search(truth: Equations, judged: Sequence[Judged], k: int, budget: Budget) -> Blame:
+def _search(points: Points, judged: Sequence[Judged], k: int, budget: Budget) -> Blame:
     """The blame; the verdict stands whatever the search meets."""
     try:
-        return blame_of(truth, judged[k].statement, shown_with(truth, judged, k), budget)
+        return blame_of(points, judged[k].statement, shown_with(points, judged, k), budget)
     except (MechanicsError, Refused, RecursionError) as error:
         words = str(error) if not isinstance(error, RecursionError) else "it is nested too deeply"
         return Blame((), (), searched=f"not searched: {words}")

@@ -25,24 +25,18 @@ from mechanics.checks.ledger_compare import settle_defined
 from mechanics.checks.ledger_motion import put_motion
 from mechanics.equations import Equations
 from mechanics.errors import ExpressionError
-from mechanics.exact import (
-    Arithmetic,
-    Finding,
-    Inadmissible,
-    Verdict,
-    Witness,
-    decide,
-)
 from mechanics.judge.entered import Region, entered
 from mechanics.judge.guards import inside, is_guard
 from mechanics.judge.regions import region_of, slice_of
-from mechanics.kernel import follows, refuted, undecided
+from mechanics.kernel import Finding, Verdict, Witness, follows, refuted, undecided
 from mechanics.kernel.definedness import excludes
+from mechanics.kernel.field import Inadmissible
 from mechanics.program import Builder
 from mechanics.program.sympy_reader import read
 from mechanics.reading.demands import Demand
 from mechanics.scene.published import Published
 from mechanics.scene.quantities import EquationOfMotion, Identity
+from mechanics.symbolic import Arithmetic, decide
 
 Pairs = list[tuple]
 

@@ -10,7 +10,6 @@ from typing import Any
 from mechanics.crosscheck.routes import derive_textbook
 from mechanics.equations import Equations
 from mechanics.errors import InputError, wanted
-from mechanics.exact import Verdict
 from mechanics.judge.at_values import Values, read_values, right_at
 from mechanics.judge.at_values import words as in_words
 from mechanics.judge.black_box import check_box
@@ -26,6 +25,7 @@ from mechanics.judge.single import judge
 from mechanics.judge.small_angles import right_for_small_angles
 from mechanics.judge.under import judge_under
 from mechanics.judge.where import Where, judge_where, read_where, right_where
+from mechanics.kernel import Verdict
 from mechanics.reading.code.black_box import BlackBox
 from mechanics.reading.declared import Declared, read_declared
 from mechanics.reading.statement import Reading, Statement

@@ -9,11 +9,12 @@ from sympy import Matrix
 
 from mechanics.checks.ledger_motion import gradient
 from mechanics.equations import Equations
-from mechanics.exact import Inadmissible, generic_rank
+from mechanics.kernel.field import Inadmissible
 from mechanics.kinematics.manifold import settle
 from mechanics.kinematics.momenta import momenta_written_out
 from mechanics.report.answer.judged import Judged
 from mechanics.scene.quantities import EquationOfMotion
+from mechanics.symbolic import generic_rank
 
 
 def redundancy(truth: Equations, judged: Sequence[Judged]) -> str:

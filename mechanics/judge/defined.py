@@ -18,20 +18,19 @@ from sympy.core.relational import Relational
 from mechanics.checks.metric import metric
 from mechanics.equations import Equations
 from mechanics.errors import MechanicsError
-from mechanics.exact import Finding, Verdict
-from mechanics.exact.balls import BallArithmetic, State
-from mechanics.kernel import refuted, undecided
-from mechanics.kernel.balls import precision
+from mechanics.kernel import Finding, Verdict, enclose, refuted, undecided
 from mechanics.kernel.definedness import BITS, Gap, Kind, Space, gaps, touching, unmet
+from mechanics.kernel.statement import POSITIVE
 from mechanics.kinematics.chain import body_motions
 from mechanics.kinematics.manifold import settle
-from mechanics.program import Builder, Node, Obligation
+from mechanics.program import Builder, Node, Obligation, Program
 from mechanics.program.operations import Sign
 from mechanics.program.sympy_reader import read
 from mechanics.reading.code.called import UNCALLED
 from mechanics.reading.demands import RAISED, Demand, Demands, within
 from mechanics.reading.statement import Statement
 from mechanics.scene import Scene
+from mechanics.symbolic import Arithmetic
 
 LARGEST_DETERMINANT = 6
 MOST_TOLD = 3
@@ -195,9 +194,9 @@ def _space(
     kept = dict(builder.obligations)
     zero = tuple(node.number for node in read(builder, closing))
     builder.obligations = kept
-    return Space(
-        positive, rest, (rest, _start(scene, rest)), region, truth, zero, partial(_settled, scene)
-    )
+    on_constraints = partial(_settled, scene, _dependent(scene))
+    references = (rest, _start(scene, rest))
+    return Space(positive, rest, references, region, truth, zero, on_constraints)
 
 
 def _start(scene: Scene, rest: Mapping[str, Fraction]) -> Mapping[str, Fraction]:
@@ -205,21 +204,31 @@ def _start(scene: Scene, rest: Mapping[str, Fraction]) -> Mapping[str, Fraction]
     return {**rest, **{name: Fraction(str(value)) for name, value in scene.example.items()}}
 
 
-def _settled(scene: Scene, state: Mapping[str, Fraction]) -> Mapping[str, Fraction | arb] | None:
+def _dependent(scene: Scene) -> Program:
+    """What the constraints determine, and under `POSITIVE` what has to be positive."""
+    a = Arithmetic()
+    settle(scene, a)
+    outputs = {symbol.name: [node] for symbol, node in a.assigned.items()}
+    return a.builder.program({**outputs, POSITIVE: a.positive})
+
+
+def _settled(
+    scene: Scene, dependent: Program, state: Mapping[str, Fraction]
+) -> Mapping[str, Fraction | arb] | None:
     """A state on the constraints, whose dependent quantities follow from the others."""
     symbols = (*scene.parameters, *scene.q, *scene.u)
-    given: dict[Symbol, Fraction] = {s: state[s.name] for s in symbols}
+    given = {s.name: state[s.name] for s in symbols}
     # Both roots of what is closed by a square are tried, by what is drawn anyway.
     sense = 1 if sum(value.numerator for value in state.values()) % 2 else -1
-    for symbol in symbols:
-        given[Symbol(f"branch_of_{symbol.name}", real=True)] = Fraction(sense)
-    a = BallArithmetic(State(given))
-    with precision(BITS):
-        try:
-            settle(scene, a)
-            return {**state, **{s.name: a.value(s).arb for s in symbols}}
-        except ArithmeticError:
-            return None  # no such state, or none that is told at these digits
+    given |= {f"branch_of_{s.name}": Fraction(sense) for s in symbols}
+    values = dict(enclose(dependent, given, BITS))
+    # No such state, or none that is told at these digits.
+    if not all(value > 0 for value in values.pop(POSITIVE)):
+        return None
+    solved = {name: value for name, (value,) in values.items()}
+    if not all(value.is_finite() for value in solved.values()):
+        return None
+    return {**state, **solved}
 
 
 def _typical(symbol: Symbol | None, *, positive: bool) -> Fraction:

@@ -6,7 +6,7 @@ Of those that are drawn the nearest is moved by ever smaller steps: uphill on th
 """
 
 import random
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from fractions import Fraction
 
 from sympy import Expr, Piecewise, Rational, S, Symbol
@@ -14,8 +14,7 @@ from sympy.core.relational import Ge, Gt, Le, Lt, Relational
 from sympy.logic.boolalg import And
 
 from mechanics.errors import ExpressionError
-from mechanics.exact import Inadmissible
-from mechanics.exact.balls import BallArithmetic, State, precision
+from mechanics.symbolic.decimals import Formulas, formulas
 
 Region = dict[Symbol, Expr]
 
@@ -34,6 +33,10 @@ def entered(conditions: tuple[Relational, ...]) -> Iterator[Region]:
     symbols = sorted(both.free_symbols, key=str)
     truth = Piecewise((S.One, both), (S.Zero, True))
     margins = [c.gts - c.lts for c in conditions if isinstance(c, Gt | Ge | Lt | Le)]
+    try:
+        program = formulas([truth, *margins])
+    except (ExpressionError, ZeroDivisionError):
+        return
     source, found = random.Random(0), 0
     nearest, least = Region(), -float("inf")
     for k in range(DRAWN + MOVED):
@@ -45,10 +48,7 @@ def entered(conditions: tuple[Relational, ...]) -> Iterator[Region]:
             values = _moved(nearest, source, (k - DRAWN) // HALVED)
         else:
             return
-        try:
-            held, margin = _at(values, truth, margins)
-        except (ExpressionError, ArithmeticError, Inadmissible):
-            continue
+        held, margin = _at(values, program)
         if margin > least:
             nearest, least = values, margin
         if held:
@@ -58,13 +58,11 @@ def entered(conditions: tuple[Relational, ...]) -> Iterator[Region]:
             return
 
 
-def _at(values: Region, truth: Expr, margins: Sequence[Expr]) -> tuple[bool, float]:
+def _at(values: Region, program: Formulas) -> tuple[bool, float]:
     """Whether conditions hold beyond doubt, and the least of their margins, about."""
-    with precision(BITS):
-        numbers = {s: Fraction(int(v.p), int(v.q)) for s, v in values.items()}
-        a = BallArithmetic(State(numbers))
-        held = a.value(truth).arb == 1
-        return held, min((float(a.value(m).arb.mid()) for m in margins), default=0.0)
+    numbers = {s: Fraction(int(v.p), int(v.q)) for s, v in values.items()}
+    truth, *margins = program.at(numbers, BITS)
+    return truth == 1, min((float(margin.mid()) for margin in margins), default=0.0)
 
 
 def _moved(values: Region, source: random.Random, halvings: int) -> Region:

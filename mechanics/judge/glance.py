@@ -8,10 +8,8 @@ chance of 2^-80.
 """
 
 from collections.abc import Mapping, Sequence
-from functools import lru_cache
 
-from sympy import Expr, Symbol, cos, sin
-from sympy.functions.elementary.trigonometric import TrigonometricFunction
+from sympy import Expr, Symbol
 from sympy.matrices import MatrixBase
 
 from mechanics.checks.ledger_compare import settle_defined
@@ -19,16 +17,15 @@ from mechanics.checks.ledger_energy import SHARES, kinetic_energy, mass_matrix
 from mechanics.checks.ledger_motion import put_motion
 from mechanics.equations import Equations
 from mechanics.errors import ExpressionError
-from mechanics.exact import Arithmetic, Number
-from mechanics.exact.field_trial import look
-from mechanics.exact.signals import Inadmissible
+from mechanics.kernel.field import Inadmissible
 from mechanics.kinematics.manifold import settle_accelerations
 from mechanics.scene import Scene
 from mechanics.scene import quantities as q
 from mechanics.scene.potential import potential
 from mechanics.scene.published import Published
+from mechanics.symbolic import Arithmetic, Number
+from mechanics.symbolic.point import Point
 
-Pairs = list[tuple[Number, Number]]
 Table = Mapping[Symbol, Expr]
 
 
@@ -66,52 +63,46 @@ def _look(
     moving: bool,
 ) -> None:  # fmt: skip
     """Rule out changes by rows along the motion, or by all others."""
-    wrong: list[int] = []
-
-    def experiment(a: Arithmetic) -> Pairs:
-        settle_defined(truth.scene, a)
+    a, scene = Arithmetic(), truth.scene
+    try:
+        settle_defined(scene, a)
         if moving:
             put_motion(a, truth)
         else:
-            settle_accelerations(truth.scene, a)
-        derived = [_derived(a, truth.scene, row) for row in rows]
-        pairs = list(zip(rows, derived, strict=True))
-        wrong[:] = [
-            k
-            for k, table in enumerate(tables)
-            if possible[k] and any(_differs(a, truth.scene, *pair, table) for pair in pairs)
-        ]
-        return [(a.rational(0), a.rational(0))]
-
-    try:
-        look(experiment)
-    except (ExpressionError, ValueError):
+            settle_accelerations(scene, a)
+        derived = [_derived(a, scene, row) for row in rows]
+        # What is there before any change is evaluated first: its roots are not the changes'.
+        _, point = a.residues([*a.assigned.values(), *(n for some in derived for n in some)])
+    except (ExpressionError, ValueError, Inadmissible):
         return  # the full check will say what is wrong
-    for k in wrong:
-        possible[k] = False
+    pairs = list(zip(rows, derived, strict=True))
+    for k, table in enumerate(tables):
+        if possible[k] and any(_differs(a, point, scene, *pair, table) for pair in pairs):
+            possible[k] = False
 
 
 def _differs(
-    a: Arithmetic, scene: Scene, row: Published, derived: Sequence[Number], table: Table
-) -> bool:
+    a: Arithmetic, point: Point, scene: Scene, row: Published, derived: Sequence[Number],
+    table: Table,
+) -> bool:  # fmt: skip
     """Whether a row is not right at a point."""
-    before = _unsure(a)
+    before = _unsure(point)
     try:
         sides = _sides(a, scene, row, table)
         targets, sides = (derived, sides) if derived else (sides[0], sides[1:])
         wrong = any(
-            not a.is_zero(left - right)
+            point.value(left - right) != 0
             for side in sides
             for left, right in zip(side, targets, strict=True)
         )
     except (Inadmissible, ExpressionError):
         return False
     # Roots and moduli have a sign, which one point does not tell.
-    return wrong and _unsure(a) == before
+    return wrong and _unsure(point) == before
 
 
-def _unsure(a: Arithmetic) -> tuple[int, int]:
-    return getattr(a, "square_roots", 0), len(getattr(a, "kinks", ()))
+def _unsure(point: Point) -> tuple[int, int]:
+    return point.domain.square_roots, len(point.domain.kinks)
 
 
 def _derived(a: Arithmetic, scene: Scene, row: Published) -> list[Number]:
@@ -141,7 +132,6 @@ def _sides(a: Arithmetic, scene: Scene, row: Published, table: Table) -> list[li
     return [[side[0] - _value(a, e[0], moved)] for side, e in zip(values, entries, strict=True)]
 
 
-@lru_cache(maxsize=32)
 def _elsewhere(scene: Scene) -> dict[Symbol, Expr]:
     """Another point with the same parameters."""
     moving = (*scene.q, *scene.u, *scene.ud)
@@ -150,20 +140,5 @@ def _elsewhere(scene: Scene) -> dict[Symbol, Expr]:
 
 def _value(a: Arithmetic, expr: Expr, table: Table) -> Number:
     """What an expression is worth with its symbols standing for others."""
-    symbols, angles = _held(expr)
-    memo: dict[object, Number] = {s: a.value(table.get(s, s)) for s in symbols}
-    for angle in angles:
-        moved = angle.xreplace(table)
-        memo["circle", angle] = (a.value(cos(moved)), a.value(sin(moved)))
-    kept, a.memo = a.memo, memo
-    try:
-        return a.value(expr)
-    finally:
-        a.memo = kept
-
-
-@lru_cache(maxsize=256)
-def _held(expr: Expr) -> tuple[tuple[Symbol, ...], tuple[Expr, ...]]:
-    """Symbols, and arguments of sines and cosines, in an order that no hash decides."""
-    angles = {function.args[0] for function in expr.atoms(TrigonometricFunction)}
-    return tuple(sorted(expr.free_symbols, key=str)), tuple(sorted(angles, key=str))
+    symbols = sorted(expr.free_symbols, key=str)
+    return a.value_at(expr, {s: a.value(table.get(s, s)) for s in symbols})

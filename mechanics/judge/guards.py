@@ -17,11 +17,12 @@ from sympy import Not, Rational, S, Symbol
 from sympy.core.relational import Ge, Gt, Le, Lt, Relational
 
 from mechanics.equations import Equations
-from mechanics.errors import MechanicsError
-from mechanics.exact import Arithmetic
-from mechanics.exact.balls import BallArithmetic, State, ball, precision
 from mechanics.kernel import Witness
+from mechanics.kernel.balls import ball, enclose, precision
+from mechanics.kernel.statement import LEFT, POSITIVE, RIGHT
+from mechanics.program import Program
 from mechanics.reading.demands import Demand
+from mechanics.symbolic import Arithmetic
 
 LARGEST = Fraction(1, 10**6)
 NEAR = Fraction(1, 10**9)
@@ -102,9 +103,13 @@ def inside(
         Pairs of a value of the truth and a guarded one.
     """
     singular, near = False, 0
+    a = Arithmetic()
+    pairs = experiment(a)
+    left, right = [x for x, _ in pairs], [y for _, y in pairs]
+    program = a.builder.program({LEFT: left, RIGHT: right, POSITIVE: a.positive})
     for state in _states(truth, conditions):
+        values = _at(program, {a.inputs[s]: v for s, v in state.items() if s in a.inputs})
         with precision(BITS):
-            values = _at(state, experiment)
             if values is None:
                 singular = True
                 continue
@@ -139,14 +144,13 @@ def _states(
                 yield state
 
 
-def _at(
-    state: Mapping[Symbol, Fraction], experiment: Callable[[Arithmetic], Pairs]
-) -> list[tuple[arb, arb]] | None:
-    try:
-        pairs = [(x.arb, y.arb) for x, y in experiment(BallArithmetic(State(dict(state))))]
-    except (ArithmeticError, MechanicsError):
+def _at(program: Program, state: Mapping[str, Fraction]) -> list[tuple[arb, arb]] | None:
+    """Pairs at a state; None where the truth has no value, or the state is none of the scene."""
+    if not state.keys() >= set(program.inputs):
         return None
-    return pairs if all(x.is_finite() for x, _ in pairs) else None
+    values = enclose(program, state, BITS)
+    known = all(x.is_finite() for x in values[LEFT]) and all(x > 0 for x in values[POSITIVE])
+    return list(zip(values[LEFT], values[RIGHT], strict=True)) if known else None
 
 
 def _is_near(x: arb, y: arb) -> bool:

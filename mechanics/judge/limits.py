@@ -16,9 +16,10 @@ from sympy.core.relational import Relational
 from mechanics.checks.ledger_compare import settle_defined
 from mechanics.checks.ledger_motion import put_motion
 from mechanics.equations import Equations
-from mechanics.exact import Arithmetic, Finding, Number, decide
+from mechanics.kernel import Finding
 from mechanics.scene.published import Published
 from mechanics.scene.quantities import EquationOfMotion
+from mechanics.symbolic import Arithmetic, Number, decide
 
 MOST = 8
 """Choices of limits and of their order that are tried."""

@@ -8,7 +8,7 @@ from dataclasses import replace
 from mechanics.checks.ledger import check_row
 from mechanics.equations import Equations
 from mechanics.errors import ExpressionError, InputError, SceneError
-from mechanics.exact import Verdict
+from mechanics.kernel import Verdict
 from mechanics.reading.about import ENERGY_NAMES, named_quantity
 from mechanics.reading.tree import Name
 from mechanics.report.answer.judged import Judged

@@ -8,7 +8,7 @@ from dataclasses import replace
 from mechanics.checks.ledger import check_row
 from mechanics.equations import Equations
 from mechanics.errors import ExpressionError, InputError, SceneError
-from mechanics.exact import Verdict
+from mechanics.kernel import Verdict
 from mechanics.reading.kind import kind_of
 from mechanics.reading.place import Refused
 from mechanics.reading.sides import distinct, scalar

@@ -7,8 +7,9 @@ from sympy import Dummy, Expr, S, Symbol, oo
 from sympy.core.relational import Eq, Relational
 
 from mechanics.errors import ExpressionError
-from mechanics.exact import Inadmissible, collect_linear
 from mechanics.judge.entered import Region
+from mechanics.kernel.field import Inadmissible
+from mechanics.symbolic import collect_linear
 
 
 def region_of(conditions: tuple[Relational, ...]) -> Region | None:

@@ -13,9 +13,9 @@ from mechanics.checks.ledger import check_row
 from mechanics.crosscheck.routes import derive_textbook
 from mechanics.equations import Equations
 from mechanics.errors import ExpressionError, InputError, MechanicsError, SceneError
-from mechanics.exact import Finding
 from mechanics.judge.glance import glance
 from mechanics.judge.moved import in_plain_symbols, moved, moves_more
+from mechanics.kernel import Finding
 from mechanics.reading.convention import POINT_MASS, Change
 from mechanics.reading.conventions import combined_table, conventions
 from mechanics.reading.statement import Statement

@@ -8,14 +8,13 @@ from functools import partial
 from mechanics.checks.ledger import check_row
 from mechanics.equations import Equations
 from mechanics.errors import ExpressionError, InputError, SceneError, SingularError
-from mechanics.exact import Finding, Verdict
 from mechanics.judge.at_values import Values, judged_at
 from mechanics.judge.cases import check_cases, has_guard
 from mechanics.judge.defined import where_defined
 from mechanics.judge.limits import limited
 from mechanics.judge.principal import on_principal_range
 from mechanics.judge.vacuous import with_content
-from mechanics.kernel import undecided
+from mechanics.kernel import Finding, Verdict, undecided
 from mechanics.reading.demands import Demand
 from mechanics.reading.statement import Statement
 from mechanics.scene import Scene

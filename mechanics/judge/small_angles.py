@@ -15,13 +15,13 @@ from sympy.functions.elementary.trigonometric import TrigonometricFunction
 
 from mechanics.equations import Equations
 from mechanics.errors import MechanicsError
-from mechanics.exact import Finding, Verdict
-from mechanics.exact.decide import prove_zero
+from mechanics.kernel import Finding, Verdict
 from mechanics.reading.kinds import angular
 from mechanics.reading.statement import Statement
 from mechanics.scene import Scene
 from mechanics.scene.quantities import EquationOfMotion
 from mechanics.scene.symbols import plain_symbol
+from mechanics.symbolic.decide import prove_zero
 
 MOST = 4
 """Speeds up to which this is looked at."""

@@ -15,11 +15,10 @@ from itertools import combinations
 from sympy import Symbol
 
 from mechanics.equations import Equations
-from mechanics.exact import Finding, Verdict
 from mechanics.judge.moved import in_plain_symbols, moved, moves_more
 from mechanics.judge.right_if import target_of
 from mechanics.judge.single import FAILURES, judge, subject_of
-from mechanics.kernel import undecided
+from mechanics.kernel import Finding, Verdict, undecided
 from mechanics.reading.convention import POINT_MASS, Change
 from mechanics.reading.conventions import combined_table, joints, other_signs
 from mechanics.reading.declared import Declared, readings

@@ -5,12 +5,12 @@
 
 from sympy.matrices import MatrixBase
 
-from mechanics.exact import Finding, is_zero
-from mechanics.kernel import undecided
+from mechanics.kernel import Finding, undecided
 from mechanics.reading.partials import PARTIAL
 from mechanics.reading.statement import Statement
 from mechanics.reading.tree import Call, Name
 from mechanics.scene.quantities import Identity
+from mechanics.symbolic import is_zero
 
 WORDS = "it is true whatever moves, so it says nothing about the scene"
 

@@ -19,7 +19,6 @@ from mechanics.checks.ledger import check_row
 from mechanics.checks.ledger_compare import settle_defined
 from mechanics.equations import Equations
 from mechanics.errors import InputError, MechanicsError
-from mechanics.exact import Arithmetic, Finding, Number, Verdict, decide
 from mechanics.judge.cases import in_case
 from mechanics.judge.defined import where_defined
 from mechanics.judge.entered import entered
@@ -27,13 +26,14 @@ from mechanics.judge.moved import in_plain_symbols
 from mechanics.judge.readers import read
 from mechanics.judge.single import FAILURES, identity
 from mechanics.judge.vacuous import WORDS
-from mechanics.kernel import undecided
+from mechanics.kernel import Finding, Verdict, undecided
 from mechanics.reading.kinds import angular
 from mechanics.reading.names import Match
 from mechanics.reading.statement import Statement
 from mechanics.scene import Scene
 from mechanics.scene.published import Published
 from mechanics.scene.quantities import EquationOfMotion, Identity, ReactionValue
+from mechanics.symbolic import Arithmetic, Number, decide
 
 KINDS = (EquationOfMotion, ReactionValue, Identity)
 """What can be right on a branch alone."""

@@ -10,7 +10,7 @@ terms, never in time.
 
 from __future__ import annotations
 
-from collections.abc import Hashable
+from collections.abc import Hashable, Mapping
 from fractions import Fraction
 from math import gcd, lcm
 
@@ -31,6 +31,10 @@ class TooLarge(MechanicsError, OverflowError):
     """The normal form outgrew its budget."""
 
 
+class Full(TooLarge):
+    """More generators are asked for than the ring has."""
+
+
 class Ring:
     """A polynomial ring whose generators are named one by one, up to a capacity.
 
@@ -38,6 +42,11 @@ class Ring:
     ----------
     capacity : int
         Number of generators.
+
+    Attributes
+    ----------
+    keys : dict of int to hashable
+        What the generators stand for, by their places.
 
     Raises
     ------
@@ -52,6 +61,7 @@ class Ring:
         self._context = fmpq_mpoly_ctx.get([f"g{i}" for i in range(capacity)], "lex")
         self._gens = self._context.gens()
         self._places: dict[Hashable, int] = {}
+        self.keys: dict[int, Hashable] = {}
         self._relations: list[tuple[Lead, fmpq_mpoly]] = []
         self.positive: set[int] = set()
         self._work = 0
@@ -61,20 +71,25 @@ class Ring:
         ratio = Fraction(number)
         return self._context.constant(fmpq(ratio.numerator, ratio.denominator))
 
+    def from_terms(self, terms: Mapping[tuple[int, ...], fmpq]) -> fmpq_mpoly:
+        """The polynomial with these coefficients by powers of all generators."""
+        return self._context.from_dict(dict(terms))
+
     def place(self, key: Hashable, positive: bool = False) -> tuple[int, bool]:
         """The place of a generator, and whether it is new.
 
         Raises
         ------
-        TooLarge
-            If the ring is full.
+        Full
+            If the ring is.
         """
         if key in self._places:
             return self._places[key], False
         place = self.capacity - 1 - len(self._places)
         if place < 0:
-            raise TooLarge(f"ring of {self.capacity} generators is full")
+            raise Full(f"ring of {self.capacity} generators is full")
         self._places[key] = place
+        self.keys[place] = key
         if positive:
             self.positive.add(place)
         return place, True

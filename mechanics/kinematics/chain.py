@@ -15,7 +15,6 @@ from itertools import pairwise
 from sympy import Expr, Matrix, cos, eye, sin, zeros
 from sympy.physics.vector import Point, ReferenceFrame
 
-from mechanics.exact import canonical
 from mechanics.kinematics.motion import BodyMotion, PointMotion
 from mechanics.scene import Particle, Scene
 from mechanics.scene.geometry import (
@@ -26,6 +25,7 @@ from mechanics.scene.geometry import (
     step_vector,
 )
 from mechanics.scene.rates import rate, rate_table, rates
+from mechanics.symbolic import canonical
 
 # A vector kept in the frames in which it is short: components by frame, to be added.
 Mixed = dict[ReferenceFrame, Matrix]

@@ -8,9 +8,9 @@ both            A u' = b          the form, differentiated
 from sympy import Expr, Matrix, zeros
 
 from mechanics.errors import SceneError
-from mechanics.exact import collect_linear
 from mechanics.scene import Scene
 from mechanics.scene.rates import rate, rate_table
+from mechanics.symbolic import collect_linear
 
 
 def velocity_forms(scene: Scene) -> list[Expr]:

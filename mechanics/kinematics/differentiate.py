@@ -11,10 +11,10 @@ from collections.abc import Mapping
 from sympy import Expr, Matrix, Symbol, eye, zeros
 from sympy.physics.vector import Point, ReferenceFrame
 
-from mechanics.exact import canonical
 from mechanics.kinematics.motion import BodyMotion, PointMotion
 from mechanics.scene import Particle, Scene
 from mechanics.scene.rates import coordinate_rate_table, rate, rate_table, rates
+from mechanics.symbolic import canonical
 
 
 def point_motion(scene: Scene, point: Point) -> PointMotion:

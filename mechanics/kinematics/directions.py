@@ -8,9 +8,9 @@ use a plane, its normal; when they use space, all three.
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
-from mechanics.exact import is_zero
 from mechanics.kinematics.motion import BodyMotion
 from mechanics.scene.actions import Action
+from mechanics.symbolic import is_zero
 
 AXES = ("x", "y", "z")
 

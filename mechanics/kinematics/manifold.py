@@ -12,10 +12,10 @@ from itertools import combinations
 from sympy import Expr, S, Symbol
 
 from mechanics.errors import ExpressionError
-from mechanics.exact import Arithmetic, Number, canonical, collect_linear, independent_rows
 from mechanics.kinematics.constraints import velocity_forms
 from mechanics.scene import Scene
 from mechanics.scene.rates import rate, rate_table
+from mechanics.symbolic import Arithmetic, Number, canonical, collect_linear, independent_rows
 
 Solvable = tuple[tuple[Symbol, ...], list[list[Expr]], list[Expr]]
 """Unknowns, coefficients and rest: coefficients times unknowns plus rest is zero."""

@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from sympy import Expr, Matrix, S, Symbol, cancel, factor, fraction, sympify, together, zeros
 
 from mechanics.errors import ExpressionError
-from mechanics.exact import is_zero as decide_zero
+from mechanics.symbolic import is_zero as decide_zero
 
 
 def reduced(expr: Expr) -> Expr:

@@ -14,8 +14,7 @@ from sympy.matrices import MatrixBase
 
 from mechanics.equations import Equations
 from mechanics.errors import ExpressionError, InputError
-from mechanics.exact import Arithmetic, Finding, Number, decide
-from mechanics.kernel import undecided
+from mechanics.kernel import Finding, undecided
 from mechanics.linear.algebra import coefficients
 from mechanics.linear.form import Linear
 from mechanics.linear.linearise import linearise
@@ -24,6 +23,7 @@ from mechanics.linear.values import expand_definitions
 from mechanics.scene import Scene
 from mechanics.scene.linear_quantities import OperatingPoint, ProportionalFeedback
 from mechanics.scene.published import Published
+from mechanics.symbolic import Arithmetic, Number, decide
 
 Pairs = list[tuple[Number, Number]]
 Experiment = Callable[[Arithmetic], Pairs]

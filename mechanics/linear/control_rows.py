@@ -9,8 +9,7 @@ from sympy import Abs, Expr, Matrix, Symbol
 from sympy.core.relational import Relational
 
 from mechanics.errors import InputError
-from mechanics.exact import Arithmetic, Finding, decide
-from mechanics.kernel import same, undecided
+from mechanics.kernel import Finding, same, undecided
 from mechanics.kinematics.motion import inertia_matrix
 from mechanics.linear.algebra import coefficients, sign
 from mechanics.linear.case import Case, Pairs, compare, numbers, require_conjugate
@@ -32,6 +31,7 @@ from mechanics.scene.linear_quantities import (
 )
 from mechanics.scene.places import point_named
 from mechanics.scene.symbols import plain_symbol
+from mechanics.symbolic import Arithmetic, decide
 
 Check = Callable[[Case], Finding]
 

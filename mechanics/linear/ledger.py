@@ -9,8 +9,7 @@ from sympy import Expr, Symbol
 
 from mechanics.equations import Equations
 from mechanics.errors import ExpressionError, InputError
-from mechanics.exact import Finding
-from mechanics.kernel import undecided
+from mechanics.kernel import Finding, undecided
 from mechanics.linear import control_rows, modal_rows
 from mechanics.linear.case import Case, linear_at
 from mechanics.linear.form import Linear

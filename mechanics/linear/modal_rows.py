@@ -8,8 +8,7 @@ from collections.abc import Callable, Sequence
 from sympy import Dummy, Expr, Matrix, S, Symbol, cos, diag, sin, sqrt
 
 from mechanics.errors import InputError
-from mechanics.exact import Arithmetic, Finding
-from mechanics.kernel import undecided
+from mechanics.kernel import Finding, undecided
 from mechanics.linear.algebra import reduced
 from mechanics.linear.case import Case, Pairs, compare, entries, numbers, require_conjugate
 from mechanics.linear.dimensionless import dimensionless
@@ -30,6 +29,7 @@ from mechanics.scene.linear_quantities import (
     PrintedShapes,
     TrialSolution,
 )
+from mechanics.symbolic import Arithmetic
 
 Check = Callable[[Case], Finding]
 

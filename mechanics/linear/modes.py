@@ -10,11 +10,11 @@ from functools import cmp_to_key
 from sympy import Expr, Matrix, Symbol, factor_list, sqrt
 
 from mechanics.errors import ExpressionError, InputError, wanted
-from mechanics.exact import enclose
 from mechanics.linear.algebra import coefficients, null_space, numerator, reduced, sign
 from mechanics.linear.form import Linear
 from mechanics.linear.values import with_numbers
 from mechanics.scene import Scene
+from mechanics.symbolic import enclose
 
 EIGENVALUE = Symbol("Lambda")
 

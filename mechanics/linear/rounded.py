@@ -11,9 +11,9 @@ from flint import arb
 from sympy import Expr, Float, Rational
 
 from mechanics.errors import InputError
-from mechanics.exact import Finding, Witness, decimal_matches, enclose, roundings
-from mechanics.kernel import enclosed, refuted, undecided
+from mechanics.kernel import Finding, Witness, enclosed, refuted, undecided
 from mechanics.linear.case import Case, entries
+from mechanics.symbolic import decimal_matches, enclose, roundings
 
 SIGNS = "one sign for each column is free"
 

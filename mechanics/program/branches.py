@@ -71,19 +71,32 @@ def build(
     ExpressionError
         If no case of an expression holds, whatever the inputs are.
     """
-    walk = _Walk(builder, expand, {leaf: node.number for leaf, node in (leaves or {}).items()})
-    walk.run(expressions)
-    return tuple(Node(builder, walk.number(expression)) for expression in expressions)
+    return Walk(builder, expand, leaves or {}).nodes(expressions)
 
 
-class _Walk:
-    """What is still to be done, and what is known in the branch and outside of it."""
+class Walk:
+    """What is still to be done, and what is known in the branch and outside of it.
 
-    def __init__(self, builder: Builder, expand: Expand, leaves: dict[Any, int]) -> None:
+    What has been built outside of branches is known to later expressions, too.
+    """
+
+    def __init__(self, builder: Builder, expand: Expand, leaves: Mapping[Any, Node]) -> None:
         self.builder, self.expand = builder, expand
-        self.scopes: list[dict[Any, int]] = [leaves]
+        self.scopes: list[dict[Any, int]] = [{leaf: node.number for leaf, node in leaves.items()}]
         self.conditions: list[AbstractContextManager[None]] = []
         self.tasks: list[Any] = []
+
+    def nodes(self, expressions: Sequence[Hashable]) -> tuple[Node, ...]:
+        """The nodes of expressions."""
+        try:
+            self.run(expressions)
+        except Exception:
+            self.tasks.clear()
+            while self.conditions:
+                self.scopes.pop()
+                self.conditions.pop().__exit__(None, None, None)
+            raise
+        return tuple(Node(self.builder, self.number(expression)) for expression in expressions)
 
     def run(self, expressions: Sequence[Hashable]) -> None:
         """Expressions are built, tasks are called, the last one first."""

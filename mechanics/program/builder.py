@@ -17,7 +17,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from math import isfinite, isqrt
 
-from mechanics.errors import ExpressionError
+from mechanics.errors import ExpressionError, ZeroDivisorError
 from mechanics.program.operations import (
     ABS,
     ADD,
@@ -352,13 +352,13 @@ class Builder:
 
         Raises
         ------
-        ExpressionError
+        ZeroDivisorError
             If b is the constant 0.
         """
         divisor = self.constant_at(b)
         if divisor is not None:
             if divisor == 0:
-                raise ExpressionError("division by the constant 0")
+                raise ZeroDivisorError("division by the constant 0")
             return self.multiply(self._constant(1 / divisor), a)
         self._demand("divide", Node(self, a), Node(self, b))
         if a == self.zero_number:
@@ -420,7 +420,7 @@ class Builder:
 
         Raises
         ------
-        ExpressionError
+        ZeroDivisorError
             If it is the constant 0 to a negative power.
         """
         exponent = self.node(exponent)

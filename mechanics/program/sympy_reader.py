@@ -16,7 +16,7 @@ from mpmath.libmp import to_rational
 from sympy import S
 
 from mechanics.errors import ExpressionError
-from mechanics.program.branches import Choice, Parts, build
+from mechanics.program.branches import Choice, Parts, Walk
 from mechanics.program.builder import Builder, Node
 from mechanics.program.operations import OPERATIONS
 
@@ -63,13 +63,25 @@ def read(
     >>> b.program({"f": [node]})
     <program of 4 operations: f>
     """
-    return build(builder, expressions, _Reader(builder).expand, symbols)
+    return Reader(builder, symbols or {}).walk.nodes(expressions)
 
 
-class _Reader:
-    """Takes expressions apart; keeps what symbol has which name."""
+class Reader:
+    """Reads one expression after the other: what they share is read once.
 
-    def __init__(self, builder: Builder) -> None:
+    Parameters
+    ----------
+    builder : Builder
+    symbols : mapping of sympy.Basic to Node
+        As for `read`.
+    rules : mapping of type to callable, optional
+        How else heads are taken apart.
+    """
+
+    def __init__(
+        self, builder: Builder, symbols: Mapping[Any, Node],
+        rules: Mapping[Any, Callable[[Any], Parts | Choice]] | None = None,
+    ) -> None:  # fmt: skip
         self.builder = builder
         self.symbols: dict[str, Any] = {}
         own: dict[Any, Callable[[Any], Parts | Choice]] = {
@@ -83,9 +95,25 @@ class _Reader:
             sympy.Piecewise: lambda e: Parts((_Rest(e, 0),), lambda number: number),
             sympy.ITE: lambda e: Choice(*e.args),
         }
-        self.expansions = own | {
-            head: self.rule(function) for head, function in _RULES.items() if head not in own
-        }
+        self.expansions = (
+            own
+            | {head: self.rule(function) for head, function in _RULES.items() if head not in own}
+            | dict(rules or {})
+        )
+        self.walk = Walk(builder, self.expand, symbols)
+
+    def read(self, expression: Any) -> Node:
+        """The node of an expression."""
+        (node,) = self.walk.nodes([expression])
+        return node
+
+    def define(self, symbol: Any, node: Node) -> bool:
+        """Let a symbol be a node; False if it has been read or defined already."""
+        known = self.walk.scopes[0]
+        if symbol in known:
+            return False
+        known[symbol] = node.number
+        return True
 
     def expand(self, expression: Any) -> Parts | Choice:
         """One expression as an operation on others."""
@@ -201,6 +229,7 @@ _RULES: dict[Any, Callable[..., Node]] = {
 } | {
     type(S.Pi): lambda b: b.pi,
     type(S.Exp1): lambda b: b.one.exp(),
+    type(S.GoldenRatio): lambda b: (b.constant(5).sqrt() + 1) / 2,
     type(S.true): lambda b: b.one,
     type(S.false): lambda b: b.zero,
     sympy.And: _chain("and"),

@@ -14,9 +14,9 @@ from functools import lru_cache
 from sympy import Dummy, Expr, Matrix, S, Symbol
 
 from mechanics.errors import ExpressionError
-from mechanics.exact import is_zero
 from mechanics.reading.kinds import angular
 from mechanics.scene import Gravity, Scene
+from mechanics.symbolic import is_zero
 
 DIRECTIONS = ("right horizontal", "upward vertical", "left horizontal", "downward vertical")
 """By quarter turns counterclockwise from the right."""

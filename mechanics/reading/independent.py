@@ -13,7 +13,6 @@ from typing import TYPE_CHECKING, Any
 from sympy import Expr, Matrix, Symbol
 from sympy.matrices import MatrixBase
 
-from mechanics.exact import is_zero
 from mechanics.kinematics.momenta import generalized_momenta
 from mechanics.reading.about import ENERGY_NAMES
 from mechanics.reading.partials import partial_value
@@ -22,6 +21,7 @@ from mechanics.reading.tree import Name, Node, names
 from mechanics.scene import Scene
 from mechanics.scene.rates import speeds_in_rates
 from mechanics.scene.symbols import by_name
+from mechanics.symbolic import is_zero
 
 if TYPE_CHECKING:
     from mechanics.reading.build import Builder

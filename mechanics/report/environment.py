@@ -3,7 +3,7 @@
 from jinja2 import Environment, PackageLoader, StrictUndefined
 from markupsafe import Markup
 
-from mechanics.exact import Verdict
+from mechanics.kernel import Verdict
 from mechanics.report import charts, typeset, words
 from mechanics.report.notation import latex_name, svg_name
 from mechanics.report.sections import ROUTES

@@ -25,7 +25,7 @@ from collections.abc import Sequence
 from math import isfinite
 from typing import Any
 
-from mechanics.exact import Finding
+from mechanics.kernel import Finding
 from mechanics.report.result import SystemResult
 
 

@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from mechanics.equations import Equations
-from mechanics.exact import Finding, Verdict
+from mechanics.kernel import Finding, Verdict
 from mechanics.scene import Scene
 from mechanics.scene.published import Published
 

@@ -7,7 +7,7 @@ from markupsafe import Markup
 from sympy import Symbol
 
 from mechanics.equations import Line
-from mechanics.exact import Finding, Verdict
+from mechanics.kernel import Finding, Verdict
 from mechanics.report import charts, typeset
 from mechanics.report.projection import View
 from mechanics.report.result import LedgerResult, Motion, RouteResult, SystemResult

@@ -6,7 +6,7 @@ from math import floor, log2
 
 from markupsafe import Markup
 
-from mechanics.exact import Finding, Verdict
+from mechanics.kernel import Finding, Verdict
 from mechanics.report.result import SystemResult
 
 SIGNS = {

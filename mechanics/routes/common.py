@@ -9,8 +9,8 @@ from typing import Protocol
 
 from sympy import Expr, Matrix, S, Symbol, zeros
 
-from mechanics.exact import canonical, linear_equation
 from mechanics.scene import Scene
+from mechanics.symbolic import canonical, linear_equation
 
 
 class ForceBalance(Protocol):

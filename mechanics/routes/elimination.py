@@ -18,8 +18,8 @@ from sympy import Add, Expr, Matrix, Mul, S, Symbol
 
 from mechanics.equations import Equations, FreeBodyRow
 from mechanics.errors import SingularError
-from mechanics.exact import tidy
 from mechanics.scene.topology import Tree
+from mechanics.symbolic import tidy
 
 
 @dataclass

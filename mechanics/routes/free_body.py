@@ -12,7 +12,6 @@ from functools import cache, partial
 from sympy import Add, Expr, Matrix, S, Symbol
 
 from mechanics.equations import Equations, FreeBodyRow
-from mechanics.exact import tidy
 from mechanics.kinematics import differentiate
 from mechanics.kinematics.constraints import constraint_rows
 from mechanics.kinematics.directions import AXES, Directions, used_directions
@@ -25,6 +24,7 @@ from mechanics.scene.actions import Action, acting_reactions, applied_actions, b
 from mechanics.scene.geometry import components
 from mechanics.scene.rates import rate_table, rates
 from mechanics.scene.topology import Tree, multipliers, tree
+from mechanics.symbolic import tidy
 
 
 def derive(scene: Scene) -> Equations:

@@ -14,7 +14,6 @@ from sympy import Expr, Matrix, Symbol, zeros
 from sympy.physics.mechanics import KanesMethod
 
 from mechanics.equations import Equations, Line, Step
-from mechanics.exact import collect_linear, independent_rows
 from mechanics.kinematics import chain
 from mechanics.kinematics.constraints import constraint_rows, velocity_forms
 from mechanics.routes.common import tidied
@@ -31,6 +30,7 @@ from mechanics.scene.actions import (
     unit_reactions,
 )
 from mechanics.scene.topology import multipliers
+from mechanics.symbolic import collect_linear, independent_rows
 
 
 def derive(scene: Scene) -> Equations:

@@ -13,12 +13,12 @@ from dataclasses import dataclass
 from sympy import Expr, Matrix, S, eye, zeros
 
 from mechanics.errors import SingularError
-from mechanics.exact import generic_rank
 from mechanics.kinematics.manifold import on_the_manifold
 from mechanics.scene import Scene
 from mechanics.scene.actions import Action, acting_reactions
 from mechanics.scene.reactions import Reaction
 from mechanics.scene.topology import GROUND, Tree, loop_reactions, tree
+from mechanics.symbolic import generic_rank
 
 
 @dataclass(frozen=True)

@@ -18,7 +18,6 @@ from sympy import Add, Expr, Matrix, Rational, Symbol, zeros
 from sympy.physics.mechanics import LagrangesMethod, Point, ReferenceFrame
 
 from mechanics.equations import Equations, Line, Step
-from mechanics.exact import canonical
 from mechanics.kinematics import differentiate
 from mechanics.kinematics.motion import BodyMotion, inertia_matrix
 from mechanics.routes.common import tidied
@@ -30,6 +29,7 @@ from mechanics.scene.actions import frictions, load_actions
 from mechanics.scene.loads import CONSERVATIVE
 from mechanics.scene.potential import potential
 from mechanics.scene.rates import rate, rate_table, speeds_in_rates
+from mechanics.symbolic import canonical
 
 
 def derive(scene: Scene) -> Equations:

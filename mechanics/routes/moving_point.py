@@ -17,7 +17,6 @@ from sympy import Dummy, Matrix, Symbol, sign, zeros
 
 from mechanics.equations import Equations
 from mechanics.errors import SingularError
-from mechanics.exact import canonical, independent_rows
 from mechanics.kinematics.chain import Chain, body_motions, point_motion
 from mechanics.kinematics.constraints import constraint_rows
 from mechanics.kinematics.directions import used_directions
@@ -32,6 +31,7 @@ from mechanics.scene import Scene
 from mechanics.scene.actions import Action, acting_reactions, applied_actions, by_body, moment
 from mechanics.scene.rates import rate_table, rates
 from mechanics.scene.topology import loop_reactions, multipliers, tree
+from mechanics.symbolic import canonical, independent_rows
 
 
 def derive(scene: Scene) -> Equations:

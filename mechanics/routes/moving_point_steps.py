@@ -5,9 +5,9 @@ from collections.abc import Sequence
 from sympy import Add, zeros
 
 from mechanics.equations import Line, Step
-from mechanics.exact import canonical
 from mechanics.routes.balance import Balance
 from mechanics.routes.elimination import Solved
+from mechanics.symbolic import canonical
 
 LARGEST_SCENE = 6
 """Number of equations up to which every term is written out; beyond, only the choice."""

@@ -14,9 +14,9 @@ from dataclasses import dataclass
 from sympy import Expr, Matrix, S, Symbol
 
 from mechanics.errors import SingularError
-from mechanics.exact import canonical, collect_linear
 from mechanics.scene import Scene
 from mechanics.scene.actions import frictions
+from mechanics.symbolic import canonical, collect_linear
 
 Reactions = tuple[tuple[Symbol, Expr], ...]
 

@@ -13,12 +13,12 @@ import sympy.physics.mechanics as me
 from sympy import Matrix, zeros
 from sympy.physics.vector import Dyadic, Point, ReferenceFrame, Vector, outer
 
-from mechanics.exact import is_zero
 from mechanics.kinematics.chain import Chain, Mixed, axis_angle
 from mechanics.routes.dynamic import Dynamic
 from mechanics.scene import Body, RigidBody, Scene
 from mechanics.scene.actions import Action
 from mechanics.scene.geometry import frame_path, relative_rotation
+from mechanics.symbolic import is_zero
 
 MOST_FRAMES = 3
 """Frames up to which a velocity is kept in the frames in which its terms are short.

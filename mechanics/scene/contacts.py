@@ -14,8 +14,8 @@ from typing import TYPE_CHECKING
 from sympy import Symbol
 
 from mechanics.errors import SceneError
-from mechanics.exact import canonical
 from mechanics.scene.loads import Coulomb
+from mechanics.symbolic import canonical
 
 if TYPE_CHECKING:
     from mechanics.scene.scene import Scene

@@ -16,7 +16,6 @@ from sympy.core.function import AppliedUndef
 from sympy.physics.vector import Dyadic, Vector, dynamicsymbols
 
 from mechanics.errors import SceneError
-from mechanics.exact import canonical, is_zero
 from mechanics.scene.bodies import Body, Particle, RigidBody
 from mechanics.scene.geometry import (
     Placed,
@@ -29,6 +28,7 @@ from mechanics.scene.geometry import (
 from mechanics.scene.loads import Coulomb, Damper, Force, Gravity, Spring, Torque, TorsionSpring
 from mechanics.scene.symbols import by_name
 from mechanics.scene.wellformed import inertia_entries
+from mechanics.symbolic import canonical, is_zero
 
 if TYPE_CHECKING:
     from mechanics.scene.scene import Scene

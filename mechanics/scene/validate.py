@@ -14,7 +14,6 @@ from sympy.core.function import AppliedUndef
 from sympy.physics.vector import Point
 
 from mechanics.errors import SceneError
-from mechanics.exact import independent_rows
 from mechanics.scene.bodies import RigidBody
 from mechanics.scene.conditions import check_conditions
 from mechanics.scene.contacts import check_contacts
@@ -26,6 +25,7 @@ from mechanics.scene.reactions import Reaction
 from mechanics.scene.symbols import name_of, plain_symbol
 from mechanics.scene.units import check_units
 from mechanics.scene.wellformed import check_names, check_symbols, check_types
+from mechanics.symbolic import independent_rows
 
 if TYPE_CHECKING:
     from mechanics.scene.scene import Scene

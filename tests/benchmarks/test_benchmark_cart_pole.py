@@ -6,7 +6,7 @@ from benchmarks.c_kernels import FOLDER, CKernel, read
 from mechanics.compiled import Model, compile
 from mechanics.compiled.c.source import function_source
 from mechanics.crosscheck import derive
-from mechanics.exact import Arithmetic, decide
+from mechanics.symbolic import Arithmetic, decide
 from systems import pendulum_chain
 
 ROUTES = ("free_body", "moving_point", "kane", "lagrange")

@@ -25,8 +25,8 @@ from benchmarks.detection.vocabulary import vocabulary
 from benchmarks.detection.whole import judged_whole
 from mechanics.blame.result import Blame, Edit, Mistake, Repair
 from mechanics.errors import MechanicsError
-from mechanics.exact import Finding, Verdict
 from mechanics.judge.check import Judged
+from mechanics.kernel import Finding, Verdict
 from mechanics.reading.statement import Statement
 from mechanics.scene.published import published
 from mechanics.scene.quantities import EquationOfMotion

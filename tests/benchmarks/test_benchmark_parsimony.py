@@ -17,7 +17,7 @@ from benchmarks.hand import PEERS, Peer, counted
 from benchmarks.machine_code import timed
 from mechanics.compiled.sampling import sample
 from mechanics.errors import CompilerError, ExpressionError
-from mechanics.exact import Arithmetic, decide
+from mechanics.symbolic import Arithmetic, decide
 
 ROUTES = ("free_body", "moving_point", "kane", "lagrange")
 BASELINE = Path(__file__).parents[2] / "benchmarks" / "parsimony.json"

@@ -11,9 +11,10 @@ from mechanics.blame.view import View
 from mechanics.checks.ledger_motion import put_motion
 from mechanics.crosscheck.routes import derive
 from mechanics.equations import Equations
-from mechanics.exact import Arithmetic, Finding, decide
+from mechanics.kernel import Finding
 from mechanics.kinematics.manifold import settle
 from mechanics.routes.kane import derive as by_kane
+from mechanics.symbolic import Arithmetic, decide
 
 ROUTES = ("free_body", "moving_point", "kane", pytest.param("lagrange", marks=pytest.mark.slow))
 

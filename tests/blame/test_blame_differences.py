@@ -16,9 +16,9 @@ from mechanics.blame.rows import generalized_rows
 from mechanics.blame.terms import Terms, terms_of, total, written
 from mechanics.checks.ledger_motion import put_motion
 from mechanics.equations import Equations
-from mechanics.exact import Arithmetic, decide
 from mechanics.kinematics.manifold import settle
 from mechanics.reading.statement import Statement
+from mechanics.symbolic import Arithmetic, decide
 
 Stated = Callable[..., Statement]
 ONLY = "only their difference is shown"

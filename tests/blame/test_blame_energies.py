@@ -12,11 +12,12 @@ from mechanics.blame.explanations import UNBALANCED, explanations
 from mechanics.checks.ledger import check_row
 from mechanics.checks.metric import metric
 from mechanics.equations import Equations
-from mechanics.exact import Verdict, prove_equal
+from mechanics.kernel import Verdict
 from mechanics.kinematics import chain
 from mechanics.reading.statement import Statement
 from mechanics.scene.published import published
 from mechanics.scene.quantities import KineticEnergy, PotentialEnergy
+from mechanics.symbolic import prove_equal
 
 TruthOf = Callable[[str], Equations]
 FINE = "the equations are right, this energy is not: "

@@ -24,10 +24,11 @@ from mechanics.blame.mistakes.slip import Slip, equations, right
 from mechanics.blame.rows import generalized_rows, moving_rows
 from mechanics.checks.ledger import check_row
 from mechanics.equations import Equations
-from mechanics.exact import Finding, Verdict, independent_rows, is_zero
+from mechanics.kernel import Finding, Verdict
 from mechanics.reading.statement import Statement
 from mechanics.scene import force
 from mechanics.scene.actions import frictions
+from mechanics.symbolic import independent_rows, is_zero
 from systems import rolling_disc
 
 Stated = Callable[..., Statement]

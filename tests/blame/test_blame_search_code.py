@@ -11,8 +11,8 @@ import pytest
 import mechanics
 from mechanics.blame.result import Edit, Mistake
 from mechanics.equations import Equations
-from mechanics.exact import Verdict
 from mechanics.judge.check import derived
+from mechanics.kernel import Verdict
 from mechanics.reading.code.as_written import MOST_NODES, Known, added, leaf, multiplied
 from mechanics.reading.code.read import read_c, read_function
 from systems import two_mass_chain

@@ -11,8 +11,8 @@ from sympy import Matrix, Rational, cos, sin, symbols
 
 import mechanics
 from mechanics.blame.result import Mistake, Repair
-from mechanics.exact import Verdict
 from mechanics.judge.check import derived
+from mechanics.kernel import Verdict
 from systems import acrobot, cartpole, double_pendulum, elastic_pendulum, rocker
 
 SCENES = {

@@ -9,8 +9,8 @@ import pytest
 
 import mechanics
 from mechanics.blame.result import Mistake, Repair
-from mechanics.exact import Verdict
 from mechanics.judge.check import derived
+from mechanics.kernel import Verdict
 from systems import elastic_pendulum, rocker
 
 PENDULUM = derived(elastic_pendulum.scene())

@@ -10,8 +10,8 @@ import pytest
 import mechanics
 from mechanics.blame.result import Mistake, Repair
 from mechanics.equations import Equations
-from mechanics.exact import Verdict
 from mechanics.judge.check import derived
+from mechanics.kernel import Verdict
 from systems import (
     cartpole_friction,
     double_pendulum,

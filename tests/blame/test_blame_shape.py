@@ -5,7 +5,7 @@ from sympy import Expr, S, cos, expand_trig, sin, symbols
 
 from mechanics.blame.shape import in_sums, shortest
 from mechanics.blame.terms import terms_of
-from mechanics.exact import is_zero
+from mechanics.symbolic import is_zero
 
 a, b, m, l = symbols("a b m l", real=True)
 

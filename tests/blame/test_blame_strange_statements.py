@@ -31,7 +31,7 @@ from mechanics.blame.difference import LARGE, differences
 from mechanics.blame.explanations import explanations
 from mechanics.blame.rows import generalized_rows
 from mechanics.equations import Equations
-from mechanics.exact import Finding, Verdict
+from mechanics.kernel import Finding, Verdict
 from mechanics.reading.statement import Statement
 from mechanics.scene.published import Quantity, published
 from mechanics.scene.quantities import (

@@ -9,8 +9,7 @@ from mechanics import kernel
 from mechanics.checks import canaries
 from mechanics.checks.canaries import check_canaries
 from mechanics.checks.programs import canaries as routes
-from mechanics.exact import Finding, Verdict
-from mechanics.kernel import same
+from mechanics.kernel import Finding, Verdict, same
 from mechanics.scene.composite import Part
 from mechanics.scene.loads import spring
 from mechanics.scene.shapes import Rod, Semidisc

@@ -10,7 +10,7 @@ from sympy.physics.mechanics import dynamicsymbols
 
 from mechanics.checks.dimensions import check_dimensions
 from mechanics.compiled import compile
-from mechanics.exact import Verdict
+from mechanics.kernel import Verdict
 from mechanics.routes import free_body
 from mechanics.scene import Scene
 from mechanics.scene.published import published

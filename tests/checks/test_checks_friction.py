@@ -14,13 +14,14 @@ from mechanics.checks.programs import laws
 from mechanics.checks.programs.agreement import Derived, compare, linear_system
 from mechanics.crosscheck import derive
 from mechanics.equations import Equations
-from mechanics.exact import Verdict, is_zero, slope
+from mechanics.kernel import Verdict
 from mechanics.mechanism import lower
 from mechanics.program import Builder
 from mechanics.routes.programs import free_body, kane, lagrange, moving_point
 from mechanics.scene import Scene
 from mechanics.scene.published import published
 from mechanics.scene.quantities import EquationOfMotion
+from mechanics.symbolic import is_zero, slope
 from systems import cartpole_friction as system
 
 

@@ -13,7 +13,7 @@ from mechanics.checks.ledger_compare import ordered
 from mechanics.checks.ledger_motion import check_complete
 from mechanics.equations import Equations
 from mechanics.errors import InputError, SceneError
-from mechanics.exact import Finding, Verdict
+from mechanics.kernel import Finding, Verdict
 from mechanics.linear import ledger as linear
 from mechanics.routes import free_body
 from mechanics.scene import quantities as q

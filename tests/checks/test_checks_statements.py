@@ -3,7 +3,7 @@
 import pytest
 
 import mechanics
-from mechanics.exact import Verdict
+from mechanics.kernel import Verdict
 from systems import elastic_pendulum, four_bar, rod_pendulum
 
 ENERGY = "m*l^2*theta'^2/6 + m*g*l/2*cos(theta)"

@@ -13,7 +13,7 @@ from mechanics.checks.virtual_power import check_powers, check_virtual_power, dr
 from mechanics.cli.crosschecking import exit_code
 from mechanics.crosscheck import crosscheck, derive_with
 from mechanics.crosscheck.routes import ROUTES
-from mechanics.exact import Finding, Verdict
+from mechanics.kernel import Finding, Verdict
 from mechanics.routes import free_body
 from mechanics.scene import (
     RigidBody,

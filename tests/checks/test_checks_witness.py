@@ -7,7 +7,7 @@ from sympy import Rational, S, Symbol
 
 from mechanics import derive
 from mechanics.checks.ledger_motion import check_equation, check_reaction
-from mechanics.exact import Finding, Verdict
+from mechanics.kernel import Finding, Verdict
 from mechanics.scene import Scene
 from systems import four_bar
 

@@ -14,7 +14,7 @@ import systems
 from mechanics.cli.app import COMMANDS as LISTED
 from mechanics.cli.app import command as imported
 from mechanics.crosscheck import ROUTES, derive
-from mechanics.exact import is_zero
+from mechanics.symbolic import is_zero
 
 COMMANDS = ("systems", "crosscheck", "derive", "simulate", "codegen", "linearize", "modes")
 

@@ -13,8 +13,8 @@ from fmpy import read_model_description
 
 from mechanics.compiled import Model
 from mechanics.compiled.proof import prove_graph
-from mechanics.exact import Finding
 from mechanics.export.fmu import proof, unit
+from mechanics.kernel import Finding
 
 
 def test_a_unit_is_written_and_fmpy_accepts_it(run: Any, tmp_path: Path) -> None:

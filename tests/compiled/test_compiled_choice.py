@@ -14,7 +14,7 @@ from mechanics.compiled.forms.factor import solve_symmetric
 from mechanics.compiled.forms.weigh import MOST, ROUNDINGS, digits_lost, lightest
 from mechanics.compiled.programs.program import operations
 from mechanics.errors import InputError
-from mechanics.exact import Verdict
+from mechanics.kernel import Verdict
 from mechanics.routes import free_body, kane
 from systems import SEED, pendulum_chain
 

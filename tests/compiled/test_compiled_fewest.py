@@ -19,7 +19,8 @@ from mechanics.compiled.forms.fewest import nested_quotients
 from mechanics.compiled.forms.members import FEWEST, preferred
 from mechanics.compiled.forms.written import Written
 from mechanics.compiled.sampling import sample
-from mechanics.exact import TooLarge, is_zero
+from mechanics.kernel.ring import TooLarge
+from mechanics.symbolic import is_zero
 
 a, b = symbols("a b", positive=True)
 x, y, th = symbols("x y theta", real=True)

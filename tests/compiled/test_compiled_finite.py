@@ -11,7 +11,7 @@ from mechanics import derive
 from mechanics.compiled import Model, residuals
 from mechanics.compiled import compile as compile_model
 from mechanics.compiled.finite import not_finite
-from mechanics.exact import Verdict
+from mechanics.kernel import Verdict
 from mechanics.scene import Particle, Scene, gravity, parameters, reaction
 
 a, b = dynamicsymbols("a b")

@@ -6,7 +6,7 @@ import pytest
 from mechanics.compiled import prove_compiled, prove_graph
 from mechanics.compiled.graphs import Graphs
 from mechanics.errors import InputError
-from mechanics.exact import Verdict
+from mechanics.kernel import Verdict
 
 SEEDS = ("elastic_pendulum", "rocker", "two_mass_chain")
 ROUTES = ("free_body", "moving_point", "kane", "lagrange")

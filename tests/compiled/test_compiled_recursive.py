@@ -11,7 +11,7 @@ from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols, inert
 from mechanics.compiled import compile, prove_graph
 from mechanics.compiled.forms.members import RECURSIVE, SPARSE
 from mechanics.errors import InputError
-from mechanics.exact import Verdict
+from mechanics.kernel import Verdict
 from mechanics.routes import free_body, kane
 from mechanics.scene import (
     RigidBody,

@@ -16,8 +16,8 @@ from mechanics.compiled.residuals import _columns, _symbols
 from mechanics.compiled.sampling import sample
 from mechanics.compiled.terms import BITS, read_terms, typed_terms
 from mechanics.errors import ExpressionError, InputError
-from mechanics.exact import enclose
 from mechanics.kernel.balls import precision
+from mechanics.symbolic import enclose
 
 GOAL = 16.0
 ROUTES = ("free_body", "moving_point", "kane", "lagrange")

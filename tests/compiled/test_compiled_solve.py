@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 from mechanics.compiled.forms.factor import solve_general, solve_symmetric
 from mechanics.compiled.forms.order import backward_errors, candidates, pivot_order, solve
 from mechanics.errors import SingularError
-from mechanics.exact import Arithmetic, decide
+from mechanics.symbolic import Arithmetic, decide
 
 
 def symbols(n: int) -> tuple[sympy.Matrix, sympy.Matrix]:

@@ -10,7 +10,7 @@ from sympy import Abs, Float, Integer, Max, Piecewise, Rational, cos, exp, pi, s
 
 from mechanics.compiled.translate import Translator
 from mechanics.errors import ExpressionError
-from mechanics.exact import Arithmetic, decide
+from mechanics.symbolic import Arithmetic, decide
 
 x, y = sympy.symbols("x y", real=True)
 a = sympy.Symbol("a", positive=True)

@@ -8,7 +8,7 @@ import pytest
 import systems
 from mechanics.crosscheck import CrossCheck, crosscheck, derive_with
 from mechanics.equations import Equations
-from mechanics.exact import Verdict
+from mechanics.kernel import Verdict
 from mechanics.scene import Scene
 
 Derived = Callable[[str], dict[str, Equations]]

@@ -18,7 +18,7 @@ from mechanics.compiled.terms import read_terms, typed_terms
 from mechanics.crosscheck import derive
 from mechanics.equations import Equations
 from mechanics.errors import SingularError
-from mechanics.exact import Arithmetic, Finding, canonical, decide
+from mechanics.kernel import Finding
 from mechanics.scene import (
     Particle,
     RigidBody,
@@ -32,6 +32,7 @@ from mechanics.scene import (
     torsion_spring,
 )
 from mechanics.scene.loads import Gravity
+from mechanics.symbolic import Arithmetic, canonical, decide
 
 SYSTEMS = [system.name for system in systems.ALL]
 ROUTES = ("free_body", "moving_point", "kane", "lagrange")

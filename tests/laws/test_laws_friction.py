@@ -12,7 +12,6 @@ from mechanics.checks.agreement import solve
 from mechanics.checks.metric import metric
 from mechanics.crosscheck import derive
 from mechanics.equations import Equations
-from mechanics.exact import Arithmetic, decide
 from mechanics.kinematics.chain import body_motions
 from mechanics.scene import (
     Particle,
@@ -25,6 +24,7 @@ from mechanics.scene import (
     parameters,
     reaction,
 )
+from mechanics.symbolic import Arithmetic, decide
 
 x, y, phi, theta, F, u1, u2 = dynamicsymbols("x y phi theta F u1 u2")
 m, M, r, l, g, mu, nu, alpha = parameters("m M r l g mu nu alpha")

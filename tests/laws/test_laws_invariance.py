@@ -11,9 +11,9 @@ import systems
 from mechanics.checks.agreement import solve
 from mechanics.crosscheck import ROUTES, derive
 from mechanics.equations import Equations
-from mechanics.exact import decide
 from mechanics.kinematics.manifold import settle
 from mechanics.scene import Particle, RigidBody, Scene, gravity, parameters, reaction, spring
+from mechanics.symbolic import decide
 
 NAMES = [route.name for route in ROUTES]
 x, theta = dynamicsymbols("x theta")

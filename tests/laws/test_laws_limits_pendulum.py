@@ -14,8 +14,9 @@ from mechanics import compile, derive, simulate
 from mechanics.checks.agreement import solve
 from mechanics.compiled import Model
 from mechanics.compiled.mechanical import totals
-from mechanics.exact import Arithmetic, Verdict, decide
+from mechanics.kernel import Verdict
 from mechanics.scene.rates import rate, rate_table
+from mechanics.symbolic import Arithmetic, decide
 from systems import elastic_pendulum
 from systems.elastic_pendulum import k
 

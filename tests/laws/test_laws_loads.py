@@ -8,7 +8,6 @@ from sympy import cos, sin, sqrt
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
 from mechanics.crosscheck import derive
-from mechanics.exact import is_zero
 from mechanics.scene import (
     Particle,
     RigidBody,
@@ -23,6 +22,7 @@ from mechanics.scene import (
     torque,
     torsion_spring,
 )
+from mechanics.symbolic import is_zero
 
 t = dynamicsymbols._t
 x, theta, y = dynamicsymbols("x theta y")

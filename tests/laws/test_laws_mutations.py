@@ -13,9 +13,10 @@ import systems
 from mechanics.crosscheck import ROUTES
 from mechanics.crosscheck.programs import Programs, check_textbook, derive_rows
 from mechanics.equations import Equations
-from mechanics.exact import Finding, Verdict, canonical, is_zero
+from mechanics.kernel import Finding, Verdict
 from mechanics.mechanism import lower
 from mechanics.program import Builder
+from mechanics.symbolic import canonical, is_zero
 
 SYSTEMS = [system.name for system in systems.ALL]
 NAMES = [route.name for route in ROUTES]

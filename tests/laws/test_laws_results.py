@@ -6,11 +6,11 @@ from sympy import Matrix
 import mechanics
 from mechanics.checks.agreement import Pairs, solve
 from mechanics.crosscheck import ROUTES, Route
-from mechanics.exact import Arithmetic, decide
 from mechanics.kinematics.manifold import settle
 from mechanics.routes import free_body
 from mechanics.routes.elimination import multipliers_of
 from mechanics.scene.system import System
+from mechanics.symbolic import Arithmetic, decide
 from systems import ALL, SEED
 
 CONSTRAINED = [system for system in ALL if system.scene().constraints]

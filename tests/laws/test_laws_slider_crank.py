@@ -5,7 +5,7 @@ from linkages import slider_crank
 
 from mechanics import crosscheck, derive
 from mechanics.crosscheck import CrossCheck
-from mechanics.exact import Verdict
+from mechanics.kernel import Verdict
 
 
 @pytest.mark.parametrize("pin", ["end of the rod", "slider"])

@@ -8,7 +8,7 @@ from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols, inert
 
 from mechanics.checks.ledger import check_row
 from mechanics.crosscheck import derive_with
-from mechanics.exact import Verdict
+from mechanics.kernel import Verdict
 from mechanics.scene import (
     Particle,
     RigidBody,

@@ -17,11 +17,12 @@ from sympy.matrices import MatrixBase
 import systems
 from mechanics.checks.ledger import QUANTITIES, check_row, plain_side
 from mechanics.equations import Equations
-from mechanics.exact import Verdict, canonical
+from mechanics.kernel import Verdict
 from mechanics.routes import free_body
 from mechanics.scene.published import Published
 from mechanics.scene.quantities import EquationOfMotion
 from mechanics.scene.system import System
+from mechanics.symbolic import canonical
 
 ROWS = [
     pytest.param(system, row, id=f"{system.name}: {row.tag} {row.label}")

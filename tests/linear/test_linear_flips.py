@@ -17,12 +17,13 @@ from sympy.matrices import MatrixBase
 
 from mechanics.equations import Equations
 from mechanics.errors import InputError
-from mechanics.exact import Verdict, canonical
+from mechanics.kernel import Verdict
 from mechanics.linear.ledger import QUANTITIES, check_linear_row
 from mechanics.routes import free_body, kane, lagrange, moving_point
 from mechanics.scene.linear_quantities import CharacteristicPolynomial, InertiaAbout, LinearQuantity
 from mechanics.scene.published import Published
 from mechanics.scene.quantities import EquationOfMotion
+from mechanics.symbolic import canonical
 from systems import rocker, rocker_control_ledger, two_mass_chain, two_mass_chain_ledger
 
 LEDGERS = {

@@ -8,7 +8,7 @@ from sympy import Eq, Gt, ImmutableMatrix, Rational, Symbol
 
 from mechanics.equations import Equations
 from mechanics.errors import InputError
-from mechanics.exact import Verdict
+from mechanics.kernel import Verdict
 from mechanics.linear.ledger import check_linear_row
 from mechanics.routes import lagrange
 from mechanics.scene import Particle, RigidBody

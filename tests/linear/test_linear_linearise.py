@@ -8,9 +8,10 @@ from sympy import Matrix, Symbol, pi, sqrt
 
 from mechanics.equations import Equations
 from mechanics.errors import InputError
-from mechanics.exact import Verdict, prove_equal
+from mechanics.kernel import Verdict
 from mechanics.linear import linearise
 from mechanics.routes import free_body, kane, lagrange, moving_point
+from mechanics.symbolic import prove_equal
 from systems import elastic_pendulum, four_bar, rocker, rolling_disc, two_mass_chain
 
 ROUTES = (free_body, moving_point, kane)

@@ -5,7 +5,7 @@ import pytest
 from sympy import Matrix, Rational, Symbol, factor_list, prod, sqrt
 
 from mechanics.errors import ExpressionError, InputError, ValueMissingError
-from mechanics.exact import Verdict, prove_equal, prove_zero
+from mechanics.kernel import Verdict
 from mechanics.linear import (
     Convention,
     characteristic,
@@ -17,6 +17,7 @@ from mechanics.linear import (
 )
 from mechanics.routes import kane, lagrange, moving_point
 from mechanics.scene import parameters
+from mechanics.symbolic import prove_equal, prove_zero
 from systems import two_mass_chain
 
 Lambda = Symbol("Lambda")

@@ -8,7 +8,7 @@ from sympy import Float, ImmutableMatrix
 
 from mechanics.equations import Equations
 from mechanics.errors import InputError
-from mechanics.exact import Finding, Verdict
+from mechanics.kernel import Finding, Verdict
 from mechanics.linear.ledger import check_linear_row
 from mechanics.routes import lagrange
 from mechanics.scene.typed import rounded

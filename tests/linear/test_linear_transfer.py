@@ -6,7 +6,7 @@ from sympy import I, Symbol, lambdify, sqrt
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
 from mechanics.errors import ExpressionError, InputError, SingularError, ValueMissingError
-from mechanics.exact import Verdict, prove_equal
+from mechanics.kernel import Verdict
 from mechanics.linear import (
     characteristic_polynomial,
     close_loop,
@@ -18,6 +18,7 @@ from mechanics.linear import (
 )
 from mechanics.routes import lagrange
 from mechanics.scene import Particle, Scene, parameters, spring
+from mechanics.symbolic import prove_equal
 from systems import rocker
 
 s = Symbol("s")

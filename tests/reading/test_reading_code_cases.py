@@ -8,8 +8,8 @@ import pytest
 from sympy import Abs, symbols
 
 import mechanics
-from mechanics.exact import Finding
 from mechanics.judge.cases import _alternatives
+from mechanics.kernel import Finding
 from systems import rod_pendulum
 
 SCENE = rod_pendulum.scene()

@@ -10,7 +10,7 @@ from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 from mechanics import Particle, Scene, check, gravity, parameters, reaction
 from mechanics.cli.load import run_file
 from mechanics.errors import InputError
-from mechanics.exact import Verdict
+from mechanics.kernel import Verdict
 from mechanics.scene import force
 
 q, F = dynamicsymbols("q F")

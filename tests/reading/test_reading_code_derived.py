@@ -7,7 +7,7 @@ import pytest
 
 from mechanics import check
 from mechanics.cli.load import run_file
-from mechanics.exact import Verdict
+from mechanics.kernel import Verdict
 from systems.cartpole import scene
 
 SCENE = scene()

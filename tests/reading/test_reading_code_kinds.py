@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from mechanics import check
-from mechanics.exact import Verdict
+from mechanics.kernel import Verdict
 from systems.rod_pendulum import scene
 
 SCENE = scene()

@@ -7,7 +7,7 @@ import pytest
 
 from mechanics import check
 from mechanics.errors import InputError
-from mechanics.exact import Verdict
+from mechanics.kernel import Verdict
 from systems import elastic_pendulum
 
 SCENE = elastic_pendulum.scene()

@@ -10,7 +10,7 @@ from scipy import linalg
 
 from mechanics import check
 from mechanics.errors import InputError
-from mechanics.exact import Verdict
+from mechanics.kernel import Verdict
 from systems import cartpole
 from systems.double_pendulum import scene
 

@@ -11,7 +11,7 @@ import pytest
 
 from mechanics import check
 from mechanics.errors import InputError
-from mechanics.exact import Verdict
+from mechanics.kernel import Verdict
 from systems.rod_pendulum import scene
 
 SCENE = scene()

@@ -3,7 +3,7 @@
 import pytest
 
 import mechanics
-from mechanics.exact import Verdict
+from mechanics.kernel import Verdict
 from systems import double_pendulum, elastic_pendulum
 
 

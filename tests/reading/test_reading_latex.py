@@ -7,8 +7,8 @@ import pytest
 
 import mechanics
 from mechanics.errors import InputError
-from mechanics.exact import Verdict
 from mechanics.judge.check import derived
+from mechanics.kernel import Verdict
 from systems import cartpole, elastic_pendulum, rocker, two_mass_chain
 
 PENDULUM = derived(elastic_pendulum.scene())

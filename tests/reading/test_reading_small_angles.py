@@ -2,9 +2,9 @@
 
 import pytest
 
-from mechanics.exact import Finding, Verdict
 from mechanics.judge.check import check, derived
 from mechanics.judge.small_angles import right_for_small_angles
+from mechanics.kernel import Finding, Verdict
 from mechanics.reading.read import read_source
 from systems import elastic_pendulum, four_bar
 

@@ -3,7 +3,7 @@
 import pytest
 
 import mechanics
-from mechanics.exact import Verdict
+from mechanics.kernel import Verdict
 from systems import elastic_pendulum, rod_pendulum
 
 ROD = rod_pendulum.scene()

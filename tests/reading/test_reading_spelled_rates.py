@@ -3,7 +3,7 @@
 import pytest
 
 import mechanics
-from mechanics.exact import Verdict
+from mechanics.kernel import Verdict
 from mechanics.reading.spelled_rates import bases, families
 from systems import ALL
 

@@ -5,7 +5,7 @@ from sympy import Matrix, solve
 
 from mechanics import check, derive
 from mechanics.errors import InputError
-from mechanics.exact import Verdict
+from mechanics.kernel import Verdict
 from systems import elastic_pendulum, four_bar
 
 SCENE = elastic_pendulum.scene()

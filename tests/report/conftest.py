@@ -9,8 +9,8 @@ from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
 from mechanics.blame.result import Blame, Difference, Edit, Mistake, Repair
 from mechanics.equations import Equations, Line, Step
-from mechanics.exact import Finding, Verdict, Witness
 from mechanics.judge.check import check, derived
+from mechanics.kernel import Finding, Verdict, Witness
 from mechanics.reading.names import Match
 from mechanics.reading.read import read_source
 from mechanics.report.answer.check import Check

@@ -7,7 +7,7 @@ from hypothesis import strategies as st
 from rich.cells import cell_len
 
 from mechanics.blame.result import Blame, Difference, Edit, Mistake, Repair
-from mechanics.exact import Finding, Verdict, Witness
+from mechanics.kernel import Finding, Verdict, Witness
 from mechanics.reading.names import Naming, Vocabulary
 from mechanics.reading.statement import Statement
 from mechanics.report.answer.judged import Judged

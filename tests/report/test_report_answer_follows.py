@@ -3,9 +3,9 @@
 import sympy
 from sympy import Add
 
-from mechanics.exact.decide import prove_zero
 from mechanics.judge.check import derived
 from mechanics.report.answer.follows import lines_of
+from mechanics.symbolic.decide import prove_zero
 from systems import elastic_pendulum, four_bar
 
 

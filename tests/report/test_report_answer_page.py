@@ -8,7 +8,7 @@ from xml.etree import ElementTree
 import pytest
 
 from mechanics.blame.result import Blame, Edit, Mistake, Repair
-from mechanics.exact import Finding, Verdict
+from mechanics.kernel import Finding, Verdict
 from mechanics.reading.names import Match, Naming, Vocabulary
 from mechanics.report.answer.check import Check
 from mechanics.report.answer.judged import Judged

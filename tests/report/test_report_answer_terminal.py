@@ -8,7 +8,7 @@ from rich.cells import cell_len
 from rich.console import Console
 
 from mechanics.blame.result import Blame, Difference, Edit, Mistake, Repair
-from mechanics.exact import Finding, Verdict, Witness
+from mechanics.kernel import Finding, Verdict, Witness
 from mechanics.reading.names import Match, Naming, Vocabulary
 from mechanics.reading.statement import Statement
 from mechanics.report.answer.check import Check

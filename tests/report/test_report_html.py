@@ -11,7 +11,7 @@ from markupsafe import escape
 from sympy import Add, Symbol
 
 from mechanics.equations import Line
-from mechanics.exact import Finding, Verdict
+from mechanics.kernel import Finding, Verdict
 from mechanics.report import typeset, words
 from mechanics.report.html import to_html
 from mechanics.report.result import ResidualResult, SystemResult

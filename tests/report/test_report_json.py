@@ -4,7 +4,7 @@ import dataclasses
 import json
 import math
 
-from mechanics.exact import Finding, Verdict
+from mechanics.kernel import Finding, Verdict
 from mechanics.report.json_report import to_json
 from mechanics.report.result import ResidualResult, SystemResult
 

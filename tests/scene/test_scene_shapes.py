@@ -6,7 +6,7 @@ import pytest
 from sympy import Expr, Matrix, Rational, S, expand, pi, symbols
 
 from mechanics.errors import SceneError
-from mechanics.exact import Verdict, prove_equal
+from mechanics.kernel import Verdict
 from mechanics.scene.composite import Part, composite, inertia_about, part
 from mechanics.scene.shape_integrals import (
     integrated_centroid,
@@ -14,6 +14,7 @@ from mechanics.scene.shape_integrals import (
     integrated_mass,
 )
 from mechanics.scene.shapes import SHAPES, Disc, Rectangle, Ring, Rod, Semidisc, Shape
+from mechanics.symbolic import prove_equal
 
 R, L, b, h, m, density = symbols("R L b h m sigma", positive=True)
 x, y, angle = symbols("x y alpha", real=True)

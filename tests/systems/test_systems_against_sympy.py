@@ -8,9 +8,9 @@ from sympy.physics.mechanics.models import n_link_pendulum_on_cart
 
 from mechanics.compiled.model import compile
 from mechanics.errors import SceneError
-from mechanics.exact import prove_equal
 from mechanics.routes import kane
 from mechanics.scene.symbols import plain_table
+from mechanics.symbolic import prove_equal
 from systems import four_bar, pendulum_chain, rolling_disc
 
 

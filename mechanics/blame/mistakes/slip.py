@@ -14,10 +14,10 @@ from sympy import Add, Expr, Matrix, Rational, S, Symbol, zeros
 from mechanics.blame.pieces import Kind, Piece, momenta
 from mechanics.blame.rows import generalized_rows
 from mechanics.equations import Equations
-from mechanics.exact import collect_linear
 from mechanics.scene import Scene
 from mechanics.scene.actions import frictions
 from mechanics.scene.topology import multipliers
+from mechanics.symbolic import collect_linear
 
 Part = tuple[Rational, Piece]
 """How often a piece is counted."""

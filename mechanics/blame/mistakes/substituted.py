@@ -13,8 +13,6 @@ from sympy import Add, Expr, S, Symbol
 
 from mechanics.blame.mistakes.slip import Right, Slip, once
 from mechanics.blame.pieces import Kind, Origin, Piece
-from mechanics.exact import canonical, collect_linear, independent_rows
-from mechanics.exact.cramer import cramer
 from mechanics.kinematics import differentiate
 from mechanics.routes.lagrange import kinetic_energy
 from mechanics.scene import Gravity, Scene
@@ -22,6 +20,8 @@ from mechanics.scene.loads import CONSERVATIVE
 from mechanics.scene.potential import load_potential
 from mechanics.scene.rates import coordinate_rate_table, rate
 from mechanics.scene.symbols import plain_symbol
+from mechanics.symbolic import canonical, collect_linear, independent_rows
+from mechanics.symbolic.cramer import cramer
 
 
 def slips(right: Right) -> Iterator[Slip]:

@@ -16,7 +16,7 @@ from mechanics.blame.pieces import Kind, Origin, Piece
 from mechanics.blame.rows import moving_rows
 from mechanics.blame.terms import terms_of
 from mechanics.equations import Equations
-from mechanics.exact import TooLarge
+from mechanics.kernel.ring import TooLarge
 from mechanics.routes.balance import Balance, triple
 
 

@@ -20,7 +20,7 @@ from mechanics.blame.search.maker import Maker
 from mechanics.blame.search.missing import Missing
 from mechanics.blame.search.sheet import InsideHere, Sheet
 from mechanics.blame.search.words import Words
-from mechanics.exact.signals import DivisionHere
+from mechanics.kernel.field import DivisionHere
 from mechanics.reading.tree import Sum
 
 TESTS = 3

@@ -7,7 +7,6 @@ potential, sum of energies, Lagrangian: side at two states, up to a constant
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
-from functools import lru_cache
 
 from sympy import Expr, Symbol
 from sympy.matrices import MatrixBase
@@ -15,7 +14,7 @@ from sympy.matrices import MatrixBase
 from mechanics.blame.search.change import Change
 from mechanics.blame.search.forest import Forest, Step, Way, edited
 from mechanics.blame.search.judge import Problem
-from mechanics.blame.search.point import Family, Point, at_points, points_like
+from mechanics.blame.search.point import Family, Point, Points
 from mechanics.blame.search.sheet import Sheet, sheet_of
 from mechanics.checks.ledger_energy import ENERGIES, kinetic_energy
 from mechanics.checks.ledger_momenta import derived
@@ -42,7 +41,8 @@ class Claim:
 
     Attributes
     ----------
-    truth : Equations
+    points : Points
+        Of the derivation.
     row : Published
     written : Written
     entries : tuple of Node
@@ -51,11 +51,16 @@ class Claim:
         Entries and definitions that are not edited: others are shown with them.
     """
 
-    truth: Equations
+    points: Points
     row: Published
     written: Written
     entries: Trees
     kept: frozenset[int | str] = frozenset()
+
+    @property
+    def truth(self) -> Equations:
+        """The derivation."""
+        return self.points.truth
 
     @property
     def definitions(self) -> dict[str, Node]:
@@ -77,8 +82,8 @@ def edited_claim(claim: Claim, changes: Sequence[tuple[Forest, Change]]) -> Clai
     return replace(claim, entries=entries, written=written)
 
 
-def claim_of(truth: Equations, statement: Statement) -> Claim | None:
-    """The claim of a statement that could be read.
+def claim_of(points: Points, statement: Statement) -> Claim | None:
+    """The claim of a statement that could be read, about a derivation.
 
     Raises
     ------
@@ -90,9 +95,9 @@ def claim_of(truth: Equations, statement: Statement) -> Claim | None:
         return None
     written = statement.written
     if written is None:
-        written = Written((), (), Naming(Vocabulary(truth.scene)), "code", "")
+        written = Written((), (), Naming(Vocabulary(points.truth.scene)), "code", "")
     written = entrywise(written)
-    return Claim(truth, row, written, row_trees(row, written))
+    return Claim(points, row, written, row_trees(row, written))
 
 
 def used(claim: Claim) -> frozenset[str]:
@@ -160,7 +165,7 @@ def targets(scene: Scene, row: Published) -> list[Expr]:
     if isinstance(quantity, q.ReactionValue):
         return [Symbol(quantity.name, real=True)] * len(row.sides)
     if isinstance(quantity, q.MassMatrix):
-        energy = _kinetic(scene)
+        energy = kinetic_energy(scene)
         entries = [energy.diff(a, b) for a in scene.u for b in scene.u]
         return entries * len(row.sides)
     if isinstance(quantity, ENERGIES):
@@ -172,16 +177,11 @@ def targets(scene: Scene, row: Published) -> list[Expr]:
 
 def _energy(scene: Scene, row: Published) -> Expr:
     if isinstance(row.quantity, q.KineticEnergy):
-        return _kinetic(scene)
+        return kinetic_energy(scene)
     if isinstance(row.quantity, q.PotentialEnergy):
         return potential(scene)
     sign = 1 if isinstance(row.quantity, q.TotalEnergy) else -1
-    return _kinetic(scene) + sign * potential(scene)
-
-
-@lru_cache(maxsize=8)
-def _kinetic(scene: Scene) -> Expr:
-    return kinetic_energy(scene)
+    return kinetic_energy(scene) + sign * potential(scene)
 
 
 def _problems(claim: Claim, numbers: tuple[int, ...], target: Expr | None) -> Iterator[Problem]:
@@ -210,7 +210,7 @@ def _at_rest(claim: Claim, number: int, wanted: Target) -> Target:
     written = claim.written.builder()(claim.entries[number])
 
     def target(point: Point) -> int:
-        (rest,) = points_like(claim.truth, point, [replace(point.family, still=True)])
+        rest = claim.points.like(point, replace(point.family, still=True))
         return wanted(point) - wanted(rest) + rest.value(written)
 
     return target
@@ -226,4 +226,4 @@ def posed(
     def sheets(points: list[Point]) -> tuple[Sheet, ...]:
         return tuple(sheet_of(forest, point, builder, target(point)) for point in points)
 
-    return Problem(forest, numbers, at_points(claim.truth, families, sheets), target)
+    return Problem(forest, numbers, claim.points.together(families, sheets), target)

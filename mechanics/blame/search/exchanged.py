@@ -12,7 +12,7 @@ from mechanics.blame.search.change import HINT, TOKEN, Change
 from mechanics.blame.search.claim import edited_claim, posed
 from mechanics.blame.search.growth import Growth
 from mechanics.blame.search.words import Word
-from mechanics.exact.signals import Inadmissible, Restart
+from mechanics.kernel.field import Inadmissible
 from mechanics.reading.tree import Name
 
 MOST = 12
@@ -61,5 +61,5 @@ def _mends(growth: Growth, changes: tuple[Change, ...]) -> bool:
     families = [sheet.point.family for sheet in problem.sheets]
     try:
         return posed(claim, problem.numbers, problem.target, families).residual == 0
-    except (Inadmissible, Restart):
+    except Inadmissible:
         return False

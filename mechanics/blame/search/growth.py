@@ -11,10 +11,9 @@ from sympy import Symbol
 from mechanics.blame.search.claim import ALONG, Claim, posed
 from mechanics.blame.search.factors import Factor, factors
 from mechanics.blame.search.judge import Problem
-from mechanics.blame.search.point import dependent, points_like
 from mechanics.blame.search.sheet import sheet_of
 from mechanics.blame.search.words import Words
-from mechanics.exact.signals import Inadmissible, Restart
+from mechanics.kernel.field import Inadmissible
 from mechanics.reading.kinds import angular
 from mechanics.reading.place import Refused
 
@@ -61,9 +60,9 @@ class Growth:
             before = sheet.point.family
             family = replace(before, doubled=(*before.doubled, symbol))
             try:
-                (point,) = points_like(self.claim.truth, sheet.point, [family])
+                point = self.claim.points.like(sheet.point, family)
                 sheets.append(sheet_of(forest, point, sheet.builder, target(point)))
-            except (Inadmissible, Restart):
+            except Inadmissible:
                 return None
         return Problem(forest, self.problem.numbers, tuple(sheets), target)
 
@@ -76,7 +75,7 @@ class Growth:
     def _following(self) -> set[Symbol]:
         """What cannot be doubled, as it follows from the rest: definitions, accelerations, ..."""
         scene, family = self.claim.truth.scene, self.problem.sheets[0].point.family
-        held = () if family.free else dependent(scene)
+        held = () if family.free else self.claim.points.dependent
         return {*scene.definitions, *held, *(scene.ud if self._moving else ())}
 
     @cached_property
@@ -95,7 +94,7 @@ class Growth:
         families = [sheet.point.family for sheet in self.problem.sheets]
         try:
             problem = posed(claim, self.problem.numbers, self.problem.target, families)
-        except (Inadmissible, Restart, Refused):
+        except (Inadmissible, Refused):
             return None
         return Growth(claim, problem, words_at(self.words, problem))
 

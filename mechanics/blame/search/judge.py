@@ -12,7 +12,7 @@ from mechanics.blame.search.change import Change
 from mechanics.blame.search.forest import Forest
 from mechanics.blame.search.point import Point
 from mechanics.blame.search.sheet import InsideHere, Sheet, integer_exponent, power
-from mechanics.exact.signals import DivisionHere
+from mechanics.kernel.field import DivisionHere
 from mechanics.reading.tree import Name, Power, Product, Rate, Sum
 
 

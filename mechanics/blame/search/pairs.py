@@ -15,7 +15,7 @@ from mechanics.blame.search.judge import Problem
 from mechanics.blame.search.residues import inverses
 from mechanics.blame.search.sheet import InsideHere, Sheet
 from mechanics.blame.search.states import in_one_term
-from mechanics.exact.signals import DivisionHere
+from mechanics.kernel.field import DivisionHere
 from mechanics.reading.tree import Product, Sum
 
 MOST = 60

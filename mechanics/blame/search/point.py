@@ -1,4 +1,4 @@
-"""One random point of a large prime field, with the accelerations of the truth put in.
+"""Random points of a large prime field, with the accelerations of the truth put in.
 
     every symbol a residue modulo p of 127 bits,    u' and reactions as the derived equations give
 
@@ -6,10 +6,11 @@ What holds there holds everywhere but for a chance of 2**-100; what is found is 
 Points come in families: the same values but for one symbol that is doubled, or but for the state.
 """
 
-import random
+from __future__ import annotations
+
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
-from functools import cache, lru_cache
+from functools import cache
 from typing import TypeVar
 
 from sympy import Expr, Symbol, cos
@@ -17,21 +18,22 @@ from sympy import Expr, Symbol, cos
 from mechanics.checks.ledger_compare import ordered
 from mechanics.checks.ledger_motion import put_motion, put_solution
 from mechanics.equations import Equations
-from mechanics.exact.arithmetic import Number
-from mechanics.exact.field import FieldArithmetic
-from mechanics.exact.field_number import FieldNumber
-from mechanics.exact.field_size import Memory
-from mechanics.exact.primes import draw_prime
-from mechanics.exact.signals import Inadmissible, Restart
+from mechanics.kernel import Range
+from mechanics.kernel.draws import Draws
+from mechanics.kernel.field import Inadmissible, Residues
+from mechanics.kernel.primes import MODULUS, draw_prime
 from mechanics.kinematics.manifold import settle, settle_accelerations
 from mechanics.kinematics.momenta import momenta_written_out
+from mechanics.program import Node
 from mechanics.scene import Scene
-from mechanics.scene.rates import TIME
-from mechanics.scene.symbols import plain_symbol
+from mechanics.symbolic import Arithmetic
+from mechanics.symbolic.point import BITS, TURN
+from mechanics.symbolic.point import Point as Values
 
-BITS = 127
 SEED = "blame"
 TRIES = 40
+
+T = TypeVar("T")
 
 
 @cache
@@ -40,10 +42,7 @@ def prime() -> int:
 
     Two is a square modulo it (p = 7 mod 8), so that what is positive stays so when it is doubled.
     """
-    source = random.Random(SEED)
-    while (drawn := draw_prime(BITS, source)) % 8 != 7:
-        pass
-    return drawn
+    return draw_prime(BITS, MODULUS, Draws(SEED))
 
 
 @dataclass(frozen=True)
@@ -72,152 +71,166 @@ class Family:
 
 
 @dataclass(frozen=True, eq=False)
+class Motion:
+    """What symbols stand for, as nodes that the points of some families share.
+
+    Attributes
+    ----------
+    arithmetic : Arithmetic
+    angles : list of Node
+        Cosines of the coordinates that are free.
+    """
+
+    scene: Scene
+    arithmetic: Arithmetic
+    angles: list[Node]
+    _plain: dict[Expr, Node] = field(default_factory=dict)
+
+    def node(self, expression: Expr) -> Node:
+        """An expression, in which rates of coordinates and momenta may stand."""
+        if expression not in self._plain:
+            plain = self.scene.plain(momenta_written_out(self.scene, expression))
+            self._plain[expression] = self.arithmetic.value(plain)
+        return self._plain[expression]
+
+
+@dataclass(frozen=True, eq=False)
 class Point:
     """A point: what expressions in plain symbols are worth there.
 
     Attributes
     ----------
-    scene : Scene
-    arithmetic : FieldArithmetic
+    motion : Motion
+    values : mechanics.symbolic.point.Point
     family : Family
     attempt : int
         Points of one attempt belong together.
     """
 
-    scene: Scene
-    arithmetic: FieldArithmetic
+    motion: Motion
+    values: Values
     family: Family
     attempt: int
-    _plain: dict[Expr, int] = field(default_factory=dict)
 
     @property
     def prime(self) -> int:
         """The modulus."""
-        return self.arithmetic.prime
+        return self.values.prime
 
     def value(self, expression: Expr) -> int:
         """Residue of an expression, in which rates of coordinates and momenta may stand.
 
         Raises
         ------
-        Inadmissible, Restart
-            As the arithmetic does.
+        Inadmissible
+            Where it has no value.
         """
-        if expression not in self._plain:
-            plain = self.scene.plain(momenta_written_out(self.scene, expression))
-            number = self.arithmetic.value(plain)
-            self._plain[expression] = number.residue
-        return self._plain[expression]
+        return self.values.value(self.motion.node(expression))
 
 
-@lru_cache(maxsize=8)
-def _memory(truth: Equations) -> Memory:
-    """What has been learnt about angles; all points of these equations share it."""
-    return Memory()
+@dataclass(frozen=True, eq=False)
+class Points:
+    """The points of one derivation, each made when it is first asked for.
 
+    Attributes
+    ----------
+    truth : Equations
+    """
 
-@lru_cache(maxsize=160)
-def _point(truth: Equations, family: Family, attempt: int) -> Point:
-    scene = truth.scene
-    held = not family.free
-    source = random.Random(f"{SEED} {attempt} {family.other_state}")
-    a = FieldArithmetic(prime(), source, _memory(truth), signs=True)
-    given = [s for s in _free(scene, family.moving) if not (held and s in dependent(scene))]
-    for symbol in given:
-        a.assign(symbol, _drawn(a, scene, symbol, family, attempt))
-    for coordinate in scene.q:
-        # Angles get their points of the circle in one order; half of them may be asked for.
-        if coordinate in given:
-            a.value(cos(coordinate / 2))
-    if held:
-        settle(scene, a)
-        if not family.moving:
-            settle_accelerations(scene, a)
-    for symbol, expression in ordered(scene.definitions):
-        a.assign(symbol, a.value(expression))
-    if family.moving:
+    truth: Equations
+    _motions: dict[tuple[bool, bool, bool], Motion] = field(default_factory=dict)
+    _made: dict[tuple[Family, int], Point] = field(default_factory=dict)
+    _dependent: list[frozenset[Symbol]] = field(default_factory=list)
+
+    @property
+    def dependent(self) -> frozenset[Symbol]:
+        """What the constraints determine, once the rest is chosen."""
+        if not self._dependent:
+            a = Arithmetic()
+            settle(self.truth.scene, a)
+            settle_accelerations(self.truth.scene, a)
+            self._dependent.append(frozenset(a.assigned))
+        return self._dependent[0]
+
+    def like(self, point: Point, family: Family) -> Point:
+        """The point of another family that belongs to a point.
+
+        Raises
+        ------
+        Inadmissible
+            Where it will not do.
+        """
+        return self._point(family, point.attempt)
+
+    def together(self, families: Sequence[Family], use: Callable[[list[Point]], T]) -> T:
+        """What a function makes of points that belong together; others are tried if it has to be.
+
+        Raises
+        ------
+        Inadmissible
+            When no point will do.
+        """
+        reason = ""
+        for attempt in range(TRIES):
+            try:
+                return use([self._point(family, attempt) for family in families])
+            except Inadmissible as inadmissible:
+                reason = str(inadmissible)
+        raise Inadmissible(f"no admissible point was found: {reason}")
+
+    def _motion(self, family: Family) -> Motion:
         # Where a quantity is doubled the reactions need not press: the terms grow all the same.
-        (put_solution if family.doubled else put_motion)(a, truth)
-    return Point(scene, a, family, attempt)
+        pressing = family.moving and not family.doubled
+        key = (family.free, family.moving, pressing)
+        if key not in self._motions:
+            self._motions[key] = self._new_motion(*key)
+        return self._motions[key]
 
-
-class _Recording(FieldArithmetic):
-    """Remembers what is assigned."""
-
-    def assign(self, symbol: Symbol, number: Number) -> None:
-        """Let a symbol stand for a number."""
-        super().assign(symbol, number)
-        self.kept = {*getattr(self, "kept", ()), symbol}
-
-
-@lru_cache(maxsize=16)
-def dependent(scene: Scene) -> frozenset[Symbol]:
-    """What the constraints determine, once the rest is chosen."""
-    if not scene.constraints:
-        return frozenset()
-    source, memory = random.Random(SEED), Memory()
-    for _ in range(TRIES):
-        a = _Recording(prime(), source, memory, signs=True)
-        try:
+    def _new_motion(self, free: bool, moving: bool, pressing: bool) -> Motion:
+        a, scene = Arithmetic(), self.truth.scene
+        if not free:
             settle(scene, a)
-            settle_accelerations(scene, a)
-        except (Restart, Inadmissible):
-            continue
-        return frozenset(getattr(a, "kept", ()))
-    raise Inadmissible("no admissible point was found")
+            if not moving:
+                settle_accelerations(scene, a)
+        for symbol, expression in ordered(scene.definitions):
+            a.assign(symbol, a.value(expression))
+        if moving:
+            (put_motion if pressing else put_solution)(a, self.truth)
+        angles = [a.value(cos(q)) for q in scene.q if q not in a.assigned]
+        return Motion(scene, a, angles)
 
+    def _point(self, family: Family, attempt: int) -> Point:
+        key = family, attempt
+        if key not in self._made:
+            self._made[key] = self._new_point(family, attempt)
+        return self._made[key]
 
-def _free(scene: Scene, moving: bool) -> list[Symbol]:
-    """What is drawn: everything but what definitions and the motion give."""
-    inputs = [plain_symbol(f, order) for f in scene.inputs for order in range(3)]
-    given = [s for s in scene.parameters if s not in scene.definitions]
-    found = [*scene.q, *scene.u, *given, *inputs, TIME, *([] if moving else scene.ud)]
-    return list(dict.fromkeys(found))
+    def _new_point(self, family: Family, attempt: int) -> Point:
+        motion, scene = self._motion(family), self.truth.scene
+        a = motion.arithmetic
+        draws = Draws(SEED, str(attempt), str(family.other_state))
+        domain = Residues(prime(), MODULUS, draws, (TURN,), signs=True)
+        state = {s.name for s in (*scene.q, *scene.u, *scene.ud)} if family.other_state else set()
+        still = {s.name for s in scene.u} if family.still else set()
+        doubled = [s.name for s in family.doubled]
 
+        def drawn(name: str) -> int:
+            """A value that the name tells, so that points of a family agree in it."""
+            if name in still:
+                return 0
+            kind = "other" if name in state else ""
+            residue = 1 + Draws(SEED, str(attempt), name, kind).below(prime() - 1)
+            known = a.signs.get(name, Range.FREE)
+            if known is not Range.FREE:
+                residue = residue * residue * (-1 if known is Range.NEGATIVE else 1)
+            return residue * 2 ** doubled.count(name) % prime()
 
-def _drawn(
-    a: FieldArithmetic, scene: Scene, symbol: Symbol, family: Family, attempt: int
-) -> FieldNumber:
-    """The value of a symbol, which its name tells, so that points of a family agree in it."""
-    other = family.other_state and symbol in (*scene.q, *scene.u, *scene.ud)
-    source = random.Random(f"{SEED} {attempt} {symbol.name}{' other' if other else ''}")
-    residue = source.randrange(1, a.prime)
-    if symbol.is_nonnegative or symbol.is_negative:
-        residue = residue * residue * (-1 if symbol.is_negative else 1) % a.prime
-    if family.still and symbol in scene.u:
-        return a.rational(0)
-    residue = residue * 2 ** family.doubled.count(symbol) % a.prime
-    return FieldNumber(a, residue, 1.0, 0.0, 0.0, 0)
-
-
-def points_like(truth: Equations, point: Point, families: Sequence[Family]) -> list[Point]:
-    """The points of other families that belong to a point.
-
-    Raises
-    ------
-    Inadmissible, Restart
-        Where one of them will not do.
-    """
-    return [_point(truth, family, point.attempt) for family in families]
-
-
-T = TypeVar("T")
-
-
-def at_points(truth: Equations, families: Sequence[Family], use: Callable[[list[Point]], T]) -> T:
-    """What a function makes of points that belong together; others are tried where it has to be.
-
-    Raises
-    ------
-    Inadmissible
-        When no point will do.
-    """
-    attempt = 0
-    for _ in range(TRIES):
-        try:
-            return use([_point(truth, family, attempt) for family in families])
-        except Restart:
-            _point.cache_clear()  # the angles need a finer base: all points are made anew
-        except Inadmissible:
-            attempt += 1
-    raise Inadmissible("no admissible point was found")
+        values = Values(a.builder, domain, drawn)
+        # Angles get their points of the circle in one order; parts of them may be asked for.
+        for angle in motion.angles:
+            values.value(angle)
+        for node in a.positive:
+            domain.positive(values.value(node))
+        for node in a.assigned.values():
+            values.value(node)
+        return Point(motion, values, family, attempt)

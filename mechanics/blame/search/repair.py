@@ -11,7 +11,7 @@ from mechanics.blame.search.change import Change
 from mechanics.blame.search.claim import Claim, edited_claim
 from mechanics.blame.search.find import Solution
 from mechanics.blame.search.forest import Forest
-from mechanics.blame.search.point import Family, Point, at_points
+from mechanics.blame.search.point import Family, Point
 from mechanics.blame.search.told import spliced, told
 from mechanics.checks.ledger import check_row
 from mechanics.errors import ExpressionError, InputError, SceneError
@@ -81,7 +81,7 @@ def _says_nothing(claim: Claim, row: Published) -> bool:
         (point,) = points
         return all(point.value(first) == point.value(side) for side in others)
 
-    return at_points(claim.truth, [Family(moving=False)], vanish)
+    return claim.points.together([Family(moving=False)], vanish)
 
 
 def spelling_of(claim: Claim) -> Spelling:

@@ -11,7 +11,7 @@ from mechanics.blame.search.cover import adds
 from mechanics.blame.search.judge import Problem
 from mechanics.blame.search.pairs import pairs
 from mechanics.blame.search.sheet import InsideHere, Sheet, again
-from mechanics.exact.signals import DivisionHere
+from mechanics.kernel.field import DivisionHere
 
 MOST = 3
 """Pairs that are told."""

@@ -23,8 +23,8 @@ from mechanics.blame.search.squares import borrowed
 from mechanics.blame.search.steps import steps
 from mechanics.blame.search.wrongs import Wrongs, wrongs
 from mechanics.errors import ExpressionError
-from mechanics.exact import TooLarge
-from mechanics.exact.signals import Inadmissible, Restart
+from mechanics.kernel.field import Inadmissible
+from mechanics.kernel.ring import TooLarge
 
 SHOWN = 6
 """Sets that are told."""
@@ -96,7 +96,7 @@ class Several:
             return []
         try:
             return wrongs(self.growth.claim, self._problem)
-        except (ExpressionError, TooLarge, Inadmissible, Restart):
+        except (ExpressionError, TooLarge, Inadmissible):
             return []
 
     @cached_property

@@ -15,7 +15,7 @@ from fractions import Fraction
 
 from mechanics.blame.search.forest import Forest
 from mechanics.blame.search.point import Point
-from mechanics.exact.signals import DivisionHere
+from mechanics.kernel.field import DivisionHere
 from mechanics.reading.build import Builder
 from mechanics.reading.tree import Name, Node, Number, Power, Product, Rate, Sum, constant
 

@@ -11,7 +11,7 @@ from collections.abc import Iterator, Sequence
 from mechanics.blame.search.change import Change
 from mechanics.blame.search.judge import Problem
 from mechanics.blame.search.sheet import InsideHere
-from mechanics.exact.signals import DivisionHere
+from mechanics.kernel.field import DivisionHere
 from mechanics.reading.tree import Product, Sum
 
 Entry = tuple[int, tuple[int, ...], Change]

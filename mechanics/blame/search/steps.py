@@ -12,7 +12,7 @@ from collections.abc import Iterator
 from mechanics.blame.search.change import Change
 from mechanics.blame.search.judge import Problem
 from mechanics.blame.search.sheet import InsideHere, Sheet, integer_exponent
-from mechanics.exact.signals import DivisionHere
+from mechanics.kernel.field import DivisionHere
 from mechanics.reading.tree import Sum
 
 

@@ -12,7 +12,7 @@ from mechanics.blame.search.change import HINT, RATIOS, SECOND, TOKEN, Change, r
 from mechanics.blame.search.inside import worth
 from mechanics.blame.search.maker import Maker
 from mechanics.blame.search.sheet import integer_exponent, power, scaled
-from mechanics.exact.signals import DivisionHere
+from mechanics.kernel.field import DivisionHere
 from mechanics.reading.tree import Call, Name, Node, Number, Power, Product, Rate, Sum
 
 MOTION = ("coordinate", "speed", "acceleration", "momentum", "input")

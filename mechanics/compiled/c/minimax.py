@@ -13,7 +13,7 @@ from fractions import Fraction
 import numpy as np
 from flint import arb, arb_mat
 
-from mechanics.exact.balls import precision
+from mechanics.kernel.balls import precision
 from mechanics.program.c.literal import rounded as nearest
 
 REACHES = {"double": "0.7855", "float": "0.83"}

@@ -15,9 +15,9 @@ from flint import fmpq_mpoly
 from sympy import Expr, Matrix, Symbol
 
 from mechanics.compiled.forms.coefficient import Coefficient, coefficient
-from mechanics.exact import TooLarge
-from mechanics.exact.canonical_back import generator_expression, terms
-from mechanics.exact.canonical_poly import Reader, reader
+from mechanics.kernel.ring import TooLarge
+from mechanics.symbolic.canonical_back import generator_expression, terms
+from mechanics.symbolic.canonical_poly import Reader, reader
 
 MOST = 3
 """Unknowns up to which determinants are written out."""

@@ -13,8 +13,8 @@ from sympy import ImmutableMatrix
 from mechanics.compiled.forms.closed import Polynomial, numbered
 from mechanics.compiled.forms.nested import ONE, Choice, Nest, Table
 from mechanics.compiled.forms.written import Decide, Written, search, written
-from mechanics.exact import TooLarge
-from mechanics.exact.canonical_poly import reader
+from mechanics.kernel.ring import TooLarge
+from mechanics.symbolic.canonical_poly import reader
 
 LARGEST = 3000
 """Terms of all entries up to which it pays."""

@@ -36,7 +36,7 @@ from mechanics.compiled.forms.weigh import ROUNDINGS, digits_lost
 from mechanics.compiled.programs.program import operations
 from mechanics.equations import Equations
 from mechanics.errors import ExpressionError, InputError
-from mechanics.exact import TooLarge
+from mechanics.kernel.ring import TooLarge
 
 
 def _always(equations: Equations) -> str:

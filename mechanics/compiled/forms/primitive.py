@@ -14,9 +14,9 @@ from math import gcd, lcm
 import sympy
 from sympy import Expr, Matrix, Symbol
 
-from mechanics.exact.canonical import canonical
-from mechanics.exact.canonical_poly import reader
-from mechanics.exact.ring import content
+from mechanics.kernel.ring import content
+from mechanics.symbolic.canonical import canonical
+from mechanics.symbolic.canonical_poly import reader
 
 
 @dataclass(frozen=True)

@@ -12,9 +12,9 @@ import sympy
 from flint import fmpq_mpoly
 from sympy import Expr, Matrix, Symbol
 
-from mechanics.exact.canonical_back import Writer, circles, generator_expression
-from mechanics.exact.canonical_poly import reader
-from mechanics.exact.ring import Ring
+from mechanics.kernel.ring import Ring
+from mechanics.symbolic.canonical_back import Writer, circles, generator_expression
+from mechanics.symbolic.canonical_poly import reader
 
 MOST = 3
 """Unknowns up to which minors are written out."""

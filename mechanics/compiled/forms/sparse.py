@@ -23,11 +23,11 @@ from mechanics.compiled.forms.system import System
 from mechanics.compiled.forms.weigh import lightest
 from mechanics.equations import Equations
 from mechanics.errors import ExpressionError
-from mechanics.exact import canonical
 from mechanics.kinematics import differentiate
 from mechanics.kinematics.constraints import constraint_rows
 from mechanics.scene import Scene
 from mechanics.scene.actions import unit_reactions
+from mechanics.symbolic import canonical
 
 
 def unsuited(equations: Equations) -> str:

@@ -21,11 +21,12 @@ from mechanics.compiled.sampling import DECADES, ordinary, sample
 from mechanics.compiled.terms import CHUNK, UNIT, Terms, read_terms
 from mechanics.equations import Equations
 from mechanics.errors import SingularError
-from mechanics.exact import TooLarge, canonical
+from mechanics.kernel.ring import TooLarge
 from mechanics.program import Builder
 from mechanics.program import Program as Straight
 from mechanics.program.casadi_reader import read
 from mechanics.program.running_error_domain import enclose
+from mechanics.symbolic import canonical
 
 TRIALS = 64
 SEED = 2

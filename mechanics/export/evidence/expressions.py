@@ -18,7 +18,7 @@ from sympy import Expr, Symbol
 from sympy.logic.boolalg import Boolean, BooleanFalse, BooleanTrue
 
 from mechanics.errors import ExpressionError
-from mechanics.exact.angles import float_as_rational
+from mechanics.symbolic.decimals import float_as_rational
 
 Record = list[Any]
 

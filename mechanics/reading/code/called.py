@@ -18,14 +18,15 @@ from random import Random
 from typing import Any
 
 import numpy as np
+from flint import arb
 from sympy import Expr, Piecewise, Rational, S, Symbol
-from sympy.logic.boolalg import Boolean
 
 from mechanics.errors import ExpressionError
-from mechanics.exact.balls import BallArithmetic, State, precision
 from mechanics.reading.code.held import held
 from mechanics.reading.code.taken_apart import Record
 from mechanics.reading.code.tracing import NONE, Given, Outputs, Value, parts_of
+from mechanics.symbolic.decimals import Formulas
+from mechanics.symbolic.decimals import formulas as formulas_of
 
 UNCALLED = "it cannot be called with numbers"
 """How the doubt begins where no state was found at which it returns numbers."""
@@ -38,6 +39,14 @@ BITS, ROUNDED = 64, 20
 """Of the formulas' values; of the roughest rounding that is allowed: single precision has 24."""
 
 Numbers = Mapping[Symbol, Fraction]
+
+
+@dataclass(frozen=True)
+class _Program:
+    """Conditions of the code, and its formulas, as programs."""
+
+    conditions: Formulas
+    values: Formulas
 
 
 @dataclass(frozen=True)
@@ -73,7 +82,8 @@ def doubt_when_called(
     kept = _kept(function, given) | {s: own.numbers[name] for name, s in plain.items()}
     compared, failure = False, "its formulas have no value at random states"
     try:
-        for formulas in _at_states(symbols, outputs):
+        program = _program(outputs)
+        for formulas in _at_states(symbols, program):
             values = {name: _value(s, formulas.numbers) for name, s in standing.items()}
             function = own.with_values(values)
             results = [_attempt(function, given, formulas, kind) for kind in (float, np.float64)]
@@ -87,7 +97,7 @@ def doubt_when_called(
                 if not isinstance(result, _Failed) and (words := _differs(result, formulas)):
                     return words
             compared = True
-        if kept and (there := _at_kept(symbols, outputs, kept)) is not None:
+        if kept and (there := _at_kept(symbols, program, kept)) is not None:
             values = {name: _value(s, there.numbers) for name, s in standing.items()}
             function = own.with_values({**values, **{n: own.numbers[n] for n in plain}})
             result = _attempt(function, given, there, float, kept)
@@ -100,22 +110,20 @@ def doubt_when_called(
     return "" if compared else f"{UNCALLED}: {failure}"
 
 
-def _at_states(symbols: Sequence[Value], outputs: Outputs) -> Iterator[_Formulas]:
+def _at_states(symbols: Sequence[Value], program: _Program) -> Iterator[_Formulas]:
     """Formulas at random states, and at those that take another way through the code."""
     source, tried, ways = Random(0), 0, set()
     for k in range(DRAWN):
         numbers = _drawn(symbols, source, Fraction(SCALES[k % len(SCALES)]))
-        with precision(BITS):
-            arithmetic = BallArithmetic(State(numbers))
-            way = tuple(_holds(arithmetic, condition) for condition in outputs.conditions)
-            if tried >= STATES and way in ways:
-                continue
-            formulas = _formulas(arithmetic, numbers, outputs)
+        way = tuple(_holds(ball) for ball in program.conditions.at(numbers, BITS))
+        if tried >= STATES and way in ways:
+            continue
+        formulas = _formulas(program, numbers)
         if formulas is not None:
             tried += 1
             ways.add(way)
             yield formulas
-        if tried >= STATES and not outputs.conditions:
+        if tried >= STATES and not way:
             return
 
 
@@ -127,13 +135,12 @@ def _kept(function: Callable[..., Any], given: Given) -> dict[Expr, Any]:
 
 
 def _at_kept(
-    symbols: Sequence[Value], outputs: Outputs, kept: Mapping[Expr, Any]
+    symbols: Sequence[Value], program: _Program, kept: Mapping[Expr, Any]
 ) -> _Formulas | None:
     """Formulas at a state with the person's own numbers."""
     numbers = {**_drawn(symbols, Random(0), Fraction(1))}
     numbers.update((s, Fraction(v)) for s, v in kept.items() if isinstance(s, Symbol))
-    with precision(BITS):
-        return _formulas(BallArithmetic(State(numbers)), numbers, outputs)
+    return _formulas(program, numbers)
 
 
 def _within(formulas: Iterable[Expr]) -> list[Expr]:
@@ -165,19 +172,25 @@ def _drawn(values: Sequence[Value], source: Random, scale: Fraction) -> Numbers:
     return found
 
 
-def _holds(arithmetic: BallArithmetic, condition: Boolean) -> bool | None:
+def _program(outputs: Outputs) -> _Program:
+    truths = [Piecewise((S.One, condition), (S.Zero, True)) for condition in outputs.conditions]
+    return _Program(
+        formulas_of(truths), formulas_of([entry for matrix in outputs.values for entry in matrix])
+    )
+
+
+def _holds(truth: arb) -> bool | None:
     """Whether a condition holds; None where that cannot be told."""
-    held = arithmetic.value(Piecewise((S.One, condition), (S.Zero, True))).arb
-    return bool(held == 1) if held.is_finite() else None
+    return bool(truth == 1) if truth.is_finite() else None
 
 
-def _formulas(arithmetic: BallArithmetic, numbers: Numbers, outputs: Outputs) -> _Formulas | None:
+def _formulas(program: _Program, numbers: Numbers) -> _Formulas | None:
     """Values of all formulas; None where one has no value, or none that a float holds.
 
     A ball's radius is what rounding to `BITS` digits does to the formula, hence grows by as many
     powers of two as digits are fewer.
     """
-    balls = [arithmetic.value(entry).arb for matrix in outputs.values for entry in matrix]
+    balls = program.values.at(numbers, BITS)
     values = [float(ball.mid()) if ball.is_finite() else inf for ball in balls]
     grown = [float(ball.rad()) * 2.0 ** (BITS - ROUNDED) for ball in balls]
     if not all(isfinite(number) for number in (*values, *grown)):

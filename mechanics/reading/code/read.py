@@ -10,10 +10,9 @@ from dataclasses import replace
 from typing import Any
 
 import casadi
-from sympy import Expr, Matrix
+from sympy import Expr, Matrix, S
 
 from mechanics.errors import ExpressionError, InputError
-from mechanics.exact.graph import evaluated
 from mechanics.program.c.function import Parameter
 from mechanics.program.c.parse import parse
 from mechanics.program.c.reader import read_function as read_c_function
@@ -40,7 +39,7 @@ from mechanics.reading.code.repeated import doubt_when_repeated
 from mechanics.reading.code.taken_apart import Apart, in_c
 from mechanics.reading.code.tracing import Outputs, trace
 from mechanics.reading.code.unwrapped import unwrapped
-from mechanics.reading.code.written import Written
+from mechanics.reading.code.written import Constants, expressions
 from mechanics.reading.demands import Demand
 from mechanics.reading.guess import guess
 from mechanics.reading.names import Naming, Vocabulary
@@ -112,22 +111,24 @@ def read_casadi(
     sizes = {name: function.numel_in(i) for i, name in enumerate(wanted)}
 
     def run(given: Arguments) -> Outputs:
-        a = Written()
-        numbers = a.graph(function, [_entries(given.values[name]) for name in wanted])
-        shapes = [function.size_out(i) for i in range(function.n_out())]
-        # CasADi counts entries column by column.
-        values = [Matrix(c, r, n).T for (r, c), n in zip(shapes, numbers, strict=True)]
         nodes, stores = single_assignment(function)
         held = [
             [group[i] for i in function.sparsity_in(k).find()]
             for k, group in enumerate(_entries(given.values[name]) for name in wanted)
         ]
-        formulas = of_graph(nodes, held, a.rational)
-        places = [function.sparsity_out(i).find() for i in range(function.n_out())]
-        known = {numbers[out][places[out][entry]]: formulas[node] for out, entry, node in stores}
-        made = evaluated(a, nodes, held)
+        constants = Constants()
+        made = expressions(nodes, held, constants)
+        numbers = [[S.Zero] * function.numel_out(i) for i in range(function.n_out())]
+        for out, entry, node in stores:
+            numbers[out][function.sparsity_out(out).find()[entry]] = made[node]
+        shapes = [function.size_out(i) for i in range(function.n_out())]
+        # CasADi counts entries column by column.
+        values = [Matrix(c, r, n).T for (r, c), n in zip(shapes, numbers, strict=True)]
+        formulas = of_graph(nodes, held, constants)
+        known = {made[node]: formulas[node] for _, _, node in stores}
         demands = _demanded((made[node], demands_of(nodes, made, node)) for _, _, node in stores)
-        return Outputs(tuple(values), tuple(a.notes), formulas=_known(known), demands=demands)
+        notes = tuple(constants.notes)
+        return Outputs(tuple(values), notes, formulas=_known(known), demands=demands)
 
     return _read(scene, function.name(), wanted, sizes, run, names, about)
 
@@ -198,10 +199,10 @@ def _c_outputs(
     if program.beyond:
         raise InputError(f"{program.beyond[0]} is read beyond the end of the array")
     bounded_code(nodes, origin)
-    a = Written()
-    numbers = evaluated(a, nodes, entries)
+    constants = Constants()
+    numbers = expressions(nodes, entries, constants)
     found: list[Expr] = []
-    formulas = of_graph(nodes, entries, a.rational)
+    formulas = of_graph(nodes, entries, constants)
     known: dict[Expr, Formula] = {}
     asked: list[tuple[Expr, tuple[Demand, ...]]] = []
     place = len(wanted)
@@ -215,7 +216,7 @@ def _c_outputs(
         known[numbers[first.node]] = formulas[first.node]
         asked.append((numbers[first.node], demands_of(nodes, numbers, first.node)))
     return Outputs(
-        (Matrix(found),), tuple(a.notes), formulas=_known(known), demands=_demanded(asked)
+        (Matrix(found),), tuple(constants.notes), formulas=_known(known), demands=_demanded(asked)
     )
 
 

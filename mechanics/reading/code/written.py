@@ -1,100 +1,151 @@
-"""Code as expressions: the arithmetic whose numbers are SymPy expressions.
+"""Straight-line code as SymPy's expressions.
 
-What walks CasADi graphs and C text over a field or over balls walks them over expressions, too.
+x = sin(2 (a + b))   ->   sin(2 a + 2 b)        arguments are written out, as SymPy compares them
 """
 
-from collections.abc import Sequence
-from fractions import Fraction
+from __future__ import annotations
 
+from collections.abc import Callable, Sequence
+from fractions import Fraction
+from typing import Any
+
+import casadi
 import sympy
-from sympy import Expr, Piecewise, Rational
+from sympy import Expr, Piecewise, S
 
 from mechanics.errors import ExpressionError
-from mechanics.exact.arithmetic import Arithmetic, Number, Term
+from mechanics.program.casadi_reader import Instruction
 from mechanics.reading.code.constants import constant_from
 from mechanics.reading.functions import magnitude
 
-FUNCTIONS = {
-    "log": sympy.log, "asin": sympy.asin, "acos": sympy.acos, "atan": sympy.atan,
-    "atan2": sympy.atan2, "asinh": sympy.asinh, "acosh": sympy.acosh, "atanh": sympy.atanh,
-    "erf": sympy.erf, "floor": sympy.floor, "ceil": sympy.ceiling,
-}  # fmt: skip
+LARGEST_ARGUMENT = 64
+"""Terms of an argument that is written out; a longer one stays as it is."""
 
 
-class Written(Arithmetic):
-    """Numbers are expressions; `notes` list constants that were computed beforehand."""
+class Constants:
+    """Constants as what they stand for; `notes` list those that were computed beforehand."""
 
     def __init__(self) -> None:
-        super().__init__()
         self.notes: list[str] = []
 
-    def rational(self, number: int | Fraction) -> Number:
-        """Return a constant as what it stands for."""
-        value, note = constant_from(Fraction(number))
+    def __call__(self, number: Fraction) -> Expr:
+        """One constant."""
+        value, note = constant_from(number)
         if note and note not in self.notes:
             self.notes.append(note)
         return value
 
-    def symbol(self, symbol: sympy.Symbol) -> Number:
-        """Return the symbol."""
-        return symbol
 
-    def constant(self, constant: Expr) -> Number:
-        """Return the constant."""
-        return constant
+def expressions(
+    nodes: Sequence[Instruction],
+    inputs: Sequence[Sequence[Expr]],
+    constants: Callable[[Fraction], Expr],
+) -> list[Expr]:
+    """The expression of every value.
 
-    def _angle(self, terms: Sequence[Term]) -> Expr:
-        return sympy.Add(*(Rational(f.numerator, f.denominator) * n for f, n in terms))
+    Parameters
+    ----------
+    nodes : sequence of Instruction
+    inputs : sequence of sequence of Expr
+        Entries of each input.
+    constants : callable
+        What a constant is.
 
-    def circle(self, terms: Sequence[Term]) -> tuple[Number, Number]:
-        """Return cosine and sine of the sum."""
-        angle = self._angle(terms)
-        return sympy.cos(angle), sympy.sin(angle)
+    Raises
+    ------
+    ExpressionError
+        If an operation is not known here.
+    """
+    found: list[Expr] = []
+    for node in nodes:
+        if node.constant is not None:
+            found.append(constants(node.constant))
+        elif node.op == casadi.OP_INPUT:
+            group, entry = node.operands
+            found.append(inputs[group][entry])
+        elif node.op in OPERATIONS:
+            found.append(OPERATIONS[node.op](*[found[i] for i in node.operands]))
+        else:
+            raise ExpressionError(
+                f"casadi operation {_name(node.op)} has no exact meaning here: write the expression"
+                " without it"
+            )
+    return found
 
-    def exponential(self, terms: Sequence[Term]) -> Number:
-        """Return the exponential of the sum."""
-        return sympy.exp(self._angle(terms))
 
-    def root_power(self, number: Number, exponent: Fraction) -> Number:
-        """Return a fractional power."""
-        return number ** Rational(exponent.numerator, exponent.denominator)
+def _name(op: int) -> str:
+    names = [n for n in dir(casadi) if n.startswith("OP_") and getattr(casadi, n) == op]
+    return names[0] if names else str(op)
 
-    def absolute(self, number: Number) -> Number:
-        """Return |x|."""
-        return magnitude(number)
 
-    def sign(self, number: Number) -> Number:
-        """Return the sign."""
-        return sympy.sign(number)
+def _argument(x: Expr) -> Expr:
+    expanded = sympy.expand(x)
+    return expanded if len(sympy.Add.make_args(expanded)) <= LARGEST_ARGUMENT else x
 
-    def indicator(self, relation: str, difference: Number) -> Number:
-        """Return 1 where the relation holds."""
-        relations = {"<": sympy.StrictLessThan, "<=": sympy.LessThan, "==": sympy.Equality}
-        return Piecewise((1, relations[relation](difference, 0)), (0, True))
 
-    def select(self, condition: Number, yes: Number, no: Number) -> Number:
-        """Return one of two expressions."""
-        return condition * yes + (1 - condition) * no
+def _of_argument(function: Any) -> Callable[[Expr], Expr]:
+    return lambda x: function(_argument(x))
 
-    def function(self, name: str, arguments: Sequence[Number]) -> Number:
-        """Return a function of the library."""
-        if name == "power":
-            return arguments[0] ** arguments[1]
-        if name not in FUNCTIONS:
-            raise ExpressionError(f"the function {name} is not known here")
-        return FUNCTIONS[name](*arguments)
 
-    def solve(self, rows: Sequence[Sequence[Number]], rhs: Sequence[Number]) -> list[Number]:
-        """Solve a linear system by elimination without fractions of fractions."""
-        return list(sympy.Matrix(rows).LUsolve(sympy.Matrix(rhs)))
+def _truth(relation: Any) -> Callable[[Expr, Expr], Expr]:
+    """1 where a relation to 0 holds."""
+    return lambda x, y: Piecewise((1, relation(x - y, 0)), (0, True))
 
-    def rank(self, rows: Sequence[Sequence[Number]]) -> int:
-        """Return the rank."""
-        return int(sympy.Matrix(rows).rank())
 
-    def is_zero(self, number: Number) -> bool:
-        """Tell whether it is the number zero."""
-        return bool(number == 0)
+def _whole_part(x: Expr) -> Expr:
+    return sympy.sign(x) * sympy.floor(magnitude(x))
 
-    def require_positive(self, number: Number) -> None:
-        """Ask for nothing."""
+
+OPERATIONS: dict[int, Callable[..., Expr]] = {
+    casadi.OP_ASSIGN: lambda x: x,
+    casadi.OP_ADD: lambda x, y: x + y,
+    casadi.OP_SUB: lambda x, y: x - y,
+    casadi.OP_MUL: lambda x, y: x * y,
+    casadi.OP_DIV: lambda x, y: x / y,
+    casadi.OP_NEG: lambda x: -x,
+    casadi.OP_SQ: lambda x: x * x,
+    casadi.OP_TWICE: lambda x: x + x,
+    casadi.OP_INV: lambda x: 1 / x,
+    casadi.OP_SQRT: sympy.sqrt,
+    casadi.OP_POW: lambda x, y: x**y,
+    casadi.OP_CONSTPOW: lambda x, y: x**y,
+    casadi.OP_SIN: _of_argument(sympy.sin),
+    casadi.OP_COS: _of_argument(sympy.cos),
+    casadi.OP_TAN: lambda x: sympy.sin(_argument(x)) / sympy.cos(_argument(x)),
+    casadi.OP_EXP: _of_argument(sympy.exp),
+    casadi.OP_EXPM1: lambda x: sympy.exp(_argument(x)) - 1,
+    casadi.OP_SINH: lambda x: _grown(x, lambda e: (e - 1 / e) / 2),
+    casadi.OP_COSH: lambda x: _grown(x, lambda e: (e + 1 / e) / 2),
+    casadi.OP_TANH: lambda x: _grown(x, lambda e: (e * e - 1) / (e * e + 1)),
+    casadi.OP_LOG: sympy.log,
+    casadi.OP_LOG1P: lambda x: sympy.log(1 + x),
+    casadi.OP_ASIN: sympy.asin,
+    casadi.OP_ACOS: sympy.acos,
+    casadi.OP_ATAN: sympy.atan,
+    casadi.OP_ATAN2: sympy.atan2,
+    casadi.OP_ASINH: sympy.asinh,
+    casadi.OP_ACOSH: sympy.acosh,
+    casadi.OP_ATANH: sympy.atanh,
+    casadi.OP_ERF: sympy.erf,
+    casadi.OP_FLOOR: sympy.floor,
+    casadi.OP_CEIL: sympy.ceiling,
+    casadi.OP_FABS: magnitude,
+    casadi.OP_SIGN: sympy.sign,
+    casadi.OP_FMAX: lambda x, y: (x + y + magnitude(x - y)) / 2,
+    casadi.OP_FMIN: lambda x, y: (x + y - magnitude(x - y)) / 2,
+    casadi.OP_HYPOT: lambda x, y: sympy.sqrt(x * x + y * y),
+    casadi.OP_FMOD: lambda x, y: x - y * _whole_part(x / y),
+    casadi.OP_COPYSIGN: lambda x, y: magnitude(x) * sympy.sign(y),
+    casadi.OP_LT: _truth(sympy.StrictLessThan),
+    casadi.OP_LE: _truth(sympy.LessThan),
+    casadi.OP_EQ: _truth(sympy.Equality),
+    casadi.OP_NE: lambda x, y: 1 - _truth(sympy.Equality)(x, y),
+    casadi.OP_AND: lambda x, y: x * y,
+    casadi.OP_OR: lambda x, y: x + y - x * y,
+    casadi.OP_NOT: lambda x: 1 - x,
+    casadi.OP_IF_ELSE_ZERO: lambda c, x: c * x + (1 - c) * S.Zero,
+}
+
+
+def _grown(x: Expr, of: Callable[[Expr], Expr]) -> Expr:
+    return of(sympy.exp(_argument(x)))

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 from markupsafe import Markup
 
-from mechanics.exact import Verdict
+from mechanics.kernel import Verdict
 from mechanics.report.answer import typed
 from mechanics.report.answer.judged import Judged
 from mechanics.report.answer.meaning import difference, headline, meaning

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from rich.console import Group
 
 from mechanics.equations import Equations
-from mechanics.exact import Verdict
+from mechanics.kernel import Verdict
 from mechanics.reading.names import Match
 from mechanics.report.answer.judged import Judged
 from mechanics.report.answer.notebook import notebook

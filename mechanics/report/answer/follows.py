@@ -11,7 +11,7 @@ from mechanics.blame.shape import shortest
 from mechanics.blame.terms import terms_of
 from mechanics.equations import Equations, Line
 from mechanics.errors import ExpressionError, MechanicsError
-from mechanics.exact import TooLarge
+from mechanics.kernel.ring import TooLarge
 from mechanics.routes import lagrange
 
 MOST = 4

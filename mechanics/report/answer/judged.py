@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 
 from mechanics.blame.result import Blame
-from mechanics.exact import Finding
+from mechanics.kernel import Finding
 from mechanics.reading.statement import Statement
 
 

@@ -7,7 +7,7 @@ CERTIFIED   equal at random points of a finite field; the chance of a wrong verd
 import re
 from math import ceil, log2
 
-from mechanics.exact import Finding, Verdict
+from mechanics.kernel import Finding, Verdict
 
 SEEMING = re.compile(
     r"not zero in a field of \d+ bits, but none of the real states tried tells the sides apart"

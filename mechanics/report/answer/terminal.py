@@ -14,7 +14,7 @@ from rich.console import Console, Group, RenderableType
 from rich.text import Text
 
 from mechanics.blame.result import Blame, Edit, Repair
-from mechanics.exact import Finding, Verdict
+from mechanics.kernel import Finding, Verdict
 from mechanics.reading.names import Match
 from mechanics.reading.statement import Statement
 from mechanics.report.answer.differences import Differences

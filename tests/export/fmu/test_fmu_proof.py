@@ -10,10 +10,11 @@ import pytest
 from sympy import Symbol
 
 from mechanics.compiled import Model
-from mechanics.exact import Verdict, decide
 from mechanics.export.fmu.functions import functions
 from mechanics.export.fmu.proof import prove_functions, prove_unit
+from mechanics.kernel import Verdict
 from mechanics.program.c.parse import parse
+from mechanics.symbolic import decide
 from systems import ALL
 
 SYSTEMS = [system.name for system in ALL]

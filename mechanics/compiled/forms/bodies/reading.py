@@ -12,9 +12,9 @@ from sympy import Expr, Symbol
 
 from mechanics.compiled.forms.bodies.affine import Affine, Vector
 from mechanics.compiled.translate import Translator
-from mechanics.exact import collect_linear
 from mechanics.scene import Scene
 from mechanics.scene.rates import rate_table
+from mechanics.symbolic import collect_linear
 
 
 @dataclass(frozen=True)

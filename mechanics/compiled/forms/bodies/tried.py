@@ -16,7 +16,7 @@ from mechanics.compiled.quantities import input_symbols
 from mechanics.compiled.translate import Translator
 from mechanics.equations import Equations
 from mechanics.errors import ExpressionError, SingularError
-from mechanics.exact import TooLarge
+from mechanics.kernel.ring import TooLarge
 
 
 @dataclass(frozen=True)

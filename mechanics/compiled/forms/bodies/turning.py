@@ -26,10 +26,10 @@ from mechanics.compiled.forms.bodies.affine import (
     transposed,
 )
 from mechanics.compiled.forms.bodies.reading import Reading
-from mechanics.exact import canonical
 from mechanics.kinematics.chain import Chain, axis_angle
 from mechanics.scene.geometry import frame_path, relative_rotation
 from mechanics.scene.rates import rate, rates
+from mechanics.symbolic import canonical
 
 IDENTITY: Rotation = tuple(tuple(ca.SX(int(i == j)) for j in range(3)) for i in range(3))
 

@@ -14,10 +14,9 @@ import sympy
 from flint import fmpq, fmpq_mpoly
 
 from mechanics.errors import ExpressionError
-from mechanics.exact.angles import float_as_rational
-from mechanics.exact.canonical_back import expression
-from mechanics.exact.ring import MOST_GENERATORS, Ring, content
-from mechanics.exact.signals import Restart
+from mechanics.kernel.ring import MOST_GENERATORS, Full, Ring, content
+from mechanics.symbolic.canonical_back import expression
+from mechanics.symbolic.decimals import float_as_rational
 
 BAD = (sympy.S.NaN, sympy.S.ComplexInfinity, sympy.S.Infinity, sympy.S.NegativeInfinity)
 
@@ -181,7 +180,7 @@ def reader(exprs: Iterable[sympy.Expr]) -> tuple[Reader, list[fmpq_mpoly]]:
             for name in names:
                 result.ring.place(name)
             return result, [result.read(expr) for expr in exprs]
-        except Restart:
+        except Full:
             capacity *= 2
     raise ExpressionError(f"more than {MOST_GENERATORS} different symbols and functions: split it")
 

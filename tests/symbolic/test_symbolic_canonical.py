@@ -7,7 +7,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from mechanics.errors import ExpressionError
-from mechanics.exact import TooLarge, canonical, collect_linear
+from mechanics.kernel.ring import TooLarge
+from mechanics.symbolic import canonical, collect_linear
 
 x, y, z = sp.symbols("x y z", real=True)
 a, L = sp.symbols("a L", positive=True)

@@ -12,11 +12,10 @@ import sympy
 from flint import fmpq_mpoly
 
 from mechanics.errors import ExpressionError
-from mechanics.exact.canonical_back import generator_expression
-from mechanics.exact.canonical_poly import Reader, reader
-from mechanics.exact.independence import generic_rank
-from mechanics.exact.ring import Ring
-from mechanics.exact.signals import TooLarge
+from mechanics.kernel.ring import Ring, TooLarge
+from mechanics.symbolic.canonical_back import generator_expression
+from mechanics.symbolic.canonical_poly import Reader, reader
+from mechanics.symbolic.independence import generic_rank
 
 
 def canonical(expr: sympy.Expr) -> sympy.Expr:

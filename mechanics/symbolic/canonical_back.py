@@ -14,7 +14,7 @@ import sympy
 from flint import fmpq_mpoly
 
 if TYPE_CHECKING:
-    from mechanics.exact.ring import Ring
+    from mechanics.kernel.ring import Ring
 
 Factor = tuple[int, int]
 """Place of a generator and its power."""

@@ -7,14 +7,14 @@ from typing import Any
 
 import sympy
 
-from mechanics.exact.arithmetic import Arithmetic
-from mechanics.exact.nodes import Experiment, statement
-from mechanics.exact.signals import Inadmissible
+from mechanics.errors import ZeroDivisorError
 from mechanics.kernel import Finding, Verdict, undecided
 from mechanics.kernel import decide as decide_statement
+from mechanics.kernel.field import Inadmissible
 from mechanics.kernel.normal import proves
 from mechanics.kernel.statement import TARGET
 from mechanics.kernel.trial import Answer, trial
+from mechanics.symbolic.arithmetic import Arithmetic, Experiment, statement
 
 
 def decide(
@@ -48,14 +48,34 @@ def decide(
         claim = statement(subject, experiment, target)
     except Inadmissible as reason:
         return undecided(subject, str(reason))
+    except ZeroDivisorError:
+        return undecided(subject, "division by zero, everywhere")
     return decide_statement(claim, try_normal=try_normal)
+
+
+def answer(experiment: Experiment, target: float) -> Answer:
+    """What the field says of an experiment: for what is only proposed, and proved afterwards."""
+    try:
+        claim = statement("", experiment, target)
+    except (Inadmissible, ZeroDivisorError):
+        return Answer.FAILED
+    return trial(claim, lambda: False).answer
+
+
+def looked_at(experiment: Experiment) -> bool:
+    """Run an experiment for what it notes itself; whether there was a point for its questions."""
+    try:
+        experiment(Arithmetic())
+    except (Inadmissible, ZeroDivisorError):
+        return False
+    return True
 
 
 def proved(experiment: Experiment) -> bool:
     """Whether all pairs of an experiment have the same normal form; False says nothing."""
     try:
         claim = statement("", experiment, TARGET)
-    except Inadmissible:
+    except (Inadmissible, ZeroDivisorError):
         return False
     return trial(claim, lambda: proves(claim)).answer is Answer.PROVED
 

@@ -11,7 +11,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from mechanics.errors import ExpressionError
-from mechanics.exact import decimal_matches, enclose
+from mechanics.symbolic import decimal_matches, enclose
 
 x = sp.Symbol("x", real=True)
 

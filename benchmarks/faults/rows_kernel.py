@@ -1,10 +1,10 @@
-"""Faults in exact arithmetic: what it simplifies, and what it decides."""
+"""Faults in normal forms, and in what the kernel decides."""
 
 from benchmarks.faults.fault import faults_in
 
 FORMS = (
     *faults_in(
-        "mechanics.exact.canonical",
+        "mechanics.symbolic.canonical",
         (
             "result.write(part) for part in parts], result.write(-rest)",
             "result.write(part) for part in parts], result.write(rest)",
@@ -17,7 +17,7 @@ FORMS = (
         ),
     ),
     *faults_in(
-        "mechanics.exact.canonical_poly",
+        "mechanics.symbolic.canonical_poly",
         (
             "return sum(parts[1:], parts[0])",
             "return sum(parts[1:], -parts[0])",
@@ -38,10 +38,6 @@ FORMS = (
             "self.read(sympy.cos(again.args[0]) / sympy.sin(again.args[0]))",
             "tan is cot",
         ),
-    ),
-    *faults_in(
-        "mechanics.exact.ring",
-        ("sin**2 + cos**2 - 1)", "sin**2 - cos**2 + 1)", "s^2 = c^2 - 1"),
     ),
 )
 
@@ -124,10 +120,10 @@ DECISIONS = (
         ("for x, y in finite if not x.overlaps(y)]", "for x, y in ()]", "there is no witness"),
     ),
     *faults_in(
-        "mechanics.exact.independence",
+        "mechanics.symbolic.arithmetic",
         (
-            "return echelon(residues, prime)[1]",
-            "return echelon(residues, prime)[1][:-1]",
+            "return pivot_columns(columns, point.prime)",
+            "return pivot_columns(columns, point.prime)[:-1]",
             "the last independent row is lost",
         ),
     ),

@@ -4,8 +4,8 @@ import pytest
 from sympy import Symbol, cos, sin, symbols
 
 from mechanics.errors import ExpressionError
-from mechanics.exact import is_zero
-from mechanics.exact.cramer import cramer
+from mechanics.symbolic import is_zero
+from mechanics.symbolic.cramer import cramer
 
 x, y, z, m, k = symbols("x y z m k", real=True)
 a = Symbol("a", real=True)

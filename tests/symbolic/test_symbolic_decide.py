@@ -7,15 +7,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from mechanics.errors import ExpressionError
-from mechanics.exact import (
-    Finding,
-    Inadmissible,
-    Verdict,
-    decide,
-    is_zero,
-    prove_equal,
-    prove_zero,
-)
+from mechanics.kernel import Finding, Verdict
+from mechanics.kernel.field import Inadmissible
+from mechanics.symbolic import decide, is_zero, prove_equal, prove_zero
 
 x, y, z = sp.symbols("x y z", real=True)
 a, b, L = sp.symbols("a b L", positive=True)

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 
 from sympy import Expr, Matrix, Symbol
 
-from mechanics.exact.canonical import canonical, collect_linear
+from mechanics.symbolic.canonical import canonical, collect_linear
 
 
 def cramer(forms: Sequence[Expr], unknowns: Sequence[Symbol]) -> tuple[list[Expr], Expr]:
