@@ -46,7 +46,7 @@ Pair = tuple[int, int]
 
 
 def random_field(*seed: str) -> Residues:
-    """The field of a random prime, at a random point of it; |x| is x or -x, whichever is a square.
+    """The field of a random prime, at a random point of it; |x| is one variable for x and -x.
 
     Parameters
     ----------
@@ -54,7 +54,7 @@ def random_field(*seed: str) -> Residues:
         The same seed gives the same point in each run.
     """
     draws = Draws(*seed)
-    return Residues(draw_prime(BITS, MODULUS, draws), MODULUS, draws, (TURN,), signs=True)
+    return Residues(draw_prime(BITS, MODULUS, draws), MODULUS, draws, (TURN,))
 
 
 @dataclass(eq=False)

@@ -22,7 +22,7 @@ ZERO = [
     sp.exp(-x / 2) * sp.exp(x) - sp.exp(x / 2),
     sp.tanh(x) * sp.cosh(x) - sp.sinh(x),
     sp.sqrt(m * k, evaluate=False) - sp.sqrt(m) * sp.sqrt(k),
-    sp.Abs(x) * sp.sign(x) - x,
+    sp.Abs(x - y) * sp.Abs(x) - sp.Abs(y - x) * sp.Abs(-x),
     sp.cos(x / m) ** 2 + sp.sin(x / m) ** 2 - 1,
     sp.Piecewise((x, x < y), (y, True)) - sp.Min(x, y),
 ]
