@@ -127,30 +127,6 @@ def makes_verdicts(tree: ast.Module) -> Breaches:
 FIXED = {"verdict", "error_bound"}
 
 
-CLOCKS = {
-    "mechanics/trade/measure.py": "measures how long functions take",
-    "mechanics/trade/yardstick.py": "measures the machine",
-    "mechanics/simulate/long_run.py": "measures integrators",
-    "mechanics/crosscheck/system.py": "reports how long routes took",
-    "mechanics/crosscheck/programs.py": "reports how long routes took",
-    "mechanics/cli/progress.py": "shows a bar to who waits",
-}
-"""What reads a clock, and what for: it decides no verdict, no repair and no form."""
-
-
-def reads_a_clock(tree: ast.Module) -> Breaches:
-    """Modules of the standard library that tell the time, or stop something after some."""
-    for node in ast.walk(tree):
-        names: list[str] = []
-        if isinstance(node, ast.Import):
-            names = [alias.name for alias in node.names]
-        elif isinstance(node, ast.ImportFrom):
-            names = [node.module or ""]
-        for name in names:
-            if name.split(".")[0] in {"time", "timeit", "datetime", "sched", "signal"}:
-                yield node.lineno, f"{name}: no clock decides anything; count steps"
-
-
 def asserts_nothing(tree: ast.Module) -> Breaches:
     for node in ast.walk(tree):
         if not isinstance(node, ast.FunctionDef) or not node.name.startswith("test"):
@@ -206,11 +182,6 @@ def declared_dependencies() -> set[str]:
     extras = project["optional-dependencies"]
     requirements = project["dependencies"] + extras["parquet"] + extras["taylor"]
     return {canonical(re.split(r"[^\w.-]", requirement)[0]) for requirement in requirements}
-
-
-def test_only_what_measures_reads_a_clock() -> None:
-    found = breaches(reads_a_clock, files("mechanics", "systems", suffix=".py"))
-    assert {breach.split(":")[0] for breach in found} == CLOCKS.keys()
 
 
 def test_every_module_has_a_docstring() -> None:
