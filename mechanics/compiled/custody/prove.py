@@ -103,7 +103,7 @@ def prove_text(
         reading = read_beside(physics, kernel, source, graph, given)
         written = tuple(builder.obligations)
         entries: list[Entry] = [(n, node, expected[n]) for n, node in reading.written()]
-        small = len(builder) <= SMALL
+        small = len(text.program) <= SMALL
         found = physics.decide_entries(subject, entries, **{"try_normal": small, **options})
         if not found.shown:
             return found, text
