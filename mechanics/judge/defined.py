@@ -21,6 +21,7 @@ from mechanics.errors import MechanicsError
 from mechanics.kernel import Finding, Verdict, enclose, refuted, undecided
 from mechanics.kernel.definedness import BITS, Gap, Kind, Space, gaps, touching, unmet
 from mechanics.kernel.statement import POSITIVE
+from mechanics.kernel.states import State
 from mechanics.kinematics.chain import body_motions
 from mechanics.kinematics.manifold import settle
 from mechanics.program import Builder, Node, Obligation, Program
@@ -188,15 +189,25 @@ def _space(
     positive = frozenset(n for n in builder.inputs if n in symbols and symbols[n].is_positive)
     names = {*builder.inputs, *symbols, *(s.name for s in (*scene.q, *scene.u))}
     rest = {name: _typical(symbols.get(name), positive=name in positive) for name in sorted(names)}
+    still = tuple(_still(rest, values) for values in scene.equilibria)
     if not scene.constraints:
-        return Space(positive, rest, (rest,), region, truth)
+        return Space(positive, rest, (rest, *still), region, truth)
     closing = [scene.plain(c.expression, c.name) for c in scene.constraints if c.holonomic]
     kept = dict(builder.obligations)
     zero = tuple(node.number for node in read(builder, closing))
     builder.obligations = kept
     on_constraints = partial(_settled, scene, _dependent(scene))
-    references = (rest, _start(scene, rest))
+    references = (rest, _start(scene, rest), *still)
     return Space(positive, rest, references, region, truth, zero, on_constraints)
+
+
+def _still(rest: Mapping[str, Fraction], values: Mapping[str, Expr]) -> State:
+    """A declared equilibrium: what is no rational, as pi, by its enclosure."""
+    builder = Builder()
+    nodes = read(builder, [sympify(value) for value in values.values()])
+    balls = enclose(builder.program({"values": nodes}), {}, BITS)["values"]
+    exact = (n.constant if n.constant is not None else b for n, b in zip(nodes, balls, strict=True))
+    return {**rest, **dict(zip(values, exact, strict=True))}
 
 
 def _start(scene: Scene, rest: Mapping[str, Fraction]) -> Mapping[str, Fraction]:
@@ -212,14 +223,12 @@ def _dependent(scene: Scene) -> Program:
     return a.builder.program({**outputs, POSITIVE: a.positive})
 
 
-def _settled(
-    scene: Scene, dependent: Program, state: Mapping[str, Fraction]
-) -> Mapping[str, Fraction | arb] | None:
+def _settled(scene: Scene, dependent: Program, state: State) -> State | None:
     """A state on the constraints, whose dependent quantities follow from the others."""
     symbols = (*scene.parameters, *scene.q, *scene.u)
     given = {s.name: state[s.name] for s in symbols}
     # Both roots of what is closed by a square are tried, by what is drawn anyway.
-    sense = 1 if sum(value.numerator for value in state.values()) % 2 else -1
+    sense = 1 if sum(v.numerator for v in state.values() if isinstance(v, Fraction)) % 2 else -1
     given |= {f"branch_of_{s.name}": Fraction(sense) for s in symbols}
     values = dict(enclose(dependent, given, BITS))
     # No such state, or none that is told at these digits.
@@ -363,7 +372,10 @@ def _state(gap: Gap, written: Written) -> str:
     demand = written.origin[gap.obligation]
     held = {s.name for e in demand.operands for s in e.free_symbols}
     held |= {s.name for c, _ in demand.conditions for s in c.free_symbols}
-    names = [(name, value) for name, value in gap.state if name in held]
+    names = [
+        (name, value.str(5, radius=False) if isinstance(value, arb) else value)
+        for name, value in gap.state if name in held
+    ]  # fmt: skip
     return ", ".join(f"{name} = {value}" for name, value in names) or "every state"
 
 

@@ -19,7 +19,7 @@ from fractions import Fraction
 
 from flint import arb, fmpq_mpoly
 
-from mechanics.kernel.balls import enclose
+from mechanics.kernel.balls import ball, enclose
 from mechanics.kernel.conjugates import has_cases, is_thin
 from mechanics.kernel.draws import Draws
 from mechanics.kernel.signs import (
@@ -78,7 +78,7 @@ class Gap:
     kind : Kind
     at_rest : bool
         Whether a reference state is in it; strictly inside for open sets.
-    state : tuple of (str, Fraction)
+    state : tuple of (str, Fraction or arb)
         One of its states; empty where none is known.
     region : bool
         Whether that state lies in a region that was stated.
@@ -89,7 +89,7 @@ class Gap:
     obligation: Obligation
     kind: Kind
     at_rest: bool = False
-    state: tuple[tuple[str, Fraction], ...] = ()
+    state: tuple[tuple[str, Fraction | arb], ...] = ()
     region: bool = False
     branch: bool = False
 
@@ -122,7 +122,7 @@ class Space:
     region: tuple[int, ...] = ()
     truth: tuple[Obligation, ...] = ()
     zero: tuple[int, ...] = ()
-    admissible: Callable[[State], Mapping[str, Fraction | arb] | None] = dict
+    admissible: Callable[[State], State | None] = dict
 
 
 def unmet(builder: Builder, written: Sequence[Obligation], space: Space) -> tuple[Obligation, ...]:
@@ -358,6 +358,8 @@ class _Trial:
             return Gap(obligation, Kind.NOWHERE, True, (), region)
         places = [self._at(obligation, reference) for reference in self.space.references]
         outside, zeros, inside = self._tried(obligation)
+        at_rest = zip(self.space.references, places, strict=True)
+        outside = next((state for state, place in at_rest if place == -1), outside)
         if sign is not Sign.NONZERO and outside is not None:
             interior = self._interior(obligation, signs) if inside is None else True
             kind = Kind.OPEN if interior else Kind.NOWHERE
@@ -414,9 +416,10 @@ class _Trial:
         """Whether the argument is 0 at a state and at all drawn ones near it."""
         draws = Draws(self.text, "near")
         for _ in range(NEAR):
+            steps = (Fraction(draws.below(2 << 12) - (1 << 12), 1 << 40) for _ in state)
             moved = {
-                name: value + (1 + abs(value)) * Fraction(draws.below(2 << 12) - (1 << 12), 1 << 40)
-                for name, value in state.items()
+                name: value + (1 + abs(value)) * (ball(step) if isinstance(value, arb) else step)
+                for (name, value), step in zip(state.items(), steps, strict=True)
             }
             if self._at(obligation, moved) != 0:
                 return False

@@ -11,9 +11,11 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from itertools import pairwise
 
+from flint import arb
+
 from mechanics.kernel.draws import Draws
 
-State = Mapping[str, Fraction]
+State = Mapping[str, Fraction | arb]
 """Values of inputs, by name."""
 
 SIMPLE = tuple(

@@ -55,6 +55,9 @@ class Scene:
         Initial values of a motion worth looking at, by plain name (``"theta"``, ``"theta_dot"``).
     conditions : tuple of Condition
         Where the model is valid: contact that can only push, friction that holds.
+    equilibria : tuple of mappings of str to number or constant Expr
+        States of rest beside that where all coordinates are 0, by plain name
+        (``{"theta": pi}``): what a person writes has to have a value there, too.
 
     Raises
     ------
@@ -75,6 +78,7 @@ class Scene:
     definitions: Mapping[Symbol, Expr] = field(default_factory=dict)
     example: Mapping[str, float] = field(default_factory=dict)
     conditions: tuple[Condition, ...] = ()
+    equilibria: tuple[Mapping[str, Any], ...] = ()
 
     def __post_init__(self) -> None:
         validate(self)

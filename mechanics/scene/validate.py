@@ -133,6 +133,15 @@ def _given(scene: Scene) -> None:
                 f" {', '.join(sorted(names))}"
             )
         scalar(value, f"{scene.name}: the example's {name}")
+    known = names | {symbol.name for symbol in scene.input_symbols}
+    for name, value in ((n, v) for rest in scene.equilibria for n, v in rest.items()):
+        if name not in known:
+            raise SceneError(
+                f"{scene.name}: an equilibrium gives {name!r}: the names are"
+                f" {', '.join(sorted(known))}"
+            )
+        if not scalar(value, f"{scene.name}: the equilibrium's {name}").is_number:
+            raise SceneError(f"{scene.name}: the equilibrium's {name} is {value}: give a number")
     for symbol, expression in scene.definitions.items():
         if not isinstance(symbol, Symbol):
             raise SceneError(f"{scene.name}: definition of {symbol!r}: define a parameter")

@@ -4,13 +4,16 @@ Expected are the verdict and where it holds; the exit code follows from the verd
 PROVED and CERTIFIED, 1 for REFUTED, 3 for UNDECIDED.
 """
 
+from dataclasses import replace
+
 import casadi
 import numpy as np
 import pytest
 import sympy
-from rod_statements import of_c, of_casadi, of_latex, of_python, of_sympy, of_text, outcome
+from rod_statements import ROD, C, of_c, of_casadi, of_latex, of_python, of_sympy, of_text, outcome
 
-from mechanics.errors import InputError
+import mechanics
+from mechanics.errors import InputError, SceneError
 
 SILENT = ("PROVED", "")
 
@@ -367,3 +370,38 @@ def test_a_branch_that_is_neither_reached_nor_shown_empty_is_undecided():
 def test_code_under_two_settings_of_a_macro_is_refused_by_name(setting):
     with pytest.raises(InputError, match=setting):
         of_c(more=f"0;\n#ifdef {setting}\n    return 0;\n#endif\n    (void)0")
+
+
+def hanging(**declared):
+    """The rod that hangs at theta = pi."""
+    return mechanics.derive(replace(ROD.scene, **declared), "free_body")
+
+
+@pytest.mark.parametrize(
+    ("more", "without", "declared"),
+    [
+        ("0/(sin(theta/2) - 1)", ("PROVED", "except where sin(theta/2) - 1 = 0"),
+         ("UNDECIDED", "NOT SHOWN: NaN at rest (sin(theta/2) - 1 = 0)")),
+        ("0*log(3 - theta)", ("UNDECIDED", "PROVED WHERE 3 - theta > 0"),
+         ("REFUTED", "undefined")),
+        ("0*log(4 - theta)", ("UNDECIDED", "PROVED WHERE 4 - theta > 0"),
+         ("UNDECIDED", "PROVED WHERE 4 - theta > 0")),
+    ],
+)  # fmt: skip
+def test_what_is_written_has_a_value_at_declared_equilibria(more, without, declared):
+    text = C % ("theta", "u", more)
+    truth = hanging(equilibria=({"theta": sympy.pi},))
+    assert outcome(of_c(more=more)) == without
+    found = mechanics.check(truth, text, blame=False, notation="c")
+    assert outcome(found) == declared
+    if declared[0] == "REFUTED":
+        assert "theta = 3.1416" in found.judged[0].finding.evidence
+
+
+@pytest.mark.parametrize(
+    ("equilibrium", "words"),
+    [({"phi": 0}, "an equilibrium gives 'phi'"), ({"theta": ROD.scene.q[0]}, "give a number")],
+)
+def test_an_equilibrium_gives_numbers_of_the_scene(equilibrium, words):
+    with pytest.raises(SceneError, match=words):
+        hanging(equilibria=(equilibrium,))
