@@ -6,7 +6,7 @@ ROUTES = (
 )  # fmt: skip
 
 FOLDERS: dict[str, tuple[str, ...]] = {
-    "kernel": ("tests/kernel", "tests/judge"),
+    "kernel": ("tests/kernel",),
     "program": ("tests/program", "tests/kernel", "tests/routes"),
     "checks": ("tests/checks",),
     "checks/programs": ROUTES,

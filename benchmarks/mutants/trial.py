@@ -33,6 +33,8 @@ SECONDS, MEMORY = 20, 4 << 30
 of a folder may take ten times as long."""
 ENOUGH = 6.0
 """Seconds of tests that call a function, the quickest first; the others are left out."""
+FORGOTTEN = tuple(f"mechanics.{part}." for part in
+                  ("kernel", "program", "checks", "kinematics", "routes"))  # fmt: skip
 OPTIONS = ["-x", "-q", "-p", "no:cacheprovider", "--import-mode=importlib", "-o", "addopts=",
            "-m", "not campaign and not browser"]  # fmt: skip
 
@@ -114,10 +116,11 @@ def forget() -> None:
     Canaries are decided once all the same.
     """
     for thing in gc.get_objects():
-        if not isinstance(thing, _lru_cache_wrapper) or thing.__name__ == "check_canaries":
-            continue
-        if str(thing.__module__).startswith("mechanics."):
-            thing.cache_clear()
+        if isinstance(thing, _lru_cache_wrapper):
+            # One of a partial function has no name.
+            name, module = getattr(thing, "__name__", ""), getattr(thing, "__module__", None)
+            if name != "check_canaries" and str(module).startswith(FORGOTTEN):
+                thing.cache_clear()
 
 
 def passes(item: pytest.Item) -> bool:
