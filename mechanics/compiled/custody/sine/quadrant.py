@@ -69,14 +69,17 @@ class Quadrant(Domain):
 
     def bits(self, kind: str, x: Any) -> Any:
         """The bits of the shifted quotient."""
-        return LowBits(self._turns) if x == "shifted" else super().bits(kind, x)
+        return LowBits(self._turns) if x == "shifted" else self._refused()
 
     def flipped(self, kind: str, x: Any, mask: int) -> Any:
         """The sign may be changed."""
         length = 64 if kind == "double" else 32
         if not isinstance(x, Turned) or mask not in (0, 1 << (length - 1)):
-            return super().flipped(kind, x, mask)
+            return self._refused()
         return Turned(x.name, -x.sign if mask else x.sign)
+
+    def _refused(self) -> Any:
+        raise ExpressionError("the quadrant is not found by reading bits alone")
 
 
 def check_quadrants(source: Source, name: str, kind: str, turns: int) -> None:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from fractions import Fraction
 from typing import Any, NamedTuple
 
 from mechanics.compiled.custody.sine.walk import Domain, Function
@@ -24,37 +23,10 @@ class Tape(Domain):
     def __init__(self) -> None:
         self.steps: list[Step] = []
 
-    def _step(self, how: str, kind: str, *takes: Any) -> int:
-        self.steps.append(Step(how, kind, takes))
+    def do(self, how: str, kind: str, *operands: Any) -> int:
+        """One more step; a name that is known when the tape is played is ``"given"``."""
+        self.steps.append(Step(how, kind, operands))
         return len(self.steps) - 1
-
-    def given(self, name: str) -> int:
-        """A value that is known by name when the tape is played."""
-        return self._step("given", "", name)
-
-    def number(self, kind: str, value: Fraction) -> int:
-        """A literal."""
-        return self._step("number", kind, value)
-
-    def negative(self, kind: str, x: int) -> int:
-        """-x."""
-        return self._step("negative", kind, x)
-
-    def sum(self, kind: str, x: int, y: int) -> int:
-        """x + y."""
-        return self._step("sum", kind, x, y)
-
-    def product(self, kind: str, x: int, y: int) -> int:
-        """x y."""
-        return self._step("product", kind, x, y)
-
-    def fused(self, kind: str, x: int, y: int, z: int) -> int:
-        """x y + z."""
-        return self._step("fused", kind, x, y, z)
-
-    def cast(self, kind: str, old: str, x: int) -> int:
-        """x in another type."""
-        return self._step("cast", kind, old, x)
 
 
 class Recorded(NamedTuple):
@@ -69,12 +41,11 @@ class Recorded(NamedTuple):
         for how, kind, takes in self.steps:
             if how == "given":
                 values.append(known[takes[0]])
-            elif how == "number":
-                values.append(domain.number(kind, takes[0]))
-            elif how == "cast":
-                values.append(domain.cast(kind, takes[0], values[takes[1]]))
-            else:
-                values.append(getattr(domain, how)(kind, *(values[i] for i in takes)))
+                continue
+            # A literal and the old type of a cast are no places.
+            plain = {"number": 1, "cast": 1}.get(how, 0)
+            operands = (*takes[:plain], *(values[i] for i in takes[plain:]))
+            values.append(domain.do(how, kind, *operands))
         return [values[place] for place in self.places]
 
 
@@ -87,6 +58,6 @@ def record(source: Source, name: str, known: Sequence[str], wanted: Sequence[str
         If they do not.
     """
     tape = Tape()
-    function = Function(source, name, tape, {local: tape.given(local) for local in known})
+    function = Function(source, name, tape, {local: tape.do("given", "", local) for local in known})
     places = tuple(function[local] for local in wanted)
     return Recorded(tuple(tape.steps), places)

@@ -10,7 +10,6 @@ names in its middle.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from fractions import Fraction
 from typing import Any, NamedTuple
 
 from pycparser import c_ast
@@ -33,43 +32,18 @@ class Typed(NamedTuple):
 class Domain:
     """What floating numbers are, and what is done with them; `kind` is the type of the result.
 
-    What a domain does not say it refuses.
+    number(kind, value)       a literal             sum(kind, x, y)         x + y, rounded
+    negative(kind, x)         -x                    product(kind, x, y)     x y, rounded
+    cast(kind, old, x)        x in another type     fused(kind, x, y, z)    x y + z, rounded once
+    bits(kind, x)             read as an integer    flipped(kind, x, mask)  with bits changed
     """
 
-    def number(self, kind: str, value: Fraction) -> Any:
-        """A literal."""
-        return self._refused(f"the number {float(value):g}")
-
-    def negative(self, kind: str, x: Any) -> Any:
-        """-x."""
-        return self._refused("a change of sign")
-
-    def sum(self, kind: str, x: Any, y: Any) -> Any:
-        """x + y, rounded."""
-        return self._refused("a sum")
-
-    def product(self, kind: str, x: Any, y: Any) -> Any:
-        """x y, rounded."""
-        return self._refused("a product")
-
-    def fused(self, kind: str, x: Any, y: Any, z: Any) -> Any:
-        """x y + z, rounded once."""
-        return self._refused("a product in a sum")
-
-    def cast(self, kind: str, old: str, x: Any) -> Any:
-        """x in another type."""
-        return self._refused("a cast")
-
-    def bits(self, kind: str, x: Any) -> int:
-        """The number read as an integer."""
-        return int(self._refused("the bits of a number"))
-
-    def flipped(self, kind: str, x: Any, mask: int) -> Any:
-        """The number with these bits changed."""
-        return self._refused("a change of bits")
-
-    def _refused(self, what: str) -> Any:
-        raise ExpressionError(f"{type(self).__name__}: {what} has no meaning there")
+    def do(self, how: str, kind: str, *operands: Any) -> Any:
+        """One of these operations; what a domain does not have it refuses."""
+        method = getattr(self, how, None)
+        if method is None:
+            raise ExpressionError(f"{type(self).__name__}: {how} of a {kind} has no meaning there")
+        return method(kind, *operands)
 
 
 class Function:
@@ -171,7 +145,7 @@ class Function:
             self._unions[union] = value
         elif field == "bits" and node.op == "^=" and self._unions[union].kind in FLOATS:
             kind, number = self._unions[union]
-            self._unions[union] = Typed(kind, self._domain.flipped(kind, number, value.value))
+            self._unions[union] = Typed(kind, self._domain.do("flipped", kind, number, value.value))
         else:
             raise ExpressionError(f"{node.coord}: {union}.{field} {node.op} is not known here")
 
@@ -180,7 +154,7 @@ class Function:
         if kind == value.kind:
             return value
         if kind in FLOATS and value.kind in FLOATS:
-            return Typed(kind, self._domain.cast(kind, value.kind, value.value))
+            return Typed(kind, self._domain.do("cast", kind, value.kind, value.value))
         if kind in BITS and value.kind in BITS:
             return Typed(kind, value.value % 2 ** BITS[kind])
         raise ExpressionError(f"a {value.kind} is taken for a {kind}")
@@ -191,7 +165,7 @@ class Function:
                 kind = "unsigned int" if node.value[-1] in "uU" else "int"
                 return Typed(kind, int(node.value.rstrip("uU"), 0))
             number = literal(node.value)
-            return Typed(number.kind, self._domain.number(number.kind, number.value))
+            return Typed(number.kind, self._domain.do("number", number.kind, number.value))
         if isinstance(node, c_ast.ID):
             return self._named(node.name)
         if isinstance(node, c_ast.StructRef):
@@ -199,7 +173,9 @@ class Function:
         if isinstance(node, c_ast.UnaryOp) and node.op in ("-", "+"):
             kind, value = self._value(node.expr)
             self._floating(kind, node)
-            return Typed(kind, self._domain.negative(kind, value) if node.op == "-" else value)
+            return Typed(
+                kind, self._domain.do("negative", kind, value) if node.op == "-" else value
+            )
         if isinstance(node, c_ast.BinaryOp):
             return self._combined(node)
         if isinstance(node, c_ast.TernaryOp):
@@ -223,7 +199,7 @@ class Function:
             return Typed(kind, number)
         self._floating(kind, node)
         integer = "uint32_t" if kind == "float" else "uint64_t"
-        return Typed(integer, self._domain.bits(kind, number))
+        return Typed(integer, self._domain.do("bits", kind, number))
 
     def _combined(self, node: Any) -> Typed:
         left, right = self._value(node.left), self._value(node.right)
@@ -236,10 +212,12 @@ class Function:
         if node.op in ("+", "-"):
             return Typed(
                 kind,
-                self._domain.sum(kind, x, y if node.op == "+" else self._domain.negative(kind, y)),
+                self._domain.do(
+                    "sum", kind, x, y if node.op == "+" else self._domain.do("negative", kind, y)
+                ),
             )
         if node.op == "*":
-            return Typed(kind, self._domain.product(kind, x, y))
+            return Typed(kind, self._domain.do("product", kind, x, y))
         raise ExpressionError(f"{node.coord}: {node.op} is not known here")
 
     def _call(self, node: Any) -> Typed:
@@ -247,7 +225,7 @@ class Function:
         if name in ("fma", "fmaf"):
             kind = "double" if name == "fma" else "float"
             x, y, z = (self._as(kind, value).value for value in given)
-            return Typed(kind, self._domain.fused(kind, x, y, z))
+            return Typed(kind, self._domain.do("fused", kind, x, y, z))
         if name not in self._source.functions:
             raise ExpressionError(f"{node.coord}: function {name} is not known here")
         parameters = self._source.functions[name].decl.type.args.params
