@@ -15,7 +15,6 @@ ROOT = Path(mechanics.__file__).parents[1]
 PARTS = (
     "kernel",
     "program",
-    "exact",
     "scene",
     "kinematics",
     "routes",
