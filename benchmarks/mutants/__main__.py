@@ -18,11 +18,12 @@ from collections import Counter
 from collections.abc import Sequence
 from hashlib import sha256
 from itertools import islice
+from math import inf
 from pathlib import Path
 
 from benchmarks.mutants.covering import FOLDERS, tests_of
 from benchmarks.mutants.operators import STRICT, Mutant, is_python, mutants
-from benchmarks.mutants.trial import ROOT, try_files, try_functions, warm_up
+from benchmarks.mutants.trial import ENOUGH, ROOT, try_files, try_functions, warm_up
 
 HERE = Path(__file__).parent
 RESULTS, EQUIVALENT = HERE / "results.json", HERE / "equivalent.json"
@@ -84,7 +85,8 @@ def campaign(
         if mutant.in_function:
             groups.setdefault(tests_of(mutant.path), []).append(mutant)
     for tests, group in groups.items():
-        try_functions(group, tests, report)
+        # What was noticed is noticed on slow machines, too.
+        try_functions(group, tests, report, inf if again else ENOUGH)
     try_files([m for m in asked if not m.in_function], tests_of, report)
     return outcome
 

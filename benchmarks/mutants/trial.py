@@ -14,6 +14,7 @@ import sys
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from functools import _lru_cache_wrapper
+from math import inf
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from time import process_time
@@ -45,8 +46,11 @@ Calls = dict[str, tuple[float, list[str]]]
 class Planting:
     """A plugin of pytest that plants mutants where tests would be run."""
 
-    def __init__(self, mutants: Sequence[Mutant], report: Report, folder: Path) -> None:
-        self.mutants, self.report, self.kept = mutants, report, folder / "calls.json"
+    def __init__(
+        self, mutants: Sequence[Mutant], report: Report, folder: Path, enough: float
+    ) -> None:
+        self.mutants, self.report, self.enough = mutants, report, enough
+        self.kept = folder / "calls.json"
 
     def pytest_runtestloop(self, session: pytest.Session) -> bool:
         """Try each mutant in a fork, which has what was collected."""
@@ -56,7 +60,7 @@ class Planting:
                 raise RuntimeError("a test fails without a mutant: mend it")
         calls: Calls = json.loads(self.kept.read_text(encoding="utf-8"))
         for mutant in self.mutants:
-            chosen = [items[name] for name in callers(calls, mutant)]
+            chosen = [items[name] for name in callers(calls, mutant, self.enough)]
             with quiet():
                 status = forked(lambda m=mutant, c=chosen: self._try(m, c))
             self.report(mutant, status == 0)
@@ -64,7 +68,7 @@ class Planting:
 
     def _record(self, items: Sequence[pytest.Item]) -> int:
         """Seconds and functions of every test, each function as ``path:name``."""
-        root, found = f"{PACKAGE}/", {}
+        root, found, kept = f"{PACKAGE}/", {}, caches()
         for item in items:
             called: set[str] = set()
 
@@ -73,7 +77,8 @@ class Planting:
                 if code.co_filename.startswith(root):
                     called.add(f"{code.co_filename.removeprefix(root)}:{code.co_qualname}")
 
-            forget()
+            for cache in kept:
+                cache.cache_clear()
             start = process_time()
             sys.settrace(seen)
             passed = passes(item)
@@ -93,7 +98,7 @@ class Planting:
         return 0 if all(map(passes, items)) else 1
 
 
-def callers(calls: Calls, mutant: Mutant) -> list[str]:
+def callers(calls: Calls, mutant: Mutant, enough: float = inf) -> list[str]:
     """Tests that call the function of a mutant, the quickest first, as long as there is time."""
     name = f"{mutant.path}:{mutant.function}"
     found = {
@@ -104,23 +109,25 @@ def callers(calls: Calls, mutant: Mutant) -> list[str]:
     total, chosen = 0.0, []
     for test in sorted(found, key=lambda test: found[test]):
         total += found[test]
-        if total > ENOUGH and chosen:
+        if total > enough and chosen:
             break
         chosen.append(test)
     return chosen
 
 
-def forget() -> None:
-    """Empty the caches of functions, so that what a test needs is called in it.
+def caches() -> list[_lru_cache_wrapper]:
+    """Caches of functions, to be emptied so that what a test needs is called in it.
 
     Canaries are decided once all the same.
     """
+    found = []
     for thing in gc.get_objects():
         if isinstance(thing, _lru_cache_wrapper):
             # One of a partial function has no name.
             name, module = getattr(thing, "__name__", ""), getattr(thing, "__module__", None)
             if name != "check_canaries" and str(module).startswith(FORGOTTEN):
-                thing.cache_clear()
+                found.append(thing)
+    return found
 
 
 def passes(item: pytest.Item) -> bool:
@@ -131,7 +138,9 @@ def passes(item: pytest.Item) -> bool:
     return all(report.passed or report.skipped for report in reports)
 
 
-def try_functions(mutants: Sequence[Mutant], tests: Sequence[str], report: Report) -> None:
+def try_functions(
+    mutants: Sequence[Mutant], tests: Sequence[str], report: Report, enough: float = ENOUGH
+) -> None:
     """Try mutants in functions, all covered by the same test files.
 
     Raises
@@ -148,7 +157,7 @@ def try_functions(mutants: Sequence[Mutant], tests: Sequence[str], report: Repor
     def run() -> int:
         os.close(reader)
         with TemporaryDirectory() as name, quiet():
-            plugin = Planting(mutants, tell, Path(name))
+            plugin = Planting(mutants, tell, Path(name), enough)
             paths = [str(ROOT / test) for test in tests]
             return int(pytest.main([*OPTIONS, *paths], plugins=[plugin]))
 

@@ -91,4 +91,5 @@ def test_tests_that_call_a_function_are_chosen_the_quickest_first() -> None:
         "other": (0.1, ["x.py:C.methods", "y.py:C.method"]),
         "slowest": (7.0, ["x.py:C.method"]),
     }
-    assert callers(calls, mutant) == ["inner", "slow"]
+    assert callers(calls, mutant, 6.0) == ["inner", "slow"]
+    assert callers(calls, mutant) == ["inner", "slow", "slowest"]
