@@ -151,6 +151,12 @@ def test_states_of_a_gap_are_in_it() -> None:
     assert gap == Gap(gap.obligation, OPEN, False, gap.state, False)
 
 
+def test_where_the_truth_has_no_value_at_rest_others_are_tried() -> None:
+    truth = space(asked(NONZERO, X))
+    assert found(asked(NONNEGATIVE, Y - 1), truth) == (OPEN, False)
+    assert found(asked(NONNEGATIVE, Y - 1), space(asked(NONZERO, X - 1))) == (OPEN, True)
+
+
 def test_on_constraints_what_they_give_is_discharged() -> None:
     def closed(state: dict) -> dict:
         return {**state, "x": state["y"] + state["m"]}

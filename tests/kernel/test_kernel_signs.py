@@ -54,7 +54,7 @@ SIGNS = {
     "more than the sine of a sum": (THETA.cos() * PHI.cos() - THETA.sin() * PHI.sin(), ANY),
     "a modulus squared": (abs(X - Y) ** 2 - (X - Y) ** 2, ZERO),
     "a choice": (B.less(X, Y).choose(X * X + 1, K), POSITIVE),
-    "a choice of both signs": (B.less(X, Y).choose(-1 - X * X, K), NEGATIVE | POSITIVE),
+    "a choice of both signs": (B.less(X, Y).choose(-1 - X * X, K), ANY),
     "a choice of what is not positive": (B.less(X, Y).choose(-X * X, -K), NEGATIVE | ZERO),
     "a truth value": (B.less(X, Y), NOT_NEGATIVE),
     "nothing is known": (X - Y, ANY),
