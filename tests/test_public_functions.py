@@ -15,7 +15,10 @@ SCENE = rocker.scene()
 @pytest.mark.parametrize(
     ("call", "words"),
     [
-        (lambda: mechanics.compile(SCENE), "compile: Equations wanted, Scene found: pass derive("),
+        (
+            lambda: mechanics.compile(SCENE),
+            "compile: Equations or ProgramEquations wanted, Scene found: pass derive(",
+        ),
         (
             lambda: mechanics.simulate(SCENE, 1),
             "simulate: Model wanted, Scene found: pass compile(",
