@@ -17,6 +17,7 @@ from mechanics.compiled.outputs import FORMS, Outputs, bind
 from mechanics.compiled.quantities import STATE, Quantities
 from mechanics.equations import ProgramEquations
 from mechanics.errors import ExpressionError, InputError, SingularError
+from mechanics.mechanism import Mechanism
 from mechanics.program.casadi_printer import print_graphs
 from mechanics.program.residues import Residues, eliminate
 from mechanics.routes.programs.rows import coefficients
@@ -96,13 +97,7 @@ class ProgramSource:
     @cached_property
     def programs(self) -> Outputs:
         """What each function computes, exactly."""
-        mechanism = self.equations.mechanism
-        groups = {name: getattr(self.quantities, name) for name in STATE}
-        variables = {
-            name: tuple(mechanism.builder.input(entry.name) for entry in group)
-            for name, group in groups.items()
-        }
-        return Outputs(mechanism, variables, self._numbers, self.named)
+        return outputs_of(self.equations.mechanism, self.quantities, self._numbers, self.named)
 
     @property
     def form(self) -> str:
@@ -111,22 +106,45 @@ class ProgramSource:
 
     def outputs(self, name: str) -> dict[str, ca.SX]:
         """The graphs of the outputs of a function."""
-        groups = {group: getattr(self.quantities, group) for group in (*STATE, "ud")}
-        entries = {
-            entry.name: self.columns[group][i]
-            for group, of_group in groups.items()
-            for i, entry in enumerate(of_group)
-        }
-        n = len(self.quantities.ud)
-        shapes = {f"ud_{group}": (n, len(groups[group])) for group in STATE}
-        shapes["mass_matrix"] = (n, n)
-        program = self.programs[name]
-        own = {output: shape for output, shape in shapes.items() if output in program.outputs}
-        found = print_graphs(program, entries, own, self._constant)
+        found = graphs_of(name, self.programs, self.quantities, self.columns, self.constants)
         return {**found, "multipliers": ca.SX(0, 1)} if name == "forward_dynamics" else found
 
-    def _constant(self, value: Fraction | None) -> ca.SX:
+
+def outputs_of(
+    mechanism: Mechanism, quantities: Quantities, fixed: Mapping[str, sympy.Expr], form: str
+) -> Outputs:
+    """The programs of a mechanism in the arrays of a model."""
+    variables = {
+        name: tuple(mechanism.builder.input(entry.name) for entry in getattr(quantities, name))
+        for name in STATE
+    }
+    return Outputs(mechanism, variables, fixed, form)
+
+
+def graphs_of(
+    name: str,
+    programs: Outputs,
+    quantities: Quantities,
+    columns: Mapping[str, ca.SX],
+    constants: dict[sympy.Expr, ca.SX],
+) -> dict[str, ca.SX]:
+    """The graphs of the outputs of a function; numbers that no double holds join the constants."""
+    groups = {group: getattr(quantities, group) for group in (*STATE, "ud")}
+    entries = {
+        entry.name: columns[group][i]
+        for group, of_group in groups.items()
+        for i, entry in enumerate(of_group)
+    }
+    n = len(quantities.ud)
+    shapes = {f"ud_{group}": (n, len(groups[group])) for group in STATE}
+    shapes["mass_matrix"] = (n, n)
+    program = programs[name]
+
+    def named(value: Fraction | None) -> ca.SX:
         number = sympy.pi if value is None else sympy.Rational(value.numerator, value.denominator)
-        if number not in self.constants:
-            self.constants[number] = ca.SX.sym(f"c{len(self.constants)}")
-        return self.constants[number]
+        if number not in constants:
+            constants[number] = ca.SX.sym(f"c{len(constants)}")
+        return constants[number]
+
+    own = {output: shape for output, shape in shapes.items() if output in program.outputs}
+    return print_graphs(program, entries, own, named)

@@ -149,30 +149,26 @@ int elastic_pendulum_inverse_dynamics(const double q[2], const double u[2], cons
     const double x_ddot = ud[0];
     const double theta_ddot = ud[1];
     const double cos_theta = cos(theta);
-    const double v1 = -0x1.5555555555555p-1 * L;
+    const double v1 = 0x1p-1 * L;
+    const double v2 = M * v1;
     const double sin_theta = sin(theta);
-    const double v2 = (cos_theta * g - theta_dot * (theta_dot * v1)) * (sin_theta * M);
-    const double v3 = x * (0x1.5555555555555p+1 * k);
-    const double v4 = 0x1.5555555555555p+0 * (M + m) - M * (cos_theta * cos_theta);
-    const double v5 = (v2 - v3) / v4;
-    const double v6 = x_ddot - v5;
-    const double v7 = cos_theta * L;
-    const double v8 = 0x1p-1 * (M * v7);
-    const double v9 = theta_ddot - (cos_theta * v5 + g * sin_theta) / v1;
-    const double v10 = (m + M) * v6 + v8 * v9;
-    const double v11 = 2.0 * (L * L);
-    const double v12 = M * (0x1p-1 * v7 * v7 + 0x1p-2 * (sin_theta * sin_theta * v11));
-    const double v13 = v8 * v6 + (0x1p-1 * v12 + M * v11 / 24.0) * v9;
+    const double v3 = cos_theta * (theta_ddot * v2);
+    const double v4 = sin_theta * (theta_dot * theta_dot * v2);
+    const double v5 = v3 - v4 + (x * (2.0 * k) + x_ddot * (M + m));
+    const double v6 = L * L * M / 24.0;
+    const double v7 = (v6 + v1 * v2 + v6) * theta_ddot;
+    const double v8 = (sin_theta * g + x_ddot * cos_theta) * v2;
+    const double v9 = v7 + v8;
     int status = ELASTIC_PENDULUM_OK;
-    if (!(isfinite(v10) && isfinite(v13) && isfinite(v4) && isfinite(v1))) {
+    if (!(isfinite(v5) && isfinite(v9))) {
         if (!(isfinite(x) && isfinite(theta) && isfinite(theta_dot) && isfinite(L) && isfinite(M) &&
             isfinite(g) && isfinite(k) && isfinite(m) && isfinite(x_ddot) && isfinite(theta_ddot)))
             status = ELASTIC_PENDULUM_BAD_INPUT;
         else
-            status = v4 == 0 || v1 == 0 ? ELASTIC_PENDULUM_SINGULAR : ELASTIC_PENDULUM_OVERFLOW;
+            status = ELASTIC_PENDULUM_OVERFLOW;
     }
-    forces[0] = v10;
-    forces[1] = v13;
+    forces[0] = v5;
+    forces[1] = v9;
     return status;
 }
 
