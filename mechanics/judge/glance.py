@@ -140,5 +140,5 @@ def _elsewhere(scene: Scene) -> dict[Symbol, Expr]:
 
 def _value(a: Arithmetic, expr: Expr, table: Table) -> Number:
     """What an expression is worth with its symbols standing for others."""
-    symbols = sorted(expr.free_symbols, key=str)
+    symbols = sorted(expr.free_symbols, key=lambda symbol: symbol.name)
     return a.value_at(expr, {s: a.value(table.get(s, s)) for s in symbols})

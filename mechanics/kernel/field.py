@@ -85,7 +85,7 @@ class Residues:
         self._points: dict[int, tuple[int, int]] = {0: (1, 0)}
         self._roots: dict[tuple[int, int], int] = {}
         self._pi = self._drawn(positive=True)
-        self._turn(turns, modulus)
+        self.turn(turns, modulus)
         self.operations: Mapping[str, Callable[..., int]] = {
             "add": add, "subtract": sub, "negate": neg,
             "multiply": lambda x, y: x * y % p,
@@ -172,7 +172,7 @@ class Residues:
             self._points[x], self._points[p - x] = (c, s), (c, p - s)
         return self._points[x]
 
-    def _turn(self, turns: Sequence[Fraction], modulus: int) -> None:
+    def turn(self, turns: Sequence[Fraction], modulus: int) -> None:
         """Register the points of multiples of pi that exist here; others are angles like any."""
         p = self.prime
         exact = [r for r in turns if modulus % (2 * r.denominator) == 0]

@@ -57,17 +57,14 @@ class Arithmetic:
         self.assigned: dict[sympy.Symbol, Node] = {}
         self.inputs: dict[sympy.Symbol, str] = {}
         self._names: dict[str, sympy.Symbol] = {}
-        self._reader = self._new_reader({})
-        self._point: Point | None = None
-        self._points = 0
-
-    def _new_reader(self, symbols: Mapping[Any, Node]) -> Reader:
         rules = {
             sympy.Symbol: lambda symbol: Parts((), lambda: self._input(symbol).number),
             sympy.Dummy: lambda symbol: Parts((), lambda: self._input(symbol).number),
             AppliedUndef: self._unknown,
         }
-        return Reader(self.builder, symbols, rules)
+        self._reader = Reader(self.builder, {}, rules)
+        self._point: Point | None = None
+        self._points = 0
 
     # ------------------------------------------------------------------ expressions
 
@@ -83,7 +80,7 @@ class Arithmetic:
 
     def value_at(self, expression: Any, table: Mapping[sympy.Symbol, Node]) -> Node:
         """The node of an expression in which symbols stand for others."""
-        return self._new_reader(self.assigned | dict(table)).read(sympy.sympify(expression))
+        return self._reader.read_with(sympy.sympify(expression), self.assigned | dict(table))
 
     def assign(self, symbol: sympy.Symbol, number: Node | int | Fraction) -> None:
         """Let a symbol stand for a number that the experiment has computed.
@@ -102,7 +99,7 @@ class Arithmetic:
 
     def _input(self, symbol: sympy.Symbol) -> Node:
         """The input of its name, or of a longer one where another symbol has that."""
-        name = str(symbol)
+        name = symbol.name
         while self._names.setdefault(name, symbol) != symbol:
             name += "'"
         self.inputs[symbol] = name
@@ -274,9 +271,9 @@ def statement(subject: str, experiment: Experiment, target: float) -> Statement:
         RIGHT: [right for _, right in pairs],
         POSITIVE: a.positive,
         **{
-            str(symbol): [node]
+            symbol.name: [node]
             for symbol, node in a.assigned.items()
-            if not isinstance(symbol, sympy.Dummy) and str(symbol) not in a.signs
+            if not isinstance(symbol, sympy.Dummy) and symbol.name not in a.signs
         },
     }  # fmt: skip
     return Statement(subject, a.builder.program(outputs), a.signs, target=target)

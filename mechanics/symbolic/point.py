@@ -54,7 +54,7 @@ def random_field(*seed: str) -> Residues:
         The same seed gives the same point in each run.
     """
     draws = Draws(*seed)
-    return Residues(draw_prime(BITS, MODULUS, draws), MODULUS, draws, (TURN,))
+    return Residues(draw_prime(BITS, MODULUS, draws), MODULUS, draws)
 
 
 @dataclass(eq=False)
@@ -66,7 +66,6 @@ class Point:
     builder : Builder
         It may grow.
     domain : Residues
-        With `TURN` among its turns.
     input_value : callable
         Residue of an input, by its name; asked for once.
 
@@ -79,13 +78,12 @@ class Point:
     builder: Builder
     domain: Residues
     input_value: Callable[[str], int]
+    prime: int = field(init=False)
     _values: dict[int, int] = field(default_factory=dict)
     _solutions: dict[int, list[int]] = field(default_factory=dict)
 
-    @property
-    def prime(self) -> int:
-        """The modulus."""
-        return self.domain.prime
+    def __post_init__(self) -> None:
+        self.prime = self.domain.prime
 
     def value(self, node: Node) -> int:
         """Residue of a node."""
@@ -94,6 +92,12 @@ class Point:
     @cached_property
     def _forms(self) -> Forms:
         return Forms(self.builder)
+
+    @cached_property
+    def _pi(self) -> int:
+        """Pi; from now on its multiples have their points on the circle."""
+        self.domain.turn((TURN,), MODULUS)
+        return self.domain.pi()
 
     def _evaluated(self, number: int) -> int:
         """Evaluate a node after what it needs; nothing is recursive but angles in angles."""
@@ -130,7 +134,7 @@ class Point:
         if code == INPUT:
             return self.input_value(self.builder.inputs[first])
         if code == PI:
-            return self.domain.pi()
+            return self._pi
         if code == ENTRY:
             return self._solutions[first][self.builder.operands[1][number]]
         if code in (SIN, COS, TAN):

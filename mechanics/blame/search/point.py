@@ -27,7 +27,7 @@ from mechanics.kinematics.momenta import momenta_written_out
 from mechanics.program import Node
 from mechanics.scene import Scene
 from mechanics.symbolic import Arithmetic
-from mechanics.symbolic.point import BITS, TURN
+from mechanics.symbolic.point import BITS
 from mechanics.symbolic.point import Point as Values
 
 SEED = "blame"
@@ -105,17 +105,15 @@ class Point:
     family : Family
     attempt : int
         Points of one attempt belong together.
+    prime : int
+        The modulus.
     """
 
     motion: Motion
     values: Values
     family: Family
     attempt: int
-
-    @property
-    def prime(self) -> int:
-        """The modulus."""
-        return self.values.prime
+    prime: int
 
     def value(self, expression: Expr) -> int:
         """Residue of an expression, in which rates of coordinates and momenta may stand.
@@ -209,7 +207,7 @@ class Points:
         motion, scene = self._motion(family), self.truth.scene
         a = motion.arithmetic
         draws = Draws(SEED, str(attempt), str(family.other_state))
-        domain = Residues(prime(), MODULUS, draws, (TURN,), signs=True)
+        domain = Residues(prime(), MODULUS, draws, signs=True)
         state = {s.name for s in (*scene.q, *scene.u, *scene.ud)} if family.other_state else set()
         still = {s.name for s in scene.u} if family.still else set()
         doubled = [s.name for s in family.doubled]
@@ -233,4 +231,4 @@ class Points:
             domain.positive(values.value(node))
         for node in a.assigned.values():
             values.value(node)
-        return Point(motion, values, family, attempt)
+        return Point(motion, values, family, attempt, prime())
