@@ -9,9 +9,8 @@ has no lambda, and fewer rows.
 """
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
-from typing import Any
 
 from sympy import Expr, Matrix, Symbol
 
@@ -75,6 +74,29 @@ class FreeBodyRow:
     coefficients: tuple[tuple[Symbol, Expr], ...]
 
 
+@dataclass(frozen=True)
+class Matrices:
+    """The common form in plain symbols; SI units follow from the rows.
+
+    Attributes
+    ----------
+    mass : Matrix
+        M, r x n.
+    forcing : Matrix
+        f, r x 1.
+    reaction_matrix : Matrix
+        B, r x m.
+    constraint_matrix, constraint_bias : Matrix
+        A, c x n, and b, c x 1, with A u' = b.
+    """
+
+    mass: Matrix
+    forcing: Matrix
+    reaction_matrix: Matrix
+    constraint_matrix: Matrix
+    constraint_bias: Matrix
+
+
 @dataclass(frozen=True, eq=False, repr=False)
 class Equations:
     """Equations of motion of a scene as one route derived them, in plain symbols.
@@ -83,25 +105,16 @@ class Equations:
     ----------
     scene : Scene
     route : str
-    mass : Matrix
-        M, r x n. SI units follow from the rows. Like f and B it may be given as a function, which
-        is called when it is first read.
-    forcing : Matrix
-        f, r x 1.
+    write : callable
+        Makes the matrices; called when one of them is first read.
     multipliers : tuple of Symbol
         lambda, m of them; empty where the route eliminates them.
-    reaction_matrix : Matrix
-        B, r x m.
-    constraint_matrix, constraint_bias : Matrix
-        A, c x n, and b, c x 1, with A u' = b.
     conjugate : bool
         Whether the rows are power-conjugate to u, so that M is symmetric and B = A^T up to the
         naming of the multipliers.
     solve_reactions : callable or None
         Finds the eliminated reactions; called when they are first asked for. None where the route
         has none.
-    free_bodies : tuple of FreeBodyRow
-        The system before elimination, in tree order, where the route has it.
     chosen : tuple of str
         What the route picked, in words: free bodies and moment centres.
     explain : callable
@@ -112,27 +125,25 @@ class Equations:
     of_bodies : bool
         Whether these are the scene's own equations, so that forms of forward dynamics may start
         from its bodies; not so where a model was simplified.
-    rows : tuple of Expr
-        M u' - f - B lambda row by row as it was derived, before it was split into M, f and B, where
-        the route has that.
+    write_rows : callable
+        Makes M u' - f - B lambda row by row as it was derived, before it is split into M, f and B,
+        where the route has that.
+    write_constraints : callable or None
+        Makes A and b alone, so that M and f need not be written out for them.
     """
 
     scene: Scene
     route: str
-    mass: Matrix
-    forcing: Matrix
+    write: Callable[[], Matrices]
     multipliers: tuple[Symbol, ...]
-    reaction_matrix: Matrix
-    constraint_matrix: Matrix
-    constraint_bias: Matrix
     conjugate: bool
     solve_reactions: Callable[[], tuple[tuple[Symbol, Expr], ...]] | None = None
-    free_bodies: tuple[FreeBodyRow, ...] = ()
     chosen: tuple[str, ...] = ()
     explain: Callable[[], tuple[Step, ...]] = tuple
     fixed: Mapping[Symbol, Expr] = field(default_factory=dict)
     of_bodies: bool = False
-    rows: tuple[Expr, ...] = ()
+    write_rows: Callable[[], tuple[Expr, ...]] = tuple
+    write_constraints: Callable[[], tuple[Matrix, Matrix]] | None = None
 
     def __repr__(self) -> str:
         return f"<equations of {self.scene.name} by {self.route}: {len(self.scene.u)} speeds>"
@@ -141,6 +152,52 @@ class Equations:
     def tells_reactions(self) -> bool:
         """Whether reactions that the route eliminates can be had."""
         return self.solve_reactions is not None
+
+    @cached_property
+    def matrices(self) -> Matrices:
+        """M, f, B, A and b."""
+        return self.write()
+
+    @property
+    def mass(self) -> Matrix:
+        """M, r x n."""
+        return self.matrices.mass
+
+    @property
+    def forcing(self) -> Matrix:
+        """f, r x 1."""
+        return self.matrices.forcing
+
+    @property
+    def reaction_matrix(self) -> Matrix:
+        """B, r x m."""
+        return self.matrices.reaction_matrix
+
+    @cached_property
+    def _constraints(self) -> tuple[Matrix, Matrix]:
+        if self.write_constraints is not None:
+            return self.write_constraints()
+        return self.matrices.constraint_matrix, self.matrices.constraint_bias
+
+    @property
+    def constraint_matrix(self) -> Matrix:
+        """A, c x n."""
+        return self._constraints[0]
+
+    @property
+    def constraint_bias(self) -> Matrix:
+        """b, c x 1."""
+        return self._constraints[1]
+
+    @cached_property
+    def rows(self) -> tuple[Expr, ...]:
+        """M u' - f - B lambda as it was derived; empty where the route does not have that."""
+        return self.write_rows()
+
+    def with_matrices(self, **changed: Matrix) -> "Equations":
+        """The same equations with other matrices, which no rows stand for."""
+        matrices = replace(self.matrices, **changed)
+        return replace(self, write=lambda: matrices, write_rows=tuple, write_constraints=None)
 
     @cached_property
     def reactions(self) -> tuple[tuple[Symbol, Expr], ...]:
@@ -267,29 +324,3 @@ def written_out(equations: Equations | ProgramEquations) -> Equations:
             " program, what needs M and f does not"
         )
     return equations
-
-
-class Late:
-    """A matrix of `Equations` that may be given as a function, called when it is first read.
-
-    A chain of fifty links has 2600 entries of M, and its recursive kernels need none of them. What
-    is read is the same whenever it is read; nothing may ask whether it has been.
-    """
-
-    def __init__(self, name: str) -> None:
-        self._name = name
-
-    def __get__(self, instance: Any, owner: type) -> Any:
-        if instance is None:
-            return self
-        given = instance.__dict__[self._name]
-        if callable(given):
-            given = instance.__dict__[self._name] = given()
-        return given
-
-    def __set__(self, instance: Any, given: Matrix | Callable[[], Matrix]) -> None:
-        instance.__dict__[self._name] = given
-
-
-for _matrix in ("mass", "forcing", "reaction_matrix"):
-    setattr(Equations, _matrix, Late(_matrix))

@@ -23,8 +23,8 @@ from benchmarks.detection.vocabulary import vocabulary
 from mechanics.crosscheck.routes import derive
 from mechanics.errors import MechanicsError
 from mechanics.routes.dynamic import dynamic_speeds
-from mechanics.routes.kane import kanes_method
-from mechanics.routes.lagrange import lagranges_method
+from mechanics.routes.kane_sympy import kanes_method
+from mechanics.routes.lagrange_sympy import lagranges_method
 from mechanics.scene import RigidBody, Scene
 from mechanics.scene.bodies import Body
 from mechanics.scene.geometry import components, point_path, step_vector

@@ -358,13 +358,13 @@ DERIVED = (
     *faults_in(
         "mechanics.routes.programs.moving_point",
         (
-            "turning = subtract(add(spin_rate, cross(velocity, subtree.momentum)), torque)",
-            "turning = subtract(spin_rate, torque)",
+            "moving = add(self.spin_rate, cross(self.velocity, self.momentum))",
+            "moving = self.spin_rate",
             "programs, moving_point: v_B x P is left out",
         ),
         (
-            "torque = subtract(subtree.torque, cross(principle.offset, subtree.force))",
-            "torque = add(subtree.torque, cross(principle.offset, subtree.force))",
+            "subtract(subtree.torque, cross(principle.offset, subtree.force))",
+            "add(subtree.torque, cross(principle.offset, subtree.force))",
             "programs, moving_point: the centre on the other side",
         ),
         (
@@ -404,8 +404,8 @@ DERIVED = (
             "programs, lagrange: L = T + V",
         ),
         (
-            "total = total + half * body.mass * dot(velocity, velocity)",
-            "total = total + body.mass * dot(velocity, velocity)",
+            "total = total + half * mass * dot(velocity, velocity)",
+            "total = total + mass * dot(velocity, velocity)",
             "programs, lagrange: T without its half",
         ),
         (

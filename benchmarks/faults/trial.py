@@ -34,9 +34,11 @@ from mechanics.checks.virtual_power import (
     solved,
 )
 from mechanics.crosscheck import CrossCheck, crosscheck
+from mechanics.crosscheck.by_sympy import METHODS
 from mechanics.crosscheck.programs import Programs, check_laws, derive_rows, is_written_out
 from mechanics.crosscheck.programs import solved as solved_program
 from mechanics.crosscheck.routes import ROUTES
+from mechanics.crosscheck.sympy_table import too_large
 from mechanics.equations import Equations
 from mechanics.kernel import Verdict
 from mechanics.program.interpret import interpret
@@ -62,8 +64,11 @@ def outcome(name: str, clean: Mapping[str, str] | None) -> dict[str, Any]:
         states, support = drawn_states(scene), None
         numbers |= potential_numbers(scene, states)
         written = is_written_out(mechanism)
-        for route in ROUTES if written else ():
-            equations = route.derive(scene)
+        ways = [route.derive for route in ROUTES] if written else []
+        if not too_large(mechanism):
+            ways += [derive for _, derive in METHODS.values()]
+        for derive in ways:
+            equations = derive(scene)
             support = support or equations
             numbers |= motion_numbers(equations, support, states)
             if clean is None or not differ(numbers, clean):

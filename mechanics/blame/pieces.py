@@ -16,7 +16,7 @@ from sympy import Add, Expr, Matrix, Symbol
 from mechanics.equations import FreeBodyRow
 from mechanics.kinematics import differentiate
 from mechanics.kinematics.motion import BodyMotion
-from mechanics.routes.free_body import free_body_rows
+from mechanics.routes.free_body_terms import free_body_rows
 from mechanics.scene import Gravity, Scene
 from mechanics.scene.actions import Action, load_actions, moment, unit_reactions
 from mechanics.scene.topology import tree

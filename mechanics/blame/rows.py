@@ -16,7 +16,7 @@ from mechanics.blame.pieces import Kind, Momentum, Origin, Piece, inner, merged,
 from mechanics.equations import Equations
 from mechanics.kinematics.motion import BodyMotion
 from mechanics.routes.balance import Balance, dot, triple
-from mechanics.routes.moving_point import candidates
+from mechanics.routes.moving_point_terms import candidates
 from mechanics.scene import Gravity, Scene
 from mechanics.scene.actions import moment
 from mechanics.scene.topology import tree

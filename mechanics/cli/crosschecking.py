@@ -15,6 +15,7 @@ from mechanics.cli.findings import counted, explain
 from mechanics.cli.load import load
 from mechanics.crosscheck import CrossCheck
 from mechanics.crosscheck import crosscheck as check
+from mechanics.crosscheck.by_sympy import METHODS
 from mechanics.crosscheck.routes import named_routes
 from mechanics.crosscheck.system import DEFAULT_STATES
 from mechanics.kernel import Finding, Verdict
@@ -116,8 +117,9 @@ def _summary(console: Console, results: Sequence[SystemResult]) -> None:
     for result in results:
         console.print(f"\n[bold]{escape(result.name)}[/]  {escape(result.scene.name)}")
         table = Table("route", "seconds", "operations", box=None, pad_edge=False)
-        for name, route in result.routes.items():
-            table.add_row(name, f"{route.seconds:.3f}", str(route.operations))
+        for name, column in result.columns.items():
+            words = (f"{column.seconds:.3f}", str(column.operations))
+            table.add_row(column_name(name), *(("-", column.absent) if column.absent else words))
         console.print(table)
         for title, findings in (
             ("pairs of routes", list(result.pairs.values())),
@@ -137,6 +139,14 @@ def _summary(console: Console, results: Sequence[SystemResult]) -> None:
             console.print(escape(remark), style="dim")
         for finding in result.open:
             explain(console, finding)
+
+
+def column_name(name: str) -> str:
+    """A route for people, with what derived it where two did: ``kane (SymPy)``."""
+    route = name.removesuffix("_sympy")
+    if route not in METHODS:
+        return name
+    return f"{route} ({'SymPy' if name != route else 'program'})"
 
 
 def _others(result: SystemResult) -> list[Finding]:

@@ -106,14 +106,9 @@ def fix(equations: Equations, table: Fixed) -> Equations:
     if not table:
         return equations
     put = partial(fixed_matrix, equations, table)
+    matrices = {name: put(matrix) for name, matrix in vars(equations.matrices).items()}
     fixed = replace(
-        equations,
-        mass=put(equations.mass),
-        forcing=put(equations.forcing),
-        rows=(),
-        reaction_matrix=put(equations.reaction_matrix),
-        constraint_matrix=put(equations.constraint_matrix),
-        constraint_bias=put(equations.constraint_bias),
+        equations.with_matrices(**matrices),
         solve_reactions=equations.solve_reactions and partial(_reactions, equations, table),
         fixed={**equations.fixed, **table},
     )

@@ -40,9 +40,9 @@ DERIVATIONS: Mapping[str, Callable[[Mechanism], Rows]] = {
 
 
 LARGEST_TEXTBOOK = 600
-"""Operations of Kane's rows up to which SymPy writes the equations out."""
+"""Operations of Kane's rows up to which the equations are written out."""
 MOST_IN_SPACE = 3
-"""Bodies with a full inertia up to which it does: five in space take it minutes, by any route."""
+"""Bodies with a full inertia up to which they are: more in space are no reading for a person."""
 
 
 @dataclass(frozen=True)
@@ -70,9 +70,9 @@ class Programs:
 
 
 def is_written_out(mechanism: Mechanism) -> bool:
-    """Whether a scene is small enough for SymPy to write its equations out, by any route.
+    """Whether a scene is small enough for its equations to be read, by any route.
 
-    Decided by counts alone, before SymPy is called.
+    Decided by counts alone, before anything is written.
     """
     in_space = sum(body.inertia is not None and not body.scalar for body in mechanism.bodies)
     if in_space > MOST_IN_SPACE:
@@ -152,25 +152,29 @@ def solved(programs: Programs, name: str) -> Program:
 def check_textbook(programs: Programs, derived: Mapping[str, Equations]) -> Iterator[Finding]:
     """The matrices of each route, written in SymPy, give the accelerations of its program.
 
-    They give its multipliers, too, where it keeps some: by name, or as generalized forces.
+    They give its multipliers, too, where both keep some: by name, or as generalized forces.
     """
-    mechanism = programs.mechanism
-    build, size = mechanism.builder, len(mechanism.u)
     for name, equations in derived.items():
-        own = programs.routes[name]
-        left, right = equations.system
-        flat = read(build, [*left, *right])
-        matrix = _rows(flat, left.cols)[: left.cols]
-        solved = build.solve(matrix, flat[left.cols**2 :])
-        one, two = list(own.accelerations), list(solved[:size])
-        names = [name_of(multiplier) for multiplier in own.rows.multipliers]
-        if names == [symbol.name for symbol in equations.multipliers]:
-            one, two = list(own.solution), list(solved)
-        elif equations.multipliers and equations.conjugate:
-            forces = _rows(read(build, [*equations.reaction_matrix]), left.cols - size)
-            one += maintaining_forces(own)
-            two += [dot(row, solved[size:]) for row in forces]
-        yield equal(f"{name}: program = textbook form", mechanism, one, two)
+        yield same_motion(f"{name}: program = textbook form", programs, name, equations)
+
+
+def same_motion(subject: str, programs: Programs, name: str, equations: Equations) -> Finding:
+    """Whether matrices in SymPy give the accelerations and multipliers of a route's program."""
+    mechanism, own = programs.mechanism, programs.routes[name]
+    build, size = mechanism.builder, len(mechanism.u)
+    left, right = equations.system
+    flat = read(build, [*left, *right])
+    matrix = _rows(flat, left.cols)[: left.cols]
+    solved = build.solve(matrix, flat[left.cols**2 :])
+    one, two = list(own.accelerations), list(solved[:size])
+    names = [name_of(multiplier) for multiplier in own.rows.multipliers]
+    if names == [symbol.name for symbol in equations.multipliers]:
+        one, two = list(own.solution), list(solved)
+    elif equations.multipliers and equations.conjugate:
+        forces = _rows(read(build, [*equations.reaction_matrix]), left.cols - size)
+        one += maintaining_forces(own)
+        two += [dot(row, solved[size:]) for row in forces]
+    return equal(subject, mechanism, one, two)
 
 
 def _rows(flat: Sequence[Node], width: int) -> list[Sequence[Node]]:

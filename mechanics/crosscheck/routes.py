@@ -7,23 +7,41 @@ from mechanics.checks.programs.admissible import check_scene
 from mechanics.crosscheck.programs import DERIVATIONS, is_written_out
 from mechanics.equations import Equations, ProgramEquations, written_out
 from mechanics.errors import InputError, wanted
+from mechanics.mechanism import Mechanism
 from mechanics.routes import free_body, kane, lagrange, moving_point
+from mechanics.routes.programs.rows import Rows
 from mechanics.scene import Scene
 
 
 @dataclass(frozen=True)
 class Route:
-    """A way to the equations of motion."""
+    """A way to the equations of motion.
+
+    Attributes
+    ----------
+    name : str
+    derive : callable
+        Equations of a scene, which is not asked whether it is admissible.
+    rows : callable
+        The same as rows of a program.
+    written : callable
+        Rows of a program for people.
+    """
 
     name: str
     derive: Callable[[Scene], Equations]
+    rows: Callable[[Mechanism], Rows]
+    written: Callable[[Scene, Mechanism, Rows], Equations]
 
 
-ROUTES: tuple[Route, ...] = (
-    Route("free_body", free_body.derive),
-    Route("moving_point", moving_point.derive),
-    Route("kane", kane.derive),
-    Route("lagrange", lagrange.derive),
+ROUTES: tuple[Route, ...] = tuple(
+    Route(name, module.derive, DERIVATIONS[name], module.written)
+    for name, module in (
+        ("free_body", free_body),
+        ("moving_point", moving_point),
+        ("kane", kane),
+        ("lagrange", lagrange),
+    )
 )
 
 
@@ -45,7 +63,7 @@ def named_routes(names: Sequence[str]) -> tuple[Route, ...]:
 def derive(scene: Scene, route: str = "free_body") -> Equations | ProgramEquations:
     """Equations of motion of a scene by one route, after the scene was found admissible.
 
-    A scene that is too large for SymPy to write out gives `ProgramEquations`.
+    A scene that is too large to be written out gives `ProgramEquations`.
 
     Parameters
     ----------
@@ -63,9 +81,9 @@ def derive(scene: Scene, route: str = "free_body") -> Equations | ProgramEquatio
     wanted(scene, Scene, "derive", "pass what scene() of a system gives")
     (chosen,) = named_routes((route,))
     mechanism = check_scene(scene)
+    rows = chosen.rows(mechanism)
     if is_written_out(mechanism):
-        return chosen.derive(scene)
-    rows = DERIVATIONS[route](mechanism)
+        return chosen.written(scene, mechanism, rows)
     return ProgramEquations(scene, route, mechanism, rows.values, rows.multipliers, rows.reactions)
 
 
@@ -82,5 +100,8 @@ def derive_textbook(scene: Scene, route: str = "free_body") -> Equations:
 
 def derive_with(scene: Scene, names: Sequence[str] = ()) -> dict[str, Equations]:
     """Equations of motion by several routes, all of them for no name."""
-    check_scene(scene)
-    return {route.name: route.derive(scene) for route in named_routes(names)}
+    mechanism = check_scene(scene)
+    return {
+        route.name: route.written(scene, mechanism, route.rows(mechanism))
+        for route in named_routes(names)
+    }

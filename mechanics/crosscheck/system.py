@@ -25,6 +25,7 @@ from mechanics.checks.virtual_power import (
 from mechanics.clock import Stopwatch
 from mechanics.compiled import Model, compile, prove_compiled
 from mechanics.compiled.finite import not_finite
+from mechanics.crosscheck.by_sympy import by_sympy, matrix_operations
 from mechanics.crosscheck.measured import NOT_CLOSED, ON_MANIFOLD, holds_others, measured
 from mechanics.crosscheck.motion import example_motion
 from mechanics.crosscheck.programs import (
@@ -112,13 +113,14 @@ def crosscheck(system: System | Scene, options: CrossCheck | None = None) -> Sys
     stage("checking the scene")
     mechanism = check_scene(scene)
     names = [route.name for route in named_routes(options.routes)]
+    programs = derive_rows(mechanism, names, stage)
     if not is_written_out(mechanism):
-        programs = derive_rows(mechanism, names, stage)
         return _without_textbook(system, scene, programs, stage)
-    derived, seconds = _derived(scene, names, stage)
+    derived, seconds = _written_out(scene, programs, stage)
     stage("comparing routes")
-    programs = derive_rows(mechanism, names)
     pairs = compare_pairs(programs.routes)
+    sympy = by_sympy(scene, programs, pairs, stage)
+    pairs |= sympy.pairs
     findings = [*pairs.values(), *check_textbook(programs, derived), *check_laws(programs)]
     stage("the scene as declared")
     witnesses = tuple(_witnesses(scene, derived))
@@ -163,7 +165,7 @@ def crosscheck(system: System | Scene, options: CrossCheck | None = None) -> Sys
             name: RouteResult(
                 equations,
                 seconds[name],
-                _operations(models[name]),
+                matrix_operations(models[name]),
                 models[name].form,
                 models[name].program("forward_dynamics").operations,
             )
@@ -177,6 +179,7 @@ def crosscheck(system: System | Scene, options: CrossCheck | None = None) -> Sys
         remarks=remarks,
         pairs=pairs,
         witnesses=witnesses,
+        sympy=sympy.columns,
     )
 
 
@@ -186,6 +189,8 @@ def _without_textbook(
     """Of a scene that is too large to be written out by SymPy: the routes are programs alone."""
     stage("comparing routes")
     pairs = compare_pairs(programs.routes)
+    sympy = by_sympy(scene, programs, pairs, stage)
+    pairs |= sympy.pairs
     findings = [*pairs.values(), *check_laws(programs)]
     remarks = ["The equations are too long to be written out, and stay programs."]
     stage("compiling")
@@ -216,20 +221,22 @@ def _without_textbook(
         remarks=tuple(remarks),
         pairs=pairs,
         witnesses=tuple(witnesses),
+        sympy=sympy.columns,
     )
 
 
-def _derived(
-    scene: Scene, names: Sequence[str], stage: Callable[[str], None]
+def _written_out(
+    scene: Scene, programs: Programs, stage: Callable[[str], None]
 ) -> tuple[dict[str, Equations], dict[str, float]]:
     derived, seconds = {}, {}
-    for route in named_routes(names):
-        stage(f"deriving by {route.name}")
+    for route in named_routes(tuple(programs.routes)):
+        stage(f"writing out {route.name}")
         watch = Stopwatch()
-        derived[route.name] = route.derive(scene)
+        rows = programs.routes[route.name].rows
+        derived[route.name] = route.written(scene, programs.mechanism, rows)
         # M and f are written out when they are first read: they belong to the derivation.
         _ = derived[route.name].system
-        seconds[route.name] = watch.seconds
+        seconds[route.name] = programs.seconds[route.name] + watch.seconds
     return derived, seconds
 
 
@@ -317,8 +324,3 @@ def _units(models: Mapping[str, Model]) -> dict[Symbol, str]:
     known = [model.quantities for model in models.values()]
     groups = [(k.q, k.u, k.ud, k.inputs, k.p, k.multipliers, k.reactions) for k in known]
     return {e.symbol: e.unit for of_one in groups for group in of_one for e in group if e.unit}
-
-
-def _operations(model: Model) -> int:
-    """Operations of M and f, common subexpressions shared."""
-    return sum(model.casadi[name].n_instructions() for name in ("mass_matrix", "forcing"))

@@ -9,7 +9,9 @@ r"""Results as JSON, stable.
 | ok | true when every finding and every published row is PROVED or CERTIFIED, and every witness
   SUPPORTED |
 | routes | by route: `seconds` of the derivation, `operations` of M and f after sharing, `form` of
-  forward dynamics as it was compiled, and the operations of `forward_dynamics` in that form |
+  forward dynamics as it was compiled, and the operations of `forward_dynamics` in that form;
+  `kane_sympy` and `lagrange_sympy` are SymPy's own methods, which are not compiled, or `absent`
+  with the reason |
 | findings | list of `subject`, `verdict`, `evidence`, `error_bound`, `witness` |
 | witnesses | the same, of numbers that share no code with the routes: SUPPORTED at best |
 | published | list of `tag`, `label`, `verdict`, `evidence`, `error_bound`, `witness` |
@@ -54,8 +56,9 @@ def _system(result: SystemResult) -> dict[str, Any]:
                 "operations": route.operations,
                 "form": route.form,
                 "forward_dynamics": route.forward,
+                "absent": route.absent,
             }
-            for name, route in result.routes.items()
+            for name, route in result.columns.items()
         },
         "findings": [
             {"subject": finding.subject, **verdict_json(finding)} for finding in result.findings

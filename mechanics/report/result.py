@@ -15,9 +15,10 @@ from mechanics.scene.published import Published
 class RouteResult:
     """One derivation: the equations, how long they took, and how large they are.
 
-    `equations` is None where they are too long to be written out.
+    `equations` is None where they are too long to be written out, and for SymPy's own methods.
     `operations` counts the operations of M and f after common subexpressions are shared, `forward`
     those of forward dynamics, which are written in `form`, one of `mechanics.compiled.FORMS`.
+    `absent` says why there is no such derivation.
     """
 
     equations: Equations | None
@@ -25,6 +26,7 @@ class RouteResult:
     operations: int
     form: str = ""
     forward: int = 0
+    absent: str = ""
 
 
 @dataclass(frozen=True)
@@ -99,6 +101,9 @@ class SystemResult:
     witnesses : tuple of Finding
         What numbers say that share no code with the routes: evidence, which cannot be more than
         SUPPORTED, and which fails where it is less.
+    sympy : mapping of str to RouteResult
+        What SymPy's own methods derive, ``"kane_sympy"`` and ``"lagrange_sympy"``, beside the
+        routes of these names. The pairs hold them, too.
     """
 
     name: str
@@ -112,11 +117,22 @@ class SystemResult:
     remarks: tuple[str, ...] = field(default=())
     pairs: Mapping[tuple[str, str], Finding] = field(default_factory=dict)
     witnesses: tuple[Finding, ...] = ()
+    sympy: Mapping[str, RouteResult] = field(default_factory=dict)
 
     def __repr__(self) -> str:
         counts = Counter(finding.verdict.name for finding in self.claims)
         said = ", ".join(f"{count} {verdict}" for verdict, count in counts.items())
         return f"<cross-check of {self.name}: {said or 'nothing checked'}>"
+
+    @property
+    def columns(self) -> dict[str, RouteResult]:
+        """Routes, each with SymPy's own method of that name after it."""
+        found: dict[str, RouteResult] = {}
+        for name, route in self.routes.items():
+            found[name] = route
+            if (own := f"{name}_sympy") in self.sympy:
+                found[own] = self.sympy[own]
+        return found
 
     @property
     def ok(self) -> bool:

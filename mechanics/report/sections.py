@@ -18,8 +18,10 @@ from mechanics.scene.quantities import ReactionValue
 ROUTES = {
     "free_body": "Free bodies",
     "moving_point": "Moving point",
-    "kane": "Kane",
-    "lagrange": "Lagrange",
+    "kane": "Kane (program)",
+    "kane_sympy": "Kane (SymPy)",
+    "lagrange": "Lagrange (program)",
+    "lagrange_sympy": "Lagrange (SymPy)",
 }
 ENERGY = "_energy"
 
@@ -156,18 +158,19 @@ def _unit(turning: set[Symbol], coordinate: Symbol) -> str:
 
 def matrix(result: SystemResult) -> list[tuple[str, list[Finding | None]]]:
     """For each route its findings against every route; None for itself and where there is none."""
-    names = list(result.routes)
+    names = [name for name, column in result.columns.items() if not column.absent]
     both = {**result.pairs, **{(b, a): finding for (a, b), finding in result.pairs.items()}}
     return [(row, [both.get((row, column)) for column in names]) for row in names]
 
 
 def speeds(result: SystemResult) -> list[Speed]:
     """Time and size of each route beside the others."""
-    longest = max((route.seconds for route in result.routes.values()), default=0) or 1.0
-    largest = max((route.operations for route in result.routes.values()), default=0) or 1
+    columns = result.columns
+    longest = max((route.seconds for route in columns.values()), default=0) or 1.0
+    largest = max((route.operations for route in columns.values()), default=0) or 1
     return [
         Speed(name, route, route.seconds / longest, route.operations / largest)
-        for name, route in result.routes.items()
+        for name, route in columns.items()
     ]
 
 

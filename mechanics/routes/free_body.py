@@ -1,177 +1,91 @@
-"""Procedure (i): isolate every body, write its momentum principles, eliminate the reactions.
+"""Equations of procedure (i), written out from `mechanics.routes.programs.free_body`."""
 
-    sum F = dp/dt,    sum tau_C = dH_C/dt        for each body, along the directions in use
+from sympy import Add
 
-The reactions are unknowns of these equations, and are eliminated last, by algebra, from the leaves
-of the tree of bodies to its root. Velocities come from `mechanics.kinematics.differentiate`.
-"""
-
-from collections.abc import Sequence
-from functools import cache, partial
-
-from sympy import Add, Expr, Matrix, S, Symbol
-
-from mechanics.equations import Equations, FreeBodyRow
-from mechanics.kinematics import differentiate
-from mechanics.kinematics.constraints import constraint_rows
-from mechanics.kinematics.directions import AXES, Directions, used_directions
-from mechanics.kinematics.motion import BodyMotion, inertia_matrix
-from mechanics.routes.common import assemble
-from mechanics.routes.elimination import Row, eliminate, solved_reactions
-from mechanics.routes.free_body_steps import derivation_steps
-from mechanics.scene import RigidBody, Scene
-from mechanics.scene.actions import Action, acting_reactions, applied_actions, by_body, moment
-from mechanics.scene.geometry import components
-from mechanics.scene.rates import rate_table, rates
-from mechanics.scene.topology import Tree, multipliers, tree
-from mechanics.symbolic import tidy
+from mechanics.equations import Equations, Line, Step
+from mechanics.mechanism import Mechanism, lower
+from mechanics.program import Builder
+from mechanics.routes.programs import differentiate, free_body
+from mechanics.routes.programs.free_body import FreeBodyRow
+from mechanics.routes.programs.motion import Motions
+from mechanics.routes.programs.rows import Rows
+from mechanics.routes.textbook import Printer, textbook
+from mechanics.scene import Scene
 
 
 def derive(scene: Scene) -> Equations:
-    """Equations of motion by isolating every body.
+    """Equations of motion by isolating every body; each eliminated reaction in u' and lambda."""
+    mechanism = lower(scene, Builder())
+    return written(scene, mechanism, free_body.derive(mechanism))
 
-    Returns
-    -------
-    Equations
-        With the free-body rows, and each eliminated reaction as a function of u' and lambda.
-    """
-    bodies = tree(scene)
-    motions = {motion.body.name: motion for motion in differentiate.body_motions(scene)}
-    rows = free_body_rows(scene, bodies, motions)
-    kept = multipliers(scene)
-    result = eliminate(rows, bodies, kept)
-    # A chain of fifty links has 2600 entries of M and f, which few need.
-    system = cache(partial(assemble, scene, result.rows, kept))
-    matrix, bias = constraint_rows(scene)
-    return Equations(
-        scene,
-        "free_body",
-        lambda: system().mass,
-        lambda: system().forcing,
-        kept,
-        lambda: system().reaction_matrix,
-        matrix,
-        bias,
-        conjugate=False,
-        solve_reactions=partial(solved_reactions, result.order) if result.order else None,
-        free_bodies=rows,
-        chosen=tuple(f"{row.body}: {row.kind} momentum along {row.axis}" for row in rows),
-        explain=partial(derivation_steps, motions, rows, result),
-        of_bodies=True,
-        rows=tuple(_residual(row) for row in result.rows),
+
+def written(scene: Scene, mechanism: Mechanism, rows: Rows) -> Equations:
+    """The same from rows that were derived."""
+    return textbook(scene, mechanism, rows, steps)
+
+
+def steps(printer: Printer, mechanism: Mechanism) -> tuple[Step, ...]:
+    """Kinematics, momenta, free bodies, elimination."""
+    rows, elimination = free_body.eliminated(mechanism)
+    names = [body.name for body in mechanism.bodies]
+    symbols = [reaction.symbol for reaction in printer.scene.reactions]
+    equations = []
+    for row in rows:
+        applied, rate, *factors = printer.short((row.applied, row.rate, *row.coefficients.values()))
+        held = (f * symbols[r] for f, r in zip(factors, row.coefficients, strict=True))
+        label = f"{names[row.body]}, {row.kind} along {row.axis}"
+        equations.append(Line(Add(applied, *held), rate, label))
+    solved = []
+    for step in elimination.solved:
+        value, *factors = printer.short((step.row.value, *step.row.coefficients.values()))
+        others = dict(zip(step.row.coefficients, factors, strict=True))
+        pivot = others.pop(step.reaction)
+        rest = Add(value, *(-f * symbols[r] for r, f in others.items())) / pivot
+        solved.append(Line(symbols[step.reaction], rest, f"from {names[step.row.body]}"))
+    return (
+        Step(
+            "Kinematics",
+            "Positions of the mass centres, differentiated once for the velocities.",
+            kinematic_lines(printer, mechanism, differentiate.motions(mechanism)),
+        ),
+        Step(
+            "Momenta",
+            "Linear momentum of each body, and angular momentum about its mass centre.",
+            tuple(
+                Line(_momentum_name(row, names), *printer.short((row.momentum,))) for row in rows
+            ),
+        ),
+        Step(
+            "Free-body equations",
+            "Each body isolated: loads and reactions on the left, rate of momentum on the right.",
+            tuple(equations),
+        ),
+        Step(
+            "Elimination",
+            "From the leaves of the tree of bodies to its root, each reaction is solved from one"
+            " row and put into the others.",
+            tuple(solved),
+        ),
     )
 
 
-def _residual(row: Row) -> Expr:
-    """``value - sum of coefficients times reactions``."""
-    return Add(row.value, *(-c * reaction for reaction, c in row.coefficients.items()))
+def kinematic_lines(printer: Printer, mechanism: Mechanism, motions: Motions) -> tuple[Line, ...]:
+    """Position and velocity components that are not zero, and the angular velocity."""
+    found = []
+    for body in mechanism.bodies:
+        centre, label = motions.points[body.centre], rf"\mathrm{{{body.name}}}"
+        vectors = [("r", centre.position), ("v", centre.velocity)]
+        if body.frame is not None:
+            vectors.append((r"\omega", motions.frames[body.frame].omega))
+        for title, vector in vectors:
+            found += [
+                Line(rf"{title}_{{{label},{axis}}}", entry)
+                for axis, entry in zip("xyz", printer.expanded(vector), strict=True)
+                if entry != 0
+            ]
+    return tuple(found)
 
 
-def free_body_rows(
-    scene: Scene, bodies: Tree, motions: dict[str, BodyMotion]
-) -> tuple[FreeBodyRow, ...]:
-    """Momentum equations of every isolated body, in tree order."""
-    applied = applied_actions(scene)
-    reactions = acting_reactions(scene)
-    units = [action for pair in reactions.values() for action in pair]
-    directions = used_directions(tuple(motions.values()), (*applied, *units))
-    loads = by_body(applied)
-    rows: list[FreeBodyRow] = []
-    for name in bodies.order:
-        held = {
-            symbol: action
-            for symbol, pair in reactions.items()
-            for action in pair
-            if action.body == name
-        }
-        motion = motions[name]
-        axes = _axes(scene, bodies, name, directions)
-        rows += _linear(motion, axes, loads.get(name, []), held)
-        if motion.turns:
-            rows += _angular(scene, motion, directions, loads.get(name, []), held)
-    return tuple(rows)
-
-
-def _axes(
-    scene: Scene, bodies: Tree, name: str, directions: Directions
-) -> list[tuple[str, Matrix]]:
-    """Directions for linear momentum: those of the reactions at the inboard joint.
-
-    A joint whose reactions are given in a turning frame is written along that frame, so that each
-    row holds one of them and elimination divides by nothing.
-    """
-    frames = {
-        frame
-        for reaction in bodies.joints[name]
-        if reaction.at is not None
-        for frame, _ in components(reaction.along)
-    }
-    frame = frames.pop() if len(frames) == 1 else scene.frame
-    rotation = scene.rotation(frame)
-    axes = [(f"{frame.name}.{AXES[i]}", rotation[:, i]) for i in range(3)]
-    return [
-        (axis, column)
-        for axis, column in axes
-        if any(column[i] != 0 for i in directions.translation)
-    ]
-
-
-def _linear(
-    motion: BodyMotion,
-    axes: Sequence[tuple[str, Matrix]],
-    loads: Sequence[Action],
-    held: dict[Symbol, Action],
-) -> list[FreeBodyRow]:
-    mass, centre = motion.body.mass, motion.centre
-    return [
-        FreeBodyRow(
-            motion.body.name,
-            "linear",
-            along,
-            axis,
-            momentum=mass * _dot(centre.velocity, along),
-            rate=mass * _dot(centre.acceleration, along),
-            applied=Add(*(_dot(load.force, along) for load in loads)),
-            coefficients=_nonzero({s: _dot(unit.force, along) for s, unit in held.items()}),
-        )
-        for axis, along in axes
-    ]
-
-
-def _angular(
-    scene: Scene,
-    motion: BodyMotion,
-    directions: Directions,
-    loads: Sequence[Action],
-    held: dict[Symbol, Action],
-) -> list[FreeBodyRow]:
-    if not isinstance(motion.body, RigidBody):
-        return []
-    centre = motion.centre.position
-    momentum = inertia_matrix(scene, motion.body, motion.rotation) * motion.angular_velocity
-    growth = rates(momentum, rate_table(scene))
-    torque = sum((moment(load, centre) for load in loads), Matrix.zeros(3, 1))
-    arms = {symbol: moment(unit, centre) for symbol, unit in held.items()}
-    return [
-        FreeBodyRow(
-            motion.body.name,
-            "angular",
-            Matrix([int(i == k) for i in range(3)]),
-            f"{scene.frame.name}.{AXES[k]}",
-            momentum=momentum[k],
-            rate=growth[k],
-            applied=torque[k],
-            coefficients=_nonzero({symbol: arm[k] for symbol, arm in arms.items()}),
-        )
-        for k in directions.rotation
-    ]
-
-
-def _dot(vector: Matrix, along: Matrix) -> Expr:
-    return Add(*(vector[i] * along[i] for i in range(3) if along[i] != 0 and vector[i] != 0))
-
-
-def _nonzero(coefficients: dict[Symbol, Expr]) -> tuple[tuple[Symbol, Expr], ...]:
-    """Coefficients in the normal form: one that cancels must not be taken for a pivot."""
-    tidied = {symbol: tidy(value) for symbol, value in coefficients.items()}
-    return tuple((symbol, value) for symbol, value in tidied.items() if value != S.Zero)
+def _momentum_name(row: FreeBodyRow, names: list[str]) -> str:
+    symbol = "p" if row.kind == "linear" else "H"
+    return rf"{symbol}_{{\mathrm{{{names[row.body]}}},{row.axis.split('.')[-1]}}}"

@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 from sympy import Expr, Integer, Matrix, Symbol, cos, pi, sin, sympify
 
-from mechanics.equations import Equations
+from mechanics.equations import Equations, Matrices
 from mechanics.errors import ExpressionError, InputError, SingularError
 from mechanics.linear import Linear, linearise, numeric_poles
 from mechanics.scene import Scene
@@ -126,17 +126,12 @@ def as_equations(linear: Linear) -> Equations:
     forcing = -linear.damping * Matrix(scene.u) - linear.stiffness * deviation
     if len(drive):
         forcing += linear.input_matrices[0] * drive
-    return Equations(
-        scene=scene,
-        route=f"{linear.route}, linearised",
-        mass=linear.mass,
-        forcing=forcing,
-        multipliers=(),
-        reaction_matrix=Matrix.zeros(linear.mass.rows, 0),
-        constraint_matrix=Matrix.zeros(0, linear.mass.cols),
-        constraint_bias=Matrix.zeros(0, 1),
-        conjugate=linear.conjugate,
+    rows, n = linear.mass.shape
+    matrices = Matrices(
+        linear.mass, forcing, Matrix.zeros(rows, 0), Matrix.zeros(0, n), Matrix.zeros(0, 1)
     )
+    route = f"{linear.route}, linearised"
+    return Equations(scene, route, lambda: matrices, (), conjugate=linear.conjugate)
 
 
 def is_linear(equations: Equations) -> bool:

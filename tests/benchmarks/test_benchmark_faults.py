@@ -15,7 +15,7 @@ SAMPLE = (
     "every declared scalar counts twice",
     "gravity does not know the mass",
     "an applied force acts the other way",
-    "a unit of a reaction is two",
+    "programs, free_body: reactions have no moment",
     "a rod about its end",
     "a side is compared with itself",
 )

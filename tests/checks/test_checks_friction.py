@@ -50,12 +50,10 @@ def test_without_friction_all_of_them_are_right() -> None:
     smooth = {Symbol(system.mu_c.name, positive=True): 0, system.mu_c: 0}
     for row in (system.TRANSCRIBED, *system.CLASSIC):
         sides = tuple(scene.plain(side).xreplace(smooth) for side in row.sides)
-        still = replace(
-            truth,
-            mass=truth.mass.xreplace(smooth),
-            forcing=truth.forcing.xreplace(smooth),
-            solve_reactions=None,
-        )
+        matrices = {
+            "mass": truth.mass.xreplace(smooth), "forcing": truth.forcing.xreplace(smooth)
+        }  # fmt: skip
+        still = replace(truth.with_matrices(**matrices), solve_reactions=None)
         smooth_row = replace(row, sides=sides)
         assert check_row(scene, smooth_row, still).verdict is Verdict.PROVED, row.tag
 

@@ -105,6 +105,7 @@ def test_a_wrong_rotation_that_all_routes_share_is_noticed_here(
 ) -> None:
     """This is what the check is for: the routes agree with each other and are wrong."""
     monkeypatch.setattr(scenes, "relative_rotation", turned_round)
+    monkeypatch.setattr("mechanics.mechanism.relative_rotation", turned_round)
     monkeypatch.setattr("mechanics.kinematics.chain.relative_rotation", turned_round)
     monkeypatch.setattr("mechanics.routes.sympy_model.relative_rotation", turned_round)
     result = crosscheck(elastic_pendulum.scene(), CrossCheck(states=0))
@@ -123,7 +124,7 @@ def test_a_wrong_force_is_refuted_with_its_state(make: Callable[[], Scene], name
     scene = make()
     equations = derive_with(scene, (name,))[name]
     pushed = equations.forcing + Matrix([1] + [0] * (equations.forcing.rows - 1))
-    found = check_virtual_power(replace(equations, forcing=pushed), drawn_states(scene))
+    found = check_virtual_power(equations.with_matrices(forcing=pushed), drawn_states(scene))
     assert found.verdict is Verdict.REFUTED
     assert found.witness is not None
     assert {e.name for e in scene.q} <= set(dict(found.witness.state))
@@ -133,7 +134,7 @@ def test_accelerations_that_leave_the_constraints_are_refuted() -> None:
     scene = four_bar.scene()
     equations = derive_with(scene, ("kane",))["kane"]
     off = equations.constraint_bias + Matrix([1, 0])
-    found = check_virtual_power(replace(equations, constraint_bias=off), drawn_states(scene))
+    found = check_virtual_power(equations.with_matrices(constraint_bias=off), drawn_states(scene))
     assert found.verdict is Verdict.REFUTED
     assert found.evidence.startswith("closure along x")
 

@@ -75,7 +75,7 @@ def test_a_crosscheck_shows_everything(run: Any, tmp_path: Path) -> None:
     page = tmp_path / "friction.html"
     found = run("crosscheck", "cartpole_friction", "--states", 100, "--report", page)
     assert found.code == 0
-    assert "pairs of routes: 6 PROVED" in found.out
+    assert "pairs of routes: 15 PROVED" in found.out
     assert "published rows: 5 PROVED" in found.out
     assert "has no slope at the operating point" in " ".join(found.out.split())
     assert "sticking is not modelled" in page.read_text(encoding="utf-8")

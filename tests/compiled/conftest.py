@@ -10,7 +10,6 @@ from mechanics.compiled import Model
 from mechanics.compiled import compile as compile_model
 from mechanics.compiled.machine.native import find_compiler
 from mechanics.equations import Equations
-from mechanics.routes import free_body
 
 
 @functools.cache
@@ -49,4 +48,4 @@ def unwritten(monkeypatch: pytest.MonkeyPatch) -> None:
     def refuse(*_: object) -> None:
         raise AssertionError("M and f are written out")
 
-    monkeypatch.setattr(free_body, "assemble", refuse)
+    monkeypatch.setattr("mechanics.routes.textbook._matrices", refuse)

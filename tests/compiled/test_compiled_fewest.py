@@ -1,6 +1,5 @@
 """The form with the fewest operations: exact, no dearer than elimination, accurate, repeatable."""
 
-import dataclasses
 from fractions import Fraction
 from random import Random
 from typing import Any
@@ -183,7 +182,7 @@ def test_too_many_terms_are_left_as_they_are(derived) -> None:
     equations = derived("rocker", "kane")
     theta, (f,) = equations.scene.q[0], equations.scene.input_symbols
     many = sympy.Add(*(theta**i * f**j for i in range(60) for j in range(60)))
-    assert preferred(dataclasses.replace(equations, forcing=Matrix([many]))) is not FEWEST
+    assert preferred(equations.with_matrices(forcing=Matrix([many]))) is not FEWEST
     with pytest.raises(TooLarge, match="terms"):
         nested_entries(equations.mass.as_immutable(), Matrix([many]).as_immutable())
 
@@ -209,7 +208,7 @@ def test_products_that_cancel_are_cancelled(derived) -> None:
     equations = derived("rocker", "kane")
     theta = equations.scene.q[0]
     hidden = equations.forcing + Matrix([10**6 * (sin(theta) ** 2 + cos(theta) ** 2 - 1)])
-    disguised = dataclasses.replace(equations, forcing=hidden)
+    disguised = equations.with_matrices(forcing=hidden)
     model, plain = (compile(e, compiler=None) for e in (disguised, equations))
     states = sample(model.quantities, 50, seed=7)
     q, u, inputs, p = states.groups

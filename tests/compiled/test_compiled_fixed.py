@@ -1,6 +1,5 @@
 """`compile(..., fixed=, outputs=)`: exact values, refusals, and nothing that was not asked for."""
 
-import dataclasses
 from collections import Counter
 from collections.abc import Callable
 from decimal import Decimal
@@ -65,7 +64,7 @@ def test_a_divisor_that_is_fixed_to_zero_is_refused() -> None:
     equations = derive(elastic_pendulum.scene())
     length = next(symbol for symbol in equations.scene.parameters if symbol.name == "L")
     divided = equations.forcing / length
-    broken = dataclasses.replace(equations, forcing=divided)
+    broken = equations.with_matrices(forcing=divided)
     with pytest.raises(InputError, match=r"with L = 0.* fixed, .* is divided by zero") as bad:
         compile(broken, fixed={"L": 0})
     assert "\n" not in str(bad.value)

@@ -1,7 +1,5 @@
 """Compiled accelerations against the seed's equations of motion, typed here once more."""
 
-import dataclasses
-
 import numpy as np
 import pytest
 import sympy
@@ -73,7 +71,7 @@ def test_a_moment_equation_with_uncancelled_products_loses_its_digits(derived) -
     (_, theta), (v, w) = scene.q, scene.u
     # dH_B/dt + v_B x P: what the first puts in, the second takes out again.
     moment = -M * L / 2 * (g - v * w) * sin(theta) - v * (M * L / 2 * w * sin(theta))
-    broken = dataclasses.replace(equations, forcing=Matrix([equations.forcing[0], moment]))
+    broken = equations.with_matrices(forcing=Matrix([equations.forcing[0], moment]))
     forms = [compile_model(broken, form=form) for form in ("elimination", "fewest")]
     options = {"states": 2000, "precisions": [np.float64]}
     found = residuals(forms[:1], typed(model), **options)

@@ -42,8 +42,7 @@ def combined(equations: Equations) -> Equations:
     scale = Matrix(r, r, lambda i, j: int(i + j == r - 1) * (2 + cos(equations.scene.q[0])))
     add = Matrix(r, r, lambda i, j: 1 if i == j else Rational(1, 3) if j == i + 1 else 0)
     change = -add * scale
-    return replace(
-        equations,
+    return equations.with_matrices(
         mass=change * equations.mass,
         forcing=change * equations.forcing,
         reaction_matrix=change * equations.reaction_matrix,
@@ -77,7 +76,7 @@ def mutations(equations: Equations) -> list[tuple[Equations, Expr]]:
             for other in changed_terms(entry):
                 entries = list(matrix)
                 entries[place] = other
-                copy = replace(equations, **{name: Matrix(*matrix.shape, entries)})
+                copy = equations.with_matrices(**{name: Matrix(*matrix.shape, entries)})
                 found.append((copy, other - entry))
     return found
 

@@ -8,7 +8,7 @@ from sympy import Matrix, Symbol, cos, sqrt
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
 from mechanics.blame.result import Blame, Difference, Edit, Mistake, Repair
-from mechanics.equations import Equations, Line, Step
+from mechanics.equations import Equations, Line, Matrices, Step
 from mechanics.judge.check import check, derived
 from mechanics.kernel import Finding, Verdict, Witness
 from mechanics.reading.names import Match
@@ -55,15 +55,13 @@ def equations(scene: Scene, route: str) -> Equations:
         Step("Kinematics", "The position $x$ and its rate.", (Line("r_x", scene.q[0]),)),
         Step("Free body", "", (Line(m * acceleration, -k * scene.q[0], "block, along N.x"),)),
     )
+    none = Matrix.zeros(0, 1)
+    matrices = Matrices(Matrix([[m]]), Matrix([-k * scene.q[0]]), Matrix.zeros(1, 0), none, none)
     return Equations(
         scene,
         route,
-        Matrix([[m]]),
-        Matrix([-k * scene.q[0]]),
+        lambda: matrices,
         (),
-        Matrix.zeros(1, 0),
-        Matrix.zeros(0, 1),
-        Matrix.zeros(0, 1),
         conjugate=True,
         solve_reactions=(lambda: ((Symbol("N", real=True), m * cos(scene.q[0])),))
         if route == "free_body"

@@ -15,6 +15,7 @@ def test_layout(small: SystemResult) -> None:
     assert set(system) == keys
     assert system["routes"]["kane"] == {
         "seconds": 3.5, "operations": 1234, "form": "ldl", "forward_dynamics": 1239,
+        "absent": "",
     }  # fmt: skip
     assert system["published"] == [
         {

@@ -13,7 +13,7 @@ from sympy import Add, Expr, Matrix, Rational, S, Symbol, zeros
 
 from mechanics.blame.pieces import Kind, Piece, momenta
 from mechanics.blame.rows import generalized_rows
-from mechanics.equations import Equations
+from mechanics.equations import Equations, Matrices
 from mechanics.scene import Scene
 from mechanics.scene.actions import frictions
 from mechanics.scene.topology import multipliers
@@ -135,17 +135,15 @@ def equations(truth: Equations, slip: Slip) -> Equations:
         forcing.append(-rest)
     kept = slip.unknowns[len(scene.ud) :]
     size = len(scene.ud)
-    return Equations(
-        scene,
-        f"with a mistake: {slip.words}",
+    matrices = Matrices(
         Matrix(mass),
         Matrix(forcing),
-        kept,
         Matrix(reactions) if kept else zeros(len(slip.rows), 0),
         truth.constraint_matrix if slip.held else zeros(0, size),
         truth.constraint_bias if slip.held else zeros(0, 1),
-        conjugate=False,
     )
+    words = f"with a mistake: {slip.words}"
+    return Equations(scene, words, lambda: matrices, kept, conjugate=False)
 
 
 def _sum(row: Sequence[Part], unknowns: tuple[Symbol, ...]) -> tuple[list[Expr], Expr]:

@@ -13,6 +13,7 @@ from dataclasses import dataclass, field
 from mechanics.errors import SingularError
 from mechanics.program.builder import Node
 from mechanics.program.residues import Residues
+from mechanics.routes.programs.rows import coefficients, remainder
 
 
 @dataclass
@@ -96,6 +97,53 @@ class Elimination:
                     total = total - coefficient * values[reaction]
             values[step.reaction] = total / step.row.coefficients[step.reaction]
         return values
+
+
+OPENED = -2
+"""Stands for the body of a row that lets a joint open."""
+
+
+def without_pressing(
+    filters: tuple[Residues, Residues],
+    rows: Sequence[Node],
+    opened: Sequence[Node],
+    pressing: dict[int, Node],
+    names: Sequence[str],
+) -> tuple[tuple[Node, ...], dict[int, Node]]:
+    """Rows free of the reactions that friction depends on, and these reactions.
+
+    Parameters
+    ----------
+    filters : pair of Residues
+        For what is zero at all states, and for what is where the constraints hold.
+    rows : sequence of Node
+        Projected on the speeds: a pressing reaction enters them by its friction only, and a pivot
+        there would vanish where nothing slides.
+    opened : sequence of Node
+        A row for each pressing reaction, of the motion that opens its joint.
+    pressing : dict of int to Node
+        The reactions, as inputs.
+    names : sequence of str
+        Of all reactions.
+
+    Raises
+    ------
+    SingularError
+        When no row determines a reaction.
+    """
+    if not pressing:
+        return tuple(rows), {}
+    unknowns = tuple(pressing.values())
+    every = [*rows, *opened]
+    anywhere, closed = filters
+    rests = remainder(anywhere.builder, every, unknowns)
+    work = []
+    for i, (rest, held) in enumerate(zip(rests, coefficients(every, unknowns), strict=True)):
+        signed = {index: -c for index, c in zip(pressing, held, strict=True)}
+        work.append(Row(OPENED if i >= len(rows) else 0, rest, nonzero(anywhere, signed)))
+    elimination = Elimination(anywhere, closed, work)
+    elimination.solve_for(list(pressing), OPENED, names)
+    return tuple(row.value for row in elimination.work), elimination.reactions({})
 
 
 def nonzero(filter_: Residues, coefficients: dict[int, Node]) -> dict[int, Node]:

@@ -20,7 +20,7 @@ from mechanics.program.derivatives import tangent
 from mechanics.program.residues import Residues
 from mechanics.program.vectors import Vector, add, dot, times, transpose, zeros
 from mechanics.routes.programs import differentiate
-from mechanics.routes.programs.directions import Directions, used_directions
+from mechanics.routes.programs.directions import AXES, Directions, used_directions
 from mechanics.routes.programs.elimination import Elimination, Row, nonzero
 from mechanics.routes.programs.loads import Wrench, acting_reactions, applied, by_body
 from mechanics.routes.programs.motion import BodyMotion, Motions, body_motions
@@ -38,6 +38,8 @@ class FreeBodyRow:
         ``"linear"``, or ``"angular"`` about the mass centre.
     along : Vector
         Unit vector, inertial components.
+    axis : str
+        Its name, for people.
     momentum, rate, applied : Node
         Component of the momentum, its time derivative, and that of the loads, in SI units.
     coefficients : mapping of int to Node
@@ -47,6 +49,7 @@ class FreeBodyRow:
     body: int
     kind: str
     along: Vector
+    axis: str
     momentum: Node
     rate: Node
     applied: Node
@@ -62,17 +65,9 @@ def derive(mechanism: Mechanism) -> Rows:
         When no row determines a reaction.
     """
     build = mechanism.builder
-    filter_, closed = mechanism.filters
-    rows = free_body_rows(mechanism, filter_)
-    work = [Row(row.body, row.rate - row.applied, dict(row.coefficients)) for row in rows]
-    elimination = Elimination(filter_, closed, work)
+    rows, elimination = eliminated(mechanism)
     kept = mechanism.multipliers
     names = [reaction.name for reaction in mechanism.reactions]
-    for body in reversed(mechanism.order):
-        own = [reaction for reaction in mechanism.joints[body] if reaction not in kept]
-        elimination.solve_for(own, body, names)
-    left = dict.fromkeys(r for row in elimination.work for r in row.coefficients if r not in kept)
-    elimination.solve_for(list(left), None, names)
     multipliers = {index: build.input(names[index]) for index in kept}
     values = elimination.reactions(multipliers)
     residuals = []
@@ -86,9 +81,34 @@ def derive(mechanism: Mechanism) -> Rows:
         tuple(residuals),
         tuple(multipliers.values()),
         conjugate=False,
-        reactions={names[index]: value for index, value in values.items() if index not in kept},
-        chosen=tuple(f"{mechanism.bodies[row.body].name}: {row.kind} momentum" for row in rows),
+        reactions={names[s.reaction]: values[s.reaction] for s in elimination.solved},
+        chosen=tuple(
+            f"{mechanism.bodies[row.body].name}: {row.kind} momentum along {row.axis}"
+            for row in rows
+        ),
     )
+
+
+def eliminated(mechanism: Mechanism) -> tuple[tuple[FreeBodyRow, ...], Elimination]:
+    """The momentum equations, and what is left of them without reactions.
+
+    Raises
+    ------
+    SingularError
+        When no row determines a reaction.
+    """
+    filter_, closed = mechanism.filters
+    rows = free_body_rows(mechanism, filter_)
+    work = [Row(row.body, row.rate - row.applied, dict(row.coefficients)) for row in rows]
+    elimination = Elimination(filter_, closed, work)
+    kept = mechanism.multipliers
+    names = [reaction.name for reaction in mechanism.reactions]
+    for body in reversed(mechanism.order):
+        own = [reaction for reaction in mechanism.joints[body] if reaction not in kept]
+        elimination.solve_for(own, body, names)
+    left = dict.fromkeys(r for row in elimination.work for r in row.coefficients if r not in kept)
+    elimination.solve_for(list(left), None, names)
+    return rows, elimination
 
 
 def free_body_rows(mechanism: Mechanism, filter_: Residues) -> tuple[FreeBodyRow, ...]:
@@ -116,9 +136,12 @@ def free_body_rows(mechanism: Mechanism, filter_: Residues) -> tuple[FreeBodyRow
     return tuple(rows)
 
 
+Axis = tuple[str, Vector]
+
+
 def _axes(
     mechanism: Mechanism, motions: Motions, index: int, directions: Directions
-) -> tuple[list[Vector], list[Vector]]:
+) -> tuple[list[Axis], list[Axis]]:
     """Axes for linear and angular momentum: those of the reactions at the inboard joint."""
     frames: tuple[set[int], set[int]] = (set(), set())
     for reaction in mechanism.joints[index]:
@@ -128,14 +151,21 @@ def _axes(
     for chosen, used in zip(frames, (directions.translation, directions.rotation), strict=True):
         frame = chosen.pop() if len(chosen) == 1 else 0
         columns = transpose(motions.frames[frame].rotation)
-        found.append([c for c in columns if any(not c[i].is_zero for i in used)])
+        names = (f"{mechanism.frames[frame].name}.{axis}" for axis in AXES)
+        found.append(
+            [
+                (name, column)
+                for name, column in zip(names, columns, strict=True)
+                if any(not column[i].is_zero for i in used)
+            ]
+        )
     return found[0], found[1]
 
 
 def _linear(
     mechanism: Mechanism,
     index: int,
-    axes: Sequence[Vector],
+    axes: Sequence[Axis],
     motion: BodyMotion,
     loads: Sequence[Wrench],
     acting: dict[int, Wrench],
@@ -148,19 +178,20 @@ def _linear(
             index,
             "linear",
             along,
+            axis,
             mass * dot(centre.velocity, along),
             mass * dot(centre.acceleration, along),
             dot(force, along),
             nonzero(filter_, {r: dot(unit.force, along) for r, unit in acting.items()}),
         )
-        for along in axes
+        for axis, along in axes
     ]
 
 
 def _angular(
     mechanism: Mechanism,
     index: int,
-    axes: Sequence[Vector],
+    axes: Sequence[Axis],
     motion: BodyMotion,
     loads: Sequence[Wrench],
     acting: dict[int, Wrench],
@@ -177,10 +208,11 @@ def _angular(
             index,
             "angular",
             along,
+            axis,
             dot(momentum, along),
             dot(rate, along),
             dot(torque, along),
             nonzero(filter_, {reaction: dot(arm, along) for reaction, arm in arms.items()}),
         )
-        for along in axes
+        for axis, along in axes
     ]

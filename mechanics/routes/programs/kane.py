@@ -9,18 +9,22 @@ more row gives: an auxiliary speed lets everything outboard of that reaction mov
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from mechanics.mechanism import Mechanism
 from mechanics.program.builder import Node
 from mechanics.program.derivatives import gradient
-from mechanics.program.vectors import add, cross, dot, scale, subtract, times, zeros
+from mechanics.program.residues import eliminate
+from mechanics.program.vectors import Matrix, add, cross, dot, scale, subtract, times, zeros
 from mechanics.routes.programs import chain
+from mechanics.routes.programs.elimination import without_pressing
 from mechanics.routes.programs.loads import Wrench, acting_reactions, applied, by_body
 from mechanics.routes.programs.motion import BodyMotion, Motions, body_motions
-from mechanics.routes.programs.rows import Rows
+from mechanics.routes.programs.rows import Rows, acceleration_forms, coefficients, remainder
 
 
 def derive(mechanism: Mechanism) -> Rows:
-    """Rows power-conjugate to u; where there is friction, rows for the reactions that press."""
+    """Rows power-conjugate to u; where there is friction, without the reactions that press."""
     motions = chain.motions(mechanism)
     unknown = unknown_reactions(mechanism)
     loads = [*applied(mechanism, motions), *_unknown_loads(mechanism, motions, unknown)]
@@ -35,9 +39,21 @@ def derive(mechanism: Mechanism) -> Rows:
         if motion.turning is not None:
             velocities += motion.turning.omega
             forces += torque
-    rows = gradient(velocities, forces, mechanism.u)
-    rows += opened(mechanism, motions, groups, bodies)
-    return Rows("kane", tuple(rows), tuple(unknown.values()), conjugate=not mechanism.frictions)
+    names = [reaction.name for reaction in mechanism.reactions]
+    rows, reactions = without_pressing(
+        mechanism.filters,
+        gradient(velocities, forces, mechanism.u),
+        opened(mechanism, motions, groups, bodies),
+        {index: node for index, node in unknown.items() if index not in mechanism.multipliers},
+        names,
+    )
+    return Rows(
+        "kane",
+        rows,
+        tuple(unknown[index] for index in mechanism.multipliers),
+        conjugate=not mechanism.frictions,
+        reactions={names[index]: value for index, value in reactions.items()},
+    )
 
 
 def inertial(
@@ -57,11 +73,18 @@ def inertial(
 
 def unknown_reactions(mechanism: Mechanism) -> dict[int, Node]:
     """Reactions that stay as unknowns: those of constraints, and those that friction depends on."""
-    pressing = [load.reaction for load in mechanism.frictions]
     return {
         index: mechanism.builder.input(mechanism.reactions[index].name)
-        for index in dict.fromkeys((*mechanism.multipliers, *pressing))
+        for index in (*mechanism.multipliers, *pressing_reactions(mechanism))
     }
+
+
+def pressing_reactions(mechanism: Mechanism) -> list[int]:
+    """The reactions that friction depends on, but those that maintain a constraint."""
+    known = mechanism.multipliers
+    return [
+        r for r in dict.fromkeys(load.reaction for load in mechanism.frictions) if r not in known
+    ]
 
 
 def _unknown_loads(
@@ -84,13 +107,59 @@ def opened(
 ) -> list[Node]:
     """For each pressing reaction: the momentum of all that is outboard, along the reaction."""
     rows = []
-    for load in mechanism.frictions:
-        reaction = mechanism.reactions[load.reaction]
+    for index in pressing_reactions(mechanism):
+        reaction = mechanism.reactions[index]
         along = motions.poses.vector(reaction.along)
         inside = mechanism.subtree(reaction.on)
         row = mechanism.builder.zero
-        for index in inside:
-            force, _ = inertial(mechanism, index, bodies[index], groups[index])
+        for body in inside:
+            force, _ = inertial(mechanism, body, bodies[body], groups[body])
             row = row + dot(along, force)
         rows.append(row)
     return rows
+
+
+def with_dependent_speeds(mechanism: Mechanism, rows: Rows) -> Rows:
+    """The rows of the independent speeds, free of the reactions that maintain constraints.
+
+        A_d W = -A_i        row_i + W^T row_d        u = (u_i, u_d),  A_d regular
+
+    These have no power on u_i + W u_i, so that they may be left out.
+
+    Parameters
+    ----------
+    mechanism : Mechanism
+    rows : Rows
+        As `derive` gives them.
+    """
+    if not mechanism.constraints:
+        return rows
+    build = mechanism.builder
+    matrix = coefficients(acceleration_forms(mechanism), mechanism.ud)
+    dependent = _last_independent(mechanism, matrix)
+    free = [i for i in range(len(mechanism.u)) if i not in dependent]
+    plain = remainder(build, rows.values, rows.multipliers)
+    kept = []
+    square = [[row[d] for d in dependent] for row in matrix]
+    for i in free:
+        weights = build.solve(square, [-row[i] for row in matrix])
+        total = plain[i]
+        for weight, d in zip(weights, dependent, strict=True):
+            total = total + weight * plain[d]
+        kept.append(total)
+    names = [build.inputs[build.operands[0][mechanism.u[d].number]] for d in dependent]
+    return replace(
+        rows,
+        values=tuple(kept),
+        multipliers=(),
+        conjugate=False,
+        chosen=tuple(f"dependent speed {name}" for name in names),
+    )
+
+
+def _last_independent(mechanism: Mechanism, matrix: Matrix) -> list[int]:
+    """The last speeds that the constraints can be solved for."""
+    backwards = range(len(mechanism.u) - 1, -1, -1)
+    _, closed = mechanism.filters
+    columns = [closed.values([row[i] for row in matrix]) for i in backwards]
+    return sorted(backwards[k] for k, _ in eliminate(columns, len(matrix)))

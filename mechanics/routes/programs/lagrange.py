@@ -12,13 +12,14 @@ along it, and (1) is written for s at s = s' = 0.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 
 from mechanics.mechanism import Mechanism
 from mechanics.program.builder import Node
 from mechanics.program.derivatives import gradient, tangent
-from mechanics.program.vectors import add, dot, scale, times, transpose
+from mechanics.program.vectors import Vector, add, dot, scale, times, transpose
 from mechanics.routes.programs import differentiate, loads
+from mechanics.routes.programs.elimination import without_pressing
 from mechanics.routes.programs.loads import Wrench, other, potential
 from mechanics.routes.programs.motion import Motions, PointMotion, poses
 from mechanics.routes.programs.rows import Rows, acceleration_forms, substitute
@@ -43,27 +44,35 @@ def derive(mechanism: Mechanism) -> Rows:
     wrenches = [*other(mechanism, motions), *_pressing(mechanism, motions, pressing)]
     forces = virtual_power(mechanism, motions, wrenches)
     rows = [row - force for row, force in zip(conservative, forces, strict=True)]
-    multipliers = tuple(
-        build.input(f"lambda_{constraint.name}") for constraint in mechanism.constraints
-    )
+    multipliers = tuple(build.input(f"lambda{i + 1}") for i in range(len(mechanism.constraints)))
     if multipliers:
         pulls = gradient(acceleration_forms(mechanism), multipliers, mechanism.ud)
         rows = [row - pull for row, pull in zip(rows, pulls, strict=True)]
-    if pressing:
-        every = [*wrenches, *loads.conservative(mechanism, motions.poses)]
-        rows += [_opened(mechanism, motions, index, every) for index in pressing]
-    return Rows("lagrange", tuple(rows), (*multipliers, *pressing.values()), conjugate=not pressing)
+    every = [*wrenches, *loads.conservative(mechanism, motions.poses)] if pressing else []
+    opened = [_opened(mechanism, motions, index, every) for index in pressing]
+    names = [reaction.name for reaction in mechanism.reactions]
+    kept, pressed = without_pressing(mechanism.filters, rows, opened, pressing, names)
+    reactions = {names[index]: value for index, value in pressed.items()}
+    return Rows("lagrange", kept, multipliers, conjugate=not pressing, reactions=reactions)
 
 
 def kinetic_energy(mechanism: Mechanism) -> Node:
     """T in q and q', in J."""
+    half, total = mechanism.builder.one / 2, mechanism.builder.zero
+    for mass, velocity, spin in kinetic_parts(mechanism):
+        total = total + half * mass * dot(velocity, velocity)
+        total = total + half * spin
+    return total
+
+
+def kinetic_parts(mechanism: Mechanism) -> Iterator[tuple[Node, Vector, Node]]:
+    """m, v and omega . I omega of every body, in q and q'."""
     where = poses(mechanism)
     table = mechanism.coordinate_rates
-    half, total = mechanism.builder.one / 2, mechanism.builder.zero
     for body in mechanism.bodies:
-        velocity = tangent(where.positions[body.centre], table)
-        total = total + half * body.mass * dot(velocity, velocity)
+        velocity = tuple(tangent(where.positions[body.centre], table))
         if body.frame is None or body.inertia is None:
+            yield body.mass, velocity, mechanism.builder.zero
             continue
         rotation = where.rotations[body.frame]
         flat = tangent([entry for row in rotation for entry in row], table)
@@ -75,8 +84,7 @@ def kinetic_energy(mechanism: Mechanism) -> Node:
             dot(columns[0], turning[2]),
             dot(columns[1], turning[0]),
         )
-        total = total + half * dot(omega, times(body.inertia, omega))
-    return total
+        yield body.mass, velocity, dot(omega, times(body.inertia, omega))
 
 
 def _conservative(mechanism: Mechanism) -> tuple[Node, ...]:

@@ -32,6 +32,7 @@ from mechanics.mechanism import Mechanism
 from mechanics.program.builder import Node
 from mechanics.program.derivatives import tangent
 from mechanics.program.residues import Residues, eliminate
+from mechanics.program.sympy_printer import expressions, written_size
 from mechanics.program.vectors import (
     Vector,
     add,
@@ -44,11 +45,14 @@ from mechanics.program.vectors import (
     zeros,
 )
 from mechanics.routes.programs import chain
-from mechanics.routes.programs.directions import Directions, used_directions
+from mechanics.routes.programs.directions import AXES, Directions, used_directions
 from mechanics.routes.programs.elimination import Elimination, Row
 from mechanics.routes.programs.loads import Wrench, acting_reactions, applied, by_body
 from mechanics.routes.programs.motion import BodyMotion, Motions, body_motions
 from mechanics.routes.programs.rows import Rows, acceleration_forms, coefficients
+
+LARGEST_DIRECTION = 60
+"""Operations up to which a direction is written for people."""
 
 
 @dataclass(frozen=True)
@@ -65,12 +69,15 @@ class Principle:
         Axis of the moment; zero for linear momentum.
     along : Vector
         Direction of linear momentum (the pitch times the axis for a screw).
+    direction : str
+        Of the axis, or of linear momentum, for people.
     """
 
     root: int
     offset: Vector
     axis: Vector
     along: Vector
+    direction: str
 
     @property
     def linear(self) -> bool:
@@ -89,8 +96,87 @@ class Subtree:
     torque: Vector
 
 
+@dataclass(frozen=True)
+class Balance:
+    """A principle with what it is made of, inertial components.
+
+    Attributes
+    ----------
+    principle : Principle
+    words : str
+        What was chosen, for people.
+    spin, spin_rate : Vector
+        H_B about the moment centre, and its rate.
+    momentum, momentum_rate : Vector
+    velocity : Vector
+        Of the moment centre as a geometric point.
+    torque, force : Vector
+        Of the loads.
+    coefficients : mapping of int to Node
+        What a unit of each reaction that is let in contributes.
+    """
+
+    principle: Principle
+    words: str
+    spin: Vector
+    spin_rate: Vector
+    momentum: Vector
+    momentum_rate: Vector
+    velocity: Vector
+    torque: Vector
+    force: Vector
+    coefficients: Mapping[int, Node]
+
+    @property
+    def value(self) -> Node:
+        """Rates minus loads; equal to the part of the reactions that are let in."""
+        principle = self.principle
+        value = dot(principle.along, subtract(self.momentum_rate, self.force))
+        if principle.linear:
+            return value
+        moving = add(self.spin_rate, cross(self.velocity, self.momentum))
+        return value + dot(principle.axis, subtract(moving, self.torque))
+
+
+@dataclass(frozen=True)
+class Choice:
+    """Principles that determine the motion.
+
+    Attributes
+    ----------
+    balances : tuple of Balance
+        Read from the ground outward.
+    let_in : mapping of int to Node
+        Reactions of constraints and of loops, as inputs.
+    elimination : Elimination
+        Of the reactions that close a loop of bodies.
+    """
+
+    balances: tuple[Balance, ...]
+    let_in: Mapping[int, Node]
+    elimination: Elimination
+
+
 def derive(mechanism: Mechanism) -> Rows:
     """Rows from principles in which the reactions do not enter.
+
+    Raises
+    ------
+    SingularError
+        When the principles do not determine the motion.
+    """
+    choice = choose(mechanism)
+    return Rows(
+        "moving_point",
+        tuple(_without(row, choice.let_in) for row in choice.elimination.work),
+        tuple(choice.let_in[index] for index in mechanism.multipliers),
+        conjugate=False,
+        chosen=tuple(balance.words for balance in choice.balances),
+    )
+
+
+def choose(mechanism: Mechanism) -> Choice:
+    """Free bodies and moment centres of full rank.
 
     Raises
     ------
@@ -128,20 +214,14 @@ def derive(mechanism: Mechanism) -> Rows:
                     and not filter_.is_zero(coefficient := _power(principle, unit, centre))
                 }
             )
-    values = _values(mechanism, motions, subtrees, principles)
+    balances = _balances(mechanism, motions, subtrees, principles, held)
+    values = [balance.value for balance in balances]
     kept = _independent(mechanism, closed, values, held, let_in)
     rows = [Row(principles[i].root, values[i], held[i]) for i in kept]
     elimination = Elimination(filter_, closed, rows)
     names = [reaction.name for reaction in mechanism.reactions]
     elimination.solve_for(list(loops), None, names)
-    residuals = [_without(row, let_in) for row in elimination.work]
-    return Rows(
-        "moving_point",
-        tuple(residuals),
-        tuple(let_in[index] for index in mechanism.multipliers),
-        conjugate=False,
-        chosen=tuple(_words(mechanism, subtrees, principles[i]) for i in kept),
-    )
+    return Choice(tuple(balances[i] for i in kept), let_in, elimination)
 
 
 def _without(row: Row, let_in: Mapping[int, Node]) -> Node:
@@ -215,35 +295,44 @@ def _reference(mechanism: Mechanism, root: int) -> int:
     return mechanism.bodies[root].centre
 
 
-def _values(
+def _balances(
     mechanism: Mechanism,
     motions: Motions,
     subtrees: Mapping[int, Subtree],
     principles: Sequence[Principle],
-) -> list[Node]:
-    """Rates minus loads of each principle, all momenta differentiated in one walk."""
+    held: Sequence[Mapping[int, Node]],
+) -> list[Balance]:
+    """What each principle is made of, all momenta differentiated in one walk."""
     rates = mechanism.rates
     flat: list[Node] = []
+    spins = []
     for principle in principles:
         subtree = subtrees[principle.root]
         # H_B about the centre: the reference point and the offset.
-        spin = subtract(subtree.spin, cross(principle.offset, subtree.momentum))
-        flat += [*spin, *subtree.momentum, *principle.offset]
+        spins.append(subtract(subtree.spin, cross(principle.offset, subtree.momentum)))
+        flat += [*spins[-1], *subtree.momentum, *principle.offset]
     derived = tangent(flat, rates) if flat else []
-    values = []
+    balances = []
     for i, principle in enumerate(principles):
         subtree = subtrees[principle.root]
         spin_rate, momentum_rate, moving = (
             tuple(derived[9 * i + 3 * k : 9 * i + 3 * k + 3]) for k in range(3)
         )
-        value = dot(principle.along, subtract(momentum_rate, subtree.force))
-        if not principle.linear:
-            velocity = add(motions.points[subtree.point].velocity, moving)
-            torque = subtract(subtree.torque, cross(principle.offset, subtree.force))
-            turning = subtract(add(spin_rate, cross(velocity, subtree.momentum)), torque)
-            value = value + dot(principle.axis, turning)
-        values.append(value)
-    return values
+        balances.append(
+            Balance(
+                principle,
+                _words(mechanism, subtrees, principle),
+                spins[i],
+                spin_rate,
+                subtree.momentum,
+                momentum_rate,
+                add(motions.points[subtree.point].velocity, moving),
+                subtract(subtree.torque, cross(principle.offset, subtree.force)),
+                subtree.force,
+                held[i],
+            )
+        )
+    return balances
 
 
 # ---------------------------------------------------------------------- principles
@@ -282,7 +371,9 @@ def _principles(
     found = []
     for vector in null_space(rows, size, filters, mechanism.builder.one):
         v, w = _twist(vector, directions, mechanism.builder.zero)
-        found.append(_principle(root, rotation, v, w))
+        turning = any(not entry.is_zero for entry in w)
+        direction = _direction(mechanism.frames[frame].name, w if turning else v)
+        found.append(_principle(root, rotation, v, w, direction))
     return sorted(found, key=lambda principle: not principle.linear)
 
 
@@ -313,17 +404,31 @@ def _twist(vector: Sequence[Node], directions: Directions, zero: Node) -> tuple[
     return tuple(v.get(i, zero) for i in range(3)), tuple(w.get(i, zero) for i in range(3))
 
 
-def _principle(root: int, rotation: Sequence[Vector], v: Vector, w: Vector) -> Principle:
+def _direction(frame: str, vector: Vector) -> str:
+    """A direction for people: an axis of its frame where it is one."""
+    used = [i for i, entry in enumerate(vector) if not entry.is_zero]
+    if len(used) == 1:
+        sign = "-" if vector[used[0]].constant == -1 else ""
+        return f"{sign}{frame}.{AXES[used[0]]}"
+    program = vector[0].builder.program({"direction": vector})
+    if written_size(program) > LARGEST_DIRECTION:
+        return f"oblique in {frame}"
+    return f"({', '.join(map(str, expressions(program)['direction']))})"
+
+
+def _principle(
+    root: int, rotation: Sequence[Vector], v: Vector, w: Vector, direction: str
+) -> Principle:
     """A twist of a frame as a principle in inertial components."""
     if all(entry.is_zero for entry in w):
         zero = v[0].builder.zero
         none = (zero, zero, zero)
-        return Principle(root, none, none, times(rotation, v))
+        return Principle(root, none, none, times(rotation, v), direction)
     square = dot(w, w)
     offset = tuple(entry / square for entry in cross(w, v))
     pitch = dot(v, w) / square
     axis = times(rotation, w)
-    return Principle(root, times(rotation, offset), axis, scale(pitch, axis))
+    return Principle(root, times(rotation, offset), axis, scale(pitch, axis), direction)
 
 
 def null_space(
@@ -425,9 +530,10 @@ def _words(mechanism: Mechanism, subtrees: Mapping[int, Subtree], principle: Pri
     if len(inside) < len(mechanism.bodies):
         free = " + ".join(mechanism.bodies[i].name for i in inside)
     if principle.linear:
-        return f"{free}: linear momentum"
+        return f"{free}: linear momentum along {principle.direction}"
     where = mechanism.points[subtrees[principle.root].point].name
     if any(not entry.is_zero for entry in principle.offset):
         where = f"a point of the axis beside {where}"
     pitch = any(not entry.is_zero for entry in principle.along)
-    return f"{free}: moment about {where}" + (", plus pitch times momentum" if pitch else "")
+    words = f"{free}: moment about {where}, axis {principle.direction}"
+    return words + (", plus pitch times momentum" if pitch else "")

@@ -458,13 +458,15 @@ int elastic_pendulum_reactions(const double q[2], const double u[2], const doubl
     const double v3 = x * (0x1.5555555555555p+1 * k);
     const double v4 = 0x1.5555555555555p+0 * (M + m) - M * (cos_theta * cos_theta);
     const double v5 = (v2 - v3) / v4;
-    const double v6 = (cos_theta * v5 + g * sin_theta) / v1 * L;
-    const double v7 = theta_dot * theta_dot * L;
-    const double v8 = -((v5 + v6 * cos_theta / 2.0 - v7 * sin_theta / 2.0) * M);
-    const double v9 = (v6 * sin_theta / 2.0 + v7 * cos_theta / 2.0) * M + M * g;
-    const double v10 = v9 + g * m;
+    const double v6 = (cos_theta * v5 + g * sin_theta) / v1;
+    const double v7 = theta_dot * theta_dot;
+    const double v8 = -((v5 + (v6 * cos_theta - v7 * sin_theta) * L / 2.0) * M);
+    const double v9 = M * g;
+    const double v10 = (v6 * sin_theta + v7 * cos_theta) * L * M / 2.0;
+    const double v11 = v9 + v10;
+    const double v12 = v9 + g * m + v10;
     int status = ELASTIC_PENDULUM_OK;
-    if (!(isfinite(v8) && isfinite(v9) && isfinite(v10) && isfinite(v4) && isfinite(v1))) {
+    if (!(isfinite(v8) && isfinite(v11) && isfinite(v12) && isfinite(v4) && isfinite(v1))) {
         if (!(isfinite(x) && isfinite(theta) && isfinite(theta_dot) && isfinite(L) && isfinite(M) &&
             isfinite(g) && isfinite(k) && isfinite(m)))
             status = ELASTIC_PENDULUM_BAD_INPUT;
@@ -472,8 +474,8 @@ int elastic_pendulum_reactions(const double q[2], const double u[2], const doubl
             status = v4 == 0 || v1 == 0 ? ELASTIC_PENDULUM_SINGULAR : ELASTIC_PENDULUM_OVERFLOW;
     }
     reactions[0] = v8;
-    reactions[1] = v9;
-    reactions[2] = v10;
+    reactions[1] = v11;
+    reactions[2] = v12;
     return status;
 }
 

@@ -1,0 +1,161 @@
+"""Rows of a program as a textbook writes them: the common form in SymPy, made when asked for.
+
+row(q, u, u', lambda) = M u' - f - B lambda = 0
+A u' - b = 0                                        constraints, differentiated down to u'
+"""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable, Sequence
+from functools import partial
+
+from sympy import Add, Expr, Matrix, Mul, Symbol, sift
+
+from mechanics.equations import Equations, Matrices, Step
+from mechanics.mechanism import Mechanism
+from mechanics.program import Builder
+from mechanics.program.builder import Node
+from mechanics.program.sympy_printer import expressions
+from mechanics.program.sympy_reader import read
+from mechanics.routes.programs.rows import Rows, acceleration_forms, coefficients, remainder
+from mechanics.scene import Scene
+from mechanics.scene.rates import TIME
+from mechanics.scene.symbols import DOTS, plain_symbol
+from mechanics.symbolic import canonical, tidy
+
+Pair = tuple[Matrix, Matrix]
+"""M and f, or A and b."""
+
+
+class Printer:
+    """Nodes of a scene's mechanism in the scene's own plain symbols.
+
+    Parameters
+    ----------
+    scene : Scene
+    mechanism : Mechanism
+        Of that scene.
+    """
+
+    def __init__(self, scene: Scene, mechanism: Mechanism) -> None:
+        self.scene, self.builder = scene, mechanism.builder
+        self.symbols = symbols(scene)
+
+    def __call__(self, nodes: Sequence[Node]) -> tuple[Expr, ...]:
+        """SymPy expressions of nodes; equal parts are one object, so that size is no matter."""
+        program = self.builder.program({"nodes": nodes})
+        return expressions(program, self.symbols, limit=sys.maxsize)["nodes"]
+
+    def short(self, nodes: Sequence[Node]) -> tuple[Expr, ...]:
+        """The same, or the normal form where that is shorter: sines and cosines that cancel."""
+        return tuple(min(e, tidy(e), key=lambda side: side.count_ops()) for e in self(nodes))
+
+    def expanded(self, nodes: Sequence[Node]) -> tuple[Expr, ...]:
+        """The same in the normal form."""
+        return tuple(map(tidy, self(nodes)))
+
+    def symbol(self, node: Node) -> Symbol:
+        """The symbol of an input."""
+        (symbol,) = self((node,))
+        return symbol
+
+
+def symbols(scene: Scene) -> dict[str, Symbol]:
+    """Every symbol that can stand in the equations of a scene, by name; others are real."""
+    found = [*scene.q, *scene.qd, *(plain_symbol(q, 2) for q in scene.coordinates)]
+    found += [*scene.u, *scene.ud, *scene.parameters, *scene.definitions, TIME]
+    found += [plain_symbol(f, order) for f in scene.inputs for order in range(len(DOTS))]
+    found += [reaction.symbol for reaction in scene.reactions]
+    found += [Symbol(f"lambda{i + 1}", real=True) for i in range(len(scene.constraints))]
+    return {symbol.name: symbol for symbol in found}
+
+
+def textbook(
+    scene: Scene,
+    mechanism: Mechanism,
+    rows: Rows,
+    explain: Callable[[Printer, Mechanism], tuple[Step, ...]],
+) -> Equations:
+    """Equations whose matrices, reactions and steps are written from a program when asked for.
+
+    Parameters
+    ----------
+    scene : Scene
+    mechanism : Mechanism
+    rows : Rows
+    explain : callable
+        Makes the steps of the derivation before its result, from a printer and the mechanism.
+    """
+    printer = Printer(scene, mechanism)
+    return Equations(
+        scene,
+        rows.route,
+        partial(_matrices, printer, mechanism, rows),
+        tuple(map(printer.symbol, rows.multipliers)),
+        rows.conjugate,
+        solve_reactions=partial(_reactions, printer, rows) if rows.reactions else None,
+        chosen=rows.chosen,
+        explain=partial(explain, printer, mechanism),
+        of_bodies=True,
+        write_rows=partial(printer, rows.values),
+        write_constraints=partial(_constraints, printer, mechanism),
+    )
+
+
+def _matrices(printer: Printer, mechanism: Mechanism, rows: Rows) -> Matrices:
+    """Products that cancel are cancelled here, in the normal form."""
+    unknown = (*mechanism.ud, *rows.multipliers)
+    n = len(mechanism.ud)
+    left, right = _split(printer, mechanism, rows.values, unknown)
+    matrix, column = left.applyfunc(canonical), right.applyfunc(canonical)
+    mass, forcing = _shortest(printer.scene, (left[:, :n], right), (matrix[:, :n], column))
+    return Matrices(mass, forcing, -matrix[:, n:], *_constraints(printer, mechanism))
+
+
+def _constraints(printer: Printer, mechanism: Mechanism) -> Pair:
+    """A and b."""
+    forms = acceleration_forms(mechanism)
+    left, right = _split(printer, mechanism, forms, mechanism.ud)
+    return left.applyfunc(canonical), right.applyfunc(canonical)
+
+
+def _split(
+    printer: Printer, mechanism: Mechanism, rows: Sequence[Node], unknown: Sequence[Node]
+) -> Pair:
+    """Rows that are linear in unknowns, as a matrix of these and a right side."""
+    left = [entry for row in coefficients(rows, unknown) for entry in row]
+    right = [-entry for entry in remainder(mechanism.builder, rows, unknown)]
+    return Matrix(len(rows), len(unknown), printer(left)), Matrix(len(rows), 1, printer(right))
+
+
+def _shortest(scene: Scene, derived: Pair, normal: Pair) -> Pair:
+    """M and f as derived, multiplied out, or with factors before brackets: fewest operations."""
+    masses = dict.fromkeys(body.mass for body in scene.bodies if isinstance(body.mass, Symbol))
+    ways = [derived, normal]
+    for factors in (frozenset(masses), frozenset(scene.parameters)):
+        mass, forcing = (side.applyfunc(partial(_bracketed, factors)) for side in normal)
+        ways += [(mass, forcing), (mass, derived[1])]
+    # Of equally many, the one with the most before its brackets.
+    return min(reversed(ways), key=_operations)
+
+
+def _bracketed(factors: frozenset[Symbol], total: Expr) -> Expr:
+    """A sum of products with equal powers of some symbols before brackets."""
+    groups: dict[Expr, list[Expr]] = {}
+    for term in Add.make_args(total):
+        own, rest = sift(Mul.make_args(term), lambda f: f.as_base_exp()[0] in factors, binary=True)
+        groups.setdefault(Mul(*own), []).append(Mul(*rest))
+    return Add(*(Mul(front, Add(*inside)) for front, inside in groups.items()))
+
+
+def _operations(matrices: Sequence[Matrix]) -> int:
+    """Operations of matrices, equal ones counted once."""
+    builder = Builder()
+    entries = [entry for matrix in matrices for entry in matrix]
+    return builder.program({"entries": read(builder, entries)}).count
+
+
+def _reactions(printer: Printer, rows: Rows) -> tuple[tuple[Symbol, Expr], ...]:
+    values = printer(tuple(rows.reactions.values()))
+    return tuple(zip((printer.symbols[name] for name in rows.reactions), values, strict=True))
