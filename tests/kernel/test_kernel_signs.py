@@ -53,6 +53,8 @@ SIGNS = {
     ),
     "more than the sine of a sum": (THETA.cos() * PHI.cos() - THETA.sin() * PHI.sin(), ANY),
     "a modulus squared": (abs(X - Y) ** 2 - (X - Y) ** 2, ZERO),
+    "squares that are zero at a sample": ((X + 1) ** 2 + (8 * Y + 3) ** 2, NOT_NEGATIVE),
+    "squares that are zero at another": ((Y + 1) ** 2 + (8 * X + 3) ** 2, NOT_NEGATIVE),
     "a choice": (B.less(X, Y).choose(X * X + 1, K), POSITIVE),
     "a choice of both signs": (B.less(X, Y).choose(-1 - X * X, K), ANY),
     "a choice of what is not positive": (B.less(X, Y).choose(-X * X, -K), NEGATIVE | ZERO),
