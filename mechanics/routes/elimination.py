@@ -8,7 +8,8 @@ other row that holds it:
     row_i <- c_p row_i - c_i row_p                           otherwise: nothing is divided by c_p
 
 A reaction that closes a loop of bodies belongs to no joint of the tree (ropes over one pulley, the
-teeth of two wheels): those are solved for last, from whatever rows are left.
+teeth of two wheels): those are solved for last, from whatever rows are left. Here rows are SymPy's,
+for reports and for what blame looks at; routes eliminate in `mechanics.routes.programs`.
 """
 
 from collections.abc import Sequence
@@ -16,9 +17,8 @@ from dataclasses import dataclass
 
 from sympy import Add, Expr, Matrix, Mul, S, Symbol
 
-from mechanics.equations import Equations, FreeBodyRow
+from mechanics.equations import Equations
 from mechanics.errors import SingularError
-from mechanics.scene.topology import Tree
 from mechanics.symbolic import tidy
 
 
@@ -47,37 +47,6 @@ class Solved:
             -c * symbol for symbol, c in self.row.coefficients.items() if symbol != self.reaction
         )
         return Add(self.row.value, *others) / self.pivot
-
-
-@dataclass(frozen=True)
-class Elimination:
-    """What is left: rows free of eliminated reactions, and how each of these was solved for."""
-
-    rows: tuple[Row, ...]
-    order: tuple[Solved, ...]
-
-
-def eliminate(rows: Sequence[FreeBodyRow], bodies: Tree, kept: Sequence[Symbol]) -> Elimination:
-    """Eliminate every reaction but the kept ones.
-
-    Raises
-    ------
-    SingularError
-        When no row determines a reaction.
-    """
-    work = [Row(row.body, row.rate - row.applied, dict(row.coefficients)) for row in rows]
-    solved: list[Solved] = []
-    for name in reversed(bodies.order):
-        own = [r.symbol for r in bodies.joints[name] if r.symbol not in kept]
-        solved += solve_for(work, own, name)
-    solved += solve_loops(work, kept)
-    return Elimination(tuple(work), tuple(solved))
-
-
-def solve_loops(work: list[Row], kept: Sequence[Symbol]) -> list[Solved]:
-    """Solve rows for every reaction that they still hold and that is not kept, in place."""
-    held = dict.fromkeys(symbol for row in work for symbol in row.coefficients)
-    return solve_for(work, [symbol for symbol in held if symbol not in kept])
 
 
 def solve_for(work: list[Row], reactions: Sequence[Symbol], body: str = "") -> list[Solved]:
@@ -131,21 +100,6 @@ def _subtract(row: Row, pivot: Row, reaction: Symbol) -> None:
             merged[symbol] = merged.get(symbol, S.Zero) - factor * value
     tidied = {symbol: tidy(value) for symbol, value in merged.items()}
     row.coefficients = {symbol: value for symbol, value in tidied.items() if value != 0}
-
-
-def solved_reactions(solved: Sequence[Solved]) -> tuple[tuple[Symbol, Expr], ...]:
-    """Each reaction in u' and the kept ones: the last solved holds no other, so go backwards."""
-    values: dict[Symbol, Expr] = {}
-    for step in reversed(solved):
-        others = Add(
-            *(
-                coefficient * values.get(symbol, symbol)
-                for symbol, coefficient in step.row.coefficients.items()
-                if symbol != step.reaction
-            )
-        )
-        values[step.reaction] = (step.row.value - others) / step.pivot
-    return tuple((step.reaction, values[step.reaction]) for step in solved)
 
 
 def multipliers_of(equations: Equations) -> tuple[tuple[Symbol, Expr], ...]:

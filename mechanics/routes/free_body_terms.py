@@ -1,65 +1,23 @@
-"""Procedure (i): isolate every body, write its momentum principles, eliminate the reactions.
+"""Momentum equations of every isolated body, term by term in SymPy: what blame looks at.
 
     sum F = dp/dt,    sum tau_C = dH_C/dt        for each body, along the directions in use
 
-The reactions are unknowns of these equations, and are eliminated last, by algebra, from the leaves
-of the tree of bodies to its root. Velocities come from `mechanics.kinematics.differentiate`.
+Velocities come from `mechanics.kinematics.differentiate`.
 """
 
 from collections.abc import Sequence
-from functools import cache, partial
 
 from sympy import Add, Expr, Matrix, S, Symbol
 
-from mechanics.equations import Equations, FreeBodyRow, Matrices
-from mechanics.kinematics import differentiate
-from mechanics.kinematics.constraints import constraint_rows
+from mechanics.equations import FreeBodyRow
 from mechanics.kinematics.directions import AXES, Directions, used_directions
 from mechanics.kinematics.motion import BodyMotion, inertia_matrix
-from mechanics.routes.common import assemble
-from mechanics.routes.elimination import Row, eliminate, solved_reactions
-from mechanics.routes.free_body_steps import derivation_steps
 from mechanics.scene import RigidBody, Scene
 from mechanics.scene.actions import Action, acting_reactions, applied_actions, by_body, moment
 from mechanics.scene.geometry import components
 from mechanics.scene.rates import rate_table, rates
-from mechanics.scene.topology import Tree, multipliers, tree
+from mechanics.scene.topology import Tree
 from mechanics.symbolic import tidy
-
-
-def derive(scene: Scene) -> Equations:
-    """Equations of motion by isolating every body.
-
-    Returns
-    -------
-    Equations
-        With the free-body rows, and each eliminated reaction as a function of u' and lambda.
-    """
-    bodies = tree(scene)
-    motions = {motion.body.name: motion for motion in differentiate.body_motions(scene)}
-    rows = free_body_rows(scene, bodies, motions)
-    kept = multipliers(scene)
-    result = eliminate(rows, bodies, kept)
-    # A chain of fifty links has 2600 entries of M and f, which few need.
-    system = cache(partial(assemble, scene, result.rows, kept))
-    matrix, bias = constraint_rows(scene)
-    return Equations(
-        scene,
-        "free_body",
-        lambda: Matrices(system().mass, system().forcing, system().reaction_matrix, matrix, bias),
-        kept,
-        conjugate=False,
-        solve_reactions=partial(solved_reactions, result.order) if result.order else None,
-        chosen=tuple(f"{row.body}: {row.kind} momentum along {row.axis}" for row in rows),
-        explain=partial(derivation_steps, motions, rows, result),
-        of_bodies=True,
-        write_rows=lambda: tuple(_residual(row) for row in result.rows),
-    )
-
-
-def _residual(row: Row) -> Expr:
-    """``value - sum of coefficients times reactions``."""
-    return Add(row.value, *(-c * reaction for reaction, c in row.coefficients.items()))
 
 
 def free_body_rows(

@@ -2,9 +2,8 @@
 
     F_r + F_r* = 0,    F_r = sum v_r . F + omega_r . T,    F_r* = - sum m a . v_r + ...
 
-A scene with constraints is derived twice: with dependent speeds (`derive`), and without constraints
-but with the reactions that maintain them as unknown loads (`derive_with_multipliers`). Friction
-enters with the reaction that presses as an unknown, which an auxiliary speed gives.
+Constraints make speeds dependent. Friction enters with the reaction that presses as an unknown,
+which an auxiliary speed gives.
 """
 
 from collections.abc import Sequence
@@ -27,10 +26,8 @@ from mechanics.scene.actions import (
     applied_actions,
     frictions,
     load_actions,
-    unit_reactions,
 )
-from mechanics.scene.topology import multipliers
-from mechanics.symbolic import collect_linear, independent_rows
+from mechanics.symbolic import independent_rows
 
 NAME = "kane_sympy"
 
@@ -54,29 +51,6 @@ def kanes_method(scene: Scene, dynamic: Dynamic) -> KanesMethod:
     method = _method(scene, dynamic, model, list(range(len(scene.u))))
     method.kanes_equations(list(model.bodies.values()), _applied(scene, model, dynamic))
     return method
-
-
-def derive_with_multipliers(scene: Scene) -> Equations:
-    """Kane's equations of the unconstrained scene, with the constraints' reactions as unknowns."""
-    dynamic = dynamic_speeds(scene)
-    model = build(scene, dynamic)
-    kept = multipliers(scene)
-    reactions = unit_reactions(scene)
-    unknown = [
-        Action(a.name, a.body, a.at, symbol * a.force, symbol * a.couple)
-        for symbol in kept
-        for a in reactions[symbol]
-    ]
-    loads = _loads(scene, model, dynamic, (*applied_actions(scene), *unknown))
-    method = _method(scene, dynamic, model, list(range(len(scene.u))))
-    method.kanes_equations(list(model.bodies.values()), loads)
-    split = [collect_linear(entry, kept) for entry in dynamic.back(method.forcing)]
-    mass = tidied(scene, dynamic.back(method.mass_matrix))
-    forcing = tidied(scene, Matrix([rest for _, rest in split]))
-    columns = [coefficients for coefficients, _ in split]
-    reactions = Matrix(columns) if kept else zeros(len(scene.u), 0)
-    matrices = Matrices(mass, forcing, reactions, *constraint_rows(scene))
-    return Equations(scene, f"{NAME} with multipliers", lambda: matrices, kept, conjugate=True)
 
 
 def _with_friction(scene: Scene, mass: Matrix, forcing: Matrix) -> Equations:

@@ -1,60 +1,28 @@
-"""Procedure (ii): free bodies and moment centres chosen so that the reactions drop out.
+"""Principles in which the reactions do not enter, term by term in SymPy: what blame looks at.
 
     sum tau_B = dH_B/dt + v_B x P                  (1)     about a moving point B
     sum F . e = dP/dt . e                          (2)     along a direction e
 
 v_B is the velocity of the geometric point B, not of a material one. Candidates are the outboard
 subtrees of the tree of bodies; `mechanics.routes.twists` finds, for each, the principles in which
-the reactions that cross its boundary do not enter. Reactions that close a loop of bodies are let
-in, and eliminated by algebra where no constraint names them. Velocities come from
+the reactions that cross its boundary do not enter. Velocities come from
 `mechanics.kinematics.chain`.
 """
 
 from collections.abc import Iterator, Mapping, Sequence
-from functools import partial
 
-from sympy import Dummy, Matrix, Symbol, sign, zeros
+from sympy import Dummy, Symbol, sign, zeros
 
-from mechanics.equations import Equations, Matrices
-from mechanics.errors import SingularError
 from mechanics.kinematics.chain import Chain, body_motions, point_motion
-from mechanics.kinematics.constraints import constraint_rows
 from mechanics.kinematics.directions import used_directions
-from mechanics.kinematics.manifold import on_the_manifold
 from mechanics.kinematics.motion import BodyMotion, PointMotion, inertia_matrix
 from mechanics.routes.balance import Balance, Part, dot
-from mechanics.routes.common import System, assemble
-from mechanics.routes.elimination import Row, Solved, solve_for
-from mechanics.routes.moving_point_steps import derivation_steps
 from mechanics.routes.twists import Principle, principles
 from mechanics.scene import Scene
 from mechanics.scene.actions import Action, acting_reactions, applied_actions, by_body, moment
 from mechanics.scene.rates import rate_table, rates
 from mechanics.scene.topology import loop_reactions, multipliers, tree
-from mechanics.symbolic import canonical, independent_rows
-
-
-def derive(scene: Scene) -> Equations:
-    """Equations of motion from principles in which the reactions do not enter."""
-    kept = multipliers(scene)
-    loops = loop_reactions(scene, tree(scene))
-    matrix, bias = constraint_rows(scene)
-    balances, system = _first_of_full_rank(scene, candidates(scene), (*kept, *loops), matrix)
-    solved: list[Solved] = []
-    if loops:
-        rows = [Row(b.principle.words, b.value, dict(b.coefficients)) for b in balances]
-        solved = solve_for(rows, loops)
-        system = assemble(scene, rows, kept)
-    return Equations(
-        scene,
-        "moving_point",
-        lambda: Matrices(system.mass, system.forcing, system.reaction_matrix, matrix, bias),
-        kept,
-        conjugate=False,
-        chosen=tuple(balance.principle.words for balance in balances),
-        explain=partial(derivation_steps, balances, solved),
-        of_bodies=True,
-    )
+from mechanics.symbolic import canonical
 
 
 def candidates(scene: Scene) -> Iterator[Balance]:
@@ -139,48 +107,3 @@ def _centre(chain: Chain, principle: Principle) -> PointMotion:
         base.velocity + first.xreplace(back),
         base.acceleration + second.xreplace(back),
     )
-
-
-def _first_of_full_rank(
-    scene: Scene, found: Iterator[Balance], kept: Sequence[Symbol], constraints: Matrix
-) -> tuple[tuple[Balance, ...], System]:
-    """The first candidates of full rank, together with the constraints and where these hold.
-
-    With constraint rows there are as many as speeds and reactions that are let in. One that reads
-    0 = 0 is among the dropped: the moment of a slider about the pin in its centre,
-    which is beside it only where the loop is open.
-
-    Raises
-    ------
-    SingularError
-        When the candidates do not determine the motion.
-    """
-    size = len(scene.u)
-    wanted = size + len(kept) - constraints.rows
-    balances: list[Balance] = []
-    rows: list[Matrix] = []
-    independent: list[int] = []
-    fixed = constraints.row_join(zeros(constraints.rows, len(kept))).tolist()
-    closed = on_the_manifold(scene)
-    for balance in found:
-        system = assemble(scene, [balance], kept)
-        balances.append(balance)
-        rows.append(system.mass.row_join(system.reaction_matrix).row_join(system.forcing))
-        if len(rows) >= wanted:
-            every = [*fixed, *(row[:-1] for row in rows)]
-            kept_rows = independent_rows(every, closed)
-            independent = [i - len(fixed) for i in kept_rows if i >= len(fixed)]
-            if len(independent) >= wanted:
-                break
-    if len(independent) < wanted:
-        raise SingularError(
-            f"{scene.name}: the moving-point principles give {len(independent)} independent"
-            f" equations where {wanted} are needed: are the reactions complete and the mass"
-            " matrix regular? A loop may need more coordinates, and holonomic(...) constraints"
-            " that name its reactions"
-        )
-    # Read from the ground outward, as one would write them down.
-    order = list(reversed(independent))
-    whole = Matrix.vstack(*(rows[i] for i in order))
-    system = System(whole[:, :size], whole[:, -1], whole[:, size:-1])
-    return tuple(balances[i] for i in order), system
