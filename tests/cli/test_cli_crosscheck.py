@@ -6,7 +6,7 @@ from typing import Any
 SCHEMA: dict[str, Any] = {
     "name": str,
     "ok": bool,
-    "routes": {"seconds": float, "operations": int, "form": str, "forward_dynamics": int},
+    "routes": {"seconds": float, "operations": int, "form": str, "forward_dynamics": int, "absent": str},
     "findings": {"subject": str, "verdict": str, "evidence": str, "error_bound": float,
                  "witness": dict},
     "published": {"tag": str, "label": str, "verdict": str, "evidence": str},
@@ -23,7 +23,8 @@ def test_all_shown_is_exit_code_zero_and_the_json_has_its_schema(run: Any, pendu
     assert set(system) == set(SCHEMA)
     assert system["name"] == "my_pendulum"
     assert system["ok"] is True
-    assert set(system["routes"]) == {"free_body", "moving_point", "kane", "lagrange"}
+    routes = {"free_body", "moving_point", "kane", "lagrange"}
+    assert set(system["routes"]) == routes | {"kane_sympy", "lagrange_sympy"}
     for key in ("findings", "witnesses", "published", "compiled"):
         assert system[key]
         for entry in system[key]:
@@ -73,7 +74,8 @@ def test_json_and_report_go_to_files(run: Any, pendulum: Any, tmp_path: Any) -> 
 def test_chosen_routes_only(run: Any, pendulum: Any) -> None:
     ran = run("crosscheck", pendulum(), "--routes", "kane,lagrange", "--states", 0, "--json", "-")
     assert ran.code == 0
-    assert list(json.loads(ran.out)["systems"][0]["routes"]) == ["kane", "lagrange"]
+    columns = ["kane", "kane_sympy", "lagrange", "lagrange_sympy"]
+    assert list(json.loads(ran.out)["systems"][0]["routes"]) == columns
 
 
 def test_systems_lists_every_system(run: Any) -> None:
