@@ -6,7 +6,8 @@ from typing import Any
 SCHEMA: dict[str, Any] = {
     "name": str,
     "ok": bool,
-    "routes": {"seconds": float, "operations": int, "form": str, "forward_dynamics": int, "absent": str},
+    "routes": {"seconds": float, "operations": int, "form": str, "forward_dynamics": int,
+               "absent": str},
     "findings": {"subject": str, "verdict": str, "evidence": str, "error_bound": float,
                  "witness": dict},
     "published": {"tag": str, "label": str, "verdict": str, "evidence": str},
