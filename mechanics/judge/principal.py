@@ -4,7 +4,11 @@
     asin(sin(theta)) = theta                  where -pi/2 < theta < pi/2
 
 On that range the wrap is its argument; where the statement is shown of the argument, what differs
-lies beyond.
+lies beyond. A wrap whose range begins or ends at rest turns angles there into others:
+
+    (theta + pi) % pi - pi = -pi              at theta = 0
+
+and what it makes wrong stays refuted.
 """
 
 from collections.abc import Callable, Iterator, Sequence
@@ -42,7 +46,7 @@ def on_principal_range(
         The finding of another row.
     """
     wraps = list(_wraps(row.sides))
-    if not wraps:
+    if not wraps or not all(_is_principal_at_rest(wrap) for wrap in wraps):
         return None
     table = {wrap.function: wrap.value for wrap in wraps}
     inside = check(replace(row, sides=tuple(side.xreplace(table) for side in row.sides)))
@@ -51,6 +55,15 @@ def on_principal_range(
     words = " and ".join(dict.fromkeys(_words(wrap) for wrap in wraps))
     beyond = "beyond that its own wraps are other angles, and the values differ"
     return undecided(found.subject, beyond, f"{inside.verdict.name} WHERE {words}")
+
+
+def _is_principal_at_rest(wrap: Wrap) -> bool:
+    """Whether the wrap is its argument where all symbols are zero, if it is a number there."""
+    inside = wrap.inside.subs(dict.fromkeys(wrap.inside.free_symbols, 0))
+    if not inside.is_number:
+        return True
+    at_the_end = inside == wrap.high and not isinstance(wrap.function, floor)
+    return bool(wrap.low <= inside < wrap.high) or at_the_end
 
 
 def _wraps(sides: Sequence[Expr]) -> Iterator[Wrap]:

@@ -15,6 +15,7 @@ from itertools import count
 from typing import Any
 
 import numpy as np
+from sympy import Basic
 
 from mechanics.reading.code.held import content
 from mechanics.reading.code.objects import attributes, methods_used, names_in
@@ -90,6 +91,8 @@ def _still(value: Any, left: Iterator[int], depth: int) -> Any:
     match value:
         case Traced():
             return value.expr
+        case Basic():
+            return value  # it cannot be changed, but remembers what was asked of it
         case int() | str() | bytes() | None:
             return type(value), value
         case float() | complex() | count() | np.generic():
