@@ -6,7 +6,6 @@ stay exact, as named constants.
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from fractions import Fraction
 from functools import cached_property
 
 import casadi as ca
@@ -140,8 +139,7 @@ def graphs_of(
     shapes["mass_matrix"] = (n, n)
     program = programs[name]
 
-    def named(value: Fraction | None) -> ca.SX:
-        number = sympy.pi if value is None else sympy.Rational(value.numerator, value.denominator)
+    def named(number: sympy.Expr) -> ca.SX:
         if number not in constants:
             constants[number] = ca.SX.sym(f"c{len(constants)}")
         return constants[number]

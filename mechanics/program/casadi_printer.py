@@ -1,7 +1,7 @@
 """Programs as CasADi functions.
 
-Constants are exact until here: x (1/n) becomes x / n, which rounds once; other rationals become the
-nearest doubles.
+Constants are exact until here, and so is what is computed from constants alone: sqrt(3)/2 is one
+number. x (1/n) becomes x / n, which rounds once; other numbers become the nearest doubles.
 """
 
 from __future__ import annotations
@@ -9,10 +9,10 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from math import pi
 from typing import Any
 
 import casadi
+import sympy
 
 from mechanics.errors import ExpressionError
 from mechanics.program.constants import is_double, unit_fraction
@@ -20,6 +20,7 @@ from mechanics.program.elimination import expand_solves
 from mechanics.program.interpret import interpret
 from mechanics.program.operations import MULTIPLY, OPERATIONS
 from mechanics.program.program import Program
+from mechanics.program.sympy_printer import Expressions
 
 
 def print_function(
@@ -80,8 +81,11 @@ def print_function(
     )  # fmt: skip
 
 
-Named = Callable[[Fraction | None], Any]
-"""The graph that stands for a number that no double holds; None for pi."""
+DIGITS = 40
+"""Of a number before it becomes the nearest double."""
+
+Named = Callable[[sympy.Expr], Any]
+"""The graph that stands for a number that no double holds."""
 
 
 def print_graphs(
@@ -111,8 +115,8 @@ def print_graphs(
     }  # fmt: skip
 
 
-def _nearest(value: Fraction | None) -> Any:
-    return casadi.SX(pi if value is None else float(value))
+def _nearest(number: sympy.Expr) -> Any:
+    return casadi.SX(float(number.evalf(DIGITS)))
 
 
 def _column(name: str, values: Sequence[Any], shape: tuple[int, int] | None) -> Any:
@@ -130,29 +134,47 @@ def _column(name: str, values: Sequence[Any], shape: tuple[int, int] | None) -> 
 
 @dataclass(frozen=True)
 class _Graph:
-    """The domain of SX; constants stay rationals until an operation takes them."""
+    """The domain of SX; constants are rationals, or SymPy's, until an operation takes them."""
 
     named: Named
 
     @property
     def operations(self) -> Mapping[str, Callable[..., Any]]:
-        return {
+        graphs = {
             row.name: self._function(row.casadi) for row in OPERATIONS if row.casadi and row.arity
         } | {"select": self._select, OPERATIONS[MULTIPLY].name: self._multiply}
+        numbers = Expressions().operations
+        return {name: self._of(code, numbers.get(name)) for name, code in graphs.items()}
 
     def constant(self, value: Fraction) -> Fraction:
         return value
 
     def pi(self) -> Any:
-        return self.named(None)
+        return sympy.pi
 
     def solve(self, matrix: list[list[Any]], right: list[Any], symmetric: bool) -> Sequence[Any]:
         raise AssertionError("systems are written out before")
 
     def graph(self, value: Any) -> Any:
-        if not isinstance(value, Fraction):
-            return value
-        return casadi.SX(float(value)) if is_double(value) else self.named(value)
+        if isinstance(value, Fraction):
+            return casadi.SX(float(value)) if is_double(value) else self.named(_number(value))
+        return self.named(value) if isinstance(value, sympy.Expr) else value
+
+    def _of(
+        self, code: Callable[..., Any], number: Callable[..., Any] | None
+    ) -> Callable[..., Any]:
+        """An operation; of constants alone, a constant where it has a finite real value."""
+
+        def apply(*operands: Any) -> Any:
+            if number is not None and all(isinstance(x, Fraction | sympy.Expr) for x in operands):
+                value = number(*map(_number, operands))
+                if isinstance(value, sympy.Rational):
+                    return Fraction(int(value.p), int(value.q))
+                if isinstance(value, sympy.Expr) and value.is_number and value.is_real:
+                    return value
+            return code(*operands)
+
+        return apply
 
     def _function(self, operation: str) -> Callable[..., Any]:
         code = getattr(casadi, operation)
@@ -171,3 +193,9 @@ class _Graph:
 
     def _select(self, condition: Any, x: Any, y: Any) -> Any:
         return casadi.if_else(*map(self.graph, (condition, x, y)))
+
+
+def _number(value: Any) -> Any:
+    if isinstance(value, Fraction):
+        return sympy.Rational(value.numerator, value.denominator)
+    return value

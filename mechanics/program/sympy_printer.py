@@ -61,7 +61,7 @@ def expressions(
             " print fewer outputs, or raise the limit"
         )
     given = {name: sympy.Symbol(name) for name in program.inputs} | dict(symbols or {})
-    values = interpret(program, _Expressions(), given)
+    values = interpret(program, Expressions(), given)
     return {name: tuple(map(_number, outputs)) for name, outputs in values.items()}
 
 
@@ -77,11 +77,12 @@ def written_size(program: Program) -> int:
     return sum(sizes[root] for root in program.roots)
 
 
-class _Expressions:
+class Expressions:
     """The domain of SymPy expressions; truth values stay SymPy's until a number is needed."""
 
     @property
     def operations(self) -> Mapping[str, Callable[..., Any]]:
+        """What each operation makes of expressions."""
         return {
             row.name: _of_numbers(getattr(sympy, row.sympy))
             for row in OPERATIONS
@@ -97,12 +98,15 @@ class _Expressions:
         }
 
     def constant(self, value: Fraction) -> Any:
+        """A rational."""
         return sympy.Rational(value.numerator, value.denominator)
 
     def pi(self) -> Any:
+        """The number pi."""
         return sympy.pi
 
     def solve(self, matrix: list[list[Any]], right: list[Any], symmetric: bool) -> Sequence[Any]:
+        """Nothing: systems are written out before."""
         raise AssertionError("systems are written out before")
 
 
