@@ -119,6 +119,8 @@ class Translator:
                 f"symbol {node} is neither a coordinate, a speed, an input nor a parameter of the"
                 " scene, so nothing gives it a value: declare it in the scene"
             )
+        if type(node) in _FUNCTIONS and node.is_number and node.is_real:
+            return self._constant(node)  # CasADi would round it at once
         parts = [self._memo[part] for part in node.args]
         if isinstance(node, sympy.Max | sympy.Min):
             return _folded(ca.fmax if isinstance(node, sympy.Max) else ca.fmin, parts)
