@@ -246,7 +246,8 @@ def _used(equations: Equations | ProgramEquations, given: set[Symbol]) -> set[Sy
     if isinstance(equations, ProgramEquations):
         held = names_of((*equations.values, *equations.reactions.values()))
         return {symbol for symbol in given if symbol.name in held}
-    if equations.rows and not any(row.free_symbols & given for row in equations.rows):
+    rows = (*equations.rows, *equations.constraint_matrix, *equations.constraint_bias)
+    if equations.rows and not any(row.free_symbols & given for row in rows):
         return set()
     left, right = equations.system
     return (left.free_symbols | right.free_symbols) & given

@@ -234,12 +234,12 @@ def _of_scene(witness: Witness, region: Region) -> Witness:
     solved = dict(witness.solved)
     state = dict(witness.state)
     for symbol, value in region.items():
-        known = {s: drawn[str(s)] for s in value.free_symbols if str(s) in drawn}
+        known = {s: drawn[s.name] for s in value.free_symbols if s.name in drawn}
         exact = value.xreplace(known)
         rounded = solved.pop(symbol.name)
         state[symbol.name] = str(exact) if exact.is_Rational else rounded
         for more in value.atoms(Dummy):
-            state.pop(str(more), None)
+            state.pop(more.name, None)
     return replace(witness, state=tuple(sorted(state.items())), solved=tuple(solved.items()))
 
 
