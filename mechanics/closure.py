@@ -24,7 +24,7 @@ from mechanics.kernel.statement import RATES, ZERO
 from mechanics.program.builder import Builder, Node
 from mechanics.program.derivatives import gradient
 from mechanics.program.interpret import include
-from mechanics.program.residues import ODD_PARTS, PARTS, NoRoot, Residues
+from mechanics.program.residues import EVEN_PARTS, ODD_PARTS, PARTS, WHOLE, NoRoot, Residues
 
 STEPS = 60
 CLOSED = 2.0**-200
@@ -97,7 +97,7 @@ def close(
     nodes = include(builder, constrained.program)
     values = {builder.input(name): nodes[name][0] for name in solved}
     every = [*configuration, *rates]
-    for parts, point in product((PARTS, ODD_PARTS), range(POINTS)):
+    for parts, point in product((PARTS, ODD_PARTS, EVEN_PARTS, WHOLE), range(POINTS)):
         filter_ = Residues(builder, values, point, parts)
         try:
             closed = not any(filter_.values(every))

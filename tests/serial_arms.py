@@ -5,7 +5,7 @@ has a mass centre and a full inertia matrix, every joint five reactions and a mo
 comes in numbers for `newton_euler`, made from the lists that the scene is made from.
 """
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from itertools import cycle, islice
 
@@ -94,7 +94,11 @@ def unit(axis: str) -> Array:
 
 
 def serial_arm(
-    count: int, axes: str = "zxy", fixed: str = "xyz", turn: Expr = QUARTER, zero: str = ""
+    count: int,
+    axes: str = "zxy",
+    fixed: str = "xyz",
+    turn: Expr | Sequence[Expr] = QUARTER,
+    zero: str = "",
 ) -> Arm:
     """An arm of so many joints; axes are taken in turn, the first joint has no fixed turn.
 
@@ -103,8 +107,8 @@ def serial_arm(
     count : int
     axes, fixed : str
         Axes of the joints, and of the fixed turns before them.
-    turn : Expr
-        Angle of the fixed turns.
+    turn : Expr or sequence of Expr
+        Angle of the fixed turns, or of each of them.
     zero : str
         Which of `TYPICAL` are zero and no parameters.
     """
@@ -114,7 +118,7 @@ def serial_arm(
     q, motors = dynamicsymbols(f"q1:{count + 1}"), dynamicsymbols(f"T1:{count + 1}")
     outer, at, inner = N, O, None
     bodies, reactions, loads = [], [], [gravity(-g * N.z)]
-    turns = (0, *[turn] * (count - 1))
+    turns = (0, *([turn] * (count - 1) if isinstance(turn, Expr) else turn))
     for i, (way, tie) in enumerate(zip(ways, ties, strict=True), start=1):
         m, x, y, z, a, b, c, *moments = of_joint(i, zero)
         name = f"body{i}"

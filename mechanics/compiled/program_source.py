@@ -18,7 +18,7 @@ from mechanics.equations import ProgramEquations
 from mechanics.errors import ExpressionError, InputError, SingularError
 from mechanics.mechanism import Mechanism
 from mechanics.program.casadi_printer import print_graphs
-from mechanics.program.residues import Residues, eliminate
+from mechanics.program.residues import Residues
 from mechanics.routes.programs.rows import coefficients
 
 
@@ -82,8 +82,10 @@ class ProgramSource:
                 f"{named} something is divided by zero: leave the parameter free"
             ) from None
         n = len(of.mechanism.ud)
-        values = Residues(other).values(found["M"])
-        if len(eliminate([values[n * i : n * (i + 1)] for i in range(len(matrix))], n)) < n:
+        filter_ = Residues(other)
+        values = filter_.values(found["M"])
+        table = [values[n * i : n * (i + 1)] for i in range(len(matrix))]
+        if len(filter_.eliminate(table, n)) < n:
             raise SingularError(
                 f"{named} the equations do not determine the accelerations: is a body left without"
                 " mass?"

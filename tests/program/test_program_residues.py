@@ -50,6 +50,42 @@ def test_what_is_equal_is_equal_at_the_point(name: str) -> None:
     assert 0 <= one < PRIME
 
 
+ROOTS = {
+    "a root of a number": lambda b: (b.constant(3).sqrt() ** 2, b.constant(3)),
+    "a turn by pi / 3": lambda b: ((b.constant(3).sqrt() / 2) ** 2 + b.one / 4, b.one),
+    "roots of a product": lambda b: (
+        b.constant(3).sqrt() * b.constant(11).sqrt(), b.constant(33).sqrt()),
+    "a root of a fraction": lambda b: (b.constant(THIRD).sqrt() * 3, b.constant(3).sqrt()),
+    "a root in a root": lambda b: (
+        (5 - b.constant(5).sqrt()).sqrt() * (5 + b.constant(5).sqrt()).sqrt(),
+        b.constant(20).sqrt()),
+    "many roots": lambda b: (
+        sum((b.constant(p).sqrt() ** 2 for p in (3, 7, 11, 13, 17, 19, 23)), b.zero),
+        b.constant(93)),
+    "an angle beside a root": lambda b: (
+        b.constant(3) * (b.input("x") / 2).sin() ** 2,
+        (b.constant(3).sqrt() ** 2 - b.constant(3) * b.input("x").cos()) / 2),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", ROOTS)
+def test_roots_of_numbers_are_those_numbers(name: str) -> None:
+    """Half of all numbers have no root modulo one prime: the filter takes another."""
+    b = Builder()
+    left, right = ROOTS[name](b)
+    filter_ = Residues(b)
+    one, other = filter_.values([left, right])
+    assert one == other
+    assert Residues(b).prime == filter_.prime
+
+
+def test_numbers_that_have_no_root_are_the_same_each_time() -> None:
+    b = Builder()
+    root = b.constant(-1).sqrt()
+    assert Residues(b).prime == PRIME
+    assert Residues(b).is_zero(root * 2 - root - root)
+
+
 @pytest.mark.parametrize("name", DIFFERENT)
 def test_what_differs_differs_at_the_point(name: str) -> None:
     left, right = DIFFERENT[name]
@@ -96,7 +132,7 @@ def test_elimination_takes_rows_in_order(
     rows: list[list[int]], pivots: list[tuple[int, int]]
 ) -> None:
     table = [list(row) for row in rows]
-    assert eliminate(table, len(rows[0])) == pivots
+    assert eliminate(table, len(rows[0]), PRIME) == pivots
     for row, column in pivots:
         assert [table[other][column] for other, _ in pivots] == [
             int(other == row) for other, _ in pivots
@@ -106,7 +142,7 @@ def test_elimination_takes_rows_in_order(
 def test_columns_beyond_are_carried_along() -> None:
     """2 x + y = 5, x - y = 1: x = 2, y = 1."""
     table = [[2, 1, 5], [1, PRIME - 1, 1]]
-    pivots = {column: row for row, column in eliminate(table, 2)}
+    pivots = {column: row for row, column in eliminate(table, 2, PRIME)}
     assert [table[pivots[k]][2] for k in range(2)] == [2, 1]
 
 

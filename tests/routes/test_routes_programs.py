@@ -9,7 +9,7 @@ import pytest
 from benchmarks.faults.scenes import trammel
 from mechanics.mechanism import Mechanism, lower
 from mechanics.program import Builder
-from mechanics.program.residues import PRIME, Residues, eliminate
+from mechanics.program.residues import Residues
 from mechanics.program.vectors import dot
 from mechanics.routes.programs import free_body, kane, lagrange, moving_point
 from mechanics.routes.programs.moving_point import null_space
@@ -35,10 +35,10 @@ def accelerations(mechanism: Mechanism, rows: Rows, filter_: Residues) -> tuple[
     matrix = coefficients(every, unknowns)
     rest = remainder(mechanism.builder, every, unknowns)
     table = [filter_.values([*row, -right]) for row, right in zip(matrix, rest, strict=True)]
-    pivots = eliminate(table, len(unknowns))
+    pivots = filter_.eliminate(table, len(unknowns))
     assert len(pivots) == len(unknowns), "the rows do not determine the accelerations"
     values = {column: table[row][-1] for row, column in pivots}
-    return tuple(values[i] % PRIME for i in range(len(mechanism.u)))
+    return tuple(values[i] % filter_.prime for i in range(len(mechanism.u)))
 
 
 @pytest.mark.parametrize("scene", SCENES, ids=lambda make: make().name)
@@ -86,7 +86,7 @@ def test_reactions_of_free_bodies_make_their_rows_zero() -> None:
     matrix = coefficients([*own, *rows.values], mechanism.ud)
     rest = remainder(mechanism.builder, [*own, *rows.values], mechanism.ud)
     table = [filter_.values([*row, r]) for row, r in zip(matrix, rest, strict=True)]
-    assert len(eliminate(table, len(mechanism.ud) + 1)) == len(mechanism.u)
+    assert len(filter_.eliminate(table, len(mechanism.ud) + 1)) == len(mechanism.u)
 
 
 @pytest.mark.parametrize(
@@ -109,4 +109,4 @@ def test_every_row_annihilates_the_null_space(numbers: str, rank: int) -> None:
     for vector in basis:
         for row in rows:
             assert filter_.is_zero(dot(row, vector))
-    assert len(eliminate([filter_.values(vector) for vector in basis], width)) == len(basis)
+    assert len(filter_.eliminate([filter_.values(vector) for vector in basis], width)) == len(basis)

@@ -6,7 +6,7 @@
 
 Ranks are those at one point of a field, on the constraints if there are any: a scene is refused for
 what is not zero there, and so not zero at all, or for a rank that is too small but for a chance of
-degree / 2^61.
+degree / 2^60.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from mechanics.errors import SceneError
 from mechanics.mechanism import GROUND, Mechanism, lower
 from mechanics.program.builder import Builder, Node
 from mechanics.program.derivatives import gradient, tangent
-from mechanics.program.residues import Residues, eliminate
+from mechanics.program.residues import Residues
 from mechanics.program.vectors import Vector, add, cross, dot, scale, subtract
 from mechanics.routes.programs import chain
 from mechanics.routes.programs.directions import AXES, Directions, used_directions
@@ -72,15 +72,15 @@ def check_admissible(mechanism: Mechanism) -> None:
     powers = [filter_.values(virtual_power(mechanism, motions, pair)) for pair in units]
     if mechanism.closure.values or not mechanism.closure:
         # Where no point on the constraints is known, the laws say that it is undecided.
-        _ideal(mechanism, table, powers)
+        _ideal(mechanism, table, powers, filter_)
     _complete(mechanism, _freedoms(mechanism, bodies, directions, units), filter_)
-    _maintained(mechanism, powers)
+    _maintained(mechanism, powers, filter_)
     _regular(mechanism, table, filter_)
 
 
-def _rank(rows: Sequence[Sequence[int]], width: int) -> list[int]:
+def _rank(filter_: Residues, rows: Sequence[Sequence[int]], width: int) -> list[int]:
     """Rows that are independent of those before them."""
-    return [i for i, _ in eliminate([list(row) for row in rows], width)]
+    return [i for i, _ in filter_.eliminate([list(row) for row in rows], width)]
 
 
 def _constraint_rows(mechanism: Mechanism, filter_: Residues) -> list[list[int]]:
@@ -100,7 +100,7 @@ def _constraint_rows(mechanism: Mechanism, filter_: Residues) -> list[list[int]]
         if all(filter_.is_zero(entry) for entry in slopes):
             raise SceneError(f"{where}: it restricts no speed: is it an identity?")
     table = [filter_.values(row) for row in coefficients(forms, mechanism.u)]
-    kept = _rank(table, len(mechanism.u))
+    kept = _rank(filter_, table, len(mechanism.u))
     if len(kept) < len(table):
         names = [constraint.name for constraint in mechanism.constraints]
         redundant = ", ".join(name for i, name in enumerate(names) if i not in kept)
@@ -113,21 +113,24 @@ def _constraint_rows(mechanism: Mechanism, filter_: Residues) -> list[list[int]]
 
 
 def _ideal(
-    mechanism: Mechanism, table: Sequence[Sequence[int]], powers: Sequence[Sequence[int]]
+    mechanism: Mechanism,
+    table: Sequence[Sequence[int]],
+    powers: Sequence[Sequence[int]],
+    filter_: Residues,
 ) -> None:
     """The power of a unit is a combination of the constraints' rows: zero where they hold."""
     for reaction, power in zip(mechanism.reactions, powers, strict=True):
-        if len(_rank([*table, power], len(mechanism.u))) > len(table):
+        if len(_rank(filter_, [*table, power], len(mechanism.u))) > len(table):
             raise SceneError(
                 f"reaction {reaction.name}: it does work on velocities that the scene admits:"
                 " correct its point, its direction or its bodies, or declare it as a load"
             )
 
 
-def _maintained(mechanism: Mechanism, powers: Sequence[Sequence[int]]) -> None:
+def _maintained(mechanism: Mechanism, powers: Sequence[Sequence[int]], filter_: Residues) -> None:
     """The reactions that constraints name act against their violation, each in its own way."""
     kept = mechanism.multipliers
-    independent = _rank([powers[index] for index in kept], len(mechanism.u))
+    independent = _rank(filter_, [powers[index] for index in kept], len(mechanism.u))
     for i, constraint in enumerate(mechanism.constraints):
         if i not in independent:
             name = mechanism.reactions[kept[i]].name
@@ -245,7 +248,7 @@ def _complete(mechanism: Mechanism, freedoms: Sequence[_Freedom], filter_: Resid
     size = len(freedoms)
     flat = filter_.values([entry for freedom in freedoms for entry in freedom.reactions])
     columns = [flat[j :: len(names)] for j in range(len(names))]
-    independent = _rank(columns, size)
+    independent = _rank(filter_, columns, size)
     if len(independent) < len(columns):
         extra = ", ".join(names[j] for j in range(len(columns)) if j not in independent)
         raise SceneError(
@@ -260,10 +263,10 @@ def _complete(mechanism: Mechanism, freedoms: Sequence[_Freedom], filter_: Resid
     speeds = filter_.values([entry for row in moved for entry in row])
     width = len(mechanism.u)
     spanned = [list(column) for column in columns] + [speeds[k::width] for k in range(width)]
-    have = len(_rank(spanned, size))
+    have = len(_rank(filter_, spanned, size))
     for k, freedom in enumerate(freedoms):
         alone = [int(i == k) for i in range(size)]
-        if len(_rank([*spanned, alone], size)) > have:
+        if len(_rank(filter_, [*spanned, alone], size)) > have:
             raise SceneError(
                 f"{mechanism.name}: the reactions are incomplete ({len(independent)} of {wanted}):"
                 f" nothing holds body {freedom.body} in {freedom.words}: declare the reaction"
@@ -281,7 +284,7 @@ def _regular(mechanism: Mechanism, table: Sequence[Sequence[int]], filter_: Resi
     n, c = len(metric), len(table)
     rows = [[*metric[i], *(table[k][i] for k in range(c))] for i in range(n)]
     rows += [[*row, *([0] * c)] for row in table]
-    kept = _rank(rows, n + c)
+    kept = _rank(filter_, rows, n + c)
     if len(kept) < n + c:
         free = next(i for i in range(n + c) if i not in kept)
         speed = "the constraints"

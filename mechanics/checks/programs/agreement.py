@@ -33,7 +33,7 @@ from mechanics.errors import SingularError
 from mechanics.kernel import Finding, follows
 from mechanics.mechanism import Mechanism
 from mechanics.program.builder import Node
-from mechanics.program.residues import PRIME, Residues, eliminate
+from mechanics.program.residues import Residues
 from mechanics.program.vectors import dot
 from mechanics.routes.programs.rows import (
     Rows,
@@ -93,7 +93,7 @@ def linear_system(mechanism: Mechanism, rows: Rows, filter_: Residues) -> Derive
     every = [*rows.values, *acceleration_forms(mechanism)]
     matrix = coefficients(every, unknowns)
     right = [-entry for entry in remainder(mechanism.builder, every, unknowns)]
-    rank = len(eliminate([filter_.values(row) for row in matrix], len(unknowns)))
+    rank = len(filter_.eliminate([filter_.values(row) for row in matrix], len(unknowns)))
     if rank < len(unknowns) or len(matrix) != len(unknowns):
         raise SingularError(
             f"{mechanism.name}, route {rows.route}: rank {rank} for {len(unknowns)} unknowns:"
@@ -167,7 +167,7 @@ def matched(filter_: Residues, one: Rows, two: Rows) -> list[tuple[int, int]] | 
     places = {residue: j for j, residue in enumerate(filter_.values(two.values))}
     found = []
     for residue in filter_.values(one.values):
-        for signed, sign in ((residue, 1), (-residue % PRIME, -1)):
+        for signed, sign in ((residue, 1), (-residue % filter_.prime, -1)):
             if signed in places:
                 found.append((places.pop(signed), sign))
                 break

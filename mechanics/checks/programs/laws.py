@@ -23,7 +23,7 @@ from mechanics.kernel import Finding
 from mechanics.mechanism import Mechanism, inputs_of
 from mechanics.program.builder import Node
 from mechanics.program.derivatives import gradient, tangent
-from mechanics.program.residues import Residues, eliminate
+from mechanics.program.residues import Residues
 from mechanics.program.vectors import dot
 from mechanics.routes.programs import chain, differentiate
 from mechanics.routes.programs.lagrange import virtual_power
@@ -141,7 +141,7 @@ def check_ideal(mechanism: Mechanism, filter_: Residues) -> Iterator[Finding]:
 def _regular_columns(table: Sequence[Sequence[Node]], filter_: Residues) -> list[int]:
     """Columns of the constraints' matrix that are independent where the constraints hold."""
     transposed = [filter_.values(column) for column in zip(*table, strict=True)]
-    return [i for i, _ in eliminate(transposed, len(table))] if table else []
+    return [i for i, _ in filter_.eliminate(transposed, len(table))] if table else []
 
 
 def _combination(

@@ -42,7 +42,7 @@ from mechanics.program.c.condition import (
 )  # fmt: skip
 from mechanics.program.c.parse import Source
 from mechanics.program.operations import ABS, ADD, NEGATE, SUBTRACT
-from mechanics.program.residues import PRIME, Residues
+from mechanics.program.residues import Residues
 
 OK, SINGULAR, OVERFLOW, BAD_INPUT = range(4)
 
@@ -101,7 +101,7 @@ class _Values:
     def key(self, node: Node) -> int:
         """A value up to its sign."""
         (residue,) = self._residues.values([node])
-        key = min(residue, PRIME - residue)
+        key = min(residue, self._residues.prime - residue)
         self._members.setdefault(key, {})[node.number] = 1 if residue == key else -1
         return key
 

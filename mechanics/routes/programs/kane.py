@@ -14,7 +14,6 @@ from dataclasses import replace
 from mechanics.mechanism import Mechanism
 from mechanics.program.builder import Node
 from mechanics.program.derivatives import gradient
-from mechanics.program.residues import eliminate
 from mechanics.program.vectors import Matrix, add, cross, dot, scale, subtract, times, zeros
 from mechanics.routes.programs import chain
 from mechanics.routes.programs.elimination import without_pressing
@@ -162,4 +161,4 @@ def _last_independent(mechanism: Mechanism, matrix: Matrix) -> list[int]:
     backwards = range(len(mechanism.u) - 1, -1, -1)
     _, closed = mechanism.filters
     columns = [closed.values([row[i] for row in matrix]) for i in backwards]
-    return sorted(backwards[k] for k, _ in eliminate(columns, len(matrix)))
+    return sorted(backwards[k] for k, _ in closed.eliminate(columns, len(matrix)))

@@ -31,7 +31,7 @@ from mechanics.errors import SingularError
 from mechanics.mechanism import Mechanism
 from mechanics.program.builder import Node
 from mechanics.program.derivatives import tangent
-from mechanics.program.residues import Residues, eliminate
+from mechanics.program.residues import Residues
 from mechanics.program.sympy_printer import expressions, written_size
 from mechanics.program.vectors import (
     Vector,
@@ -512,7 +512,7 @@ def _independent(
         flat = filter_.values([entry for row in rows for entry in row])
         width = size + len(let_in)
         table = [flat[width * i : width * (i + 1)] for i in range(len(rows))]
-        pivots = eliminate(table, width)
+        pivots = filter_.eliminate(table, width)
         kept = [i - len(forms) for i, _ in pivots if i >= len(forms)][:wanted]
     if len(kept) < wanted:
         raise SingularError(

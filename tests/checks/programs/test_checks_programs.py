@@ -6,6 +6,8 @@ from fractions import Fraction
 
 import pytest
 from linkages import LINKAGES, lifted_bead, parallelogram, slider_crank
+from serial_arms import serial_arm
+from sympy import Expr, Rational, acos, pi
 
 from mechanics.checks.programs import laws, reactions
 from mechanics.checks.programs.admissible import check_admissible, check_scene
@@ -212,3 +214,16 @@ def test_energy_of_a_lifted_rail_counts_the_work_of_its_reaction() -> None:
     still = replace(mechanism, reactions=())
     idle = replace(support, mechanism=still)
     assert_refuted(laws.check_energy_balance(idle, idle))
+
+
+@pytest.mark.parametrize(
+    "turns", [(pi / 6, pi / 2), (pi / 6, pi / 6), (pi / 5, pi / 2), (pi / 3, acos(Rational(3, 5)))]
+)
+def test_roots_in_fixed_turns_are_roots(turns: tuple[Expr, Expr]) -> None:
+    """sin^2 + cos^2 = 1 of a turn by pi / 6: couples across the joints' axes do no work."""
+    mechanism = check_scene(serial_arm(3, axes="z", fixed="x", turn=turns).scene)
+    filter_ = Residues(mechanism.builder)
+    assert all(finding.shown for finding in laws.check_ideal(mechanism, filter_))
+    pairs = compare_pairs(derived(mechanism))
+    assert len(pairs) == 6
+    assert all(finding.shown for finding in pairs.values())
