@@ -191,7 +191,10 @@ class Equations:
 
     @cached_property
     def rows(self) -> tuple[Expr, ...]:
-        """M u' - f - B lambda as it was derived; empty where the route does not have that."""
+        """M u' - f - B lambda as it was derived; empty where the route does not have that.
+
+        Where rows are not conjugate, a factor that M, f and B share may stand in a row here.
+        """
         return self.write_rows()
 
     def with_matrices(self, **changed: Matrix) -> "Equations":

@@ -7,10 +7,10 @@ A u' - b = 0                                        constraints, differentiated 
 from __future__ import annotations
 
 import sys
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Sequence, Set
 from functools import partial
 
-from sympy import Add, Expr, Matrix, Mul, Symbol, sift
+from sympy import Add, Expr, Matrix, Mul, S, Symbol, sift
 
 from mechanics.equations import Equations, Matrices, Step
 from mechanics.mechanism import Mechanism
@@ -109,8 +109,32 @@ def _matrices(printer: Printer, mechanism: Mechanism, rows: Rows) -> Matrices:
     n = len(mechanism.ud)
     left, right = _split(printer, mechanism, rows.values, unknown)
     matrix, column = left.applyfunc(canonical), right.applyfunc(canonical)
+    if not rows.conjugate:
+        held = {*printer.scene.parameters, *map(printer.symbol, rows.multipliers)}
+        for i in range(matrix.rows):
+            factor = _moving_factor([*matrix.row(i), column[i]], held)
+            if factor != 1:
+                for side in (left, right, matrix, column):
+                    side[i, :] = (side.row(i) / factor).applyfunc(canonical)
     mass, forcing = _shortest(printer.scene, (left[:, :n], right), (matrix[:, :n], column))
     return Matrices(mass, forcing, -matrix[:, n:], *_constraints(printer, mechanism))
+
+
+def _moving_factor(entries: Sequence[Expr], fixed: Set[Symbol]) -> Expr:
+    """What multiplies every product of a row and moves: the row says nothing where it vanishes.
+
+    A direction without divisors may have such a factor in each of its components.
+    """
+    products = [term.as_powers_dict() for e in entries for term in Add.make_args(e) if e != 0]
+    if not products:
+        return S.One
+    common = {}
+    for base in products[0]:
+        powers = [product.get(base, S.Zero) for product in products]
+        moves = not base.is_Symbol and base.free_symbols - fixed
+        if moves and all(power.is_Integer and power > 0 for power in powers):
+            common[base] = min(powers)
+    return Mul(*(base**power for base, power in common.items()))
 
 
 def _constraints(printer: Printer, mechanism: Mechanism) -> Pair:
