@@ -445,8 +445,8 @@ CHECKED = (
             "pairs: f has the wrong sign",
         ),
         (
-            "for signed, sign in ((residue, 1), (-residue % PRIME, -1)):",
-            "for signed, sign in ((residue, -1), (-residue % PRIME, 1)):",
+            "for signed, sign in ((residue, 1), (-residue % filter_.prime, -1)):",
+            "for signed, sign in ((residue, -1), (-residue % filter_.prime, 1)):",
             "pairs: equal rows are taken for opposite ones",
         ),
     ),
@@ -466,8 +466,8 @@ CHECKED = (
     *faults_in(
         "mechanics.checks.programs.admissible",
         (
-            "independent = _rank(columns, size)",
-            "independent = _rank(columns, size)[:-1]",
+            "independent = _rank(filter_, columns, size)",
+            "independent = _rank(filter_, columns, size)[:-1]",
             "admissible: the last independent reaction is lost",
         ),
         (
