@@ -19,6 +19,7 @@ from typing import NamedTuple
 
 from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx
 
+from mechanics.kernel.numbers import Numbers
 from mechanics.program.builder import Builder
 from mechanics.program.operations import (
     ABS,
@@ -141,6 +142,7 @@ class Forms:
         self.generators = self.context.gens()
         self.one = self.context.constant(1)
         self.signs: list[int] = []
+        self.numbers = Numbers()
         self.bounded: set[int] = set()
         self.squares: dict[int, fmpq_mpoly] = {}
         self.absolute: list[tuple[fmpq_mpoly, int]] = []
@@ -175,7 +177,9 @@ class Forms:
             name = builder.inputs[first[number]]
             return self._atom(INPUT, name, POSITIVE if self.positive(name) else ANY)
         if code == PI:
-            return self._atom(PI, 0, POSITIVE)
+            pi = self._atom(PI, 0, POSITIVE)
+            self.numbers.pi(self._atoms[PI, 0])
+            return pi
         if code in (ADD, SUBTRACT, MULTIPLY, DIVIDE):
             return self._arithmetic(code, self.forms[first[number]], self.forms[second[number]])
         inner = self.forms.get(first[number])
@@ -285,6 +289,9 @@ class Forms:
         sine = self._atom(SIN, key, bounded=True)
         self.squares.setdefault(self._atoms[SIN, key], 1 - cosine.above**2)
         self.angles[self._atoms[SIN, key]] = self._atoms[COS, key]
+        if inner is not None and self.numbers.holds(inner.above * inner.below):
+            places = self._atoms[SIN, key], self._atoms[COS, key]
+            self.numbers.circular(*places, -inner.above if turned else inner.above, inner.below)
         if turned:
             sine = Quotient(-sine.above, self.one)
         if code == TAN:
@@ -307,6 +314,8 @@ class Forms:
         signs = self.sign(above) & NOT_NEGATIVE
         atom = self._atom(SQRT, str(above), signs or NOT_NEGATIVE)
         self.squares.setdefault(self._atoms[SQRT, str(above)], above)
+        if signs == POSITIVE and self.numbers.holds(above):
+            self.numbers.root(self._atoms[SQRT, str(above)], above)
         return Quotient(atom.above, below)
 
     def _magnitude(self, number: int, inner: Quotient | None) -> Quotient:
@@ -372,8 +381,7 @@ class Forms:
 
     def _by_terms(self, polynomial: fmpq_mpoly) -> int:
         found = ZERO
-        for monomial, coefficient in polynomial.to_dict().items():
-            signs = POSITIVE if coefficient > 0 else NEGATIVE
+        for monomial, signs in self._terms(polynomial):
             for place, exponent in enumerate(monomial):
                 if exponent:
                     signs = product(signs, power(self.signs[place], exponent))
@@ -381,6 +389,20 @@ class Forms:
             if found == ANY:
                 return ANY
         return found
+
+    def _terms(self, polynomial: fmpq_mpoly) -> Iterator[tuple[tuple[int, ...], int]]:
+        """Monomials, and the signs of their coefficients; numbers are part of these."""
+        gathered: dict[tuple[int, ...], dict[tuple[int, ...], fmpq]] = {}
+        for monomial, coefficient in polynomial.to_dict().items():
+            if not self.numbers:
+                yield monomial, POSITIVE if coefficient > 0 else NEGATIVE
+                continue
+            rest = tuple(0 if k in self.numbers else n for k, n in enumerate(monomial))
+            own = tuple(n if k in self.numbers else 0 for k, n in enumerate(monomial))
+            gathered.setdefault(rest, {})[own] = coefficient
+        for rest, terms in gathered.items():
+            sign = self.numbers.sign(terms)
+            yield rest, ANY if sign is None else (NEGATIVE, ZERO, POSITIVE)[sign + 1]
 
     def _irreducible(self, factor: fmpq_mpoly, facts: Facts, depth: int) -> int:
         direct = self._by_terms(factor)

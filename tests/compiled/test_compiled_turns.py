@@ -7,7 +7,10 @@ from mechanics import compile, derive
 from mechanics.compiled import prove_compiled
 from tests.serial_arms import serial_arm
 
-TURNS = {"30 degrees": pi / 6, "45 degrees": pi / 4, "half a radian": Rational(1, 2)}
+TURNS = {
+    "30 degrees": pi / 6, "36 degrees": pi / 5, "22.5 degrees": pi / 8,
+    "0.3 radians": Rational(3, 10),
+}  # fmt: skip
 
 
 @pytest.mark.parametrize("turn", TURNS.values(), ids=TURNS)

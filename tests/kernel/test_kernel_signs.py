@@ -1,5 +1,7 @@
 """Signs of expressions at all states."""
 
+from fractions import Fraction
+
 import pytest
 
 from mechanics.kernel.signs import (
@@ -17,6 +19,9 @@ from mechanics.program import Builder
 B = Builder()
 X, Y, THETA, PHI = (B.input(name) for name in ("x", "y", "theta", "phi"))
 M, K = B.input("m"), B.input("k")
+TWO, THREE, FIVE, SIX = (B.constant(n).sqrt() for n in (2, 3, 5, 6))
+PENTAGON = (10 - 2 * FIVE).sqrt() / 4
+"""sin(pi/5) = 0.587785..."""
 
 SIGNS = {
     "terms": (M * X * X + K, POSITIVE),
@@ -55,6 +60,25 @@ SIGNS = {
     "a modulus squared": (abs(X - Y) ** 2 - (X - Y) ** 2, ZERO),
     "squares that are zero at a sample": ((X + 1) ** 2 + (8 * Y + 3) ** 2, NOT_NEGATIVE),
     "squares that are zero at another": ((Y + 1) ** 2 + (8 * X + 3) ** 2, NOT_NEGATIVE),
+    "a root in a root": (PENTAGON * M - M * Fraction(58778, 10**5), POSITIVE),
+    "a root in a root, from above": (
+        PENTAGON * X * X - X * X * Fraction(58779, 10**5),
+        NOT_POSITIVE,
+    ),
+    "roots whose product is a root": (
+        PENTAGON * (10 + 2 * FIVE).sqrt() - B.constant(5).sqrt(),
+        ZERO,
+    ),
+    "nearly that": (
+        PENTAGON * (10 + 2 * FIVE).sqrt() - B.constant(5).sqrt() + Fraction(1, 10**90),
+        POSITIVE,
+    ),
+    "a nested root that is a sum": ((5 + 2 * SIX).sqrt() - TWO - THREE, ZERO),
+    "a fraction in a nested root": ((Fraction(1, 2) + TWO / 4).sqrt() - Fraction(12, 13), POSITIVE),
+    "a sine of a number": (B.constant(Fraction(3, 10)).sin() - Fraction(3, 10), NEGATIVE),
+    "pi": (B.pi - Fraction(355, 113), NEGATIVE),
+    "pi and a root": (B.pi - TWO - THREE, NEGATIVE),
+    "a number without a root": (1 - FIVE, NEGATIVE),
     "a choice": (B.less(X, Y).choose(X * X + 1, K), POSITIVE),
     "a choice of both signs": (B.less(X, Y).choose(-1 - X * X, K), ANY),
     "a choice of what is not positive": (B.less(X, Y).choose(-X * X, -K), NEGATIVE | ZERO),
