@@ -89,7 +89,12 @@ def _integral(part: Part, integrand: Callable[[Matrix], Expr]) -> Expr:
     return density * _over(integrand(position) * region.element, region.limits)
 
 
-@cache
 def _over(integrand: Expr, limits: tuple[tuple[Dummy, Expr, Expr], ...]) -> Expr:
-    # Term by term: SymPy's integrator is quick on single products of powers, sines and cosines.
-    return sum((integrate(term, *limits) for term in expand(integrand).as_ordered_terms()), 0)
+    # Few products of powers, sines and cosines stand under the coefficients of many terms.
+    parts = (term.as_independent(_A, _B) for term in expand(integrand).as_ordered_terms())
+    return sum((factor * _moment(product, limits) for factor, product in parts), sympify(0))
+
+
+@cache
+def _moment(product: Expr, limits: tuple[tuple[Dummy, Expr, Expr], ...]) -> Expr:
+    return integrate(product, *limits)
