@@ -11,9 +11,9 @@ them, and says why.
 
 import os
 from collections import deque
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Hashable, Sequence
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import inf, nextafter
 
 import numpy as np
@@ -101,21 +101,35 @@ def residuals(
     """
     if states < 1:
         raise InputError(f"states: {states} found, at least 1 expected")
-    found: list[Residual] = []
     terms = [typed_terms(left, right) for _, left, right in published]
+    # Routes whose accelerations are one graph have one code, and so one residual.
+    codes = [_code(model) for model in models]
+    distinct = dict(zip(codes, models, strict=True))
     if states >= MANY:
         # The compiler is a process of its own: two of them, while this one waits.
         with ThreadPoolExecutor(os.cpu_count()) as pool:
-            pairs = [(model, kind) for kind in precisions for model in models]
+            pairs = [(model, kind) for kind in precisions for model in distinct.values()]
             deque(pool.map(_build, pairs), maxlen=0)
-    for model in models:
+    measured: dict[Hashable, list[Residual]] = {}
+    for code, model in distinct.items():
         drawn = draw(model, states, seed)
+        measured[code] = []
         for kind in precisions:
             columns = _columns(model, drawn.rounded(kind), kind)
             for (tag, _, _), typed in zip(published, terms, strict=True):
-                subject = f"{model.equations.route}: equation {tag}, {NAMES[kind]}"
-                found.append(_residual(subject, model, columns, typed, kind))
-    return tuple(found)
+                subject = f"equation {tag}, {NAMES[kind]}"
+                measured[code].append(_residual(subject, model, columns, typed, kind))
+    return tuple(
+        replace(entry, subject=f"{model.equations.route}: {entry.subject}")
+        for code, model in zip(codes, models, strict=True)
+        for entry in measured[code]
+    )
+
+
+def _code(model: Model) -> Hashable:
+    """What the accelerations of a model are computed by."""
+    function = model.casadi["forward_dynamics"].serialize({})
+    return function, model.quantities.p, model.compiler, model.flags
 
 
 def _build(pair: tuple[Model, type[np.floating]]) -> None:
