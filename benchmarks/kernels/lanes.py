@@ -73,7 +73,7 @@ def _lap(case: Case, text: str, function: str) -> Lap:
     return Lap(lambda: library.passes(*given), case.count, lambda: found, together)
 
 
-def heyoka(form: str = "ldl", constant: bool = False) -> Contender:
+def heyoka(form: str = "elimination", constant: bool = False) -> Contender:
     """Heyoka's compiled function with fast_math.
 
     Its expressions are those of a form: L D L^T is what one would write down for it, ``"auto"`` is

@@ -139,7 +139,7 @@ def codegen(
         typer.Option(help="What files and functions begin with; the scene's name by default."),
     ] = None,
     form: Annotated[
-        str, typer.Option(help="How forward dynamics is written: auto, recursive, sparse, ldl, ...")
+        str, typer.Option(help="How forward dynamics is written: auto, fewest, recursive, ...")
     ] = "auto",
 ) -> None:
     """Write the equations as C99: a folder that builds, tests and installs alone.

@@ -14,7 +14,7 @@ from fractions import Fraction
 from functools import cached_property
 from weakref import WeakKeyDictionary
 
-from mechanics.compiled.forms.members import ELIMINATION, LDL, PRIMITIVE
+from mechanics.compiled.forms.members import ELIMINATION, PRIMITIVE
 from mechanics.compiled.graphs import STATE, Graphs
 from mechanics.compiled.model import Model
 from mechanics.equations import ProgramEquations
@@ -111,7 +111,7 @@ def _searched(model: Model) -> Program:
     best = _rate(motion_graphs(model), rate_entries(model))
     if best.count < SHORT or isinstance(model.equations, ProgramEquations):
         return best
-    for form in (LDL, ELIMINATION, PRIMITIVE):
+    for form in (ELIMINATION, PRIMITIVE):
         if form.name == model.form or form.unsuited(model.equations):
             continue
         other = _rate(motion_graphs(model, form.name), rate_entries(model))

@@ -24,7 +24,7 @@ def test_the_manifest_tells_the_form(run: Any, tmp_path: Path, options: Any, for
         ("four_bar", "recursive", "the bodies are no tree, for closure along x"),
         ("rolling_disc", "recursive", "the bodies are no tree, for no slip along x"),
         ("rocker", "sparse", "nothing constrains the coordinates"),
-        ("rocker", "quick", "the forms are auto, explicit, ldl"),
+        ("rocker", "quick", "the forms are auto, elimination, primitive"),
     ],
 )
 def test_a_form_that_cannot_be_is_one_line(

@@ -122,7 +122,7 @@ def test_computed_values_are_those_of_the_model(derived) -> None:
 
 
 def test_what_overflows_is_named(derived) -> None:
-    model = compile(derived("elastic_pendulum", "kane"), form="ldl", compiler=None)
+    model = compile(derived("elastic_pendulum", "kane"), form="elimination", compiler=None)
     code = model.program("forward_dynamics")
     point = np.array([[0.1, 0.5, 0.0, 1.0, 1e200, 1.0, 9.81, 10.0, 1.0]])
     events = trace(code, point, np.float64)

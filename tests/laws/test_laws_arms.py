@@ -114,7 +114,7 @@ def test_bad_input_is_named(arm: Arm, model: Model) -> None:
     with pytest.raises(InputError, match="'flight'"):
         model.evaluate("flight", q=q)
     with pytest.raises(InputError, match="choose among composite, articulated, kane"):
-        mechanics.compile(derive(arm.scene), form="ldl")
+        mechanics.compile(derive(arm.scene), form="elimination")
     with pytest.raises(SingularError, match="do not determine the accelerations"):
         mechanics.compile(derive(arm.scene), fixed={n: 0 for n in massless(arm)})
     with pytest.raises(InputError, match="too long to be written out"):

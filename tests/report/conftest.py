@@ -75,7 +75,7 @@ def small() -> SystemResult:
     """Every part of a report once, with every verdict."""
     scene = block()
     routes = {
-        name: RouteResult(equations(scene, name), seconds, operations, "ldl", operations + 5)
+        name: RouteResult(equations(scene, name), seconds, operations, "fewest", operations + 5)
         for name, seconds, operations in (
             ("free_body", 0.004, 12),
             ("moving_point", 0.25, 9),

@@ -21,7 +21,7 @@ def walked(controlled: bool = False) -> Extremes:
     if controlled:
         equations = derive(rocker.controlled(), "kane")
         return extremes(
-            equations, paths=(rocker.AT_CRITICAL_GAIN,), forms=("explicit",), paired=300
+            equations, paths=(rocker.AT_CRITICAL_GAIN,), forms=("elimination",), paired=300
         )
     return extremes(derive(two_mass_chain.scene(), "kane"), name="two_mass_chain", paired=300)
 

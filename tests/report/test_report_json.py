@@ -14,7 +14,7 @@ def test_layout(small: SystemResult) -> None:
     keys = {"name", "ok", "routes", "findings", "witnesses", "published", "compiled"}
     assert set(system) == keys
     assert system["routes"]["kane"] == {
-        "seconds": 3.5, "operations": 1234, "form": "ldl", "forward_dynamics": 1239,
+        "seconds": 3.5, "operations": 1234, "form": "fewest", "forward_dynamics": 1239,
         "absent": "",
     }  # fmt: skip
     assert system["published"] == [

@@ -139,8 +139,8 @@ def test_fast_math_is_measured_but_never_picked(pendulum: Trade) -> None:
 def test_choice_says_what_it_is() -> None:
     from mechanics.simulate.integrators import Setting
 
-    choice = Choice(Variant(form="ldl"), Setting("C RK8", step=0.01, arithmetic="single"))
-    assert choice.words == "C RK8, step 0.01 s, single precision, form ldl"
+    choice = Choice(Variant(form="primitive"), Setting("C RK8", step=0.01, arithmetic="single"))
+    assert choice.words == "C RK8, step 0.01 s, single precision, form primitive"
     assert choice.with_amount(0.005).setting.step == 0.005
 
 

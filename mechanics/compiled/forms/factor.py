@@ -1,7 +1,7 @@
 """Linear systems solved by expressions, without a branch.
 
     symmetric:  P M P^T = L D L^T        general:  Gaussian elimination along given pivots
-    explicit:   x = adj(A) b / det(A)    minors:   elimination with pivots m_i / m_(i+1)
+    minors:     elimination with pivots m_i / m_(i+1)
 
 LDL^T of a positive definite matrix needs no pivoting: |L| D |L|^T is bounded by the diagonal, so
 each row's residual stays within a few roundings of its own terms, whatever the units of the rows.
@@ -90,34 +90,3 @@ def solve_with_pivots(matrix: ca.SX, rhs: ca.SX, minors: Sequence[ca.SX]) -> ca.
             total = total - a[k][i] * x[i]
         x.append(total / a[k][k])
     return ca.vertcat(*x)
-
-
-def solve_explicit(matrix: ca.SX, rhs: ca.SX) -> ca.SX:
-    """Solve A X = B, n x n, by Cramer's rule, cofactors along rows."""
-    n = matrix.shape[0]
-    cofactors = [
-        [(-1) ** (i + j) * _determinant(_without(matrix, i, j)) for j in range(n)] for i in range(n)
-    ]
-    determinant = sum((matrix[0, j] * cofactors[0][j] for j in range(n)), ca.SX(0))
-    rows = [
-        sum((cofactors[i][j] * rhs[i, :] for i in range(n)), ca.SX(0)) / determinant
-        for j in range(n)
-    ]
-    return ca.vertcat(*rows)
-
-
-def _without(matrix: ca.SX, row: int, column: int) -> ca.SX:
-    n = matrix.shape[0]
-    rows = [i for i in range(n) if i != row]
-    columns = [j for j in range(n) if j != column]
-    return matrix[rows, columns]
-
-
-def _determinant(matrix: ca.SX) -> ca.SX:
-    n = matrix.shape[0]
-    if n == 0:
-        return ca.SX(1)
-    return sum(
-        ((-1) ** j * matrix[0, j] * _determinant(_without(matrix, 0, j)) for j in range(n)),
-        ca.SX(0),
-    )

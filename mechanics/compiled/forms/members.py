@@ -1,11 +1,8 @@
 """Forms of forward dynamics: algebra that is equal and rounds differently.
 
-    explicit       x = adj(K) k / det(K)
-    ldl            M = L D L^T
-    elimination    Gaussian elimination along pivots that were tried
+    elimination    M = L D L^T; where K is not symmetric, along pivots that were tried
     primitive      the same after common factors were divided out of rows and columns
     rearranged     pivots d_i = m_i / m_(i+1), minors written without a subtraction where they can
-    refined        x + K^-1 (k - K x): one step of iterative refinement (Skeel 1980)
     fewest         nested polynomials, in quotients or eliminated, if they take fewer operations
     recursive      bodies of a tree from its leaves to its root and back
     sparse         the same with the constraints of closed loops, where few entries fill in
@@ -14,7 +11,6 @@ Each solves K x = k, K = [[M, -B], [A, 0]], x = (u', lambda), and its graph is p
 """
 
 from collections.abc import Callable, Iterator
-from contextlib import suppress
 from dataclasses import dataclass
 
 import casadi as ca
@@ -22,16 +18,11 @@ from sympy import Matrix
 
 from mechanics.compiled.forms import recursive, sparse
 from mechanics.compiled.forms.entries import entry_polynomials, nested_entries
-from mechanics.compiled.forms.factor import (
-    solve_explicit,
-    solve_general,
-    solve_symmetric,
-    solve_with_pivots,
-)
+from mechanics.compiled.forms.factor import solve_general, solve_with_pivots
 from mechanics.compiled.forms.fewest import nested_quotients
 from mechanics.compiled.forms.primitive import primitive
 from mechanics.compiled.forms.rearranged import MOST, trailing_minors
-from mechanics.compiled.forms.system import System, is_symmetric
+from mechanics.compiled.forms.system import System
 from mechanics.compiled.forms.weigh import ROUNDINGS, digits_lost
 from mechanics.compiled.programs.program import operations
 from mechanics.equations import Equations
@@ -98,12 +89,6 @@ def _few(equations: Equations) -> str:
     return f"{n} unknowns, at most {MOST} can be written out" if n > MOST else ""
 
 
-def _conjugate(equations: Equations) -> str:
-    if is_symmetric(equations):
-        return ""
-    return f"the matrix by {equations.route} is no symmetric mass matrix"
-
-
 def _readable(equations: Equations) -> str:
     try:
         primitive(*equations.system)
@@ -116,17 +101,8 @@ def _small_and_readable(equations: Equations) -> str:
     return _few(equations) or _readable(equations)
 
 
-def _explicit(system: System) -> ca.SX:
-    return solve_explicit(*system.graphs)
-
-
-def _ldl(system: System) -> ca.SX:
-    return solve_symmetric(*system.graphs)
-
-
 def _elimination(system: System) -> ca.SX:
-    pivots = system.choose(*system.graphs)
-    return solve_general(*system.graphs, pivots)
+    return system.solve(system.graphs[1])
 
 
 def _primitive(system: System) -> ca.SX:
@@ -141,12 +117,6 @@ def _rearranged(system: System) -> ca.SX:
     left, right, scale = _scaled(system)
     minors = system.translate.column(trailing_minors(system.primitive.left))
     return solve_with_pivots(left, right, ca.vertsplit(minors)) / scale
-
-
-def _refined(system: System) -> ca.SX:
-    left, right = system.graphs
-    first = system.solve(right)
-    return first + system.solve(right - left @ first)
 
 
 def _fewest(system: System) -> ca.SX:
@@ -173,10 +143,13 @@ def _candidates(system: System) -> Iterator[ca.SX]:
     """Quotients of a small system, the cheapest first; then elimination of nested entries."""
     equations = system.equations
     left, right = equations.system
-    with suppress(TooLarge):
-        for way in nested_quotients(left, right, equations.unknowns, system.symmetric):
-            graphs = way.graphs(system.translate)
-            yield ca.vertcat(*(graphs[unknown] for unknown in equations.unknowns))
+    try:
+        quotients = nested_quotients(left, right, equations.unknowns, system.symmetric)
+    except TooLarge:  # a large system has no short quotients
+        quotients = []
+    for way in quotients:
+        graphs = way.graphs(system.translate)
+        yield ca.vertcat(*(graphs[unknown] for unknown in equations.unknowns))
     entries = nested_entries(left.as_immutable(), right.as_immutable()).graphs(system.translate)
     n = left.rows
     matrix, column = ca.SX(n, n), ca.SX(n, 1)
@@ -206,12 +179,9 @@ def _scaled(system: System) -> tuple[ca.SX, ca.SX, ca.SX]:
     )
 
 
-EXPLICIT = Form("explicit", "adjugate over determinant", _few, _explicit)
-LDL = Form("ldl", "L D Lᵀ of the mass matrix", _conjugate, _ldl)
-ELIMINATION = Form("elimination", "Gaussian elimination", _always, _elimination)
+ELIMINATION = Form("elimination", "L D Lᵀ, or Gaussian elimination", _always, _elimination)
 PRIMITIVE = Form("primitive", "elimination without common factors", _readable, _primitive)
 REARRANGED = Form("rearranged", "pivots without subtraction", _small_and_readable, _rearranged)
-REFINED = Form("refined", "elimination and one step of refinement", _always, _refined)
 
 FEWEST = Form("fewest", "nested polynomials, in quotients or eliminated", _nestable, _fewest)
 
@@ -224,8 +194,6 @@ SPARSE = Form(
     sparse.unsuited, sparse.solve, sparse.ways,
 )  # fmt: skip
 
-FORMS: tuple[Form, ...] = (
-    EXPLICIT, LDL, ELIMINATION, PRIMITIVE, REARRANGED, REFINED, FEWEST, RECURSIVE, SPARSE,
-)  # fmt: skip
-PREFERRED: tuple[Form, ...] = (FEWEST, LDL, ELIMINATION)
+FORMS: tuple[Form, ...] = (ELIMINATION, PRIMITIVE, REARRANGED, FEWEST, RECURSIVE, SPARSE)
+PREFERRED: tuple[Form, ...] = (FEWEST, ELIMINATION)
 """Of the forms that start from K and k, what ``"auto"`` takes: the first that suits."""

@@ -9,14 +9,12 @@ accelerations in place of joint coordinates wherever one unknown can stand for t
 back they are passed on in the components of the bodies, or in inertial ones, which rounds better.
 """
 
-from functools import lru_cache
-
 import casadi as ca
 
 from mechanics.compiled.forms.bodies.function import gauss_function
 from mechanics.compiled.forms.bodies.leaf_to_root import Way, eliminated, values
 from mechanics.compiled.forms.bodies.reading import Reading
-from mechanics.compiled.forms.bodies.tried import Tried, tried
+from mechanics.compiled.forms.bodies.tried import tried
 from mechanics.compiled.forms.system import System
 from mechanics.compiled.forms.weigh import lightest
 from mechanics.compiled.programs.program import operations
@@ -29,7 +27,7 @@ MORE = 1.25
 
 def unsuited(equations: Equations) -> str:
     """Why u' cannot be written so; empty where it can."""
-    return inapplicable(equations) or _tried(equations).failure
+    return inapplicable(equations) or tried(equations, _solved).failure
 
 
 def inapplicable(equations: Equations) -> str:
@@ -45,17 +43,12 @@ def inapplicable(equations: Equations) -> str:
     return ""
 
 
-@lru_cache(maxsize=16)
-def _tried(equations: Equations) -> Tried:
-    return tried(equations, _solved)
-
-
 def ways(system: System) -> list[ca.SX]:
     """u' as a column, in every way; none where there is no tree."""
     equations = system.equations
     if inapplicable(equations):
         return []
-    graphs = _tried(equations).graphs(system)
+    graphs = tried(equations, _solved).graphs(system)
     if not graphs or system.written_out:
         return [graph for _, graph in graphs]
     # What is not weighed by its errors is on the safe side, unless that costs a lot.

@@ -9,7 +9,7 @@ gone, so that its pivot -A Q^-1 A^T is less than zero. The rest of the order is 
 operations.
 """
 
-from functools import lru_cache, partial
+from functools import partial
 
 import casadi as ca
 from sympy import Expr, S
@@ -44,7 +44,6 @@ def inapplicable(equations: Equations) -> str:
     return ""
 
 
-@lru_cache(maxsize=16)
 def _tried(equations: Equations) -> Tried:
     return tried(equations, partial(_solved, equations))
 
@@ -85,7 +84,6 @@ def constrain(g: Gauss, reading: Reading, names: list[tuple[str, str]]) -> None:
                 g.couple(name, symbol, -entry)
 
 
-@lru_cache(maxsize=64)
 def signs(scene: Scene) -> tuple[int, ...]:
     """For each constraint 1 if its reaction acts along its gradient, -1 if against it.
 

@@ -9,8 +9,15 @@ from sympy import Matrix
 
 from mechanics.compiled.forms.factor import Pivots, solve_general, solve_symmetric
 from mechanics.compiled.forms.primitive import Primitive, primitive
-from mechanics.compiled.forms.trial import Reference, chosen_pivots, largest_error, reference
+from mechanics.compiled.forms.trial import (
+    Reference,
+    chosen_pivots,
+    largest_error,
+    reference,
+    terms,
+)
 from mechanics.compiled.quantities import Quantities
+from mechanics.compiled.terms import Terms
 from mechanics.compiled.translate import Translator
 from mechanics.equations import Equations
 
@@ -39,7 +46,12 @@ class System:
 
     def error(self, solution: ca.SX) -> float:
         """The largest backward error of a solution at states that are tried, in roundings."""
-        return largest_error(self.function(solution), self.equations, self.quantities)
+        return largest_error(self.function(solution), self.terms, self.quantities)
+
+    @cached_property
+    def terms(self) -> list[Terms]:
+        """Terms of K x - k, row by row."""
+        return terms(self.equations, self.quantities)
 
     def solved_by(self, graph: ca.SX) -> bool:
         """Whether a graph is a solution at states that are drawn: no other may be chosen."""

@@ -6,13 +6,12 @@ Half of the states are ordinary ones, half as wild as those of the residual chec
 solution at all is asked at ordinary states only, with K and k in numbers as they were derived.
 """
 
-from contextlib import suppress
+from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import lru_cache
 
 import casadi as ca
 import numpy as np
-from sympy import Add, S, Symbol
+from sympy import Add, S
 
 from mechanics.compiled.forms.order import Array, Order, pivot_order
 from mechanics.compiled.programs.program import Program, program, run
@@ -68,21 +67,18 @@ def chosen_pivots(system: ca.Function, quantities: Quantities) -> Order:
     return pivot_order(stacked[0].reshape(-1, n, n).swapaxes(1, 2).copy(), stacked[1])
 
 
-def largest_error(solution: ca.Function, equations: Equations, quantities: Quantities) -> float:
+def largest_error(solution: ca.Function, rows: Sequence[Terms], quantities: Quantities) -> float:
     """Largest residual of a row of K x = k at the states that are tried, for a function x.
 
-    In units of epsilon times the sum of the magnitudes of the row's terms, in normal form where
-    that is small; at least
-    `LOST` where a precision has no number for what is in its range, at many more states.
+    In units of epsilon times the sum of the magnitudes of the row's terms; at least `LOST` where a
+    precision has no number for what is in its range, at many more states.
     """
     states, code = _states(quantities), program(solution)
     (x,) = run(code, states, np.float64)
-    entries = (quantities.q, quantities.u, quantities.inputs, quantities.p)
-    symbols = [entry.symbol for group in entries for entry in group]
     columns = [*(column for group in states for column in group), *x]
     columns = list(np.broadcast_arrays(*columns, np.zeros(2 * TRIALS)))[:-1]
     eps = float(np.finfo(float).eps)
-    error = max(float(row.ratios(columns, eps).max()) for row in _rows(equations, tuple(symbols)))
+    error = max(float(row.ratios(columns, eps).max()) for row in rows)
     return max(error, LOST) if error < LOST and _lost(code, quantities) else error
 
 
@@ -183,15 +179,18 @@ def _missing(code: Program, states: list[list[Array]]) -> bool:
     return bool(np.any(absent | (missing & within)))
 
 
-@lru_cache(maxsize=4)
-def _rows(equations: Equations, symbols: tuple[Symbol, ...]) -> list[Terms]:
+def terms(equations: Equations, quantities: Quantities) -> list[Terms]:
     """Terms of K x - k, row by row, in normal form where that is small."""
+    groups = (quantities.q, quantities.u, quantities.inputs, quantities.p)
+    symbols = [entry.symbol for group in groups for entry in group]
     left, right = equations.system
     unknowns = (*equations.unknowns, S.NegativeOne)
     entries = [[*left[i, :], right[i]] for i in range(left.rows)]
-    # One entry that is too large tells that the others are: each of them takes as long to find out.
-    with suppress(TooLarge):
-        entries = [[canonical(entry) for entry in row] for row in entries]
+    try:
+        simple = [[canonical(entry) for entry in row] for row in entries]
+    except TooLarge:
+        # One that is too large tells that the others are: each of them takes as long to find out.
+        simple = entries
     return [
         read_terms(
             [
@@ -202,7 +201,7 @@ def _rows(equations: Equations, symbols: tuple[Symbol, ...]) -> list[Terms]:
             ],
             [*symbols, *equations.unknowns],
         )
-        for row in entries
+        for row in simple
     ]
 
 
