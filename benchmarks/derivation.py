@@ -17,12 +17,12 @@ import sympy
 from sympy.core.cache import clear_cache
 
 from benchmarks import peers
-from mechanics.checks.programs.agreement import compare_pairs
+from mechanics.checks.agreement import compare_pairs
 from mechanics.crosscheck.programs import derive_rows
 from mechanics.kernel import Verdict
 from mechanics.mechanism import lower
 from mechanics.program import Builder
-from mechanics.routes import free_body, kane, lagrange, moving_point
+from mechanics.routes.derivation import by_route
 from systems import pendulum_chain
 
 LARGEST_LAGRANGE = 10
@@ -40,16 +40,16 @@ def timed(work: Callable[[], object]) -> tuple[float, object]:
 
 def row(links: int, rounds: int) -> dict[str, float | str]:
     """Median seconds of everything for one number of links."""
-    routes = {"free_body": free_body, "moving_point": moving_point, "kane": kane}
+    routes = ["free_body", "moving_point", "kane"]
     if links <= LARGEST_LAGRANGE:
-        routes["lagrange"] = lagrange
+        routes.append("lagrange")
     times: dict[str, list[float]] = {}
     verdicts: set[Verdict] = set()
     for _ in range(rounds):
-        for name, route in routes.items():
+        for name in routes:
             # A new scene for each: nobody profits from positions that another has worked out.
             own = pendulum_chain.scene(links)
-            seconds, _ = timed(lambda route=route, own=own: route.derive(own).system)
+            seconds, _ = timed(lambda name=name, own=own: by_route(name, own).system)
             times.setdefault(name, []).append(seconds)
         for name, peer in (("SymPy", peers.stock_kane), ("explicit", peers.explicit_kane)):
             seconds, _ = timed(lambda peer=peer: peer(links))
@@ -62,7 +62,7 @@ def row(links: int, rounds: int) -> dict[str, float | str]:
         verdicts |= {finding.verdict for finding in pairs.values()}
         if links == 1:
             scene = pendulum_chain.scene(links)
-            both = kane.derive(scene), lagrange.derive(scene)
+            both = by_route("kane", scene), by_route("lagrange", scene)
             seconds, left = timed(lambda both=both: peers.simplified_difference(*both))
             times.setdefault("simplify", []).append(seconds)
             if left != sympy.zeros(*left.shape):

@@ -12,7 +12,7 @@ import argparse
 from collections.abc import Mapping, Sequence
 
 from mechanics.compiled import compile
-from mechanics.routes.free_body import derive
+from mechanics.routes.derivation import by_route
 from mechanics.simulate.integrators import INTEGRATORS, Problem, Setting
 from mechanics.simulate.long_run import LongRun, long_runs, natural_period
 from mechanics.simulate.pose import pose
@@ -45,7 +45,7 @@ def main() -> None:
 
 def posed(name: str, values: Mapping[str, str]) -> Problem:
     """Values are initial ones where the scene has such a coordinate or speed, else parameters."""
-    model = compile(derive({system.name: system.scene for system in ALL}[name]()))
+    model = compile(by_route("free_body", {system.name: system.scene for system in ALL}[name]()))
     states = {*model.entries["q"], *model.entries["u"]}
     numbers = {key: float(value) for key, value in values.items()}
     initial = STARTS.get(name, {}) | {key: x for key, x in numbers.items() if key in states}

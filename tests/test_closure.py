@@ -8,7 +8,7 @@ import pytest
 from linkages import LINKAGES, parallelogram, slider_crank
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
-from mechanics.checks.programs.admissible import check_scene
+from mechanics.checks.admissible import check_scene
 from mechanics.errors import SceneError
 from mechanics.kernel import enclose
 from mechanics.mechanism import Mechanism, lower, name_of

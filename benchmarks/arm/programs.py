@@ -15,7 +15,7 @@ from mechanics.recursions.articulated_bodies import forward_dynamics
 from mechanics.recursions.composite_bodies import mass_matrix
 from mechanics.recursions.joints import joint_tree
 from mechanics.recursions.pseudo_inertia import grouped, moments
-from mechanics.routes.programs.rows import remainder
+from mechanics.routes.rows import remainder
 
 JOINTS = 7
 Q, U, UD, TAU = (

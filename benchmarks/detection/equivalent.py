@@ -7,8 +7,8 @@ from sympy import Matrix
 
 from benchmarks.detection.rows import UNKNOWN_UP_TO_A_CONSTANT, Row, Subject
 from benchmarks.detection.tree import Tree, written
-from mechanics.checks.agreement import solve
 from mechanics.checks.ledger_compare import ordered
+from mechanics.checks.solution import solve
 from mechanics.kinematics.manifold import settle
 from mechanics.symbolic import Arithmetic
 from mechanics.symbolic.decide import proved

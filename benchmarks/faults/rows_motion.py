@@ -4,7 +4,7 @@ from benchmarks.faults.fault import faults_in
 
 DIFFERENTIATED = (
     *faults_in(
-        "mechanics.kinematics.differentiate",
+        "mechanics.kinematics.textbook.differentiate",
         (
             "return PointMotion(position, velocity, rates(velocity, table))",
             "return PointMotion(position, velocity, 2 * rates(velocity, table))",
@@ -30,7 +30,7 @@ DIFFERENTIATED = (
 
 COMPOSED = (
     *faults_in(
-        "mechanics.kinematics.chain",
+        "mechanics.kinematics.textbook.chain",
         (
             "own = axis * rate(angle, table)",
             "own = -axis * rate(angle, table)",
@@ -90,7 +90,7 @@ CONSTRAINTS = (
         ),
     ),
     *faults_in(
-        "mechanics.kinematics.directions",
+        "mechanics.kinematics.textbook.directions",
         (
             "for i in range(3) if any(not is_zero(v[i]) for v in linear))",
             "for i in range(2) if any(not is_zero(v[i]) for v in linear))",

@@ -187,7 +187,7 @@ LANGUAGE = (
 
 MOVED = (
     *faults_in(
-        "mechanics.routes.programs.motion",
+        "mechanics.kinematics.motion",
         (
             "product(rotations[frame.parent], frame.rotation)",
             "product(frame.rotation, rotations[frame.parent])",
@@ -210,7 +210,7 @@ MOVED = (
         ),
     ),
     *faults_in(
-        "mechanics.routes.programs.chain",
+        "mechanics.kinematics.chain",
         (
             "add(outer.alpha, cross(outer.omega, own), gain),",
             "add(outer.alpha, gain),",
@@ -238,7 +238,7 @@ MOVED = (
         ),
     ),
     *faults_in(
-        "mechanics.routes.programs.differentiate",
+        "mechanics.kinematics.differentiate",
         (
             "dot(turning[2], rotation[1]),",
             "dot(turning[1], rotation[2]),",
@@ -254,7 +254,7 @@ MOVED = (
 
 LOADED = (
     *faults_in(
-        "mechanics.routes.programs.loads",
+        "mechanics.routes.loads",
         (
             "return add(cross(subtract(self.at, about), self.force), self.couple)",
             "return add(cross(self.at, self.force), self.couple)",
@@ -315,7 +315,7 @@ LOADED = (
 
 DERIVED = (
     *faults_in(
-        "mechanics.routes.programs.free_body",
+        "mechanics.routes.free_body",
         (
             "rate = tuple(tangent(momentum, mechanism.rates))",
             "rate = times(motion.inertia, motion.turning.alpha)",
@@ -338,7 +338,7 @@ DERIVED = (
         ),
     ),
     *faults_in(
-        "mechanics.routes.programs.elimination",
+        "mechanics.routes.elimination",
         (
             "row.value = row.value * keep - factor * pivot.value",
             "row.value = row.value * keep + factor * pivot.value",
@@ -356,7 +356,7 @@ DERIVED = (
         ),
     ),
     *faults_in(
-        "mechanics.routes.programs.moving_point",
+        "mechanics.routes.moving_point",
         (
             "moving = add(self.spin_rate, cross(self.velocity, self.momentum))",
             "moving = self.spin_rate",
@@ -379,7 +379,7 @@ DERIVED = (
         ),
     ),
     *faults_in(
-        "mechanics.routes.programs.kane",
+        "mechanics.routes.kane",
         (
             "spin = add(times(motion.inertia, alpha), cross(omega, times(motion.inertia, omega)))",
             "spin = times(motion.inertia, alpha)",
@@ -397,7 +397,7 @@ DERIVED = (
         ),
     ),
     *faults_in(
-        "mechanics.routes.programs.lagrange",
+        "mechanics.routes.lagrange",
         (
             "energy = kinetic_energy(mechanism) - potential(mechanism, poses(mechanism))",
             "energy = kinetic_energy(mechanism) + potential(mechanism, poses(mechanism))",
@@ -433,7 +433,7 @@ DERIVED = (
 
 CHECKED = (
     *faults_in(
-        "mechanics.checks.programs.agreement",
+        "mechanics.checks.agreement",
         (
             "places = {residue: j for j, residue in enumerate(filter_.values(two.values))}",
             "places = {residue: j for j, residue in enumerate(filter_.values(one.values))}",
@@ -451,7 +451,7 @@ CHECKED = (
         ),
     ),
     *faults_in(
-        "mechanics.checks.programs.laws",
+        "mechanics.checks.laws",
         (
             "released = [-slope for slope in gradient(alone.q_rates, slopes, alone.u)]",
             "released = gradient(alone.q_rates, slopes, alone.u)",
@@ -464,7 +464,7 @@ CHECKED = (
         ),
     ),
     *faults_in(
-        "mechanics.checks.programs.admissible",
+        "mechanics.checks.admissible",
         (
             "independent = _rank(filter_, columns, size)",
             "independent = _rank(filter_, columns, size)[:-1]",

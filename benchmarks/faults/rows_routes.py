@@ -12,7 +12,7 @@ TEXTBOOK = faults_in(
 )
 
 PRESSING = faults_in(
-    "mechanics.routes.programs.elimination",
+    "mechanics.routes.elimination",
     (
         "signed = {index: -c",
         "signed = {index: c",
@@ -21,7 +21,7 @@ PRESSING = faults_in(
 )
 
 DEPENDENT = faults_in(
-    "mechanics.routes.programs.kane",
+    "mechanics.routes.kane",
     (
         "total = total + weight * plain[d]",
         "total = total - weight * plain[d]",

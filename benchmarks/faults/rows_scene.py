@@ -341,7 +341,7 @@ BODIES = (
         ("    return value\n", "    return value**2\n", "the mass of a body is squared"),
     ),
     *faults_in(
-        "mechanics.kinematics.motion",
+        "mechanics.kinematics.textbook.motion",
         (
             "return rotation * inside * rotation.T",
             "return rotation.T * inside * rotation",

@@ -20,11 +20,11 @@ from sympy.core.cache import clear_cache
 
 from benchmarks.faults.fault import Fault, plant
 from benchmarks.faults.scenes import SCENES
+from mechanics.checks.admissible import check_scene
+from mechanics.checks.agreement import compare_pairs
+from mechanics.checks.energy import kinetic
 from mechanics.checks.jets import precision
-from mechanics.checks.programs.admissible import check_scene
-from mechanics.checks.programs.agreement import compare_pairs
-from mechanics.checks.programs.canaries import known_findings
-from mechanics.checks.programs.energy import kinetic
+from mechanics.checks.route_canaries import known_findings
 from mechanics.checks.states import State
 from mechanics.checks.virtual_power import (
     BITS,
@@ -37,14 +37,14 @@ from mechanics.crosscheck import CrossCheck, crosscheck
 from mechanics.crosscheck.by_sympy import METHODS
 from mechanics.crosscheck.programs import Programs, check_laws, derive_rows, is_written_out
 from mechanics.crosscheck.programs import solved as solved_program
-from mechanics.crosscheck.routes import ROUTES
 from mechanics.crosscheck.sympy_table import too_large
 from mechanics.equations import Equations
 from mechanics.kernel import Verdict
+from mechanics.kinematics.motion import poses
 from mechanics.program.interpret import interpret
 from mechanics.program.numpy_domain import Arrays
-from mechanics.routes.programs.loads import potential as potential_of
-from mechanics.routes.programs.motion import poses
+from mechanics.routes.derivation import ROUTES
+from mechanics.routes.loads import potential as potential_of
 from mechanics.scene import Scene
 from mechanics.scene.potential import potential
 from mechanics.symbolic import prove_equal

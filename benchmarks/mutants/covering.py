@@ -1,18 +1,16 @@
 """Which tests cover a file: those that mirror its folder, and those of what is built on it."""
 
 ROUTES = (
-    "tests/routes", "tests/checks/programs", "tests/checks/test_checks_canaries.py",
+    "tests/routes", "tests/checks",
     "tests/recursions", "tests/laws/test_laws_arms.py", "tests/laws/test_laws_random_trees.py",
 )  # fmt: skip
 
 FOLDERS: dict[str, tuple[str, ...]] = {
     "kernel": ("tests/kernel",),
     "program": ("tests/program", "tests/kernel", "tests/routes"),
-    "checks": ("tests/checks",),
-    "checks/programs": ROUTES,
-    "kinematics": ("tests/laws/test_laws_spatial.py", "tests/checks"),
-    "routes": ("tests/systems", "tests/checks"),
-    "routes/programs": ROUTES,
+    "checks": ROUTES,
+    "kinematics": ("tests/laws/test_laws_spatial.py", *ROUTES),
+    "routes": ("tests/systems", *ROUTES),
 }
 
 

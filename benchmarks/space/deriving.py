@@ -9,11 +9,11 @@ from itertools import pairwise
 from time import process_time
 
 from benchmarks.space import scenes
-from mechanics.checks.programs.agreement import compare_pairs, linear_system
+from mechanics.checks.agreement import compare_pairs, linear_system
 from mechanics.mechanism import lower
 from mechanics.program import Builder
 from mechanics.program.residues import Residues
-from mechanics.routes.programs import free_body, kane, lagrange, moving_point
+from mechanics.routes import free_body, kane, lagrange, moving_point
 from mechanics.scene import Scene
 
 ROUTES = (free_body, moving_point, kane, lagrange)

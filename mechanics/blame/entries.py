@@ -14,7 +14,7 @@ from mechanics.blame.groups import COEFFICIENT
 from mechanics.blame.pieces import Kind, Origin, motions_of
 from mechanics.blame.terms import Monomial, Terms, symbols_in, terms_of, total
 from mechanics.blame.terms import written as to_expression
-from mechanics.kinematics.motion import inertia_matrix
+from mechanics.kinematics.textbook.motion import inertia_matrix
 from mechanics.scene import Gravity, Scene
 from mechanics.scene import quantities as q
 from mechanics.scene.loads import CONSERVATIVE

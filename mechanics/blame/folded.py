@@ -12,7 +12,7 @@ from sympy.physics.vector import Dyadic
 
 from mechanics.checks.ledger_compare import ordered
 from mechanics.equations import Equations
-from mechanics.routes.free_body import derive
+from mechanics.routes.derivation import by_route
 from mechanics.scene import RigidBody, Scene
 from mechanics.scene.bodies import Body
 from mechanics.symbolic import canonical
@@ -53,7 +53,7 @@ def _with(truth: Equations, kept: frozenset[Symbol]) -> tuple[Equations, frozens
     found = kept & set().union(*(_massive(body) for body in bodies))
     if bodies == scene.bodies:
         return truth, found
-    return derive(replace(scene, bodies=bodies)), found
+    return by_route("free_body", replace(scene, bodies=bodies)), found
 
 
 def _named(scene: Scene, body: Body, kept: frozenset[Symbol], table: dict[Symbol, Expr]) -> Body:

@@ -14,8 +14,8 @@ from functools import lru_cache
 from sympy import Add, Expr, Matrix, Symbol
 
 from mechanics.equations import FreeBodyRow
-from mechanics.kinematics import differentiate
-from mechanics.kinematics.motion import BodyMotion
+from mechanics.kinematics.textbook import differentiate
+from mechanics.kinematics.textbook.motion import BodyMotion
 from mechanics.routes.free_body_terms import free_body_rows
 from mechanics.scene import Gravity, Scene
 from mechanics.scene.actions import Action, load_actions, moment, unit_reactions

@@ -14,7 +14,7 @@ from sympy import Add, Expr, Matrix, S, Symbol
 from mechanics.blame.origin import holds
 from mechanics.blame.pieces import Kind, Momentum, Origin, Piece, inner, merged, momenta, motions_of
 from mechanics.equations import Equations
-from mechanics.kinematics.motion import BodyMotion
+from mechanics.kinematics.textbook.motion import BodyMotion
 from mechanics.routes.balance import Balance, dot, triple
 from mechanics.routes.moving_point_terms import candidates
 from mechanics.scene import Gravity, Scene

@@ -32,7 +32,7 @@ from sympy import (
 from sympy.physics.vector import Point, ReferenceFrame
 
 from mechanics.checks.jets import Instant, precision
-from mechanics.checks.programs.canaries import known_findings
+from mechanics.checks.route_canaries import known_findings
 from mechanics.kernel import Finding, Verdict, refuted, supported
 from mechanics.scene.bodies import Particle, RigidBody
 from mechanics.scene.composite import composite, part

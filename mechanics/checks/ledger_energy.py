@@ -14,8 +14,8 @@ from sympy import Add, Expr, Rational, S, Symbol, nan, oo, zoo
 from sympy.matrices import MatrixBase
 
 from mechanics.errors import InputError
-from mechanics.kinematics import differentiate
-from mechanics.kinematics.motion import inertia_matrix
+from mechanics.kinematics.textbook import differentiate
+from mechanics.kinematics.textbook.motion import inertia_matrix
 from mechanics.scene import Scene
 from mechanics.scene import quantities as q
 from mechanics.scene.potential import potential

@@ -2,7 +2,7 @@
 
     P = sum m v_C      H_B = sum (I omega + BC x m v_C)      tau_B = sum ((r - r_B) x F + couple)
 
-Velocities come from `mechanics.kinematics.differentiate`, forces from the scene's loads and the
+Velocities come from `mechanics.kinematics.textbook.differentiate`, forces from the loads and the
 reactions as symbols. Pairs inside a free body cancel in the sums. Inertias of shapes are integrated
 directly, so that they do not rest on the closed forms that a scene's definitions are made of.
 """
@@ -14,9 +14,9 @@ from typing import Any
 from sympy import Expr, Matrix, zeros
 
 from mechanics.errors import InputError
-from mechanics.kinematics import differentiate
 from mechanics.kinematics.momenta import generalized_momenta, momentum_symbols
-from mechanics.kinematics.motion import BodyMotion, PointMotion, inertia_matrix
+from mechanics.kinematics.textbook import differentiate
+from mechanics.kinematics.textbook.motion import BodyMotion, PointMotion, inertia_matrix
 from mechanics.scene import Scene
 from mechanics.scene import quantities as q
 from mechanics.scene.actions import Action, acting_reactions, applied_actions, moment

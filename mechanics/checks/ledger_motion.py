@@ -12,8 +12,8 @@ from collections.abc import Sequence
 
 from sympy import Expr, Matrix, S, Symbol, fraction, together
 
-from mechanics.checks.agreement import solve
 from mechanics.checks.ledger_compare import decide_in, equal, symbols_of
+from mechanics.checks.solution import solve
 from mechanics.equations import Equations
 from mechanics.errors import InputError
 from mechanics.kernel import Finding, Verdict, undecided

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 
 from sympy import Matrix
 
-from mechanics.kinematics.motion import BodyMotion, inertia_matrix
+from mechanics.kinematics.textbook.motion import BodyMotion, inertia_matrix
 from mechanics.scene import Scene
 from mechanics.symbolic import collect_linear
 

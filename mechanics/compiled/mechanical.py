@@ -8,8 +8,8 @@ from dataclasses import dataclass
 
 from sympy import Add, Expr, Matrix, Rational, Symbol, zeros
 
-from mechanics.kinematics.differentiate import body_motions
-from mechanics.kinematics.motion import inertia_matrix
+from mechanics.kinematics.textbook.differentiate import body_motions
+from mechanics.kinematics.textbook.motion import inertia_matrix
 from mechanics.scene import Scene
 from mechanics.scene.potential import potential
 

@@ -22,6 +22,8 @@ from functools import cached_property
 from sympy import Expr
 
 from mechanics.errors import InputError
+from mechanics.kinematics import chain
+from mechanics.kinematics.motion import body_motions, poses
 from mechanics.mechanism import Mechanism
 from mechanics.program import Program
 from mechanics.program.builder import Builder, Node
@@ -36,11 +38,10 @@ from mechanics.recursions.composite_bodies import mass_matrix
 from mechanics.recursions.joints import Link, joint_tree
 from mechanics.recursions.local_equations import jacobian
 from mechanics.recursions.pseudo_inertia import grouped, moments
-from mechanics.routes.programs import chain, free_body, kane
-from mechanics.routes.programs.lagrange import kinetic_energy
-from mechanics.routes.programs.loads import potential
-from mechanics.routes.programs.motion import body_motions, poses
-from mechanics.routes.programs.rows import coefficients, remainder, substitute
+from mechanics.routes import free_body, kane
+from mechanics.routes.lagrange import kinetic_energy
+from mechanics.routes.loads import potential
+from mechanics.routes.rows import coefficients, remainder, substitute
 
 Rows = tuple[Node, ...]
 Outcome = dict[str, Sequence[Node]]

@@ -19,7 +19,7 @@ from mechanics.errors import ExpressionError, InputError, SingularError
 from mechanics.mechanism import Mechanism
 from mechanics.program.casadi_printer import print_graphs
 from mechanics.program.residues import Residues
-from mechanics.routes.programs.rows import coefficients
+from mechanics.routes.rows import coefficients
 
 
 @dataclass(frozen=True, eq=False)

@@ -1,7 +1,8 @@
 """Cross-check one system: derive by every route, prove, compile, measure."""
 
-from mechanics.crosscheck.routes import ROUTES, Route, derive, derive_textbook, derive_with
+from mechanics.crosscheck.routes import derive, derive_textbook, derive_with
 from mechanics.crosscheck.system import CrossCheck, crosscheck
+from mechanics.routes.derivation import ROUTES, Route
 
 __all__ = [
     "ROUTES",

@@ -11,14 +11,14 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
 
-from mechanics.checks.programs import laws, reactions
-from mechanics.checks.programs.agreement import (
+from mechanics.checks import laws, reactions
+from mechanics.checks.agreement import (
     Derived,
     check_multipliers,
     linear_system,
     maintaining_forces,
 )
-from mechanics.checks.programs.statements import equal
+from mechanics.checks.statements import equal
 from mechanics.clock import timed
 from mechanics.equations import Equations
 from mechanics.kernel import Finding
@@ -28,16 +28,12 @@ from mechanics.program.builder import Node
 from mechanics.program.residues import Residues
 from mechanics.program.sympy_reader import read
 from mechanics.program.vectors import dot
-from mechanics.routes.programs import free_body, kane, lagrange, moving_point
-from mechanics.routes.programs.rows import Rows, substitute
+from mechanics.routes import kane
+from mechanics.routes.derivation import ROUTES
+from mechanics.routes.rows import substitute
 
-DERIVATIONS: Mapping[str, Callable[[Mechanism], Rows]] = {
-    "free_body": free_body.derive,
-    "moving_point": moving_point.derive,
-    "kane": kane.derive,
-    "lagrange": lagrange.derive,
-}
-
+DERIVATIONS = {route.name: route.rows for route in ROUTES}
+"""By name of a route: what makes its rows."""
 
 LARGEST_TEXTBOOK = 600
 """Operations of Kane's rows up to which the equations are written out."""

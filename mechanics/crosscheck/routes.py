@@ -1,48 +1,13 @@
 """The four routes, by name, and how a scene is derived by one of them."""
 
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from collections.abc import Sequence
 
-from mechanics.checks.programs.admissible import check_scene
-from mechanics.crosscheck.programs import DERIVATIONS, is_written_out
+from mechanics.checks.admissible import check_scene
+from mechanics.crosscheck.programs import is_written_out
 from mechanics.equations import Equations, ProgramEquations, written_out
 from mechanics.errors import InputError, wanted
-from mechanics.mechanism import Mechanism
-from mechanics.routes import free_body, kane, lagrange, moving_point
-from mechanics.routes.programs.rows import Rows
+from mechanics.routes.derivation import ROUTES, Route
 from mechanics.scene import Scene
-
-
-@dataclass(frozen=True)
-class Route:
-    """A way to the equations of motion.
-
-    Attributes
-    ----------
-    name : str
-    derive : callable
-        Equations of a scene, which is not asked whether it is admissible.
-    rows : callable
-        The same as rows of a program.
-    written : callable
-        Rows of a program for people.
-    """
-
-    name: str
-    derive: Callable[[Scene], Equations]
-    rows: Callable[[Mechanism], Rows]
-    written: Callable[[Scene, Mechanism, Rows], Equations]
-
-
-ROUTES: tuple[Route, ...] = tuple(
-    Route(name, module.derive, DERIVATIONS[name], module.written)
-    for name, module in (
-        ("free_body", free_body),
-        ("moving_point", moving_point),
-        ("kane", kane),
-        ("lagrange", lagrange),
-    )
-)
 
 
 def named_routes(names: Sequence[str]) -> tuple[Route, ...]:

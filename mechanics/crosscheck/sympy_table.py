@@ -7,9 +7,9 @@ Cramer's rule writes minors), and with the size of the velocities.
 
 from __future__ import annotations
 
+from mechanics.kinematics import chain
+from mechanics.kinematics.motion import body_motions
 from mechanics.mechanism import Mechanism
-from mechanics.routes.programs import chain
-from mechanics.routes.programs.motion import body_motions
 
 LARGEST: dict[str, int] = {
     "speeds": 12,

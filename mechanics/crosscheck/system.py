@@ -9,13 +9,13 @@ from dataclasses import dataclass
 
 from sympy import Symbol
 
-from mechanics.checks.agreement import proof_pays
+from mechanics.checks.admissible import check_scene
+from mechanics.checks.agreement import compare_pairs
 from mechanics.checks.canaries import check_canaries
 from mechanics.checks.dimensions import check_dimensions
 from mechanics.checks.ledger import QUANTITIES, check_row
 from mechanics.checks.ledger_motion import check_complete, gives
-from mechanics.checks.programs.admissible import check_scene
-from mechanics.checks.programs.agreement import compare_pairs
+from mechanics.checks.solution import proof_pays
 from mechanics.checks.virtual_power import (
     check_powers,
     check_program,
@@ -43,7 +43,7 @@ from mechanics.errors import wanted
 from mechanics.kernel import Finding, Verdict
 from mechanics.linear.ledger import check_linear_row
 from mechanics.report.result import LedgerResult, RouteResult, SystemResult
-from mechanics.routes import free_body
+from mechanics.routes.derivation import by_route
 from mechanics.scene import Scene
 from mechanics.scene.actions import frictions
 from mechanics.scene.potential import potential
@@ -244,7 +244,7 @@ def _witnesses(scene: Scene, derived: Mapping[str, Equations]) -> Iterator[Findi
     yield from check_canaries()
     states, support = drawn_states(scene), derived.get("free_body")
     if support is None and frictions(scene):
-        support = free_body.derive(scene)
+        support = by_route("free_body", scene)
     yield from check_powers(scene, states, potential(scene))
     for equations in derived.values():
         yield check_virtual_power(equations, states, support)

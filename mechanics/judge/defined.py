@@ -22,8 +22,8 @@ from mechanics.kernel import Finding, Verdict, enclose, refuted, undecided
 from mechanics.kernel.definedness import BITS, Gap, Kind, Space, gaps, touching, unmet
 from mechanics.kernel.statement import POSITIVE
 from mechanics.kernel.states import State
-from mechanics.kinematics.chain import body_motions
 from mechanics.kinematics.manifold import settle
+from mechanics.kinematics.textbook.chain import body_motions
 from mechanics.program import Builder, Node, Obligation, Program
 from mechanics.program.operations import Sign
 from mechanics.program.sympy_reader import read

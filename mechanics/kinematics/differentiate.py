@@ -2,61 +2,65 @@
 
     v = dr/dt,  a = dv/dt,  [omega]x = (dR/dt) R^T
 
-Positions and orientations enter as inertial components; nothing is composed along frames. The
-other way is `mechanics.kinematics.chain`; a check proves the two equal.
+Nothing is composed along frames but the poses; the other way is `chain`.
 """
+
+from __future__ import annotations
 
 from collections.abc import Mapping
 
-from sympy import Expr, Matrix, Symbol, eye, zeros
-from sympy.physics.vector import Point, ReferenceFrame
-
-from mechanics.kinematics.motion import BodyMotion, PointMotion
-from mechanics.scene import Particle, Scene
-from mechanics.scene.rates import coordinate_rate_table, rate, rate_table, rates
-from mechanics.symbolic import canonical
+from mechanics.kinematics.motion import FrameMotion, Motions, PointMotion, poses
+from mechanics.mechanism import Mechanism
+from mechanics.program.builder import Node
+from mechanics.program.derivatives import tangent
+from mechanics.program.vectors import Matrix, Vector, dot
 
 
-def point_motion(scene: Scene, point: Point) -> PointMotion:
-    """Motion of a point, in q, u and u'."""
-    return _point(scene, point, rate_table(scene))
+def motions(mechanism: Mechanism, rates: Mapping[Node, Node] | None = None) -> Motions:
+    """Motion of all frames and points.
+
+    Parameters
+    ----------
+    mechanism : Mechanism
+    rates : mapping of Node to Node, optional
+        Rate of each node that changes; by default those of q, u and what is given.
+    """
+    table = mechanism.rates if rates is None else rates
+    where = poses(mechanism)
+    points = [entry for position in where.positions for entry in position]
+    velocities = tangent(points, table)
+    accelerations = tangent(velocities, table)
+    omegas = _angular_velocities(where.rotations, table)
+    alphas = tangent([entry for omega in omegas for entry in omega], table)
+    return Motions(
+        where,
+        tuple(
+            FrameMotion(rotation, omega, tuple(alphas[3 * i : 3 * i + 3]))
+            for i, (rotation, omega) in enumerate(zip(where.rotations, omegas, strict=True))
+        ),
+        tuple(
+            PointMotion(
+                position,
+                tuple(velocities[3 * i : 3 * i + 3]),
+                tuple(accelerations[3 * i : 3 * i + 3]),
+            )
+            for i, position in enumerate(where.positions)
+        ),
+    )
 
 
-def body_motions(scene: Scene) -> tuple[BodyMotion, ...]:
-    """Motion of every body in scene order, in q, u and u'."""
-    return _bodies(scene, rate_table(scene))
-
-
-def body_motions_in_rates(scene: Scene) -> tuple[BodyMotion, ...]:
-    """Motion of every body with q' and q'' as symbols of their own, whatever the speeds are."""
-    return _bodies(scene, coordinate_rate_table(scene))
-
-
-def angular_velocity(
-    scene: Scene, frame: ReferenceFrame, table: Mapping[Symbol, Expr]
-) -> tuple[Matrix, Matrix]:
-    """(R, omega) of a frame: omega is read off the skew matrix (dR/dt) R^T."""
-    rotation = scene.rotation(frame)
-    turning = rotation.applyfunc(lambda entry: rate(entry, table))
-    skew = turning * rotation.T
-    omega = Matrix([skew[2, 1], skew[0, 2], skew[1, 0]])
-    # cos^2 + sin^2 goes here, or it would be carried into everything that follows.
-    return rotation, omega.applyfunc(canonical)
-
-
-def _point(scene: Scene, point: Point, table: Mapping[Symbol, Expr]) -> PointMotion:
-    position = scene.position(point)
-    velocity = rates(position, table)
-    return PointMotion(position, velocity, rates(velocity, table))
-
-
-def _bodies(scene: Scene, table: Mapping[Symbol, Expr]) -> tuple[BodyMotion, ...]:
-    found = []
-    for body in scene.bodies:
-        centre = _point(scene, body.centre, table)
-        if isinstance(body, Particle):
-            found.append(BodyMotion(body, centre, eye(3), zeros(3, 1), zeros(3, 1)))
-            continue
-        rotation, omega = angular_velocity(scene, body.frame, table)
-        found.append(BodyMotion(body, centre, rotation, omega, rates(omega, table)))
-    return tuple(found)
+def _angular_velocities(rotations: tuple[Matrix, ...], table: Mapping[Node, Node]) -> list[Vector]:
+    """omega read off the skew matrix (dR/dt) R^T."""
+    entries = [entry for rotation in rotations for row in rotation for entry in row]
+    rates = tangent(entries, table)
+    found: list[Vector] = []
+    for i, rotation in enumerate(rotations):
+        turning = [rates[9 * i + 3 * k : 9 * i + 3 * k + 3] for k in range(3)]
+        found.append(
+            (
+                dot(turning[2], rotation[1]),
+                dot(turning[0], rotation[2]),
+                dot(turning[1], rotation[0]),
+            )
+        )
+    return found

@@ -14,8 +14,8 @@ from sympy import Derivative, Expr, S, Symbol, sympify
 from sympy.core.function import AppliedUndef
 from sympy.physics.vector import dynamicsymbols
 
-from mechanics.kinematics import differentiate
-from mechanics.kinematics.motion import inertia_matrix
+from mechanics.kinematics.textbook import differentiate
+from mechanics.kinematics.textbook.motion import inertia_matrix
 from mechanics.scene import Scene
 from mechanics.scene.rates import rate, rate_table
 from mechanics.scene.symbols import plain_table

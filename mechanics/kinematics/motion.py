@@ -1,72 +1,112 @@
-"""How bodies and points move: the common form that both kinematics modules fill in."""
+"""Poses of frames and points in the inertial frame, and the common form of both kinematics.
+
+R_child = R_parent R_step            r_child = r_parent + sum R_F c_F
+"""
+
+from __future__ import annotations
 
 from dataclasses import dataclass
 
-from sympy import Expr, Matrix, diag, eye
-from sympy.physics.vector import Dyadic
+from mechanics.mechanism import GROUND, Mechanism, Mixed
+from mechanics.program.residues import Residues
+from mechanics.program.vectors import Matrix, Vector, add, product, times, transpose, zeros
 
-from mechanics.scene import Body, RigidBody, Scene
+
+@dataclass(frozen=True)
+class Poses:
+    """Orientation of each frame and position of each point, inertial components, in m."""
+
+    rotations: tuple[Matrix, ...]
+    positions: tuple[Vector, ...]
+
+    def vector(self, mixed: Mixed) -> Vector:
+        """Inertial components of a vector that is given in several frames."""
+        zero = zeros(self.rotations[0][0][0].builder)
+        return add(zero, *(times(self.rotations[frame], column) for frame, column in mixed))
+
+
+def poses(mechanism: Mechanism) -> Poses:
+    """Poses of all frames and points, each step composed once."""
+    build = mechanism.builder
+    rotations: list[Matrix] = []
+    for frame in mechanism.frames:
+        if frame.parent == GROUND:
+            rotations.append(frame.rotation)
+        else:
+            rotations.append(product(rotations[frame.parent], frame.rotation))
+    positions: list[Vector] = []
+    for place in mechanism.points:
+        origin = zeros(build) if place.parent == GROUND else positions[place.parent]
+        steps = [times(rotations[frame], column) for frame, column in place.step]
+        positions.append(add(origin, *steps))
+    return Poses(tuple(rotations), tuple(positions))
 
 
 @dataclass(frozen=True)
 class PointMotion:
-    """Motion of a geometric point, 3 x 1 inertial components in plain symbols.
+    """Position, velocity and acceleration of a point; inertial components, SI units."""
 
-    Attributes
-    ----------
-    position, velocity, acceleration : Matrix
-        In m, m/s, m/s^2; the velocity in q and u, the acceleration in q, u and u'.
-    """
+    position: Vector
+    velocity: Vector
+    acceleration: Vector
 
-    position: Matrix
-    velocity: Matrix
-    acceleration: Matrix
+
+@dataclass(frozen=True)
+class FrameMotion:
+    """Orientation, angular velocity and acceleration of a frame; inertial components."""
+
+    rotation: Matrix
+    omega: Vector
+    alpha: Vector
+
+
+@dataclass(frozen=True)
+class Motions:
+    """Motion of every frame and point of a mechanism."""
+
+    poses: Poses
+    frames: tuple[FrameMotion, ...]
+    points: tuple[PointMotion, ...]
 
 
 @dataclass(frozen=True)
 class BodyMotion:
-    """Motion of a body: its mass centre, and how it turns.
+    """Motion of a body: that of its mass centre and frame, and its inertia in inertial components.
 
-    Attributes
-    ----------
-    body : Body
-    centre : PointMotion
-    rotation : Matrix
-        3 x 3, v_inertial = R v_body; the identity for a particle.
-    angular_velocity, angular_acceleration : Matrix
-        3 x 1, inertial components, in rad/s and rad/s^2; zero for a particle.
+    `turning` and `inertia` are None for a particle, and for a body that does not turn and
+    that no couple holds.
     """
 
-    body: Body
     centre: PointMotion
-    rotation: Matrix
-    angular_velocity: Matrix
-    angular_acceleration: Matrix
-
-    @property
-    def turns(self) -> bool:
-        """Whether the body has an angular velocity at all."""
-        return any(entry != 0 for entry in self.angular_velocity)
+    turning: FrameMotion | None
+    inertia: Matrix | None
 
 
-def inertia_matrix(scene: Scene, body: Body, rotation: Matrix) -> Matrix:
-    """3 x 3 inertia about the mass centre in inertial components, in kg m^2: R I R^T.
+def body_motions(mechanism: Mechanism, motions: Motions) -> tuple[BodyMotion, ...]:
+    """Motion of every body, in the order of the mechanism."""
+    found, filter_ = [], Residues(mechanism.builder)
+    for index, body in enumerate(mechanism.bodies):
+        centre = motions.points[body.centre]
+        if body.frame is None or body.inertia is None:
+            found.append(BodyMotion(centre, None, None))
+            continue
+        turning = motions.frames[body.frame]
+        # One that is held by couples has moment equations, which determine these.
+        held = any(mechanism.reactions[r].at is None for r in mechanism.joints[index])
+        if not held and all(map(filter_.is_zero, turning.omega)):
+            found.append(BodyMotion(centre, None, None))
+            continue
+        found.append(BodyMotion(centre, turning, turned(turning.rotation, body.inertia)))
+    return tuple(found)
 
-    A scalar inertia stands for a multiple of the identity: in the plane that the scene is proved
-    to keep, only the product with the normal counts.
-    """
-    if not isinstance(body, RigidBody):
-        return Matrix.zeros(3, 3)
-    if not isinstance(body.inertia, Dyadic):
-        return body_scalar(scene, body.inertia) * eye(3)
-    inside = body.inertia.to_matrix(body.frame).applyfunc(
-        lambda entry: scene.plain(entry, f"body {body.name}")
-    )
-    if inside == diag(*([inside[0, 0]] * 3)):
-        return inside
-    return rotation * inside * rotation.T
 
-
-def body_scalar(scene: Scene, inertia: Expr) -> Expr:
-    """A scalar inertia in plain symbols."""
-    return scene.plain(inertia, "inertia")
+def turned(rotation: Matrix, inertia: Matrix) -> Matrix:
+    """R I R^T; a multiple of the unit matrix stays what it is."""
+    scalar = inertia[0][0]
+    if all(
+        entry == scalar if i == j else entry.is_zero
+        for i, row in enumerate(inertia)
+        for j, entry in enumerate(row)
+    ):
+        return inertia
+    return product(product(rotation, inertia), transpose(rotation))

@@ -10,7 +10,7 @@ from sympy.core.relational import Relational
 
 from mechanics.errors import InputError
 from mechanics.kernel import Finding, same, undecided
-from mechanics.kinematics.motion import inertia_matrix
+from mechanics.kinematics.textbook.motion import inertia_matrix
 from mechanics.linear.algebra import coefficients, sign
 from mechanics.linear.case import Case, Pairs, compare, numbers, require_conjugate
 from mechanics.linear.form import Linear

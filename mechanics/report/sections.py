@@ -11,7 +11,7 @@ from mechanics.kernel import Finding, Verdict
 from mechanics.report import charts, typeset
 from mechanics.report.projection import View
 from mechanics.report.result import LedgerResult, Motion, RouteResult, SystemResult
-from mechanics.routes.elimination import multipliers_of
+from mechanics.routes.multipliers import multipliers_of
 from mechanics.scene import Scene
 from mechanics.scene.quantities import ReactionValue
 

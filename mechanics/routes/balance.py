@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 from sympy import Add, Expr, Matrix, Symbol
 
-from mechanics.kinematics.motion import BodyMotion, PointMotion
+from mechanics.kinematics.textbook.motion import BodyMotion, PointMotion
 from mechanics.routes.twists import Principle
 from mechanics.scene.actions import Action
 

@@ -1,121 +1,152 @@
-"""Elimination of the reactions, from the leaves of the tree of bodies to its root.
+"""Elimination of reactions from rows that are linear in them.
 
-A row reads  ``value = sum_j c_j R_j``  with value = rate - applied. For each reaction at the
-inboard joint of a body one of the body's rows is solved for it, and the solution is put into every
-other row that holds it:
-
-    row_i <- row_i - (c_i / c_p) row_p                       c_p a number
-    row_i <- c_p row_i - c_i row_p                           otherwise: nothing is divided by c_p
-
-A reaction that closes a loop of bodies belongs to no joint of the tree (ropes over one pulley, the
-teeth of two wheels): those are solved for last, from whatever rows are left. Here rows are SymPy's,
-for reports and for what blame looks at; routes eliminate in `mechanics.routes.programs`.
+row:    value = sum_j c_j R_j
+row_i <- row_i - (c_i / c_p) row_p                       c_p a number
+row_i <- c_p row_i - c_i row_p                           otherwise: nothing is divided by c_p
 """
 
+from __future__ import annotations
+
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
-from sympy import Add, Expr, Matrix, Mul, S, Symbol
-
-from mechanics.equations import Equations
 from mechanics.errors import SingularError
-from mechanics.symbolic import tidy
+from mechanics.program.builder import Node
+from mechanics.program.residues import Residues
+from mechanics.routes.rows import coefficients, remainder
 
 
 @dataclass
 class Row:
     """A row while it is worked on: value = sum of coefficients times reactions."""
 
-    body: str
-    value: Expr
-    coefficients: dict[Symbol, Expr]
+    body: int
+    value: Node
+    coefficients: dict[int, Node]
 
 
 @dataclass(frozen=True)
-class Solved:
-    """A reaction solved from a row of a body: R = (value - sum of the others) / pivot."""
+class _Solved:
+    """A reaction solved from a row: R = (value - sum of the others) / pivot."""
 
-    reaction: Symbol
-    body: str
-    pivot: Expr
+    reaction: int
     row: Row
 
-    @property
-    def value(self) -> Expr:
-        """The reaction in the accelerations and the reactions that were not solved for before."""
-        others = (
-            -c * symbol for symbol, c in self.row.coefficients.items() if symbol != self.reaction
-        )
-        return Add(self.row.value, *others) / self.pivot
+
+@dataclass
+class Elimination:
+    """Rows that are left, and how each reaction was solved for.
+
+    `anywhere` proposes what is zero at all states, `closed` what is where the constraints hold.
+    """
+
+    anywhere: Residues
+    closed: Residues
+    work: list[Row]
+    solved: list[_Solved] = field(default_factory=list)
+
+    def solve_for(self, reactions: Sequence[int], body: int | None, names: Sequence[str]) -> None:
+        """Solve rows for reactions, rows of the body itself first.
+
+        Raises
+        ------
+        SingularError
+            When no row determines a reaction.
+        """
+        waiting = list(reactions)
+        while waiting:
+            candidates = [
+                (row.coefficients[reaction].constant is None, row.body != body, index, reaction)
+                for reaction in waiting
+                for index, row in enumerate(self.work)
+                if reaction in row.coefficients
+                and not self.closed.is_zero(row.coefficients[reaction])
+            ]
+            if not candidates:
+                raise SingularError(
+                    f"reactions {', '.join(names[r] for r in waiting)}: no momentum equation"
+                    " determines them: are they redundant? A loop may need more coordinates, and"
+                    " holonomic(...) constraints that name them"
+                )
+            _, _, index, reaction = min(candidates)
+            waiting.remove(reaction)
+            pivot = self.work.pop(index)
+            self.solved.append(_Solved(reaction, pivot))
+            for row in self.work:
+                if reaction in row.coefficients:
+                    self._subtract(row, pivot, reaction)
+
+    def _subtract(self, row: Row, pivot: Row, reaction: int) -> None:
+        own, divisor = row.coefficients.pop(reaction), pivot.coefficients[reaction]
+        number = divisor.constant
+        keep, factor = (1, own / number) if number is not None else (divisor, own)
+        row.value = row.value * keep - factor * pivot.value
+        merged = {r: c * keep for r, c in row.coefficients.items()}
+        for r, c in pivot.coefficients.items():
+            if r != reaction:
+                merged[r] = merged[r] - factor * c if r in merged else -(factor * c)
+        row.coefficients = nonzero(self.anywhere, merged)
+
+    def reactions(self, unknown: dict[int, Node]) -> dict[int, Node]:
+        """Each reaction in u' and the unknowns that stay: the last solved holds no other."""
+        values = dict(unknown)
+        for step in reversed(self.solved):
+            total = step.row.value
+            for reaction, coefficient in step.row.coefficients.items():
+                if reaction != step.reaction:
+                    total = total - coefficient * values[reaction]
+            values[step.reaction] = total / step.row.coefficients[step.reaction]
+        return values
 
 
-def solve_for(work: list[Row], reactions: Sequence[Symbol], body: str = "") -> list[Solved]:
-    """Solve rows for reactions and put the solutions into the other rows, in place.
+OPENED = -2
+"""Stands for the body of a row that lets a joint open."""
+
+
+def without_pressing(
+    filters: tuple[Residues, Residues],
+    rows: Sequence[Node],
+    opened: Sequence[Node],
+    pressing: dict[int, Node],
+    names: Sequence[str],
+) -> tuple[tuple[Node, ...], dict[int, Node]]:
+    """Rows free of the reactions that friction depends on, and these reactions.
+
+    Parameters
+    ----------
+    filters : pair of Residues
+        For what is zero at all states, and for what is where the constraints hold.
+    rows : sequence of Node
+        Projected on the speeds: a pressing reaction enters them by its friction only, and a pivot
+        there would vanish where nothing slides.
+    opened : sequence of Node
+        A row for each pressing reaction, of the motion that opens its joint.
+    pressing : dict of int to Node
+        The reactions, as inputs.
+    names : sequence of str
+        Of all reactions.
 
     Raises
     ------
     SingularError
         When no row determines a reaction.
     """
-    waiting, solved = list(reactions), []
-    while waiting:
-        reaction, pivot = _pivot(work, body, waiting)
-        waiting.remove(reaction)
-        work.remove(pivot)
-        solved.append(Solved(reaction, pivot.body, pivot.coefficients[reaction], pivot))
-        for row in work:
-            if reaction in row.coefficients:
-                _subtract(row, pivot, reaction)
-    return solved
+    if not pressing:
+        return tuple(rows), {}
+    unknowns = tuple(pressing.values())
+    every = [*rows, *opened]
+    anywhere, closed = filters
+    rests = remainder(anywhere.builder, every, unknowns)
+    work = []
+    for i, (rest, held) in enumerate(zip(rests, coefficients(every, unknowns), strict=True)):
+        signed = {index: -c for index, c in zip(pressing, held, strict=True)}
+        work.append(Row(OPENED if i >= len(rows) else 0, rest, nonzero(anywhere, signed)))
+    elimination = Elimination(anywhere, closed, work)
+    elimination.solve_for(list(pressing), OPENED, names)
+    return tuple(row.value for row in elimination.work), elimination.reactions({})
 
 
-def _pivot(work: Sequence[Row], body: str, waiting: Sequence[Symbol]) -> tuple[Symbol, Row]:
-    """The reaction and row with the simplest coefficient, rows of the body itself first."""
-    candidates = [
-        (not row.coefficients[reaction].is_number, row.body != body, index, reaction, row)
-        for reaction in waiting
-        for index, row in enumerate(work)
-        if row.coefficients.get(reaction, S.Zero) != 0
-    ]
-    if not candidates:
-        raise SingularError(
-            f"reactions {', '.join(map(str, waiting))}: no momentum equation determines them: are"
-            " they redundant? A loop may need more coordinates, and holonomic(...) constraints that"
-            " name them"
-        )
-    *_, reaction, row = min(candidates, key=lambda entry: entry[:3])
-    return reaction, row
-
-
-def _subtract(row: Row, pivot: Row, reaction: Symbol) -> None:
-    own, divisor = row.coefficients.pop(reaction), pivot.coefficients[reaction]
-    if divisor.is_number:
-        scale, factor = S.One, own / divisor
-    else:
-        scale, factor = divisor, own
-    row.value = Add(Mul(scale, row.value), Mul(-factor, pivot.value))
-    merged = {symbol: scale * value for symbol, value in row.coefficients.items()}
-    for symbol, value in pivot.coefficients.items():
-        if symbol != reaction:
-            merged[symbol] = merged.get(symbol, S.Zero) - factor * value
-    tidied = {symbol: tidy(value) for symbol, value in merged.items()}
-    row.coefficients = {symbol: value for symbol, value in tidied.items() if value != 0}
-
-
-def multipliers_of(equations: Equations) -> tuple[tuple[Symbol, Expr], ...]:
-    """The reactions that maintain the constraints, in u' and those of them that stand before.
-
-    As many rows of M u' - f = B lambda are solved for them, the shortest first.
-
-    Raises
-    ------
-    SingularError
-        When the rows do not determine them.
-    """
-    rates = list(equations.mass * Matrix(equations.scene.ud) - equations.forcing)
-    rows = []
-    for i, rate in sorted(enumerate(rates), key=lambda entry: int(entry[1].count_ops())):
-        held = zip(equations.multipliers, equations.reaction_matrix[i, :], strict=True)
-        rows.append(Row("", rate, {symbol: factor for symbol, factor in held if factor != 0}))
-    solved = solve_for(rows, equations.multipliers)
-    return tuple((step.reaction, step.value) for step in reversed(solved))
+def nonzero(filter_: Residues, coefficients: dict[int, Node]) -> dict[int, Node]:
+    """Coefficients without those that vanish."""
+    tidy = {reaction: filter_.tidy(c) for reaction, c in coefficients.items()}
+    return {reaction: c for reaction, c in tidy.items() if not c.is_zero}

@@ -1,91 +1,218 @@
-"""Equations of procedure (i), written out from `mechanics.routes.programs.free_body`."""
+"""Procedure (i): isolate every body, write its momentum principles, eliminate the reactions.
 
-from sympy import Add
+    sum F = m a_C,    sum tau_C = dH_C/dt = I alpha + omega x I omega          of each body
+    row:    value = rate - applied - sum_j c_j R_j = 0
 
-from mechanics.equations import Equations, Line, Step
-from mechanics.mechanism import Mechanism, lower
-from mechanics.program import Builder
-from mechanics.routes.programs import differentiate, free_body
-from mechanics.routes.programs.free_body import FreeBodyRow
-from mechanics.routes.programs.motion import Motions
-from mechanics.routes.programs.rows import Rows
-from mechanics.routes.textbook import Printer, textbook
-from mechanics.scene import Scene
+Reactions are unknowns of these rows. From the leaves of the tree of bodies to its root each one is
+solved for from a row of the outboard body, and put into every other row that holds it. Rows are
+written along the axes in which the reactions of the inboard joint are given, so that each holds one
+of them and pivots are numbers where they can be. Velocities come from `differentiate`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from mechanics.kinematics import differentiate
+from mechanics.kinematics.motion import BodyMotion, Motions, body_motions
+from mechanics.mechanism import Mechanism
+from mechanics.program.builder import Node
+from mechanics.program.derivatives import tangent
+from mechanics.program.residues import Residues
+from mechanics.program.vectors import Vector, add, dot, times, transpose, zeros
+from mechanics.routes.directions import AXES, Directions, used_directions
+from mechanics.routes.elimination import Elimination, Row, nonzero
+from mechanics.routes.loads import Wrench, acting_reactions, applied, by_body
+from mechanics.routes.rows import Rows
 
 
-def derive(scene: Scene) -> Equations:
-    """Equations of motion by isolating every body; each eliminated reaction in u' and lambda."""
-    mechanism = lower(scene, Builder())
-    return written(scene, mechanism, free_body.derive(mechanism))
+@dataclass(frozen=True)
+class FreeBodyRow:
+    """One momentum equation of one isolated body, before any elimination.
+
+    Attributes
+    ----------
+    body : int
+    kind : str
+        ``"linear"``, or ``"angular"`` about the mass centre.
+    along : Vector
+        Unit vector, inertial components.
+    axis : str
+        Its name, for people.
+    momentum, rate, applied : Node
+        Component of the momentum, its time derivative, and that of the loads, in SI units.
+    coefficients : mapping of int to Node
+        What a unit of each reaction contributes.
+    """
+
+    body: int
+    kind: str
+    along: Vector
+    axis: str
+    momentum: Node
+    rate: Node
+    applied: Node
+    coefficients: dict[int, Node]
 
 
-def written(scene: Scene, mechanism: Mechanism, rows: Rows) -> Equations:
-    """The same from rows that were derived."""
-    return textbook(scene, mechanism, rows, steps)
+def derive(mechanism: Mechanism) -> Rows:
+    """Rows free of every reaction but those that maintain constraints.
 
-
-def steps(printer: Printer, mechanism: Mechanism) -> tuple[Step, ...]:
-    """Kinematics, momenta, free bodies, elimination."""
-    rows, elimination = free_body.eliminated(mechanism)
-    names = [body.name for body in mechanism.bodies]
-    symbols = [reaction.symbol for reaction in printer.scene.reactions]
-    equations = []
-    for row in rows:
-        applied, rate, *factors = printer.short((row.applied, row.rate, *row.coefficients.values()))
-        held = (f * symbols[r] for f, r in zip(factors, row.coefficients, strict=True))
-        label = f"{names[row.body]}, {row.kind} along {row.axis}"
-        equations.append(Line(Add(applied, *held), rate, label))
-    solved = []
-    for step in elimination.solved:
-        value, *factors = printer.short((step.row.value, *step.row.coefficients.values()))
-        others = dict(zip(step.row.coefficients, factors, strict=True))
-        pivot = others.pop(step.reaction)
-        rest = Add(value, *(-f * symbols[r] for r, f in others.items())) / pivot
-        solved.append(Line(symbols[step.reaction], rest, f"from {names[step.row.body]}"))
-    return (
-        Step(
-            "Kinematics",
-            "Positions of the mass centres, differentiated once for the velocities.",
-            kinematic_lines(printer, mechanism, differentiate.motions(mechanism)),
-        ),
-        Step(
-            "Momenta",
-            "Linear momentum of each body, and angular momentum about its mass centre.",
-            tuple(
-                Line(_momentum_name(row, names), *printer.short((row.momentum,))) for row in rows
-            ),
-        ),
-        Step(
-            "Free-body equations",
-            "Each body isolated: loads and reactions on the left, rate of momentum on the right.",
-            tuple(equations),
-        ),
-        Step(
-            "Elimination",
-            "From the leaves of the tree of bodies to its root, each reaction is solved from one"
-            " row and put into the others.",
-            tuple(solved),
+    Raises
+    ------
+    SingularError
+        When no row determines a reaction.
+    """
+    build = mechanism.builder
+    rows, elimination = eliminated(mechanism)
+    kept = mechanism.multipliers
+    names = [reaction.name for reaction in mechanism.reactions]
+    multipliers = {index: build.input(names[index]) for index in kept}
+    values = elimination.reactions(multipliers)
+    residuals = []
+    for row in elimination.work:
+        value = row.value
+        for reaction, coefficient in row.coefficients.items():
+            value = value - coefficient * multipliers[reaction]
+        residuals.append(value)
+    return Rows(
+        "free_body",
+        tuple(residuals),
+        tuple(multipliers.values()),
+        conjugate=False,
+        reactions={names[s.reaction]: values[s.reaction] for s in elimination.solved},
+        chosen=tuple(
+            f"{mechanism.bodies[row.body].name}: {row.kind} momentum along {row.axis}"
+            for row in rows
         ),
     )
 
 
-def kinematic_lines(printer: Printer, mechanism: Mechanism, motions: Motions) -> tuple[Line, ...]:
-    """Position and velocity components that are not zero, and the angular velocity."""
+def eliminated(mechanism: Mechanism) -> tuple[tuple[FreeBodyRow, ...], Elimination]:
+    """The momentum equations, and what is left of them without reactions.
+
+    Raises
+    ------
+    SingularError
+        When no row determines a reaction.
+    """
+    filter_, closed = mechanism.filters
+    rows = free_body_rows(mechanism, filter_)
+    work = [Row(row.body, row.rate - row.applied, dict(row.coefficients)) for row in rows]
+    elimination = Elimination(filter_, closed, work)
+    kept = mechanism.multipliers
+    names = [reaction.name for reaction in mechanism.reactions]
+    for body in reversed(mechanism.order):
+        own = [reaction for reaction in mechanism.joints[body] if reaction not in kept]
+        elimination.solve_for(own, body, names)
+    left = dict.fromkeys(r for row in elimination.work for r in row.coefficients if r not in kept)
+    elimination.solve_for(list(left), None, names)
+    return rows, elimination
+
+
+def free_body_rows(mechanism: Mechanism, filter_: Residues) -> tuple[FreeBodyRow, ...]:
+    """Momentum equations of every isolated body, in tree order."""
+    motions = differentiate.motions(mechanism)
+    bodies = body_motions(mechanism, motions)
+    loads = applied(mechanism, motions)
+    units = acting_reactions(mechanism, motions.poses)
+    every = [*loads, *(unit for pair in units for unit in pair)]
+    directions = used_directions(filter_, bodies, every)
+    groups = by_body(mechanism, loads)
+    rows: list[FreeBodyRow] = []
+    for index in mechanism.order:
+        acting = {
+            reaction: unit
+            for reaction, pair in enumerate(units)
+            for unit in pair
+            if unit.body == index
+        }
+        linear, angular = _axes(mechanism, motions, index, directions)
+        own = bodies[index], groups[index], acting, filter_
+        rows += _linear(mechanism, index, linear, *own)
+        if bodies[index].turning is not None:
+            rows += _angular(mechanism, index, angular, *own)
+    return tuple(rows)
+
+
+Axis = tuple[str, Vector]
+
+
+def _axes(
+    mechanism: Mechanism, motions: Motions, index: int, directions: Directions
+) -> tuple[list[Axis], list[Axis]]:
+    """Axes for linear and angular momentum: those of the reactions at the inboard joint."""
+    frames: tuple[set[int], set[int]] = (set(), set())
+    for reaction in mechanism.joints[index]:
+        kind = mechanism.reactions[reaction].at is None
+        frames[kind].update(frame for frame, _ in mechanism.reactions[reaction].along)
     found = []
-    for body in mechanism.bodies:
-        centre, label = motions.points[body.centre], rf"\mathrm{{{body.name}}}"
-        vectors = [("r", centre.position), ("v", centre.velocity)]
-        if body.frame is not None:
-            vectors.append((r"\omega", motions.frames[body.frame].omega))
-        for title, vector in vectors:
-            found += [
-                Line(rf"{title}_{{{label},{axis}}}", entry)
-                for axis, entry in zip("xyz", printer.expanded(vector), strict=True)
-                if entry != 0
+    for chosen, used in zip(frames, (directions.translation, directions.rotation), strict=True):
+        frame = chosen.pop() if len(chosen) == 1 else 0
+        columns = transpose(motions.frames[frame].rotation)
+        names = (f"{mechanism.frames[frame].name}.{axis}" for axis in AXES)
+        found.append(
+            [
+                (name, column)
+                for name, column in zip(names, columns, strict=True)
+                if any(not column[i].is_zero for i in used)
             ]
-    return tuple(found)
+        )
+    return found[0], found[1]
 
 
-def _momentum_name(row: FreeBodyRow, names: list[str]) -> str:
-    symbol = "p" if row.kind == "linear" else "H"
-    return rf"{symbol}_{{\mathrm{{{names[row.body]}}},{row.axis.split('.')[-1]}}}"
+def _linear(
+    mechanism: Mechanism,
+    index: int,
+    axes: Sequence[Axis],
+    motion: BodyMotion,
+    loads: Sequence[Wrench],
+    acting: dict[int, Wrench],
+    filter_: Residues,
+) -> list[FreeBodyRow]:
+    mass, centre = mechanism.bodies[index].mass, motion.centre
+    force = add(zeros(mechanism.builder), *(load.force for load in loads))
+    return [
+        FreeBodyRow(
+            index,
+            "linear",
+            along,
+            axis,
+            mass * dot(centre.velocity, along),
+            mass * dot(centre.acceleration, along),
+            dot(force, along),
+            nonzero(filter_, {r: dot(unit.force, along) for r, unit in acting.items()}),
+        )
+        for axis, along in axes
+    ]
+
+
+def _angular(
+    mechanism: Mechanism,
+    index: int,
+    axes: Sequence[Axis],
+    motion: BodyMotion,
+    loads: Sequence[Wrench],
+    acting: dict[int, Wrench],
+    filter_: Residues,
+) -> list[FreeBodyRow]:
+    assert motion.turning is not None and motion.inertia is not None  # a body that turns has both
+    centre = motion.centre.position
+    momentum = times(motion.inertia, motion.turning.omega)
+    rate = tuple(tangent(momentum, mechanism.rates))
+    torque = add(zeros(mechanism.builder), *(load.moment(centre) for load in loads))
+    arms = {reaction: unit.moment(centre) for reaction, unit in acting.items()}
+    return [
+        FreeBodyRow(
+            index,
+            "angular",
+            along,
+            axis,
+            dot(momentum, along),
+            dot(rate, along),
+            dot(torque, along),
+            nonzero(filter_, {reaction: dot(arm, along) for reaction, arm in arms.items()}),
+        )
+        for axis, along in axes
+    ]

@@ -2,7 +2,7 @@
 
     sum F = dp/dt,    sum tau_C = dH_C/dt        for each body, along the directions in use
 
-Velocities come from `mechanics.kinematics.differentiate`.
+Velocities come from `mechanics.kinematics.textbook.differentiate`.
 """
 
 from collections.abc import Sequence
@@ -10,8 +10,8 @@ from collections.abc import Sequence
 from sympy import Add, Expr, Matrix, S, Symbol
 
 from mechanics.equations import FreeBodyRow
-from mechanics.kinematics.directions import AXES, Directions, used_directions
-from mechanics.kinematics.motion import BodyMotion, inertia_matrix
+from mechanics.kinematics.textbook.directions import AXES, Directions, used_directions
+from mechanics.kinematics.textbook.motion import BodyMotion, inertia_matrix
 from mechanics.scene import RigidBody, Scene
 from mechanics.scene.actions import Action, acting_reactions, applied_actions, by_body, moment
 from mechanics.scene.geometry import components

@@ -15,8 +15,8 @@ import sympy.physics.mechanics as me
 from sympy import Expr, Matrix, Symbol, eye, zeros
 from sympy.physics.mechanics import KanesMethod, Point, ReferenceFrame, dynamicsymbols
 
-from mechanics.kinematics import chain
-from mechanics.kinematics.motion import BodyMotion
+from mechanics.kinematics.textbook import chain
+from mechanics.kinematics.textbook.motion import BodyMotion
 from mechanics.routes.dynamic import Dynamic, dynamic_speeds
 from mechanics.routes.kane_openings import Opening, openings
 from mechanics.routes.sympy_model import (

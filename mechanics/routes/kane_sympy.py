@@ -13,8 +13,8 @@ from sympy import Expr, Matrix, zeros
 from sympy.physics.mechanics import KanesMethod
 
 from mechanics.equations import Equations, Matrices
-from mechanics.kinematics import chain
 from mechanics.kinematics.constraints import constraint_rows, velocity_forms
+from mechanics.kinematics.textbook import chain
 from mechanics.routes.common import tidied
 from mechanics.routes.dynamic import Dynamic, dynamic_speeds
 from mechanics.routes.kane_reactions import auxiliary_equations

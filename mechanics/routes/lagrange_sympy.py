@@ -18,8 +18,8 @@ from sympy import Add, Expr, Matrix, Rational, Symbol, zeros
 from sympy.physics.mechanics import LagrangesMethod, Point, ReferenceFrame
 
 from mechanics.equations import Equations, Matrices
-from mechanics.kinematics import differentiate
-from mechanics.kinematics.motion import BodyMotion, inertia_matrix
+from mechanics.kinematics.textbook import differentiate
+from mechanics.kinematics.textbook.motion import BodyMotion, inertia_matrix
 from mechanics.routes.common import tidied
 from mechanics.routes.dynamic import Dynamic, dynamic_rates
 from mechanics.routes.lagrange_openings import opened_equations

@@ -6,16 +6,16 @@
 v_B is the velocity of the geometric point B, not of a material one. Candidates are the outboard
 subtrees of the tree of bodies; `mechanics.routes.twists` finds, for each, the principles in which
 the reactions that cross its boundary do not enter. Velocities come from
-`mechanics.kinematics.chain`.
+`mechanics.kinematics.textbook.chain`.
 """
 
 from collections.abc import Iterator, Mapping, Sequence
 
 from sympy import Dummy, Symbol, sign, zeros
 
-from mechanics.kinematics.chain import Chain, body_motions, point_motion
-from mechanics.kinematics.directions import used_directions
-from mechanics.kinematics.motion import BodyMotion, PointMotion, inertia_matrix
+from mechanics.kinematics.textbook.chain import Chain, body_motions, point_motion
+from mechanics.kinematics.textbook.directions import used_directions
+from mechanics.kinematics.textbook.motion import BodyMotion, PointMotion, inertia_matrix
 from mechanics.routes.balance import Balance, Part, dot
 from mechanics.routes.twists import Principle, principles
 from mechanics.scene import Scene

@@ -1,7 +1,7 @@
 """A scene as SymPy's frames, points, bodies and loads, with explicit velocities.
 
-Velocities are composed in `mechanics.kinematics.chain` and set: this halves the operations that
-SymPy's Kane method leaves after common subexpressions are shared. All objects are made anew,
+Velocities are composed in `mechanics.kinematics.textbook.chain` and set: this halves the operations
+that SymPy's Kane method leaves after common subexpressions are shared. All objects are made anew,
 because SymPy's are mutable.
 """
 
@@ -13,7 +13,7 @@ import sympy.physics.mechanics as me
 from sympy import Matrix, zeros
 from sympy.physics.vector import Dyadic, Point, ReferenceFrame, Vector, outer
 
-from mechanics.kinematics.chain import Chain, Mixed, axis_angle
+from mechanics.kinematics.textbook.chain import Chain, Mixed, axis_angle
 from mechanics.routes.dynamic import Dynamic
 from mechanics.scene import Body, RigidBody, Scene
 from mechanics.scene.actions import Action

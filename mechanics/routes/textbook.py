@@ -18,7 +18,7 @@ from mechanics.program import Builder
 from mechanics.program.builder import Node
 from mechanics.program.sympy_printer import expressions
 from mechanics.program.sympy_reader import read
-from mechanics.routes.programs.rows import Rows, acceleration_forms, coefficients, remainder
+from mechanics.routes.rows import Rows, acceleration_forms, coefficients, remainder
 from mechanics.scene import Scene
 from mechanics.scene.rates import TIME
 from mechanics.scene.symbols import DOTS, plain_symbol

@@ -18,7 +18,7 @@ from dataclasses import dataclass
 from sympy import Expr, Matrix, Mul, S, Symbol, fraction, zeros
 from sympy.physics.vector import Point
 
-from mechanics.kinematics.directions import AXES, Directions
+from mechanics.kinematics.textbook.directions import AXES, Directions
 from mechanics.scene import Scene
 from mechanics.scene.actions import Action, moment
 from mechanics.symbolic import canonical

@@ -1,7 +1,7 @@
 """What can be seen to be wrong from the declaration alone.
 
 Whether reactions do work, are complete, or constraints are redundant needs velocities, and is
-checked in `mechanics.checks.programs.admissible` before any route runs.
+checked in `mechanics.checks.admissible` before any route runs.
 """
 
 from __future__ import annotations

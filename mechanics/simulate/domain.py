@@ -11,6 +11,7 @@ rest: whether it sticks there or slides back is not in the model.
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from functools import partial
 from typing import Any
 
 import casadi as ca
@@ -20,7 +21,7 @@ from numpy.typing import NDArray
 from mechanics.compiled import Model
 from mechanics.compiled.margins import margins, slidings, telling
 from mechanics.compiled.quantities import Quantity
-from mechanics.routes import free_body
+from mechanics.routes.derivation import by_route
 from mechanics.scene import Coulomb
 from mechanics.scene.actions import frictions
 from mechanics.scene.conditions import Condition, condition_parameters
@@ -82,7 +83,7 @@ def domain(
     scene = model.equations.scene
     if not scene.conditions:
         return EVERYWHERE
-    graphs = telling(model, free_body.derive)
+    graphs = telling(model, partial(by_route, "free_body"))
     known = graphs.quantities
     numbers = model.numbers(p) | own_values(model, parameters)
     symbols = [entry.symbol for entry in known.inputs]

@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 from mechanics.compiled import compile
-from mechanics.crosscheck.routes import ROUTES
+from mechanics.routes.derivation import ROUTES
 from systems import ALL
 
 BASELINE = Path(__file__).parents[2] / "benchmarks" / "operations.json"

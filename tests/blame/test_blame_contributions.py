@@ -13,7 +13,7 @@ from mechanics.crosscheck.routes import derive
 from mechanics.equations import Equations
 from mechanics.kernel import Finding
 from mechanics.kinematics.manifold import settle
-from mechanics.routes.kane import derive as by_kane
+from mechanics.routes.derivation import by_route
 from mechanics.symbolic import Arithmetic, decide
 
 ROUTES = ("free_body", "moving_point", "kane", pytest.param("lagrange", marks=pytest.mark.slow))
@@ -50,7 +50,7 @@ def test_every_route_is_taken_apart_into_pieces_that_add_up(truth: Equations, ro
 
 def test_pieces_are_those_of_kane_term_by_term(truth: Equations) -> None:
     scene = truth.scene
-    kane = by_kane(scene)
+    kane = by_route("kane", scene)
     compared = 0
     for row, residual in zip(generalized_rows(scene), kane.residual, strict=False):
         # Kane's rows are reduced where there are constraints, and hold no reactions with friction.

@@ -13,7 +13,7 @@ from mechanics.checks.ledger import check_row
 from mechanics.checks.metric import metric
 from mechanics.equations import Equations
 from mechanics.kernel import Verdict
-from mechanics.kinematics import chain
+from mechanics.kinematics.textbook import chain
 from mechanics.reading.statement import Statement
 from mechanics.scene.published import published
 from mechanics.scene.quantities import KineticEnergy, PotentialEnergy

@@ -7,8 +7,8 @@ from sympy import Matrix
 
 from mechanics import kernel
 from mechanics.checks import canaries
+from mechanics.checks import route_canaries as routes
 from mechanics.checks.canaries import check_canaries
-from mechanics.checks.programs import canaries as routes
 from mechanics.kernel import Finding, Verdict, same
 from mechanics.scene.composite import Part
 from mechanics.scene.loads import spring

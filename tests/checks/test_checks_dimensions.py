@@ -11,7 +11,7 @@ from sympy.physics.mechanics import dynamicsymbols
 from mechanics.checks.dimensions import check_dimensions
 from mechanics.compiled import compile
 from mechanics.kernel import Verdict
-from mechanics.routes import free_body
+from mechanics.routes.derivation import by_route
 from mechanics.scene import Scene
 from mechanics.scene.published import published
 from mechanics.scene.quantities import EquationOfMotion
@@ -25,7 +25,7 @@ M, m, L, k, g = (getattr(elastic_pendulum, name) for name in "MmLkg")
 @functools.cache
 def case(name: str) -> tuple[Scene, Mapping[Symbol, str]]:
     scene = next(system for system in ALL if system.name == name).scene()
-    known = compile(free_body.derive(scene), compiler=None).quantities
+    known = compile(by_route("free_body", scene), compiler=None).quantities
     groups = (known.q, known.u, known.ud, known.inputs, known.p, known.multipliers, known.reactions)
     return scene, {entry.symbol: entry.unit for group in groups for entry in group if entry.unit}
 

@@ -9,15 +9,15 @@ import pytest
 from sympy import Symbol, sign
 
 import mechanics
+from mechanics.checks import laws
+from mechanics.checks.agreement import Derived, compare, linear_system
 from mechanics.checks.ledger import check_row
-from mechanics.checks.programs import laws
-from mechanics.checks.programs.agreement import Derived, compare, linear_system
 from mechanics.crosscheck import derive
 from mechanics.equations import Equations
 from mechanics.kernel import Verdict
 from mechanics.mechanism import lower
 from mechanics.program import Builder
-from mechanics.routes.programs import free_body, kane, lagrange, moving_point
+from mechanics.routes import free_body, kane, lagrange, moving_point
 from mechanics.scene import Scene
 from mechanics.scene.published import published
 from mechanics.scene.quantities import EquationOfMotion

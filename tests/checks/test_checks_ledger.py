@@ -15,7 +15,7 @@ from mechanics.equations import Equations
 from mechanics.errors import InputError, SceneError
 from mechanics.kernel import Finding, Verdict
 from mechanics.linear import ledger as linear
-from mechanics.routes import free_body
+from mechanics.routes.derivation import by_route
 from mechanics.scene import quantities as q
 from mechanics.scene.published import Published, Quantity, published
 from mechanics.scene.system import System
@@ -31,7 +31,7 @@ x, theta, t = pendulum.x, pendulum.theta, dynamicsymbols._t
 
 @cache
 def equations(system: System) -> Equations:
-    return free_body.derive(system.scene())
+    return by_route("free_body", system.scene())
 
 
 def rows(system: System) -> list[Published]:

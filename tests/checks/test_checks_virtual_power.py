@@ -13,9 +13,8 @@ from mechanics import CrossCheck
 from mechanics.checks.virtual_power import check_powers, check_virtual_power, drawn_states
 from mechanics.cli.crosschecking import exit_code
 from mechanics.crosscheck import crosscheck, derive_with
-from mechanics.crosscheck.routes import ROUTES
 from mechanics.kernel import Finding, Verdict
-from mechanics.routes import free_body
+from mechanics.routes.derivation import ROUTES, by_route
 from mechanics.scene import (
     RigidBody,
     Scene,
@@ -107,7 +106,7 @@ def test_a_wrong_rotation_that_all_routes_share_is_noticed_here(
     """This is what the check is for: the routes agree with each other and are wrong."""
     monkeypatch.setattr(scenes, "relative_rotation", turned_round)
     monkeypatch.setattr("mechanics.mechanism.relative_rotation", turned_round)
-    monkeypatch.setattr("mechanics.kinematics.chain.relative_rotation", turned_round)
+    monkeypatch.setattr("mechanics.kinematics.textbook.chain.relative_rotation", turned_round)
     monkeypatch.setattr("mechanics.routes.sympy_model.relative_rotation", turned_round)
     result = crosscheck(elastic_pendulum.scene(), CrossCheck(states=0))
     # SymPy's own methods take the same rotation, and agree too.
@@ -144,7 +143,7 @@ def test_accelerations_that_leave_the_constraints_are_refuted() -> None:
 
 def test_a_wrong_reaction_is_refuted_though_the_motion_is_right() -> None:
     scene = elastic_pendulum.scene()
-    equations = free_body.derive(scene)
+    equations = by_route("free_body", scene)
     (first, value), *rest = equations.reactions
     wrong = replace(equations, solve_reactions=lambda: ((first, value + 1), *rest))
     assert check_virtual_power(equations, drawn_states(scene)).verdict is Verdict.SUPPORTED
@@ -185,7 +184,7 @@ def test_the_functions_through_which_the_routes_read_a_scene_may_be_gone(
         monkeypatch.delattr(geometry, name)
     for name in ("position", "rotation", "vector", "plain", "rates", "coordinate_rates"):
         monkeypatch.delattr(Scene, name)
-    for function in ("differentiate.body_motions", "chain.body_motions", "constraints.rate"):
+    for function in ("differentiate.motions", "chain.motions", "constraints.rate"):
         monkeypatch.delattr(f"mechanics.kinematics.{function}")
     found = check_virtual_power(equations, drawn_states(scene))
     assert found.verdict is Verdict.SUPPORTED

@@ -10,12 +10,13 @@ from mechanics.compiled import Model
 from mechanics.compiled import compile as compile_model
 from mechanics.compiled.machine.native import find_compiler
 from mechanics.equations import Equations
+from mechanics.routes.derivation import by_route
 
 
 @functools.cache
 def _derived(system: str, route: str) -> Equations:
     scene = importlib.import_module(f"systems.{system}").scene()
-    return importlib.import_module(f"mechanics.routes.{route}").derive(scene)
+    return by_route(route, scene)
 
 
 @functools.cache

@@ -19,7 +19,7 @@ from mechanics.compiled.sampling import ordinary
 from mechanics.crosscheck import derive
 from mechanics.equations import Equations
 from mechanics.errors import ExpressionError, SingularError
-from mechanics.routes import free_body, kane
+from mechanics.routes.derivation import by_route
 from mechanics.scene import Scene
 from systems import double_pendulum, pendulum_chain
 
@@ -72,7 +72,7 @@ def test_two_joints_follow_by_every_route(route: str) -> None:
 def test_four_joints_with_fixed_quarter_turns() -> None:
     """An unknown that is turned into one that it was coupled with already counts twice there."""
     arm = serial_arm(4, axes="zyx", fixed="zxy")
-    model = modelled(kane.derive(arm.scene), "recursive")
+    model = modelled(by_route("kane", arm.scene), "recursive")
     assert_follows(arm, model)
     ways = recursive.ways(model.casadi.source._linear)
     assert len(ways) == len(leaf_to_root.WAYS)
@@ -84,7 +84,7 @@ def test_four_joints_with_fixed_quarter_turns() -> None:
     "scene", [serial_arm(2).scene, double_pendulum.scene(), pendulum_chain.scene(7)]
 )
 def test_the_graph_does_not_depend_on_what_was_read(scene: Scene) -> None:
-    first, second = free_body.derive(scene), free_body.derive(scene)
+    first, second = by_route("free_body", scene), by_route("free_body", scene)
     _ = second.system, second.reactions, second.steps
     codes = [modelled(equations).program("forward_dynamics") for equations in (first, second)]
     _ = first.system
@@ -102,27 +102,27 @@ def test_a_value_that_is_found_from_itself_is_refused() -> None:
 def test_three_joints_with_mass_centres_off_their_axes() -> None:
     """The way that goes in a circle is not offered; the others are."""
     arm = serial_arm(3, **OFF_AXIS)
-    model = modelled(kane.derive(arm.scene), "recursive")
+    model = modelled(by_route("kane", arm.scene), "recursive")
     assert len(recursive.ways(model.casadi.source._linear)) == len(leaf_to_root.WAYS) - 1
     assert_follows(arm, model)
-    assert_follows(arm, modelled(free_body.derive(arm.scene)))
+    assert_follows(arm, modelled(by_route("free_body", arm.scene)))
 
 
 def test_a_form_that_is_no_solution_is_not_chosen(monkeypatch: pytest.MonkeyPatch) -> None:
     arm, solved = serial_arm(2), recursive._solved
     monkeypatch.setattr(recursive, "_solved", lambda *given: solved(*given) * (1 + 1e-6))
-    model = modelled(kane.derive(arm.scene))
+    model = modelled(by_route("kane", arm.scene))
     assert model.form != "recursive"
     assert_follows(arm, model)
     with pytest.raises(SingularError, match="arm of 2 by kane: this form gives no accelerations"):
-        _ = modelled(kane.derive(arm.scene), "recursive").form
+        _ = modelled(by_route("kane", arm.scene), "recursive").form
 
 
 @pytest.mark.slow
 def test_rows_serve_where_the_normal_form_of_f_is_too_large() -> None:
     """Turns of 1/3 rad between the joints keep their sines and cosines in every product."""
     arm = serial_arm(4, axes="z", fixed="x", turn=Rational(1, 3))
-    equations = free_body.derive(arm.scene)
+    equations = by_route("free_body", arm.scene)
     assert not equations.readable
     model = modelled(equations)
     assert_follows(arm, model)
@@ -133,4 +133,4 @@ def test_rows_serve_where_the_normal_form_of_f_is_too_large() -> None:
 @pytest.mark.slow
 def test_six_joints() -> None:
     arm = serial_arm(6)
-    assert_follows(arm, modelled(kane.derive(arm.scene)))
+    assert_follows(arm, modelled(by_route("kane", arm.scene)))

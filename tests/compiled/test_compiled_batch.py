@@ -17,7 +17,7 @@ from mechanics.compiled.machine.batch import BatchKernel
 from mechanics.compiled.machine.vectorised import settings
 from mechanics.compiled.programs.program import program, run
 from mechanics.errors import CompilerError, InputError, SingularError
-from mechanics.routes import kane
+from mechanics.routes.derivation import by_route
 from systems import rocker
 
 SYSTEMS = [
@@ -316,7 +316,7 @@ def test_calls_release_the_lock(pendulum: Model) -> None:
 
 @pytest.mark.parametrize("threads", [0, -3, 1.5])
 def test_a_number_of_threads_that_is_none_is_refused(threads: float) -> None:
-    model = compile(kane.derive(rocker.scene()), compiler=None)
+    model = compile(by_route("kane", rocker.scene()), compiler=None)
     states = np.zeros((4, 1))
     with pytest.raises(InputError, match=r"threads: .* found: a whole number from 1 on"):
         model.forward_dynamics(states, states, inputs=np.zeros((4, 1)), threads=threads)

@@ -15,7 +15,7 @@ from mechanics.compiled.forms.weigh import MOST, ROUNDINGS, digits_lost, lightes
 from mechanics.compiled.programs.program import operations
 from mechanics.errors import InputError
 from mechanics.kernel import Verdict
-from mechanics.routes import free_body, kane
+from mechanics.routes.derivation import by_route
 from systems import SEED, pendulum_chain
 
 PEERS = {10: 595, 20: 1215, 50: 3075}
@@ -23,7 +23,7 @@ PEERS = {10: 595, 20: 1215, 50: 3075}
 
 
 def chain(links: int) -> Any:
-    equations = free_body.derive(pendulum_chain.scene(links))
+    equations = by_route("free_body", pendulum_chain.scene(links))
     return compile(equations, compiler=None, outputs=("forward_dynamics",))
 
 
@@ -64,7 +64,7 @@ def test_twenty_links_are_certified_and_never_written_out(unwritten: None) -> No
 def test_the_seed_keeps_its_kernels() -> None:
     counts = {}
     for system in SEED:
-        model = compile(kane.derive(system.scene()), outputs=("forward_dynamics",))
+        model = compile(by_route("kane", system.scene()), outputs=("forward_dynamics",))
         counts[system.name] = (model.form, model.program("forward_dynamics").operations)
     assert counts == {
         "elastic_pendulum": ("fewest", 22),
@@ -75,7 +75,7 @@ def test_the_seed_keeps_its_kernels() -> None:
 
 @pytest.mark.parametrize("links", [3, 5, 8])
 def test_what_is_taken_weighs_least(links: int) -> None:
-    equations = kane.derive(pendulum_chain.scene(links))
+    equations = by_route("kane", pendulum_chain.scene(links))
     models = {
         form: compile(equations, form=form, compiler=None).casadi
         for form in ("auto", "recursive", "elimination")
@@ -106,7 +106,7 @@ def test_a_digit_lost_weighs_as_twice_the_operations() -> None:
     assert digits_lost(np.inf) == np.inf
     x = ca.SX.sym("x", 2)
     short, long = x[0] * x[1] + x[0], ca.sin(x[0]) * x[1] + x[0] * x[0]
-    given = kane.derive(SEED[2].scene())
+    given = by_route("kane", SEED[2].scene())
 
     def choose(errors: dict[int, float]) -> Any:
         system = SimpleNamespace(
@@ -121,7 +121,7 @@ def test_a_digit_lost_weighs_as_twice_the_operations() -> None:
 
 
 def test_equations_that_are_not_the_bodies_own_are_solved_as_they_are() -> None:
-    equations = kane.derive(pendulum_chain.scene(5))
+    equations = by_route("kane", pendulum_chain.scene(5))
     simplified = dataclasses.replace(equations, of_bodies=False)
     assert compile(equations, compiler=None).form == "recursive"
     assert compile(simplified, compiler=None).form != "recursive"
@@ -130,7 +130,7 @@ def test_equations_that_are_not_the_bodies_own_are_solved_as_they_are() -> None:
 
 
 def test_states_of_ordinary_size_are_solved_as_accurately_as_by_elimination() -> None:
-    equations = kane.derive(pendulum_chain.scene(5))
+    equations = by_route("kane", pendulum_chain.scene(5))
     models = [compile(equations, form=form, compiler=None) for form in ("recursive", "elimination")]
     random = np.random.default_rng(7)
     q, u = random.uniform(-3, 3, (2, 200, 6))

@@ -25,7 +25,7 @@ from mechanics.kernel.balls import precision
 from mechanics.program import Program
 from mechanics.program.c.parse import parse
 from mechanics.program.casadi_reader import Instruction as Node
-from mechanics.routes import free_body
+from mechanics.routes.derivation import by_route
 from systems import elastic_pendulum
 
 SYMBOLS = {"x": [Symbol("x0", real=True), Symbol("x1", positive=True)]}
@@ -41,7 +41,7 @@ def gcc() -> str:
 
 @pytest.fixture(scope="module")
 def graphs():
-    return compile(free_body.derive(elastic_pendulum.scene())).casadi
+    return compile(by_route("free_body", elastic_pendulum.scene())).casadi
 
 
 def test_the_step_is_that_of_the_rates(graphs) -> None:

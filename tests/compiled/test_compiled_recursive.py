@@ -1,6 +1,5 @@
 """Forward dynamics from the bodies: proved, linear in their number, refused where it cannot be."""
 
-import importlib
 from typing import Any
 
 import casadi as ca
@@ -12,7 +11,7 @@ from mechanics.compiled import compile, prove_graph
 from mechanics.compiled.forms.members import RECURSIVE, SPARSE
 from mechanics.errors import InputError
 from mechanics.kernel import Verdict
-from mechanics.routes import free_body, kane
+from mechanics.routes.derivation import by_route
 from mechanics.scene import (
     RigidBody,
     Scene,
@@ -85,7 +84,7 @@ SMOOTH = [system for system in (*ALL, *VARIANTS) if not frictions(system.scene()
 @pytest.mark.parametrize("system", SMOOTH, ids=lambda system: system.name)
 def test_from_the_bodies_it_is_what_every_route_derived(system: Any, route: str) -> None:
     scene = system.scene()
-    equations = importlib.import_module(f"mechanics.routes.{route}").derive(scene)
+    equations = by_route(route, scene)
     form, other = (SPARSE, RECURSIVE) if scene.constraints else (RECURSIVE, SPARSE)
     assert form.unsuited(equations) == ""
     model = forced(equations, form.name)
@@ -99,7 +98,7 @@ def test_from_the_bodies_it_is_what_every_route_derived(system: Any, route: str)
 
 @pytest.mark.parametrize("system", [s for s in ALL if s not in SMOOTH], ids=lambda s: s.name)
 def test_friction_is_not_in_gauss_s_function(system: Any) -> None:
-    equations = kane.derive(system.scene())
+    equations = by_route("kane", system.scene())
     assert RECURSIVE.unsuited(equations) == (
         "track depends on a reaction, which Gauss's function does not hold"
     )
@@ -110,12 +109,12 @@ def test_friction_is_not_in_gauss_s_function(system: Any) -> None:
 
 @pytest.mark.parametrize("joints", ["z", "xy", "xYz", "Xyz", "zXyx"])
 def test_arms_in_space(joints: str) -> None:
-    assert certified(forced(kane.derive(arm(joints)))) is Verdict.CERTIFIED
+    assert certified(forced(by_route("kane", arm(joints)))) is Verdict.CERTIFIED
 
 
 @pytest.mark.parametrize("joints", ["xy", "zX"])
 def test_loads_on_arms_in_space(joints: str) -> None:
-    assert certified(forced(kane.derive(arm(joints, loads=True)))) is Verdict.CERTIFIED
+    assert certified(forced(by_route("kane", arm(joints, loads=True)))) is Verdict.CERTIFIED
 
 
 def spinning() -> Scene:
@@ -139,7 +138,7 @@ def spinning() -> Scene:
 
 def test_declared_speeds_are_regular_where_rates_of_angles_are_not() -> None:
     """A w1' = (B - C) w2 w3 is computed: no angle is left, and no sine to divide by."""
-    model = forced(kane.derive(spinning()))
+    model = forced(by_route("kane", spinning()))
     assert certified(model) is Verdict.CERTIFIED
     q, u = [0.3, 0.0, 0.2], [1.0, 2.0, 3.0]
     found = model.forward_dynamics(q, u, p={"m": 1.0, "A": 1.0, "B": 2.0, "C": 4.0})
@@ -150,7 +149,7 @@ def test_declared_speeds_are_regular_where_rates_of_angles_are_not() -> None:
 
 def test_a_changed_graph_is_refuted_by_the_rows(unwritten: None) -> None:
     """M and f are not written out, and still one wrong sign is found, with a witness."""
-    equations = free_body.derive(pendulum_chain.scene(8))
+    equations = by_route("free_body", pendulum_chain.scene(8))
     model = forced(equations)
     assert certified(model) is Verdict.CERTIFIED
     own, _ = model.casadi.exact("forward_dynamics")
@@ -163,6 +162,6 @@ def test_a_changed_graph_is_refuted_by_the_rows(unwritten: None) -> None:
 
 
 def test_rows_are_what_is_split_into_the_matrix() -> None:
-    equations = free_body.derive(pendulum_chain.scene(2))
+    equations = by_route("free_body", pendulum_chain.scene(2))
     for row, value in zip(equations.rows, equations.residual, strict=True):
         assert (row - value).expand().rewrite("exp").expand() == 0

@@ -16,7 +16,7 @@ from mechanics.compiled.c.schedule import CALLS, LEAST, scheduled
 from mechanics.compiled.c.source import function_source
 from mechanics.compiled.machine.library import FLAGS
 from mechanics.compiled.programs.program import Program, program, run
-from mechanics.routes.free_body import derive
+from mechanics.routes.derivation import by_route
 from systems import pendulum_chain
 
 STEPS = (
@@ -40,7 +40,7 @@ def drawn(steps: list[tuple[int, int, int]]) -> Program:
 
 @pytest.fixture(scope="module")
 def chain() -> Program:
-    model = compile(derive(pendulum_chain.scene(5)), outputs=("forward_dynamics",))
+    model = compile(by_route("free_body", pendulum_chain.scene(5)), outputs=("forward_dynamics",))
     return model.program("forward_dynamics")
 
 

@@ -12,12 +12,13 @@ import pytest
 from mechanics.compiled import Model
 from mechanics.compiled import compile as compile_model
 from mechanics.export.evidence.verify import Chain
+from mechanics.routes.derivation import by_route
 
 
 @functools.cache
 def _modelled(system: str, route: str) -> Model:
     scene = importlib.import_module(f"systems.{system}").scene()
-    equations = importlib.import_module(f"mechanics.routes.{route}").derive(scene)
+    equations = by_route(route, scene)
     return compile_model(equations, compiler=None)
 
 

@@ -13,7 +13,7 @@ from mechanics.compiled import compile as compile_model
 from mechanics.errors import InputError
 from mechanics.export import write_c as write_and_prove
 from mechanics.export.prefix import free_prefix
-from mechanics.routes.kane import derive
+from mechanics.routes.derivation import by_route
 from mechanics.scene import Particle, Scene, force, parameters
 
 # The proofs are tested with the evidence.
@@ -29,7 +29,8 @@ def named(name: str) -> Model:
     ground, origin = ReferenceFrame("N"), Point("O")
     place = origin.locatenew("P", x * ground.x)
     return compile_model(
-        derive(
+        by_route(
+            "kane",
             Scene(
                 name, ground, origin, coordinates=(x,), bodies=(Particle("bob", place, m),),
                 loads=(force("pull", place, -x * ground.x, on="bob"),),

@@ -19,7 +19,7 @@ from mechanics.errors import InputError, SingularError
 from mechanics.export import write_c as write_and_prove
 from mechanics.export.header import comment
 from mechanics.export.vectors import vectors
-from mechanics.routes.free_body import derive
+from mechanics.routes.derivation import by_route
 from mechanics.scene import Particle, Scene, force, gravity, parameters, reaction
 
 # The proofs are tested with the evidence.
@@ -193,7 +193,7 @@ def awkward() -> Model:
         loads=(gravity(-M_PI * ground.y), pull),
         reactions=(reaction("N1", at=place, on="lambda", by=None, along=ground.z),),
     )  # fmt: skip
-    return compile_model(derive(scene), compiler=None)
+    return compile_model(by_route("free_body", scene), compiler=None)
 
 
 def test_awkward_names_become_identifiers_and_comments_stay_closed(

@@ -8,9 +8,9 @@ import pytest
 from linkages import LINKAGES
 
 import systems
-from mechanics.checks.programs import laws, reactions
-from mechanics.checks.programs.admissible import check_scene
-from mechanics.checks.programs.agreement import check_multipliers, compare
+from mechanics.checks import laws, reactions
+from mechanics.checks.admissible import check_scene
+from mechanics.checks.agreement import check_multipliers, compare
 from mechanics.crosscheck import ROUTES
 from mechanics.crosscheck.programs import Programs, check_textbook, derive_rows
 from mechanics.kernel import Finding

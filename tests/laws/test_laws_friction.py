@@ -8,11 +8,11 @@ import pytest
 from sympy import DiracDelta, Expr, Symbol, cos, sign, sin
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
-from mechanics.checks.agreement import solve
 from mechanics.checks.metric import metric
+from mechanics.checks.solution import solve
 from mechanics.crosscheck import derive
 from mechanics.equations import Equations
-from mechanics.kinematics.chain import body_motions
+from mechanics.kinematics.textbook.chain import body_motions
 from mechanics.scene import (
     Particle,
     RigidBody,

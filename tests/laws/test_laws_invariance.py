@@ -8,7 +8,7 @@ from sympy import Expr, Matrix, Rational, Symbol, eye, pi
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
 import systems
-from mechanics.checks.agreement import solve
+from mechanics.checks.solution import solve
 from mechanics.crosscheck import ROUTES, derive
 from mechanics.equations import Equations
 from mechanics.kinematics.manifold import settle

@@ -11,7 +11,7 @@ import pytest
 from scipy.integrate import solve_ivp
 
 from mechanics import compile, derive, simulate
-from mechanics.checks.agreement import solve
+from mechanics.checks.solution import solve
 from mechanics.compiled import Model
 from mechanics.compiled.mechanical import totals
 from mechanics.kernel import Verdict

@@ -15,7 +15,7 @@ from mechanics import compile, crosscheck, derive, simulate
 from mechanics.crosscheck import ROUTES, CrossCheck
 from mechanics.errors import InputError, SingularError
 from mechanics.export import write_c
-from mechanics.routes.elimination import Row, solve_for
+from mechanics.routes.multipliers import Row, solve_for
 from mechanics.scene import (
     Particle,
     RigidBody,

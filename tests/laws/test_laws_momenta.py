@@ -15,7 +15,7 @@ from mechanics.checks.ledger import check_row
 from mechanics.checks.ledger_energy import kinetic_energy
 from mechanics.errors import InputError
 from mechanics.kinematics.momenta import momentum_symbols
-from mechanics.routes.lagrange import derive
+from mechanics.routes.derivation import by_route
 from mechanics.scene.loads import CONSERVATIVE
 from mechanics.scene.potential import potential
 from mechanics.scene.published import published
@@ -79,7 +79,7 @@ def test_names_that_the_scene_uses_stay_its_own() -> None:
     place = origin.locatenew("P", x * ground.x + (y + p_x) * ground.y)
     scene = Scene("p", ground, origin, coordinates=(x, y), bodies=(Particle("bob", place, m),))
     assert [symbol.name for symbol in momentum_symbols(scene)] == ["p_y"]
-    equations = derive(scene)
+    equations = by_route("lagrange", scene)
     row = published("1", Identity(), dynamicsymbols("p_y"), m * y.diff(), label="momentum")
     assert check_row(scene, row, equations).shown
     with pytest.raises(InputError, match="no momentum of 'x': the coordinates are y"):

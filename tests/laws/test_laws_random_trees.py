@@ -7,12 +7,12 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
-from mechanics.checks.programs.admissible import check_scene
-from mechanics.checks.programs.agreement import compare_pairs
+from mechanics.checks.admissible import check_scene
+from mechanics.checks.agreement import compare_pairs
 from mechanics.compiled import compile, prove_graph
 from mechanics.crosscheck import derive_with
 from mechanics.crosscheck.programs import check_laws, check_textbook, derive_rows
-from mechanics.routes import free_body
+from mechanics.routes.derivation import by_route
 from mechanics.scene import (
     RigidBody,
     Scene,
@@ -110,6 +110,6 @@ def test_random_trees(links: tuple[Link, ...]) -> None:
 @settings(max_examples=8, deadline=None, derandomize=True)
 @given(trees())
 def test_forward_dynamics_from_the_bodies_is_what_was_derived(links: tuple[Link, ...]) -> None:
-    model = compile(free_body.derive(build(links)), form="recursive", compiler=None)
+    model = compile(by_route("free_body", build(links)), form="recursive", compiler=None)
     finding = prove_graph("forward_dynamics", model.casadi, try_normal=False)
     assert finding.shown, finding

@@ -4,11 +4,11 @@ import pytest
 from sympy import Matrix
 
 import mechanics
-from mechanics.checks.agreement import Pairs, solve
+from mechanics.checks.solution import Pairs, solve
 from mechanics.crosscheck import ROUTES, Route
 from mechanics.kinematics.manifold import settle
-from mechanics.routes import free_body
-from mechanics.routes.elimination import multipliers_of
+from mechanics.routes.derivation import by_route
+from mechanics.routes.multipliers import multipliers_of
 from mechanics.scene.system import System
 from mechanics.symbolic import Arithmetic, decide
 from systems import ALL, SEED
@@ -41,7 +41,7 @@ def test_the_last_step_states_all_equations(system: System, route: Route) -> Non
 @pytest.mark.parametrize("system", CONSTRAINED, ids=lambda system: system.name)
 def test_multipliers_are_given_by_the_motion(system: System) -> None:
     scene = system.scene()
-    equations = free_body.derive(scene)
+    equations = by_route("free_body", scene)
 
     def experiment(a: Arithmetic) -> Pairs:
         settle(scene, a)

@@ -64,8 +64,8 @@ WRITTEN = r"""
 import hashlib, json, pathlib, sys, tempfile
 import mechanics
 from benchmarks.space import scenes
-from mechanics.checks.programs.statements import equal
-from mechanics.checks.programs.agreement import compare_pairs, linear_system
+from mechanics.checks.statements import equal
+from mechanics.checks.agreement import compare_pairs, linear_system
 from mechanics.export import write_c
 from mechanics.mechanism import lower
 from mechanics.program import Builder
@@ -73,7 +73,7 @@ from mechanics.program.c_printer import print_c
 from mechanics.program.residues import Residues
 from mechanics.recursions import newton_euler
 from mechanics.recursions.pseudo_inertia import moments
-from mechanics.routes.programs import free_body, kane
+from mechanics.routes import free_body, kane
 from systems import rocker
 
 model = mechanics.compile(mechanics.derive(rocker.scene(), "free_body"))

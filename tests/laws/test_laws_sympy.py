@@ -4,7 +4,7 @@ import pytest
 from serial_arms import serial_arm
 
 import systems
-from mechanics.checks.programs.admissible import check_scene
+from mechanics.checks.admissible import check_scene
 from mechanics.crosscheck.by_sympy import METHODS, by_sympy
 from mechanics.crosscheck.programs import derive_rows
 from mechanics.crosscheck.sympy_table import LARGEST, counts, too_large

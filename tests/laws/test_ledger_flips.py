@@ -18,7 +18,7 @@ import systems
 from mechanics.checks.ledger import QUANTITIES, check_row, plain_side
 from mechanics.equations import Equations
 from mechanics.kernel import Verdict
-from mechanics.routes import free_body
+from mechanics.routes.derivation import by_route
 from mechanics.scene.published import Published
 from mechanics.scene.quantities import EquationOfMotion
 from mechanics.scene.system import System
@@ -84,7 +84,7 @@ def entries(side: Any) -> list[Expr]:
 
 @cache
 def derived_equations(system: System) -> Equations:
-    return free_body.derive(system.scene())
+    return by_route("free_body", system.scene())
 
 
 @pytest.mark.parametrize(("system", "row"), ROWS)

@@ -9,7 +9,7 @@ from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
 from mechanics.equations import Equations
 from mechanics.linear import Linear, linearise
-from mechanics.routes import lagrange
+from mechanics.routes.derivation import by_route
 from mechanics.scene import Particle, Scene, damper, force, parameters, spring
 
 
@@ -44,7 +44,7 @@ def oscillators(masses: tuple, stiffnesses: tuple, dampings: tuple) -> Equations
         loads=(*loads, force("F", at[-1], given * ground.x, on=f"m{n - 1}")),
         inputs=(given,),
     )
-    return lagrange.derive(scene)
+    return by_route("lagrange", scene)
 
 
 @pytest.fixture

@@ -12,7 +12,7 @@ from mechanics.errors import InputError
 from mechanics.extremes.points import walks
 from mechanics.linear import Linear, characteristic, linearise, numeric_modes, numeric_poles
 from mechanics.linear.modes import EIGENVALUE
-from mechanics.routes.kane import derive
+from mechanics.routes.derivation import by_route
 from systems import rocker, two_mass_chain
 
 CASES = {
@@ -26,7 +26,7 @@ AT = {"unequal": {"x1": 0, "x2": 0}, "controlled": {"theta": 0}}
 def case(name: str) -> tuple[Linear, list[dict[str, float]]]:
     """Linear equations, and parameter values along the path."""
     scene, path = CASES[name]
-    equations = derive(scene())
+    equations = by_route("kane", scene())
     known = compile(equations, compiler=None).quantities
     (walk,) = (w for w in walks(known, (path,), 1) if w.kind == "path")
     names = [entry.name for entry in known.p]

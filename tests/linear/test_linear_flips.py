@@ -19,7 +19,7 @@ from mechanics.equations import Equations
 from mechanics.errors import InputError
 from mechanics.kernel import Verdict
 from mechanics.linear.ledger import QUANTITIES, check_linear_row
-from mechanics.routes import free_body, kane, lagrange, moving_point
+from mechanics.routes.derivation import by_route
 from mechanics.scene.linear_quantities import CharacteristicPolynomial, InertiaAbout, LinearQuantity
 from mechanics.scene.published import Published
 from mechanics.scene.quantities import EquationOfMotion
@@ -35,7 +35,7 @@ ROWS = [
     for name, (_, rows) in LEDGERS.items()
     for row in rows
 ]
-ROUTES = {"lagrange": lagrange, "kane": kane, "free_body": free_body, "moving_point": moving_point}
+ROUTES = ("lagrange", "kane", "free_body", "moving_point")
 # Their coefficients themselves are compared, not what follows from the rows.
 NEED_CONJUGATE = {"rocker": {InertiaAbout}, "two_mass_chain": {CharacteristicPolynomial}}
 
@@ -43,7 +43,7 @@ NEED_CONJUGATE = {"rocker": {InertiaAbout}, "two_mass_chain": {CharacteristicPol
 @cache
 def derived(name: str, route: str = "lagrange") -> Equations:
     scene, _ = LEDGERS[name]
-    return ROUTES[route].derive(scene())
+    return by_route(route, scene())
 
 
 def flips(side: Any) -> Iterator[Any]:

@@ -10,7 +10,7 @@ from mechanics.equations import Equations
 from mechanics.errors import InputError
 from mechanics.kernel import Verdict
 from mechanics.linear.ledger import check_linear_row
-from mechanics.routes import lagrange
+from mechanics.routes.derivation import by_route
 from mechanics.scene import Particle, RigidBody
 from mechanics.scene.linear_quantities import (
     Eigenvalue,
@@ -29,12 +29,12 @@ MODES = {row.label: row for row in two_mass_chain_ledger.MODES}
 
 @cache
 def of_rocker() -> Equations:
-    return lagrange.derive(rocker.scene())
+    return by_route("lagrange", rocker.scene())
 
 
 @cache
 def of_chain() -> Equations:
-    return lagrange.derive(two_mass_chain.scene())
+    return by_route("lagrange", two_mass_chain.scene())
 
 
 def check(equations: Equations, row, **changes):
@@ -46,7 +46,7 @@ def test_rows_are_held_against_the_scene_and_not_against_each_other() -> None:
     scene = two_mass_chain.scene()
     first, second = scene.bodies
     heavy = replace(scene, bodies=(first, Particle("second", second.centre, 4 * two_mass_chain.m)))
-    equations = lagrange.derive(heavy)
+    equations = by_route("lagrange", heavy)
     shown = {row.tag for row in MODES.values() if check_linear_row(heavy, row, equations).shown}
     assert shown == {"lambda"}
 
@@ -58,7 +58,7 @@ def test_rocker_rows_are_refuted_by_another_rocker() -> None:
         scene,
         bodies=(RigidBody(body.name, body.centre, body.frame, rocker.M, 2 * rocker.I_C),),
     )
-    equations = lagrange.derive(other)
+    equations = by_route("lagrange", other)
     verdicts = {row.tag: check_linear_row(other, row, equations).verdict
                 for row in CONTROL.values()}  # fmt: skip
     refuted = {tag for tag, verdict in verdicts.items() if verdict is Verdict.REFUTED}

@@ -10,7 +10,7 @@ from mechanics.equations import Equations
 from mechanics.errors import InputError
 from mechanics.kernel import Finding, Verdict
 from mechanics.linear.ledger import check_linear_row
-from mechanics.routes import lagrange
+from mechanics.routes.derivation import by_route
 from mechanics.scene.typed import rounded
 from systems import two_mass_chain
 from systems.two_mass_chain_ledger import PUBLISHED
@@ -20,7 +20,7 @@ ROWS = {row.tag: row for row in PUBLISHED}
 
 @cache
 def equations() -> Equations:
-    return lagrange.derive(two_mass_chain.scene())
+    return by_route("lagrange", two_mass_chain.scene())
 
 
 def check(tag: str, *columns: tuple) -> Finding:

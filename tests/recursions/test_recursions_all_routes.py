@@ -9,7 +9,7 @@ from benchmarks.space.deriving import ROUTES
 from benchmarks.space.random_trees import build, numbers, state, trees
 from benchmarks.space.scenes import Joint
 from benchmarks.space.textbook import inverse_dynamics
-from mechanics.checks.programs.agreement import linear_system
+from mechanics.checks.agreement import linear_system
 from mechanics.mechanism import lower
 from mechanics.program import Builder, interpret
 from mechanics.program.numpy_domain import Arrays
@@ -19,7 +19,7 @@ from mechanics.recursions.articulated_bodies import forward_dynamics
 from mechanics.recursions.composite_bodies import mass_matrix
 from mechanics.recursions.joints import joint_tree
 from mechanics.recursions.pseudo_inertia import grouped
-from mechanics.routes.programs.rows import remainder
+from mechanics.routes.rows import remainder
 
 PHASES = (Phase.explicit, Phase.generate)
 

@@ -21,7 +21,7 @@ from mechanics.recursions.composite_bodies import mass_matrix
 from mechanics.recursions.joints import joint_tree
 from mechanics.recursions.local_equations import jacobian
 from mechanics.recursions.pseudo_inertia import grouped, moments
-from mechanics.routes.programs.rows import coefficients, remainder
+from mechanics.routes.rows import coefficients, remainder
 from systems import ALL, VARIANTS
 
 PHASES = (Phase.explicit, Phase.generate)

@@ -20,8 +20,8 @@ from mechanics.program.residues import Residues
 from mechanics.program.vectors import times, transpose
 from mechanics.recursions import newton_euler
 from mechanics.recursions.pseudo_inertia import grouped, moments
-from mechanics.routes.programs import kane
-from mechanics.routes.programs.rows import substitute
+from mechanics.routes import kane
+from mechanics.routes.rows import substitute
 from systems import ALL, VARIANTS
 
 PHASES = (Phase.explicit, Phase.generate)

@@ -22,7 +22,7 @@ from mechanics.report.answer.check import Check
 from mechanics.report.answer.page import check_html
 from mechanics.report.html import to_html
 from mechanics.report.result import RouteResult, SystemResult
-from mechanics.routes import free_body
+from mechanics.routes.derivation import by_route
 from systems import elastic_pendulum, pendulum_chain
 
 pytestmark = pytest.mark.browser
@@ -94,7 +94,7 @@ def derived() -> list[SystemResult]:
     """Real derivations: a short one, and one whose lines are far wider than a phone."""
     results = []
     for scene in (elastic_pendulum.scene(), pendulum_chain.scene(4)):
-        equations = free_body.derive(scene)
+        equations = by_route("free_body", scene)
         long = replace(
             equations.steps[-1],
             title="Without a place to break a line",

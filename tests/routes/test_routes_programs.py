@@ -11,9 +11,9 @@ from mechanics.mechanism import Mechanism, lower
 from mechanics.program import Builder
 from mechanics.program.residues import Residues
 from mechanics.program.vectors import dot
-from mechanics.routes.programs import free_body, kane, lagrange, moving_point
-from mechanics.routes.programs.moving_point import null_space
-from mechanics.routes.programs.rows import (
+from mechanics.routes import free_body, kane, lagrange, moving_point
+from mechanics.routes.moving_point import null_space
+from mechanics.routes.rows import (
     Rows,
     acceleration_forms,
     coefficients,

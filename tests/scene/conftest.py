@@ -7,7 +7,7 @@ from typing import Any
 import pytest
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
-from mechanics.checks.programs.admissible import check_scene
+from mechanics.checks.admissible import check_scene
 from mechanics.scene import Particle, RigidBody, Scene, gravity, parameters, reaction, spring
 
 x, theta = dynamicsymbols("x theta")

@@ -6,7 +6,7 @@ import pytest
 from sympy import Abs, Symbol, sign
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
-from mechanics.checks.programs.admissible import check_scene
+from mechanics.checks.admissible import check_scene
 from mechanics.errors import SceneError
 from mechanics.scene import (
     Particle,

@@ -6,7 +6,7 @@ from collections.abc import Callable
 import pytest
 
 from mechanics.compiled.model import Model, compile
-from mechanics.routes import lagrange
+from mechanics.routes.derivation import by_route
 from systems import ALL
 
 
@@ -17,6 +17,6 @@ def model_of() -> Callable[[str], Model]:
 
     @functools.cache
     def model(name: str) -> Model:
-        return compile(lagrange.derive(scenes[name]()), compiler=None)
+        return compile(by_route("lagrange", scenes[name]()), compiler=None)
 
     return model

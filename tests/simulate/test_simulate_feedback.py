@@ -5,7 +5,7 @@ import pytest
 
 from mechanics.compiled.model import Model, compile
 from mechanics.errors import InputError
-from mechanics.routes import lagrange
+from mechanics.routes.derivation import by_route
 from mechanics.simulate import Ending, Feedback, simulate
 from mechanics.simulate.integrators import Problem, Setting
 from mechanics.simulate.integrators.scipy import MEMBERS
@@ -18,12 +18,12 @@ GAIN = 30.0
 
 @pytest.fixture(scope="module")
 def free() -> Model:
-    return compile(lagrange.derive(rocker.scene()))
+    return compile(by_route("lagrange", rocker.scene()))
 
 
 @pytest.fixture(scope="module")
 def controlled() -> Model:
-    return compile(lagrange.derive(rocker.controlled()))
+    return compile(by_route("lagrange", rocker.controlled()))
 
 
 def law(t: float, q: np.ndarray, u: np.ndarray) -> float:

@@ -14,7 +14,7 @@ from mechanics.compiled.machine.native import find_compiler
 from mechanics.compiled.model import Model, compile
 from mechanics.compiled.tableaus import TABLEAUX
 from mechanics.errors import InputError
-from mechanics.routes import kane
+from mechanics.routes.derivation import by_route
 from mechanics.simulate.integrators import INTEGRATORS, Integrator, Outcome, Problem, Setting
 from mechanics.simulate.integrators.rate import Rate
 from mechanics.simulate.integrators.stiffness import rates_at_start
@@ -36,7 +36,7 @@ DURATION = 0.5
 @functools.cache
 def model_with(name: str, compiler: str | None) -> Model:
     return compile(
-        kane.derive({system.name: system.scene for system in ALL}[name]()), compiler=compiler
+        by_route("kane", {system.name: system.scene for system in ALL}[name]()), compiler=compiler
     )
 
 
@@ -275,7 +275,7 @@ def in_time() -> Callable[[str | None], Problem]:
         "pushed", ground, origin, coordinates=(x,), bodies=(Particle("mass", place, m),),
         loads=(force("push", place, F * cos(3 * t) * ground.x, on="mass"),),
     )  # fmt: skip
-    equations = kane.derive(scene)
+    equations = by_route("kane", scene)
     return lambda compiler: pose(compile(equations, compiler=compiler), [0.0, 0.7, 2.0])
 
 

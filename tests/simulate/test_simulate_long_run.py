@@ -8,7 +8,7 @@ import pytest
 from mechanics.compiled.machine.native import find_compiler
 from mechanics.compiled.model import compile
 from mechanics.errors import InputError
-from mechanics.routes import kane
+from mechanics.routes.derivation import by_route
 from mechanics.simulate.drift import Drift, drift
 from mechanics.simulate.integrators import Problem, Setting
 from mechanics.simulate.long_run import SAMPLES, long_runs, natural_period
@@ -20,7 +20,7 @@ needs_compiler = pytest.mark.skipif(find_compiler() is None, reason="no C compil
 
 
 def posed(name: str, **given) -> Problem:
-    return pose(compile(kane.derive(SCENES[name]())), [0.0, 1.0], **given)
+    return pose(compile(by_route("kane", SCENES[name]())), [0.0, 1.0], **given)
 
 
 def test_natural_period_is_that_of_the_slowest_mode() -> None:

@@ -7,7 +7,7 @@ import pytest
 
 from mechanics import compile
 from mechanics.compiled.model import Model
-from mechanics.routes import free_body
+from mechanics.routes.derivation import by_route
 from mechanics.simulate.constraints import manifold
 from mechanics.simulate.many_on_manifold import states_on_manifold
 from systems import four_bar, rolling_disc
@@ -17,7 +17,7 @@ COUNT = 200
 
 @functools.cache
 def model_of(system) -> Model:
-    return compile(free_body.derive(system.scene()), compiler=None)
+    return compile(by_route("free_body", system.scene()), compiler=None)
 
 
 @pytest.mark.parametrize("system", [four_bar, rolling_disc])

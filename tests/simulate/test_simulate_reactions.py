@@ -9,7 +9,7 @@ import pytest
 from mechanics import compile
 from mechanics.compiled.model import Model
 from mechanics.errors import InputError
-from mechanics.routes import free_body, kane
+from mechanics.routes.derivation import by_route
 from mechanics.simulate import simulate, with_reactions
 from systems import elastic_pendulum, four_bar, rocker, two_mass_chain
 
@@ -18,7 +18,7 @@ ModelOf = Callable[[str], Model]
 
 def test_reactions_hold_the_bodies() -> None:
     """M y_C'' = N - M g and 0 = N1 - N - m g, with y_C = -L/2 cos(theta)."""
-    model = compile(free_body.derive(elastic_pendulum.scene()))
+    model = compile(by_route("free_body", elastic_pendulum.scene()))
     motion = with_reactions(simulate(model, 1.0, samples=11), model)
     assert list(motion.columns)[-3:] == ["T", "N", "N1"] and motion.units["N1"] == "N"
     M, m, L, g = (motion.parameters[name] for name in ("M", "m", "L", "g"))
@@ -34,7 +34,7 @@ def test_reactions_hold_the_bodies() -> None:
 @pytest.mark.parametrize("system", [four_bar, rocker])
 def test_every_reaction_has_a_column(system) -> None:
     """Those of the joint that is cut, which are multipliers, and those of a scene with inputs."""
-    model = compile(free_body.derive(system.scene()))
+    model = compile(by_route("free_body", system.scene()))
     motion = simulate(model, 0.1, samples=3)
     found = with_reactions(motion, model)
     assert found.reactions.keys() == {reaction.name for reaction in system.scene().reactions}
@@ -43,14 +43,14 @@ def test_every_reaction_has_a_column(system) -> None:
 
 
 def test_what_gives_no_reactions_is_named() -> None:
-    model = compile(kane.derive(elastic_pendulum.scene()))
+    model = compile(by_route("kane", elastic_pendulum.scene()))
     motion = simulate(model, 0.1, samples=2)
     with pytest.raises(InputError, match=r"the route kane does not solve for N: take free_body"):
         with_reactions(motion, model)
-    other = compile(free_body.derive(elastic_pendulum.scene()))
+    other = compile(by_route("free_body", elastic_pendulum.scene()))
     named = {"x": motion.coordinates["x"], "T": motion.coordinates["theta"]}
     with pytest.raises(InputError, match="reaction T is named as another column: rename it"):
         with_reactions(replace(motion, coordinates=named), other)
-    free = compile(kane.derive(two_mass_chain.scene()))
+    free = compile(by_route("kane", two_mass_chain.scene()))
     with pytest.raises(InputError, match="it declares no reactions: leave them out"):
         with_reactions(simulate(free, 0.1, samples=2), free)

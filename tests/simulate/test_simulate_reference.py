@@ -19,7 +19,7 @@ from mechanics.errors import ExpressionError, InputError, SingularError
 from mechanics.program import Builder
 from mechanics.program.casadi_reader import read
 from mechanics.program.taylor import Recurrences, recurrences
-from mechanics.routes import kane
+from mechanics.routes.derivation import by_route
 from mechanics.scene import Particle, Scene, force, gravity, parameters, reaction
 from mechanics.simulate.integrators import INTEGRATORS, Problem, Setting
 from mechanics.simulate.integrators.heyoka import equations as heyoka_equations
@@ -76,12 +76,12 @@ def chain(links: int) -> Scene:
 
 
 def posed(name: str, times, **given) -> Problem:
-    return pose(compile(kane.derive(SCENES[name]()), compiler=None), times, **given)
+    return pose(compile(by_route("kane", SCENES[name]()), compiler=None), times, **given)
 
 
 def released(links: int, times: list[int]) -> list[list[mpmath.mpf]]:
     """Thirty digits of the motion from exactly pi/2 with g = 9.81 exactly, not their doubles."""
-    model = compile(kane.derive(chain(links)), compiler=None, fixed={"g": 9.81})
+    model = compile(by_route("kane", chain(links)), compiler=None, fixed={"g": 9.81})
     given = exact(pose(model, [0, *times]))
     quarter = Fraction(int(mpmath.floor(mpmath.pi / 2 * 2**BITS)), 2**BITS)
     turned = [-quarter if links == 1 else quarter] * links + [Fraction(0)] * links
@@ -197,7 +197,7 @@ def test_a_reference_is_solved_once(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def test_chaos_is_told_and_until_when_doubles_mean_something() -> None:
-    model = compile(kane.derive(chain(2)))
+    model = compile(by_route("kane", chain(2)))
     wild = pose(model, np.linspace(0, 60, 121), initial={"th1": 2.0, "th2": 2.5})
     found = growth(wild, np.array([3.0, 3.0, 5.0, 5.0]))
     assert found.chaotic and 0.5 < found.exponent < 3
@@ -257,7 +257,7 @@ def test_series_of_every_operation_are_those_of_arb(graph, series, compiler) -> 
 def test_c_and_python_give_the_same_digits(system: str) -> None:
     if find_compiler() is None:
         pytest.skip("no C compiler here")
-    given = exact(pose(compile(kane.derive(SCENES[system]())), [0.0, 0.2]))
+    given = exact(pose(compile(by_route("kane", SCENES[system]())), [0.0, 0.2]))
     native, plain = (
         solve(dataclasses.replace(given, compiler=compiler), [0.0, 0.2], 36, 190, 43)
         for compiler in (given.compiler, None)
@@ -294,7 +294,7 @@ def bumped() -> Scene:
 
 
 def test_what_has_no_reference_says_why() -> None:
-    kinked = pose(compile(kane.derive(bumped()), compiler=None), [0.0, 1.0])
+    kinked = pose(compile(by_route("kane", bumped()), compiler=None), [0.0, 1.0])
     with pytest.raises(ExpressionError, match="operation abs has no Taylor series"):
         reference(kinked)
     moved = posed("four_bar", [0.0, 1.0], inputs={"tau": math.sin})

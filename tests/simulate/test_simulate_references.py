@@ -6,7 +6,7 @@ from sympy import cos, sin
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols, inertia
 
 from mechanics.compiled.model import Model, compile
-from mechanics.routes import lagrange
+from mechanics.routes.derivation import by_route
 from mechanics.scene import Particle, RigidBody, Scene, gravity, parameters, reaction
 from mechanics.simulate import simulate
 
@@ -110,7 +110,7 @@ def torque_free() -> Scene:
 
 @pytest.fixture(scope="module")
 def pendulum() -> Model:
-    return compile(lagrange.derive(chain(1)), compiler=None)
+    return compile(by_route("lagrange", chain(1)), compiler=None)
 
 
 @pytest.mark.parametrize(("time", "position"), PENDULUM.items())
@@ -134,7 +134,7 @@ def test_simple_pendulum_returns_after_its_period(
 
 
 def test_double_pendulum_follows_the_reference() -> None:
-    model = compile(lagrange.derive(chain(2)), compiler=None)
+    model = compile(by_route("lagrange", chain(2)), compiler=None)
     start = {"th1": np.pi / 2, "th2": np.pi / 2}
     motion = simulate(model, 5.0, initial=start, samples=6, **FINE)
     columns = np.array([*motion.coordinates.values(), *motion.speeds.values()])
@@ -144,7 +144,7 @@ def test_double_pendulum_follows_the_reference() -> None:
 
 
 def test_body_without_torque_tumbles_as_jacobi_says() -> None:
-    model = compile(lagrange.derive(torque_free()), compiler=None)
+    model = compile(by_route("lagrange", torque_free()), compiler=None)
     motion = simulate(model, 10.0, initial={"w1": 0.5, "w3": 2.0}, samples=11, **FINE)
     columns = np.array([*motion.speeds.values()])
     found = {time: columns[:, i] for i, time in enumerate(motion.times)}
@@ -174,6 +174,8 @@ def test_projectile_falls_freely() -> None:
         bodies=(Particle("ball", ball, m),),
         loads=(gravity(-g * ground.y),),
     )
-    motion = simulate(compile(lagrange.derive(scene), compiler=None), 2.0, initial={"x_dot": 3.0})
+    motion = simulate(
+        compile(by_route("lagrange", scene), compiler=None), 2.0, initial={"x_dot": 3.0}
+    )
     assert np.allclose(motion.coordinates["x"], 3.0 * motion.times, atol=1e-12)
     assert np.allclose(motion.coordinates["y"], -9.81 / 2 * motion.times**2, atol=1e-12)

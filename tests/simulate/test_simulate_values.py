@@ -12,7 +12,7 @@ from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
 from mechanics.compiled.model import Model, compile
 from mechanics.errors import InputError, SingularError, ValueMissingError
-from mechanics.routes import lagrange
+from mechanics.routes.derivation import by_route
 from mechanics.scene import (
     Particle,
     Scene,
@@ -95,7 +95,7 @@ def oscillator(typical: str, **extra: Any) -> Model:
         loads=tuple(loads),
         definitions={k: m * w**2},
     )
-    return compile(lagrange.derive(scene), compiler=None)
+    return compile(by_route("lagrange", scene), compiler=None)
 
 
 def test_definitions_follow_what_they_are_defined_by() -> None:
@@ -138,7 +138,7 @@ def prescribed() -> Model:
         constraints=(holonomic("lift", y - f, "N"),),
         inputs=(f,),
     )
-    return compile(lagrange.derive(scene), compiler=None)
+    return compile(by_route("lagrange", scene), compiler=None)
 
 
 def test_prescribed_motion_is_followed() -> None:
@@ -169,7 +169,7 @@ def pushed(by: Callable[[Expr], Expr]) -> Model:
         bodies=(Particle("mass", mass, m),),
         loads=(force("F", mass, by(x) * ground.x),),
     )
-    return compile(lagrange.derive(scene), compiler=None)
+    return compile(by_route("lagrange", scene), compiler=None)
 
 
 def test_force_that_ends_ends_the_motion() -> None:

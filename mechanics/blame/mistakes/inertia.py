@@ -12,7 +12,7 @@ from sympy import Expr, Matrix, Rational, S, eye
 
 from mechanics.blame.mistakes.slip import Change, Part, Right, Slip
 from mechanics.blame.pieces import Kind, Origin, Piece, inner, momenta, motions_of
-from mechanics.kinematics.motion import BodyMotion
+from mechanics.kinematics.textbook.motion import BodyMotion
 from mechanics.scene import RigidBody, Scene
 from mechanics.scene.rates import rate_table, rates
 from mechanics.scene.topology import tree

@@ -13,7 +13,7 @@ from sympy import Add, Expr, S, Symbol
 
 from mechanics.blame.mistakes.slip import Right, Slip, once
 from mechanics.blame.pieces import Kind, Origin, Piece
-from mechanics.kinematics import differentiate
+from mechanics.kinematics.textbook import differentiate
 from mechanics.routes.lagrange_sympy import kinetic_energy
 from mechanics.scene import Gravity, Scene
 from mechanics.scene.loads import CONSERVATIVE

@@ -12,7 +12,7 @@ from mechanics.compiled.quantities import Quantities
 from mechanics.equations import ProgramEquations
 from mechanics.program import Program
 from mechanics.program.builder import Node
-from mechanics.routes.programs import free_body, kane
+from mechanics.routes import free_body, kane
 from mechanics.scene.rates import TIME
 
 GROUPS = ("q", "u", "ud", "inputs", "p", "multipliers", "reactions", "h")

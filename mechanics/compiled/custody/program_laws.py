@@ -22,7 +22,7 @@ from mechanics.compiled.outputs import solvable
 from mechanics.program import Node
 from mechanics.program.derivatives import tangent
 from mechanics.program.interpret import include
-from mechanics.routes.programs.rows import coefficients, remainder, substitute
+from mechanics.routes.rows import coefficients, remainder, substitute
 
 Nodes = Sequence[Node]
 

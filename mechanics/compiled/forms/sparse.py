@@ -23,8 +23,8 @@ from mechanics.compiled.forms.system import System
 from mechanics.compiled.forms.weigh import lightest
 from mechanics.equations import Equations
 from mechanics.errors import ExpressionError
-from mechanics.kinematics import differentiate
 from mechanics.kinematics.constraints import constraint_rows
+from mechanics.kinematics.textbook import differentiate
 from mechanics.scene import Scene
 from mechanics.scene.actions import unit_reactions
 from mechanics.symbolic import canonical

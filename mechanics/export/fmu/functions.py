@@ -8,6 +8,7 @@ The graphs are those of the model, put together; J is CasADi's exact differentia
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from functools import partial
 
 import casadi as ca
 from sympy import Dummy, Symbol
@@ -16,7 +17,7 @@ from mechanics.compiled import Model
 from mechanics.compiled.graphs import Graphs
 from mechanics.compiled.margins import bound_column, margins, telling
 from mechanics.compiled.quantities import DIGITS, Quantities, Quantity
-from mechanics.routes import free_body
+from mechanics.routes.derivation import by_route
 from mechanics.scene.conditions import condition_parameters
 from mechanics.scene.rates import TIME
 
@@ -80,7 +81,7 @@ def conditional_graphs(model: Model) -> Graphs:
     """Graphs that tell what the conditions of the scene hold: the model's, or of another route."""
     if not model.equations.scene.conditions:
         return model.casadi
-    return telling(model, free_body.derive)
+    return telling(model, partial(by_route, "free_body"))
 
 
 def _graphs(v: ca.SX, rates: ca.SX, outputs: ca.SX) -> dict[str, ca.Function]:

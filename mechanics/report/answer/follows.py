@@ -12,7 +12,7 @@ from mechanics.blame.terms import terms_of
 from mechanics.equations import Equations, Line
 from mechanics.errors import ExpressionError, MechanicsError
 from mechanics.kernel.ring import TooLarge
-from mechanics.routes import lagrange
+from mechanics.routes.derivation import by_route
 
 MOST = 4
 """Speeds up to which they are derived for a page: beyond, nobody compares by eye."""
@@ -27,7 +27,7 @@ def lines_of(derived: Equations) -> tuple[str, tuple[Line, ...]]:
     scene = derived.scene
     if not scene.constraints and len(scene.u) <= MOST:
         try:
-            rows = lagrange.derive(scene).result.lines
+            rows = by_route("lagrange", scene).result.lines
             return "lagrange", tuple(
                 Line(_left(row.left, scene.ud), _short(row.right), row.label) for row in rows
             )

@@ -13,7 +13,7 @@ import pytest
 from mechanics.equations import Equations
 from mechanics.export.evidence.verify import Outcome, verify
 from mechanics.export.write_c import write_c
-from mechanics.routes.free_body import derive
+from mechanics.routes.derivation import by_route
 from systems import elastic_pendulum
 
 FUNCTIONS = ("forward_dynamics", "prepare", "forward_dynamics_prepared")
@@ -115,7 +115,7 @@ FILES: dict[str, tuple[Attack, str]] = {
 
 @pytest.fixture(scope="session")
 def physics() -> Equations:
-    return derive(elastic_pendulum.scene())
+    return by_route("free_body", elastic_pendulum.scene())
 
 
 def test_the_honest_folder_is_shown(honest: Path, physics: Equations) -> None:

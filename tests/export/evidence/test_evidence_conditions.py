@@ -11,7 +11,7 @@ import pytest
 from mechanics.equations import Equations
 from mechanics.export.evidence.verify import Outcome, Verification, verify
 from mechanics.export.write_c import write_c
-from mechanics.routes.free_body import derive
+from mechanics.routes.derivation import by_route
 from systems import rocker
 
 NAMES = ("forward_dynamics", "energy")
@@ -20,7 +20,7 @@ Judged = Callable[[str, str, str], Verification]
 
 @pytest.fixture(scope="module")
 def physics() -> Equations:
-    return derive(rocker.scene())
+    return by_route("free_body", rocker.scene())
 
 
 @pytest.fixture

@@ -13,7 +13,7 @@ from fmpy import extract, instantiate_fmu, read_model_description
 from mechanics.compiled import Model
 from mechanics.compiled import compile as compile_model
 from mechanics.crosscheck.fmu import write_fmu
-from mechanics.routes import free_body
+from mechanics.routes.derivation import by_route
 from mechanics.scene.actions import frictions
 from systems import ALL
 
@@ -23,7 +23,7 @@ SCENES = {system.name: system.scene for system in ALL}
 @functools.cache
 def _model(name: str) -> Model:
     # Units are compiled in a tenth of the time without optimisation.
-    return compile_model(free_body.derive(SCENES[name]()), flags="-O0")
+    return compile_model(by_route("free_body", SCENES[name]()), flags="-O0")
 
 
 @pytest.fixture(scope="session")

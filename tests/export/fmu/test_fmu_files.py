@@ -23,7 +23,7 @@ from mechanics.export.fmu.binary import OPTIONS, this_platform
 from mechanics.export.fmu.step_size import step_size
 from mechanics.export.fmu.unit import METHOD
 from mechanics.export.fmu.units import base_powers
-from mechanics.routes import free_body, lagrange, moving_point
+from mechanics.routes.derivation import by_route
 from mechanics.simulate.run import begin
 from systems import elastic_pendulum, four_bar, rocker, rolling_disc
 
@@ -250,14 +250,14 @@ def test_every_unit_of_a_system_is_known(unit_of: Units, tmp_path: Path) -> None
 
 
 def test_without_a_compiler_the_unit_holds_its_sources(tmp_path: Path) -> None:
-    model = compile_model(free_body.derive(rocker.scene()), compiler=None)
+    model = compile_model(by_route("free_body", rocker.scene()), compiler=None)
     with zipfile.ZipFile(write_fmu(model, tmp_path / "rocker.fmu")) as archive:
         names = archive.namelist()
     assert "sources/model.c" in names and not [n for n in names if n.startswith("binaries/")]
 
 
 def test_fixed_parameters_are_none_of_the_unit(tmp_path: Path) -> None:
-    equations = lagrange.derive(rocker.scene())
+    equations = by_route("lagrange", rocker.scene())
     model = compile_model(equations, compiler=None, fixed={"g": "9.81", "R": "1/10"})
     description = read_model_description(str(write_fmu(model, tmp_path / "rocker.fmu")))
     names = {v.name for v in description.modelVariables if v.causality == "parameter"}
@@ -271,7 +271,7 @@ def test_fixed_parameters_are_none_of_the_unit(tmp_path: Path) -> None:
 
 def test_a_model_with_few_functions_has_few_outputs(tmp_path: Path) -> None:
     asked = ("coordinate_rates", "forward_dynamics", "energy")
-    model = compile_model(free_body.derive(rocker.scene()), compiler=None, outputs=asked)
+    model = compile_model(by_route("free_body", rocker.scene()), compiler=None, outputs=asked)
     description = read_model_description(str(write_fmu(model, tmp_path / "p.fmu")))
     names = {v.name for v in description.modelVariables if v.causality == "output"}
     assert names > {"theta", "theta_ddot", "total energy", "margin of contact"}
@@ -308,7 +308,7 @@ def test_what_cannot_be_exported_is_named(
 
 
 def test_a_stiff_motion_is_refused_unless_a_step_is_given(tmp_path: Path) -> None:
-    model = compile_model(free_body.derive(elastic_pendulum.scene()), compiler=None)
+    model = compile_model(by_route("free_body", elastic_pendulum.scene()), compiler=None)
     with pytest.raises(InputError, match="too stiff for equal explicit steps: give step="):
         write_fmu(model, tmp_path / "p.fmu", parameters={"k": 1e16}, initial={"x": 0.1})
     unit = write_fmu(model, tmp_path / "p.fmu", parameters={"k": 1e16}, step=1e-9)
@@ -332,7 +332,7 @@ def test_rounding_near_a_singular_form_does_not_shorten_the_step(tmp_path: Path)
     """Rows of moving_point for the disc are divided by cos(yaw): near its zeros errors are those
     of rounding, which shorter steps only repeat.
     """
-    model = compile_model(moving_point.derive(rolling_disc.scene()), compiler=None)
+    model = compile_model(by_route("moving_point", rolling_disc.scene()), compiler=None)
     unit = write_fmu(model, tmp_path / "disc.fmu")
     (step,) = (v for v in read_model_description(str(unit)).modelVariables if v.name == "step_size")
     assert float(step.start) >= 0.01

@@ -11,7 +11,7 @@ from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
 from mechanics.compiled import compile as compile_model
 from mechanics.crosscheck.fmu import write_fmu
-from mechanics.routes import free_body, kane
+from mechanics.routes.derivation import by_route
 from mechanics.scene import Particle, Scene, condition, force, gravity, parameters, reaction
 from mechanics.simulate import simulate
 
@@ -60,7 +60,7 @@ def oddly_named() -> Scene:
 
 @pytest.mark.parametrize("kind", KINDS)
 def test_time_reaches_the_equations(tmp_path: Path, kind: str) -> None:
-    unit = write_fmu(compile_model(kane.derive(pushed())), tmp_path / "pushed.fmu")
+    unit = write_fmu(compile_model(by_route("kane", pushed())), tmp_path / "pushed.fmu")
     assert validate_fmu(str(unit)) == []
     found = simulate_fmu(
         str(unit), stop_time=2.0, output_interval=0.1, fmi_type=kind, relative_tolerance=1e-10
@@ -75,7 +75,7 @@ def test_time_reaches_the_equations(tmp_path: Path, kind: str) -> None:
 
 @pytest.mark.parametrize("kind", KINDS)
 def test_rates_of_inputs_are_inputs(tmp_path: Path, kind: str) -> None:
-    model = compile_model(free_body.derive(carried()))
+    model = compile_model(by_route("free_body", carried()))
     unit = write_fmu(model, tmp_path / "carried.fmu", inputs={"y_ddot": 2.0})
     known = {v.name: v for v in read_model_description(str(unit)).modelVariables}
     assert {n for n, v in known.items() if v.causality == "input"} == {"y", "y_dot", "y_ddot"}
@@ -90,7 +90,7 @@ def test_rates_of_inputs_are_inputs(tmp_path: Path, kind: str) -> None:
 
 def test_a_condition_on_a_reaction_ends_the_simulation(tmp_path: Path) -> None:
     """Thrown up with less than sqrt(5 g L), the string goes slack above the middle."""
-    model = compile_model(free_body.derive(carried()))
+    model = compile_model(by_route("free_body", carried()))
     start = {"theta_dot": 0.9 * np.sqrt(5 * 9.81 / 0.5)}
     exact = simulate(model, 2.0, initial=start)
     (crossing,) = exact.crossings
@@ -106,7 +106,7 @@ def test_a_condition_on_a_reaction_ends_the_simulation(tmp_path: Path) -> None:
 
 
 def test_names_of_all_kinds(tmp_path: Path) -> None:
-    model = compile_model(kane.derive(oddly_named()))
+    model = compile_model(by_route("kane", oddly_named()))
     unit = write_fmu(model, tmp_path / "odd.fmu", initial={"time": 2.0, "sin_dot": 1.0})
     assert validate_fmu(str(unit)) == []
     description = read_model_description(str(unit))

@@ -14,7 +14,7 @@ from mechanics.compiled.forms.bodies.leaf_to_root import Way
 from mechanics.compiled.forms.bodies.pulls import carried_gravity, pull
 from mechanics.compiled.forms.bodies.reading import Reading
 from mechanics.compiled.forms.bodies.turning import IDENTITY, Turning
-from mechanics.kinematics.chain import Chain
+from mechanics.kinematics.textbook.chain import Chain
 from mechanics.scene import RigidBody
 
 

@@ -26,7 +26,7 @@ from mechanics.compiled.forms.bodies.affine import (
     transposed,
 )
 from mechanics.compiled.forms.bodies.reading import Reading
-from mechanics.kinematics.chain import Chain, axis_angle
+from mechanics.kinematics.textbook.chain import Chain, axis_angle
 from mechanics.scene.geometry import frame_path, relative_rotation
 from mechanics.scene.rates import rate, rates
 from mechanics.symbolic import canonical

@@ -5,17 +5,17 @@ rate - applied - sum_j c_j R_j(q, u, u') = 0        at the accelerations of anot
 
 from __future__ import annotations
 
-from mechanics.checks.programs.agreement import Derived
-from mechanics.checks.programs.statements import equal
+from mechanics.checks.agreement import Derived
+from mechanics.checks.statements import equal
 from mechanics.kernel import Finding
+from mechanics.kinematics import chain
+from mechanics.kinematics.motion import body_motions
 from mechanics.program.residues import Residues
 from mechanics.program.vectors import scale, subtract
-from mechanics.routes.programs import chain
-from mechanics.routes.programs.directions import used_directions
-from mechanics.routes.programs.kane import inertial
-from mechanics.routes.programs.loads import acting_reactions, applied, by_body
-from mechanics.routes.programs.motion import body_motions
-from mechanics.routes.programs.rows import Rows, substitute
+from mechanics.routes.directions import used_directions
+from mechanics.routes.kane import inertial
+from mechanics.routes.loads import acting_reactions, applied, by_body
+from mechanics.routes.rows import Rows, substitute
 
 
 def check_reactions(free_body: Rows, other: Derived) -> Finding:

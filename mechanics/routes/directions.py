@@ -10,10 +10,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+from mechanics.kinematics.motion import BodyMotion
 from mechanics.program.residues import Residues
 from mechanics.program.vectors import Vector
-from mechanics.routes.programs.loads import Wrench
-from mechanics.routes.programs.motion import BodyMotion
+from mechanics.routes.loads import Wrench
 
 AXES = ("x", "y", "z")
 

@@ -12,13 +12,13 @@ from dataclasses import replace
 from sympy import symbols
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
-from mechanics.checks.programs.agreement import compare, linear_system
-from mechanics.checks.programs.laws import check_energy, check_mass_matrix
+from mechanics.checks.agreement import compare, linear_system
+from mechanics.checks.laws import check_energy, check_mass_matrix
 from mechanics.kernel import Finding
 from mechanics.mechanism import Mechanism, lower
 from mechanics.program.builder import Builder
 from mechanics.program.residues import Residues
-from mechanics.routes.programs import kane
+from mechanics.routes import kane
 from mechanics.scene import Particle, Scene, gravity, reaction, spring
 from mechanics.scene.loads import damper
 

@@ -16,18 +16,19 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import Any
 
-from mechanics.checks.programs.agreement import Derived
-from mechanics.checks.programs.energy import kinetic
-from mechanics.checks.programs.statements import each_or_all, equal
+from mechanics.checks.agreement import Derived
+from mechanics.checks.energy import kinetic
+from mechanics.checks.statements import each_or_all, equal
 from mechanics.kernel import Finding
+from mechanics.kinematics import chain, differentiate
+from mechanics.kinematics.motion import Motions
 from mechanics.mechanism import Mechanism, inputs_of
 from mechanics.program.builder import Node
 from mechanics.program.derivatives import gradient, tangent
 from mechanics.program.residues import Residues
 from mechanics.program.vectors import dot
-from mechanics.routes.programs import chain, differentiate
-from mechanics.routes.programs.lagrange import virtual_power
-from mechanics.routes.programs.loads import (
+from mechanics.routes.lagrange import virtual_power
+from mechanics.routes.loads import (
     Wrench,
     acting_reactions,
     applied,
@@ -37,8 +38,7 @@ from mechanics.routes.programs.loads import (
     potential,
     unit_reactions,
 )
-from mechanics.routes.programs.motion import Motions
-from mechanics.routes.programs.rows import (
+from mechanics.routes.rows import (
     Rows,
     coefficients,
     remainder,

@@ -14,19 +14,19 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from mechanics.checks.programs.energy import kinetic
+from mechanics.checks.energy import kinetic
 from mechanics.errors import SceneError
+from mechanics.kinematics import chain
+from mechanics.kinematics.motion import BodyMotion, Motions, body_motions
 from mechanics.mechanism import GROUND, Mechanism, lower
 from mechanics.program.builder import Builder, Node
 from mechanics.program.derivatives import gradient, tangent
 from mechanics.program.residues import Residues
 from mechanics.program.vectors import Vector, add, cross, dot, scale, subtract
-from mechanics.routes.programs import chain
-from mechanics.routes.programs.directions import AXES, Directions, used_directions
-from mechanics.routes.programs.lagrange import virtual_power
-from mechanics.routes.programs.loads import Wrench, applied, unit_reactions
-from mechanics.routes.programs.motion import BodyMotion, Motions, body_motions
-from mechanics.routes.programs.rows import coefficients, velocity_forms
+from mechanics.routes.directions import AXES, Directions, used_directions
+from mechanics.routes.lagrange import virtual_power
+from mechanics.routes.loads import Wrench, applied, unit_reactions
+from mechanics.routes.rows import coefficients, velocity_forms
 from mechanics.scene import Scene
 
 

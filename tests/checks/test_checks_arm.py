@@ -5,8 +5,8 @@ from dataclasses import replace
 import pytest
 
 from benchmarks.faults.scenes import arm
-from mechanics.checks.programs.admissible import check_admissible
-from mechanics.checks.programs.laws import check_dampers, check_potentials
+from mechanics.checks.admissible import check_admissible
+from mechanics.checks.laws import check_dampers, check_potentials
 from mechanics.errors import SceneError
 from mechanics.mechanism import Mechanism, lower
 from mechanics.program import Builder

@@ -10,10 +10,10 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
 
+from mechanics.kinematics.motion import Motions, Poses
 from mechanics.mechanism import GROUND, Line, Mechanism
 from mechanics.program.builder import Node
 from mechanics.program.vectors import Vector, add, cross, dot, scale, subtract, zeros
-from mechanics.routes.programs.motion import Motions, Poses
 
 
 @dataclass(frozen=True)

@@ -8,7 +8,7 @@ use a plane, its normal; when they use space, all three.
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
-from mechanics.kinematics.motion import BodyMotion
+from mechanics.kinematics.textbook.motion import BodyMotion
 from mechanics.scene.actions import Action
 from mechanics.symbolic import is_zero
 

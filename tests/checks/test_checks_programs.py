@@ -9,9 +9,9 @@ from linkages import LINKAGES, lifted_bead, parallelogram, slider_crank
 from serial_arms import serial_arm
 from sympy import Expr, Rational, acos, pi
 
-from mechanics.checks.programs import laws, reactions
-from mechanics.checks.programs.admissible import check_admissible, check_scene
-from mechanics.checks.programs.agreement import (
+from mechanics.checks import laws, reactions
+from mechanics.checks.admissible import check_admissible, check_scene
+from mechanics.checks.agreement import (
     Derived,
     check_multipliers,
     compare,
@@ -25,8 +25,8 @@ from mechanics.mechanism import Mechanism, lower
 from mechanics.program import Builder, Node
 from mechanics.program.derivatives import gradient
 from mechanics.program.residues import Residues
-from mechanics.routes.programs import free_body, kane, lagrange, moving_point
-from mechanics.routes.programs.rows import Rows
+from mechanics.routes import free_body, kane, lagrange, moving_point
+from mechanics.routes.rows import Rows
 from systems import ALL, elastic_pendulum, four_bar, pendulum_chain, rolling_disc
 
 ROUTES = (free_body, moving_point, kane, lagrange)

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from mechanics.mechanism import Mechanism
 from mechanics.program.builder import Node
-from mechanics.routes.programs.lagrange import kinetic_energy
-from mechanics.routes.programs.rows import substitute
+from mechanics.routes.lagrange import kinetic_energy
+from mechanics.routes.rows import substitute
 
 
 def kinetic(mechanism: Mechanism) -> Node:

@@ -1,1 +1,0 @@
-"""Checks of what the routes derive as programs: statements that the kernel decides."""

@@ -1,0 +1,1 @@
+"""Velocities from positions in SymPy, two ways, for statements that people write."""
