@@ -13,7 +13,6 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
-from itertools import product
 
 from flint import arb, arb_mat
 
@@ -24,12 +23,10 @@ from mechanics.kernel.statement import RATES, ZERO
 from mechanics.program.builder import Builder, Node
 from mechanics.program.derivatives import gradient
 from mechanics.program.interpret import include
-from mechanics.program.residues import EVEN_PARTS, ODD_PARTS, PARTS, WHOLE, NoRoot, Residues
+from mechanics.program.residues import Residues
 
 STEPS = 60
 CLOSED = 2.0**-200
-POINTS = 128
-"""Points that are tried: half of all radicands have no root in the field."""
 
 
 @dataclass(frozen=True)
@@ -46,8 +43,6 @@ class Closure:
         A state at which (1) holds to 200 binary digits; empty where none is known.
     values : mapping of Node to Node
         What takes the place of dependent inputs; empty where no exact point is known.
-    point, parts : int
-        Which point of the field the filter takes: one at which every root exists.
     """
 
     configuration: tuple[Node, ...] = ()
@@ -55,8 +50,6 @@ class Closure:
     dependent: tuple[str, ...] = ()
     start: Mapping[str, Fraction] = field(default_factory=dict)
     values: Mapping[Node, Node] = field(default_factory=dict)
-    point: int = 0
-    parts: int = PARTS
 
     def __bool__(self) -> bool:
         return bool(self.configuration or self.rates)
@@ -96,16 +89,8 @@ def close(
     solved = [name for name in program.inputs if name in constrained.program.outputs]
     nodes = include(builder, constrained.program)
     values = {builder.input(name): nodes[name][0] for name in solved}
-    every = [*configuration, *rates]
-    for parts, point in product((PARTS, ODD_PARTS, EVEN_PARTS, WHOLE), range(POINTS)):
-        filter_ = Residues(builder, values, point, parts)
-        try:
-            closed = not any(filter_.values(every))
-        except NoRoot:
-            continue
-        if closed:
-            return replace(plain, values=values, point=point, parts=parts)
-    return plain
+    closed = not any(Residues(builder, values).values([*configuration, *rates]))
+    return replace(plain, values=values) if closed else plain
 
 
 def closed_state(

@@ -311,7 +311,7 @@ class Mechanism:
         anywhere, closure = Residues(self.builder), self.closure
         if not closure:
             return anywhere, anywhere
-        return anywhere, Residues(self.builder, closure.values, closure.point, closure.parts)
+        return anywhere, Residues(self.builder, closure.values)
 
     @property
     def multipliers(self) -> tuple[int, ...]:

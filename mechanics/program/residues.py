@@ -3,8 +3,11 @@
 What is zero everywhere is zero here; what is zero here is zero everywhere but for a chance of
 degree / 2^60. It decides nothing: whoever picks rows or pivots by it has the result shown by the
 kernel. Angles are points on the unit circle, so that sums and multiples of angles are those of
-their parts; the prime is one that has the roots of numbers, as sqrt(3) of a turn by pi / 6;
-functions that the field does not know are any numbers, equal for equal arguments.
+their parts; functions that the field does not know are any numbers, equal for equal arguments.
+
+Half of all numbers have no root modulo one prime. So the prime is one that has the roots of
+numbers, as sqrt(3) of a turn by pi / 6; and inputs are drawn again, group by group, until what is
+below a root of theirs has one, as a^2 + w^2 of a turn by atan2(w, a).
 """
 
 from __future__ import annotations
@@ -13,8 +16,9 @@ import hashlib
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
+from fractions import Fraction
 from functools import cached_property
-from itertools import islice
+from itertools import chain, islice
 
 from flint import fmpz
 
@@ -40,27 +44,26 @@ from mechanics.program.operations import (
 )
 
 PRIME = (1 << 61) - 1
-ARITHMETIC = frozenset({ADD, SUBTRACT, MULTIPLY, NEGATE, DIVIDE, SQRT})
 
 PARTS = 840
 """An angle is this many times its base, so that its fractions are multiples of the base, too."""
 
-ODD_PARTS = 105
-EVEN_PARTS = 8
-WHOLE = 1
-"""Where the field of another prime than `PRIME` has no thirds, fifths and sevenths."""
+MOST_PARTS = 10_000
+"""A part of an angle that is smaller is an angle of its own."""
 
 TRIED_PRIMES = 1024
 """Each root of a number that is independent of the others halves the primes that have it."""
 
+TRIED_POINTS = 1024
+"""Each root of inputs halves the points that have it."""
+
+MOST_STEPS = 400_000
+"""Nodes that are evaluated for the roots of one group of inputs."""
+
 Point = tuple[int, int]
 
 
-class NoRoot(Exception):
-    """The point of an angle has no half in the field."""
-
-
-def _draw(*words: object) -> int:
+def _draw_residue(*words: object) -> int:
     text = " ".join(map(str, words)).encode()
     return int.from_bytes(hashlib.shake_256(text).digest(16), "big") % (PRIME - 2) + 1
 
@@ -82,26 +85,16 @@ def _times(point: Point, count: int, prime: int) -> Point:
     return result
 
 
-def _root(point: Point, parts: int, prime: int) -> Point:
-    """The point of an angle over `parts`.
-
-    Modulo `PRIME` the circle has 2^61 points, so that odd roots exist.
-
-    Raises
-    ------
-    NoRoot
-        Where the angle cannot be halved as often, or an odd part divides the number of points.
-    """
-    odd = parts
-    while odd % 2 == 0:
-        odd //= 2
-    if math.gcd(odd, prime + 1) > 1:
-        raise NoRoot
-    whole = _times(point, pow(odd, -1, prime + 1), prime)
-    halved = _halved(whole, parts // odd, prime)
-    if halved is None:
-        raise NoRoot
-    return halved
+def _part(point: Point, parts: int, prime: int) -> Point | None:
+    """A point that so many times is a point, where the circle has one."""
+    even = parts & -parts
+    odd, order = parts // even, prime + 1
+    while (common := math.gcd(odd, order)) > 1:
+        order //= common
+    # Points of an order that is prime to the odd part have their part.
+    if order <= prime and _times(point, order, prime) != (1, 0):
+        return None
+    return _halved(_times(point, pow(odd, -1, order), prime), even, prime)
 
 
 def _halved(point: Point, parts: int, prime: int) -> Point | None:
@@ -122,55 +115,133 @@ def _halved(point: Point, parts: int, prime: int) -> Point | None:
 
 
 def _primes() -> Iterator[int]:
-    """`PRIME`, then primes of as many bits that are -1 modulo 840: see `kernel.primes`."""
-    yield PRIME
-    candidate = PRIME - (PRIME + 1) % 840
+    """`PRIME`, then primes 7 modulo 8 of as many bits: -1 is no square then, and 2 is one."""
+    candidate = PRIME
     while True:
         if fmpz(candidate).is_probable_prime():
             yield candidate
-        candidate -= 840
+        candidate -= 8
 
 
 @dataclass
 class Residues:
     """Values of nodes of one builder, each computed once.
 
+    The prime and the point are chosen at the first question, by the roots and the fractions of
+    angles that the builder has then.
+
     Parameters
     ----------
     builder : Builder
     replaced : mapping of Node to Node, optional
         What takes the place of inputs: what constraints give.
-    point : int
-        Another point for every number.
-    parts : int
-        `PARTS`, or `ODD_PARTS` where an angle that is replaced has no half in the field.
     """
 
     builder: Builder
     replaced: Mapping[Node, Node] = field(default_factory=dict)
-    point: int = 0
-    parts: int = PARTS
     _values: dict[int, int] = field(default_factory=dict)
-    _bases: dict[int, Point] = field(default_factory=dict)
     _solutions: dict[int, list[int]] = field(default_factory=dict)
+    _points: dict[tuple[int, Fraction], Point] = field(default_factory=dict)
+    _prime: int = 0
+    _round: int = 0
 
     @cached_property
+    def parts(self) -> int:
+        """Parts of an angle that are looked at: all that the builder has, and some more."""
+        needed = _denominator(self.builder, self.replaced)
+        # An angle that is told by its sine and cosine has a half at every other point only.
+        return needed if ATAN2 in self.builder.operations else math.lcm(PARTS, needed)
+
+    @property
     def prime(self) -> int:
-        """The first prime with all roots of numbers that the builder has at the first question.
+        """The first prime with all roots of numbers; `PRIME` where none of the first has all."""
+        if not self._prime:
+            self._choose()
+        return self._prime
 
-        Modulo one prime half of all numbers have no root, so that sqrt(3)^2 would not be 3, and
-        no prime has sqrt(3) and a third of every angle. `PRIME` where none of the first has all.
+    def _choose(self) -> None:
+        """Choose the prime, then the point."""
+        groups = self._groups()
+        numbers = groups.pop(0, [])
+        for self._prime in chain(islice(_primes(), TRIED_PRIMES), [PRIME]):
+            self._forget((0, 0, 0))
+            if self._count(numbers) == len(numbers):
+                break
+        for roots in groups.values():
+            self._draw(roots)
+
+    def _draw(self, roots: Sequence[int]) -> None:
+        """Draw the inputs of some roots until all of these exist, or as many as can be."""
+        marks = len(self._values), len(self._solutions), len(self._points)
+        best, steps = (-1, 0), 0
+        for self._round in range(TRIED_POINTS):
+            count = self._count(roots)
+            best = max(best, (count, -self._round))
+            steps += len(self._values) - marks[0] + 1
+            if count == len(roots) or steps > MOST_STEPS:
+                break
+            self._forget(marks)
+        if best[0] < len(roots):
+            self._forget(marks)
+            self._round = -best[1]
+            self._count(roots)
+        self._round = 0
+
+    def _forget(self, marks: tuple[int, int, int]) -> None:
+        """Forget what was computed since there were so many."""
+        tables: tuple[
+            dict[int, int] | dict[int, list[int]] | dict[tuple[int, Fraction], Point], ...
+        ]
+        tables = self._values, self._solutions, self._points
+        for table, mark in zip(tables, marks, strict=True):
+            while len(table) > mark:
+                table.popitem()
+
+    def _count(self, roots: Sequence[int]) -> int:
+        """How many of the first roots exist."""
+        for count, number in enumerate(roots):
+            y, x, _ = (column[number] for column in self.builder.operands)
+            if self.builder.operations[number] == SQRT:
+                self._evaluate_with_operands(y)
+                exists = self._has_root(self._values[y])
+            else:
+                self._evaluate_with_operands(y)
+                self._evaluate_with_operands(x)
+                exists = self._direction(y, x) is not None
+            if not exists:
+                return count
+        return len(roots)
+
+    def _has_root(self, value: int) -> bool:
+        return pow(value, (self._prime - 1) // 2, self._prime) <= 1
+
+    def _groups(self) -> dict[int, list[int]]:
+        """Roots and angles of points, by the last input that they hold; 0 for those of numbers.
+
+        An input is the later the later it is held for the first time, so that the groups can be
+        drawn one after the other, each with inputs of its own.
         """
-        roots = _roots_of_numbers(self.builder)
-        for prime in islice(_primes(), TRIED_PRIMES if roots else 1):
-            field_ = Residues(self.builder)
-            field_.prime = prime
-            if all(field_._is_square(radicand) for radicand in roots):
-                return prime
-        return PRIME
-
-    def _is_square(self, node: Node) -> bool:
-        return pow(self.values([node])[0], (self.prime - 1) // 2, self.prime) <= 1
+        operations, order = self.builder.operations, dict[int, int]()
+        held: dict[int, int] = {}
+        groups: dict[int, list[int]] = {}
+        for number, code in enumerate(operations):
+            if code not in (SQRT, ATAN2):
+                continue
+            waiting = [number]
+            while waiting:
+                last = waiting[-1]
+                operands = self._operands(last)
+                missing = [n for n in operands if n not in held]
+                if last in held or not missing:
+                    waiting.pop()
+                    own = 0
+                    if operations[last] == INPUT and not operands:
+                        own = order.setdefault(last, len(order) + 1)
+                    held[last] = max([own, *(held[n] for n in operands)])
+                else:
+                    waiting.extend(missing)
+            groups.setdefault(held[number], []).append(number)
+        return dict(sorted(groups.items()))
 
     def eliminate(self, rows: list[list[int]], columns: int) -> list[tuple[int, int]]:
         """Gauss-Jordan elimination of values of this filter: see the function `eliminate`."""
@@ -190,28 +261,33 @@ class Residues:
 
     def values(self, nodes: Sequence[Node]) -> list[int]:
         """Residues of nodes."""
+        if not self._prime:
+            self._choose()
         for node in nodes:
             if node.number not in self._values:
                 self._evaluate_with_operands(node.number)
         return [self._values[node.number] for node in nodes]
 
+    def _operands(self, number: int) -> Sequence[int]:
+        """What a node is computed from; what takes its place, for an input that is replaced."""
+        code = self.builder.operations[number]
+        if code == SOLVE:
+            return self.builder.systems[self.builder.operands[0][number]][2:]
+        if code == INPUT:
+            value = self.replaced.get(Node(self.builder, number))
+            return [] if value is None else [value.number]
+        return [column[number] for column in self.builder.operands[: ARITY[code]]]
+
     def _evaluate_with_operands(self, number: int) -> None:
         """Evaluate a node after what it needs; what has a value is not looked into again."""
-        operations, values, solutions = self.builder.operations, self._values, self._solutions
+        values, solutions = self._values, self._solutions
         waiting = [number]
         while waiting:
             last = waiting[-1]
             if last in values or last in solutions:
                 waiting.pop()
                 continue
-            code = operations[last]
-            if code == SOLVE:
-                operands: Sequence[int] = self.builder.systems[self.builder.operands[0][last]][2:]
-            elif code == INPUT:
-                value = self.replaced.get(Node(self.builder, last))
-                operands = [] if value is None else [value.number]
-            else:
-                operands = [column[last] for column in self.builder.operands[: ARITY[code]]]
+            operands = self._operands(last)
             missing = [n for n in operands if n not in values and n not in solutions]
             if missing:
                 waiting.extend(missing)
@@ -224,85 +300,82 @@ class Residues:
         code, (first, second, _) = build.operations[number], build.operands
         a, b = first[number], second[number]
         if code == MULTIPLY:
-            values[number] = values[a] * values[b] % self.prime
+            values[number] = values[a] * values[b] % self._prime
         elif code == ADD:
-            values[number] = (values[a] + values[b]) % self.prime
+            values[number] = (values[a] + values[b]) % self._prime
         elif code == SUBTRACT:
-            values[number] = (values[a] - values[b]) % self.prime
+            values[number] = (values[a] - values[b]) % self._prime
         elif code == NEGATE:
-            values[number] = -values[a] % self.prime
+            values[number] = -values[a] % self._prime
         elif code in (SIN, COS, TAN):
-            c, s = _times(self._base(a), self.parts, self.prime)
-            values[number] = s if code == SIN else c if code == COS else s * pow(c, -1, self.prime)
+            c, s = self._point(a, Fraction(1))
+            values[number] = s if code == SIN else c if code == COS else s * pow(c, -1, self._prime)
         elif code == CONSTANT:
             ratio = build.constants[a]
-            values[number] = ratio.numerator * pow(ratio.denominator, -1, self.prime) % self.prime
+            values[number] = ratio.numerator * pow(ratio.denominator, -1, self._prime) % self._prime
         elif code == INPUT:
             value = self.replaced.get(Node(build, number))
-            words = ("input", build.inputs[a], *([self.point] if self.point else []))
-            values[number] = _draw(*words) if value is None else values[value.number]
+            words = ("input", build.inputs[a], *([self._round] if self._round else []))
+            values[number] = _draw_residue(*words) if value is None else values[value.number]
         elif code == DIVIDE and values[b]:
-            values[number] = values[a] * pow(values[b], -1, self.prime) % self.prime
+            values[number] = values[a] * pow(values[b], -1, self._prime) % self._prime
         elif code == SOLVE:
             self._solutions[number] = self._solved(number)
         elif code == ENTRY:
             values[number] = self._solutions[a][b]
-        elif code == SQRT and pow(values[a], (self.prime - 1) // 2, self.prime) <= 1:
-            values[number] = pow(values[a], (self.prime + 1) // 4, self.prime)
+        elif code == SQRT and self._has_root(values[a]):
+            values[number] = pow(values[a], (self._prime + 1) // 4, self._prime)
         elif code == PI:
-            values[number] = _draw("pi")
+            values[number] = _draw_residue("pi")
         else:
             operands = [values[column[number]] for column in build.operands[: ARITY[code]]]
-            values[number] = _draw(OPERATIONS[code].name, *operands)
+            values[number] = _draw_residue(OPERATIONS[code].name, *operands)
 
-    def _base(self, number: int) -> Point:
-        """The point of an angle over its parts: linear in angles that are not looked into."""
-        if number in self._bases:
-            return self._bases[number]
-        code, (first, second, _) = self.builder.operations[number], self.builder.operands
-        a, b = first[number], second[number]
-        factor = self.builder.constant_at(a) if code == MULTIPLY else None
-        value = self.replaced.get(Node(self.builder, number)) if code == INPUT else None
-        if value is not None:
-            point = self._base(value.number)
-        elif code == ADD:
-            point = _turned(self._base(a), self._base(b), self.prime)
-        elif code == SUBTRACT:
-            point = _turned(self._base(a), _times(self._base(b), -1, self.prime), self.prime)
-        elif code == NEGATE:
-            point = _times(self._base(a), -1, self.prime)
-        elif factor is not None and (factor * self.parts).denominator == 1:
-            whole = factor.denominator
-            point = _times(self._fraction(b, whole), factor.numerator, self.prime)
-        else:
-            point = self._fraction(number, 1)
-        self._bases[number] = point
-        return point
+    def _point(self, number: int, factor: Fraction) -> Point:
+        """Cosine and sine of a multiple of an angle: linear in angles that are not looked into."""
+        key = number, factor
+        if key not in self._points:
+            code, (a, b, _) = self.builder.operations[number], self._of(number)
+            value = self.replaced.get(Node(self.builder, number)) if code == INPUT else None
+            constant = self.builder.constant_at(a) if code == MULTIPLY else None
+            if value is not None:
+                point = self._point(value.number, factor)
+            elif code in (ADD, SUBTRACT):
+                other = self._point(b, factor if code == ADD else -factor)
+                point = _turned(self._point(a, factor), other, self._prime)
+            elif code == NEGATE:
+                point = self._point(a, -factor)
+            elif constant is not None and _is_part(factor * constant, self.parts):
+                point = self._point(b, factor * constant)
+            else:
+                point = self._angle(number, factor)
+            self._points[key] = point
+        return self._points[key]
 
-    def _direction(self, y: int, x: int) -> Point:
-        """(x, y) / sqrt(x^2 + y^2)."""
-        c, s = self._values[x], self._values[y]
-        radius = pow((c * c + s * s) % self.prime, (self.prime + 1) // 4, self.prime)
-        below = pow(radius, -1, self.prime) if radius else 0
-        return c * below % self.prime, s * below % self.prime
+    def _of(self, number: int) -> tuple[int, int, int]:
+        first, second, third = self.builder.operands
+        return first[number], second[number], third[number]
 
-    def _fraction(self, number: int, parts: int) -> Point:
-        """The point of an angle over its parts, as the multiple of one over `parts`."""
-        value = self.replaced.get(Node(self.builder, number))
-        if value is not None:
-            number = value.number
+    def _angle(self, number: int, factor: Fraction) -> Point:
+        """A multiple of an angle of which a part is any point, or the part of a known one."""
+        base = None
         if self.builder.operations[number] == ATAN2:
-            y, x, _ = (column[number] for column in self.builder.operands)
-            try:
-                return _root(self._direction(y, x), self.parts * parts, self.prime)
-            except NoRoot:
-                # A part of an angle is less than the angle: known by its value alone.
-                if parts == 1:
-                    raise
-        t = _draw("angle", self._values[number])
-        below = pow(1 + t * t, -1, self.prime)
-        finest: Point = ((1 - t * t) * below % self.prime, 2 * t * below % self.prime)
-        return _times(finest, self.parts // parts, self.prime)
+            base = self._direction(*self._of(number)[:2])
+        if base is None:
+            t = _draw_residue("angle", self._values[number])
+            below = pow(1 + t * t, -1, self._prime)
+            base = (1 - t * t) * below % self._prime, 2 * t * below % self._prime
+        return _times(base, (factor * self.parts).numerator, self._prime)
+
+    def _direction(self, y: int, x: int) -> Point | None:
+        """The part of the angle of (x, y), if the field has the distance, and half of the angle."""
+        c, s = self._values[x], self._values[y]
+        square = (c * c + s * s) % self._prime
+        if not square or not self._has_root(square):
+            return None
+        below = pow(square, -(self._prime + 1) // 4, self._prime)
+        whole = c * below % self._prime, s * below % self._prime
+        return _part(whole, self.parts, self._prime)
 
     def _solved(self, number: int) -> list[int]:
         size, _, *entries = self.builder.systems[self.builder.operands[0][number]]
@@ -310,25 +383,40 @@ class Residues:
         rows = [[*known[size * i : size * (i + 1)], known[size * size + i]] for i in range(size)]
         pivots = self.eliminate(rows, size)
         if len(pivots) < size:
-            return [_draw("singular", number, i) for i in range(size)]
+            return [_draw_residue("singular", number, i) for i in range(size)]
         place = {column: row for row, column in pivots}
         return [rows[place[i]][size] for i in range(size)]
 
 
-def _roots_of_numbers(builder: Builder) -> list[Node]:
-    """Radicands without inputs, in the order of the builder: sqrt(3), sqrt(5 - sqrt(5))."""
-    operations, operands = builder.operations, builder.operands
-    if SQRT not in operations:
-        return []
-    known: set[int] = set()
-    found = []
-    for number, code in enumerate(operations):
-        below = [column[number] for column in operands[: ARITY[code]]]
-        if code == CONSTANT or (code in ARITHMETIC and known.issuperset(below)):
-            known.add(number)
-            if code == SQRT:
-                found.append(Node(builder, below[0]))
-    return found
+def _is_part(factor: Fraction, parts: int) -> bool:
+    return (factor * parts).denominator == 1
+
+
+def _denominator(builder: Builder, replaced: Mapping[Node, Node]) -> int:
+    """The common denominator of the fractions of angles that a builder has."""
+    operations, (first, second, _) = builder.operations, builder.operands
+    waiting = [
+        (first[n], 1) for n, code in enumerate(operations) if code in (SIN, COS, TAN)
+    ]  # fmt: skip
+    seen = set(waiting)
+    common = 1
+    while waiting:
+        number, below = waiting.pop()
+        code = operations[number]
+        common = math.lcm(common, below)
+        following: list[tuple[int, int]] = []
+        if code in (ADD, SUBTRACT, NEGATE):
+            following.append((first[number], below))
+        if code in (ADD, SUBTRACT):
+            following.append((second[number], below))
+        factor = builder.constant_at(first[number]) if code == MULTIPLY else None
+        if factor is not None and below * factor.denominator <= MOST_PARTS:
+            following.append((second[number], below * factor.denominator))
+        if code == INPUT and Node(builder, number) in replaced:
+            following.append((replaced[Node(builder, number)].number, below))
+        waiting += [pair for pair in following if pair not in seen]
+        seen.update(following)
+    return common
 
 
 def eliminate(rows: list[list[int]], columns: int, prime: int) -> list[tuple[int, int]]:

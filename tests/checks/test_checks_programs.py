@@ -7,7 +7,7 @@ from fractions import Fraction
 import pytest
 from linkages import LINKAGES, lifted_bead, parallelogram, slider_crank
 from serial_arms import serial_arm
-from sympy import Expr, Rational, acos, pi
+from sympy import Expr, Rational, acos, atan2, pi
 
 from mechanics.checks import laws, reactions
 from mechanics.checks.admissible import check_admissible, check_scene
@@ -27,6 +27,7 @@ from mechanics.program.derivatives import gradient
 from mechanics.program.residues import Residues
 from mechanics.routes import free_body, kane, lagrange, moving_point
 from mechanics.routes.rows import Rows
+from mechanics.scene import parameters
 from systems import ALL, elastic_pendulum, four_bar, pendulum_chain, rolling_disc
 
 ROUTES = (free_body, moving_point, kane, lagrange)
@@ -216,9 +217,16 @@ def test_energy_of_a_lifted_rail_counts_the_work_of_its_reaction() -> None:
     assert_refuted(laws.check_energy_balance(idle, idle))
 
 
+W, A, L = parameters("u v l", "m m m", "0.2 0.3 0.4")
+
+
 @pytest.mark.parametrize(
-    "turns", [(pi / 6, pi / 2), (pi / 6, pi / 6), (pi / 5, pi / 2), (pi / 3, acos(Rational(3, 5)))]
-)
+    "turns",
+    [
+        (pi / 6, pi / 2), (pi / 6, pi / 6), (pi / 5, pi / 2), (pi / 3, acos(Rational(3, 5))),
+        (atan2(W, A), pi / 2), (atan2(W, A), atan2(L, A)), (pi / 2, pi / 6 + atan2(W, A)),
+    ],
+)  # fmt: skip
 def test_roots_in_fixed_turns_are_roots(turns: tuple[Expr, Expr]) -> None:
     """sin^2 + cos^2 = 1 of a turn by pi / 6: couples across the joints' axes do no work."""
     mechanism = check_scene(serial_arm(3, axes="z", fixed="x", turn=turns).scene)

@@ -79,6 +79,76 @@ def test_roots_of_numbers_are_those_numbers(name: str) -> None:
     assert Residues(b).prime == filter_.prime
 
 
+def turned(b: Builder, y: Node, x: Node) -> tuple[Node, Node]:
+    """Sine and cosine of atan2(y, x), in roots."""
+    radius = (x * x + y * y).sqrt()
+    return y / radius, x / radius
+
+
+def angle(b: Builder, y: str, x: str) -> Node:
+    """atan2(y, x)."""
+    return b.call("atan2", b.input(y), b.input(x))
+
+
+def squares(b: Builder, *pairs: str) -> Node:
+    """The sum of the squares of sine and cosine of some turns."""
+    turns = [turned(b, b.input(y), b.input(x)) for y, x in pairs]
+    return sum((s * s + c * c for s, c in turns), b.zero)
+
+
+ROOTS_OF_INPUTS = {
+    "a root": lambda b: (b.input("x").sqrt() ** 2, b.input("x")),
+    "a turn": lambda b: (squares(b, "wa"), b.one),
+    "turns of inputs of their own": lambda b: (
+        squares(b, *(f"w{k}" for k in "abcdefgh")), b.constant(8)),
+    "turns in a row": lambda b: (squares(b, "ab", "bc", "cd", "de", "ef"), b.constant(5)),
+    "turns of the same inputs": lambda b: (squares(b, "ab", "bc", "ca", "ab"), b.constant(4)),
+    "a root in a root": lambda b: (
+        (b.input("x") + b.input("y").sqrt()).sqrt() ** 2 - b.input("x"), b.input("y").sqrt()),
+    "the sine of atan2": lambda b: (
+        angle(b, "w", "a").sin() * b.input("a"), angle(b, "w", "a").cos() * b.input("w")),
+    "half of atan2": lambda b: (
+        2 * (angle(b, "w", "a") / 2).sin() ** 2, 1 - angle(b, "w", "a").cos()),
+    "a third of atan2 beside the root of 3": lambda b: (
+        4 * (angle(b, "w", "a") / 3).sin() ** 3,
+        b.constant(3).sqrt() ** 2 * (angle(b, "w", "a") / 3).sin() - angle(b, "w", "a").sin()),
+    "atan2 beside an angle": lambda b: (
+        (b.input("x") + angle(b, "w", "a")).sin() * (b.input("w") ** 2 + b.input("a") ** 2).sqrt(),
+        b.input("x").sin() * b.input("a") + b.input("x").cos() * b.input("w")),
+    "an angle over 11 beside atan2": lambda b: (
+        (b.input("x") / 11 + angle(b, "w", "a")).cos() ** 2,
+        (1 + (b.input("x") * Fraction(2, 11) + 2 * angle(b, "w", "a")).cos()) / 2),
+    "half a sum": lambda b: (
+        ((b.input("x") + b.input("y")) / 2).sin(),
+        (b.input("x") / 2).sin() * (b.input("y") / 2).cos()
+        + (b.input("x") / 2).cos() * (b.input("y") / 2).sin()),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", ROOTS_OF_INPUTS)
+def test_inputs_are_drawn_until_their_roots_exist(name: str) -> None:
+    b = Builder()
+    left, right = ROOTS_OF_INPUTS[name](b)
+    filter_ = Residues(b)
+    one, other = filter_.values([left, right])
+    assert one == other
+    assert Residues(b).values([right, left]) == [other, one]
+
+
+def test_what_no_point_has_is_any_number() -> None:
+    """-x^2 has a root at no point, and x and -x have one at different points."""
+    b = Builder()
+    x, y = b.input("x"), b.input("y")
+    one, other, later = (-x * x).sqrt(), (-x).sqrt(), y.sqrt() * x.sqrt()
+    filter_ = Residues(b)
+    assert not filter_.is_zero(one)
+    assert filter_.is_zero(other + one - other - one)
+    assert filter_.is_zero(y.sqrt() ** 2 - y)
+    assert not filter_.is_zero(later)
+    # A root that is asked for later may have none at the point.
+    assert filter_.is_zero(2 * (x + y).sqrt() - (x + y).sqrt() - (y + x).sqrt())
+
+
 def test_numbers_that_have_no_root_are_the_same_each_time() -> None:
     b = Builder()
     root = b.constant(-1).sqrt()
