@@ -189,13 +189,9 @@ class Residues:
 
     def _forget(self, marks: tuple[int, int, int]) -> None:
         """Forget what was computed since there were so many."""
-        tables: tuple[
-            dict[int, int] | dict[int, list[int]] | dict[tuple[int, Fraction], Point], ...
-        ]
-        tables = self._values, self._solutions, self._points
-        for table, mark in zip(tables, marks, strict=True):
-            while len(table) > mark:
-                table.popitem()
+        _shorten(self._values, marks[0])
+        _shorten(self._solutions, marks[1])
+        _shorten(self._points, marks[2])
 
     def _count(self, roots: Sequence[int]) -> int:
         """How many of the first roots exist."""
@@ -386,6 +382,12 @@ class Residues:
             return [_draw_residue("singular", number, i) for i in range(size)]
         place = {column: row for row, column in pivots}
         return [rows[place[i]][size] for i in range(size)]
+
+
+def _shorten[K, V](table: dict[K, V], count: int) -> None:
+    """Leave the first entries."""
+    while len(table) > count:
+        table.popitem()
 
 
 def _is_part(factor: Fraction, parts: int) -> bool:
