@@ -19,6 +19,7 @@ from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import cached_property
 from itertools import chain, islice
+from typing import Any
 
 from flint import fmpz
 
@@ -384,7 +385,7 @@ class Residues:
         return [rows[place[i]][size] for i in range(size)]
 
 
-def _shorten[K, V](table: dict[K, V], count: int) -> None:
+def _shorten(table: dict[Any, Any], count: int) -> None:
     """Leave the first entries."""
     while len(table) > count:
         table.popitem()
