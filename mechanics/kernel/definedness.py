@@ -16,6 +16,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from enum import Enum
 from fractions import Fraction
+from functools import cache
 
 from flint import arb, fmpq_mpoly
 
@@ -216,14 +217,22 @@ def _left(
     forms: Forms, written: Sequence[Obligation], space: Space
 ) -> list[tuple[Obligation, int]]:
     """Obligations that are not discharged, with the signs that are possible."""
-    truth = _Truth(forms, space)
     left: list[tuple[Obligation, int]] = []
     closing = _closing(forms, space)
+    of_truth = cache(lambda other: tuple(_of_truth(forms, other)))
     for obligation in written:
         facts = _facts(forms, space.region, obligation.conditions)
         signs = forms.sign_on(forms.forms[obligation.node], closing, facts)
-        known = met(signs, obligation.sign) or truth.has(obligation, facts)
-        known = known or _contradict(forms, facts)
+        known = met(signs, obligation.sign) or _contradict(forms, facts)
+        if not known and space.truth:
+            facts += [
+                fact
+                for other in space.truth
+                if set(other.conditions) <= set(obligation.conditions)
+                for fact in of_truth(other)
+            ]
+            signs = forms.sign_on(forms.forms[obligation.node], closing, facts)
+            known = met(signs, obligation.sign) or _contradict(forms, facts)
         if not (known or any(_follows(forms, obligation, other) for other, _ in left)):
             left.append((obligation, signs))
     return left
@@ -258,6 +267,19 @@ def _facts(forms: Forms, region: Sequence[int], conditions: Sequence[Condition])
     return found
 
 
+def _of_truth(forms: Forms, obligation: Obligation) -> Iterator[Fact]:
+    """What an obligation of the truth says of polynomials: it is met, and no factor is zero."""
+    form = forms.forms[obligation.node]
+    if form is None:
+        return
+    if obligation.sign is not Sign.NONZERO:
+        signs = POSITIVE if obligation.sign is Sign.POSITIVE else NOT_NEGATIVE
+        yield from _fact(forms, form, signs)
+    if obligation.sign is not Sign.NONNEGATIVE and len(form.above):
+        for factor in forms.factors(form.above):
+            yield Fact(factor, ANY & ~ZERO)
+
+
 def _fact(forms: Forms, form: Quotient | None, signs: int) -> Iterator[Fact]:
     if form is None:
         return
@@ -282,44 +304,6 @@ def _of_condition(forms: Forms, node: int, truth: bool) -> Iterator[Fact]:
         difference = forms.difference(second[node], first[node])
         signs = {LESS: POSITIVE, NOT_GREATER: NOT_NEGATIVE, EQUAL: ZERO}[code]
         yield from _fact(forms, difference, signs if truth else ANY & ~signs)
-
-
-class _Truth:
-    """The obligations of the truth."""
-
-    def __init__(self, forms: Forms, space: Space) -> None:
-        self.forms = forms
-        self.rows = [o for o in space.truth if forms.forms[o.node] is not None]
-
-    def has(self, obligation: Obligation, facts: Sequence[Fact]) -> bool:
-        """Whether the truth has no value either where an obligation is not met."""
-        form = self.forms.forms[obligation.node]
-        if form is None or not form.above or not self.rows:
-            return False
-        rows = [o for o in self.rows if set(o.conditions) <= set(obligation.conditions)]
-        if obligation.sign is Sign.NONZERO:
-            return self._divides(form, rows, facts)
-        return any(self._same(form, obligation.sign, o) for o in rows)
-
-    def _same(self, form: Quotient, sign: Sign, other: Obligation) -> bool:
-        if other.sign is Sign.NONZERO or (sign, other.sign) == (Sign.POSITIVE, Sign.NONNEGATIVE):
-            return False
-        theirs = self.forms.forms[other.node]
-        if theirs is None:
-            return False
-        both = self.forms.quotient(form, theirs)
-        return both is not None and self.forms.sign_of(both) == POSITIVE
-
-    def _divides(
-        self, form: Quotient, rows: Sequence[Obligation], facts: Sequence[Fact]
-    ) -> bool:  # fmt: skip
-        """Whether every factor that may be zero is one of a quantity that is not."""
-        above = [self.forms.forms[o.node] for o in rows if o.sign is not Sign.NONNEGATIVE]
-        factors = [f for q in above if q is not None for f in self.forms.factors(q.above)]
-        return all(
-            not self.forms.sign(f, facts) & ZERO or any(f == g or f == -g for g in factors)
-            for f in self.forms.factors(form.above)
-        )
 
 
 class _Trial:
@@ -356,7 +340,7 @@ class _Trial:
         region, always = bool(self.space.region), vanishes or not signs & ~never
         if not obligation.conditions and always:
             return Gap(obligation, Kind.NOWHERE, True, (), region)
-        places = [self._at(obligation, reference) for reference in self.space.references]
+        places = [self._at(obligation, r, bound=True) for r in self.space.references]
         outside, zeros, inside = self._tried(obligation)
         at_rest = zip(self.space.references, places, strict=True)
         outside = next((state for state, place in at_rest if place == -1), outside)
@@ -450,15 +434,19 @@ class _Trial:
                 break
         return outside, zeros, inside
 
-    def _has_truth(self, values: Mapping[str, Sequence[arb]]) -> bool:
-        """Whether a state is in the region, and the truth has its value there."""
+    def _has_truth(self, values: Mapping[str, Sequence[arb]], bound: bool = False) -> bool:
+        """Whether a state is in the region, and the truth has its value there and around.
+
+        At the bound of where it has one, as 0 for a root, there is a value but none on one side.
+        """
         if not all(value > 0 for value in values["region"]):
             return False
         arguments, conditions = iter(values["truth"]), iter(values["conditions of truth"])
         for row in self.space.truth:
             taken = [next(conditions) == int(truth) for _, truth in row.conditions]
             value = next(arguments)
-            if all(taken) and not _strictly(value, row.sign):
+            there = bound and row.sign is Sign.NONNEGATIVE and value >= 0
+            if all(taken) and not (there or _strictly(value, row.sign)):
                 return False
         return True
 
@@ -475,7 +463,7 @@ class _Trial:
         needed = [n for n in reachable(builder, nodes) if builder.operations[n] == INPUT]
         return sorted(builder.inputs[builder.operands[0][n]] for n in needed)
 
-    def _at(self, obligation: Obligation, state: State) -> int | None:
+    def _at(self, obligation: Obligation, state: State, bound: bool = False) -> int | None:
         """-1 where it strictly fails, 0 where its argument is 0, 1 where it strictly holds.
 
         None where the state is none of the truth's, or not of the branch, or it cannot be told.
@@ -484,7 +472,7 @@ class _Trial:
         if balls is None:
             return None
         values = enclose(self.program, balls, BITS)
-        if not self._has_truth(values):
+        if not self._has_truth(values, bound):
             return None
         place = self.left.index(obligation)
         of_branch = zip(values[f"conditions {place}"], obligation.conditions, strict=True)

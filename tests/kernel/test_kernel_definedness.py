@@ -77,7 +77,13 @@ TRUTH = {
     "a divisor in a logarithm of the truth": (NONZERO, X, [asked(POSITIVE, X)], None),
     "the same root": (NONNEGATIVE, X, [asked(NONNEGATIVE, X)], None),
     "the same root in other units": (NONNEGATIVE, 3 * X * M, [asked(NONNEGATIVE, X)], None),
-    "the opposite root": (NONNEGATIVE, -X, [asked(NONNEGATIVE, X)], (OPEN, False)),
+    "the opposite root": (NONNEGATIVE, -X, [asked(NONNEGATIVE, X)], (NOWHERE, False)),
+    "a divisor beside a root": (NONZERO, X, [asked(NONNEGATIVE, X)], (THIN, True)),
+    "a logarithm beside a root": (POSITIVE, X, [asked(NONNEGATIVE, X)], (THIN, True)),
+    "a root beyond the border of the truth": (
+        NONNEGATIVE, X - 1, [asked(NONNEGATIVE, X)], (OPEN, True)),
+    "a root of more than a root": (NONNEGATIVE, X + M, [asked(NONNEGATIVE, X)], None),
+    "a root of a factor of a divisor": (POSITIVE, X * X, [asked(NONZERO, X * Y)], None),
     "a root of a logarithm's argument": (NONNEGATIVE, X, [asked(POSITIVE, X)], None),
     "in another branch": (
         NONZERO, X, [asked(NONZERO, X, (B.less(Y, 0), True))], (THIN, True)),
@@ -146,6 +152,7 @@ def test_states_of_a_gap_are_in_it() -> None:
     assert dict(gap.state)["x"] < 1
     (gap,) = gaps(B, [asked(NONNEGATIVE, X - 1)], space(asked(NONNEGATIVE, X)))
     assert 0 <= dict(gap.state)["x"] < 1
+    assert gap.at_rest
     (gap,) = gaps(B, [asked(NONZERO, abs(X) - X)], space())
     assert dict(gap.state)["x"] > 0
     assert gap == Gap(gap.obligation, OPEN, False, gap.state, False)
