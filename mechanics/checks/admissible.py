@@ -15,6 +15,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from mechanics.checks.energy import kinetic
+from mechanics.checks.equilibria import check_equilibria
 from mechanics.errors import SceneError
 from mechanics.kinematics import chain
 from mechanics.kinematics.motion import BodyMotion, Motions, body_motions
@@ -41,9 +42,16 @@ class _Freedom:
 
 
 def check_scene(scene: Scene) -> Mechanism:
-    """The mechanism of a scene that was found admissible; see `check_admissible`."""
+    """The mechanism of a scene that was found admissible; see `check_admissible`.
+
+    Raises
+    ------
+    SceneError
+        For what `check_admissible` refuses, and for a declared equilibrium that is none.
+    """
     mechanism = lower(scene, Builder())
     check_admissible(mechanism)
+    check_equilibria(scene, mechanism)
     return mechanism
 
 

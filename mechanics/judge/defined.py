@@ -15,6 +15,7 @@ from flint import arb
 from sympy import Add, And, Basic, Expr, Mul, Not, Or, Pow, Symbol, sympify
 from sympy.core.relational import Relational
 
+from mechanics.checks.equilibria import exact
 from mechanics.checks.metric import metric
 from mechanics.equations import Equations
 from mechanics.errors import MechanicsError
@@ -204,10 +205,12 @@ def _space(
 def _still(rest: Mapping[str, Fraction], values: Mapping[str, Expr]) -> State:
     """A declared equilibrium: what is no rational, as pi, by its enclosure."""
     builder = Builder()
-    nodes = read(builder, [sympify(value) for value in values.values()])
+    nodes = read(builder, [exact(value) for value in values.values()])
     balls = enclose(builder.program({"values": nodes}), {}, BITS)["values"]
-    exact = (n.constant if n.constant is not None else b for n, b in zip(nodes, balls, strict=True))
-    return {**rest, **dict(zip(values, exact, strict=True))}
+    numbers = (
+        n.constant if n.constant is not None else b for n, b in zip(nodes, balls, strict=True)
+    )
+    return {**rest, **dict(zip(values, numbers, strict=True))}
 
 
 def _start(scene: Scene, rest: Mapping[str, Fraction]) -> Mapping[str, Fraction]:

@@ -66,6 +66,9 @@ polynomials of hundreds of terms, and a point for each of them would fill the pr
 _CIRCULAR = frozenset({SIN, COS, TAN})
 _EXPONENTIAL = frozenset({EXP, SINH, COSH, TANH})
 _INVERSE = frozenset({ASIN, ACOS, ATAN, ATAN2})
+_WRITTEN = _INVERSE | {PI}
+"""Angles whose sines are written by others."""
+
 _CONDITIONS = frozenset({SELECT, NOT, AND, OR})
 _TRUTH = frozenset(row.code for row in OPERATIONS if row.boolean)
 
@@ -236,7 +239,7 @@ def base_angles(program: Program, most: int = MOST_TERMS) -> Program:
             if kind == "exponent" or not _is_pi(program, monomial):
                 common[kind] = lcm(common[kind], factor.denominator)
         plain = plain and form == _whole(operand) and not (
-            code in _CIRCULAR and program.operations[operand] in _INVERSE
+            code in _CIRCULAR and program.operations[operand] in _WRITTEN
         )  # fmt: skip
     if plain:
         return program

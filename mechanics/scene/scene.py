@@ -57,7 +57,8 @@ class Scene:
         Where the model is valid: contact that can only push, friction that holds.
     equilibria : tuple of mappings of str to number or constant Expr
         States of rest beside that where all coordinates are 0, by plain name
-        (``{"theta": pi}``): what a person writes has to have a value there, too.
+        (``{"theta": pi}``): what a person writes has to have a value there, too. Each has to be
+        shown to be an equilibrium, for all values of the parameters or for their typical ones.
 
     Raises
     ------

@@ -54,6 +54,7 @@ TRUE: dict[str, Sides] = {
     "quotient": lambda B, x, y, z, a, b, L: (((x + y) / a).sin(), (x / a + y / a).sin()),
     "eighth turn": lambda B, x, y, z, a, b, L: ((x + B.pi / 4).sin(),
                                                 (x.sin() + x.cos()) / B.constant(2).sqrt()),
+    "half a turn": lambda B, x, y, z, a, b, L: (B.pi.cos() * x, B.pi.sin() - x),
     "twelfth turn": lambda B, x, y, z, a, b, L: ((B.pi / 12).cos() * 4,
                                                  B.constant(6).sqrt() + B.constant(2).sqrt()),
     "fifth turn": lambda B, x, y, z, a, b, L: ((B.pi / 5).cos() * 4, 1 + B.constant(5).sqrt()),
