@@ -284,6 +284,8 @@ class ProgramEquations:
     values : tuple of Node
         Rows in q, u, u' and the multipliers that vanish along every motion, in their builder.
     multipliers : tuple of Node
+    conjugate : bool
+        Whether the rows are power-conjugate to u.
     reactions : mapping of str to Node
         Reactions that were eliminated, in q, u, u' and the multipliers.
     """
@@ -293,6 +295,7 @@ class ProgramEquations:
     mechanism: Mechanism
     values: tuple[Node, ...]
     multipliers: tuple[Node, ...]
+    conjugate: bool
     reactions: Mapping[str, Node]
 
     def __repr__(self) -> str:

@@ -8,29 +8,33 @@
     jacobians           M dx = -(d tau)(q, u, x)             x = u', along each entry of the state,
                         or the derivatives of articulated bodies
 
+With constraints A u' = b, maintained by reactions lambda, M u' = f + B lambda: the residual has the
+rows of the constraints, too, x = (u', lambda) is found by `mechanics.compiled.bordered`, and the
+inverse dynamics are the forces to be added, tau = rows(q, u, u', lambda(q, u)).
+
 All rows are power-conjugate to u, so that they are equal and not only equivalent: which of them an
-output is made from is a matter of operations alone. `mechanics.compiled.custody.program_laws` shows
+output is made from is a matter of operations alone. Friction couples the rows with the reactions
+that press, and the rows are those of the route. `mechanics.compiled.custody.program_laws` shows
 each. Parameters that are fixed are numbers before operations are counted.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 from sympy import Expr
 
+from mechanics.compiled.bordered import Bordered, Choose, bind, bordered
 from mechanics.errors import InputError
 from mechanics.kinematics import chain
 from mechanics.kinematics.motion import body_motions, poses
-from mechanics.mechanism import Mechanism
+from mechanics.mechanism import Mechanism, name_of
 from mechanics.program import Program
 from mechanics.program.builder import Builder, Node
 from mechanics.program.derivatives import gradient, tangent
 from mechanics.program.elimination import expand_solves
-from mechanics.program.interpret import include
-from mechanics.program.sympy_reader import read
 from mechanics.program.vectors import Vector, add, cross, scale, times, zeros
 from mechanics.recursions import newton_euler
 from mechanics.recursions.articulated_bodies import forward_dynamics
@@ -41,7 +45,8 @@ from mechanics.recursions.pseudo_inertia import grouped, moments
 from mechanics.routes import free_body, kane
 from mechanics.routes.lagrange import kinetic_energy
 from mechanics.routes.loads import potential
-from mechanics.routes.rows import coefficients, remainder, substitute
+from mechanics.routes.rows import Rows as RouteRows
+from mechanics.routes.rows import acceleration_forms, coefficients, remainder, substitute
 
 Rows = tuple[Node, ...]
 Outcome = dict[str, Sequence[Node]]
@@ -91,7 +96,7 @@ FORMS = (COMPOSITE, ARTICULATED, KANE)
 
 @dataclass(frozen=True, eq=False)
 class Outputs:
-    """The programs of a tree of bodies by name, each made when it is first asked for.
+    """The programs of a mechanism by name, each made when it is first asked for.
 
     Attributes
     ----------
@@ -102,12 +107,18 @@ class Outputs:
         Exact values of parameters.
     form : str
         Of forward dynamics, one of `FORMS`, or ``"auto"``.
+    route : RouteRows or None
+        What the route derived; needed for constraints and friction.
+    choose : callable or None
+        Of pivots at drawn states; needed for these, too.
     """
 
     mechanism: Mechanism
     variables: Mapping[str, Rows]
     fixed: Mapping[str, Expr] = field(default_factory=dict)
     form: str = "auto"
+    route: RouteRows | None = None
+    choose: Choose | None = None
 
     def __getitem__(self, name: str) -> Program:
         """The program of an output; see `mechanics.compiled.Model`."""
@@ -125,8 +136,8 @@ class Outputs:
             "forward_dynamics": lambda: self._forward_dynamics[1],
             "mass_matrix": self._mass_matrix,
             "forcing": lambda: self._bound({"forcing": self._system.forcing}),
-            "residual": lambda: self._bound({"residual": self._rows}),
-            "inverse_dynamics": lambda: self._bound({"forces": self._rows}),
+            "residual": lambda: self._bound({"residual": (*self._rows, *self._closing)}),
+            "inverse_dynamics": self._inverse_dynamics,
             "energy": lambda: self._bound(energies(self.mechanism)),
             "momenta": lambda: self._bound(momenta(self.mechanism)),
             "coordinate_rates": lambda: self._bound({"qd": self.mechanism.q_rates}),
@@ -153,12 +164,38 @@ class Outputs:
 
     @cached_property
     def _rows(self) -> Rows:
-        ways = [rows(self.mechanism) for rows in ROWS]
+        mechanism, route = self.mechanism, self.route
+        if mechanism.frictions and route is not None:
+            return route.values
+        ways = [rows(mechanism) for rows in ROWS]
+        if route is not None:
+            ways = [maintained(mechanism, rows, route) for rows in ways]
         return min(ways, key=lambda rows: operations(self._bound({"rows": rows})))
 
     @cached_property
+    def _closing(self) -> Rows:
+        """A u' - b."""
+        return tuple(acceleration_forms(self.mechanism))
+
+    @cached_property
     def _system(self) -> Solvable:
-        return solvable(self.mechanism.builder, self._rows, self.mechanism.ud)
+        """M and f, the multipliers left out."""
+        build, route = self.mechanism.builder, self.route
+        rows = self._rows
+        if route is not None:
+            rows = remainder(build, rows, route.multipliers)
+        return solvable(build, rows, self.mechanism.ud)
+
+    @cached_property
+    def _bordered(self) -> Bordered | None:
+        """The system for u' and the multipliers, where there are constraints or friction."""
+        mechanism, route = self.mechanism, self.route
+        if route is None or self.choose is None:
+            return None
+        conjugate = not mechanism.frictions or route.conjugate
+        return bordered(
+            mechanism, self._rows, route.multipliers, conjugate, self.choose, self.fixed
+        )
 
     @cached_property
     def _trees(self) -> list[tuple[Link, ...]]:
@@ -166,7 +203,21 @@ class Outputs:
 
     @cached_property
     def _accelerations(self) -> list[tuple[str, Rows]]:
-        """u' in every form."""
+        """u' and the multipliers in every form."""
+        mechanism = self.mechanism
+        if self._bordered is not None:
+            found = self._constrained(self._bordered)
+        else:
+            found = self._free()
+        chosen = [way for way in found if self.form in (way[0], "auto")]
+        if not chosen:
+            raise InputError(
+                f"form {self.form!r}: {mechanism.name} is no tree of joints with one freedom each,"
+                f" free of constraints: choose {KANE!r}, or 'auto'"
+            )
+        return chosen
+
+    def _free(self) -> list[tuple[str, Rows]]:
         mechanism, system = self.mechanism, self._system
         bias = [-entry for entry in system.forcing]
         found = [(KANE, system.accelerations(mechanism.builder))]
@@ -175,18 +226,37 @@ class Outputs:
             found.append((COMPOSITE, composite.accelerations(mechanism.builder)))
         for links in self._trees:
             found.append((ARTICULATED, forward_dynamics(mechanism, links, bias)))
-        chosen = [way for way in found if self.form in (way[0], "auto")]
-        if not chosen:
-            raise InputError(
-                f"form {self.form!r}: {mechanism.name} is no tree of joints with one freedom each:"
-                f" choose {KANE!r}, or 'auto'"
-            )
-        return chosen
+        return found
+
+    def _constrained(self, system: Bordered) -> list[tuple[str, Rows]]:
+        """M by composite bodies serves where the tree that remains without loops is one."""
+        mechanism, found = self.mechanism, [(KANE, system.solution)]
+        if mechanism.frictions:
+            return found
+        for links in joint_trees(replace(mechanism, constraints=())):
+            composite = replace(system, mass=mass_matrix(mechanism, links))
+            found.append((COMPOSITE, composite.solution))
+        return found
 
     @cached_property
     def _forward_dynamics(self) -> tuple[str, Program]:
-        ways = [(form, self._bound({"ud": nodes})) for form, nodes in self._accelerations]
+        n = len(self.mechanism.ud)
+        ways = [
+            (form, self._bound({"ud": nodes[:n], "multipliers": nodes[n:]}))
+            for form, nodes in self._accelerations
+        ]
         return min(ways, key=lambda way: operations(way[1]))
+
+    def _inverse_dynamics(self) -> Program:
+        """The multipliers are those of the motion that the loads alone give."""
+        if self._bordered is None or self.route is None or not self.route.multipliers:
+            return self._bound({"forces": self._rows})
+        n, names = len(self.mechanism.ud), self.route.multipliers
+        return self._cheapest(
+            {"forces": substitute(
+                self.mechanism.builder, self._rows, dict(zip(names, nodes[n:], strict=True)))}
+            for _, nodes in self._accelerations
+        )  # fmt: skip
 
     def _mass_matrix(self) -> Program:
         masses = [self._system.mass]
@@ -196,12 +266,31 @@ class Outputs:
     def _jacobians(self) -> Program:
         """One group after the other, row by row."""
         mechanism = self.mechanism
+        if self._bordered is not None:
+            return self._bound(self._constrained_jacobians(self._bordered))
         if not self._trees:
             return self._bound(jacobians(mechanism, self._rows, self._system, self.variables))
         every = tuple(node for group in self.variables.values() for node in group)
         return self._cheapest(
             self._split(jacobian(mechanism, links, every)) for links in self._trees
         )
+
+    def _constrained_jacobians(self, system: Bordered) -> Outcome:
+        """K dx = -(dK x - dk) along each entry of the state, x = (u', lambda) as it was solved."""
+        assert self.route is not None
+        mechanism, unknowns = self.mechanism, (*self.mechanism.ud, *self.route.multipliers)
+        form = (*self._rows, *self._closing)
+        values = dict(zip(unknowns, system.solution, strict=True))
+        found: Outcome = {}
+        for name, group in self.variables.items():
+            columns = []
+            for entry in group:
+                slopes = tangent(form, {entry: mechanism.builder.one})
+                moved = substitute(mechanism.builder, slopes, values)
+                columns.append(system.solve([-slope for slope in moved]))
+            n = len(mechanism.ud)
+            found[f"ud_{name}"] = [column[i] for i in range(n) for column in columns]
+        return found
 
     def _split(self, rows: Sequence[Sequence[Node]]) -> Outcome:
         found: Outcome = {}
@@ -214,30 +303,43 @@ class Outputs:
 
     def _reactions(self) -> Program:
         """All reactions as functions of the state, by procedure (i), in the order of the scene."""
-        mechanism, ways = self.mechanism, self._accelerations
-        told = free_body.derive(mechanism).reactions
-        nodes = [told[reaction.name] for reaction in mechanism.reactions]
+        mechanism, route = self.mechanism, self.route
+        nodes = every_reaction(mechanism)
+        unknowns, ways = mechanism.ud, [values for _, values in self._accelerations]
+        if route is not None and self.choose is not None:
+            names = tuple(map(name_of, route.multipliers))
+            if names != tuple(mechanism.reactions[i].name for i in mechanism.multipliers):
+                # Multipliers of another kind: those of Kane's rows are the reactions.
+                own = kane.derive(mechanism)
+                solved = bordered(
+                    mechanism, own.values, own.multipliers, own.conjugate, self.choose, self.fixed
+                )
+                unknowns, ways = (*unknowns, *own.multipliers), [solved.solution]
+            else:
+                unknowns = (*unknowns, *route.multipliers)
         return self._cheapest(
             {"reactions": substitute(
-                mechanism.builder, nodes, dict(zip(mechanism.ud, values, strict=True)))}
-            for _, values in ways
+                mechanism.builder, nodes, dict(zip(unknowns, values, strict=True)))}
+            for values in ways
         )  # fmt: skip
 
 
-def bind(
-    program: Program, numbers: Mapping[str, Expr]
-) -> tuple[Builder, dict[str, tuple[Node, ...]]]:
-    """A program with numbers in place of inputs, in a builder of its own.
+def every_reaction(mechanism: Mechanism) -> list[Node]:
+    """All reactions by procedure (i) in u' and those that maintain constraints, in their order."""
+    told = free_body.derive(mechanism).reactions
+    names = [reaction.name for reaction in mechanism.reactions]
+    return [told[name] if name in told else mechanism.builder.input(name) for name in names]
 
-    Raises
-    ------
-    ExpressionError
-        If something is divided by zero.
-    """
-    build = Builder()
-    nodes = dict(zip(numbers, read(build, tuple(numbers.values())), strict=True))
-    given = {name: node for name, node in nodes.items() if name in program.inputs}
-    return build, include(build, program, given)
+
+def maintained(mechanism: Mechanism, rows: Rows, route: RouteRows) -> Rows:
+    """Rows with the multipliers of a route: the declared reactions, or those of A^T lambda."""
+    build = mechanism.builder
+    declared = [build.input(mechanism.reactions[index].name) for index in mechanism.multipliers]
+    if list(route.multipliers) == declared:
+        return rows
+    pulls = gradient(acceleration_forms(mechanism), route.multipliers, mechanism.ud)
+    free = remainder(build, rows, declared)
+    return tuple(row - pull for row, pull in zip(free, pulls, strict=True))
 
 
 def operations(program: Program) -> int:

@@ -5,21 +5,22 @@ stay exact, as named constants.
 """
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import casadi as ca
 import sympy
 
+from mechanics.compiled.bordered import bind, tried_pivots
 from mechanics.compiled.fixed import Fixed, words
-from mechanics.compiled.outputs import FORMS, Outputs, bind
+from mechanics.compiled.outputs import FORMS, Outputs
 from mechanics.compiled.quantities import STATE, Quantities
 from mechanics.equations import ProgramEquations
 from mechanics.errors import ExpressionError, InputError, SingularError
 from mechanics.mechanism import Mechanism
 from mechanics.program.casadi_printer import print_graphs
 from mechanics.program.residues import Residues
-from mechanics.routes.rows import coefficients
+from mechanics.routes.rows import Rows, acceleration_forms, coefficients
 
 
 @dataclass(frozen=True, eq=False)
@@ -41,8 +42,7 @@ class ProgramSource:
     Raises
     ------
     InputError
-        For constraints and friction, a form that there is not, and a division by a parameter that
-        is fixed to zero.
+        For a form that there is not, and a division by a parameter that is fixed to zero.
     SingularError
         If the rows do not determine the accelerations at the fixed values.
     """
@@ -56,11 +56,6 @@ class ProgramSource:
 
     def __post_init__(self) -> None:
         mechanism = self.equations.mechanism
-        if mechanism.constraints or mechanism.frictions:
-            raise InputError(
-                f"{mechanism.name}: constraints and friction are compiled from equations that SymPy"
-                " writes out, and these are too long: derive a smaller scene"
-            )
         if self.named not in ("auto", *FORMS):
             raise InputError(
                 f"form {self.named!r}: the equations of {mechanism.name} are too long to be written"
@@ -70,10 +65,11 @@ class ProgramSource:
             self._determined()
 
     def _determined(self) -> None:
-        """Find M regular at the fixed values: at one point of a field."""
-        build, rows, of = self.equations.mechanism.builder, self.equations.values, self.equations
-        matrix = coefficients(rows, of.mechanism.ud)
-        program = build.program({"M": [entry for row in matrix for entry in row]})
+        """Find the system for (u', lambda) regular at the fixed values: at a point of a field."""
+        of, mechanism = self.equations, self.equations.mechanism
+        unknowns = (*mechanism.ud, *of.multipliers)
+        matrix = coefficients([*of.values, *acceleration_forms(mechanism)], unknowns)
+        program = mechanism.builder.program({"K": [entry for row in matrix for entry in row]})
         named = f"{of.scene.name} by {of.route}: with {words(self.fixed)} fixed,"
         try:
             other, found = bind(program, self._numbers)
@@ -81,9 +77,9 @@ class ProgramSource:
             raise InputError(
                 f"{named} something is divided by zero: leave the parameter free"
             ) from None
-        n = len(of.mechanism.ud)
+        n = len(unknowns)
         filter_ = Residues(other)
-        values = filter_.values(found["M"])
+        values = filter_.values(found["K"])
         table = [values[n * i : n * (i + 1)] for i in range(len(matrix))]
         if len(filter_.eliminate(table, n)) < n:
             raise SingularError(
@@ -98,7 +94,13 @@ class ProgramSource:
     @cached_property
     def programs(self) -> Outputs:
         """What each function computes, exactly."""
-        return outputs_of(self.equations.mechanism, self.quantities, self._numbers, self.named)
+        mechanism, numbers = self.equations.mechanism, self._numbers
+        programs = outputs_of(mechanism, self.quantities, numbers, self.named)
+        if not (mechanism.constraints or mechanism.frictions):
+            return programs
+        of = self.equations
+        rows = Rows(of.route, of.values, of.multipliers, of.conjugate, of.reactions)
+        return replace(programs, route=rows, choose=tried_pivots(self.quantities, numbers))
 
     @property
     def form(self) -> str:
@@ -107,8 +109,7 @@ class ProgramSource:
 
     def outputs(self, name: str) -> dict[str, ca.SX]:
         """The graphs of the outputs of a function."""
-        found = graphs_of(name, self.programs, self.quantities, self.columns, self.constants)
-        return {**found, "multipliers": ca.SX(0, 1)} if name == "forward_dynamics" else found
+        return graphs_of(name, self.programs, self.quantities, self.columns, self.constants)
 
 
 def outputs_of(
@@ -130,7 +131,7 @@ def graphs_of(
     constants: dict[sympy.Expr, ca.SX],
 ) -> dict[str, ca.SX]:
     """The graphs of the outputs of a function; numbers that no double holds join the constants."""
-    groups = {group: getattr(quantities, group) for group in (*STATE, "ud")}
+    groups = {group: getattr(quantities, group) for group in (*STATE, "ud", "multipliers")}
     entries = {
         entry.name: columns[group][i]
         for group, of_group in groups.items()
@@ -138,7 +139,7 @@ def graphs_of(
     }
     n = len(quantities.ud)
     shapes = {f"ud_{group}": (n, len(groups[group])) for group in STATE}
-    shapes["mass_matrix"] = (n, n)
+    shapes |= {"mass_matrix": (n, n), "multipliers": (len(quantities.multipliers), 1)}
     program = programs[name]
 
     def named(number: sympy.Expr) -> ca.SX:

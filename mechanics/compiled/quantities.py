@@ -14,10 +14,11 @@ from sympy import Expr, Symbol
 
 from mechanics.equations import Equations, ProgramEquations
 from mechanics.errors import ValueMissingError
-from mechanics.mechanism import GROUND, Mechanism, inputs_of, lower
+from mechanics.mechanism import GROUND, Mechanism, inputs_of, lower, name_of
 from mechanics.program.builder import Builder, Node
 from mechanics.program.operations import COS, SIN, TAN
 from mechanics.program.program import reachable
+from mechanics.routes.rows import acceleration_forms
 from mechanics.scene import Scene
 from mechanics.scene.rates import TIME
 from mechanics.scene.symbols import DOTS, plain_symbol
@@ -131,6 +132,9 @@ def quantities(
         multipliers = equations.multipliers
         told = [symbol for symbol, _ in equations.reactions] if with_reactions else []
     else:
+        own = {r.name: r.symbol for r in scene.reactions}
+        names = map(name_of, equations.multipliers)
+        multipliers = [own[n] if n in own else Symbol(n, real=True) for n in names]
         told = [r.symbol for r in scene.reactions] if with_reactions else []
     return Quantities(
         q=motion(scene.q, turning_q, 0),
@@ -244,7 +248,8 @@ def input_symbols(
 def _used(equations: Equations | ProgramEquations, given: set[Symbol]) -> set[Symbol]:
     """Those of the given symbols that the equations hold; M and f are not written out for none."""
     if isinstance(equations, ProgramEquations):
-        held = names_of((*equations.values, *equations.reactions.values()))
+        closing = acceleration_forms(equations.mechanism)
+        held = names_of((*equations.values, *closing, *equations.reactions.values()))
         return {symbol for symbol in given if symbol.name in held}
     rows = (*equations.rows, *equations.constraint_matrix, *equations.constraint_bias)
     if equations.rows and not any(row.free_symbols & given for row in rows):

@@ -6,7 +6,9 @@ from mechanics.checks.admissible import check_scene
 from mechanics.crosscheck.programs import is_written_out
 from mechanics.equations import Equations, ProgramEquations, written_out
 from mechanics.errors import InputError, wanted
+from mechanics.mechanism import Mechanism
 from mechanics.routes.derivation import ROUTES, Route
+from mechanics.routes.rows import Rows
 from mechanics.scene import Scene
 
 
@@ -49,7 +51,14 @@ def derive(scene: Scene, route: str = "free_body") -> Equations | ProgramEquatio
     rows = chosen.rows(mechanism)
     if is_written_out(mechanism):
         return chosen.written(scene, mechanism, rows)
-    return ProgramEquations(scene, route, mechanism, rows.values, rows.multipliers, rows.reactions)
+    return as_program(scene, mechanism, rows)
+
+
+def as_program(scene: Scene, mechanism: Mechanism, rows: Rows) -> ProgramEquations:
+    """Rows of a route as equations that stay a program."""
+    return ProgramEquations(
+        scene, rows.route, mechanism, rows.values, rows.multipliers, rows.conjugate, rows.reactions
+    )
 
 
 def derive_textbook(scene: Scene, route: str = "free_body") -> Equations:

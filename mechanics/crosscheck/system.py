@@ -36,9 +36,9 @@ from mechanics.crosscheck.programs import (
     is_written_out,
     solved,
 )
-from mechanics.crosscheck.routes import named_routes
+from mechanics.crosscheck.routes import as_program, named_routes
 from mechanics.crosscheck.small_motions import small_motions
-from mechanics.equations import Equations, ProgramEquations
+from mechanics.equations import Equations
 from mechanics.errors import wanted
 from mechanics.kernel import Finding, Verdict
 from mechanics.linear.ledger import check_linear_row
@@ -194,15 +194,9 @@ def _without_textbook(
     findings = [*pairs.values(), *check_laws(programs)]
     remarks = ["The equations are too long to be written out, and stay programs."]
     stage("compiling")
-    if scene.constraints or frictions(scene):
-        remarks.append("Nothing is compiled: constraints and friction need equations written out.")
-    else:
-        rows = next(iter(programs.routes.values())).rows
-        equations = ProgramEquations(
-            scene, rows.route, programs.mechanism, rows.values, rows.multipliers, rows.reactions
-        )
-        model = compile(equations)
-        findings += prove_compiled(model, [name for name in model.casadi if name != "step"])
+    rows = next(iter(programs.routes.values())).rows
+    model = compile(as_program(scene, programs.mechanism, rows))
+    findings += prove_compiled(model, [name for name in model.casadi if name != "step"])
     stage("the scene as declared")
     states = drawn_states(scene)
     witnesses = [

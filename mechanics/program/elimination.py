@@ -145,8 +145,21 @@ def solve_with_rows(
     size = len(right)
     if sorted(rows) != list(range(size)):
         raise ExpressionError(f"pivots {list(rows)}: each of the {size} rows is needed once")
+    return solve_with_pivots(matrix, right, [(row, column) for column, row in enumerate(rows)])
+
+
+def solve_with_pivots(
+    matrix: Sequence[Sequence[Node]], right: Sequence[Node], pivots: Sequence[tuple[int, int]]
+) -> list[Node]:
+    """x of matrix x = right, equation (2), with pivots (row, column) in that order.
+
+    Raises
+    ------
+    ExpressionError
+        If a pivot is the constant 0.
+    """
     system = _System(matrix, right)
-    for column, row in enumerate(rows):
+    for row, column in pivots:
         system.eliminate(row, column)
     return system.back()
 

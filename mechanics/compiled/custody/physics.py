@@ -68,9 +68,9 @@ class Physics:
     def constrained(self) -> bool:
         """Whether its states are those on constraints."""
         known = self.known
-        if not isinstance(known, Derived):
-            return False
-        return bool(known.symbols.get("multipliers")) or known.left.rows > known.mass.rows
+        if known.symbols.get("multipliers"):
+            return True
+        return isinstance(known, Derived) and known.left.rows > known.mass.rows
 
     def typical(self, name: str) -> Fraction:
         """What an input is at rest: 0, or a typical value of a parameter."""

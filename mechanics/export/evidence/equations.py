@@ -159,8 +159,9 @@ def _read_program(content: Any, groups: Mapping[str, Sequence[Symbol]]) -> Progr
     program = read(json.dumps({**whole, "outputs": content["outputs"]}))
     n = len(groups["ud"])
     sizes = {
-        "rows": n, "conjugate": n, "rates": len(groups["q"]), "kinetic": 1, "potential": 1,
-        "linear": 3, "angular": 3, "generalized": n, "reactions": len(groups["reactions"]),
+        "rows": n, "conjugate": n, "constraints": len(groups["multipliers"]),
+        "rates": len(groups["q"]), "kinetic": 1, "potential": 1, "linear": 3, "angular": 3,
+        "generalized": n, "reactions": len(groups["reactions"]),
     }  # fmt: skip
     for name, size in sizes.items():
         if len(program.outputs.get(name, ())) != size:
