@@ -48,8 +48,14 @@ def breaches(law: Callable[[ast.Module], Breaches], paths: Iterable[Path]) -> li
     return [
         f"{path.relative_to(ROOT)}:{line}: {message}"
         for path in paths
-        for line, message in law(ast.parse(path.read_text(encoding="utf-8"), str(path)))
+        for line, message in law(parsed(path))
     ]
+
+
+@functools.cache
+def parsed(path: Path) -> ast.Module:
+    """Syntax tree of a file."""
+    return ast.parse(path.read_text(encoding="utf-8"), str(path))
 
 
 def called_name(call: ast.Call) -> str:

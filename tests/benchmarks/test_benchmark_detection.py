@@ -43,6 +43,7 @@ def results(name: str, cases: Sequence[str]) -> list[Result]:
     return list(campaign.run(cases, 2, [name], 0))
 
 
+@pytest.mark.sample(2)
 @by_system
 def test_every_wrong_mutant_is_refuted(name: str) -> None:
     found = results(name, [f"m{i}" for i in range(MUTANTS)])
@@ -50,6 +51,7 @@ def test_every_wrong_mutant_is_refuted(name: str) -> None:
     assert {result.verdict for result in found} == {"REFUTED"}
 
 
+@pytest.mark.sample(2)
 @by_system
 def test_no_right_rewriting_is_refuted(name: str) -> None:
     found = results(name, [f"r{i}" for i in range(REWRITINGS)])
@@ -57,6 +59,7 @@ def test_no_right_rewriting_is_refuted(name: str) -> None:
     assert {result.verdict for result in found} <= {"PROVED", "CERTIFIED"}
 
 
+@pytest.mark.sample(1)
 @pytest.mark.parametrize("kind", ["k", "b", "s"])
 def test_whole_models_and_boxes_are_judged(kind: str) -> None:
     found = [judged_whole(f"{kind}{i}", 2, NAMES) for i in range(8)]

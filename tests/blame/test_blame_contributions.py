@@ -16,7 +16,7 @@ from mechanics.kinematics.manifold import settle
 from mechanics.routes.derivation import by_route
 from mechanics.symbolic import Arithmetic, decide
 
-ROUTES = ("free_body", "moving_point", "kane", pytest.param("lagrange", marks=pytest.mark.slow))
+ROUTES = ("free_body", "moving_point", "kane", "lagrange")
 
 
 def along(truth: Equations, expressions: list) -> Finding:
@@ -30,6 +30,7 @@ def along(truth: Equations, expressions: list) -> Finding:
     return decide("pieces", experiment, try_normal=False)
 
 
+@pytest.mark.sample(3)
 def test_pieces_of_every_row_sum_to_zero_along_the_motion(truth: Equations) -> None:
     rows = [*generalized_rows(truth.scene), *free_rows(truth.scene)]
     rows += [row for _, row in moving_rows(truth)]
@@ -37,6 +38,7 @@ def test_pieces_of_every_row_sum_to_zero_along_the_motion(truth: Equations) -> N
     assert along(truth, [row.value for row in rows]).shown
 
 
+@pytest.mark.sample(8)
 @pytest.mark.parametrize("route", ROUTES)
 def test_every_route_is_taken_apart_into_pieces_that_add_up(truth: Equations, route: str) -> None:
     equations = derive(truth.scene, route)

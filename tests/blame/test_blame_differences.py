@@ -59,6 +59,7 @@ def summed(truth: Equations, found: tuple[Difference, ...]) -> Expr:
     return values
 
 
+@pytest.mark.sample(6)
 @pytest.mark.parametrize("count", [1, 2])
 def test_what_is_shown_sums_to_written_less_right(
     truth: Equations, stated: Stated, count: int

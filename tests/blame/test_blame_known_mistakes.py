@@ -59,6 +59,7 @@ def made_wrong(slip: Slip, stated: Stated) -> list[Statement]:
     return [stated(value, str(tag)) for tag, value in zip(count(1), rows, strict=False)]
 
 
+@pytest.mark.sample(3)
 def test_every_mistake_is_named_where_it_was_made(truth: Equations, stated: Stated) -> None:
     fired = 0
     # Friction keeps the reactions in the equations: they are rows of free bodies, tried below.
@@ -101,6 +102,7 @@ def test_friction_with_the_wrong_sign(truth_of: Callable[[str], Equations]) -> N
     assert len(found) == 1
 
 
+@pytest.mark.sample(3)
 def test_nothing_is_explained_where_all_is_right(truth: Equations, stated: Stated) -> None:
     rows = [*generalized_rows(truth.scene), *(row for _, row in moving_rows(truth))]
     values = [row.value for row in rows if row.value.free_symbols & set(truth.scene.ud)]

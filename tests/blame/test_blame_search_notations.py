@@ -73,6 +73,7 @@ TEXTS = (
 )
 
 
+@pytest.mark.sample(8)
 @pytest.mark.parametrize(("name", "right", "part", "wrong", "mistake"), TEXTS)
 def test_one_mistake_in_text(
     name: str, right: str, part: str, wrong: str, mistake: Mistake

@@ -98,6 +98,7 @@ def test_the_right_texts_are_right(name: str, text: str) -> None:
     assert entry.finding.shown, entry.finding
 
 
+@pytest.mark.sample(5)
 @pytest.mark.parametrize("name, text, old, new, mistake", CASES)
 def test_one_edit_undoes_it(name: str, text: str, old: str, new: str, mistake: Mistake) -> None:
     assert text.count(old) >= 1
@@ -105,6 +106,7 @@ def test_one_edit_undoes_it(name: str, text: str, old: str, new: str, mistake: M
     assert [edit.mistake for edit in found[0].edits] == [mistake], found[0].edits
 
 
+@pytest.mark.sample(5)
 @pytest.mark.parametrize("name, text, old, new, mistake", CASES)
 def test_what_is_told_is_right_when_it_is_read(
     name: str, text: str, old: str, new: str, mistake: Mistake

@@ -78,6 +78,7 @@ def witnesses(scene: Scene) -> list[Finding]:
     ]
 
 
+@pytest.mark.sample(3)
 @pytest.mark.parametrize("system", (*ALL, *VARIANTS), ids=lambda system: system.name)
 def test_every_route_satisfies_it_in_every_system(system: Any) -> None:
     found = witnesses(system.scene())

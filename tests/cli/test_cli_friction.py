@@ -70,7 +70,6 @@ def test_friction_that_presses_wrongly_is_named(run: Any, tmp_path: Path, name: 
     assert words in " ".join(found.out.split())
 
 
-@pytest.mark.slow
 def test_a_crosscheck_shows_everything(run: Any, tmp_path: Path) -> None:
     page = tmp_path / "friction.html"
     found = run("crosscheck", "cartpole_friction", "--states", 100, "--report", page)

@@ -118,7 +118,7 @@ def test_a_form_that_is_no_solution_is_not_chosen(monkeypatch: pytest.MonkeyPatc
         _ = modelled(by_route("kane", arm.scene), "recursive").form
 
 
-@pytest.mark.slow
+@pytest.mark.campaign
 def test_rows_serve_where_the_normal_form_of_f_is_too_large() -> None:
     """Turns of 1/3 rad between the joints keep their sines and cosines in every product."""
     arm = serial_arm(4, axes="z", fixed="x", turn=Rational(1, 3))
@@ -130,7 +130,7 @@ def test_rows_serve_where_the_normal_form_of_f_is_too_large() -> None:
     assert finding.shown, finding
 
 
-@pytest.mark.slow
+@pytest.mark.campaign
 def test_six_joints() -> None:
     arm = serial_arm(6)
     assert_follows(arm, modelled(by_route("kane", arm.scene)))

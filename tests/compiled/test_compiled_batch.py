@@ -81,6 +81,7 @@ def exact(model: Model, given: State) -> list[np.ndarray]:
     return [np.array([np.broadcast_to(e, count) for e in entries]).T for entries in groups]
 
 
+@pytest.mark.sample(1)
 @pytest.mark.parametrize(("system", "route"), SYSTEMS)
 @pytest.mark.parametrize("kind", [np.float64, np.float32])
 def test_batches_are_as_exact_as_single_states(modelled, compiler, system, route, kind) -> None:
@@ -272,6 +273,7 @@ def test_no_compiler_computes_the_same(derived, pendulum: Model) -> None:
     np.testing.assert_allclose(found, pendulum.forward_dynamics(q, u), rtol=1e-13, atol=1e-14)
 
 
+@pytest.mark.sample(1)
 @pytest.mark.parametrize(("system", "route"), SYSTEMS)
 def test_every_system_is_vectorised(modelled, each: str, system: str, route: str) -> None:
     found = kernel(modelled(system, route), each).vectorised

@@ -50,6 +50,7 @@ def assert_close(one: object, other: object, rtol: float = 1e-9) -> None:
     np.testing.assert_allclose(one, other, rtol=0, atol=rtol * scale)
 
 
+@pytest.mark.sample(2)
 def test_names_are_kept(model: Model) -> None:
     assert next(iter(model.casadi)) == "forward_dynamics"
     for name, function in model.casadi.items():

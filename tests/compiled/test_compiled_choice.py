@@ -44,7 +44,7 @@ def test_operations_grow_linearly_with_the_links() -> None:
         assert count <= 0.8 * peer
 
 
-@pytest.mark.slow
+@pytest.mark.campaign
 def test_fifty_links_are_derived_compiled_and_certified(unwritten: None) -> None:
     model = chain(50)
     assert model.form == "recursive"

@@ -65,6 +65,7 @@ def expressions(found: Written) -> dict[Any, Expr]:
     return roots
 
 
+@pytest.mark.sample(6)
 @pytest.mark.parametrize("name", SYSTEMS)
 @pytest.mark.parametrize("definite", [True, False])
 def test_every_way_solves_the_system(name: str, definite: bool) -> None:
@@ -162,6 +163,7 @@ LARGE = [("pendulum_chain", route) for route in ("free_body", "moving_point", "k
 LARGE += [("rolling_disc", "kane"), ("rolling_disc", "free_body"), ("four_bar", "lagrange")]
 
 
+@pytest.mark.sample(2)
 @pytest.mark.parametrize(("system", "route"), LARGE)
 def test_entries_of_large_systems_are_nested(derived, system: str, route: str) -> None:
     equations = derived(system, route)

@@ -16,6 +16,7 @@ ROUTES = ["free_body", "kane", "lagrange"]
 NAMES = [form.name for form in FORMS]
 
 
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("system", SYSTEMS)
 @pytest.mark.parametrize("route", ROUTES)
 def test_every_form_is_the_equations(derived, system: str, route: str) -> None:
@@ -28,6 +29,7 @@ def test_every_form_is_the_equations(derived, system: str, route: str) -> None:
         assert prove_graph("forward_dynamics", model.casadi).shown
 
 
+@pytest.mark.sample(1)
 @pytest.mark.parametrize("system", SYSTEMS)
 def test_forms_give_the_same_numbers(derived, system: str) -> None:
     equations = derived(system, "kane")

@@ -53,6 +53,7 @@ def test_energy_and_momenta_by_hand(pendulum: Model) -> None:
     assert_allclose(momenta["generalized"], [0.2 + vx, 0.3 / 3 + 0.1 * c], rtol=1e-14)
 
 
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("route", ROUTES)
 @pytest.mark.parametrize("system", SYSTEMS)
 def test_laws_of_every_model(derived, system: str, route: str) -> None:
@@ -92,6 +93,7 @@ def test_routes_agree_in_numbers(modelled, system: str) -> None:
     assert_allclose(first, second, rtol=1e-9)
 
 
+@pytest.mark.sample(0)
 @pytest.mark.parametrize("system", SYSTEMS)
 def test_virtual_machine_and_machine_code_agree(compiler, derived, modelled, system: str) -> None:
     native = modelled(system, "free_body")

@@ -80,6 +80,7 @@ def certified(model: Any, graph: ca.Function | None = None) -> Verdict:
 SMOOTH = [system for system in (*ALL, *VARIANTS) if not frictions(system.scene())]
 
 
+@pytest.mark.sample(8)
 @pytest.mark.parametrize("route", ROUTES)
 @pytest.mark.parametrize("system", SMOOTH, ids=lambda system: system.name)
 def test_from_the_bodies_it_is_what_every_route_derived(system: Any, route: str) -> None:

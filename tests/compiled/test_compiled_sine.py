@@ -121,7 +121,7 @@ def test_floats_from_one_end_to_the_other(compiler: str, flags: str) -> None:
     assert 0.5 < _largest(compiler, flags, 0.0, 1009) <= MOST
 
 
-@pytest.mark.slow
+@pytest.mark.campaign
 def test_every_float_that_is_not_tiny(compiler: str) -> None:
     # Below, the sine is the float itself, or its neighbour. Negative floats mirror the others.
     assert 1.4 < _largest(compiler, FUSED["fused"], 2.0**-12, 1) <= MOST

@@ -80,6 +80,7 @@ def folders(modelled, tmp_path_factory: pytest.TempPathFactory) -> Callable[[str
     return folder
 
 
+@pytest.mark.sample(1)
 @pytest.mark.parametrize("system", SYSTEMS)
 @pytest.mark.parametrize("level", ["-O0", "-O2"])
 def test_only_sine_and_cosine_are_called_and_nothing_is_held(
@@ -98,6 +99,7 @@ def test_only_sine_and_cosine_are_called_and_nothing_is_held(
         assert undefined_and_held(needed("nm"), objects) == (set(), set())
 
 
+@pytest.mark.sample(1)
 @pytest.mark.parametrize("level", ["-O0", "-O2 -march=native"])
 @pytest.mark.parametrize("system", SYSTEMS)
 def test_inline_sines_pass_the_self_test(

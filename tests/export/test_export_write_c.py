@@ -67,6 +67,7 @@ def folder(request, modelled, tmp_path_factory: pytest.TempPathFactory) -> Path:
     return place
 
 
+@pytest.mark.sample(1)
 def test_c_is_clean_and_passes_its_test_under_sanitizers(folder: Path, compiler: str) -> None:
     for of in ("", "_batch"):
         done = run(build(compiler, folder, *SANITIZED, of=of))

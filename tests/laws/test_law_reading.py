@@ -30,6 +30,7 @@ def rows(name: str) -> list[tuple]:
     return list(zip(left, right, strict=True))
 
 
+@pytest.mark.sample(4)
 @pytest.mark.parametrize("name", NAMES)
 def test_text_is_read_back(name: str) -> None:
     text = "\n".join(f"{sstr(left)} = {sstr(right)}" for left, right in rows(name))
@@ -48,6 +49,7 @@ def test_latex_is_read_back(name: str) -> None:
     assert len(found.judged) == len(rows(name))
 
 
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("name", NAMES)
 def test_a_row_with_a_wrong_sign_is_refuted(name: str) -> None:
     for left, right in rows(name):

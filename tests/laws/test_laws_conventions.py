@@ -72,6 +72,7 @@ def verdict(name: str, row: Expr, *names: str) -> str:
     return entry.finding.verdict.name
 
 
+@pytest.mark.sample(3)
 @pytest.mark.parametrize("name", PENDULUMS)
 def test_each_wrong_sign_is_refuted_under_each_definite_direction(name: str) -> None:
     level = 0
@@ -88,6 +89,7 @@ def test_each_wrong_sign_is_refuted_under_each_definite_direction(name: str) -> 
     assert level == 4  # from the left and from the right, each in two senses
 
 
+@pytest.mark.sample(1)
 @pytest.mark.parametrize("name", NAMES)
 def test_each_convention(name: str) -> None:
     """Right if undeclared, shown declared; with a term changed it is neither."""

@@ -86,6 +86,7 @@ def largest_residual(equations: Equations, known: Quantities, columns: np.ndarra
     return max(float(row.ratios(list(columns), epsilon).max()) for row in rows)
 
 
+@pytest.mark.sample(3)
 @pytest.mark.parametrize(("system", "route"), EVERY)
 def test_fixing_all_parameters_is_passing_all(derived: Any, system: str, route: str) -> None:
     equations = derived(system)[route]
@@ -100,6 +101,7 @@ def test_fixing_all_parameters_is_passing_all(derived: Any, system: str, route: 
     assert finding.shown, finding
 
 
+@pytest.mark.sample(1)
 @pytest.mark.parametrize("system", SYSTEMS)
 def test_fixing_any_parameter_is_passing_it(derived: Any, system: str) -> None:
     equations = derived(system)["kane"]
@@ -114,6 +116,7 @@ def test_fixing_any_parameter_is_passing_it(derived: Any, system: str) -> None:
         assert finding.shown, finding
 
 
+@pytest.mark.sample(1)
 @pytest.mark.parametrize("system", SYSTEMS)
 def test_every_function_of_a_fixed_model_is_proved(derived: Any, system: str) -> None:
     equations = derived(system)["free_body"]
@@ -142,6 +145,7 @@ def is_solution(model: Model, other: Equations) -> Finding:
     return decide("forward dynamics of another scene", rows)
 
 
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("system", ["elastic_pendulum", "rocker", "pendulum_chain",
                                     "rolling_disc", "four_bar"])  # fmt: skip
 @pytest.mark.parametrize("route", ["free_body", "kane"])
@@ -191,6 +195,7 @@ def cart(*left_out: str) -> Scene:
 LEFT_OUT = [("c",), ("k",), ("g",), ("kappa",), ("b",), ("c", "b"), ("g", "k", "kappa", "c", "b")]
 
 
+@pytest.mark.sample(8)
 @pytest.mark.parametrize("names", LEFT_OUT, ids="-".join)
 @pytest.mark.parametrize("route", ROUTES)
 def test_zero_drops_the_load(names: tuple[str, ...], route: str) -> None:

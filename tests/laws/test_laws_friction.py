@@ -136,11 +136,8 @@ SCENES: dict[str, Callable[[], Scene]] = {
 }
 
 
-SLOW = ("wedge", "pulled")
-EVERY = [pytest.param(n, marks=pytest.mark.slow) if n in SLOW else n for n in SCENES]
-
-
-@pytest.mark.parametrize("name", EVERY)
+@pytest.mark.sample(3)
+@pytest.mark.parametrize("name", SCENES)
 def test_friction_by_every_route(assert_laws: Any, name: str) -> None:
     assert_laws(SCENES[name]())
 

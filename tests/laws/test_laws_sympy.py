@@ -19,6 +19,7 @@ def scene_of(name: str) -> Scene:
     return next(system.scene() for system in every if system.name == name)
 
 
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("name", SCENES)
 def test_sympys_methods_give_the_same_motion(name: str) -> None:
     scene = scene_of(name)

@@ -41,6 +41,7 @@ def accelerations(linear) -> list:
     return list(linear.mass.LUsolve(right))
 
 
+@pytest.mark.sample(6)
 @pytest.mark.parametrize(
     "route",
     ROUTES,

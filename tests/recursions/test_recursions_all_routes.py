@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from hypothesis import Phase, given, settings
+from hypothesis import Phase, given, seed, settings
 from hypothesis import strategies as st
 
 from benchmarks.space.deriving import ROUTES
@@ -55,14 +55,13 @@ def assert_everything_agrees(joints: tuple[Joint, ...], seed: int) -> None:
     assert np.all(np.abs(own @ qdd + np.array(found["bias"], dtype=float) - tau) <= bound)
 
 
-@settings(max_examples=6, deadline=None, derandomize=True, phases=PHASES)
-@given(trees(), st.integers(0, 2**32))
-def test_a_few_random_trees(joints: tuple[Joint, ...], seed: int) -> None:
-    assert_everything_agrees(joints, seed)
+@pytest.mark.sample(1)
+@pytest.mark.parametrize("part", range(50))
+def test_three_hundred_random_trees(part: int) -> None:
+    @seed(part)
+    @settings(max_examples=6, phases=PHASES)
+    @given(trees(), st.integers(0, 2**32))
+    def assert_six_agree(joints: tuple[Joint, ...], drawn: int) -> None:
+        assert_everything_agrees(joints, drawn)
 
-
-@pytest.mark.campaign
-@settings(max_examples=300, deadline=None, derandomize=True, phases=PHASES)
-@given(trees(), st.integers(0, 2**32))
-def test_three_hundred_random_trees(joints: tuple[Joint, ...], seed: int) -> None:
-    assert_everything_agrees(joints, seed)
+    assert_six_agree()

@@ -64,6 +64,7 @@ def solved(problem: Problem, count: int = 3, **setting: object) -> Ensemble:
     )  # fmt: skip
 
 
+@pytest.mark.sample(1)
 @pytest.mark.parametrize(
     ("name", "setting", "bound"),
     [
@@ -186,6 +187,7 @@ OPERATIONS: dict[str, Callable[[ca.SX], ca.SX]] = {
 }  # fmt: skip
 
 
+@pytest.mark.sample(12)
 @pytest.mark.parametrize("name", OPERATIONS)
 def test_series_of_every_operation(name: str) -> None:
     """x' = f(x), and what is computed from parameters: a' = f(p)."""

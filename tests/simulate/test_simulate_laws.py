@@ -64,6 +64,7 @@ def test_what_rubs_loses_energy(model_of: ModelOf) -> None:
         assert np.all(np.diff(motion.total) < 0)
 
 
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("member", CONSERVATIVE, ids=lambda member: member.name)
 def test_energy_is_conserved(model_of: ModelOf, member: Member) -> None:
     # The law is one of the equations, and holds beyond the domain in which they are the system.

@@ -134,6 +134,7 @@ def test_two_masses_move_in_their_exact_modes() -> None:
     assert float(known.verified_by[1].split("at most ")[1].split()[0]) < 1e-30
 
 
+@pytest.mark.sample(1)
 @pytest.mark.parametrize(
     ("system", "duration"),
     [("elastic_pendulum", 3.0), ("rocker", 3.0), ("rolling_disc", 0.3), ("four_bar", 0.1)],
@@ -253,6 +254,7 @@ def test_series_of_every_operation_are_those_of_arb(graph, series, compiler) -> 
         ctx.prec = before
 
 
+@pytest.mark.sample(1)
 @pytest.mark.parametrize("system", ["elastic_pendulum", "rolling_disc", "four_bar"])
 def test_c_and_python_give_the_same_digits(system: str) -> None:
     if find_compiler() is None:

@@ -23,6 +23,7 @@ def model_of(name: str, compiler: str | None = "auto") -> Any:
     return compile(derive(load(name).scene(), "kane"), compiler=compiler)
 
 
+@pytest.mark.sample(1)
 @pytest.mark.parametrize("accuracy", [1e-3, 1e-6, 1e-9])
 @pytest.mark.parametrize("name", ["elastic_pendulum", "rolling_disc"])
 def test_accuracy_is_met_at_every_sample(name: str, accuracy: float) -> None:

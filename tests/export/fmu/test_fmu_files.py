@@ -143,7 +143,6 @@ def test_two_units_in_one_program_under_sanitizers(
     assert lines[2] == lines[4] and lines[3] == lines[5] and lines[2] != lines[3]
 
 
-@pytest.mark.slow
 def test_fmpy_compiles_the_sources_by_their_build_description(
     unit_of: Units, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -21,6 +21,7 @@ SYSTEMS = [system.name for system in ALL]
 Models, Units = Callable[[str], Model], Callable[[str], Path]
 
 
+@pytest.mark.sample(1)
 @pytest.mark.parametrize("name", SYSTEMS)
 def test_the_text_of_a_unit_is_its_graph(unit_of: Units, model_of: Models, name: str) -> None:
     found = prove_unit(model_of(name), unit_of(name))

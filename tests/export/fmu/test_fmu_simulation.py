@@ -36,11 +36,13 @@ def difference(one: Any, other: Any, names: list[str]) -> float:
     return max(float(np.max(np.abs(one[n][:count] - other[n][:count]))) for n in names)
 
 
+@pytest.mark.sample(1)
 @pytest.mark.parametrize("name", SYSTEMS)
 def test_fmpy_finds_no_problem(unit_of: Units, name: str) -> None:
     assert validate_fmu(str(unit_of(name))) == []
 
 
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("name", SYSTEMS)
 def test_co_simulation_is_the_motion_of_simulate(
     unit_of: Units, model_of: Models, name: str
@@ -81,6 +83,7 @@ def test_model_exchange_is_the_motion_of_simulate(
     assert allowed < 1e-2
 
 
+@pytest.mark.sample(4)
 @pytest.mark.parametrize("name", SYSTEMS)
 @pytest.mark.parametrize("kind", ["CoSimulation", "ModelExchange"])
 def test_outputs_are_those_of_the_model(

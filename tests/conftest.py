@@ -1,0 +1,63 @@
+"""Laws with many cases: a fixed sample of them runs by default, the rest is a campaign.
+
+``@pytest.mark.sample(n)`` leaves a law n of its cases, and those about the systems of the seed;
+the others get the marker ``campaign``. ``--cases N`` runs at most N cases of each campaign. Both
+draw by a hash of the name of a case, so that every run on every machine has the same ones.
+"""
+
+from collections import defaultdict
+from collections.abc import Iterable
+from hashlib import sha256
+
+import pytest
+from hypothesis import settings
+
+from systems import SEED
+
+# What is drawn is the same in every run, and a busy machine fails nothing.
+settings.register_profile("fixed", derandomize=True, deadline=None)
+settings.load_profile("fixed")
+
+OF_THE_SEED = {system.name for system in SEED}
+
+
+def pytest_addoption(parser: pytest.Parser) -> None:
+    parser.addoption("--cases", type=int, metavar="N", help="at most N cases of each campaign")
+
+
+@pytest.hookimpl(tryfirst=True)
+def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
+    for cases in by_law(item for item in items if item.get_closest_marker("sample")):
+        (most,) = cases[0].get_closest_marker("sample").args
+        for case in drawn(case for case in cases if not is_of_the_seed(case))[most:]:
+            case.add_marker("campaign")
+    most = config.getoption("cases")
+    if most is not None:
+        laws = by_law(item for item in items if item.get_closest_marker("campaign"))
+        beyond = {case for cases in laws for case in drawn(cases)[most:]}
+        config.hook.pytest_deselected(items=list(beyond))
+        items[:] = [item for item in items if item not in beyond]
+
+
+def by_law(items: Iterable[pytest.Item]) -> list[list[pytest.Item]]:
+    """Cases of the same test, together."""
+    laws = defaultdict(list)
+    for item in items:
+        laws[item.nodeid.partition("[")[0]].append(item)
+    return list(laws.values())
+
+
+def drawn(cases: Iterable[pytest.Item]) -> list[pytest.Item]:
+    """Cases in the order of their hashes; laws in one file draw the same systems, derived once."""
+    return sorted(cases, key=lambda case: sha256(name_of(case).encode()).digest())
+
+
+def name_of(case: pytest.Item) -> str:
+    """File and parameters of a case, without the name of its law."""
+    return f"{case.path.name} {case.callspec.id if hasattr(case, 'callspec') else ''}"
+
+
+def is_of_the_seed(case: pytest.Item) -> bool:
+    """Whether a case is about a system of the seed, given by its name or as it is."""
+    values = [getattr(value, "name", value) for value in case.callspec.params.values()]
+    return any(isinstance(value, str) and value in OF_THE_SEED for value in values)
