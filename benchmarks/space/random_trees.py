@@ -14,14 +14,14 @@ def trees(draw: st.DrawFn, largest: int = 7) -> tuple[Joint, ...]:
     joints = []
     for i in range(1, draw(st.integers(1, largest)) + 1):
         axes = st.integers(0, 2)
-        quarter = st.tuples(axes, st.sampled_from([pi / 2, -pi / 2, pi]))
+        angles = st.sampled_from([pi / 2, -pi / 2, pi, *real(f"beta{i}")])
         offset = real(f"rx{i}", f"ry{i}", f"rz{i}")
         joints.append(
             Joint(
                 draw(st.integers(-1, i - 2)),
                 draw(axes),
                 draw(st.sampled_from([True, True, False])),
-                tuple(draw(st.lists(quarter, max_size=2))),
+                tuple(draw(st.lists(st.tuples(axes, angles), max_size=2))),
                 tuple(r if draw(st.booleans()) else 0 for r in offset),
                 **general(i),
             )
@@ -39,9 +39,13 @@ def numbers(joints: tuple[Joint, ...], seed: int) -> tuple[list[Link], dict[str,
     values: dict[str, float] = {"g": 9.81}
     links = []
     for joint in joints:
-        rotation = np.eye(3)
+        rotation, typical = np.eye(3), draw.uniform(-3, 3)
         for axis, angle in joint.turns:
-            rotation = rotation @ np.round(turn(axis, float(angle)))
+            if angle.is_number:
+                rotation = rotation @ np.round(turn(axis, float(angle)))
+            else:
+                rotation = rotation @ turn(axis, typical)
+                values[angle.name] = typical
         offset = np.array([draw.uniform(-1, 1) if entry != 0 else 0.0 for entry in joint.offset])
         centre, mass = draw.uniform(-1, 1, 3), draw.uniform(0.5, 2)
         moments, products = draw.uniform(1, 2, 3), draw.uniform(-0.4, 0.4, 3)

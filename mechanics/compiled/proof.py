@@ -23,7 +23,7 @@ from mechanics.kernel import Finding
 
 DEFAULT = (
     "forward_dynamics", "mass_matrix", "forcing", "residual", "inverse_dynamics", "energy",
-    "momenta", "coordinate_rates", "reactions",
+    "momenta", "coordinate_rates", "reactions", "jacobians",
 )  # fmt: skip
 
 
@@ -36,7 +36,7 @@ def prove_compiled(
     ----------
     model : Model
     functions : sequence of str, optional
-        Names of functions; by default all that the model has but the Jacobians and the step.
+        Names of functions; by default all that the model has but the step of integration.
     **options
         As for `mechanics.symbolic.decide`.
     """

@@ -4,9 +4,10 @@
     (N, F) = inertia (alpha + e u', a) + velocity terms + (N, F) of the children          (2)
     tau = e . N  or  e . F                                                                (3)
 
-These are linear in accelerations and forces. Along q_k or u_k they change as the same equations
-with other right sides: the derivatives of (1) to (3) with accelerations and forces kept. What is
-kept stands as inputs of its own while (1) to (3) are differentiated, so that only what changes
+These are linear in accelerations and forces. Along a coordinate, a speed, an input or a parameter
+they change as the same equations with other right sides: the derivatives of (1) to (3) with
+accelerations and forces kept, among them those of the axes e, where a parameter turns a joint. What
+is kept stands as inputs of its own while (1) to (3) are differentiated, so that only what changes
 there is seen, and articulated bodies, which do not change, solve for each column.
 
 The implicit function theorem on the recursion, instead of on the mass matrix as in Carpentier and
@@ -23,7 +24,7 @@ from mechanics.mechanism import GROUND, Mechanism
 from mechanics.program.builder import Node
 from mechanics.program.derivatives import tangent
 from mechanics.program.interpret import include
-from mechanics.program.vectors import Vector, add, cross, scale, times
+from mechanics.program.vectors import Vector, add, cross, dot, scale, times
 from mechanics.recursions import newton_euler
 from mechanics.recursions.articulated_bodies import Articulated, Motion, total
 from mechanics.recursions.frames import acceleration_matrix, collect, express, negated
@@ -34,7 +35,7 @@ from mechanics.recursions.pseudo_inertia import Moments, spin
 def jacobian(
     mechanism: Mechanism, links: Sequence[Link], variables: Sequence[Node]
 ) -> tuple[tuple[Node, ...], ...]:
-    """Derivatives of u' by variables among q, u and inputs; a row for each speed.
+    """Derivatives of u' by variables among q, u, inputs and parameters; a row for each speed.
 
     Parameters
     ----------
@@ -65,7 +66,7 @@ class _LocalEquations:
         build, order = mechanism.builder, range(len(links))
         unloaded = replace(mechanism, fields=())
         forces = newton_euler.rows(unloaded, Moments())
-        self.tau = [-forces[link.coordinate] for link in links]
+        tau = [-forces[link.coordinate] for link in links]
         pull = [collect(mechanism, load.acceleration, 0) for load in mechanism.fields]
         self.ground: Motion = (system.none, negated(add(system.none, *pull)))
         self.omegas: list[Vector] = []
@@ -77,22 +78,25 @@ class _LocalEquations:
             for k in order
         ]
         quick = [self.velocity_load(k) for k in order]
-        _, final = system.solve(self.tau, first, quick)
+        rates, final = system.solve(tau, first, quick)
         motions = [self.keep(f"motion {k}", final[k]) for k in order]
         totals = [total(system.body(k, final[k]), quick[k]) for k in order]
         for k in reversed(order):
             if links[k].parent != GROUND:
                 handed = system.inwards(k, totals[k])
                 totals[links[k].parent] = total(totals[links[k].parent], handed)
+        own = [self.own_motion(k, self.keep_scalar(f"rate {k}", rates[k])) for k in order]
         self.arrivals = [
-            first[k]
+            total(first[k], own[k])
             if links[k].parent == GROUND
-            else total(system.outwards(k, motions[links[k].parent]), added[k])
+            else total(system.outwards(k, motions[links[k].parent]), added[k], own[k])
             for k in order
         ]
         self.loads = [total(system.body(k, motions[k]), quick[k]) for k in order]
+        carried = [self.keep(f"load {k}", totals[k]) for k in order]
+        self.tau = [tau[k] - self.along(k, carried[k]) for k in order]
         self.handed = [
-            system.inwards(k, self.keep(f"load {k}", totals[k]))
+            system.inwards(k, carried[k])
             if links[k].parent != GROUND
             else (system.none, system.none)
             for k in order
@@ -101,17 +105,30 @@ class _LocalEquations:
 
     def keep(self, name: str, motion: Motion) -> Motion:
         """Inputs in the place of a motion or load; constants stay."""
-        found = []
-        for kind, vector in zip(("angular", "linear"), motion, strict=True):
-            entries = []
-            for axis, node in zip("xyz", vector, strict=True):
-                if node.constant is None:
-                    label = f"{kind} {name} {axis}"
-                    self.kept[label] = node
-                    node = self.mechanism.builder.input(label)
-                entries.append(node)
-            found.append(tuple(entries))
+        found = [
+            tuple(
+                self.keep_scalar(f"{kind} {name} {axis}", node)
+                for axis, node in zip("xyz", vector, strict=True)
+            )
+            for kind, vector in zip(("angular", "linear"), motion, strict=True)
+        ]
         return found[0], found[1]
+
+    def keep_scalar(self, name: str, node: Node) -> Node:
+        """An input in the place of a value; constants stay."""
+        if node.constant is not None:
+            return node
+        self.kept[name] = node
+        return self.mechanism.builder.input(name)
+
+    def own_motion(self, k: int, rate: Node) -> Motion:
+        """e u' of equation (1)."""
+        own = scale(rate, self.system.axes[k])
+        return (own, self.system.none) if self.links[k].turning else (self.system.none, own)
+
+    def along(self, k: int, load: Motion) -> Node:
+        """Right side of equation (3)."""
+        return dot(self.system.axes[k], load[0 if self.links[k].turning else 1])
 
     def velocity_motion(self, k: int) -> Motion:
         """Velocity terms of equation (1); keeps the angular velocity."""

@@ -56,7 +56,9 @@ def assert_recursions_agree(mechanism: Mechanism, masses, *, derivatives: bool) 
     assert all(filter_.is_zero(a - b) for a, b in zip(rates, solved, strict=True))
     if not derivatives:
         return
-    variables = [*mechanism.q, *mechanism.u]
+    # A parameter may turn the axis of a joint, a coordinate never does.
+    angles = [build.input(name) for name in build.inputs if name.startswith("beta")]
+    variables = [*mechanism.q, *mechanism.u, *angles]
     columns = zip(*jacobian(mechanism, links, variables), strict=True)
     for variable, column in zip(variables, columns, strict=True):
         wanted_column = tangent(rates, {variable: build.one})
