@@ -149,6 +149,42 @@ def test_what_no_point_has_is_any_number() -> None:
     assert filter_.is_zero(2 * (x + y).sqrt() - (x + y).sqrt() - (y + x).sqrt())
 
 
+def test_roots_that_come_first_exist_where_not_all_can() -> None:
+    """x and -x have no common root: the first of them is one, whatever the input is called."""
+    for name in "abcdefghijkl":
+        b = Builder()
+        x = b.input(name)
+        first, other = x.sqrt(), (-x).sqrt()
+        assert Residues(b).is_zero(first**2 - x)
+        assert not Residues(b).is_zero(other**2 + x)
+
+
+def multiple(cosine: Node, times: int) -> Node:
+    """cos(n a) of cos(a): Chebyshev's polynomial."""
+    before, here = cosine.builder.one, cosine
+    for _ in range(times - 1):
+        before, here = here, 2 * cosine * here - before
+    return here
+
+
+def test_parts_of_what_takes_the_place_of_an_angle_are_parts() -> None:
+    b = Builder()
+    q, x = b.input("q"), b.input("x")
+    eleventh = x / 11
+    left, right = multiple(q.cos(), 11), x.cos()
+    assert Residues(b, {q: eleventh}).is_zero(left - right)
+    assert not Residues(b).is_zero(left - right)
+
+
+@pytest.mark.parametrize("parts", [2, 3, 5, 7, 8])
+def test_some_parts_of_an_angle_may_be_asked_for_later(parts: int) -> None:
+    b = Builder()
+    x = b.input("x")
+    filter_ = Residues(b)
+    assert not filter_.is_zero(x.cos())
+    assert filter_.is_zero(multiple((x / parts).cos(), parts) - x.cos())
+
+
 def test_numbers_that_have_no_root_are_the_same_each_time() -> None:
     b = Builder()
     root = b.constant(-1).sqrt()
