@@ -9,11 +9,11 @@ from collections.abc import Callable, Iterator, Sequence
 
 from mechanics.compiled.c.batch import BLOCK
 from mechanics.compiled.c.lanes import SHARED
-from mechanics.compiled.programs.program import Program
 from mechanics.export.header import comment
 from mechanics.export.precision import Part
 from mechanics.export.selftest import table, wrapped
 from mechanics.export.vectors import Vector
+from mechanics.program.routine import Routine
 
 COUNT = BLOCK + 5
 """States: a whole block and a few."""
@@ -66,7 +66,7 @@ def batch_selftest(
     scene: str,
     part: Part,
     names: Sequence[str],
-    program: Callable[[str], Program],
+    program: Callable[[str], Routine],
     states: Callable[[str], Sequence[Vector]],
 ) -> str:
     """Text of the program; arguments as for `mechanics.export.selftest.selftest`."""
@@ -87,7 +87,7 @@ def batch_selftest(
     return "\n".join([top, *tests, *end])
 
 
-def _test(code: Program, part: Part, name: str, states: Sequence[Vector]) -> Iterator[str]:
+def _test(code: Routine, part: Part, name: str, states: Sequence[Vector]) -> Iterator[str]:
     count = len(states)
     given = [(i, group, size) for i, (group, size) in enumerate(code.inputs) if size]
     asked = [(i, out, rows * cols) for i, (out, (rows, cols)) in enumerate(code.shapes)]

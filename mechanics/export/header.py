@@ -9,13 +9,12 @@ from mechanics.compiled.c.status import Codes
 from mechanics.compiled.graphs import STATE
 from mechanics.compiled.programs.hoist import CONSTANTS
 from mechanics.compiled.programs.of_model import PARTS
-from mechanics.compiled.programs.operations import ATOM, OPERATIONS
-from mechanics.compiled.programs.program import program
-from mechanics.compiled.programs.reciprocals import divisions
 from mechanics.compiled.quantities import Quantity
 from mechanics.errors import ValueMissingError
 from mechanics.export.functions import about
 from mechanics.export.precision import Part
+from mechanics.program.c_printer import CALLS
+from mechanics.program.casadi_reader import read_routine
 
 ARRAYS = {
     "q": "generalized coordinates q",
@@ -28,13 +27,6 @@ ARRAYS = {
     "reactions": "reactions",
     "h": "time",
 }
-
-CALLS = {
-    operation: how.text.partition("{f}(")[0]
-    for operation, how in OPERATIONS.items()
-    if how.level == ATOM and "{f}(" in how.text
-}
-"""Functions of the C library, by operation of CasADi."""
 
 
 def header(model: Model, part: Part, names: Sequence[str]) -> str:
@@ -93,8 +85,8 @@ def library_calls(model: Model, part: Part, names: Sequence[str]) -> str:
 def shared_divisors(model: Model, names: Sequence[str]) -> str:
     """Lines of a comment that say what was done to quotients; empty where nothing was."""
     every = [model.casadi[name] for name in names if name not in PARTS]
-    before = sum(divisions(program(function)) for function in every)
-    after = sum(divisions(model.program(name)) for name in names if name not in PARTS)
+    before = sum(read_routine(function).divisions for function in every)
+    after = sum(model.program(name).divisions for name in names if name not in PARTS)
     if after == before:
         return ""
     return (

@@ -12,11 +12,11 @@ from typing import Any
 
 from mechanics.compiled import Model
 from mechanics.compiled.graphs import MATRICES
-from mechanics.compiled.programs.program import Program
 from mechanics.errors import ValueMissingError
 from mechanics.export import loader_template
 from mechanics.export.header import array_entries, used_arrays
 from mechanics.export.precision import Part
+from mechanics.program.routine import Routine
 
 LINE = 80
 _TABLES = re.compile(
@@ -50,7 +50,7 @@ def loader(
 def loader_text(
     arrays: Mapping[str, Any],
     typical: Mapping[str, float],
-    program: Callable[[str], Program],
+    program: Callable[[str], Routine],
     name: str,
     parts: Sequence[Part],
     names: Sequence[str],
@@ -92,7 +92,7 @@ def loader_text(
     return _TABLES.sub(lambda found: f"# What was generated.\n{written}{found[3]}", text)
 
 
-def _functions(program: Callable[[str], Program], names: Sequence[str]) -> dict[str, Any]:
+def _functions(program: Callable[[str], Routine], names: Sequence[str]) -> dict[str, Any]:
     functions = {}
     for function in names:
         code = program(function)

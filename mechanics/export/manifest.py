@@ -9,7 +9,6 @@ from typing import Any
 
 from mechanics.compiled import Model
 from mechanics.compiled.custody.kernel import Kernel
-from mechanics.compiled.programs.reciprocals import divisions
 from mechanics.export.header import array_entries, used_arrays
 
 TOOLS = ("mechanics", "casadi", "sympy", "python-flint")
@@ -55,7 +54,7 @@ def manifest(
         "functions": {
             name: {
                 "operations": model.program(name).operations,
-                "divisions": divisions(model.program(name)),
+                "divisions": model.program(name).divisions,
                 "inputs": {group: size for group, size in model.program(name).inputs},
                 "outputs": {out: list(shape) for out, shape in model.program(name).shapes},
             }

@@ -7,15 +7,16 @@ for). Intervals forget that two values come from the same third one, and after s
 their radius says nothing; derivatives, taken backwards through the function, do not forget it.
 """
 
-import functools
 from collections.abc import Sequence
 
-import casadi as ca
 import numpy as np
 from numpy.typing import NDArray
 
-from mechanics.compiled.programs.operations import OPERATIONS, unknown
-from mechanics.compiled.programs.program import Program
+from mechanics.program import Builder
+from mechanics.program.interpret import interpret
+from mechanics.program.numpy_domain import Arrays
+from mechanics.program.operations import INPUT, OPERATIONS
+from mechanics.program.routine import Routine
 
 TOGETHER = 64
 """Outputs that are followed backwards at a time."""
@@ -23,7 +24,7 @@ TOGETHER = 64
 Array = NDArray[np.float64]
 
 
-def first_order(code: Program, inputs: Sequence[Sequence[float]], digits: int) -> list[list[float]]:
+def first_order(code: Routine, inputs: Sequence[Sequence[float]], digits: int) -> list[list[float]]:
     """The sum for every entry of every output.
 
     Parameters
@@ -36,7 +37,7 @@ def first_order(code: Program, inputs: Sequence[Sequence[float]], digits: int) -
     values = _values(code, inputs)
     slopes = _slopes(code, values)
     sizes = np.abs(values)
-    sizes[[k for k, node in enumerate(code.nodes) if node.operation == ca.OP_INPUT]] = 0
+    sizes[[k for k, node in enumerate(code.nodes) if node.operation == INPUT]] = 0
     flat = [node for nodes in code.outputs for node in nodes]
     sums: list[float] = []
     for start in range(0, len(flat), TOGETHER):
@@ -47,50 +48,49 @@ def first_order(code: Program, inputs: Sequence[Sequence[float]], digits: int) -
     return [list(part) for part in np.split(np.array(sums), ends[:-1])]
 
 
-def _values(code: Program, inputs: Sequence[Sequence[float]]) -> Array:
+def _values(code: Routine, inputs: Sequence[Sequence[float]]) -> Array:
     """Every value, as doubles give it."""
+    functions = Arrays().operations
     values: list[float] = []
     with np.errstate(all="ignore"):
         for node in code.nodes:
             if node.constant is not None:
-                values.append(node.constant)
-            elif node.operation == ca.OP_INPUT:
+                values.append(float(node.constant))
+            elif node.operation == INPUT:
                 values.append(inputs[node.operands[0]][node.operands[1]])
-            elif node.operation in OPERATIONS:
-                parts = [np.float64(values[operand]) for operand in node.operands]
-                values.append(float(OPERATIONS[node.operation].numpy(*parts)))
             else:
-                raise unknown(node.operation)
+                parts = [np.float64(values[operand]) for operand in node.operands]
+                values.append(float(functions[OPERATIONS[node.operation].name](*parts)))
     return np.array(values)
 
 
-def _slopes(code: Program, values: Array) -> dict[int, tuple[float, ...]]:
+def _slopes(code: Routine, values: Array) -> dict[int, Sequence[float]]:
     """Derivatives of every value that is computed by its operands."""
     groups: dict[int, list[int]] = {}
     for k, node in enumerate(code.nodes):
-        if node.constant is None and node.operation != ca.OP_INPUT:
+        if node.constant is None and node.operation != INPUT:
             groups.setdefault(node.operation, []).append(k)
-    found: dict[int, tuple[float, ...]] = {}
+    found: dict[int, Sequence[float]] = {}
     for operation, nodes in groups.items():
         operands = np.array([code.nodes[k].operands for k in nodes]).T
-        slopes = _derivative(operation, len(operands)).map(len(nodes))(*values[operands])
-        columns = np.atleast_2d(np.array(slopes)).T.tolist()
-        found |= {k: tuple(column) for k, column in zip(nodes, columns, strict=True)}
+        columns = np.broadcast_arrays(*_derivatives(operation, values[operands]), nodes)[:-1]
+        found |= {k: slopes for k, *slopes in zip(nodes, *columns, strict=True)}
     return found
 
 
-@functools.cache
-def _derivative(operation: int, count: int) -> ca.Function:
-    """Derivatives of one operation by each operand, as a column."""
-    operands = [ca.SX.sym(f"x{i}") for i in range(count)]
-    apply = ca.SX.unary if count == 1 else ca.SX.binary
-    slopes = ca.jacobian(apply(operation, *operands), ca.vertcat(*operands))
-    return ca.Function("slopes", operands, [ca.densify(slopes.T)])
+def _derivatives(operation: int, operands: Array) -> tuple[Array, ...]:
+    """Derivatives of one operation by each operand, at many places at once."""
+    row, build = OPERATIONS[operation], Builder()
+    given = [build.input(str(k)) for k in range(row.arity)]
+    if row.partials is None:
+        raise AssertionError(f"{row.name} is computed from nothing")
+    program = build.program({"slopes": row.partials(*given, build.call(row.name, *given))})
+    places = {str(k): column for k, column in enumerate(operands)}
+    with np.errstate(all="ignore"):
+        return interpret(program, Arrays(), places)["slopes"]
 
 
-def _backwards(
-    code: Program, slopes: dict[int, tuple[float, ...]], outputs: Sequence[int]
-) -> Array:
+def _backwards(code: Routine, slopes: dict[int, Sequence[float]], outputs: Sequence[int]) -> Array:
     """Derivatives of some outputs by every value: one column an output."""
     found = np.zeros((len(code.nodes), len(outputs)))
     for column, node in enumerate(outputs):
@@ -98,6 +98,6 @@ def _backwards(
     # At a singular state a slope is infinite, and so is the sum, or no number.
     with np.errstate(all="ignore"):
         for k in range(len(code.nodes) - 1, -1, -1):
-            for operand, slope in zip(code.nodes[k].operands, slopes.get(k, ()), strict=False):
+            for operand, slope in zip(code.operands(k), slopes.get(k, ()), strict=False):
                 found[operand] += slope * found[k]
     return found

@@ -10,10 +10,10 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from mechanics.compiled.c.source import LINE, literal
 from mechanics.compiled.programs.hoist import CONSTANTS, PREPARE, PREPARED
 from mechanics.compiled.programs.of_model import PARTS, WHOLE
-from mechanics.compiled.programs.program import Program
 from mechanics.export.header import comment
 from mechanics.export.precision import Part
 from mechanics.export.vectors import BITS, ROOM, Vector
+from mechanics.program.routine import Routine
 
 TOP = """\
 /*
@@ -55,7 +55,7 @@ def selftest(
     scene: str,
     part: Part,
     names: Sequence[str],
-    program: Callable[[str], Program],
+    program: Callable[[str], Routine],
     states: Callable[[str], Sequence[Vector]],
 ) -> str:
     """Text of the self-test program.
@@ -88,7 +88,7 @@ def selftest(
 
 
 def _test(
-    program: Callable[[str], Program], part: Part, name: str, names: Sequence[str],
+    program: Callable[[str], Routine], part: Part, name: str, names: Sequence[str],
     states: Sequence[Vector],
 ) -> Iterator[str]:  # fmt: skip
     code = program(name)

@@ -20,12 +20,12 @@ from flint import arb
 
 from mechanics.compiled import Model
 from mechanics.compiled.custody.code import as_written
-from mechanics.compiled.programs.program import program
 from mechanics.compiled.quantities import Quantities, Quantity
 from mechanics.compiled.sampling import sample
 from mechanics.errors import SingularError
 from mechanics.export.roundings import first_order
 from mechanics.kernel import enclose
+from mechanics.program.casadi_reader import read_routine
 
 COUNT = 5
 DRAWN = 60
@@ -113,7 +113,7 @@ def _vector(function: ca.Function, inputs: Inputs, digits: int) -> Vector | None
     for bits in BITS:
         fine = enclosed(function, inputs, bits)
         if not _clear(radii, fine, digits):
-            radii = first_order(program(function), inputs, digits)
+            radii = first_order(read_routine(function), inputs, digits)
         if _clear(radii, fine, digits) and _narrow(fine, radii):
             return Vector(
                 inputs,
@@ -144,7 +144,7 @@ def _narrow(fine: Sequence[Sequence[arb]], radii: Sequence[Sequence[float]]) -> 
 
 def enclosed(function: ca.Function, inputs: Inputs, bits: int) -> list[list[arb]]:
     """Every output as balls."""
-    written = program(function)
+    written = read_routine(function)
     state = {
         f"{name}[{k}]": arb(value)
         for (name, _), values in zip(written.inputs, inputs, strict=True)

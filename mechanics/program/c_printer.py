@@ -85,11 +85,21 @@ TEMPLATES = tuple(
 )
 
 
-class _Text(NamedTuple):
-    """An expression in C."""
+class Text(NamedTuple):
+    """An expression in C.
 
-    text: str
-    precedence: int = PRIMARY
+    Attributes
+    ----------
+    code : str
+    level : int
+        Its precedence.
+    truth : bool
+        Whether it is an int that says whether something holds.
+    """
+
+    code: str
+    level: int = PRIMARY
+    truth: bool = False
 
 
 def print_c(program: Program, name: str, arrays: Mapping[str, Sequence[str]] | None = None) -> str:
@@ -185,17 +195,18 @@ class _Writer:
         """A constant for each value that is used twice or is long, then the outputs."""
         program, lines = self.program, []
         uses = self._uses()
-        texts: list[_Text] = []
+        texts: list[Text] = []
         prefix = self._prefix()
         for number in range(len(program)):
             text = self._text(number, texts)
             code = program.operations[number]
-            if ARITY[code] and (uses[number] != 1 or len(text.text) > WIDTH // 2):
-                lines.append(f"const double {prefix}{number} = {text.text};")
-                text = _Text(f"{prefix}{number}")
+            if ARITY[code] and (uses[number] != 1 or len(text.code) > WIDTH // 2):
+                lines.append(f"const double {prefix}{number} = {numeric(text, 'double').code};")
+                text = Text(f"{prefix}{number}")
             texts.append(text)
         for name, numbers in program.outputs.items():
-            lines += [f"{name}[{k}] = {texts[n].text};" for k, n in enumerate(numbers)]
+            found = [numeric(texts[n], "double").code for n in numbers]
+            lines += [f"{name}[{k}] = {text};" for k, text in enumerate(found)]
         return lines
 
     def _prefix(self) -> str:
@@ -212,31 +223,32 @@ class _Writer:
         uses = Counter(program.roots)
         for number, code in enumerate(program.operations):
             template = TEMPLATES[code]
-            for place, operand in enumerate(program.operands_of(number)):
-                truth = OPERATIONS[program.operations[operand]].boolean
-                # A truth value is an int: a quotient of two of them would be one, too.
-                named = truth and not _takes_truth(code, place)
+            for operand in program.operands_of(number):
                 repeated = template is not None and "{0}" in template.text
-                uses[operand] += 2 if named or repeated else 1
+                uses[operand] += 2 if repeated else 1
         return uses
 
-    def _text(self, number: int, texts: Sequence[_Text]) -> _Text:
+    def _text(self, number: int, texts: Sequence[Text]) -> Text:
         program, code = self.program, self.program.operations[number]
         place = program.operands[0][number]
         if code == CONSTANT:
             return _literal(program.constants[place])
         if code == INPUT:
-            return _Text(self.inputs[program.inputs[place]])
+            return Text(self.inputs[program.inputs[place]])
         if code == PI:
-            return _Text(OPERATIONS[PI].c)
+            return Text(OPERATIONS[PI].c)
         operands = program.operands_of(number)
         if code == MULTIPLY:
             for k, operand in enumerate(operands):
                 if program.operations[operand] == CONSTANT and (
                     divisor := unit_fraction(program.constants[program.operands[0][operand]])
                 ):
-                    return _apply(DIVIDE, [texts[operands[1 - k]], _literal(Fraction(divisor))])
-        return _apply(code, [texts[operand] for operand in operands])
+                    return expression(DIVIDE, [texts[operands[1 - k]], _literal(Fraction(divisor))])
+        return expression(code, [texts[operand] for operand in operands])
+
+
+CALLS = {row.code: found[1] for row in OPERATIONS if (found := re.match(r"(\w+)\(", row.c))}
+"""Functions of the C library, by operation."""
 
 
 def _takes_truth(code: int, place: int) -> bool:
@@ -244,21 +256,43 @@ def _takes_truth(code: int, place: int) -> bool:
     return code in (AND, OR, NOT) or (code == SELECT and place == 0)
 
 
-def _apply(code: int, operands: Sequence[_Text]) -> _Text:
+def expression(code: int, operands: Sequence[Text], kind: str = "double") -> Text:
+    """One operation on operands that are expressions themselves.
+
+    Raises
+    ------
+    ExpressionError
+        If it has no meaning in C.
+    """
     template = TEMPLATES[code]
     if template is None:
         raise ExpressionError(
             f"operation {OPERATIONS[code].name} has no meaning in C:"
             " write the expression without it"
         )
-    parts = [
-        operand.text if operand.precedence >= needed else f"({operand.text})"
-        for operand, needed in zip(operands, template.needed, strict=True)
-    ]
-    return _Text(template.text.format(*parts), template.precedence)
+    parts = []
+    for place, (operand, needed) in enumerate(zip(operands, template.needed, strict=True)):
+        if _takes_truth(code, place):
+            text = operand if operand.truth else Text(f"{operand.code} != 0", PRECEDENCE["=="])
+        else:
+            text = numeric(operand, kind)
+        parts.append(text.code if text.level >= needed else f"({text.code})")
+    single = kind == "float"
+    if code in CALLS:
+        return Text(f"{CALLS[code]}{'f' if single else ''}({', '.join(parts)})")
+    form = re.sub(r"\d\.\d", r"\g<0>f", template.text) if single else template.text
+    return Text(form.format(*parts), template.precedence, OPERATIONS[code].boolean)
 
 
-def _literal(value: Fraction) -> _Text:
+def numeric(text: Text, kind: str) -> Text:
+    """A truth value as a number of the precision."""
+    if not text.truth:
+        return text
+    suffix = "f" if kind == "float" else ""
+    return Text(f"({text.code} ? 1.0{suffix} : 0.0{suffix})")
+
+
+def _literal(value: Fraction) -> Text:
     """The nearest double: a decimal that is read as it, or one division of whole numbers."""
     try:
         nearest = float(value)
@@ -267,5 +301,5 @@ def _literal(value: Fraction) -> _Text:
     precedence = UNARY if value < 0 else PRIMARY
     top, bottom = value.numerator, value.denominator
     if Fraction(nearest) == value or max(abs(top), bottom) > 1 << 53:
-        return _Text(repr(nearest), precedence)
-    return _Text(f"{float(top)!r} / {float(bottom)!r}", PRECEDENCE["/"])
+        return Text(repr(nearest), precedence)
+    return Text(f"{float(top)!r} / {float(bottom)!r}", PRECEDENCE["/"])

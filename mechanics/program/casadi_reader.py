@@ -15,10 +15,12 @@ from typing import NamedTuple
 import casadi
 
 from mechanics.errors import ExpressionError
+from mechanics.program.as_written import AsWritten
 from mechanics.program.branches import Choice, Parts, build
 from mechanics.program.builder import Builder, Node
 from mechanics.program.composed import COMPOSED
 from mechanics.program.operations import OPERATIONS
+from mechanics.program.routine import Routine, built
 
 
 class Instruction(NamedTuple):
@@ -80,6 +82,43 @@ def read(
             dense[place % rows * columns + place // rows] = stored[entry]
         outputs[function.name_out(index)] = tuple(dense)
     return outputs
+
+
+def read_routine(
+    function: casadi.Function, numbers: Sequence[Fraction | None] | None = None
+) -> Routine:
+    """A function of dense SX arrays as it stands, operation by operation.
+
+    Parameters
+    ----------
+    function : casadi.Function
+    numbers : sequence of Fraction or None, optional
+        What the entries of the last input are; it keeps those of which none is given.
+
+    Raises
+    ------
+    ExpressionError
+        If an operation has no meaning here, which is named, or a constant is not finite.
+    """
+    builder, (instructions, stores) = AsWritten(), single_assignment(function)
+    # Made first they stand first in sums and products: 2 x, not x 2.
+    builder.constant(2)
+    for instruction in instructions:
+        if instruction.constant is not None:
+            builder.constant(instruction.constant)
+    inputs = [(function.name_in(i), function.numel_in(i)) for i in range(function.n_in())]
+    entries = [[builder.input(f"{name}[{k}]") for k in range(size)] for name, size in inputs]
+    if numbers is not None:
+        name, _ = inputs.pop()
+        left = iter(entries[-1])
+        entries[-1] = [next(left) if n is None else builder.constant(n) for n in numbers]
+        inputs.append((name, numbers.count(None)))
+    every = nodes_of(builder, instructions, entries, range(len(instructions)))
+    shapes = tuple((function.name_out(i), function.size_out(i)) for i in range(function.n_out()))
+    outputs = {name: [builder.zero] * (rows * columns) for name, (rows, columns) in shapes}
+    for output, entry, number in stores:
+        outputs[shapes[output][0]][entry] = every[number]
+    return built(function.name(), builder, outputs, tuple(inputs), shapes)
 
 
 def nodes_of(

@@ -217,8 +217,8 @@ OPERATIONS: tuple[Operation, ...] = (
     ),
     Operation(
         "sign", SIGN, 1, exact=lambda x: Fraction((x > 0) - (x < 0)),
-        partials=lambda x, r: (0,),
-        numpy="sign", casadi="OP_SIGN", c="(double)(({0} > 0) - ({0} < 0))", sympy="sign",
+        partials=lambda x, r: (0,), numpy="sign", casadi="OP_SIGN", sympy="sign",
+        c="({0} > 0.0 ? 1.0 : ({0} < 0.0 ? -1.0 : {0}))",
     ),
     Operation(
         "floor", FLOOR, 1, exact=lambda x: Fraction(x.__floor__()),

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from scipy.integrate import LSODA
 
 from mechanics.compiled.machine.evaluator import evaluator
-from mechanics.compiled.programs.program import program
+from mechanics.program.casadi_reader import read_routine
 from mechanics.simulate.integrators.problem import Problem
 from mechanics.simulate.integrators.rate import rate_entries, rate_function
 
@@ -131,7 +131,7 @@ class _Variational:
         grown = tuple(f"v{i + 1}" for i in range(y.numel() ** 2))
         entries = {**names, "y": (*names["y"], *grown)}
         kernel = evaluator(
-            function, program(function), entries, np.float64, model.compiler, model.flags
+            function, read_routine(function), entries, np.float64, model.compiler, model.flags
         )
         self.calls = 0
         self._signals, self._w = problem.signals, problem.signals(0.0)

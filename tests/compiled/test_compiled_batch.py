@@ -15,8 +15,9 @@ from mechanics.compiled.c.sine import LIMIT
 from mechanics.compiled.calls.many_states import MANY
 from mechanics.compiled.machine.batch import BatchKernel
 from mechanics.compiled.machine.vectorised import settings
-from mechanics.compiled.programs.program import program, run
 from mechanics.errors import CompilerError, InputError, SingularError
+from mechanics.program.casadi_reader import read_routine
+from mechanics.program.routine import run
 from mechanics.routes.derivation import by_route
 from systems import rocker
 
@@ -288,7 +289,7 @@ def test_the_model_says_whether_it_is_vectorised(pendulum: Model) -> None:
 
 def test_what_is_not_vectorised_says_why(each: str) -> None:
     x = ca.SX.sym("x")
-    code = program(ca.Function("f", [x], [ca.atan2(x, 2) + ca.exp(x)], ["q"], ["y"]))
+    code = read_routine(ca.Function("f", [x], [ca.atan2(x, 2) + ca.exp(x)], ["q"], ["y"]))
     made = BatchKernel(code, {"q": ("x",)}, np.float64, each)
     assert made.vectorised.lanes == 1
     assert "the loop calls atan2, exp" in made.vectorised.sentence

@@ -11,8 +11,8 @@ import pytest
 from mechanics.compiled import compile, prove_graph
 from mechanics.compiled.forms.choice import full
 from mechanics.compiled.forms.factor import solve_symmetric
+from mechanics.compiled.forms.operations import operations
 from mechanics.compiled.forms.weigh import MOST, ROUNDINGS, digits_lost, lightest
-from mechanics.compiled.programs.program import operations
 from mechanics.errors import InputError
 from mechanics.kernel import Verdict
 from mechanics.routes.derivation import by_route

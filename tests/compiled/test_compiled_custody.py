@@ -3,7 +3,6 @@
 import shutil
 from dataclasses import replace
 
-import casadi as ca
 import numpy as np
 import pytest
 from flint import arb
@@ -24,7 +23,8 @@ from mechanics.kernel import Verdict
 from mechanics.kernel.balls import precision
 from mechanics.program import Program
 from mechanics.program.c.parse import parse
-from mechanics.program.casadi_reader import Instruction as Node
+from mechanics.program.operations import INPUT
+from mechanics.program.routine import Node, routine
 from mechanics.routes.derivation import by_route
 from systems import elastic_pendulum
 
@@ -54,11 +54,12 @@ def test_the_step_is_that_of_the_rates(graphs) -> None:
 def test_a_changed_weight_of_the_step_is_refuted(graphs) -> None:
     known, rates = derived(graphs, ("step",)), code_of(*graphs.exact_rates())
     step = code_of(*graphs.exact("step"))
-    places = [k for k, node in enumerate(step.nodes) if node.constant == 6]
+    places = [k for k, node in enumerate(step.routine.nodes) if node.constant == 6]
     assert places
-    nodes = list(step.nodes)
+    was, nodes = step.routine, list(step.routine.nodes)
     nodes[places[0]] = nodes[places[0]]._replace(constant=nodes[places[0]].constant + 1)
-    finding = prove_derived("step", replace(step, nodes=tuple(nodes)), known, rates)
+    changed = routine(was.name, nodes, was.outputs, was.inputs, was.shapes)
+    finding = prove_derived("step", replace(step, routine=changed), known, rates)
     assert finding.verdict is Verdict.REFUTED and finding.witness is not None
     assert finding.evidence.startswith(("q_next[", "u_next["))
 
@@ -158,5 +159,6 @@ def test_states_are_the_same_every_time_and_of_every_kind() -> None:
 
 def test_code_is_what_its_nodes_are(graphs) -> None:
     code = code_of(*graphs.exact("coordinate_rates"))
-    assert [node.op for node in code.nodes] == [ca.OP_INPUT] * 2 and not code.constants
-    assert code.nodes[0] == Node(ca.OP_INPUT, (1, 0), None)
+    nodes = code.routine.nodes
+    assert [node.operation for node in nodes] == [INPUT] * 2 and not code.constants
+    assert nodes[0] == Node(INPUT, (1, 0))

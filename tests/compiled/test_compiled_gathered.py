@@ -10,15 +10,16 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from mechanics.compiled.programs.gathered import gathered
-from mechanics.compiled.programs.program import Program, program, run
-from mechanics.compiled.programs.reciprocals import divisions
+from mechanics.program.casadi_reader import read_routine
+from mechanics.program.operations import ADD, DIVIDE, INPUT, MULTIPLY, NEGATE, SUBTRACT
+from mechanics.program.routine import Routine, run
 
 x, y, z, d, e = (ca.SX.sym(name) for name in "xyzde")
 
 
-def read(*outputs: ca.SX) -> Program:
+def read(*outputs: ca.SX) -> Routine:
     graph = ca.Function("f", [ca.vertcat(x, y, z, d, e)], [ca.vertcat(*outputs)], ["s"], ["out"])
-    return program(graph)
+    return read_routine(graph)
 
 
 GATHERED = (
@@ -45,24 +46,27 @@ KEPT = (
 def test_one_division_is_left_and_the_value_is_the_same(graph: ca.SX, left: int) -> None:
     code = read(graph)
     shorter = gathered(code)
-    assert divisions(shorter) == left < divisions(code)
-    assert shorter.operations == code.operations - (divisions(code) - left)
+    assert shorter.divisions == left < code.divisions
+    assert shorter.operations == code.operations - (code.divisions - left)
     numbers = [Fraction(n) for n in ("3/7", "-5/3", "11/2", "13/9", "-2/5")]
     assert exact(shorter, numbers) == exact(code, numbers)
 
 
 MEANING = {
-    ca.OP_ADD: operator.add, ca.OP_SUB: operator.sub, ca.OP_MUL: operator.mul,
-    ca.OP_DIV: operator.truediv, ca.OP_NEG: operator.neg, ca.OP_SQ: lambda a: a * a,
+    ADD: operator.add, SUBTRACT: operator.sub, MULTIPLY: operator.mul, DIVIDE: operator.truediv,
+    NEGATE: operator.neg,
 }  # fmt: skip
 
 
-def exact(code: Program, numbers: list[Fraction]) -> list[Fraction]:
+def exact(code: Routine, numbers: list[Fraction]) -> list[Fraction]:
     """The outputs in fractions."""
     values: list[Fraction] = []
     for node in code.nodes:
-        if node.operation == ca.OP_INPUT:
+        if node.operation == INPUT:
             values.append(numbers[node.operands[1]])
+            continue
+        if node.constant is not None:
+            values.append(node.constant)
             continue
         values.append(MEANING[node.operation](*(values[i] for i in node.operands)))
     return [values[k] for k in code.outputs[0]]

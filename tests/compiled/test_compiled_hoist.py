@@ -6,9 +6,10 @@ import pytest
 
 from mechanics.compiled import compile
 from mechanics.compiled.programs.hoist import hoisted
-from mechanics.compiled.programs.program import Program, program, run
-from mechanics.compiled.programs.reciprocals import divisions
 from mechanics.compiled.sampling import sample
+from mechanics.program.casadi_reader import read_routine
+from mechanics.program.operations import INPUT
+from mechanics.program.routine import Routine, routine, run
 
 SYSTEMS = [
     ("elastic_pendulum", "kane"), ("rocker", "moving_point"), ("two_mass_chain", "free_body"),
@@ -17,8 +18,8 @@ SYSTEMS = [
 by_system = pytest.mark.parametrize(("system", "route"), SYSTEMS, ids=lambda x: x)
 
 
-def inputs_of(code: Program) -> set[int]:
-    return {node.operands[0] for node in code.nodes if node.operation == ca.OP_INPUT}
+def inputs_of(code: Routine) -> set[int]:
+    return {node.operands[0] for node in code.nodes if node.operation == INPUT}
 
 
 @by_system
@@ -51,7 +52,7 @@ def test_where_nothing_is_divided_by_a_parameter_the_bits_are_the_same(
 ) -> None:
     model = modelled(system, route)
     parts = model.programs.hoisted
-    if divisions(parts.prepared) < divisions(model.program("forward_dynamics")):
+    if parts.prepared.divisions < model.program("forward_dynamics").divisions:
         return
     q, u, inputs, p = sample(model.quantities, 50, seed=4, decades=1.0).groups
     c = model.evaluate("prepare", p=p)["c"]
@@ -73,7 +74,7 @@ def test_all_that_can_be_hoisted_is(modelled, system: str, route: str) -> None:
     groups = tuple(
         ("p", size) if name == "c" else (name, size) for name, size in parts.prepared.inputs
     )
-    renamed = Program(
+    renamed = routine(
         "again", parts.prepared.nodes, parts.prepared.outputs, groups, parts.prepared.shapes
     )
     again = hoisted(renamed, {"p": parts.names})
@@ -84,9 +85,9 @@ def test_all_that_can_be_hoisted_is(modelled, system: str, route: str) -> None:
 def test_what_is_divided_by_is_held_as_its_reciprocal() -> None:
     q, p = ca.SX.sym("q", 1), ca.SX.sym("p", 3)
     whole = ca.vertcat(q / (p[0] + p[1]), p[0] + p[1] + q, q / p[2], p[0] / p[1])
-    code = program(ca.Function("f", [q, p], [whole], ["q", "p"], ["out"]))
+    code = read_routine(ca.Function("f", [q, p], [whole], ["q", "p"], ["out"]))
     parts = hoisted(code, {"q": ("x",), "p": ("a", "b", "c")})
-    assert divisions(parts.prepared) == 0 and divisions(parts.prepare) == 3
+    assert parts.prepared.divisions == 0 and parts.prepare.divisions == 3
     assert "over_c" in parts.names and "c" not in parts.names
     states = [[np.array(1.75)], [np.array(v) for v in (3.0, 0.25, 8.0)]]
     (c,) = run(parts.prepare, states[1:], np.float64)

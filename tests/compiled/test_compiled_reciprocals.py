@@ -9,18 +9,19 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from mechanics.compiled import compile
-from mechanics.compiled.programs.program import Program, program, run
-from mechanics.compiled.programs.reciprocals import ROUNDING, divisions, with_reciprocals
+from mechanics.compiled.programs.reciprocals import ROUNDING, with_reciprocals
+from mechanics.program.casadi_reader import read_routine
+from mechanics.program.routine import Routine, run
 
 x, y, d = ca.SX.sym("x"), ca.SX.sym("y"), ca.SX.sym("d")
 
 
-def read(*outputs: ca.SX) -> Program:
+def read(*outputs: ca.SX) -> Routine:
     graph = ca.Function("f", [ca.vertcat(x, y, d)], [ca.vertcat(*outputs)], ["s"], ["out"])
-    return program(graph)
+    return read_routine(graph)
 
 
-def values(code: Program, numbers: tuple[float, ...], kind: type) -> list[float]:
+def values(code: Routine, numbers: tuple[float, ...], kind: type) -> list[float]:
     (found,) = run(code, [[kind(n) for n in numbers]], kind)
     return [float(n) for n in found]
 
@@ -28,9 +29,9 @@ def values(code: Program, numbers: tuple[float, ...], kind: type) -> list[float]
 def test_one_division_is_left() -> None:
     code = read(x / d, y / d, 1 / d, (x + y) / (d + 1))
     shorter = with_reciprocals(code)
-    assert (divisions(code), divisions(shorter)) == (4, 2)
+    assert (code.divisions, shorter.divisions) == (4, 2)
     # A product more for each quotient, but for the reciprocal itself.
-    assert shorter.operations == code.operations - divisions(code) + divisions(shorter) + 2
+    assert shorter.operations == code.operations - code.divisions + shorter.divisions + 2
 
 
 def test_a_single_quotient_and_numbers_stay_quotients() -> None:
@@ -39,8 +40,8 @@ def test_a_single_quotient_and_numbers_stay_quotients() -> None:
 
 
 def test_with_the_least_of_one_every_quotient_is_a_product() -> None:
-    assert divisions(with_reciprocals(read(x / d, y / (d + 1)), least=1)) == 2
-    assert divisions(with_reciprocals(read(x / d / d), least=1)) == 1
+    assert with_reciprocals(read(x / d, y / (d + 1)), least=1).divisions == 2
+    assert with_reciprocals(read(x / d / d), least=1).divisions == 1
 
 
 numbers = st.floats(1e-3, 1e3).flatmap(lambda n: st.sampled_from([n, -n]))
@@ -75,4 +76,4 @@ def test_it_can_be_switched_off(derived) -> None:
     equations = derived("rolling_disc", "kane")
     plain = compile(equations, reciprocals=False).program("forward_dynamics")
     shorter = compile(equations).program("forward_dynamics")
-    assert divisions(shorter) < divisions(plain)
+    assert shorter.divisions < plain.divisions

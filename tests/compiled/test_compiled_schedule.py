@@ -15,7 +15,9 @@ from mechanics.compiled import compile
 from mechanics.compiled.c.schedule import CALLS, LEAST, scheduled
 from mechanics.compiled.c.source import function_source
 from mechanics.compiled.machine.library import FLAGS
-from mechanics.compiled.programs.program import Program, program, run
+from mechanics.program.casadi_reader import read_routine
+from mechanics.program.operations import DIVIDE, INPUT
+from mechanics.program.routine import Routine, run
 from mechanics.routes.derivation import by_route
 from systems import pendulum_chain
 
@@ -30,16 +32,16 @@ STEPS = (
 )
 
 
-def drawn(steps: list[tuple[int, int, int]]) -> Program:
+def drawn(steps: list[tuple[int, int, int]]) -> Routine:
     s = ca.SX.sym("s", 4)
     values = [s[i] for i in range(4)]
     for operation, left, right in steps:
         values.append(STEPS[operation](values[left % len(values)], values[right % len(values)]))
-    return program(ca.Function("f", [s], [ca.vertcat(*values[-5:])], ["s"], ["out"]))
+    return read_routine(ca.Function("f", [s], [ca.vertcat(*values[-5:])], ["s"], ["out"]))
 
 
 @pytest.fixture(scope="module")
-def chain() -> Program:
+def chain() -> Routine:
     model = compile(by_route("free_body", pendulum_chain.scene(5)), outputs=("forward_dynamics",))
     return model.program("forward_dynamics")
 
@@ -51,7 +53,7 @@ def test_every_node_is_there_once_after_its_operands(steps: list[tuple[int, int,
     other = scheduled(code)
     assert sorted(n.operation for n in other.nodes) == sorted(n.operation for n in code.nodes)
     for k, node in enumerate(other.nodes):
-        if node.constant is None and node.operation != ca.OP_INPUT:
+        if node.operands and node.operation != INPUT:
             assert all(i < k for i in node.operands)
     states = [list(np.random.default_rng(0).normal(size=(4, 16)))]
     for found, expected in zip(
@@ -63,25 +65,25 @@ def test_every_node_is_there_once_after_its_operands(steps: list[tuple[int, int,
 def test_few_calls_need_no_order() -> None:
     s = ca.SX.sym("s", 4)
     few = [ca.sin(s[i]) * ca.cos(s[i]) for i in range(LEAST - 1)]
-    code = program(ca.Function("f", [s], [ca.vertcat(*few)], ["s"], ["out"]))
+    code = read_routine(ca.Function("f", [s], [ca.vertcat(*few)], ["s"], ["out"]))
     assert scheduled(code) is code
 
 
-def test_calls_stand_between_the_rest_and_a_sine_beside_its_cosine(chain: Program) -> None:
+def test_calls_stand_between_the_rest_and_a_sine_beside_its_cosine(chain: Routine) -> None:
     nodes = scheduled(chain).nodes
     calls = [k for k, node in enumerate(nodes) if node.operation in CALLS]
     pairs = list(zip(calls[::2], calls[1::2], strict=True))
     assert len(pairs) == 5
     for first, second in pairs:
         assert second == first + 1 and nodes[first].operands == nodes[second].operands
-    divisions = [k for k, node in enumerate(nodes) if node.operation in (ca.OP_DIV, ca.OP_INV)]
+    divisions = [k for k, node in enumerate(nodes) if node.operation == DIVIDE]
     assert divisions[0] < calls[-1]
 
 
 @pytest.mark.parametrize("name", ["gcc", "clang"])
 @pytest.mark.parametrize("level", ["-O2", "-O3"])
 def test_each_pair_of_sine_and_cosine_is_one_call(
-    chain: Program, tmp_path: Path, name: str, level: str
+    chain: Routine, tmp_path: Path, name: str, level: str
 ) -> None:
     compiler, reader = shutil.which(name), shutil.which("objdump")
     if compiler is None or reader is None:

@@ -3,7 +3,7 @@
 import casadi as ca
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 from mechanics.compiled.c.names import RESERVED, Namer, identifier
@@ -11,9 +11,9 @@ from mechanics.compiled.c.source import function_source, literal
 from mechanics.compiled.machine import native
 from mechanics.compiled.machine.native import NativeKernel, library_source
 from mechanics.compiled.machine.virtual import NumpyKernel, VirtualKernel
-from mechanics.compiled.programs.operations import OPERATIONS
-from mechanics.compiled.programs.program import program
 from mechanics.errors import CompilerError, ExpressionError
+from mechanics.program.casadi_reader import read_routine
+from mechanics.program.operations import OPERATIONS
 
 ENTRIES = {"s": ("x", "lambda", "I", "y1")}
 
@@ -46,7 +46,12 @@ def test_machine_code_rounds_like_numpy(compiler: str, steps: list[tuple[int, in
     values = [s[i] for i in range(4)]
     for operation, left, right in steps:
         values.append(BINARY[operation](values[left % len(values)], values[right % len(values)]))
-    code = program(function(*values[-6:], of=s))
+    made = function(*values[-6:], of=s)
+    # CasADi divides numbers by zero on its own: what is infinite has no text.
+    constants = [made.instruction_constant(k) for k in range(made.n_instructions())
+                 if made.instruction_id(k) == ca.OP_CONST]  # fmt: skip
+    assume(np.isfinite(constants).all())
+    code = read_routine(made)
     states = np.random.default_rng(0).normal(size=(64, 4))
     for kind in (np.float64, np.float32):
         given_states = [states.astype(kind)]
@@ -70,8 +75,9 @@ def test_every_operation_of_the_table_agrees_with_casadi(compiler: str) -> None:
         ca.if_else(x > 0, x, y), x + y, x - y, x * y, x / y, 1 / x, -x, x * x, 2 * x,
     ]  # fmt: skip
     made = function(*outputs, of=s)
-    code = program(made)
-    assert {node.operation for node in code.nodes} >= set(OPERATIONS) - {ca.OP_ASSIGN}
+    code = read_routine(made)
+    printed = {row.code for row in OPERATIONS if row.c and row.arity}
+    assert {node.operation for node in code.nodes} >= printed
     states = np.random.default_rng(1).uniform([-1, 0, 0, 0], 1, size=(32, 4))
     (reference,) = VirtualKernel(made)([states], 32)
     for kernel in (
@@ -112,7 +118,7 @@ def test_names_that_c_reserves_or_that_meet_are_told_apart() -> None:
 
 def test_inputs_are_read_before_outputs_are_written() -> None:
     s = ca.SX.sym("s", 4)
-    text = function_source(program(function(s[1], s[0] * s[1], s[0], of=s)), ENTRIES)
+    text = function_source(read_routine(function(s[1], s[0] * s[1], s[0], of=s)), ENTRIES)
     body = text.splitlines()
     reads = [i for i, line in enumerate(body) if "= s[" in line]
     writes = [i for i, line in enumerate(body) if line.strip().startswith("out[")]
@@ -121,13 +127,13 @@ def test_inputs_are_read_before_outputs_are_written() -> None:
 
 def test_an_unused_array_is_no_warning(compiler: str) -> None:
     s = ca.SX.sym("s", 4)
-    text = function_source(program(function(ca.SX(1), of=s)), ENTRIES)
+    text = function_source(read_routine(function(ca.SX(1), of=s)), ENTRIES)
     assert "(void)s;" in text
 
 
 def test_a_compiler_that_refuses_is_quoted(compiler: str) -> None:
     s = ca.SX.sym("s", 4)
-    code = program(function(s[0], of=s))
+    code = read_routine(function(s[0], of=s))
     with pytest.raises(CompilerError, match=r"(?s)refused.*compiler=None"):
         NativeKernel(code, {"s": ("x", "y", "z", "1 +")}, np.float64, "false")
     with pytest.raises(CompilerError, match="cannot be run"):
@@ -137,16 +143,13 @@ def test_a_compiler_that_refuses_is_quoted(compiler: str) -> None:
 
 def test_an_operation_without_c_is_named() -> None:
     s = ca.SX.sym("s", 4)
-    code = program(function(ca.erfinv(s[0]), of=s))
     with pytest.raises(ExpressionError, match="OP_ERFINV"):
-        function_source(code, ENTRIES)
-    with pytest.raises(ExpressionError, match="OP_ERFINV"):
-        NumpyKernel(code, np.float64)([np.zeros((1, 4))], 1)
+        read_routine(function(ca.erfinv(s[0]), of=s))
 
 
 def test_long_programs_are_compiled_without_optimisation(compiler: str, monkeypatch) -> None:
     s = ca.SX.sym("s", 4)
-    code = program(function(ca.sin(s[0]) * s[1] + s[2] / s[3], of=s))
+    code = read_routine(function(ca.sin(s[0]) * s[1] + s[2] / s[3], of=s))
     states = [np.random.default_rng(2).normal(size=(16, 4))]
     levels: list[str] = []
     compile_and_load = native.load

@@ -9,11 +9,11 @@ import pytest
 from flint import arb
 
 from mechanics.compiled.custody.code import as_written
-from mechanics.compiled.programs.program import program
 from mechanics.compiled.step import RK4, Tableau, runge_kutta
 from mechanics.compiled.tableaus import TABLEAUX
 from mechanics.kernel.balls import Balls, ball, precision
 from mechanics.program import interpret
+from mechanics.program.casadi_reader import read_routine
 
 SYSTEMS = [("elastic_pendulum", "kane"), ("rocker", "free_body"), ("rolling_disc", "free_body"),
            ("four_bar", "lagrange")]  # fmt: skip
@@ -21,7 +21,7 @@ SYSTEMS = [("elastic_pendulum", "kane"), ("rocker", "free_body"), ("rolling_disc
 
 def balls(function: ca.Function, inputs: list[list[arb]]) -> list[list[arb]]:
     """Outputs of a function at balls, at the precision that is set."""
-    written = program(function)
+    written = read_routine(function)
     state = {
         f"{name}[{k}]": value
         for (name, _), values in zip(written.inputs, inputs, strict=True)

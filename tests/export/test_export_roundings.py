@@ -8,16 +8,17 @@ import pytest
 
 from mechanics.cli.load import load
 from mechanics.compiled import compile as compile_model
-from mechanics.compiled.programs.program import program, run
 from mechanics.crosscheck import derive
 from mechanics.export.roundings import first_order
 from mechanics.export.vectors import ROOM, enclosed, vectors
+from mechanics.program.casadi_reader import read_routine
+from mechanics.program.routine import run
 
 
 def test_a_sum_of_products_by_hand() -> None:
     x = ca.SX.sym("x", 3)
     function = ca.Function("f", [x], [x[0] * x[1] + x[2], x[0] / x[1]])
-    found = first_order(program(function), [[3.0, 5.0, -7.0]], 53)
+    found = first_order(read_routine(function), [[3.0, 5.0, -7.0]], 53)
     # The product, 15, and the sum, 8; the quotient.
     assert found == [[(15 + 8) * 2.0**-53], [0.6 * 2.0**-53]]
 
@@ -30,8 +31,8 @@ def test_between_what_happens_and_what_intervals_say(modelled, system: str, digi
     kind = np.float64 if digits == 53 else np.float32
     happened = 0.0
     for vector in vectors(model, "forward_dynamics", digits):
-        bounds = first_order(program(function), vector.inputs, digits)
-        found = run(program(function), vector.inputs, kind)
+        bounds = first_order(read_routine(function), vector.inputs, digits)
+        found = run(read_routine(function), vector.inputs, kind)
         balls = enclosed(function, vector.inputs, digits)
         for values, exact, limits, wide in zip(found, vector.expected, bounds, balls, strict=True):
             for value, expected, limit, enclosure in zip(values, exact, limits, wide, strict=True):

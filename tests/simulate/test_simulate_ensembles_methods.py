@@ -19,9 +19,9 @@ from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 from mechanics.compiled import Model, compile
 from mechanics.compiled.machine.library import FLAGS, REMARKS, build, find_compiler
 from mechanics.compiled.machine.vectorised import TELL, loop_line, vectorised
-from mechanics.compiled.programs.program import program
 from mechanics.crosscheck import derive
 from mechanics.errors import ExpressionError
+from mechanics.program.casadi_reader import read_routine
 from mechanics.scene import Particle, Scene, force, parameters
 from mechanics.simulate import Ensemble, Status, ensemble, simulate
 from mechanics.simulate.constraints import manifold
@@ -305,7 +305,7 @@ def test_slopes_are_computed_in_vectors(name: str) -> None:
     file = build(method.text, compiler, [*FLAGS, *method.flags.split(), TELL[name]], ["-lm"])
     remarks = file.with_suffix(REMARKS).read_text(encoding="utf-8")
     line = loop_line(method.text, f"{RATE}_lanes")
-    assert vectorised(remarks, compiler, line, 8, program(function)).lanes > 1
+    assert vectorised(remarks, compiler, line, 8, read_routine(function)).lanes > 1
 
 
 @pytest.mark.parametrize("name", ["gcc", "clang"])

@@ -10,14 +10,14 @@ from collections.abc import Sequence
 
 from mechanics.compiled.c.lanes import FAR, SHARED, arguments, lanes_source, wrapped
 from mechanics.compiled.c.source import Entries
-from mechanics.compiled.programs.program import Program
+from mechanics.program.routine import Routine
 
 BLOCK = 256
 """States in a block: few enough to stay in the first cache between two looks at them."""
 
 
 def batch_source(
-    code: Program,
+    code: Routine,
     entries: Entries,
     kind: str,
     name: str,
@@ -42,7 +42,7 @@ def batch_source(
 
 
 def blocks_source(
-    code: Program, kind: str, name: str, scalar: str, shared: Sequence[str] = SHARED
+    code: Routine, kind: str, name: str, scalar: str, shared: Sequence[str] = SHARED
 ) -> str:
     """Definition of ``int name(...)``: lanes in blocks, and what they could not do."""
     moving = [group for group, size in code.inputs if size and group not in shared]

@@ -2,43 +2,39 @@
 
 from collections.abc import Sequence
 
-import casadi as ca
-
 from mechanics.compiled.c.status import watched
-from mechanics.compiled.programs.program import Program
+from mechanics.program.operations import INPUT, SIGN
+from mechanics.program.routine import Routine
 
 OUTPUT = -1
 """Stands for the outputs among the users of a node."""
 
 
-def users(code: Program) -> list[list[int]]:
+def users(code: Routine) -> list[list[int]]:
     """For each node the nodes that use it, once for each use; an output is node -1."""
     users: list[list[int]] = [[] for _ in code.nodes]
     for k, node in enumerate(code.nodes):
-        if node.operation in (ca.OP_INPUT, ca.OP_CONST):
-            continue
-        # The text of these repeats its operand.
-        twice = node.operation in (ca.OP_SQ, ca.OP_SIGN)
-        for operand in node.operands:
-            users[operand] += [k, k] if twice else [k]
+        for operand in code.operands(k):
+            # The text of a sign repeats its operand.
+            users[operand] += [k, k] if node.operation == SIGN else [k]
     for nodes in code.outputs:
         for node_at in nodes:
             users[node_at].append(OUTPUT)
     return users
 
 
-def constant(code: Program, shared: Sequence[str]) -> list[bool]:
+def constant(code: Routine, shared: Sequence[str]) -> list[bool]:
     """For each node whether it is the same for all states; the last entry is for outputs."""
     found: list[bool] = []
     for node in code.nodes:
-        if node.operation == ca.OP_INPUT:
+        if node.operation == INPUT:
             found.append(code.inputs[node.operands[0]][0] in shared)
         else:
             found.append(all(found[i] for i in node.operands))
     return [*found, False]
 
 
-def looked_at(code: Program) -> tuple[int, ...]:
+def looked_at(code: Routine) -> tuple[int, ...]:
     """Nodes that have to be finite: outputs and what is watched, but for numbers."""
     found = watched(code)
     outputs = [node for nodes in code.outputs for node in nodes]

@@ -11,15 +11,17 @@ result does not depend on where in the batch a state stands, nor on how long the
 
 import textwrap
 from collections.abc import Sequence
+from fractions import Fraction
 
-import casadi as ca
 import numpy as np
 
 from mechanics.compiled.c.flow import constant, looked_at, users
 from mechanics.compiled.c.names import Namer
-from mechanics.compiled.c.source import LINE, Entries, Text, expression, literal
-from mechanics.compiled.programs.operations import ATOM, SIGN
-from mechanics.compiled.programs.program import Node, Program
+from mechanics.compiled.c.source import LINE, Entries, literal
+from mechanics.compiled.c.source import constant as number
+from mechanics.program.c_printer import PRIMARY, UNARY, Text, expression, numeric
+from mechanics.program.operations import ADD, COS, DIVIDE, INPUT, MULTIPLY, SIN, SUBTRACT
+from mechanics.program.routine import Node, Routine
 
 SHARED = ("p",)
 """Inputs that all states of a batch have in common, unless told otherwise."""
@@ -33,13 +35,12 @@ INDEPENDENT = (
 """Tells the compiler that no state reads what another one writes."""
 FAR, WILD = 1, 2
 """What the functions return; 0 is neither."""
-_TURNS = (ca.OP_SIN, ca.OP_COS)
-_PRODUCTS = (ca.OP_MUL, ca.OP_SQ, ca.OP_TWICE)
+_TURNS = (SIN, COS)
 _LONG = 24
 _LARGEST = {"double": float(np.finfo(np.float64).max), "float": float(np.finfo(np.float32).max)}
 
 
-def arguments(code: Program, kind: str, restrict: str = "") -> str:
+def arguments(code: Routine, kind: str, restrict: str = "") -> str:
     """``size_t count, size_t stride, const double *q, ..., double *ud``."""
     inputs = [f"const {kind} *{restrict}{group}" for group, size in code.inputs if size]
     outputs = [f"{kind} *{restrict}{out}" for out, (rows, cols) in code.shapes if rows * cols]
@@ -47,7 +48,7 @@ def arguments(code: Program, kind: str, restrict: str = "") -> str:
 
 
 def lanes_source(
-    code: Program,
+    code: Routine,
     entries: Entries,
     kind: str,
     name: str,
@@ -106,7 +107,7 @@ class _Writer:
     """
 
     def __init__(
-        self, code: Program, entries: Entries, kind: str, name: str, shared: Sequence[str]
+        self, code: Routine, entries: Entries, kind: str, name: str, shared: Sequence[str]
     ) -> None:
         self._code, self._kind = code, kind
         self._f = "f" if kind == "float" else ""
@@ -127,7 +128,7 @@ class _Writer:
             self._node(k, node)
         for (out, _), nodes in zip(code.shapes, code.outputs, strict=True):
             for entry, node_at in enumerate(nodes):
-                text = self._texts[node_at].code
+                text = numeric(self._texts[node_at], kind).code
                 self.inside.append(f"        {out}[{self._place(entry)}] = {text};")
         read = {code.inputs[n.operands[0]][0] for k, n in self._inputs()}
         unread = [group for group, size in code.inputs if size and group not in read]
@@ -138,8 +139,8 @@ class _Writer:
     def check(self) -> str:
         """Add to the loop whether values are finite; the name of the flag."""
         flag = self._namer.local("wild")
-        texts = [self._texts[k] for k in looked_at(self._code)]
-        values = [t.code if t.level == ATOM else f"({t.code})" for t in texts]
+        texts = [numeric(self._texts[k], self._kind) for k in looked_at(self._code)]
+        values = [t.code if t.level == PRIMARY else f"({t.code})" for t in texts]
         # A sum is finite only where its terms are.
         total, limit = (
             " + ".join(dict.fromkeys(values)) or "0",
@@ -152,7 +153,7 @@ class _Writer:
         return [
             (k, node)
             for k, node in enumerate(self._code.nodes)
-            if node.operation == ca.OP_INPUT and self._users[k]
+            if node.operation == INPUT and self._users[k]
         ]
 
     def _read(self, entries: Entries, shared: Sequence[str]) -> None:
@@ -172,15 +173,14 @@ class _Writer:
     def _kept(self, text: str, name: str, once: bool) -> Text:
         lines, indent = (self.before, "    ") if once else (self.inside, "        ")
         lines.append(f"{indent}const {self._kind} {name} = {text};")
-        return Text(name, ATOM)
+        return Text(name)
 
     def _node(self, k: int, node: Node) -> None:
         if node.constant is not None:
-            level = ATOM if node.constant >= 0 else SIGN
-            self._texts.append(Text(literal(node.constant, self._kind), level))
+            self._texts.append(number(node.constant, self._kind))
             return
-        if node.operation == ca.OP_INPUT:
-            self._texts.append(self._local.get(node.operands, Text("", ATOM)))
+        if node.operation == INPUT:
+            self._texts.append(self._local.get(node.operands, Text("")))
             return
         if node.operation in _TURNS and not self._constant[k]:
             self._texts.append(self._turn(node))
@@ -194,14 +194,15 @@ class _Writer:
             self._texts[k] = self._named(k)
 
     def _named(self, k: int) -> Text:
-        return self._kept(self._texts[k].code, self._namer.value(), self._constant[k])
+        text = numeric(self._texts[k], self._kind)
+        return self._kept(text.code, self._namer.value(), self._constant[k])
 
     def _turn(self, node: Node) -> Text:
         """Sine or cosine: both at once, the first time that one of them is asked for."""
         (operand,) = node.operands
         if (operand, node.operation) not in self._turned:
             angle = self._texts[operand]
-            if angle.level != ATOM:
+            if angle.level != PRIMARY:
                 angle = self._texts[operand] = self._named(operand)
             pair = [self._namer.local(f"{f}_{angle.code}") for f in ("sin", "cos")]
             self.inside += [
@@ -210,7 +211,7 @@ class _Writer:
                 f"        {self.far} |= mechanics_far{self._f}({angle.code});",
             ]
             for operation, name in zip(_TURNS, pair, strict=True):
-                self._turned[operand, operation] = Text(name, ATOM)
+                self._turned[operand, operation] = Text(name)
         return self._turned[operand, node.operation]
 
     def _expression(self, k: int, node: Node) -> Text:
@@ -218,16 +219,17 @@ class _Writer:
         parts = [self._texts[i] for i in node.operands]
         if k in self._fused:
             return self._fusion(k, node)
-        if node.operation == ca.OP_DIV and not self._constant[k]:
+        if node.operation == DIVIDE and not self._constant[k]:
             divisor = node.operands[1]
             if self._constant[divisor]:
-                return expression(ca.OP_MUL, [parts[0], self._inverse(divisor)], self._kind)
+                return expression(MULTIPLY, [parts[0], self._inverse(divisor)], self._kind)
         return expression(node.operation, parts, self._kind)
 
     def _inverse(self, k: int) -> Text:
         """1 over a value that all states share: one division before the loop."""
         if k not in self._inverses:
-            text = expression(ca.OP_INV, [self._texts[k]], self._kind)
+            one = number(Fraction(1), self._kind)
+            text = expression(DIVIDE, [one, self._texts[k]], self._kind)
             self._inverses[k] = self._kept(text.code, self._namer.value(), True)
         return self._inverses[k]
 
@@ -235,10 +237,10 @@ class _Writer:
         """For each sum the product in it that is fused with it: nothing else uses that."""
         found = {}
         for k, node in enumerate(self._code.nodes):
-            if node.operation not in (ca.OP_ADD, ca.OP_SUB) or self._constant[k]:
+            if node.operation not in (ADD, SUBTRACT) or self._constant[k]:
                 continue
             for i in reversed(node.operands):
-                product = self._code.nodes[i].operation in _PRODUCTS and not self._constant[i]
+                product = self._code.nodes[i].operation == MULTIPLY and not self._constant[i]
                 if product and len(self._users[i]) == 1:
                     found[k] = i
                     break
@@ -248,19 +250,15 @@ class _Writer:
         """a b + c, c - a b or a b - c as one operation."""
         product = self._code.nodes[self._fused[k]]
         last = node.operands[1] == self._fused[k]
-        other = self._texts[node.operands[0 if last else 1]]
-        right = self._texts[product.operands[-1]]
-        if product.operation == ca.OP_TWICE:
-            left = Text(literal(2.0, self._kind), ATOM)
-        else:
-            left = self._texts[product.operands[0]]
-        if node.operation == ca.OP_SUB:
+        places = node.operands[0 if last else 1], *product.operands
+        other, left, right = (numeric(self._texts[i], self._kind) for i in places)
+        if node.operation == SUBTRACT:
             left, other = (_minus(left), other) if last else (left, _minus(other))
-        return Text(f"mechanics_fma{self._f}({left.code}, {right.code}, {other.code})", ATOM)
+        return Text(f"mechanics_fma{self._f}({left.code}, {right.code}, {other.code})")
 
 
 def _minus(text: Text) -> Text:
     """The same with the other sign."""
-    if text.level == SIGN:
-        return Text(text.code[1:], ATOM)
-    return Text(f"-{text.code}" if text.level == ATOM else f"-({text.code})", SIGN)
+    if text.level == UNARY:
+        return Text(text.code[1:])
+    return Text(f"-{text.code}" if text.level == PRIMARY else f"-({text.code})", UNARY)

@@ -12,12 +12,10 @@ Chains of 5 to 50 links, measured in turn: 10 to 25 percent less time than calls
 
 import heapq
 from collections.abc import Iterator
-from dataclasses import replace
 
-import casadi as ca
-
-from mechanics.compiled.programs.operations import ATOM, OPERATIONS
-from mechanics.compiled.programs.program import Program
+from mechanics.program.c_printer import CALLS as LIBRARY
+from mechanics.program.operations import ABS, DIVIDE, SQRT
+from mechanics.program.routine import Routine, routine
 
 LEAST = 3
 """Different arguments of calls from which on the order matters."""
@@ -25,46 +23,35 @@ CALL, SLOW, QUICK, STEP = 120.0, 13.0, 4.0, 0.5
 """Cycles: a call and what fits beside it, until a quotient or root is there, until another value
 is, and until the next operation can begin."""
 
-SLOWLY = frozenset({ca.OP_SQRT, ca.OP_DIV, ca.OP_INV})
-CALLS = frozenset(
-    operation
-    for operation, how in OPERATIONS.items()
-    if how.level == ATOM and "{f}(" in how.text and operation not in (ca.OP_SQRT, ca.OP_FABS)
-)
+SLOWLY = frozenset({SQRT, DIVIDE})
+CALLS = frozenset(LIBRARY) - {SQRT, ABS}
 """Functions of the C library that are no instructions."""
 
 
-def scheduled(code: Program) -> Program:
+def scheduled(code: Routine) -> Routine:
     """The same program with its nodes in another order; one with few calls stays as it is."""
     if len({node.operands for node in code.nodes if node.operation in CALLS}) < LEAST:
         return code
     order = list(_emitted(code, _starts(code)))
     place = {k: i for i, k in enumerate(order)}
-    nodes = tuple(
+    nodes = [
         code.nodes[k]._replace(operands=tuple(place[i] for i in operands))
-        if (operands := _operands(code, k))
+        if (operands := code.operands(k))
         else code.nodes[k]
         for k in order
-    )
-    outputs = tuple(tuple(place[k] for k in entries) for entries in code.outputs)
-    return replace(code, nodes=nodes, outputs=outputs)
+    ]
+    outputs = [[place[k] for k in entries] for entries in code.outputs]
+    return routine(code.name, nodes, outputs, code.inputs, code.shapes)
 
 
-def _operands(code: Program, k: int) -> tuple[int, ...]:
-    """Nodes that a node is computed from."""
-    node = code.nodes[k]
-    free = node.constant is not None or node.operation == ca.OP_INPUT
-    return () if free else node.operands
-
-
-def _emitted(code: Program, wanted: Iterator[int]) -> Iterator[int]:
+def _emitted(code: Routine, wanted: Iterator[int]) -> Iterator[int]:
     """The nodes in the order wanted, each after what it is computed from, and the rest."""
     done: set[int] = set()
     for first in (*wanted, *range(len(code.nodes))):
         waiting = [first]
         while waiting:
             k = waiting[-1]
-            missing = [i for i in _operands(code, k) if i not in done]
+            missing = [i for i in code.operands(k) if i not in done]
             if missing:
                 waiting.append(missing[0])
                 continue
@@ -74,14 +61,14 @@ def _emitted(code: Program, wanted: Iterator[int]) -> Iterator[int]:
                 yield k
 
 
-def _starts(code: Program) -> Iterator[int]:
+def _starts(code: Routine) -> Iterator[int]:
     """Nodes as they begin on the machine; inputs, and what only calls are given, have no time."""
     users: list[list[int]] = [[] for _ in code.nodes]
     for k in range(len(code.nodes)):
-        for i in set(_operands(code, k)):
+        for i in set(code.operands(k)):
             users[i].append(k)
     late, way = _late(code, users), _ways(code, users)
-    left = {k: len(set(_operands(code, k)) - late) for k in range(len(users)) if k not in late}
+    left = {k: len(set(code.operands(k)) - late) for k in range(len(users)) if k not in late}
     there = dict.fromkeys(left, 0.0)
     # Nodes by the time when their operands are there, and those that can begin, unit by unit.
     coming = [(0.0, k) for k, count in left.items() if count == 0]
@@ -106,7 +93,7 @@ def _starts(code: Program) -> Iterator[int]:
         now = max(now, min(moments, default=now))
 
 
-def _taken(code: Program, ready: list[tuple[float, int]]) -> list[int]:
+def _taken(code: Routine, ready: list[tuple[float, int]]) -> list[int]:
     """The next call, and what else is called with the same: a sine comes with its cosine."""
     given = code.nodes[ready[0][1]].operands
     found = sorted(k for _, k in ready if code.nodes[k].operands == given)
@@ -115,7 +102,7 @@ def _taken(code: Program, ready: list[tuple[float, int]]) -> list[int]:
     return found
 
 
-def _late(code: Program, users: list[list[int]]) -> set[int]:
+def _late(code: Routine, users: list[list[int]]) -> set[int]:
     """Inputs, numbers, and what is made of these for calls only: they wait for who needs them."""
     outputs = {k for entries in code.outputs for k in entries}
     asked: set[int] = set()
@@ -125,13 +112,13 @@ def _late(code: Program, users: list[list[int]]) -> set[int]:
             asked.add(k)
     found: set[int] = set()
     for k in range(len(users)):
-        operands = _operands(code, k)
+        operands = code.operands(k)
         if not operands or (k in asked and all(i in found for i in operands)):
             found.add(k)
     return found
 
 
-def _ways(code: Program, users: list[list[int]]) -> list[float]:
+def _ways(code: Routine, users: list[list[int]]) -> list[float]:
     """Cycles from the beginning of a node to the end of the longest chain after it."""
     way = [0.0] * len(users)
     for k in reversed(range(len(users))):
@@ -139,8 +126,8 @@ def _ways(code: Program, users: list[list[int]]) -> list[float]:
     return way
 
 
-def _time(code: Program, k: int) -> float:
-    if not _operands(code, k):
+def _time(code: Routine, k: int) -> float:
+    if not code.operands(k):
         return 0.0
     operation = code.nodes[k].operation
     return CALL if operation in CALLS else SLOW if operation in SLOWLY else QUICK

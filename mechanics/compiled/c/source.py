@@ -11,16 +11,17 @@ import re
 import textwrap
 from collections import Counter
 from collections.abc import Mapping
-from dataclasses import dataclass
+from fractions import Fraction
 
-import casadi as ca
 import numpy as np
 
+from mechanics.compiled.c.flow import looked_at, users
 from mechanics.compiled.c.names import Namer
 from mechanics.compiled.c.schedule import scheduled
 from mechanics.compiled.c.status import Codes, status_lines, watched
-from mechanics.compiled.programs.operations import ATOM, OPERATIONS, PRODUCT, SIGN, SUM, unknown
-from mechanics.compiled.programs.program import Program
+from mechanics.program.c_printer import CALLS, PRIMARY, UNARY, Text, expression, numeric
+from mechanics.program.operations import INPUT
+from mechanics.program.routine import Routine
 
 LINE = 100
 WIDTH = 64
@@ -30,16 +31,8 @@ Entries = Mapping[str, tuple[str, ...]]
 """For each input the names of its entries."""
 
 
-@dataclass(frozen=True)
-class Text:
-    """A C expression and how tightly it binds."""
-
-    code: str
-    level: int
-
-
 def signature(
-    code: Program, kind: str = "double", name: str | None = None, result: str = "void"
+    code: Routine, kind: str = "double", name: str | None = None, result: str = "void"
 ) -> str:
     """``void name(const double q[2], double ud[2])``; arrays without entries are left out."""
     arguments = [f"const {kind} {group}[{size}]" for group, size in code.inputs if size]
@@ -54,7 +47,7 @@ def signature(
 
 
 def function_source(
-    code: Program,
+    code: Routine,
     entries: Entries,
     kind: str = "double",
     head: str | None = None,
@@ -76,14 +69,14 @@ def function_source(
 
 
 def _body(
-    code: Program, entries: Entries, kind: str, codes: Codes | None, early: bool
+    code: Routine, entries: Entries, kind: str, codes: Codes | None, early: bool
 ) -> list[str]:
     taken = {name for name, _ in (*code.inputs, *code.shapes)} | {code.name}
     namer = Namer(taken)
     uses = _uses(code)
-    looked_at = _looked_at(code) if codes is not None else ()
+    wanted = looked_at(code) if codes is not None else ()
     # What is looked at afterwards gets a name.
-    uses.update(looked_at)
+    uses.update(wanted)
     local = _locals(code, entries, namer, uses)
     reads = {
         (group, entry): f"    const {kind} {name} = {code.inputs[group][0]}[{entry}];"
@@ -93,32 +86,34 @@ def _body(
     texts: list[Text] = []
 
     def keep(text: Text, name: str) -> Text:
-        lines.append(f"    const {kind} {name} = {text.code};")
-        return Text(name, ATOM)
+        lines.append(f"    const {kind} {name} = {numeric(text, kind).code};")
+        return Text(name)
 
     for k, node in enumerate(code.nodes):
         if node.constant is not None:
-            texts.append(Text(literal(node.constant, kind), ATOM if node.constant >= 0 else SIGN))
+            texts.append(constant(node.constant, kind))
             continue
-        if node.operation == ca.OP_INPUT:
+        if node.operation == INPUT:
             if not early and node.operands in reads:
                 lines.append(reads[node.operands])
-            texts.append(Text(local.get(node.operands, ""), ATOM))
+            texts.append(Text(local.get(node.operands, "")))
             continue
         text = expression(node.operation, [texts[i] for i in node.operands], kind)
         if len(text.code) > WIDTH:
             for i in node.operands:
-                if texts[i].level != ATOM and len(texts[i].code) > SHORT:
+                if texts[i].level != PRIMARY and len(texts[i].code) > SHORT:
                     texts[i] = keep(texts[i], namer.value())
             text = expression(node.operation, [texts[i] for i in node.operands], kind)
-        if node.operation in _CALLS:
+        # Function calls get a line each: they are what costs time.
+        if node.operation in CALLS:
             text = keep(text, _call_name(text.code, namer))
         elif uses[k] > 1:
             text = keep(text, namer.value())
         texts.append(text)
     stores: list[str] = []
     for (out, _), nodes in zip(code.shapes, code.outputs, strict=True):
-        stores += [f"    {out}[{i}] = {texts[node].code};" for i, node in enumerate(nodes)]
+        values = [numeric(texts[node], kind).code for node in nodes]
+        stores += [f"    {out}[{i}] = {value};" for i, value in enumerate(values)]
     used = {group for group, _ in local}
     ignored = [
         f"    (void){name};"
@@ -128,34 +123,20 @@ def _body(
     if codes is not None:
         name, divisors = namer.local("status"), watched(code).divisors
         by = [texts[k].code for k in divisors]
-        values = [texts[k].code for k in looked_at]
+        values = [texts[k].code for k in wanted]
         stores = [*status_lines(name, codes, list(local.values()), values, by), *stores]
         stores.append(f"    return {name};")
     return [*ignored, *lines, *stores]
 
 
-def _looked_at(code: Program) -> tuple[int, ...]:
-    """Nodes that have to be finite: outputs and what is watched, but for constants."""
-    found = watched(code)
-    outputs = dict.fromkeys(node for nodes in code.outputs for node in nodes)
-    every = (*outputs, *found.divisors, *found.others)
-    return tuple(k for k in dict.fromkeys(every) if code.nodes[k].constant is None)
-
-
 def _locals(
-    code: Program, entries: Entries, namer: Namer, uses: Counter[int]
+    code: Routine, entries: Entries, namer: Namer, uses: Counter[int]
 ) -> dict[tuple[int, ...], str]:
     """A name for every input entry that is used, by (input, entry), in the order of the arrays."""
     used = sorted(
-        node.operands
-        for k, node in enumerate(code.nodes)
-        if node.operation == ca.OP_INPUT and uses[k]
+        node.operands for k, node in enumerate(code.nodes) if node.operation == INPUT and uses[k]
     )
     return {at: namer.local(entries[code.inputs[at[0]][0]][at[1]]) for at in used}
-
-
-# Function calls get a line each: they are what costs time.
-_CALLS = {op for op, how in OPERATIONS.items() if how.level == ATOM and "{f}(" in how.text}
 
 
 def _call_name(text: str, namer: Namer) -> str:
@@ -164,45 +145,13 @@ def _call_name(text: str, namer: Namer) -> str:
     return namer.local("_".join(plain.groups())) if plain else namer.value()
 
 
-def _uses(code: Program) -> Counter[int]:
-    uses: Counter[int] = Counter()
-    for node in code.nodes:
-        if node.operation in (ca.OP_INPUT, ca.OP_CONST):
-            continue
-        # The text of these repeats its operand.
-        twice = node.operation in (ca.OP_SQ, ca.OP_SIGN)
-        for operand in node.operands:
-            uses[operand] += 2 if twice else 1
-    for nodes in code.outputs:
-        uses.update(nodes)
-    return uses
+def _uses(code: Routine) -> Counter[int]:
+    return Counter({k: len(found) for k, found in enumerate(users(code))})
 
 
-def expression(operation: int, operands: list[Text], kind: str) -> Text:
-    """One operation on operands that are expressions themselves."""
-    if operation not in OPERATIONS:
-        raise unknown(operation)
-    how = OPERATIONS[operation]
-    inside = "{f}(" in how.text
-    parts = [
-        operand.code if inside or _binds(operand, how.level, place) else f"({operand.code})"
-        for place, operand in enumerate(operands)
-    ]
-    if operation in (ca.OP_TWICE, ca.OP_INV) and not operands[0].level > PRODUCT:
-        parts = [f"({operands[0].code})"]
-    literals = {name: literal(value, kind) for name, value in _LITERALS.items()}
-    text = how.text.format(*parts, f="f" if kind == "float" else "", **literals)
-    return Text(text, how.level)
-
-
-_LITERALS = {"zero": 0.0, "one": 1.0, "two": 2.0}
-
-
-def _binds(operand: Text, level: int, place: int) -> bool:
-    """Whether an operand needs no parentheses; a right one must bind tighter to keep the order."""
-    if level in (SUM, PRODUCT) and place == 0:
-        return operand.level >= level
-    return operand.level > level if level != ATOM else operand.level == ATOM
+def constant(value: Fraction, kind: str) -> Text:
+    """A number of the precision."""
+    return Text(literal(float(value), kind), UNARY if value < 0 else PRIMARY)
 
 
 def literal(value: float, kind: str) -> str:

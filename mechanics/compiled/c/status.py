@@ -9,21 +9,31 @@ so divisors and the arguments of such functions are looked at, too.
 
 import textwrap
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
-import casadi as ca
-
-from mechanics.compiled.programs.program import Program
+from mechanics.program.operations import (
+    ATAN,
+    ATAN2,
+    DIVIDE,
+    EQUAL,
+    ERF,
+    EXP,
+    LESS,
+    NOT_GREATER,
+    OPERATIONS,
+    POWER,
+    SELECT,
+    SIGN,
+    TANH,
+)
+from mechanics.program.routine import Routine, routine
 
 LINE = 100
 WATCHED = "_watched"
 """Ends the name of a function that also gives what is watched in it."""
 
-DIVISIONS = frozenset({ca.OP_DIV, ca.OP_INV})
 FORGETFUL = frozenset({
-    ca.OP_ATAN, ca.OP_ATAN2, ca.OP_TANH, ca.OP_ERF, ca.OP_EXP, ca.OP_FMIN, ca.OP_FMAX, ca.OP_SIGN,
-    ca.OP_LT, ca.OP_LE, ca.OP_EQ, ca.OP_NE, ca.OP_IF_ELSE_ZERO, ca.OP_COPYSIGN, ca.OP_POW,
-    ca.OP_CONSTPOW,
+    ATAN, ATAN2, TANH, ERF, EXP, SIGN, LESS, NOT_GREATER, EQUAL, SELECT, POWER,
 })  # fmt: skip
 """Operations that can make a number of an infinity, other than divisions."""
 
@@ -44,30 +54,35 @@ class Watched:
     others: tuple[int, ...]
 
 
-def watched(code: Program) -> Watched:
+def watched(code: Routine) -> Watched:
     """What has to be finite besides the outputs; numbers and inputs are known to be."""
     divisors: dict[int, None] = {}
     others: dict[int, None] = {}
     for node in code.nodes:
-        if node.operation in DIVISIONS:
-            divisors[node.operands[-1]] = None
+        if node.operation == DIVIDE:
+            divisors[node.operands[1]] = None
         elif node.operation in FORGETFUL:
             others |= dict.fromkeys(node.operands)
     return Watched(
         tuple(k for k in divisors if code.nodes[k].constant is None),
-        tuple(k for k in others if code.nodes[k].constant is None and k not in divisors),
+        tuple(k for k in others if _may_be_infinite(code, k) and k not in divisors),
     )
 
 
-def with_watched(code: Program) -> Program:
+def _may_be_infinite(code: Routine, k: int) -> bool:
+    return code.nodes[k].constant is None and not OPERATIONS[code.nodes[k].operation].boolean
+
+
+def with_watched(code: Routine) -> Routine:
     """The program with one more output, ``watched``: divisors first."""
     found = watched(code)
     nodes = (*found.divisors, *found.others)
-    return replace(
-        code,
-        name=f"{code.name}{WATCHED}",
-        outputs=(*code.outputs, nodes),
-        shapes=(*code.shapes, ("watched", (len(nodes), 1))),
+    return routine(
+        f"{code.name}{WATCHED}",
+        code.nodes,
+        (*code.outputs, nodes),
+        code.inputs,
+        (*code.shapes, ("watched", (len(nodes), 1))),
     )
 
 

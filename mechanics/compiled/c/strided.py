@@ -10,7 +10,7 @@ which they are, and the results are copied back: (batch, n) arrays are turned wi
 from collections.abc import Sequence
 
 from mechanics.compiled.c.lanes import SHARED, wrapped
-from mechanics.compiled.programs.program import Program
+from mechanics.program.routine import Routine
 
 LOCAL = 24_576
 """Bytes that the local arrays may have, about: half of a usual first cache."""
@@ -18,7 +18,7 @@ FEWEST, MOST = 16, 256
 """States in a block."""
 
 
-def strided_source(code: Program, kind: str, name: str, shared: Sequence[str] = SHARED) -> str:
+def strided_source(code: Routine, kind: str, name: str, shared: Sequence[str] = SHARED) -> str:
     """Definition of ``int name_strided(...)``; the batch function ``name`` stands before.
 
     Its arrays are ``arg`` and ``res``, those without entries left out, and ``steps`` with the state
@@ -61,7 +61,7 @@ def strided_source(code: Program, kind: str, name: str, shared: Sequence[str] = 
     ])  # fmt: skip
 
 
-def _side_by_side(code: Program, name: str, shared: Sequence[str]) -> list[str]:
+def _side_by_side(code: Routine, name: str, shared: Sequence[str]) -> list[str]:
     """C that calls the batch function with the arrays themselves where it can read them."""
     given = [(group, size) for group, size in code.inputs if size]
     asked = [(out, rows * cols) for out, (rows, cols) in code.shapes if rows * cols]
@@ -78,7 +78,7 @@ def _side_by_side(code: Program, name: str, shared: Sequence[str]) -> list[str]:
     ]
 
 
-def block(code: Program, kind: str, shared: Sequence[str] = SHARED) -> int:
+def block(code: Routine, kind: str, shared: Sequence[str] = SHARED) -> int:
     """States in a block."""
     sizes = [size for group, size in code.inputs if group not in shared]
     sizes += [rows * cols for _, (rows, cols) in code.shapes]

@@ -11,8 +11,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from mechanics.compiled.c.status import WATCHED, watched
-from mechanics.compiled.programs.program import Program
 from mechanics.errors import InputError, MechanicsError, RangeError, SingularError
+from mechanics.program.routine import Routine
 
 Array = NDArray[np.floating]
 SHOWN = 16
@@ -21,7 +21,7 @@ SHOWN = 16
 
 def checked(
     scene: str,
-    code: Program,
+    code: Routine,
     entries: Mapping[str, tuple[str, ...]],
     given: Mapping[str, Array],
     evaluate: Callable[[str], dict[str, Array]],
@@ -32,7 +32,7 @@ def checked(
     ----------
     scene : str
         Name, for the error.
-    code : Program
+    code : Routine
     entries : names of the entries of each input
     given : mapping of str to array
         (size,) or (batch, size) by input.

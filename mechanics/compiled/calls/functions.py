@@ -21,10 +21,10 @@ from mechanics.compiled.machine.direct import direct_calls
 from mechanics.compiled.machine.evaluator import FLAGS, Kernel, evaluator
 from mechanics.compiled.machine.native import LONG
 from mechanics.compiled.programs.of_model import Programs
-from mechanics.compiled.programs.program import Program
 from mechanics.compiled.quantities import DIGITS, Quantities
 from mechanics.equations import Equations, ProgramEquations
 from mechanics.errors import InputError
+from mechanics.program.routine import Routine
 
 Array = NDArray[np.floating]
 
@@ -93,7 +93,7 @@ class Functions:
         """Typical parameters, in order; ValueMissingError names one that has none."""
         return np.array(self.quantities.typical, dtype=float)
 
-    def program(self, name: str) -> Program:
+    def program(self, name: str) -> Routine:
         """Instructions of a function, or of a part of it; see `compiled.programs.of_model`."""
         return self.programs[name]
 

@@ -13,8 +13,8 @@ from numpy.typing import NDArray
 
 from mechanics.compiled.graphs import MATRICES
 from mechanics.compiled.machine.batch import BatchKernel
-from mechanics.compiled.programs.program import Program
 from mechanics.errors import InputError
+from mechanics.program.routine import Routine
 
 Array = NDArray[np.floating]
 
@@ -30,7 +30,7 @@ def shared(given: Mapping[str, Array]) -> tuple[str, ...]:
 
 
 def run(
-    kernel: BatchKernel, code: Program, given: Mapping[str, Array], count: int,
+    kernel: BatchKernel, code: Routine, given: Mapping[str, Array], count: int,
     out: Mapping[str, Array], threads: int,
 ) -> tuple[list[Array], int]:  # fmt: skip
     """Every output as (batch, entries), and what the lanes have met.
@@ -39,7 +39,7 @@ def run(
     ----------
     kernel : BatchKernel
         Made for the inputs that `shared` names.
-    code : Program
+    code : Routine
     given : mapping of str to array
         (size,) or (batch, size) by input.
     count : int
@@ -83,7 +83,7 @@ def _writable(target: Array, inputs: Sequence[Array]) -> bool:
 
 
 def look_at(
-    code: Program,
+    code: Routine,
     out: Mapping[str, Array],
     count: int | None,
     kind: type[np.floating],

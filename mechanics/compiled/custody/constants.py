@@ -11,13 +11,13 @@ from __future__ import annotations
 
 from fractions import Fraction
 
-import casadi as ca
 import numpy as np
 
 from mechanics.compiled.custody.code import Code
-from mechanics.compiled.programs.operations import OPERATIONS
 from mechanics.program import Builder, Node
 from mechanics.program.c.literal import rounded
+from mechanics.program.numpy_domain import Arrays
+from mechanics.program.operations import INPUT, OPERATIONS
 
 DIGITS = 40
 
@@ -41,17 +41,17 @@ def literals(builder: Builder, code: Code, kind: str) -> dict[Fraction, Node]:
 
 def _doubles(code: Code) -> dict[int, float]:
     """What a machine computes of each value that depends on no input, where that is finite."""
-    place = len(code.inputs)
+    place, functions = len(code.inputs), Arrays().operations
     found: dict[int, float] = {}
-    for k, (op, operands, constant) in enumerate(code.nodes):
+    for k, (op, operands, constant) in enumerate(code.routine.nodes):
         if constant is not None:
             found[k] = float(constant)
-        elif op == ca.OP_INPUT:
+        elif op == INPUT:
             if operands[0] == place:
                 found[k] = float(code.constants[operands[1]].evalf(DIGITS))
         elif all(i in found for i in operands):
             with np.errstate(all="ignore"):
-                number = float(OPERATIONS[op].numpy(*(found[i] for i in operands)))
+                number = float(functions[OPERATIONS[op].name](*(found[i] for i in operands)))
             if np.isfinite(number):
                 found[k] = number
     return found

@@ -6,9 +6,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-import casadi as ca
-
-from mechanics.compiled.custody.code import Code, exact
+from mechanics.compiled.custody.code import Code
 from mechanics.compiled.custody.constants import literals
 from mechanics.compiled.custody.defined import divides_by_zero, where_defined
 from mechanics.compiled.custody.derived import Known
@@ -16,12 +14,11 @@ from mechanics.compiled.custody.kernel import Kernel
 from mechanics.compiled.custody.physics import Entry, Physics
 from mechanics.compiled.custody.text import Groups, Reading, Text, read_into, read_text
 from mechanics.compiled.programs.hoist import CONSTANTS, PREPARE, PREPARED
-from mechanics.compiled.programs.program import Program
 from mechanics.errors import ExpressionError
 from mechanics.kernel import Finding, undecided
 from mechanics.program import Node
 from mechanics.program.c.parse import Source
-from mechanics.program.casadi_reader import Instruction, nodes_of
+from mechanics.program.routine import Routine, nodes_of
 
 SMALL = 80
 """Nodes of a text for which a proof is tried beyond the certificate."""
@@ -35,12 +32,12 @@ class Graph:
     ----------
     code : Code
         The graph with exact constants; for parts of a function that of the whole.
-    written : Program
+    written : Routine
         What the C was printed from: the graph with doubles, rewritten for speed.
     """
 
     code: Code
-    written: Program
+    written: Routine
 
 
 def outputs_of(graph: Graph) -> Groups:
@@ -129,16 +126,8 @@ def written_nodes(
     physics: Physics, graph: Graph, given: Mapping[str, Sequence[Node]], wanted: Sequence[int]
 ) -> tuple[Node, ...]:
     """Values of the program that the C was printed from, its doubles as what they stand for."""
-    code, builder = exact(graph.written), physics.builder
-    table = literals(builder, graph.code, "double")
-    place, last = {value: k for k, value in enumerate(table)}, len(code.inputs)
-    nodes = [
-        Instruction(ca.OP_INPUT, (last, place[node.constant]), None)
-        if node.constant in place else node
-        for node in code.nodes
-    ]  # fmt: skip
-    inputs = [given.get(group, ()) for group, _ in code.inputs]
-    return nodes_of(builder, nodes, [*inputs, list(table.values())], wanted)
+    table = literals(physics.builder, graph.code, "double")
+    return nodes_of(physics.builder, graph.written, given, wanted, table)
 
 
 def is_prepared(function: str) -> bool:

@@ -16,13 +16,12 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
 
-import casadi as ca
 import numpy as np
 
 from mechanics.compiled.c.flow import looked_at
 from mechanics.compiled.c.lanes import FAR, WILD
 from mechanics.compiled.c.status import watched
-from mechanics.compiled.custody.code import entries, exact
+from mechanics.compiled.custody.code import entries
 from mechanics.compiled.custody.derived import Known
 from mechanics.compiled.custody.kernel import Kernel
 from mechanics.compiled.custody.physics import Entry, Physics
@@ -41,7 +40,7 @@ from mechanics.program.c.condition import (
     renamed,
 )  # fmt: skip
 from mechanics.program.c.parse import Source
-from mechanics.program.operations import ABS, ADD, NEGATE, SUBTRACT
+from mechanics.program.operations import ABS, ADD, COS, INPUT, NEGATE, SIN, SUBTRACT
 from mechanics.program.residues import Residues
 
 OK, SINGULAR, OVERFLOW, BAD_INPUT = range(4)
@@ -169,9 +168,9 @@ class _Values:
         """What is specified for a function of one state."""
         code, at = self.graph.written, self._program
         values = looked_at(code)
-        used = {i for node in exact(code).nodes if node.op != ca.OP_INPUT for i in node.operands}
+        used = {i for k in range(len(code.nodes)) for i in code.operands(k)}
         used |= {i for nodes in code.outputs for i in nodes}
-        inputs = [k for k in sorted(used) if code.nodes[k].operation == ca.OP_INPUT]
+        inputs = [k for k in sorted(used) if code.nodes[k].operation == INPUT]
         zero: Condition = False
         for k in watched(code).divisors:
             zero = joined(False, zero, Atom("zero", (self.key(at[k]),)))
@@ -211,11 +210,11 @@ class _Values:
         for k, node in enumerate(self.graph.written.nodes):
             if node.constant is not None:
                 continue
-            if node.operation == ca.OP_INPUT:
+            if node.operation == INPUT:
                 moving |= {k} if node.operands[0] in place else set()
             elif moving.intersection(node.operands):
                 moving.add(k)
-                if node.operation in (ca.OP_SIN, ca.OP_COS):
+                if node.operation in (SIN, COS):
                     found[self.key(self._program[node.operands[0]])] = None
         return list(found)
 

@@ -10,9 +10,9 @@ both are, and weighed.
 import casadi as ca
 
 from mechanics.compiled.forms.members import RECURSIVE, SPARSE, Form, named_form, preferred
+from mechanics.compiled.forms.operations import operations
 from mechanics.compiled.forms.system import System
 from mechanics.compiled.forms.weigh import lightest
-from mechanics.compiled.programs.program import operations
 from mechanics.equations import FEW
 from mechanics.errors import SingularError
 

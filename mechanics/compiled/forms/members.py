@@ -20,11 +20,11 @@ from mechanics.compiled.forms import recursive, sparse
 from mechanics.compiled.forms.entries import entry_polynomials, nested_entries
 from mechanics.compiled.forms.factor import solve_general, solve_with_pivots
 from mechanics.compiled.forms.fewest import nested_quotients
+from mechanics.compiled.forms.operations import operations
 from mechanics.compiled.forms.primitive import primitive
 from mechanics.compiled.forms.rearranged import MOST, trailing_minors
 from mechanics.compiled.forms.system import System
 from mechanics.compiled.forms.weigh import ROUNDINGS, digits_lost
-from mechanics.compiled.programs.program import operations
 from mechanics.equations import Equations
 from mechanics.errors import ExpressionError, InputError
 from mechanics.kernel.ring import TooLarge

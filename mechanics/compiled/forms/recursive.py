@@ -15,9 +15,9 @@ from mechanics.compiled.forms.bodies.function import gauss_function
 from mechanics.compiled.forms.bodies.leaf_to_root import Way, eliminated, values
 from mechanics.compiled.forms.bodies.reading import Reading
 from mechanics.compiled.forms.bodies.tried import tried
+from mechanics.compiled.forms.operations import operations
 from mechanics.compiled.forms.system import System
 from mechanics.compiled.forms.weigh import lightest
-from mechanics.compiled.programs.program import operations
 from mechanics.equations import Equations
 from mechanics.scene.actions import frictions
 

@@ -14,7 +14,6 @@ import numpy as np
 from sympy import Add, S
 
 from mechanics.compiled.forms.order import Array, Order, pivot_order
-from mechanics.compiled.programs.program import Program, program, run
 from mechanics.compiled.quantities import Quantities
 from mechanics.compiled.sampling import DECADES, ordinary, sample
 from mechanics.compiled.terms import CHUNK, UNIT, Terms, read_terms
@@ -23,7 +22,8 @@ from mechanics.errors import SingularError
 from mechanics.kernel.ring import TooLarge
 from mechanics.program import Builder
 from mechanics.program import Program as Straight
-from mechanics.program.casadi_reader import read
+from mechanics.program.casadi_reader import read, read_routine
+from mechanics.program.routine import Routine, run
 from mechanics.program.running_error_domain import enclose
 from mechanics.symbolic import canonical
 
@@ -60,7 +60,7 @@ def chosen_pivots(system: ca.Function, quantities: Quantities) -> Order:
         When no order solves the system at any of the states.
     """
     n, _ = system.size_out(0)
-    left, right = run(program(system), _states(quantities), np.float64)
+    left, right = run(read_routine(system), _states(quantities), np.float64)
     filler = np.zeros(2 * TRIALS)
     stacked = [np.stack(np.broadcast_arrays(*e, filler)[:-1], 1) for e in (left, right)]
     # Entries come column by column.
@@ -73,7 +73,7 @@ def largest_error(solution: ca.Function, rows: Sequence[Terms], quantities: Quan
     In units of epsilon times the sum of the magnitudes of the row's terms; at least `LOST` where a
     precision has no number for what is in its range, at many more states.
     """
-    states, code = _states(quantities), program(solution)
+    states, code = _states(quantities), read_routine(solution)
     (x,) = run(code, states, np.float64)
     columns = [*(column for group in states for column in group), *x]
     columns = list(np.broadcast_arrays(*columns, np.zeros(2 * TRIALS)))[:-1]
@@ -157,7 +157,7 @@ def _straight(residual: ca.Function) -> Straight:
     return builder.program({"rows": rows})
 
 
-def _lost(code: Program, quantities: Quantities) -> bool:
+def _lost(code: Routine, quantities: Quantities) -> bool:
     """Whether a number is missing at a state where none is out of the range of the precision."""
     drawn = sample(quantities, WILD, SEED).rounded(np.float32)
     return any(
@@ -166,7 +166,7 @@ def _lost(code: Program, quantities: Quantities) -> bool:
     )
 
 
-def _missing(code: Program, states: list[list[Array]]) -> bool:
+def _missing(code: Routine, states: list[list[Array]]) -> bool:
     count = max((len(entry) for group in states for entry in group), default=1)
     with np.errstate(all="ignore"):
         (double,) = run(code, states, np.float64)

@@ -11,8 +11,8 @@ from math import ceil, inf, isfinite, log10
 
 import casadi as ca
 
+from mechanics.compiled.forms.operations import operations
 from mechanics.compiled.forms.system import System
-from mechanics.compiled.programs.program import operations
 from mechanics.errors import SingularError
 
 ROUNDINGS = 8.0

@@ -19,7 +19,7 @@ from mechanics.compiled.c.source import Entries, function_source, signature
 from mechanics.compiled.c.strided import strided_source
 from mechanics.compiled.machine.library import FLAGS, REMARKS, build
 from mechanics.compiled.machine.vectorised import TELL, family, loop_line, settings, vectorised
-from mechanics.compiled.programs.program import Program
+from mechanics.program.routine import Routine
 
 Array = NDArray[np.floating]
 PREFIX = "mechanics_"
@@ -30,7 +30,7 @@ class BatchKernel:
 
     Parameters
     ----------
-    code : Program
+    code : Routine
     entries : names of the entries of each input
     kind : numpy.float64 or numpy.float32
     compiler : str
@@ -54,7 +54,7 @@ class BatchKernel:
 
     def __init__(
         self,
-        code: Program,
+        code: Routine,
         entries: Entries,
         kind: type[np.floating],
         compiler: str,
@@ -133,7 +133,7 @@ def _pool(threads: int) -> ThreadPoolExecutor:
 
 
 def library_source(
-    code: Program,
+    code: Routine,
     entries: Entries,
     kind: type[np.floating],
     shared: Sequence[str] = SHARED,

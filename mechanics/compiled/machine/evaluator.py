@@ -10,7 +10,7 @@ import numpy as np
 from mechanics.compiled.c.source import Entries
 from mechanics.compiled.machine.native import NativeKernel
 from mechanics.compiled.machine.virtual import NumpyKernel, VirtualKernel
-from mechanics.compiled.programs.program import Program
+from mechanics.program.routine import Routine
 
 Kernel = NativeKernel | VirtualKernel | NumpyKernel
 
@@ -20,7 +20,7 @@ FLAGS = ("-O2", "-O3 -march=native", "-O3 -march=native -ffast-math")
 
 def evaluator(
     function: ca.Function | None,
-    code: Program,
+    code: Routine,
     entries: Entries,
     kind: type[np.floating],
     compiler: str | None,
@@ -32,7 +32,7 @@ def evaluator(
     ----------
     function : casadi.Function or None
         Dense SX function; None where there is a program only.
-    code : Program
+    code : Routine
         Its instructions.
     entries : mapping of str to tuple of str
         For each input the names of its entries.

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from mechanics.compiled.c.source import Entries, function_source, signature
 from mechanics.compiled.machine.direct import direct_calls
 from mechanics.compiled.machine.library import FLAGS, find_compiler, load
-from mechanics.compiled.programs.program import Program
+from mechanics.program.routine import Routine
 
 Array = NDArray[np.floating]
 
@@ -40,7 +40,7 @@ class NativeKernel:
 
     Parameters
     ----------
-    code : Program
+    code : Routine
     entries : names of the entries of each input
     kind : numpy.float64 or numpy.float32
     compiler : str
@@ -55,7 +55,7 @@ class NativeKernel:
 
     def __init__(
         self,
-        code: Program,
+        code: Routine,
         entries: Entries,
         kind: type[np.floating],
         compiler: str,
@@ -111,7 +111,7 @@ class NativeKernel:
         return self.extension.Bound(self.address, *addresses, (self._at, ins, outs))
 
 
-def library_source(code: Program, entries: Entries, kind: type[np.floating]) -> str:
+def library_source(code: Routine, entries: Entries, kind: type[np.floating]) -> str:
     """C file with the function and a loop over states around it."""
     real = "float" if kind is np.float32 else "double"
     sizes = [size for _, size in code.inputs if size]

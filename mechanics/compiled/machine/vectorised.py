@@ -11,9 +11,9 @@ import subprocess
 from dataclasses import dataclass
 from pathlib import Path
 
-from mechanics.compiled.programs.operations import ATOM, OPERATIONS
-from mechanics.compiled.programs.program import Program
 from mechanics.errors import CompilerError
+from mechanics.program.c_printer import CALLS
+from mechanics.program.routine import Routine
 
 _BYTES = r":{line}:\d+: optimized:.* loop vectorized using (\d+) byte vectors"
 _WIDTH = r":{line}:\d+: remark: vectorized loop \(vectorization width: (\d+)"
@@ -82,7 +82,7 @@ def loop_line(source: str, name: str) -> int:
     return next(i for i, line in enumerate(lines) if i > head and "for (size_t" in line) + 1
 
 
-def vectorised(remarks: str, compiler: str, line: int, size: int, code: Program) -> Vectorised:
+def vectorised(remarks: str, compiler: str, line: int, size: int, code: Routine) -> Vectorised:
     """Read the remarks about a loop.
 
     Parameters
@@ -94,7 +94,7 @@ def vectorised(remarks: str, compiler: str, line: int, size: int, code: Program)
         Of the loop.
     size : int
         Bytes of a number.
-    code : Program
+    code : Routine
         What the loop computes.
     """
     name = Path(compiler).name
@@ -108,10 +108,6 @@ def vectorised(remarks: str, compiler: str, line: int, size: int, code: Program)
     return Vectorised(1, f"not vectorised by {name}{why}: states are computed one by one")
 
 
-def _calls(code: Program) -> set[str]:
+def _calls(code: Routine) -> set[str]:
     """Functions of the C library that have no vector form here."""
-    used = {OPERATIONS[node.operation] for node in code.nodes if node.operation in OPERATIONS}
-    named = {
-        how.text.partition("{f}(")[0] for how in used if how.level == ATOM and "{f}(" in how.text
-    }
-    return named - set(INLINE)
+    return {CALLS[code] for code in code.program.operations if code in CALLS} - set(INLINE)

@@ -8,7 +8,7 @@ import casadi as ca
 import numpy as np
 from numpy.typing import NDArray
 
-from mechanics.compiled.programs.program import Program, run
+from mechanics.program.routine import Routine, run
 
 Array = NDArray[np.floating]
 
@@ -59,7 +59,7 @@ def _trigger(trigger: Callable[[], None], buffer: Any) -> None:
 class NumpyKernel:
     """One program in NumPy arithmetic: every operation is rounded to the precision."""
 
-    def __init__(self, code: Program, kind: type[np.floating]) -> None:
+    def __init__(self, code: Routine, kind: type[np.floating]) -> None:
         self._code, self._kind = code, kind
 
     def __call__(self, arguments: Sequence[Array], count: int) -> list[Array]:

@@ -2,36 +2,34 @@
 
 from collections.abc import Mapping
 
-import casadi as ca
-
-from mechanics.compiled.c.source import Text, expression
-from mechanics.compiled.programs.operations import ATOM, SIGN
-from mechanics.compiled.programs.program import Program
+from mechanics.program.c_printer import PRIMARY, UNARY, Text, expression
+from mechanics.program.operations import INPUT
+from mechanics.program.routine import Routine
 
 DEPTH = 4
 """Operations that are written out one inside the other; what is deeper is left out."""
 MORE = "..."
 
 
-def describe(code: Program, node: int, entries: Mapping[str, tuple[str, ...]]) -> str:
+def describe(code: Routine, node: int, entries: Mapping[str, tuple[str, ...]]) -> str:
     """The expression that a node computes, in the names of the inputs.
 
     Parameters
     ----------
-    code : Program
+    code : Routine
     node : int
     entries : names of the entries of each input
     """
     return _text(code, node, entries, DEPTH).code
 
 
-def _text(code: Program, node: int, entries: Mapping[str, tuple[str, ...]], depth: int) -> Text:
+def _text(code: Routine, node: int, entries: Mapping[str, tuple[str, ...]], depth: int) -> Text:
     operation, operands, constant = code.nodes[node]
     if constant is not None:
-        return Text(f"{constant:.4g}", ATOM if constant >= 0 else SIGN)
-    if operation == ca.OP_INPUT:
+        return Text(f"{float(constant):.4g}", UNARY if constant < 0 else PRIMARY)
+    if operation == INPUT:
         group, entry = operands
-        return Text(entries[code.inputs[group][0]][entry], ATOM)
+        return Text(entries[code.inputs[group][0]][entry])
     if depth == 0:
-        return Text(MORE, ATOM)
-    return expression(operation, [_text(code, i, entries, depth - 1) for i in operands], "double")
+        return Text(MORE)
+    return expression(operation, [_text(code, i, entries, depth - 1) for i in operands])

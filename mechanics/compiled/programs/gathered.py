@@ -10,12 +10,11 @@ have to be normal numbers as every other value.
 from collections import Counter
 from dataclasses import dataclass
 
-import casadi as ca
-
-from mechanics.compiled.programs.program import Node, Program
 from mechanics.compiled.programs.rewriting import Rewriting
+from mechanics.program.operations import ADD, DIVIDE, INPUT, MULTIPLY, NEGATE, SUBTRACT
+from mechanics.program.routine import Node, Routine
 
-SUMS = (ca.OP_ADD, ca.OP_SUB)
+SUMS = (ADD, SUBTRACT)
 
 
 @dataclass(frozen=True)
@@ -26,7 +25,7 @@ class _Fractions:
     inner: dict[int, tuple[int, ...]]
 
 
-def gathered(code: Program) -> Program:
+def gathered(code: Routine) -> Routine:
     """The program with sums of quotients by one divisor as quotients."""
     found = _fractions(code)
     tops, within = _marked(code, found)
@@ -38,17 +37,17 @@ def gathered(code: Program) -> Program:
         if k not in within:
             new.keep(k)
             continue
-        if node.operation == ca.OP_DIV:
+        if node.operation == DIVIDE:
             new.of[k] = new.of[node.operands[0]]
         else:
             new.keep(k)
         if k in tops:
             divisor = new.of[found.divisor[k]]
-            new.of[k] = new.add(Node(ca.OP_DIV, (new.of[k], divisor), None))
-    return new.program(code)
+            new.of[k] = new.add(DIVIDE, new.of[k], divisor)
+    return new.routine(code)
 
 
-def _fractions(code: Program) -> _Fractions:
+def _fractions(code: Routine) -> _Fractions:
     """Quotients, products with one, and sums of two by the same divisor; each used once."""
     uses = Counter(i for node in code.nodes if _computed(node) for i in node.operands)
     uses.update(k for nodes in code.outputs for k in nodes)
@@ -58,22 +57,22 @@ def _fractions(code: Program) -> _Fractions:
         return found.divisor.get(i) if uses[i] == 1 else None
 
     for k, node in enumerate(code.nodes):
-        if node.operation == ca.OP_DIV and code.nodes[node.operands[1]].constant is None:
+        if node.operation == DIVIDE and code.nodes[node.operands[1]].constant is None:
             found.divisor[k], found.inner[k] = node.operands[1], ()
-        elif node.operation == ca.OP_NEG and (of := fraction(node.operands[0])) is not None:
+        elif node.operation == NEGATE and (of := fraction(node.operands[0])) is not None:
             found.divisor[k], found.inner[k] = of, node.operands
-        elif node.operation in (ca.OP_MUL, *SUMS):
+        elif node.operation in (MULTIPLY, *SUMS):
             of, other = map(fraction, node.operands)
             if node.operation in SUMS and of is not None and of == other:
                 found.divisor[k], found.inner[k] = of, node.operands
-            elif node.operation == ca.OP_MUL and other is None and of is not None:
+            elif node.operation == MULTIPLY and other is None and of is not None:
                 found.divisor[k], found.inner[k] = of, node.operands[:1]
-            elif node.operation == ca.OP_MUL and of is None and other is not None:
+            elif node.operation == MULTIPLY and of is None and other is not None:
                 found.divisor[k], found.inner[k] = other, node.operands[1:]
     return found
 
 
-def _marked(code: Program, found: _Fractions) -> tuple[set[int], set[int]]:
+def _marked(code: Routine, found: _Fractions) -> tuple[set[int], set[int]]:
     """Sums that become quotients, and every node whose numerator is wanted for one."""
     sums = {k for k in found.divisor if code.nodes[k].operation in SUMS}
     tops: set[int] = set()
@@ -90,4 +89,4 @@ def _marked(code: Program, found: _Fractions) -> tuple[set[int], set[int]]:
 
 
 def _computed(node: Node) -> bool:
-    return node.constant is None and node.operation != ca.OP_INPUT
+    return node.constant is None and node.operation != INPUT

@@ -15,9 +15,10 @@ from mechanics.compiled.c.status import WATCHED, with_watched
 from mechanics.compiled.graphs import Graphs
 from mechanics.compiled.programs.gathered import gathered
 from mechanics.compiled.programs.hoist import CONSTANTS, PREPARE, PREPARED, Hoisted, hoisted
-from mechanics.compiled.programs.program import Program, program
 from mechanics.compiled.programs.reciprocals import with_reciprocals
 from mechanics.compiled.quantities import Quantity
+from mechanics.program.casadi_reader import read_routine
+from mechanics.program.routine import Routine
 
 WHOLE = "forward_dynamics"
 """The function that is there in two parts, too."""
@@ -38,20 +39,20 @@ class Programs:
 
     def __init__(self, graphs: Graphs, reciprocals: bool = True) -> None:
         self._graphs, self.reciprocals = graphs, reciprocals
-        self._made: dict[str, Program] = {}
+        self._made: dict[str, Routine] = {}
         self._names: dict[str, dict[str, tuple[str, ...]]] = {}
 
-    def __getitem__(self, name: str) -> Program:
+    def __getitem__(self, name: str) -> Routine:
         if name not in self._made:
             self._made[name] = self._program(name)
         return self._made[name]
 
-    def _program(self, name: str) -> Program:
+    def _program(self, name: str) -> Routine:
         if name.endswith(WATCHED):
             return with_watched(self[name.removesuffix(WATCHED)])
         if name in PARTS:
             return self.hoisted.prepare if name == PREPARE else self.hoisted.prepared
-        code = program(self._graphs[name])
+        code = read_routine(self._graphs[name])
         return with_reciprocals(gathered(code)) if self.reciprocals else code
 
     @cached_property

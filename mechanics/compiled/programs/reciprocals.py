@@ -11,47 +11,35 @@ nothing.
 
 from collections import Counter
 
-import casadi as ca
-
-from mechanics.compiled.programs.program import Node, Program
 from mechanics.compiled.programs.rewriting import Rewriting
+from mechanics.program.operations import DIVIDE, MULTIPLY
+from mechanics.program.routine import Routine
 
 ROUNDING = 2
 """Roundings of x (1 / d), at most, in units of u; a quotient has one."""
 
 
-def with_reciprocals(code: Program, least: int = 2) -> Program:
+def with_reciprocals(code: Routine, least: int = 2) -> Routine:
     """The program with one division for each divisor that has at least so many quotients."""
     counts = quotients(code)
     new = Rewriting(code.nodes)
     reciprocals: dict[int, int] = {}
     for k, node in enumerate(code.nodes):
-        divisor = node.operands[-1] if node.operation in (ca.OP_DIV, ca.OP_INV) else None
-        if divisor is None or counts[divisor] < least:
+        if node.operation != DIVIDE or counts[node.operands[1]] < least:
             new.keep(k)
             continue
+        above, divisor = node.operands
         if divisor not in reciprocals:
-            at = (new.of[divisor],)
-            reciprocals[divisor] = new.add(Node(ca.OP_INV, at, None))
+            reciprocals[divisor] = new.add(DIVIDE, new.one(), new.of[divisor])
         inverse = reciprocals[divisor]
-        if node.operation == ca.OP_INV:
+        if code.nodes[above].constant == 1:
             new.of[k] = inverse
         else:
-            operands = (new.of[node.operands[0]], inverse)
-            new.of[k] = new.add(Node(ca.OP_MUL, operands, None))
-    return new.program(code)
+            new.of[k] = new.add(MULTIPLY, new.of[above], inverse)
+    return new.routine(code)
 
 
-def quotients(code: Program) -> Counter[int]:
+def quotients(code: Routine) -> Counter[int]:
     """How often something is divided by a node, for the divisors that are no numbers."""
-    return Counter(
-        node.operands[-1]
-        for node in code.nodes
-        if node.operation in (ca.OP_DIV, ca.OP_INV)
-        and code.nodes[node.operands[-1]].constant is None
-    )
-
-
-def divisions(code: Program) -> int:
-    """Number of divisions in a program."""
-    return sum(node.operation in (ca.OP_DIV, ca.OP_INV) for node in code.nodes)
+    divisors = (node.operands[1] for node in code.nodes if node.operation == DIVIDE)
+    return Counter(k for k in divisors if code.nodes[k].constant is None)

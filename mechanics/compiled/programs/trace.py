@@ -8,19 +8,21 @@ Evaluated by NumPy with every operation rounded to the precision, as the machine
 exact where they are subnormal, so they lose nothing there.
 """
 
-from collections.abc import Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
+from typing import Any
 
-import casadi as ca
 import numpy as np
 from numpy.typing import NDArray
 
-from mechanics.compiled.programs.operations import OPERATIONS, unknown
-from mechanics.compiled.programs.program import Node, Program
+from mechanics.program.numpy_domain import Arrays
+from mechanics.program.operations import DIVIDE, INPUT, MULTIPLY, OPERATIONS
+from mechanics.program.routine import Node, Routine
 
 CHUNK = 4096
-PRODUCTS = frozenset({ca.OP_MUL, ca.OP_SQ, ca.OP_TWICE})
-QUOTIENTS = frozenset({ca.OP_DIV, ca.OP_INV})
+
+Functions = Mapping[str, Callable[..., Any]]
+"""What each operation computes, by its name."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -48,7 +50,7 @@ class Events:
         return clean
 
 
-def trace(code: Program, points: NDArray[np.float64], kind: type[np.floating]) -> Events:
+def trace(code: Routine, points: NDArray[np.float64], kind: type[np.floating]) -> Events:
     """Events of a program of q, u, inputs and p.
 
     Parameters
@@ -61,18 +63,23 @@ def trace(code: Program, points: NDArray[np.float64], kind: type[np.floating]) -
     by_zero = np.zeros(len(points), dtype=bool)
     underflow = broken.copy()
     starts = np.cumsum([0, *(size for _, size in code.inputs)])
+    functions = Arrays(kind).operations
     for start in range(0, len(points), CHUNK):
         part = slice(start, start + CHUNK)
         with np.errstate(all="ignore"):
             columns = points[part].T.astype(kind)
-            _walk(code, columns, starts, kind, broken[part], by_zero[part], underflow[part])
+            _walk(
+                code, columns, starts, functions, kind,
+                broken[part], by_zero[part], underflow[part],
+            )  # fmt: skip
     return Events(broken, by_zero, underflow)
 
 
 def _walk(
-    code: Program,
+    code: Routine,
     columns: NDArray[np.floating],
     starts: NDArray[np.int64],
+    functions: Functions,
     kind: type[np.floating],
     broken: NDArray[np.int64],
     by_zero: NDArray[np.bool_],
@@ -82,7 +89,7 @@ def _walk(
     values: list[NDArray[np.floating]] = []
     for k, node in enumerate(code.nodes):
         operands = [values[i] for i in node.operands] if _computed(node) else []
-        value = _value(node, operands, columns, starts, kind)
+        value = _value(node, operands, columns, starts, functions, kind)
         values.append(value)
         numbers = np.isfinite(value)
         if not np.all(numbers):
@@ -90,7 +97,7 @@ def _walk(
             for operand in operands:
                 born &= np.isfinite(operand)
             broken[born] = k
-            if node.operation in QUOTIENTS:
+            if node.operation == DIVIDE:
                 by_zero |= born & (operands[-1] == 0)
         small = np.abs(value) < tiny
         if np.any(small) and (lost := _lost(node, value, operands)) is not None:
@@ -98,7 +105,7 @@ def _walk(
 
 
 def _computed(node: Node) -> bool:
-    return node.constant is None and node.operation != ca.OP_INPUT
+    return node.constant is None and node.operation != INPUT
 
 
 def _value(
@@ -106,28 +113,25 @@ def _value(
     operands: Sequence[NDArray[np.floating]],
     columns: NDArray[np.floating],
     starts: NDArray[np.int64],
+    functions: Functions,
     kind: type[np.floating],
 ) -> NDArray[np.floating]:
     if node.constant is not None:
-        return np.asarray(kind(node.constant))
-    if node.operation == ca.OP_INPUT:
+        return np.asarray(kind(float(node.constant)))
+    if node.operation == INPUT:
         group, entry = node.operands
         return columns[starts[group] + entry]
-    if node.operation not in OPERATIONS:
-        raise unknown(node.operation)
-    return np.asarray(OPERATIONS[node.operation].numpy(*operands))
+    return np.asarray(functions[OPERATIONS[node.operation].name](*operands))
 
 
 def _lost(
     node: Node, value: NDArray[np.floating], operands: Sequence[NDArray[np.floating]]
 ) -> NDArray[np.bool_] | None:
     """Where a small value is not exact; None for operations that lose nothing there."""
-    if node.operation == ca.OP_INPUT:
+    if node.operation == INPUT:
         return np.asarray(value != 0)
-    if node.operation in PRODUCTS:
-        lost = np.asarray(operands[0] != 0)
-        return lost & (operands[1] != 0) if len(operands) > 1 else lost
-    if node.operation in QUOTIENTS:
-        above = operands[0] if len(operands) > 1 else np.asarray(1.0)
-        return np.asarray((above != 0) & np.isfinite(operands[-1]))
+    if node.operation == MULTIPLY:
+        return np.asarray((operands[0] != 0) & (operands[1] != 0))
+    if node.operation == DIVIDE:
+        return np.asarray((operands[0] != 0) & np.isfinite(operands[1]))
     return None

@@ -82,7 +82,7 @@ def first_step(evidence: Evidence, known: Known, report: Report = silent) -> Ite
         codes.append((RATES, RATES, evidence.rates))
     for title, name, code in codes:
         report(f"{title}: equations = graph")
-        small = len(code.nodes) <= SMALL
+        small = len(code.routine.nodes) <= SMALL
         try:
             found = prove_derived(name, code, known, evidence.rates, try_normal=small)
         except (ExpressionError, InputError, KeyError) as error:

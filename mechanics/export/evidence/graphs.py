@@ -1,14 +1,14 @@
-"""graphs.json: the CasADi graphs of the functions, operation by operation.
+"""graphs.json: the functions as they were before they became C, operation by operation.
 
-    {"functions": {"energy": {"exact": {...}, "written": {...}}, ...},
+    {"functions": [["energy", 0, {...}], ...], "rates": 1, "exact": [...],
      "symbols": [...], "nodes": [...]}
 
-    exact      the graph that is proved: numbers that no double holds are exact (["number", "1/3"])
-               or entries of ["constant", i], whose values are places among the nodes of the file
-    written    what the C is printed from: the graph with doubles (["double", "0x1.8p+1"]),
-               rewritten for speed
+    functions  what the C is printed from: its constants are doubles
+    exact      the graphs that are proved, by number: constants are exact, or entries of the input
+               ``constants``, whose values are places among the nodes of the file
 
-An operation is ["multiply", 3, 5], of earlier ones; ["input", 0, 1] is entry 1 of the first input.
+An operation is ["multiply", 3, 5], of earlier ones, by its name in the table of operations; a
+constant is ["constant", "1/3"], entry 1 of the first input ["input", 0, 1].
 """
 
 from __future__ import annotations
@@ -17,13 +17,8 @@ from collections.abc import Mapping
 from fractions import Fraction
 from typing import Any
 
-import casadi as ca
-
 from mechanics.compiled.custody.code import Code
 from mechanics.compiled.custody.prove import Graph
-from mechanics.compiled.programs.operations import OPERATIONS
-from mechanics.compiled.programs.program import Node as ProgramNode
-from mechanics.compiled.programs.program import Program
 from mechanics.errors import ExpressionError
 from mechanics.export.evidence.equations import lines
 from mechanics.export.evidence.expressions import (
@@ -33,23 +28,15 @@ from mechanics.export.evidence.expressions import (
     read_nodes,
     read_symbols,
 )
-from mechanics.program.casadi_reader import Instruction as Node
+from mechanics.program.constants import is_double
+from mechanics.program.operations import BY_NAME, CONSTANT, INPUT, OPERATIONS
+from mechanics.program.routine import Node, Routine, routine
 
 FILE = "graphs.json"
 RATES = "rates"
 """The graph that the step is made of; no function of the folder."""
-
-NAMES = {
-    getattr(ca, name): name.removeprefix("OP_").lower()
-    for name in sorted(dir(ca))
-    if name.startswith("OP_") and getattr(ca, name) in OPERATIONS
-}
-OPS = {name: op for op, name in NAMES.items()}
-BINARY = frozenset({
-    ca.OP_ADD, ca.OP_SUB, ca.OP_MUL, ca.OP_DIV, ca.OP_POW, ca.OP_CONSTPOW, ca.OP_LT, ca.OP_LE,
-    ca.OP_EQ, ca.OP_NE, ca.OP_AND, ca.OP_OR, ca.OP_FMIN, ca.OP_FMAX, ca.OP_ATAN2, ca.OP_HYPOT,
-    ca.OP_COPYSIGN, ca.OP_IF_ELSE_ZERO,
-})  # fmt: skip
+MOST = 100_000
+"""Entries of an array."""
 
 
 def graphs_text(graphs: Mapping[str, Graph], rates: Code | None) -> str:
@@ -62,50 +49,32 @@ def graphs_text(graphs: Mapping[str, Graph], rates: Code | None) -> str:
     place = {key: i for i, key in enumerate(codes)}
     content: dict[str, Any] = {
         "functions": [
-            [name, place[id(graph.code)], _program(graph.written)] for name, graph in graphs.items()
+            [name, place[id(graph.code)], _routine(graph.written)] for name, graph in graphs.items()
         ],
         "rates": None if rates is None else place[id(rates)],
-        "exact": [[_code(code, writer)] for code in codes.values()],
+        "exact": [
+            [{**_routine(c.routine), "constants": [writer.add(value) for value in c.constants]}]
+            for c in codes.values()
+        ],
         "symbols": writer.symbols,
         "nodes": writer.nodes,
     }
     return lines(content)
 
 
-def _code(code: Code, writer: Writer) -> dict[str, Any]:
-    last = len(code.inputs)
-    nodes: list[list[Any]] = []
-    for node in code.nodes:
-        if node.constant is not None:
-            nodes.append(["number", str(node.constant)])
-        elif node.op == ca.OP_INPUT:
-            group, entry = node.operands
-            nodes.append(["constant", entry] if group == last else ["input", group, entry])
-        else:
-            nodes.append([NAMES[node.op], *node.operands])
-    constants = [writer.add(constant) for constant in code.constants]
-    return {**_shape(code), "constants": constants, "nodes": nodes}
-
-
-def _program(code: Program) -> dict[str, Any]:
-    nodes: list[list[Any]] = []
-    for op, operands, constant in code.nodes:
-        if constant is not None:
-            nodes.append(["double", float(constant).hex()])
-        elif op == ca.OP_INPUT:
-            nodes.append(["input", *operands])
-        else:
-            nodes.append([NAMES[op], *operands])
-    return {**_shape(code), "nodes": nodes}
-
-
-def _shape(code: Code | Program) -> dict[str, Any]:
+def _routine(code: Routine) -> dict[str, Any]:
     return {
         "name": code.name,
         "inputs": [list(group) for group in code.inputs],
         "shapes": [[name, list(shape)] for name, shape in code.shapes],
         "outputs": [list(nodes) for nodes in code.outputs],
+        "nodes": [_node(node) for node in code.nodes],
     }
+
+
+def _node(node: Node) -> list[Any]:
+    name = OPERATIONS[node.operation].name
+    return [name, *node.operands] if node.constant is None else [name, str(node.constant)]
 
 
 def read_graphs(content: Any) -> tuple[dict[str, Graph], Code | None]:
@@ -120,7 +89,7 @@ def read_graphs(content: Any) -> tuple[dict[str, Graph], Code | None]:
         constants = read_nodes(content["nodes"], read_symbols(content["symbols"]))
         codes = [_read_code(record, constants) for (record,) in content["exact"]]
         found = {
-            str(name): Graph(codes[index(place, len(codes))], _read_program(record))
+            str(name): Graph(codes[index(place, len(codes))], _read_written(record))
             for name, place, record in content["functions"]
         }
         rates = content["rates"]
@@ -133,71 +102,49 @@ def read_graphs(content: Any) -> tuple[dict[str, Graph], Code | None]:
 
 
 def _read_code(record: Any, expressions: list[Any]) -> Code:
-    shape = _read_shape(record)
+    found = _read(record)
     constants = tuple(expressions[index(i, len(expressions))] for i in record["constants"])
-    inputs = [*(size for _, size in shape["inputs"]), len(constants)]
-    nodes: list[Node] = []
-    for number, (name, *rest) in enumerate(record["nodes"]):
-        if name == "number":
-            (text,) = rest
-            if not NUMBER.match(text):
-                raise ExpressionError(f"node {number}: {text[:40]} is no number")
-            nodes.append(Node(ca.OP_CONST, (), Fraction(text)))
-            continue
-        if name == "constant":
-            name, rest = "input", [len(inputs) - 1, *rest]
-        op, operands = _operation(name, rest, number, inputs)
-        nodes.append(Node(op, operands, None))
-    _check_outputs(shape, len(nodes))
-    return Code(nodes=tuple(nodes), constants=constants, **shape)
+    if not found.inputs or found.inputs[-1][1] != len(constants):
+        raise ExpressionError(f"{found.name}: its last input are {len(constants)} constants")
+    return Code(found, constants)
 
 
-def _read_program(record: Any) -> Program:
-    shape = _read_shape(record)
-    inputs = [size for _, size in shape["inputs"]]
-    nodes: list[ProgramNode] = []
-    for number, (name, *rest) in enumerate(record["nodes"]):
-        if name == "double":
-            (text,) = rest
-            value = float.fromhex(text)
-            if value - value != 0:
-                raise ExpressionError(f"node {number}: {text} is no number")
-            nodes.append(ProgramNode(ca.OP_CONST, (), value))
-            continue
-        op, operands = _operation(name, rest, number, inputs)
-        nodes.append(ProgramNode(op, operands, None))
-    _check_outputs(shape, len(nodes))
-    return Program(nodes=tuple(nodes), **shape)
+def _read_written(record: Any) -> Routine:
+    found = _read(record)
+    for number, node in enumerate(found.nodes):
+        if node.constant is not None and not is_double(node.constant):
+            raise ExpressionError(f"node {number}: {node.constant} is no double")
+    return found
 
 
-def _operation(
-    name: Any, rest: list[Any], number: int, inputs: list[int]
-) -> tuple[int, tuple[int, ...]]:
-    if name == "input":
+def _read(record: Any) -> Routine:
+    inputs = tuple((str(name), index(size, MOST)) for name, size in record["inputs"])
+    shapes = tuple(
+        (str(name), (index(rows, MOST), index(columns, MOST)))
+        for name, (rows, columns) in record["shapes"]
+    )
+    nodes = [_read_node(node, n, inputs) for n, node in enumerate(record["nodes"])]
+    outputs = [[index(place, len(nodes)) for place in places] for places in record["outputs"]]
+    for (name, (rows, columns)), places in zip(shapes, outputs, strict=True):
+        if len(places) != rows * columns:
+            raise ExpressionError(f"output {name}: {rows * columns} entries are expected")
+    return routine(str(record["name"]), nodes, outputs, inputs, shapes)
+
+
+def _read_node(record: Any, number: int, inputs: tuple[tuple[str, int], ...]) -> Node:
+    name, *rest = record
+    if name == OPERATIONS[CONSTANT].name:
+        (text,) = rest
+        if not NUMBER.match(text):
+            raise ExpressionError(f"node {number}: {text[:40]} is no number")
+        return Node(CONSTANT, (), Fraction(text))
+    if name == OPERATIONS[INPUT].name:
         group, entry = rest
-        return ca.OP_INPUT, (index(group, len(inputs)), index(entry, inputs[group]))
-    if name not in OPS or len(rest) != (2 if OPS[name] in BINARY else 1):
+        place = index(group, len(inputs))
+        return Node(INPUT, (place, index(entry, inputs[place][1])))
+    row = BY_NAME.get(str(name))
+    if row is None or not row.c or not row.arity or row.arity != len(rest):
         raise ExpressionError(
             f"node {number}: there is no operation {str(name)[:40]} of {len(rest)}"
         )
-    return OPS[name], tuple(index(place, number) for place in rest)
-
-
-def _read_shape(record: Any) -> dict[str, Any]:
-    return {
-        "name": str(record["name"]),
-        "inputs": tuple((str(name), index(size, 100_000)) for name, size in record["inputs"]),
-        "shapes": tuple(
-            (str(name), (index(rows, 100_000), index(columns, 100_000)))
-            for name, (rows, columns) in record["shapes"]
-        ),
-        "outputs": tuple(tuple(nodes) for nodes in record["outputs"]),
-    }
-
-
-def _check_outputs(shape: Mapping[str, Any], size: int) -> None:
-    for (name, (rows, columns)), nodes in zip(shape["shapes"], shape["outputs"], strict=True):
-        if len(nodes) != rows * columns:
-            raise ExpressionError(f"output {name}: {rows * columns} entries are expected")
-        for node in nodes:
-            index(node, size)
+    return Node(row.code, tuple(index(place, number) for place in rest))

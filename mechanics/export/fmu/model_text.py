@@ -9,11 +9,12 @@ from collections.abc import Sequence
 
 from mechanics.compiled.c.source import function_source
 from mechanics.compiled.c.status import Codes
-from mechanics.compiled.programs.program import Program, program
 from mechanics.export.fmu.functions import Functions
 from mechanics.export.fmu.variables import Variable, Variables
 from mechanics.export.header import comment
 from mechanics.export.precision import careful
+from mechanics.program.casadi_reader import read_routine
+from mechanics.program.routine import Routine
 
 CODES = Codes("MODEL_OK", "MODEL_SINGULAR", "MODEL_OVERFLOW", "MODEL_BAD_INPUT")
 
@@ -64,7 +65,7 @@ def model_header(title: str, identifier: str, variables: Variables, known: Funct
         table="\n".join(_rows("given", variables.given) + _rows("wanted", variables.wanted)),
         sizes="\n".join(f"#define MODEL_{name} {size}" for name, size in sizes.items()),
         codes="\n".join(f"#define {name} {number}" for number, name in enumerate(codes)),
-        **{name: _head(identifier, name, program(f)) for name, f in known.graphs.items()},
+        **{name: _head(identifier, name, read_routine(f)) for name, f in known.graphs.items()},
     )
 
 
@@ -83,7 +84,7 @@ def model_source(title: str, identifier: str, variables: Variables, known: Funct
     ]
     given = tuple(variable.name for variable in variables.given)
     for name, function in known.graphs.items():
-        code = program(function)
+        code = read_routine(function)
         seeds = variables.wanted if name == "adjoint" else variables.given
         entries = {"given": given, "seed": tuple(f"d_{variable.name}" for variable in seeds)}
         head = _head(identifier, name, code)
@@ -91,7 +92,7 @@ def model_source(title: str, identifier: str, variables: Variables, known: Funct
     return "\n".join(parts)
 
 
-def _head(identifier: str, name: str, code: Program) -> str:
+def _head(identifier: str, name: str, code: Routine) -> str:
     """Prototype; the outputs of a unit without any are still an array of one, never touched."""
     arguments = [f"const double {group}[{size}]" for group, size in code.inputs]
     ((wanted, (rows, _)),) = code.shapes

@@ -17,7 +17,6 @@ from mechanics.compiled.custody.code import exact
 from mechanics.compiled.custody.derived import Derived
 from mechanics.compiled.custody.kernel import Kernel
 from mechanics.compiled.custody.prove import Graph, prove_text
-from mechanics.compiled.programs.program import program
 from mechanics.compiled.proof import prove_compiled, prove_graph
 from mechanics.export.fmu.functions import (
     CLOCK,
@@ -29,6 +28,7 @@ from mechanics.export.fmu.functions import (
 from mechanics.export.fmu.model_text import symbol
 from mechanics.kernel import Finding
 from mechanics.program.c.parse import Source, parse
+from mechanics.program.casadi_reader import read_routine
 
 SOURCE, HEADER = "model.c", "model.h"
 PARTS = ("forward_dynamics", "coordinate_rates", "reactions", "energy")
@@ -68,7 +68,7 @@ def prove_functions(model: Model, known: Functions, source: Source) -> tuple[Fin
     names = _names(model, known)
     found = []
     for name, function in known.graphs.items():
-        code = program(function)
+        code = read_routine(function)
         if not code.outputs[0]:
             continue
         kernel = Kernel(

@@ -24,7 +24,6 @@ from mechanics.compiled import Model
 from mechanics.compiled.c.names import identifier
 from mechanics.compiled.machine.evaluator import evaluator
 from mechanics.compiled.machine.native import affordable
-from mechanics.compiled.programs.program import program
 from mechanics.compiled.tableaus import TABLEAUX
 from mechanics.errors import InputError
 from mechanics.export.atomic import named, replaced_file
@@ -39,6 +38,7 @@ from mechanics.export.fmu.variables import Variables, variables
 from mechanics.export.manifest import version_of
 from mechanics.export.refusal import refuse_refuted
 from mechanics.kernel import Finding
+from mechanics.program.casadi_reader import read_routine
 
 SUFFIX = ".fmu"
 # The method of highest order: few long steps, and errors near rounding.
@@ -136,7 +136,7 @@ def _rates(model: Model, known: Functions) -> Rates:
     given, wanted = np.zeros(function.numel_in(0)), np.zeros(function.numel_out(0))
     entries = {"given": tuple(f"v{i}" for i in range(len(given)))}
     kernel = evaluator(
-        function, program(function), entries, np.float64, model.compiler, model.flags
+        function, read_routine(function), entries, np.float64, model.compiler, model.flags
     )
     run = kernel.bound([given], [wanted])
 
@@ -201,7 +201,7 @@ def _binary(
         for file, text in contents.items()
         if file.startswith(folder) and file.endswith((".c", ".h"))
     }
-    longest = max(program(function).operations for function in known.graphs.values())
+    longest = max(read_routine(function).operations for function in known.graphs.values())
     library = compiled_library(sources, compiler, affordable(model.flags, longest))
     name = identifier(model.equations.scene.name)
     return {f"binaries/{where.tuple}/{name}{where.suffix}": library}

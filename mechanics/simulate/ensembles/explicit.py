@@ -16,15 +16,16 @@ from scipy.integrate import DOP853
 from mechanics.compiled.c.batch import batch_source
 from mechanics.compiled.c.sine import sine_source
 from mechanics.compiled.c.source import function_source, literal, signature
-from mechanics.compiled.programs.program import Program, program
 from mechanics.compiled.step import Tableau
+from mechanics.program.casadi_reader import read_routine
+from mechanics.program.routine import Routine
 from mechanics.simulate.ensembles.text import text
 
 RATE = "mechanics_rate"
 Row = Sequence[Fraction | float]
 
 
-def rate_source(code: Program) -> str:
+def rate_source(code: Routine) -> str:
     """``rate(y, held, yd)`` of a block of lanes, by the batch text of the program."""
     entries = {name: tuple(f"{name}{k}" for k in range(size)) for name, size in code.inputs}
     scalar = f"{RATE}_one"
@@ -41,7 +42,7 @@ def rate_source(code: Program) -> str:
     ])  # fmt: skip
 
 
-def _arrays(code: Program) -> str:
+def _arrays(code: Routine) -> str:
     given = [f"(const double *){name}" for name, size in code.inputs if size]
     return ", ".join([*given, "(double *)yd"])
 
@@ -53,7 +54,7 @@ def dop853_source(function: ca.Function) -> str:
     extra = [row[: stages + 1 + i] for i, row in enumerate(DOP853.A_EXTRA.tolist())]
     dense = ",\n".join(f"    {{{', '.join(map(_number, row))}}}" for row in DOP853.D.tolist())
     return "\n".join([
-        rate_source(program(function)),
+        rate_source(read_routine(function)),
         f"enum {{ STAGES = {stages}, MORE = {more}, DENSE = {len(DOP853.D)} }};",
         "typedef struct {",
         "    L slopes[STAGES + 1 + MORE][SIZE], old[SIZE], length, careful;",
@@ -73,7 +74,7 @@ def dop853_source(function: ca.Function) -> str:
 def fixed_source(function: ca.Function, tableau: Tableau) -> str:
     """Steps of one length for all."""
     return "\n".join([
-        rate_source(program(function)),
+        rate_source(read_routine(function)),
         f"enum {{ STAGES = {len(tableau.a)} }};",
         _stages("stages", tableau.a[1:], 1),
         _sum("slope", tableau.b),

@@ -13,7 +13,7 @@ import numpy as np
 from mechanics.compiled.c.source import function_source, signature
 from mechanics.compiled.machine.native import affordable, load
 from mechanics.compiled.model import Model
-from mechanics.compiled.programs.program import Program
+from mechanics.program.routine import Routine
 from mechanics.simulate.integrators.loop import NOT_FINITE, plan, stopped
 from mechanics.simulate.integrators.problem import Outcome, Problem, Setting
 from mechanics.simulate.integrators.rate import rate_entries
@@ -43,13 +43,13 @@ long long mechanics_run(long long spans, const long long *count, const @ *t, con
 
 
 def compiled_march(
-    name: str, problem: Problem, setting: Setting, code: Program, body: str, failure: str = ""
+    name: str, problem: Problem, setting: Setting, code: Routine, body: str, failure: str = ""
 ) -> Callable[[], Outcome]:
     """A call that integrates, from a program and the C of a loop over steps that calls it.
 
     Parameters
     ----------
-    code : Program
+    code : Routine
         The function that the loop calls, written by `call_inner`.
     body : str
         Statements of ``steps``, with @ for the type of the numbers, SIZE for the number of entries
@@ -85,7 +85,7 @@ def compiled_march(
 
 
 def _library(
-    name: str, problem: Problem, kind: type[np.floating], code: Program, body: str
+    name: str, problem: Problem, kind: type[np.floating], code: Routine, body: str
 ) -> ctypes.CDLL:
     """The compiled loop; kept with the model, because writing it takes longer than using it."""
     known = _libraries.setdefault(problem.model, {})
@@ -95,7 +95,7 @@ def _library(
     return known[key]
 
 
-def _compiled(problem: Problem, kind: type[np.floating], code: Program, body: str) -> ctypes.CDLL:
+def _compiled(problem: Problem, kind: type[np.floating], code: Routine, body: str) -> ctypes.CDLL:
     model, real = problem.model, "float" if kind is np.float32 else "double"
     entries = {**rate_entries(model), "h": ("h",)}
     inner = f"static {signature(code, real, INNER)}"
@@ -112,7 +112,7 @@ def _compiled(problem: Problem, kind: type[np.floating], code: Program, body: st
     return load(text.replace("@", real), model.compiler or "", flags)
 
 
-def call_inner(code: Program, **arguments: str) -> str:
+def call_inner(code: Routine, **arguments: str) -> str:
     """The call of the program with C expressions for its arrays; empty arrays are left out."""
     groups = [group for group, size in code.inputs if size]
     groups += [out for out, (rows, columns) in code.shapes if rows * columns]

@@ -15,9 +15,10 @@ from numpy.typing import NDArray
 
 from mechanics.compiled.machine.evaluator import evaluator
 from mechanics.compiled.model import Model
-from mechanics.compiled.programs.program import Program, program
 from mechanics.compiled.step import Rate, Tableau, runge_kutta
 from mechanics.compiled.tableaus import TABLEAUX
+from mechanics.program.casadi_reader import read_routine
+from mechanics.program.routine import Routine
 from mechanics.simulate.integrators.compiled_loop import call_inner, compiled_march
 from mechanics.simulate.integrators.loop import march, refused
 from mechanics.simulate.integrators.problem import Integrator, Outcome, Problem, Setting
@@ -26,7 +27,7 @@ from mechanics.simulate.integrators.stiffness import unstable
 
 Array = NDArray[np.float64]
 
-_steps: WeakKeyDictionary[Model, dict[str, tuple[ca.Function, Program]]] = WeakKeyDictionary()
+_steps: WeakKeyDictionary[Model, dict[str, tuple[ca.Function, Routine]]] = WeakKeyDictionary()
 
 BODY = """
     for (long long i = 0; i < count; ++i) {{
@@ -44,12 +45,12 @@ def step_function(model: Model, tableau: Tableau) -> ca.Function:
     return ca.Function("step", [y, w, p, h], ca.cse([after]), ["y", "inputs", "p", "h"], ["y_next"])
 
 
-def _step(model: Model, tableau: Tableau) -> tuple[ca.Function, Program]:
+def _step(model: Model, tableau: Tableau) -> tuple[ca.Function, Routine]:
     """The step and its instructions, kept with the model."""
     known = _steps.setdefault(model, {})
     if tableau.name not in known:
         function = step_function(model, tableau)
-        known[tableau.name] = function, program(function)
+        known[tableau.name] = function, read_routine(function)
     return known[tableau.name]
 
 
@@ -89,7 +90,7 @@ def _virtual(
     arrays = [np.array(array, dtype=kind) for array in given]
     after = np.zeros_like(arrays[0])
     entries = {**rate_entries(model), "h": ("h",)}
-    run = evaluator(function, program(function), entries, kind, None).bound(arrays, [after])
+    run = evaluator(function, read_routine(function), entries, kind, None).bound(arrays, [after])
     time = model.entries["inputs"].index("t") if "t" in problem.varying else None
 
     def step(y: Array, t: float, h: float) -> Array:

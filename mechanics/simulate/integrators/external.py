@@ -14,7 +14,7 @@ import casadi as ca
 
 from mechanics.compiled.machine.native import affordable, load
 from mechanics.compiled.model import Model
-from mechanics.compiled.programs.program import program
+from mechanics.program.casadi_reader import read_routine
 from mechanics.simulate.integrators.rate import jacobian_function, rate_function
 
 COUNTED = """
@@ -59,7 +59,7 @@ def external(model: Model) -> tuple[Callable[..., ca.MX], Counters]:
     rate, slope = rate_function(model), _jacobian(model)
     if model.compiler is None:
         return rate, Counters()
-    flags = affordable(model.flags, program(rate).operations)
+    flags = affordable(model.flags, read_routine(rate).operations)
     library = load(_source(rate, slope), model.compiler, flags)
     cells = tuple(ctypes.c_longlong.in_dll(library, f"{name}_calls") for name in NAMES)
     return ca.external("rate", library._name), Counters(cells)

@@ -18,7 +18,7 @@ from numpy.polynomial.legendre import leggauss
 from numpy.typing import NDArray
 
 from mechanics.compiled.c.source import literal
-from mechanics.compiled.programs.program import program
+from mechanics.program.casadi_reader import read_routine
 from mechanics.simulate.integrators.compiled_loop import call_inner, compiled_march
 from mechanics.simulate.integrators.loop import refused
 from mechanics.simulate.integrators.problem import Integrator, Outcome, Problem, Setting
@@ -128,7 +128,7 @@ def _suits(stages: int, problem: Problem, setting: Setting) -> str:
 
 
 def _prepare(stages: int, problem: Problem, setting: Setting) -> Callable[[], Outcome]:
-    kind, code = setting.kind, program(rate_function(problem.model))
+    kind, code = setting.kind, read_routine(rate_function(problem.model))
     real = "float" if kind is np.float32 else "double"
     a, b, c, e = (_written(values, real) for values in coefficients(stages))
     groups = {"inputs": "inputs", "p": "p", "yd": "found"}

@@ -16,10 +16,10 @@ from numpy.typing import NDArray
 from mechanics.compiled.graphs import Graphs
 from mechanics.compiled.machine.evaluator import evaluator
 from mechanics.compiled.model import Model
-from mechanics.compiled.programs.program import Program, program
 from mechanics.program import Builder
 from mechanics.program import Program as Straight
-from mechanics.program.casadi_reader import read
+from mechanics.program.casadi_reader import read, read_routine
+from mechanics.program.routine import Routine
 from mechanics.simulate.integrators.problem import OverBudget, Problem
 
 Array = NDArray[np.float64]
@@ -47,9 +47,9 @@ def jacobian_function(model: Model) -> ca.Function:
     return known["rate_jacobian"]
 
 
-def rate_program(model: Model) -> Program:
+def rate_program(model: Model) -> Routine:
     """Instructions of the right-hand side."""
-    return program(rate_function(model))
+    return read_routine(rate_function(model))
 
 
 def motion_program(model: Model) -> Straight:
@@ -105,7 +105,7 @@ def _bound(
     known = _kernels.setdefault(model, {})
     if (function.name(), kind) not in known:
         known[function.name(), kind] = evaluator(
-            function, program(function), rate_entries(model), kind, model.compiler, model.flags
+            function, read_routine(function), rate_entries(model), kind, model.compiler, model.flags
         )
     call: Callable[[], None] = known[function.name(), kind].bound(arrays[:-1], arrays[-1:])
     return call

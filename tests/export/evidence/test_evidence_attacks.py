@@ -81,7 +81,7 @@ def second_code(folder: Path, manifest: dict[str, Any]) -> None:
     path = folder / "graphs.json"
     content = json.loads(path.read_text(encoding="utf-8"))
     (code,) = copy.deepcopy(content["exact"][0])
-    code["nodes"].append(["neg", code["outputs"][0][0]])
+    code["nodes"].append(["negate", code["outputs"][0][0]])
     code["outputs"][0][0] = len(code["nodes"]) - 1
     content["exact"].append([code])
     for record in content["functions"]:

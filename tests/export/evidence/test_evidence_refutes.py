@@ -15,7 +15,8 @@ from mechanics.compiled.custody.code import Code
 from mechanics.compiled.custody.constants import literals
 from mechanics.kernel import Verdict
 from mechanics.program import Builder
-from mechanics.program.casadi_reader import Instruction as Node
+from mechanics.program.operations import CONSTANT, INPUT, MULTIPLY
+from mechanics.program.routine import Node, routine
 
 OUTPUT = re.compile(r"[a-z_]+\[\d+\]: ")
 KEPT = "coordinate_rates", "prepare"
@@ -115,9 +116,10 @@ def test_what_is_written_in_another_way_passes(judging, evidence, how: int) -> N
 
 def code(*constants) -> Code:
     """x times each constant: the first is 1/3, the second pi."""
-    nodes = [Node(45, (0, 0), None), Node(44, (), Fraction(1, 3)), Node(45, (1, 0), None)]
-    nodes += [Node(3, (0, 1), None), Node(3, (0, 2), None), Node(44, (), Fraction(5))]
-    return Code("f", tuple(nodes), ((3, 4),), (("x", 1),), (("y", (2, 1)),), constants)
+    nodes = [Node(INPUT, (0, 0)), Node(CONSTANT, (), Fraction(1, 3)), Node(INPUT, (1, 0))]
+    nodes += [Node(MULTIPLY, (0, 1)), Node(MULTIPLY, (0, 2)), Node(CONSTANT, (), Fraction(5))]
+    inputs = (("x", 1), ("constants", len(constants)))
+    return Code(routine("f", nodes, [[3, 4]], inputs, (("y", (2, 1)),)), constants)
 
 
 def test_a_literal_is_a_constant_only_to_its_last_digit() -> None:

@@ -29,7 +29,7 @@ int elastic_pendulum_forward_dynamics(const double q[2], const double u[2], cons
     const double cos_theta = cos(theta);
     const double v1 = -0x1.5555555555555p-1 * L;
     const double sin_theta = sin(theta);
-    const double v2 = (cos_theta * g - theta_dot * (theta_dot * v1)) * (sin_theta * M);
+    const double v2 = (g * cos_theta - theta_dot * (theta_dot * v1)) * (M * sin_theta);
     const double v3 = x * (0x1.5555555555555p+1 * k);
     const double v4 = 0x1.5555555555555p+0 * (M + m) - M * (cos_theta * cos_theta);
     const double v5 = (v2 - v3) / v4;
@@ -58,7 +58,7 @@ int elastic_pendulum_mass_matrix(const double q[2], const double u[2], const dou
     const double v1 = M + m;
     const double cos_theta = cos(theta);
     const double v2 = L * M * cos_theta / 2.0;
-    const double v3 = L * L * M / 3.0;
+    const double v3 = M * (L * L) / 3.0;
     int status = ELASTIC_PENDULUM_OK;
     if (!(isfinite(v1) && isfinite(v2) && isfinite(v3))) {
         if (!(isfinite(theta) && isfinite(L) && isfinite(M) && isfinite(m)))
@@ -84,18 +84,19 @@ int elastic_pendulum_forcing(const double q[2], const double u[2], const double 
     const double g = p[2];
     const double k = p[3];
     const double sin_theta = sin(theta);
-    const double v1 = theta_dot * theta_dot * L * M * sin_theta / 2.0 - 2.0 * x * k;
-    const double v2 = -(L * M * g * sin_theta / 2.0);
+    const double v1 = M * (L * (theta_dot * theta_dot)) * sin_theta / 2.0;
+    const double v2 = v1 - k * (2.0 * x);
+    const double v3 = -(sin_theta * (g * (L * M)) / 2.0);
     int status = ELASTIC_PENDULUM_OK;
-    if (!(isfinite(v1) && isfinite(v2))) {
+    if (!(isfinite(v2) && isfinite(v3))) {
         if (!(isfinite(x) && isfinite(theta) && isfinite(theta_dot) && isfinite(L) && isfinite(M) &&
             isfinite(g) && isfinite(k)))
             status = ELASTIC_PENDULUM_BAD_INPUT;
         else
             status = ELASTIC_PENDULUM_OVERFLOW;
     }
-    forcing[0] = v1;
-    forcing[1] = v2;
+    forcing[0] = v2;
+    forcing[1] = v3;
     return status;
 }
 
@@ -116,22 +117,21 @@ int elastic_pendulum_residual(const double q[2], const double u[2], const double
     const double cos_theta = cos(theta);
     const double v2 = v1 * cos_theta / 2.0;
     const double sin_theta = sin(theta);
-    const double v3 = (M + m) * x_ddot + v2 * theta_ddot;
-    const double v4 = theta_dot * theta_dot * L * M * sin_theta / 2.0 - 2.0 * x * k;
-    const double v5 = v3 - v4;
-    const double v6 = v2 * x_ddot + L * L * M / 3.0 * theta_ddot;
-    const double v7 = v1 * g * sin_theta / 2.0;
-    const double v8 = v6 + v7;
+    const double v3 = M * (L * (theta_dot * theta_dot)) * sin_theta / 2.0;
+    const double v4 = x_ddot * (M + m) + theta_ddot * v2 - (v3 - k * (2.0 * x));
+    const double v5 = x_ddot * v2 + theta_ddot * (M * (L * L) / 3.0);
+    const double v6 = sin_theta * (g * v1) / 2.0;
+    const double v7 = v5 + v6;
     int status = ELASTIC_PENDULUM_OK;
-    if (!(isfinite(v5) && isfinite(v8))) {
+    if (!(isfinite(v4) && isfinite(v7))) {
         if (!(isfinite(x) && isfinite(theta) && isfinite(theta_dot) && isfinite(L) && isfinite(M) &&
             isfinite(g) && isfinite(k) && isfinite(m) && isfinite(x_ddot) && isfinite(theta_ddot)))
             status = ELASTIC_PENDULUM_BAD_INPUT;
         else
             status = ELASTIC_PENDULUM_OVERFLOW;
     }
-    residual[0] = v5;
-    residual[1] = v8;
+    residual[0] = v4;
+    residual[1] = v7;
     return status;
 }
 
@@ -153,11 +153,11 @@ int elastic_pendulum_inverse_dynamics(const double q[2], const double u[2], cons
     const double v2 = M * v1;
     const double sin_theta = sin(theta);
     const double v3 = cos_theta * (theta_ddot * v2);
-    const double v4 = sin_theta * (theta_dot * theta_dot * v2);
+    const double v4 = sin_theta * (v2 * (theta_dot * theta_dot));
     const double v5 = v3 - v4 + (x * (2.0 * k) + x_ddot * (M + m));
-    const double v6 = L * L * M / 24.0;
-    const double v7 = (v6 + v1 * v2 + v6) * theta_ddot;
-    const double v8 = (sin_theta * g + x_ddot * cos_theta) * v2;
+    const double v6 = M * (L * L) / 24.0;
+    const double v7 = theta_ddot * (v6 + (v6 + v1 * v2));
+    const double v8 = v2 * (g * sin_theta + x_ddot * cos_theta);
     const double v9 = v7 + v8;
     int status = ELASTIC_PENDULUM_OK;
     if (!(isfinite(v5) && isfinite(v9))) {
@@ -188,10 +188,10 @@ int elastic_pendulum_energy(const double q[2], const double u[2], const double p
     const double v1 = x_dot + theta_dot * L * cos_theta / 2.0;
     const double v2 = theta_dot * theta_dot * (L * L);
     const double sin_theta = sin(theta);
-    const double v3 = x_dot * x_dot * m / 2.0;
-    const double v4 = (v1 * v1 + v2 * (sin_theta * sin_theta) / 4.0) * M / 2.0;
-    const double v5 = v3 + v4 + v2 * M / 24.0;
-    const double v6 = x * x * k - L * M * g * cos_theta / 2.0;
+    const double v3 = m * (x_dot * x_dot) / 2.0;
+    const double v4 = M * (v1 * v1 + v2 * (sin_theta * sin_theta) / 4.0) / 2.0;
+    const double v5 = v3 + v4 + M * v2 / 24.0;
+    const double v6 = k * (x * x) - cos_theta * (g * (L * M)) / 2.0;
     const double v7 = v5 + v6;
     int status = ELASTIC_PENDULUM_OK;
     if (!(isfinite(v5) && isfinite(v6) && isfinite(v7))) {
@@ -220,17 +220,17 @@ int elastic_pendulum_momenta(const double q[2], const double u[2], const double 
     const double v1 = theta_dot * L;
     const double cos_theta = cos(theta);
     const double v2 = x_dot + v1 * cos_theta / 2.0;
-    const double v3 = x_dot * m + v2 * M;
+    const double v3 = x_dot * m + M * v2;
     const double sin_theta = sin(theta);
-    const double v4 = v1 * M * sin_theta / 2.0;
+    const double v4 = M * v1 * sin_theta / 2.0;
     const double v5 = L * L;
-    const double v6 = theta_dot * v5 * M / 12.0 + v2 * L * M * cos_theta / 2.0;
-    const double v7 = theta_dot * (x + L * sin_theta / 2.0) * L * M * sin_theta / 2.0;
-    const double v8 = v6 + v7;
+    const double v6 = sin_theta * (M * (L * (theta_dot * (x + L * sin_theta / 2.0))));
+    const double v7 = M * (theta_dot * v5) / 12.0 + cos_theta * (M * (L * v2)) / 2.0;
+    const double v8 = v7 + v6 / 2.0;
     const double v9 = 2.0 * v2;
     const double v10 = 0x1p-1 * (m * (2.0 * x_dot)) + 0x1p-1 * (M * v9);
     const double v11 = v5 * (2.0 * theta_dot);
-    const double v12 = v9 * (0x1p-1 * (cos_theta * L));
+    const double v12 = v9 * (0x1p-1 * (L * cos_theta));
     const double v13 = 0x1p-2 * (sin_theta * sin_theta * v11);
     const double v14 = 0x1p-1 * (M * (v12 + v13)) + M * v11 / 24.0;
     int status = ELASTIC_PENDULUM_OK;
@@ -286,21 +286,21 @@ int elastic_pendulum_jacobians(const double q[2], const double u[2], const doubl
     const double cos_theta = cos(theta);
     const double v2 = v1 * cos_theta / 2.0;
     const double v3 = L * L;
-    const double v4 = v3 * M / 3.0;
+    const double v4 = M * v3 / 3.0;
     const double v5 = 1.0 / v4;
     const double v6 = v2 * v5;
-    const double v7 = M + m - v6 * v2;
+    const double v7 = M + m - v2 * v6;
     const double v8 = 1.0 / v7;
     const double v9 = 2.0 * -k * v8;
     const double v10 = -(v2 * v9 * v5);
     const double v11 = theta_dot * theta_dot;
-    const double v12 = v11 * L;
-    const double v13 = v12 * M;
+    const double v12 = L * v11;
+    const double v13 = M * v12;
     const double sin_theta = sin(theta);
-    const double v14 = v1 * g;
-    const double v15 = v14 * sin_theta / 2.0;
+    const double v14 = g * v1;
+    const double v15 = sin_theta * v14 / 2.0;
     const double v16 = 2.0 * x;
-    const double v17 = (v13 * sin_theta / 2.0 - v16 * k + v6 * v15) * v8;
+    const double v17 = (v13 * sin_theta / 2.0 - k * v16 + v6 * v15) * v8;
     const double v18 = (v15 + v2 * v17) * v5;
     const double v19 = 0x1p-1 * v18;
     const double v20 = 0x1p-1 * v17;
@@ -388,7 +388,7 @@ int elastic_pendulum_step(const double q[2], const double u[2], const double p[5
     const double cos_v5 = cos(v5);
     const double sin_v5 = sin(v5);
     const double v6 = v3 - M * (cos_theta * cos_theta);
-    const double v7 = (cos_theta * g - theta_dot * (theta_dot * v1)) * (sin_theta * M);
+    const double v7 = (g * cos_theta - theta_dot * (theta_dot * v1)) * (M * sin_theta);
     const double v8 = (v7 - x * v2) / v6;
     const double v9 = (cos_theta * v8 + g * sin_theta) * v4;
     const double v10 = x_dot + h_ * (v8 / 2.0);
@@ -397,8 +397,8 @@ int elastic_pendulum_step(const double q[2], const double u[2], const double p[5
     const double cos_v12 = cos(v12);
     const double sin_v12 = sin(v12);
     const double v13 = v3 - M * (cos_v5 * cos_v5);
-    const double v14 = (cos_v5 * g - v11 * (v11 * v1)) * (sin_v5 * M);
-    const double v15 = (x + h_ * (x_dot / 2.0)) * v2;
+    const double v14 = (g * cos_v5 - v11 * (v1 * v11)) * (M * sin_v5);
+    const double v15 = v2 * (x + h_ * (x_dot / 2.0));
     const double v16 = (v14 - v15) / v13;
     const double v17 = (cos_v5 * v16 + g * sin_v5) * v4;
     const double v18 = x_dot + h_ * (v16 / 2.0);
@@ -407,8 +407,8 @@ int elastic_pendulum_step(const double q[2], const double u[2], const double p[5
     const double cos_v20 = cos(v20);
     const double sin_v20 = sin(v20);
     const double v21 = v3 - M * (cos_v12 * cos_v12);
-    const double v22 = (cos_v12 * g - v19 * (v19 * v1)) * (sin_v12 * M);
-    const double v23 = (x + h_ * (v10 / 2.0)) * v2;
+    const double v22 = (g * cos_v12 - v19 * (v1 * v19)) * (M * sin_v12);
+    const double v23 = v2 * (x + h_ * (v10 / 2.0));
     const double v24 = (v22 - v23) / v21;
     const double v25 = (cos_v12 * v24 + g * sin_v12) * v4;
     const double v26 = theta_dot + h_ * v25;
@@ -416,8 +416,8 @@ int elastic_pendulum_step(const double q[2], const double u[2], const double p[5
     const double v28 = x + h_ * v27;
     const double v29 = theta + h_ * ((theta_dot + 2.0 * v11 + 2.0 * v19 + v26) / 6.0);
     const double v30 = v3 - M * (cos_v20 * cos_v20);
-    const double v31 = (cos_v20 * g - v26 * (v26 * v1)) * (sin_v20 * M);
-    const double v32 = (x + h_ * v18) * v2;
+    const double v31 = (g * cos_v20 - v26 * (v1 * v26)) * (M * sin_v20);
+    const double v32 = v2 * (x + h_ * v18);
     const double v33 = (v31 - v32) / v30;
     const double v34 = v9 + 2.0 * v17 + 2.0 * v25 + (cos_v20 * v33 + g * sin_v20) * v4;
     const double v35 = x_dot + h_ * ((v8 + 2.0 * v16 + 2.0 * v24 + v33) / 6.0);
@@ -454,17 +454,17 @@ int elastic_pendulum_reactions(const double q[2], const double u[2], const doubl
     const double cos_theta = cos(theta);
     const double v1 = -0x1.5555555555555p-1 * L;
     const double sin_theta = sin(theta);
-    const double v2 = (cos_theta * g - theta_dot * (theta_dot * v1)) * (sin_theta * M);
+    const double v2 = (g * cos_theta - theta_dot * (theta_dot * v1)) * (M * sin_theta);
     const double v3 = x * (0x1.5555555555555p+1 * k);
     const double v4 = 0x1.5555555555555p+0 * (M + m) - M * (cos_theta * cos_theta);
     const double v5 = (v2 - v3) / v4;
     const double v6 = (cos_theta * v5 + g * sin_theta) / v1;
     const double v7 = theta_dot * theta_dot;
-    const double v8 = -((v5 + (v6 * cos_theta - v7 * sin_theta) * L / 2.0) * M);
+    const double v8 = -(M * (v5 + L * (cos_theta * v6 - sin_theta * v7) / 2.0));
     const double v9 = M * g;
-    const double v10 = (v6 * sin_theta + v7 * cos_theta) * L * M / 2.0;
+    const double v10 = M * (L * (sin_theta * v6 + cos_theta * v7)) / 2.0;
     const double v11 = v9 + v10;
-    const double v12 = v9 + g * m + v10;
+    const double v12 = v10 + (v9 + g * m);
     int status = ELASTIC_PENDULUM_OK;
     if (!(isfinite(v8) && isfinite(v11) && isfinite(v12) && isfinite(v4) && isfinite(v1))) {
         if (!(isfinite(x) && isfinite(theta) && isfinite(theta_dot) && isfinite(L) && isfinite(M) &&
@@ -491,17 +491,17 @@ int elastic_pendulum_prepare(const double p[5], double c[6])
     const double v3 = 0x1.5555555555555p+0 * (M + m);
     const double v4 = 1.0 / v1;
     int status = ELASTIC_PENDULUM_OK;
-    if (!(isfinite(g) && isfinite(v1) && isfinite(v4) && isfinite(M) && isfinite(v2) &&
+    if (!(isfinite(M) && isfinite(g) && isfinite(v1) && isfinite(v4) && isfinite(v2) &&
         isfinite(v3))) {
         if (!(isfinite(L) && isfinite(M) && isfinite(g) && isfinite(k) && isfinite(m)))
             status = ELASTIC_PENDULUM_BAD_INPUT;
         else
             status = v1 == 0 ? ELASTIC_PENDULUM_SINGULAR : ELASTIC_PENDULUM_OVERFLOW;
     }
-    c[0] = g;
-    c[1] = v1;
-    c[2] = v4;
-    c[3] = M;
+    c[0] = M;
+    c[1] = g;
+    c[2] = v1;
+    c[3] = v4;
     c[4] = v2;
     c[5] = v3;
     return status;
@@ -513,22 +513,22 @@ int elastic_pendulum_forward_dynamics_prepared(const double q[2], const double u
     const double x = q[0];
     const double theta = q[1];
     const double theta_dot = u[1];
-    const double g = c[0];
-    const double c1 = c[1];
+    const double M = c[0];
+    const double g = c[1];
     const double c2 = c[2];
-    const double M = c[3];
+    const double c3 = c[3];
     const double c4 = c[4];
     const double c5 = c[5];
     const double cos_theta = cos(theta);
     const double sin_theta = sin(theta);
-    const double v1 = (cos_theta * g - theta_dot * (theta_dot * c1)) * (sin_theta * M);
+    const double v1 = (g * cos_theta - theta_dot * (theta_dot * c2)) * (M * sin_theta);
     const double v2 = c5 - M * (cos_theta * cos_theta);
     const double v3 = (v1 - x * c4) / v2;
-    const double v4 = (cos_theta * v3 + g * sin_theta) * c2;
+    const double v4 = (cos_theta * v3 + g * sin_theta) * c3;
     int status = ELASTIC_PENDULUM_OK;
     if (!(isfinite(v3) && isfinite(v4) && isfinite(v2))) {
-        if (!(isfinite(x) && isfinite(theta) && isfinite(theta_dot) && isfinite(g) && isfinite(c1)
-            && isfinite(c2) && isfinite(M) && isfinite(c4) && isfinite(c5)))
+        if (!(isfinite(x) && isfinite(theta) && isfinite(theta_dot) && isfinite(M) && isfinite(g) &&
+            isfinite(c2) && isfinite(c3) && isfinite(c4) && isfinite(c5)))
             status = ELASTIC_PENDULUM_BAD_INPUT;
         else
             status = v2 == 0 ? ELASTIC_PENDULUM_SINGULAR : ELASTIC_PENDULUM_OVERFLOW;

@@ -59,10 +59,10 @@
 #define ELASTIC_PENDULUM_P_SIZE 5
 
 /* constants: what prepare makes of the parameters
- *   c[0]  g   m/s^2  acceleration of gravity
- *   c[1]  c1  -      made of parameters
+ *   c[0]  M   kg     mass of the pendulum
+ *   c[1]  g   m/s^2  acceleration of gravity
  *   c[2]  c2  -      made of parameters
- *   c[3]  M   kg     mass of the pendulum
+ *   c[3]  c3  -      made of parameters
  *   c[4]  c4  -      made of parameters
  *   c[5]  c5  -      made of parameters
  */

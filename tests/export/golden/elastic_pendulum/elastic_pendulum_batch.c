@@ -37,8 +37,8 @@ static inline int elastic_pendulum_forward_dynamics_batch_lanes(size_t count, si
         double sin_theta, cos_theta;
         mechanics_sincos(theta, &sin_theta, &cos_theta);
         far |= mechanics_far(theta);
-        const double v2 = mechanics_fma(-theta_dot, theta_dot * v1, cos_theta * g);
-        const double v4 = mechanics_fma(-x, v3, v2 * (sin_theta * M));
+        const double v2 = mechanics_fma(-theta_dot, theta_dot * v1, g * cos_theta);
+        const double v4 = mechanics_fma(-x, v3, v2 * (M * sin_theta));
         const double v6 = mechanics_fma(-M, cos_theta * cos_theta, v5);
         const double v7 = v4 / v6;
         const double v8 = mechanics_fma(g, sin_theta, cos_theta * v7);
@@ -98,7 +98,7 @@ static inline int elastic_pendulum_energy_batch_lanes(size_t count, size_t strid
     const double v4 = L * L;
     const double v7 = 1.0 / 4.0;
     const double v10 = 1.0 / 24.0;
-    const double v12 = L * M * g;
+    const double v12 = g * (L * M);
     uint64_t far = 0;
     uint64_t wild = 0;
 #if defined(__clang__)
@@ -119,9 +119,9 @@ static inline int elastic_pendulum_energy_batch_lanes(size_t count, size_t strid
         const double v5 = theta_dot * theta_dot * v4;
         const double v6 = v5 * (sin_theta * sin_theta);
         const double v8 = mechanics_fma(v3, v3, v6 * v7);
-        const double v9 = x_dot * x_dot * m * v1 + v8 * M * v1;
-        const double v11 = v9 + v5 * M * v10;
-        const double v13 = mechanics_fma(x * x, k, -(v12 * cos_theta * v1));
+        const double v9 = m * (x_dot * x_dot) * v1 + M * v8 * v1;
+        const double v11 = v9 + M * v5 * v10;
+        const double v13 = mechanics_fma(k, x * x, -(cos_theta * v12 * v1));
         kinetic[i] = v11;
         potential[i] = v13;
         total[i] = v11 + v13;

@@ -51,10 +51,10 @@ ARRAYS = {
         ("m", "kg", "mass of the carriage"),
     ),
     "c": (
-        ("g", "m/s^2", "acceleration of gravity"),
-        ("c1", "", "made of parameters"),
-        ("c2", "", "made of parameters"),
         ("M", "kg", "mass of the pendulum"),
+        ("g", "m/s^2", "acceleration of gravity"),
+        ("c2", "", "made of parameters"),
+        ("c3", "", "made of parameters"),
         ("c4", "", "made of parameters"),
         ("c5", "", "made of parameters"),
     ),
