@@ -110,11 +110,27 @@ def rubbing_arm(count: int = 4) -> Scene:
     )
 
 
+def hanging_arm(count: int = 4) -> Scene:
+    """An arm that hangs at rest with all angles zero."""
+    (g,) = parameters("g", units="m/s^2", typical="9.81")
+    ground, origin = ReferenceFrame("N"), Point("O")
+    bodies, pins = links(count, ground, origin, None)
+    return Scene(
+        f"hanging arm of {count}",
+        ground,
+        origin,
+        coordinates=angles(count),
+        bodies=tuple(bodies),
+        loads=(gravity(g * ground.z),),
+        reactions=tuple(pins),
+    )
+
+
 def angles(count: int) -> tuple:
     return tuple(dynamicsymbols(f"q1:{count + 1}"))
 
 
-def links(count: int, outer: ReferenceFrame, at: Point, inner: str) -> tuple[list, list]:
+def links(count: int, outer: ReferenceFrame, at: Point, inner: str | None) -> tuple[list, list]:
     """Bodies in space on turning joints, each along the z axis of its frame, and their pins."""
     bodies, pins = [], []
     for i, way, angle in zip(range(1, count + 1), "yxzyxzy", angles(count), strict=False):

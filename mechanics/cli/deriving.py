@@ -8,11 +8,13 @@ import typer
 from sympy import Matrix
 
 from mechanics.cli.load import load
+from mechanics.cli.program_listing import program_latex, program_python, program_text
 from mechanics.cli.python_module import python_module
 from mechanics.cli.values import assignments
+from mechanics.compiled import compile
 from mechanics.compiled.fixed import fix, read_fixed
-from mechanics.crosscheck import derive_textbook as derive_by
-from mechanics.equations import Equations
+from mechanics.crosscheck import derive as derive_by
+from mechanics.equations import Equations, ProgramEquations
 from mechanics.report.notation import latex
 
 
@@ -37,6 +39,9 @@ def derive(
 ) -> None:
     """Print the equations of motion M u' = f + B lambda, A u' = b of one route.
 
+    Those that are too long for one formula are printed line by line: what is used again has a name.
+    In Python they are a function of NumPy arrays then.
+
     Examples
     --------
     `mechanics derive rocker --route moving_point`
@@ -47,9 +52,12 @@ def derive(
     """
     scene = load(system).scene()
     table = read_fixed(scene, assignments(fixed or [], "--fix"))
-    equations = fix(derive_by(scene, route), table)
-    writer = {Format.TEXT: _text, Format.LATEX: _latex, Format.PYTHON: python_module}[form]
-    typer.echo(writer(equations))
+    equations = derive_by(scene, route)
+    if isinstance(equations, ProgramEquations):
+        compile(equations, fixed={symbol.name: value for symbol, value in table.items()})
+        typer.echo(PROGRAM_WRITERS[form](equations, table))
+    else:
+        typer.echo(WRITERS[form](fix(equations, table)))
 
 
 def _sides(equations: Equations) -> list[tuple[sympy.Expr, sympy.Expr]]:
@@ -75,3 +83,9 @@ def _text(equations: Equations) -> str:
 def _latex(equations: Equations) -> str:
     rows = [f"{latex(left)} &= {latex(right)}" for left, right in _sides(equations)]
     return "\\begin{align}\n" + " \\\\\n".join(rows) + "\n\\end{align}"
+
+
+WRITERS = {Format.TEXT: _text, Format.LATEX: _latex, Format.PYTHON: python_module}
+PROGRAM_WRITERS = {
+    Format.TEXT: program_text, Format.LATEX: program_latex, Format.PYTHON: program_python,
+}  # fmt: skip

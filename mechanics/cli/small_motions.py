@@ -7,10 +7,15 @@ from sympy import Expr, Matrix, Rational
 
 from mechanics.cli.load import load
 from mechanics.cli.values import points
-from mechanics.crosscheck import derive_textbook
+from mechanics.crosscheck import derive
+from mechanics.equations import ProgramEquations
 from mechanics.errors import ExpressionError, InputError
 from mechanics.linear import Linear, damped, damped_modes, linearise, numeric_modes, stability
 from mechanics.linear import modes as exact_modes
+from mechanics.linear.values import with_numbers
+
+LONGEST = 16
+"""Characters of a number that is printed as it is."""
 
 SystemArgument = Annotated[str, typer.Argument(metavar="SYSTEM", help="A name or a .py file.")]
 AtOption = Annotated[
@@ -94,9 +99,21 @@ def _linear(name: str, settings: list[str]) -> Linear:
         else:
             known = ", ".join((*coordinates, *inputs))
             raise InputError(f"{scene.name}: there is no coordinate or input {key!r}: {known}")
-    return linearise(derive_textbook(scene, "lagrange"), coordinates, inputs)
+    equations = derive(scene, "lagrange")
+    if isinstance(equations, ProgramEquations):
+        # Formulas of these are no reading for a person.
+        numbers = {symbol: with_numbers(scene, symbol) for symbol in scene.parameters}
+        typer.echo("typical values: the equations are too long for formulas")
+        return linearise(equations, coordinates, inputs, numbers)
+    return linearise(equations, coordinates, inputs)
 
 
 def _rows(matrix: Matrix) -> str:
-    rows = ("[" + ", ".join(str(entry) for entry in row) + "]" for row in matrix.tolist())
+    rows = ("[" + ", ".join(map(_entry, row)) + "]" for row in matrix.tolist())
     return "[" + ", ".join(rows) + "]"
+
+
+def _entry(entry: Expr) -> str:
+    """A formula, or a number with the digits of a double where its own are longer."""
+    text = str(entry)
+    return f"{float(entry):.10g}" if entry.is_number and len(text) > LONGEST else text

@@ -11,15 +11,21 @@ Terms of second order (u times x, changes of M, N, A and G) are left out. With c
 the deviations that they admit to first order.
 """
 
-from collections.abc import Mapping, Sequence
+import sys
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 
 from sympy import Abs, Expr, Matrix, Symbol, eye, sign, sympify
 
-from mechanics.equations import Equations
+from mechanics.compiled.bordered import bind
+from mechanics.equations import Equations, ProgramEquations
 from mechanics.errors import InputError, wanted
 from mechanics.linear.algebra import independent_rows, inverse, is_zero, null_space, reduced
 from mechanics.linear.form import Linear
+from mechanics.mechanism import name_of
+from mechanics.program.sympy_printer import expressions
+from mechanics.routes.rows import acceleration_forms, coefficients
+from mechanics.routes.textbook import symbols
 from mechanics.scene import Scene
 from mechanics.scene.rates import TIME
 from mechanics.scene.symbols import DOTS
@@ -47,7 +53,7 @@ class Rest:
 
 
 def linearise(
-    equations: Equations,
+    equations: Equations | ProgramEquations,
     at: Values,
     inputs: Values | None = None,
     parameters: Mapping[Symbol, Expr] | None = None,
@@ -56,7 +62,7 @@ def linearise(
 
     Parameters
     ----------
-    equations : Equations
+    equations : Equations or ProgramEquations
         By any route.
     at : mapping
         A value for every coordinate, by name, dynamic symbol or plain symbol.
@@ -77,7 +83,7 @@ def linearise(
     ExpressionError
         If it cannot be told whether the point is an equilibrium.
     """
-    wanted(equations, Equations, "linearise", "pass derive(scene, route)")
+    wanted(equations, (Equations, ProgramEquations), "linearise", "pass derive(scene, route)")
     scene = equations.scene
     rest = _rest(scene, at, inputs or {}, parameters or {})
     _placed(scene, rest)
@@ -136,33 +142,146 @@ def _placed(scene: Scene, rest: Rest) -> None:
             )
 
 
-def _expand(equations: Equations, rest: Rest) -> Linear:
-    scene = equations.scene
-    if any(sympify(entry).has(TIME) for entry in equations.forcing):
-        raise InputError(
-            f"{scene.name}: the forces depend on time itself, so that nothing is an equilibrium:"
-            " declare what changes as an input"
-        )
+@dataclass(frozen=True)
+class Slopes:
+    """The equations at the operating point, to first order.
+
+    Attributes
+    ----------
+    mass, reactions, constraints : Matrix
+        M, B and A there.
+    forcing : Matrix
+        f there, which the reactions balance.
+    by_speeds : Matrix
+        df/du.
+    by_coordinates : callable
+        d(f + B lambda)/dq at given multipliers.
+    by_inputs : list of Matrix
+        df/dw, df/dw', ...
+    kinematic : Matrix
+        N: of the rates of the coordinates by the speeds.
+    """
+
+    mass: Matrix
+    reactions: Matrix
+    constraints: Matrix
+    forcing: Matrix
+    by_speeds: Matrix
+    by_coordinates: Callable[[Matrix], Matrix]
+    by_inputs: list[Matrix]
+    kinematic: Matrix
+
+
+def _written(equations: Equations, rest: Rest) -> Slopes:
+    """Slopes of matrices in SymPy."""
+    scene, forcing = equations.scene, equations.forcing
+    if any(sympify(entry).has(TIME) for entry in forcing):
+        raise _timed(scene)
     _smooth(equations, rest)
-    kinematic = inverse(rest.gradient([scene.coordinate_rates[qd] for qd in scene.qd], scene.u))
-    constraint = equations.constraint_matrix.applyfunc(rest.of)
+    orders = [scene.input_symbols]
+    orders += [tuple(_rates(w)[k] for w in scene.input_symbols) for k in range(len(DOTS) - 1)]
+    rates = [scene.coordinate_rates[qd] for qd in scene.qd]
+
+    def by_coordinates(multipliers: Matrix) -> Matrix:
+        whole = forcing
+        if equations.multipliers:
+            whole = forcing + equations.reaction_matrix * multipliers
+        return rest.gradient(whole, scene.q)
+
+    return Slopes(
+        mass=equations.mass.applyfunc(rest.of),
+        reactions=equations.reaction_matrix.applyfunc(rest.of),
+        constraints=equations.constraint_matrix.applyfunc(rest.of),
+        forcing=forcing.applyfunc(rest.of),
+        by_speeds=rest.gradient(forcing, scene.u),
+        by_coordinates=by_coordinates,
+        by_inputs=[rest.gradient(forcing, symbols) for symbols in orders],
+        kinematic=rest.gradient(rates, scene.u),
+    )
+
+
+def _derived(equations: ProgramEquations, rest: Rest) -> Slopes:
+    """Slopes of a program, by its exact derivatives."""
+    scene, mechanism = equations.scene, equations.mechanism
+    if scene.explicit_time:
+        raise _timed(scene)
+    for friction in mechanism.frictions:
+        raise InputError(
+            f"{scene.name}: load {friction.name} has no slope at the operating point: nothing"
+            " is linear there; linearise a scene without this friction"
+        )
+    build, rows = mechanism.builder, equations.values
+    orders = [
+        [build.input(w.name + dots) for w in scene.input_symbols] for dots in DOTS
+    ]  # fmt: skip
+    groups = {
+        "mass": (rows, mechanism.ud),
+        "reactions": (rows, equations.multipliers),
+        "speeds": (rows, mechanism.u),
+        "coordinates": (rows, mechanism.q),
+        "constraints": (acceleration_forms(mechanism), mechanism.ud),
+        "kinematic": (mechanism.q_rates, mechanism.u),
+        **{f"inputs {k}": (rows, order) for k, order in enumerate(orders)},
+    }
+    nodes = {name: coefficients(*pair) for name, pair in groups.items()}
+    outputs = {name: [entry for row in matrix for entry in row] for name, matrix in nodes.items()}
+    outputs["rows"] = list(rows)
+    program = build.program(outputs)
+    values = {s.name: v for s, v in rest.table.items() if not sympify(v).free_symbols}
+    other, bound = bind(program, {n: v for n, v in values.items() if n in program.inputs})
+    names = {**symbols(scene), **{s.name: v for s, v in rest.table.items()}}
+    found = expressions(other.program(bound), names, limit=sys.maxsize)
+    matrices = {
+        name: Matrix(len(pair[0]), len(pair[1]), found[name]) for name, pair in groups.items()
+    }
+    multipliers = [names[name_of(node)] for node in equations.multipliers]
+    still = dict.fromkeys(multipliers, sympify(0))
+
+    def by_coordinates(static: Matrix) -> Matrix:
+        at = dict(zip(multipliers, static, strict=True))
+        return -matrices["coordinates"].xreplace(at)
+
+    return Slopes(
+        mass=matrices["mass"],
+        reactions=-matrices["reactions"],
+        constraints=matrices["constraints"],
+        forcing=-Matrix(len(rows), 1, found["rows"]).xreplace(still),
+        by_speeds=-matrices["speeds"],
+        by_coordinates=by_coordinates,
+        by_inputs=[-matrices[f"inputs {k}"] for k in range(len(orders))],
+        kinematic=matrices["kinematic"],
+    )
+
+
+def _timed(scene: Scene) -> InputError:
+    return InputError(
+        f"{scene.name}: the forces depend on time itself, so that nothing is an equilibrium:"
+        " declare what changes as an input"
+    )
+
+
+def _expand(equations: Equations | ProgramEquations, rest: Rest) -> Linear:
+    scene = equations.scene
+    if isinstance(equations, ProgramEquations):
+        slopes = _derived(equations, rest)
+    else:
+        slopes = _written(equations, rest)
+    kinematic, constraint = inverse(slopes.kinematic), slopes.constraints
     if constraint.rows:
         reach, free = null_space((constraint * kinematic).applyfunc(reduced))
     else:
         reach, free = eye(len(scene.q)), tuple(range(len(scene.q)))
     speeds = kinematic * reach
-    conjugate = equations.conjugate and equations.mass.rows == len(scene.u)
-    still = equations.reaction_matrix.applyfunc(rest.of)
+    conjugate = equations.conjugate and slopes.mass.rows == len(scene.u)
+    still = slopes.reactions
     # Rows conjugate to u, projected on the admitted speeds, are conjugate to x'.
     left = speeds.T if conjugate else null_space(still.T)[0].T
-    forcing = _static(equations, rest, left, still)
+    static = _static(equations, rest, left, slopes)
 
     def projected(matrix: Matrix) -> Matrix:
         return (left * matrix).applyfunc(reduced)
 
-    orders = [scene.input_symbols]
-    orders += [tuple(_rates(w)[k] for w in scene.input_symbols) for k in range(len(DOTS) - 1)]
-    drives = [projected(rest.gradient(forcing, symbols)) for symbols in orders]
+    drives = [projected(matrix) for matrix in slopes.by_inputs]
     while len(drives) > 1 and drives[-1].is_zero_matrix:
         drives.pop()
     return Linear(
@@ -171,9 +290,9 @@ def _expand(equations: Equations, rest: Rest) -> Linear:
         point=rest.point,
         coordinates=tuple(scene.q[j] for j in free),
         inputs=scene.input_symbols,
-        mass=projected(equations.mass.applyfunc(rest.of) * speeds),
-        damping=projected(-rest.gradient(forcing, scene.u) * speeds),
-        stiffness=projected(-rest.gradient(forcing, scene.q) * reach),
+        mass=projected(slopes.mass * speeds),
+        damping=projected(-slopes.by_speeds * speeds),
+        stiffness=projected(-slopes.by_coordinates(static) * reach),
         input_matrices=tuple(drives),
         reach=reach,
         conjugate=conjugate,
@@ -191,10 +310,11 @@ def _smooth(equations: Equations, rest: Rest) -> None:
                 )
 
 
-def _static(equations: Equations, rest: Rest, left: Matrix, still: Matrix) -> Matrix:
-    """Return f + B lambda_0 with the static reactions; refuse a point out of balance."""
-    forcing = equations.forcing
-    out_of_balance = (left * forcing.applyfunc(rest.of)).applyfunc(reduced)
+def _static(
+    equations: Equations | ProgramEquations, rest: Rest, left: Matrix, slopes: Slopes
+) -> Matrix:
+    """Return the static reactions lambda_0; refuse a point out of balance."""
+    out_of_balance = (left * slopes.forcing).applyfunc(reduced)
     for row, entry in enumerate(out_of_balance, 1):
         if not is_zero(entry):
             place = ", ".join(f"{symbol} = {value}" for symbol, value in rest.point.items())
@@ -202,10 +322,10 @@ def _static(equations: Equations, rest: Rest, left: Matrix, still: Matrix) -> Ma
                 f"{equations.scene.name}: {place} is no equilibrium: row {row} of the equations"
                 f" ({equations.route}) at rest leaves {entry}, not zero"
             )
-    if not equations.multipliers:
-        return forcing
+    still = slopes.reactions
+    if not still.cols:
+        return Matrix(0, 1, [])
     rows = list(independent_rows(still))
-    static = -inverse(still.extract(rows, list(range(still.cols)))) * Matrix(
-        [rest.of(forcing[i]) for i in rows]
+    return -inverse(still.extract(rows, list(range(still.cols)))) * slopes.forcing.extract(
+        rows, [0]
     )
-    return forcing + equations.reaction_matrix * static

@@ -158,15 +158,6 @@ def run(monkeypatch: pytest.MonkeyPatch, *words: str) -> int:
     return int(stop.value.code or 0)
 
 
-def test_what_needs_matrices_says_so(
-    file: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
-) -> None:
-    assert run(monkeypatch, "derive", str(file)) == 2
-    said = capsys.readouterr()
-    assert "Traceback" not in said.out + said.err
-    assert "too long to be written out" in " ".join(said.err.split())
-
-
 def test_its_code_is_written_and_verified_with_its_physics(
     file: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -1,0 +1,154 @@
+"""What is said of scenes that stay programs: printed, linearised, measured."""
+
+import types
+from pathlib import Path
+
+import numpy as np
+import pytest
+from arms_with_contacts import hanging_arm, rolling_arm
+from linkages import parallelogram
+from serial_arms import serial_arm
+from sympy import Rational, pi, simplify
+
+import mechanics
+from mechanics.checks.admissible import check_scene
+from mechanics.cli import main
+from mechanics.crosscheck import ROUTES, derive
+from mechanics.crosscheck.routes import as_program
+from mechanics.linear import linearise, state_space
+from mechanics.linear.values import with_numbers
+from mechanics.program import Builder
+from mechanics.program.listing import LONGEST, listing
+from systems import elastic_pendulum, rolling_disc
+
+EPS = np.finfo(float).eps
+
+FILE = """
+import sys
+sys.path.insert(0, {tests!r})
+{line}
+"""
+SCENES = {
+    "arm": "from serial_arms import serial_arm\ndef scene(): return serial_arm(4, 'zyx').scene",
+    "wheel": "from arms_with_contacts import rolling_arm as scene",
+    "hanging": "from arms_with_contacts import hanging_arm as scene",
+}
+
+
+@pytest.fixture
+def run(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]):
+    """Run a command on one of `SCENES`; its exit code and what it wrote."""
+
+    def command(name: str, system: str, *words: object) -> tuple[int, str, str]:
+        file = tmp_path / f"{system}.py"
+        file.write_text(FILE.format(tests=str(Path(__file__).parents[1]), line=SCENES[system]))
+        monkeypatch.setattr("sys.argv", ["mechanics", name, str(file), *map(str, words)])
+        with pytest.raises(SystemExit) as stop:
+            main()
+        said = capsys.readouterr()
+        return int(stop.value.code or 0), said.out, said.err
+
+    return command
+
+
+@pytest.mark.parametrize("system", ["arm", "wheel"])
+def test_the_printed_module_computes_what_the_model_does(run, system: str) -> None:
+    code, text, _ = run("derive", system, "--route", "kane", "--format", "python")
+    assert code == 0
+    module = types.ModuleType("printed")
+    exec(text, module.__dict__)
+    scene = serial_arm(4, "zyx").scene if system == "arm" else rolling_arm()
+    model = mechanics.compile(derive(scene, "kane"), compiler=None)
+    known, random = model.quantities, np.random.default_rng(7)
+    q, u, ud, inputs, multipliers = (
+        random.uniform(-1, 1, len(getattr(known, group)))
+        for group in ("q", "u", "ud", "inputs", "multipliers")
+    )
+    p = np.array(known.typical)
+    own = module.residual(q, u, ud, multipliers, inputs, p)
+    theirs = model.residual(q, u, ud, multipliers, inputs=inputs)
+    assert np.allclose(own, theirs, rtol=0, atol=1024 * EPS * np.abs(theirs).max())
+    found = model.evaluate("forward_dynamics", q=q, u=u, inputs=inputs, p=None)
+    wanted = np.concatenate([found["ud"], found["multipliers"]])
+    assert np.allclose(module.solution(q, u, inputs, p), wanted, rtol=1e-9, atol=1e-9)
+
+
+@pytest.mark.parametrize("form", ["text", "latex"])
+def test_long_equations_are_printed_line_by_line(run, form: str) -> None:
+    code, text, _ = run("derive", "arm", "--format", form, "--fix", "g=9.81")
+    assert code == 0
+    lines = text.splitlines()
+    assert max(map(len, lines)) < 400
+    sign = "=" if form == "text" else "&="
+    assert sum(line.startswith(f"0 {sign}") for line in lines) == 4
+    defined = [line.split(f" {sign}")[0] for line in lines if f" {sign} " in line]
+    named = [name for name in defined if name != "0"]
+    assert len(named) == len(set(named)) > 100
+
+
+def test_a_listing_is_its_program() -> None:
+    build = Builder()
+    x, y = build.input("x"), build.input("x1")
+    s = x.sin()
+    for _ in range(2 * LONGEST):
+        s = s * y + x
+    program = build.program({"f": [s, s * s]})
+    found = listing(program)
+    assert all(name.name != "x1" for name, _ in found.lines)
+    values: dict = {symbol: Rational(1, 3) for _, e in found.lines for symbol in e.free_symbols}
+    for name, value in found.lines:
+        values[name] = value.subs(values)
+    one, two = (e.subs(values).evalf(20) for e in found.outputs["f"])
+    assert abs(two - one**2) < 1e-15
+
+
+HANGING = {"q1": -pi / 2, "q3": -pi / 2}
+
+
+@pytest.mark.parametrize("name", ["free_body", "lagrange"])
+@pytest.mark.parametrize(
+    "make, at",
+    [
+        (lambda: parallelogram(False, "coupler"), HANGING),
+        (rolling_disc.scene, {}),
+        (elastic_pendulum.scene, {}),
+    ],
+    ids=["parallelogram", "rolling disc", "elastic pendulum"],
+)
+def test_linear_equations_are_those_of_what_is_written_out(make, at, name: str) -> None:
+    scene = make()
+    rest = {q.name: at.get(q.name, 0) for q in scene.q}
+    inputs = {s.name: 0 for s in scene.input_symbols}
+    mechanism = check_scene(scene)
+    (route,) = (route for route in ROUTES if route.name == name)
+    rows = route.rows(mechanism)
+    both = as_program(scene, mechanism, rows), route.written(scene, mechanism, rows)
+    one, two = (linearise(equations, rest, inputs) for equations in both)
+    assert one.coordinates == two.coordinates
+    # Rows of procedure (i) may be combined otherwise where they are written out.
+    n = len(one.coordinates)
+    factor = one.mass * two.mass.inv()
+    assert factor.rank() == n
+    for matrix in ("damping", "stiffness"):
+        off = getattr(one, matrix) - factor * getattr(two, matrix)
+        assert off.applyfunc(simplify).is_zero_matrix, matrix
+
+
+def test_a_hanging_arm_swings_as_its_jacobians_say(run) -> None:
+    scene = hanging_arm()
+    equations = derive(scene, "lagrange")
+    numbers = {symbol: with_numbers(scene, symbol) for symbol in scene.parameters}
+    linear = linearise(equations, {q.name: 0 for q in scene.q}, {}, numbers)
+    a, _ = state_space(linear)
+    model = mechanics.compile(equations, compiler=None)
+    n = len(scene.q)
+    still = {"q": np.zeros(n), "u": np.zeros(n), "inputs": np.zeros(0), "p": None}
+    found = model.evaluate("jacobians", **still)
+    assert np.allclose(a[n:, :n], found["ud_q"], rtol=1e-10, atol=1e-10)
+    assert np.allclose(a[n:, n:], found["ud_u"], rtol=1e-10, atol=1e-10)
+    code, text, _ = run("modes", "hanging")
+    assert code == 0
+    assert text.count("omega_") == n
+    code, text, _ = run("linearize", "hanging")
+    assert code == 0
+    assert "equilibrium: " in text
