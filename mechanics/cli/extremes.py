@@ -13,7 +13,7 @@ from rich.table import Table
 
 from mechanics.cli.files import refuse_unwritable, write, write_file
 from mechanics.cli.load import load
-from mechanics.crosscheck import derive_textbook
+from mechanics.crosscheck import derive
 from mechanics.extremes import CAUSES, Cause, Extremes, to_record
 from mechanics.extremes import extremes as walk
 from mechanics.extremes.result import PRECISIONS, End
@@ -69,7 +69,7 @@ def extremes(
     with Console(stderr=True).status("") as status:
         for system in loaded:
             status.update(f"{system.name}: deriving")
-            equations = derive_textbook(system.scene(), route)
+            equations = derive(system.scene(), route)
             status.update(f"{system.name}: walking")
             results.append(
                 walk(equations, name=system.name, paths=system.paths, forms=tuple(form or ()))

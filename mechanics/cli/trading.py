@@ -16,7 +16,8 @@ from rich.table import Table
 from mechanics.cli.files import refuse_unwritable, write, write_file
 from mechanics.cli.load import load
 from mechanics.cli.values import points, sorted_out
-from mechanics.crosscheck import derive_textbook
+from mechanics.crosscheck import derive, derive_textbook
+from mechanics.equations import ProgramEquations
 from mechanics.report.trade import trade_html
 from mechanics.report.trade_plot import standalone
 from mechanics.simulate.files import writable
@@ -70,14 +71,17 @@ def trade(
     scene = load(system).scene()
     initial, parameters, inputs = sorted_out(scene, points(settings or [], "--set"))
     with Console(stderr=True).status("deriving") as status:
+        equations = derive(scene, route)
+        # Leaving out parts of a scene that stays a program takes a derivation for each of them.
+        again = partial(derive_textbook, route=route)
         found = measure(
-            derive_textbook(scene, route),
+            equations,
             horizon,
             initial=initial,
             parameters=parameters,
             inputs=inputs,
             target=target,
-            derive=partial(derive_textbook, route=route),
+            derive=None if isinstance(equations, ProgramEquations) else again,
             progress=lambda words, share: status.update(f"{share:.0%} {escape(words)}"),
         )
     if report is not None:

@@ -10,7 +10,8 @@ import casadi as ca
 import sympy
 
 from mechanics.compiled.fixed import Fixed, fix
-from mechanics.compiled.forms import named_form
+from mechanics.compiled.forms import FORMS, named_form
+from mechanics.compiled.outputs import FORMS as PROGRAM_FORMS
 from mechanics.compiled.program_source import ProgramSource
 from mechanics.compiled.quantities import DIGITS, STATE, Quantities, quantities
 from mechanics.compiled.step import RK4, runge_kutta
@@ -178,6 +179,13 @@ class Graphs(Mapping[str, ca.Function]):
 
         y = runge_kutta(RK4, rate, ca.vertcat(q, u), h)
         return {"q_next": y[:n], "u_next": y[n:]}
+
+
+def form_names(equations: Equations | ProgramEquations) -> tuple[str, ...]:
+    """Forms of forward dynamics that may suit some equations."""
+    if isinstance(equations, ProgramEquations):
+        return PROGRAM_FORMS
+    return tuple(form.name for form in FORMS if not form.unsuited(equations))
 
 
 def function_inputs(equations: Equations | ProgramEquations) -> Inputs:

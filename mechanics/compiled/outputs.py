@@ -90,8 +90,13 @@ def solvable(build: Builder, rows: Sequence[Node], accelerations: Sequence[Node]
 
 
 COMPOSITE, ARTICULATED, KANE = "composite", "articulated", "kane"
-FORMS = (COMPOSITE, ARTICULATED, KANE)
-"""Of forward dynamics: by composite bodies, by articulated bodies, or by the rows' own M."""
+MEANINGS = {
+    COMPOSITE: "M by composite bodies, then L D Lᵀ",
+    ARTICULATED: "articulated bodies, without M",
+    KANE: "M of the rows, then elimination",
+}
+"""Of the forms of forward dynamics, in a phrase."""
+FORMS = tuple(MEANINGS)
 
 
 @dataclass(frozen=True, eq=False)

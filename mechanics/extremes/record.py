@@ -14,7 +14,6 @@ from typing import Any
 import numpy as np
 
 from mechanics.compiled import Model
-from mechanics.equations import written_out
 from mechanics.extremes.cause import CAUSES
 from mechanics.extremes.result import PRECISIONS, End, Extremes, Figures, Reach, Visited, tolerance
 from mechanics.extremes.survey import GROUPS, figures_at
@@ -123,6 +122,6 @@ def reproduce(model: Model, values: Sequence[float], precision: str) -> dict[str
     """
     known = model.quantities
     symbols = [entry.symbol for group in GROUPS for entry in getattr(known, group)]
-    enclosed = [truth(written_out(model.equations), symbols).at(values)]
+    enclosed = [truth(model.equations, symbols).at(values)]
     (found,) = figures_at(enclosed, {model.form: model}, np.array([values]), precision)
     return {name: each[0] for name, each in _columns(found).items()}

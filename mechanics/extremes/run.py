@@ -7,9 +7,10 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
-from mechanics.compiled import FORMS, Model, compile
-from mechanics.equations import Equations
-from mechanics.errors import wanted
+from mechanics.compiled import Model, compile
+from mechanics.compiled.graphs import form_names
+from mechanics.equations import Equations, ProgramEquations
+from mechanics.errors import InputError, wanted
 from mechanics.extremes.axes import axes
 from mechanics.extremes.domain import reaches
 from mechanics.extremes.points import PAIRED, Walk, usual, walks
@@ -20,7 +21,7 @@ from mechanics.scene.system import Path
 
 
 def extremes(
-    equations: Equations,
+    equations: Equations | ProgramEquations,
     *,
     name: str = "",
     paths: Sequence[Path] = (),
@@ -32,7 +33,7 @@ def extremes(
 
     Parameters
     ----------
-    equations : Equations
+    equations : Equations or ProgramEquations
     name : str
         Of the system, for people; by default that of the scene.
     paths : sequence of Path
@@ -51,11 +52,12 @@ def extremes(
     ExpressionError
         If an operation of the equations has no enclosure; it is named.
     """
-    wanted(equations, Equations, "extremes", "pass derive(scene, route)")
+    wanted(equations, (Equations, ProgramEquations), "extremes", "pass derive(scene, route)")
     default = compile(equations, compiler=compiler)
-    chosen = forms or [f.name for f in FORMS if not f.unsuited(equations)]
-    chosen = list(dict.fromkeys([*chosen, default.form]))
+    chosen = list(dict.fromkeys([*(forms or form_names(equations)), default.form]))
     models = {form: compile(equations, compiler=compiler, form=form) for form in chosen}
+    if not forms:
+        models = {name: model for name, model in models.items() if _has_form(model)}
     known = default.quantities
     entries = [e for group in GROUPS for e in getattr(known, group)]
     judge = truth(equations, [entry.symbol for entry in entries])
@@ -73,6 +75,15 @@ def extremes(
         reaches=reaches(visited, axes(known), start, models),
         backend=default.backend,
     )
+
+
+def _has_form(model: Model) -> bool:
+    """Whether the equations can be solved in the form of a model; programs tell when asked."""
+    try:
+        _ = model.form
+    except InputError:
+        return False
+    return True
 
 
 def _cut(models: dict[str, Model], found: Sequence[Walk]) -> Iterator[Walk]:

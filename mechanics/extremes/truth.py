@@ -17,14 +17,17 @@ from typing import TypeVar
 import sympy
 from flint import arb, arb_mat
 
-from mechanics.equations import Equations
+from mechanics.compiled.quantities import angles
+from mechanics.equations import Equations, ProgramEquations
 from mechanics.kernel import Statement
 from mechanics.kernel.balls import Balls, precision
 from mechanics.kernel.independence import generic_rank
 from mechanics.kernel.normal import proves
 from mechanics.program import Builder, Node, Program, interpret
 from mechanics.program.interpret import include
+from mechanics.program.operations import ADD, NEGATE, SUBTRACT
 from mechanics.program.sympy_reader import read
+from mechanics.routes.rows import acceleration_forms, coefficients, remainder
 from mechanics.symbolic import canonical
 
 BITS = 192
@@ -168,12 +171,12 @@ class Truth:
         return generic_rank(left, "left", n, {}) < n
 
 
-def truth(equations: Equations, symbols: Sequence[sympy.Symbol]) -> Truth:
+def truth(equations: Equations | ProgramEquations, symbols: Sequence[sympy.Symbol]) -> Truth:
     """Enclosures for the linear system of a set of equations.
 
     Parameters
     ----------
-    equations : Equations
+    equations : Equations or ProgramEquations
     symbols : sequence of Symbol
         Everything that has a value: q, u, inputs, parameters.
 
@@ -184,6 +187,8 @@ def truth(equations: Equations, symbols: Sequence[sympy.Symbol]) -> Truth:
     TooLarge
         If the normal form is.
     """
+    if isinstance(equations, ProgramEquations):
+        return _truth_of_program(equations, symbols)
     left, right = equations.system
     builder = Builder()
     inputs = {symbol: builder.input(symbol.name) for symbol in symbols}
@@ -195,6 +200,39 @@ def truth(equations: Equations, symbols: Sequence[sympy.Symbol]) -> Truth:
     turning = frozenset(symbol.name for wave in waves for symbol in wave.free_symbols)
     names = tuple(symbol.name for symbol in symbols)
     return Truth(left.rows, names, builder.program(terms, names), turning)
+
+
+def _truth_of_program(equations: ProgramEquations, symbols: Sequence[sympy.Symbol]) -> Truth:
+    """The same where the terms are what the program adds up, nothing expanded."""
+    mechanism, build = equations.mechanism, equations.mechanism.builder
+    unknowns = (*mechanism.ud, *equations.multipliers)
+    rows = [*equations.values, *acceleration_forms(mechanism)]
+    right = [-entry for entry in remainder(build, rows, unknowns)]
+    entries = [
+        entry
+        for row, side in zip(coefficients(rows, unknowns), right, strict=True)
+        for entry in (*row, side)
+    ]
+    terms = {str(place): _summands(entry) for place, entry in enumerate(entries)}
+    names = tuple(symbol.name for symbol in symbols)
+    return Truth(len(rows), names, build.program(terms, names), frozenset(angles(mechanism)))
+
+
+def _summands(node: Node) -> list[Node]:
+    """What a node adds up, with its signs."""
+    build, found, stack = node.builder, [], [(node, 1)]
+    first, second, _ = build.operands
+    while stack:
+        part, sign = stack.pop()
+        code, n = build.operations[part.number], part.number
+        if code in (ADD, SUBTRACT):
+            stack.append((Node(build, second[n]), -sign if code == SUBTRACT else sign))
+            stack.append((Node(build, first[n]), sign))
+        elif code == NEGATE:
+            stack.append((Node(build, first[n]), -sign))
+        else:
+            found.append(part if sign == 1 else -part)
+    return found
 
 
 def _rows(entries: Sequence[T], columns: int) -> list[list[T]]:

@@ -15,7 +15,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from mechanics.compiled import Model
-from mechanics.equations import written_out
 from mechanics.errors import InputError, wanted
 from mechanics.simulate import simulate as simulate_plainly
 from mechanics.simulate.batch import Initial, initial_states, part
@@ -96,7 +95,7 @@ def simulate(
     many = starts if starts is not None else (dict(initial or {}),)  # type: ignore[arg-type]
     inside = times if beyond_domain else _inside(model, times, many[0], given)
     case = Case(
-        written_out(model.equations), float(inside[-1]), many[0], parameters or {}, inputs or {},
+        model.equations, float(inside[-1]), many[0], parameters or {}, inputs or {},
         model.compiler, tuple(inside.tolist()),
     ).with_model(model)  # fmt: skip
     choice = cheapest(case, accuracy, members)

@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 from sympy import Expr, Integer, Matrix, Symbol, cos, pi, sin, sympify
 
-from mechanics.equations import Equations, Matrices
+from mechanics.equations import Equations, Matrices, ProgramEquations
 from mechanics.errors import ExpressionError, InputError, SingularError
 from mechanics.linear import Linear, linearise, numeric_poles
 from mechanics.scene import Scene
@@ -59,7 +59,7 @@ class Equilibrium:
 
 
 def equilibria(
-    equations: Equations, parameters: Mapping[str, float], near: Suggestion
+    equations: Equations | ProgramEquations, parameters: Mapping[str, float], near: Suggestion
 ) -> tuple[Equilibrium, ...]:
     """The nearest equilibrium, and the nearest stable one if that is another, stable ones first.
 
@@ -77,6 +77,11 @@ def equilibria(
         If none is found among the places where every coordinate is zero or an angle half a turn,
         or the linear equations are not in the scene's own coordinates.
     """
+    if isinstance(equations, ProgramEquations):
+        raise InputError(
+            f"{equations.scene.name}: its equations stay a program, and so would its linear ones:"
+            " `mechanics linearize` gives them in numbers"
+        )
     _has_own_coordinates(equations)
     found: list[Equilibrium] = []
     why = ""
@@ -101,7 +106,7 @@ def equilibria(
 
 
 def linearised(
-    equations: Equations,
+    equations: Equations | ProgramEquations,
     parameters: Mapping[str, float],
     inputs: Mapping[str, Any],
     suggested: tuple[Suggestion, Suggestion],
@@ -134,11 +139,13 @@ def as_equations(linear: Linear) -> Equations:
     return Equations(scene, route, lambda: matrices, (), conjugate=linear.conjugate)
 
 
-def is_linear(equations: Equations) -> bool:
+def is_linear(equations: Equations | ProgramEquations) -> bool:
     """Whether u' is linear in q and u with constant coefficients as it stands.
 
     True only where M is constant and f linear, which is enough to tell the seed's chain of masses.
     """
+    if isinstance(equations, ProgramEquations):
+        return False
     state = {*equations.scene.q, *equations.scene.u}
     constant = not any(sympify(entry).free_symbols & state for entry in equations.mass)
     slopes = equations.forcing.jacobian([*equations.scene.q, *equations.scene.u])

@@ -12,7 +12,7 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from mechanics.compiled.forms import FORMS
+from mechanics.compiled.graphs import form_names
 from mechanics.compiled.machine.evaluator import FLAGS
 from mechanics.errors import MechanicsError
 from mechanics.simulate.integrators import INTEGRATORS, Integrator, Outcome, Setting
@@ -191,7 +191,8 @@ def vary(case: Case, truth: Truth, found: Survey, base: Choice) -> Variant:
 def variants(case: Case) -> list[Variant]:
     """Variants that differ from the plain one in one respect."""
     plain = Variant()
-    forms = [replace(plain, form=f.name) for f in FORMS if f.name != case.model().form]
+    names = form_names(case.equations)
+    forms = [replace(plain, form=name) for name in names if name != case.model().form]
     settings = [replace(plain, flags=f) for f in FLAGS[1:] if case.model().compiler is not None]
     return [*forms, *settings, replace(plain, model=LINEARISED)]
 

@@ -15,11 +15,14 @@ from mechanics.checks.admissible import check_scene
 from mechanics.cli import main
 from mechanics.crosscheck import ROUTES, derive
 from mechanics.crosscheck.routes import as_program
+from mechanics.extremes.truth import truth
 from mechanics.linear import linearise, state_space
 from mechanics.linear.values import with_numbers
 from mechanics.program import Builder
 from mechanics.program.listing import LONGEST, listing
-from systems import elastic_pendulum, rolling_disc
+from mechanics.simulate.integrators import INTEGRATORS
+from mechanics.trade.accurate import simulate
+from systems import elastic_pendulum, four_bar, rolling_disc
 
 EPS = np.finfo(float).eps
 
@@ -152,3 +155,30 @@ def test_a_hanging_arm_swings_as_its_jacobians_say(run) -> None:
     code, text, _ = run("linearize", "hanging")
     assert code == 0
     assert "equilibrium: " in text
+
+
+def test_enclosed_accelerations_are_those_of_what_is_written_out() -> None:
+    scene = four_bar.scene()
+    mechanism = check_scene(scene)
+    (route,) = (route for route in ROUTES if route.name == "free_body")
+    rows = route.rows(mechanism)
+    program, written = as_program(scene, mechanism, rows), route.written(scene, mechanism, rows)
+    known = mechanics.compile(program, compiler=None).quantities
+    symbols = [e.symbol for group in ("q", "u", "inputs", "p") for e in getattr(known, group)]
+    values = np.random.default_rng(2).uniform(0.5, 1.5, len(symbols)).tolist()
+    one, two = (truth(equations, symbols).at(values) for equations in (program, written))
+    assert one.solution is not None
+    assert two.solution is not None
+    for x, y in zip(one.solution, two.solution, strict=True):
+        assert x.overlaps(y)
+        assert x.rel_accuracy_bits() > 80
+
+
+def test_an_arm_is_simulated_to_an_accuracy() -> None:
+    model = mechanics.compile(derive(hanging_arm(), "kane"))
+    members = [member for member in INTEGRATORS if member.name in ("C RK4", "C RK8")]
+    found = simulate(model, 0.2, accuracy=1e-8, samples=5, initial={"q1": 0.3}, members=members)
+    assert found.error_estimate < 1e-8
+    plain = simulate(model, 0.2, samples=5, initial={"q1": 0.3}, rtol=1e-12, atol=1e-12)
+    for name, values in found.coordinates.items():
+        assert np.allclose(values, plain.coordinates[name], rtol=0, atol=1e-7)
