@@ -1,8 +1,11 @@
 """Random trees of turning and sliding joints, as scenes with symbols and as links with numbers."""
 
+from collections.abc import Mapping
+from typing import Any
+
 import numpy as np
 from hypothesis import strategies as st
-from sympy import pi
+from sympy import Expr, Symbol, pi
 
 from benchmarks.space.scenes import Joint, general, real, scene
 from benchmarks.space.textbook import Link, turn
@@ -37,30 +40,40 @@ def numbers(joints: tuple[Joint, ...], seed: int) -> tuple[list[Link], dict[str,
     """The links at drawn numbers, and the numbers by the names of the scene."""
     draw = np.random.default_rng(seed)
     values: dict[str, float] = {"g": 9.81}
-    links = []
     for joint in joints:
-        rotation, typical = np.eye(3), draw.uniform(-3, 3)
-        for axis, angle in joint.turns:
-            if angle.is_number:
-                rotation = rotation @ np.round(turn(axis, float(angle)))
-            else:
-                rotation = rotation @ turn(axis, typical)
-                values[angle.name] = typical
-        offset = np.array([draw.uniform(-1, 1) if entry != 0 else 0.0 for entry in joint.offset])
-        centre, mass = draw.uniform(-1, 1, 3), draw.uniform(0.5, 2)
-        moments, products = draw.uniform(1, 2, 3), draw.uniform(-0.4, 0.4, 3)
-        inertia = np.diag(moments)
-        for (i, j), entry in zip(((0, 1), (1, 2), (0, 2)), products, strict=True):
-            inertia[i, j] = inertia[j, i] = entry
-        given = zip(joint.offset, offset, strict=True)
-        values |= {symbol.name: value for symbol, value in given if symbol != 0}
-        named = (joint.mass, *joint.centre, *joint.inertia)
-        drawn = (mass, *centre, *moments, *products)
+        angles = [angle for _, angle in joint.turns if not angle.is_number]
+        fixed = [entry for entry in joint.offset if entry != 0]
+        named = (*angles, *fixed, *joint.centre, joint.mass, *joint.inertia)
+        drawn = (
+            *draw.uniform(-3, 3, len(angles)), *draw.uniform(-1, 1, len(fixed) + 3),
+            draw.uniform(0.5, 2), *draw.uniform(1, 2, 3), *draw.uniform(-0.4, 0.4, 3),
+        )  # fmt: skip
         values |= {symbol.name: value for symbol, value in zip(named, drawn, strict=True)}
-        links.append(
-            Link(joint.parent, joint.axis, joint.turning, rotation, offset, mass, centre, inertia)
-        )
-    return links, values
+    return links(joints, values), values
+
+
+def links(joints: tuple[Joint, ...], values: Mapping[str, Any]) -> list[Link]:
+    """The links at values by the names of the scene, which may be complex."""
+
+    def at(entry: Expr | int) -> Any:
+        return values[entry.name] if isinstance(entry, Symbol) else float(entry)
+
+    found = []
+    for joint in joints:
+        rotation = np.eye(3)
+        for axis, angle in joint.turns:
+            step = turn(axis, at(angle))
+            rotation = rotation @ (np.round(step) if angle.is_number else step)
+        xx, yy, zz, xy, yz, zx = map(at, joint.inertia)
+        found.append(
+            Link(
+                joint.parent, joint.axis, joint.turning, rotation,
+                np.array([at(entry) for entry in joint.offset]), at(joint.mass),
+                np.array([at(entry) for entry in joint.centre]),
+                np.array([[xx, xy, zx], [xy, yy, yz], [zx, yz, zz]]),
+            )
+        )  # fmt: skip
+    return found
 
 
 def state(count: int, seed: int) -> tuple[np.ndarray, np.ndarray, np.ndarray, dict[str, float]]:

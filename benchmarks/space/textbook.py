@@ -25,10 +25,10 @@ class Link:
     inertia: Array
 
 
-def turn(axis: int, angle: float) -> Array:
+def turn(axis: int, angle: complex) -> Array:
     """Rotation matrix about a coordinate axis."""
     i, j = (axis + 1) % 3, (axis + 2) % 3
-    result = np.eye(3)
+    result = np.eye(3, dtype=np.result_type(angle, float))
     result[i, i] = result[j, j] = np.cos(angle)
     result[j, i] = np.sin(angle)
     result[i, j] = -result[j, i]
@@ -46,9 +46,22 @@ def crossed(a: Array, b: Array) -> Array:
 
 
 def inverse_dynamics(
-    links: list[Link], q: Array, qd: Array, qdd: Array, g: float, sizes: bool = False
+    links: list[Link], q: Array, qd: Array, qdd: Array, g: complex, sizes: bool = False
 ) -> Array:
     """Generalized forces, or the sums of the magnitudes of their terms."""
+    found = loads(links, q, qd, qdd, g, sizes)
+    return np.array(
+        [
+            (couple if link.turning else force)[link.axis]
+            for link, (force, couple) in zip(links, found, strict=True)
+        ]
+    )
+
+
+def loads(
+    links: list[Link], q: Array, qd: Array, qdd: Array, g: complex, sizes: bool = False
+) -> list[tuple[Array, Array]]:
+    """Force and couple of each joint on its link, about the joint, in the link's frame."""
     x = crossed if sizes else cross
     size = np.abs if sizes else np.asarray
     none = np.zeros(3)
@@ -78,14 +91,28 @@ def inverse_dynamics(
             strict=True,
         ):
             table.append(value)
-    tau = np.zeros(len(links))
     for i in reversed(range(len(links))):
         link = links[i]
-        tau[i] = (couples if link.turning else forces)[i][link.axis]
         if link.parent >= 0:
             inner = rotations[i] @ forces[i]
             forces[link.parent] = forces[link.parent] + inner
             couples[link.parent] = (
                 couples[link.parent] + rotations[i] @ couples[i] + x(arms[i], inner)
             )
-    return tau
+    return list(zip(forces, couples, strict=True))
+
+
+def heights(links: list[Link], q: Array) -> Array:
+    """Of the mass centres above the origin, against gravity."""
+    frames, points, found = [], [], []
+    for i, link in enumerate(links):
+        R, r = (np.eye(3), np.zeros(3))
+        if link.parent >= 0:
+            R, r = frames[link.parent], points[link.parent]
+        e = np.eye(3)[link.axis]
+        r = r + R @ (link.offset + (0 if link.turning else link.rotation @ e * q[i]))
+        R = R @ link.rotation @ (turn(link.axis, q[i]) if link.turning else np.eye(3))
+        frames.append(R)
+        points.append(r)
+        found.append((r + R @ link.centre)[2])
+    return np.array(found)
