@@ -10,6 +10,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
+from flint import fmpz_mod_ctx, fmpz_mod_mat
+
 from mechanics.kernel.angles import base_angles, turns_of
 from mechanics.kernel.draws import Draws
 from mechanics.kernel.field import Inadmissible, Residues
@@ -97,21 +99,8 @@ def zeros(program: Program, output: str, signs: Mapping[str, Range]) -> tuple[bo
 
 
 def pivot_columns(rows: list[list[int]], p: int) -> list[int]:
-    """Pivot columns of a matrix of residues modulo p; the rows are used up."""
-    pivots: list[int] = []
-    for column in range(len(rows[0]) if rows else 0):
-        top = len(pivots)
-        pivot = next((i for i in range(top, len(rows)) if rows[i][column] % p), None)
-        if pivot is None:
-            continue
-        rows[top], rows[pivot] = rows[pivot], rows[top]
-        inverse = pow(rows[top][column], -1, p)
-        lead = rows[top]
-        for i in range(top + 1, len(rows)):
-            factor = rows[i][column] * inverse % p
-            if factor:
-                rows[i] = [(x - factor * y) % p for x, y in zip(rows[i], lead, strict=True)]
-        pivots.append(column)
-        if len(pivots) == len(rows):
-            break
-    return pivots
+    """Pivot columns of a matrix of residues modulo p."""
+    if not rows:
+        return []
+    reduced, rank = fmpz_mod_mat(rows, fmpz_mod_ctx(p)).rref()
+    return [next(c for c in range(reduced.ncols()) if reduced[i, c] != 0) for i in range(rank)]

@@ -10,10 +10,9 @@ from __future__ import annotations
 from fractions import Fraction
 
 from flint import fmpq, fmpq_mpoly, fmpz
-from flint.utils.flint_exceptions import DomainError
 
 from mechanics.kernel.quotients import Quotient, Quotients
-from mechanics.kernel.ring import TooLarge, content, leading_powers
+from mechanics.kernel.ring import TooLarge, content, leading_powers, square_root
 from mechanics.kernel.sizes import ROOTS
 
 LARGEST_CONTENT = 10**18
@@ -75,11 +74,8 @@ def _of_rational(a: Quotients, unit: Fraction, k: int) -> fmpq_mpoly:
 def _of_rest(a: Quotients, rest: fmpq_mpoly, k: int, positive: bool) -> fmpq_mpoly:
     if rest == 1:
         return rest
-    if k == 2:
-        try:
-            return _size(a, rest.sqrt())
-        except DomainError:
-            pass  # no square: a generator of its own, below
+    if k == 2 and (whole := square_root(rest)) is not None:
+        return _size(a, whole)
     return _generator(a, rest, k, positive)
 
 

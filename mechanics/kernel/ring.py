@@ -15,6 +15,7 @@ from fractions import Fraction
 from math import gcd, lcm
 
 from flint import fmpq, fmpq_mpoly, fmpq_mpoly_ctx
+from flint.utils.flint_exceptions import DomainError
 
 from mechanics.errors import MechanicsError
 
@@ -174,6 +175,14 @@ def leading_powers(x: fmpq_mpoly) -> Lead:
     """The power product that leads a polynomial."""
     powers = x.monomial(0)
     return tuple((place, int(power)) for place, power in enumerate(powers) if power)
+
+
+def square_root(x: fmpq_mpoly) -> fmpq_mpoly | None:
+    """One of the two polynomials whose square it is, or None where there is none."""
+    try:
+        return x.sqrt()
+    except DomainError:
+        return None
 
 
 def content(x: fmpq_mpoly) -> Fraction:

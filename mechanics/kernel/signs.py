@@ -14,12 +14,13 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from itertools import combinations
-from math import comb, isqrt
+from math import comb
 from typing import NamedTuple
 
 from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx
 
 from mechanics.kernel.numbers import Numbers
+from mechanics.kernel.ring import square_root
 from mechanics.program.builder import Builder
 from mechanics.program.operations import (
     ABS,
@@ -302,7 +303,7 @@ class Forms:
         if inner is None:
             return self._atom(SQRT, number, NOT_NEGATIVE)
         above, below = inner
-        if (whole := _square_root(above)) and (under := _square_root(below)):
+        if (whole := square_root(above)) and (under := square_root(below)):
             return self._magnitude(number, Quotient(whole, under))
         if not below.is_one():
             if self.sign(below) != POSITIVE:
@@ -614,21 +615,6 @@ class Forms:
                     return ANY
             return ANY
         return ANY
-
-
-def _square_root(p: fmpq_mpoly) -> fmpq_mpoly | None:
-    """The polynomial whose square it is."""
-    if not 0 < len(p) <= MOST_FACTORED:
-        return None
-    unit, factors = p.factor()
-    above, below = isqrt(int(unit.p)) if unit > 0 else 0, isqrt(int(unit.q))
-    odd = any(exponent % 2 for _, exponent in factors)
-    if odd or above * above != unit.p or below * below != unit.q:
-        return None
-    root = p.context().constant(fmpq(above, below))
-    for factor, exponent in factors:
-        root *= factor ** (exponent // 2)
-    return root
 
 
 def _ratio(one: fmpq_mpoly, other: fmpq_mpoly) -> fmpq | None:

@@ -12,9 +12,9 @@ from fractions import Fraction
 from functools import reduce
 
 from flint import fmpq, fmpq_mpoly, fmpq_mpoly_ctx
-from flint.utils.flint_exceptions import DomainError
 
 from mechanics.kernel.angles import Form, Forms, node_of
+from mechanics.kernel.ring import square_root as polynomial_root
 from mechanics.kernel.statement import Range
 from mechanics.program import Builder, Node, Program, interpret
 from mechanics.program.interpret import Nodes
@@ -101,10 +101,7 @@ def _root(builder: Builder, form: Form) -> tuple[Fraction, Form] | None:
         reduce(_without_squares, [(c, s) for s, c in places], radicand),
     ):
         unit = polynomial.leading_coefficient() if polynomial else fmpq(0)
-        try:
-            root = (polynomial / unit).sqrt() if unit > 0 else None
-        except DomainError:
-            root = None  # no square as it is written
+        root = polynomial_root(polynomial / unit) if unit > 0 else None
         if root is not None:
             inner: Form = {}
             for monomial, value in root.to_dict().items():

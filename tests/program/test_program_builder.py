@@ -8,6 +8,7 @@ from hypothesis import strategies as st
 
 from mechanics.errors import ExpressionError
 from mechanics.program import Builder, Node, Obligation
+from mechanics.program.composed import COMPOSED, build
 from mechanics.program.interpret import include, interpret
 from mechanics.program.numpy_domain import Arrays
 from mechanics.program.operations import ARITY, OPERATIONS, Sign
@@ -77,6 +78,41 @@ def test_demands_are_recorded_before_anything_is_folded() -> None:
         (Sign.POSITIVE, x.number, "log"),
         (Sign.NONZERO, x.number, "divide"),
     }
+
+
+@pytest.mark.parametrize("name", COMPOSED)
+def test_what_is_composed_takes_as_many_operands_as_it_says(name: str) -> None:
+    b = Builder()
+    operands = [b.input(f"x{k}") for k in range(COMPOSED[name].arity)]
+    program = b.program({"value": [build(b, name, *operands)]})
+    assert len(program.inputs) == COMPOSED[name].arity
+    with pytest.raises(TypeError):
+        build(b, name, *operands, b.one)
+
+
+EIGHTH = Fraction(1, 8)
+BORDERS = {
+    "sqrt": (0, -EIGHTH), "log": (EIGHTH, 0), "asin": (1, 1 + EIGHTH), "acos": (-1, -1 - EIGHTH),
+    "acosh": (1, 1 - EIGHTH), "atanh": (1 - EIGHTH, 1),
+}  # fmt: skip
+"""Where an operation has a value, and where it has none, an eighth further."""
+SENSES = {
+    Sign.NONNEGATIVE: lambda x: x >= 0, Sign.POSITIVE: lambda x: x > 0, Sign.NONZERO: lambda x: x,
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", BORDERS)
+def test_demands_are_met_where_an_operation_has_a_value(name: str) -> None:
+    b = Builder()
+    x = b.input("x")
+    b.call(name, x)
+    asked = list(b.obligations)
+    assert asked
+    program = b.program({"demands": [Node(b, o.node) for o in asked]})
+    for value, defined in zip(BORDERS[name], (True, False), strict=True):
+        values = interpret(program, Arrays(), {"x": float(value)})["demands"]
+        met = (SENSES[o.sign](v) for o, v in zip(asked, values, strict=True))
+        assert all(met) is defined
 
 
 def test_a_demand_knows_the_branch_it_stands_in() -> None:

@@ -108,7 +108,8 @@ def test_text_keeps_apart_what_rounds_differently() -> None:
     b = Builder()
     x, y, z = (b.input(name) for name in "xyz")
     texts = {
-        "x - (y - z)": x - (y - z), "x / (y / z)": x / (y / z), "x / y / z": x / y / z,
+        "x - (y - z)": x - (y - z), "x - (z + y)": x - (y + z),
+        "x / (y / z)": x / (y / z), "x / y / z": x / y / z,
         "-(x / 3.0)": x * -1 / 3, "y / z - x": y / z - x, "x * (2.0 / 3.0)": x * 2 / 3,
         "(x - y) / 3.0": (x - y) / 3,
         "sin(x - y)": (x - y).sin(), "x < y ? -x : x": b.less(x, y).choose(-x, x),

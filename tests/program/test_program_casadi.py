@@ -3,6 +3,7 @@
 import casadi
 import numpy as np
 import pytest
+import sympy
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from hypothesis.strategies import SearchStrategy
@@ -66,6 +67,15 @@ def test_a_third_is_a_division_that_rounds_once() -> None:
     assert values == [5.3 / 3, -5.3 / 7, 5.3 / 4, 5.3 * (2 / 3), 1 / 3]
     codes = {function.instruction_id(k) for k in range(function.n_instructions())}
     assert casadi.OP_DIV in codes
+
+
+def test_functions_of_numbers_are_rounded_once() -> None:
+    b = Builder()
+    x, three, two = b.input("x"), b.constant(3).sqrt(), b.constant(2).sqrt()
+    outputs = [three / 2 * x, (two * two * two) * x, (b.pi / 6).sin() * x, (1 / (1 + two)) * x]
+    function = print_function(b.program({"f": outputs}), "f", {"x": ["x"]})
+    values = np.array(function(1)).ravel().tolist()
+    assert values == [float(sympy.sqrt(3) / 2), float(sympy.sqrt(8)), 0.5, float(sympy.sqrt(2) - 1)]
 
 
 @settings(max_examples=100, deadline=None)

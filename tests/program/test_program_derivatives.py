@@ -48,6 +48,16 @@ def test_every_row_has_right_partial_derivatives(name: str) -> None:
         assert found == pytest.approx((wanted, wanted), abs=2e-8)
 
 
+@pytest.mark.parametrize(("truth", "slopes"), [(1, (1, 0)), (0, (0, 1))])
+def test_a_choice_grows_with_what_is_chosen(truth: int, slopes: tuple[int, int]) -> None:
+    b = Builder()
+    x, y, c = (b.input(n) for n in "xyc")
+    value = b.less(0, c).choose(x, y)
+    outputs = [*tangent([value], {x: b.one}), *tangent([value], {y: b.one})]
+    found = interpret(b.program({"d": outputs}), Arrays(), {"x": 3.0, "y": 5.0, "c": float(truth)})
+    assert tuple(found["d"]) == slopes
+
+
 def test_solutions_of_linear_systems_are_differentiated() -> None:
     def build(b: Builder) -> Node:
         x, y, z = (b.input(n) for n in POINT)

@@ -109,6 +109,12 @@ ROOTS_OF_INPUTS = {
         angle(b, "w", "a").sin() * b.input("a"), angle(b, "w", "a").cos() * b.input("w")),
     "half of atan2": lambda b: (
         2 * (angle(b, "w", "a") / 2).sin() ** 2, 1 - angle(b, "w", "a").cos()),
+    "half of atan2 and its point": lambda b: (
+        (2 * (angle(b, "w", "a") / 2).cos() ** 2 - 1) * b.input("w"),
+        2 * (angle(b, "w", "a") / 2).sin() * (angle(b, "w", "a") / 2).cos() * b.input("a")),
+    "a quarter of atan2 and its point": lambda b: (
+        multiple((angle(b, "w", "a") / 4).cos(), 4) * b.input("w"),
+        angle(b, "w", "a").sin() * b.input("a")),
     "a third of atan2 beside the root of 3": lambda b: (
         4 * (angle(b, "w", "a") / 3).sin() ** 3,
         b.constant(3).sqrt() ** 2 * (angle(b, "w", "a") / 3).sin() - angle(b, "w", "a").sin()),
