@@ -12,6 +12,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
+from functools import lru_cache
 
 from mechanics.errors import ExpressionError
 from mechanics.program.c.tokens import Line, lines, tokens, touching
@@ -265,8 +266,23 @@ def preprocess(
     ExpressionError
         For any directive that is not known here, by file and line.
     """
-    known = {name: tokens(body, name) for name, body in (defined or {}).items()}
-    reader = _Reader(includes or {}, known)
+    return _preprocessed(text, file, _entries(includes), _entries(defined))
+
+
+def _entries(mapping: Mapping[str, str] | None) -> tuple[tuple[str, str], ...]:
+    return tuple((mapping or {}).items())
+
+
+# By content: a chain of evidence reads each file of a folder a hundred times.
+@lru_cache(maxsize=256)
+def _preprocessed(
+    text: str,
+    file: str,
+    includes: tuple[tuple[str, str], ...],
+    defined: tuple[tuple[str, str], ...],
+) -> Preprocessed:
+    known = {name: tokens(body, name) for name, body in defined}
+    reader = _Reader(dict(includes), known)
     reader.file(text, file)
     macros = {name: " ".join(t for _, t in body) for name, body in reader.macros.items()}
     return Preprocessed("".join(reader.out), macros, tuple(sorted(reader.asked)))

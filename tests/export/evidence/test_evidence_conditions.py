@@ -23,13 +23,16 @@ def physics() -> Equations:
     return by_route("free_body", rocker.scene())
 
 
+@pytest.fixture(scope="module")
+def honest(modelled, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    folder = tmp_path_factory.mktemp("honest")
+    write_c(modelled("rocker", "free_body"), folder, name="name", functions=NAMES, prove=False)
+    return folder
+
+
 @pytest.fixture
-def judged(
-    modelled, physics: Equations, tmp_path_factory: pytest.TempPathFactory, tmp_path: Path
-) -> Judged:
+def judged(honest: Path, physics: Equations, tmp_path: Path) -> Judged:
     """The folder with one text put for another, its hash made right."""
-    honest = tmp_path / "honest"
-    write_c(modelled("rocker", "free_body"), honest, name="name", functions=NAMES, prove=False)
 
     def judge(file: str, old: str, new: str) -> Verification:
         folder = tmp_path / "c"

@@ -72,7 +72,7 @@ def verify_sine(
         limit = _limit(sources[0], kind)
         for source in sources:
             # What is wrong is seen at a few angles, most often, and a proof takes seconds.
-            if (witness := _witness(source, name, kind, limit, most, FEW)) is not None:
+            if (witness := _seen(_inline(source), name, kind, limit, most)) is not None:
                 return refuted(subject, "see the witness", witness)
         for source in sources:
             found = found.joined(_proved(_inline(source), name, kind, limit))
@@ -96,6 +96,11 @@ def _inline(source: Source) -> str:
     write = c_generator.CGenerator().visit
     texts = [write(node) for n, node in sorted(source.functions.items()) if n.startswith(PREFIX)]
     return "\n".join(texts)
+
+
+@lru_cache(maxsize=16)
+def _seen(text: str, name: str, kind: str, limit: Fraction, most: float) -> Witness | None:
+    return _witness(parse(text), name, kind, limit, most, FEW)
 
 
 @lru_cache(maxsize=16)
