@@ -17,6 +17,7 @@ BASELINE = Path(__file__).parents[2] / "benchmarks" / "operations.json"
 FUNCTIONS = ("mass_matrix", "forcing", "forward_dynamics")
 
 
+@pytest.mark.sample(1)
 @pytest.mark.parametrize("system", ALL, ids=lambda system: system.name)
 def test_operations_do_not_grow(system) -> None:
     scene = system.scene()

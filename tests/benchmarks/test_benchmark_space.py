@@ -5,6 +5,8 @@ import subprocess
 import sys
 from pathlib import Path
 
+import pytest
+
 from benchmarks.space import scenes
 from benchmarks.space.deriving import derivation
 
@@ -18,6 +20,7 @@ def test_all_pairs_of_routes_of_an_arm_are_decided() -> None:
     assert set(verdicts.values()) == {"CERTIFIED"}
 
 
+@pytest.mark.campaign
 def test_the_command_prints_json() -> None:
     command = [sys.executable, "-m", "benchmarks.space", "--only", "PUMA 560", "--json", "-"]
     ran = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=True)

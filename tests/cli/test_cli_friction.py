@@ -59,6 +59,7 @@ MISTAKES = {
 }
 
 
+@pytest.mark.sample(1)
 @pytest.mark.parametrize("name", MISTAKES)
 def test_friction_that_presses_wrongly_is_named(run: Any, tmp_path: Path, name: str) -> None:
     """Barto, Sutton and Anderson left the normal force out; others take the weight for it."""

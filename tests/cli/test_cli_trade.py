@@ -12,6 +12,7 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return tmp_path_factory.mktemp("trade")
 
 
+@pytest.mark.campaign
 def test_trade_prints_and_writes_everything(run: Any, folder: Path) -> None:
     ran = run("trade", "two_mass_chain", "--horizon", "1", "--target", "1e-7", "--set", "x1=0.5",
               "--report", folder / "t.html", "--json", folder / "t.json",

@@ -31,6 +31,7 @@ def instructions(links: int) -> int:
     return int(chain(links).casadi["forward_dynamics"].n_instructions())
 
 
+@pytest.mark.campaign
 def test_operations_grow_linearly_with_the_links() -> None:
     """Every link takes the same number of instructions, so what 50 take follows from 10 and 11."""
     counts = {links: instructions(links) for links in (8, 9, 10, 11, 20)}
@@ -73,6 +74,7 @@ def test_the_seed_keeps_its_kernels() -> None:
     }
 
 
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("links", [3, 5, 8])
 def test_what_is_taken_weighs_least(links: int) -> None:
     equations = by_route("kane", pendulum_chain.scene(links))

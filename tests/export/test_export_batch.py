@@ -62,6 +62,7 @@ def built(needed: Callable[[str], str], folder: Path, build: Path, *options: str
     return said
 
 
+@pytest.mark.sample(1)
 def test_loops_are_vectorised_and_the_build_says_so(
     folders, compiler: str, needed, tmp_path: Path
 ) -> None:
@@ -134,6 +135,7 @@ CHANGES = [
 ]
 
 
+@pytest.mark.sample(6)
 @pytest.mark.parametrize("change", CHANGES, ids=lambda pair: f"{pair[0]} -> {pair[1]}")
 def test_a_wrong_place_fails_the_self_test(
     modelled, compiler: str, tmp_path: Path, change: tuple[str, str]

@@ -55,6 +55,7 @@ def test_the_name_of_the_scene_becomes_a_free_name(name: str, prefix: str) -> No
     assert free_prefix(prefix) == prefix
 
 
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("name", ["2 links", "test", "int"])
 def test_a_scene_of_any_name_can_be_built(name: str, compiler: str, tmp_path: Path) -> None:
     prefix = free_prefix(name)

@@ -97,6 +97,7 @@ def built_and_run(run, folder: Path, find: str, *options: str) -> list[float]:
     return [float(word) for word in run([folder / "build" / "user"]).split()]
 
 
+@pytest.mark.campaign
 def test_find_package_gives_the_target(installed: Path, tmp_path: Path, run, expected) -> None:
     find = "find_package(elastic_pendulum REQUIRED)\nfind_package(rocker CONFIG REQUIRED)"
     prefix = f"-DCMAKE_PREFIX_PATH={installed}"

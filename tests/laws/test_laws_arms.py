@@ -158,6 +158,7 @@ def run(monkeypatch: pytest.MonkeyPatch, *words: str) -> int:
     return int(stop.value.code or 0)
 
 
+@pytest.mark.campaign
 def test_its_code_is_written_and_verified_with_its_physics(
     file: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -180,6 +181,7 @@ def test_its_code_is_written_and_verified_with_its_physics(
     assert run(monkeypatch, "verify", str(folder), "--no-compile") == 1
 
 
+@pytest.mark.campaign
 def test_it_is_simulated_and_becomes_a_unit(
     file: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -199,6 +201,7 @@ def massless(arm: Arm) -> list[str]:
     return [f"{name}{n}" for name in "mABCDEF"]
 
 
+@pytest.mark.sample(1)
 @pytest.mark.parametrize("names", [("g",), ("z1", "c2", "F3"), None])
 def test_numbers_bound_early_never_make_a_count_larger(
     arm: Arm, model: Model, names: tuple[str, ...] | None

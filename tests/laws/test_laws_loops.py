@@ -129,6 +129,7 @@ SYSTEMS = (
 )
 
 
+@pytest.mark.sample(1)
 @pytest.mark.parametrize("system", SYSTEMS, ids=lambda system: system.name)
 def test_every_route_eliminates_the_reactions_of_a_loop(system: System) -> None:
     found = crosscheck(system, CrossCheck(states=100))
@@ -151,6 +152,7 @@ def test_one_coordinate_leaves_one_equation(route: str) -> None:
     assert simplify(ratio - expected) == 0
 
 
+@pytest.mark.sample(1)
 @pytest.mark.parametrize("route", ["free_body", "moving_point"])
 def test_loops_are_compiled_written_and_simulated(route: str, tmp_path: Path) -> None:
     model = compile(derive(atwood(), route))

@@ -73,6 +73,7 @@ def test_heavy_symmetric_top(assert_laws: Any) -> None:
     )
 
 
+@pytest.mark.campaign
 def test_euler_equations_of_a_free_body(assert_laws: Any) -> None:
     """A w1' = (B - C) w2 w3, and cyclically; speeds are the components in the body."""
     N, O = ReferenceFrame("N"), Point("O")
@@ -138,6 +139,7 @@ def test_screw(assert_laws: Any) -> None:
     assert "pitch" in words
 
 
+@pytest.mark.sample(1)
 @pytest.mark.parametrize("prescribed", [Omega * t, psi], ids=["time", "input"])
 def test_rotating_frame(assert_laws: Any, prescribed: Expr) -> None:
     """Foucault: a mass on a turning table, held by a spring to the middle."""

@@ -110,6 +110,7 @@ def derived() -> list[SystemResult]:
     return results
 
 
+@pytest.mark.sample(1)
 @pytest.mark.parametrize("dark", [False, True], ids=["light", "dark"])
 @pytest.mark.parametrize("width", [390, 1280])
 def test_report_in_a_browser(
@@ -127,6 +128,7 @@ def test_report_in_a_browser(
     assert found["height"] > 3000
 
 
+@pytest.mark.sample(1)
 @pytest.mark.parametrize("dark", [False, True], ids=["light", "dark"])
 @pytest.mark.parametrize("width", [390, 1200])
 def test_answer_in_a_browser(width: int, dark: bool, answered: Check, tmp_path: Path) -> None:

@@ -100,6 +100,7 @@ def test_threads_change_nothing(setting: dict[str, Any], threads: int) -> None:
     assert np.array_equal(one.evaluations, many.evaluations)
 
 
+@pytest.mark.sample(1)
 @needs_compiler
 @pytest.mark.parametrize("setting", METHODS, ids=IDS)
 def test_compilers_agree(setting: dict[str, Any]) -> None:

@@ -30,6 +30,7 @@ def law(t: float, q: np.ndarray, u: np.ndarray) -> float:
     return -GAIN * q[0]
 
 
+@pytest.mark.sample(1)
 @pytest.mark.parametrize("method", ["DOP853", "Radau", "LSODA"])
 def test_a_fed_back_input_is_the_law_inside_of_the_scene(
     free: Model, controlled: Model, method: str

@@ -121,6 +121,7 @@ def test_leaving_out_saves_operations(pendulum: Trade) -> None:
     assert all(len(f.seconds) >= 3 for f in models.values())
 
 
+@pytest.mark.campaign
 def test_what_cannot_be_left_out_is_said_to_be() -> None:
     case = Case(KANE(load("rolling_disc").scene()), 1.0)
     rows = {r.name: r for r in dropped(case, KANE, Choice(Variant(), Setting("C RK8", step=0.05)))}

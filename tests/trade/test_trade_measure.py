@@ -19,6 +19,7 @@ from mechanics.trade.survey import LONGEST
 from mechanics.trade.yardstick import yardstick
 
 
+@pytest.mark.campaign
 def test_errors_follow_from_the_reference(pendulum: Trade, case: Case) -> None:
     for m in pendulum.front:
         errors = pendulum.yardstick.truth.errors(prepared(case, m.choice)().states)
@@ -144,6 +145,7 @@ def test_choice_says_what_it_is() -> None:
     assert choice.with_amount(0.005).setting.step == 0.005
 
 
+@pytest.mark.campaign
 def test_chaotic_motion_is_compared_only_while_that_means_something() -> None:
     equations = derive(load("pendulum_chain(2)").scene(), "kane")
     wild = Case(equations, 60.0, {"q1": 0.1, "q2": -0.2, "q1_dot": 2.0, "q2_dot": -7.0})

@@ -105,6 +105,11 @@ def second_step(evidence: Evidence, read: list[Read], report: Report = silent) -
         yield undecided(name, words)
 
 
+def _is_static(source: Source, name: str) -> bool:
+    definition = source.functions.get(name)
+    return definition is not None and "static" in (definition.decl.storage or ())
+
+
 def _kernel(
     evidence: Evidence,
     kernel: Kernel,
@@ -121,6 +126,8 @@ def _kernel(
         words = "it has no graph"
     elif is_prepared(kernel.function) and prepare is None:
         words = f"there is no {PREPARE} function beside it"
+    elif _is_static(source, kernel.symbol):
+        words = "it is static: no other file can call it"
     if isinstance(source, ExpressionError) or words:
         yield _titled(undecided(subject, f"refused: {words}"), title)
         return

@@ -87,7 +87,8 @@ def _size(node: Any, coord: Any) -> int | None:
 
 
 def _plain(node: Any, coord: Any) -> Type:
-    if odd := set(node.quals or ()) - QUALIFIERS:
+    # Only a pointer can be restrict.
+    if odd := set(node.quals or ()) - {"const"}:
         raise ExpressionError(f"{coord}: {', '.join(sorted(odd))} is not known here")
     constant = "const" in (node.quals or ())
     if isinstance(node.type, c_ast.Struct):

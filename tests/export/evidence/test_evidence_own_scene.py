@@ -2,6 +2,7 @@
 
 from pathlib import Path
 
+import pytest
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
 from mechanics.compiled import compile
@@ -43,6 +44,7 @@ def acrobot() -> Scene:
     )  # fmt: skip
 
 
+@pytest.mark.campaign
 def test_a_scene_of_somebody_goes_through_the_chain(tmp_path: Path) -> None:
     equations = derive(acrobot(), "free_body")
     names = ("forward_dynamics", "energy")
