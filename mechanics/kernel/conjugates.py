@@ -19,35 +19,7 @@ from flint import acb, arb
 from mechanics.errors import ExpressionError
 from mechanics.kernel.balls import ball, precision
 from mechanics.program import Program, interpret
-from mechanics.program.operations import (
-    ABS,
-    ACOS,
-    ACOSH,
-    ADD,
-    ASIN,
-    ASINH,
-    ATAN,
-    ATAN2,
-    ATANH,
-    BY_NAME,
-    CONSTANT,
-    DIVIDE,
-    ENTRY,
-    INPUT,
-    LOG,
-    MULTIPLY,
-    NEGATE,
-    OPERATIONS,
-    PI,
-    POWER,
-    SELECT,
-    SIGN,
-    SOLVE,
-    SQRT,
-    SUBTRACT,
-    TAN,
-    TANH,
-)
+from mechanics.program.operations import ABS, FLOOR, OPERATIONS, SELECT, SIGN, SQRT
 
 MOST_CASES = 512
 BITS = 128
@@ -118,15 +90,13 @@ def _on_the_real_sheet(name: str) -> Callable[[acb], acb]:
 
 
 _NOWHERE = acb(arb.nan())
-_SMOOTH = frozenset({
-    CONSTANT, PI, INPUT, ADD, SUBTRACT, MULTIPLY, DIVIDE, NEGATE, SOLVE, ENTRY, POWER, LOG, TAN,
-    TANH, ASIN, ACOS, ATAN, ATAN2, ACOSH, ATANH, ASINH, *(BY_NAME[name].code for name in ENTIRE),
-})  # fmt: skip
+_CHOSEN = frozenset({SQRT, ABS, SIGN, SELECT})
+_CASES = _CHOSEN | {FLOOR} | {row.code for row in OPERATIONS if row.boolean}
 
 
 def has_cases(program: Program) -> bool:
     """Whether a program holds something else than analytic functions."""
-    return not _SMOOTH.issuperset(program.operations)
+    return not _CASES.isdisjoint(program.operations)
 
 
 def is_thin(program: Program, output: str, states: Sequence[Mapping[str, Fraction | arb]]) -> bool:
@@ -140,7 +110,7 @@ def is_thin(program: Program, output: str, states: Sequence[Mapping[str, Fractio
     states : sequence of mappings of str to Fraction or arb
         At which the product is tried.
     """
-    counts = [2 for code in program.operations if code in (SQRT, ABS, SIGN, SELECT)]
+    counts = [2 for code in program.operations if code in _CHOSEN]
     if 2 ** len(counts) > MOST_CASES:
         return False
     with precision(BITS):

@@ -445,8 +445,8 @@ class _Trial:
         for row in self.space.truth:
             taken = [next(conditions) == int(truth) for _, truth in row.conditions]
             value = next(arguments)
-            there = bound and row.sign is Sign.NONNEGATIVE and value >= 0
-            if all(taken) and not (there or _strictly(value, row.sign)):
+            there = (0, 1) if bound and row.sign is Sign.NONNEGATIVE else (1,)
+            if all(taken) and _place(value, row.sign) not in there:
                 return False
         return True
 
@@ -481,13 +481,8 @@ class _Trial:
         return _place(values["left"][place], obligation.sign)
 
 
-def _strictly(value: arb, sign: Sign) -> bool:
-    if sign is Sign.NONZERO:
-        return bool(value.is_finite() and not value.contains(0))
-    return bool(value > 0)
-
-
 def _place(value: arb, sign: Sign) -> int | None:
+    """Where an argument is of the bound of what is demanded: see `_Trial._at`."""
     if not value.is_finite():
         return None
     if value.is_zero() or (value.contains(0) and value.rad() < arb(2) ** -100):
