@@ -5,6 +5,8 @@ What each computes is in `mechanics.compiled.textbook` and `mechanics.compiled.o
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction
+from functools import cached_property
+from math import inf
 
 import casadi as ca
 import sympy
@@ -13,11 +15,15 @@ from mechanics.compiled.fixed import Fixed, fix
 from mechanics.compiled.forms import FORMS, named_form
 from mechanics.compiled.outputs import FORMS as PROGRAM_FORMS
 from mechanics.compiled.program_source import ProgramSource
+from mechanics.compiled.programs.gathered import gathered
+from mechanics.compiled.programs.reciprocals import with_reciprocals
 from mechanics.compiled.quantities import DIGITS, STATE, Quantities, quantities
 from mechanics.compiled.step import RK4, runge_kutta
 from mechanics.compiled.textbook import Textbook, dense_function
+from mechanics.compiled.translate import Translator
 from mechanics.equations import Equations, ProgramEquations
-from mechanics.errors import InputError
+from mechanics.errors import ExpressionError, InputError
+from mechanics.program.casadi_reader import read_routine
 from mechanics.scene.actions import frictions
 from mechanics.scene.rates import TIME
 
@@ -66,6 +72,8 @@ class Graphs(Mapping[str, ca.Function]):
         self._inputs = every if outputs is None else self._chosen(every, outputs)
         self._constants: dict[sympy.Expr, ca.SX] = {}
         self._built: dict[str, ca.Function] = {}
+        self._found: dict[str, tuple[str, dict[str, ca.SX]]] = {}
+        self._named = form
         self.source: Textbook | ProgramSource
         if isinstance(equations, ProgramEquations):
             self._known(equations, "reactions" in self._inputs)
@@ -110,10 +118,7 @@ class Graphs(Mapping[str, ca.Function]):
 
     def _bound(self, graphs: list[ca.SX]) -> list[ca.SX]:
         """Graphs with the nearest doubles in place of named constants."""
-        if not self._constants:
-            return graphs
-        values = ca.DM([float(constant.evalf(DIGITS)) for constant in self._constants])
-        return ca.substitute(graphs, [ca.vertcat(*self._constants.values())], [ca.SX(values)])
+        return bound(graphs, self._constants)
 
     def exact(self, name: str) -> tuple[ca.Function, tuple[sympy.Expr, ...]]:
         """The function with its named constants as one more input, and what these stand for."""
@@ -132,7 +137,7 @@ class Graphs(Mapping[str, ca.Function]):
     def _parts(self, name: str) -> tuple[dict[str, ca.SX], dict[str, ca.SX]]:
         if name not in self._inputs:
             raise self._unknown(name, self._inputs)
-        outputs = self._step() if name == "step" else self.source.outputs(name)
+        outputs = self._step() if name == "step" else self._outputs(name)
         return {group: self._columns[group] for group in (*STATE, *self._inputs[name])}, outputs
 
     def _unknown(self, name: str, known: Iterable[str]) -> InputError:
@@ -156,12 +161,60 @@ class Graphs(Mapping[str, ca.Function]):
     @property
     def form(self) -> str:
         """How forward dynamics is written."""
-        return self.source.form
+        return self._shorter("forward_dynamics")[0]
+
+    def _outputs(self, name: str) -> dict[str, ca.SX]:
+        return self._shorter(name)[1]
+
+    def _shorter(self, name: str) -> tuple[str, dict[str, ca.SX]]:
+        """Form of forward dynamics and graphs of a function.
+
+        Numbers bound before a form is looked for lead to shorter graphs, most of the time; those of
+        free parameters, bound afterwards, are never longer than with the parameters.
+        """
+        if name not in self._found:
+            found = self.source.outputs(name)
+            self._found[name] = self.source.form if name == "forward_dynamics" else "", found
+            if (free := self._free) is not None:
+                other = self._put(name, free)
+                counts = [_operations(self._bound([*each.values()])) for each in (found, other)]
+                if counts[1] < counts[0] and self._solved(name, other):
+                    self._found[name] = free._shorter(name)[0], other
+        return self._found[name]
+
+    @cached_property
+    def _free(self) -> "Graphs | None":
+        """The same functions of free parameters, where numbers can be put in place of these."""
+        written = isinstance(self.derived, Equations) and self._named == "auto"
+        if not self.fixed or not written or 0 in self.fixed.values():
+            return None
+        return Graphs(self.derived, outputs=tuple(self._inputs))
+
+    def _solved(self, name: str, outputs: Mapping[str, ca.SX]) -> bool:
+        """Whether forward dynamics solve the system at the numbers: a pivot may vanish there."""
+        if name != "forward_dynamics" or not isinstance(self.source, Textbook):
+            return True
+        return self.source.solved_by(ca.vertcat(*outputs.values()))
+
+    def _put(self, name: str, free: "Graphs") -> dict[str, ca.SX]:
+        """Graphs of free parameters with the fixed numbers."""
+        own = {entry.symbol: self._columns["p"][i] for i, entry in enumerate(self.quantities.p)}
+        table = Translator({}, self._constants)
+        entries = [entry.symbol for entry in free.quantities.p]
+        values = [table(self.fixed[s]) if s in self.fixed else own[s] for s in entries]
+        given = [*(free._columns[g] for g in free._columns if g != "p"), free._columns["p"]]
+        taken = [*(self._columns[g] for g in free._columns if g != "p"), ca.vertcat(*values)]
+        outputs = free._outputs(name)
+        if "ud_p" in outputs:
+            kept = [k for k, symbol in enumerate(entries) if symbol not in self.fixed]
+            outputs = {**outputs, "ud_p": outputs["ud_p"][:, kept]}
+        given.append(ca.vertcat(*free._constants.values()))
+        taken.append(ca.vertcat(*(table.named(value) for value in free._constants)))
+        return dict(zip(outputs, ca.substitute(list(outputs.values()), given, taken), strict=True))
 
     def _rates(self) -> dict[str, ca.SX]:
         """q', u' and the multipliers."""
-        rates = self.source.outputs("coordinate_rates")
-        return {**rates, **self.source.outputs("forward_dynamics")}
+        return {**self._outputs("coordinate_rates"), **self._outputs("forward_dynamics")}
 
     def _step(self) -> dict[str, ca.SX]:
         q, u, inputs, p = (self._columns[group] for group in STATE)
@@ -179,6 +232,28 @@ class Graphs(Mapping[str, ca.Function]):
 
         y = runge_kutta(RK4, rate, ca.vertcat(q, u), h)
         return {"q_next": y[:n], "u_next": y[n:]}
+
+
+def bound(graphs: list[ca.SX], constants: Mapping[sympy.Expr, ca.SX]) -> list[ca.SX]:
+    """Graphs with the nearest doubles in place of named constants."""
+    if not constants:
+        return graphs
+    values = ca.DM([float(constant.evalf(DIGITS)) for constant in constants])
+    return ca.substitute(graphs, [ca.vertcat(*constants.values())], [ca.SX(values)])
+
+
+def _operations(graphs: list[ca.SX]) -> float:
+    """Operations of what C is printed from; infinite where a number divides by zero."""
+    column = ca.densify(ca.vertcat(*(ca.vec(graph) for graph in graphs)))
+    try:
+        code = read_routine(dense_function("counted", {"x": _symbols(column)}, {"y": column}))
+    except ExpressionError:
+        return inf
+    return with_reciprocals(gathered(code)).operations
+
+
+def _symbols(graph: ca.SX) -> ca.SX:
+    return ca.vertcat(*ca.symvar(graph)) if ca.symvar(graph) else ca.SX(0, 1)
 
 
 def form_names(equations: Equations | ProgramEquations) -> tuple[str, ...]:

@@ -144,6 +144,10 @@ class Textbook:
         """How forward dynamics is written: the name of one of `mechanics.compiled.FORMS`."""
         return self._written[0].name
 
+    def solved_by(self, solution: ca.SX) -> bool:
+        """Whether a graph of (u', lambda) is a solution at states that are drawn."""
+        return self._linear.solved_by(solution)
+
     @property
     def _solution(self) -> ca.SX:
         """(u', lambda)."""

@@ -3,6 +3,7 @@
 import dataclasses
 from collections.abc import Mapping
 from fractions import Fraction
+from random import Random
 from typing import Any
 
 import numpy as np
@@ -124,6 +125,27 @@ def test_every_function_of_a_fixed_model_is_proved(derived: Any, system: str) ->
     findings = prove_compiled(compile(equations, fixed=values))
     assert len(findings) >= 8
     assert all(finding.shown for finding in findings), findings
+
+
+COUNTED = ("forward_dynamics", "mass_matrix", "forcing", "energy")
+
+
+@pytest.mark.sample(2)
+@pytest.mark.parametrize("system", SYSTEMS)
+@pytest.mark.parametrize("route", ("free_body", "kane"))
+def test_numbers_bound_early_never_make_a_count_larger(
+    derived: Any, system: str, route: str
+) -> None:
+    equations = derived(system)[route]
+    random, names = Random(f"{system} {route}"), [p.name for p in equations.scene.parameters]
+    free = compile(equations, compiler=None, outputs=COUNTED)
+    for size in (len(names), *random.choices(range(1, len(names) + 1), k=2)):
+        drawn = sorted(random.sample(names, size))
+        values = {name: random.choice(("1", "2", "3/7", "9.81", "0.1")) for name in drawn}
+        fixed = compile(equations, compiler=None, fixed=values, outputs=COUNTED)
+        for name in COUNTED:
+            counts = fixed.program(name).operations, free.program(name).operations
+            assert counts[0] <= counts[1], (values, name)
 
 
 def is_solution(model: Model, other: Equations) -> Finding:
