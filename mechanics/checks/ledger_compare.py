@@ -17,6 +17,7 @@ from mechanics.errors import InputError, SceneError
 from mechanics.kernel import Finding, Witness, enclosed, refuted
 from mechanics.kinematics.manifold import settle, settle_accelerations
 from mechanics.scene import Scene
+from mechanics.scene.symbols import symbols_of
 from mechanics.symbolic import Arithmetic, Number, decide, enclose, roundings
 
 Pairs = list[tuple[Number, Number]]
@@ -136,11 +137,6 @@ def equal(
     # A symbol that only one side knows can hardly cancel: the first attempt would be in vain.
     expand = bool((left ^ right) & scene.definitions.keys())
     return decide_in(scene, subject, experiment, left | right, expand=expand, where=where)
-
-
-def symbols_of(expressions: Sequence[Expr]) -> set[Symbol]:
-    """Symbols that the expressions hold."""
-    return set().union(*(expression.free_symbols for expression in expressions))
 
 
 def rounded(scene: Scene, subject: str, left: Expr, right: Expr) -> Finding:

@@ -12,24 +12,38 @@ from collections.abc import Sequence
 
 from sympy import Expr, Matrix, S, Symbol, fraction, together
 
-from mechanics.checks.ledger_compare import decide_in, equal, symbols_of
-from mechanics.checks.solution import solve
-from mechanics.equations import Equations
+from mechanics.checks.ledger_compare import decide_in, equal
+from mechanics.checks.solution import put_solution
+from mechanics.equations import Equations, ProgramEquations
 from mechanics.errors import InputError
 from mechanics.kernel import Finding, Verdict, undecided
 from mechanics.kinematics.momenta import momenta_written_out
+from mechanics.mechanism import name_of
+from mechanics.program.derivatives import gradient as gradient_of
+from mechanics.program.residues import Residues
+from mechanics.program.sympy_printer import expressions
+from mechanics.routes.rows import acceleration_forms, coefficients
+from mechanics.routes.textbook import symbols
 from mechanics.scene import Scene
 from mechanics.scene.actions import frictions
 from mechanics.scene.published import Published
 from mechanics.scene.quantities import EquationOfMotion
 from mechanics.scene.rates import TIME, rate_table
+from mechanics.scene.symbols import symbols_of
 from mechanics.symbolic import Arithmetic, Number, decide, slope
 
 Pairs = list[tuple[Number, Number]]
+Derived = Equations | ProgramEquations
+
+STATIC = "it holds no acceleration, so it is no equation of motion"
+CURVED = (
+    "it is not linear in the accelerations: a product or power of equations, which other motions"
+    " satisfy too"
+)
 
 
 def check_equation(
-    subject: str, sides: Sequence[Expr], equations: Equations, where: Sequence[Expr] = ()
+    subject: str, sides: Sequence[Expr], equations: Derived, where: Sequence[Expr] = ()
 ) -> Finding:
     """Whether a typed equation of motion holds, and says something, along the motion."""
     scene = equations.scene
@@ -44,23 +58,39 @@ def check_equation(
     found = decide_in(scene, subject, experiment, symbols_of(sides), where=where)
     if found.verdict is Verdict.REFUTED:
         return found
+    if isinstance(equations, ProgramEquations):
+        doubt = _of_no_motion(scene, sides)
+        return undecided(subject, doubt) if doubt else found
     rates = gradient(scene, sides)
     # What holds a reaction says what that is, without accelerations too.
     said = [*rates, *((sides[0] - sides[1]).diff(r.symbol) for r in scene.reactions)]
     static = equal(scene, subject, said, [S.Zero] * len(said), where)
     if static.verdict is not Verdict.REFUTED:
-        return undecided(subject, "it holds no acceleration, so it is no equation of motion")
+        return undecided(subject, STATIC)
     if found.shown and _bent(scene, rates):
         # A ratio of accelerations is as good as its numerator.
         above, _ = fraction(together(sides[0] - sides[1]))
         curved = [above.diff(one, other) for one in scene.ud for other in scene.ud]
         if not equal(scene, subject, curved, [S.Zero] * len(curved), where).shown:
-            return undecided(
-                subject,
-                "it is not linear in the accelerations: a product or power of equations, which"
-                " other motions satisfy too",
-            )
+            return undecided(subject, CURVED)
     return found
+
+
+def _of_no_motion(scene: Scene, sides: Sequence[Expr]) -> str:
+    """Why long sides are no equation of motion; by derivatives of their program.
+
+    A derivative that is not zero at a point of a field is not zero. A ratio is not looked into.
+    """
+    a = Arithmetic()
+    residual = a.value(sides[0]) - a.value(sides[1])
+    unknowns = [a.value(symbol) for symbol in (*scene.ud, *(r.symbol for r in scene.reactions))]
+    slopes, filter_ = gradient_of([residual], [1], unknowns), Residues(a.builder)
+    if all(map(filter_.is_zero, slopes)):
+        return STATIC
+    rates = slopes[: len(scene.ud)]
+    curved = gradient_of(rates, [a.builder.input(f"weight {i}") for i in range(len(rates))],
+                         unknowns[: len(rates)])  # fmt: skip
+    return "" if all(map(filter_.is_zero, curved)) else CURVED
 
 
 def _strange(scene: Scene, sides: Sequence[Expr]) -> str:
@@ -78,7 +108,7 @@ def _strange(scene: Scene, sides: Sequence[Expr]) -> str:
     )
 
 
-def _untold(equations: Equations, sides: Sequence[Expr]) -> str:
+def _untold(equations: Derived, sides: Sequence[Expr]) -> str:
     """Names the reactions in an equation that the route does not give values to."""
     held = {reaction.name for reaction in equations.scene.reactions}
     held &= {symbol.name for symbol in symbols_of(sides)}
@@ -94,7 +124,7 @@ def _bent(scene: Scene, rates: Sequence[Expr]) -> bool:
 
 
 def check_reaction(
-    subject: str, name: str, sides: Sequence[Expr], equations: Equations,
+    subject: str, name: str, sides: Sequence[Expr], equations: Derived,
     where: Sequence[Expr] = (),
 ) -> Finding:  # fmt: skip
     """Whether every typed side is the reaction, along the motion.
@@ -125,15 +155,17 @@ def check_reaction(
     return decide_in(equations.scene, subject, experiment, symbols_of(sides), where=where)
 
 
-def gives(equations: Equations, name: str) -> bool:
+def gives(equations: Derived, name: str) -> bool:
     """Whether equations tell a reaction: as a multiplier, or as one that was eliminated."""
+    if isinstance(equations, ProgramEquations):
+        return name in equations.reactions or name in map(name_of, equations.multipliers)
     symbol = Symbol(name, real=True)
     if symbol in equations.multipliers:
         return True
     return equations.solve_reactions is not None and symbol in dict(equations.reactions)
 
 
-def put_motion(a: Arithmetic, equations: Equations) -> None:
+def put_motion(a: Arithmetic, equations: Derived) -> None:
     """Let u', the multipliers and the reactions stand for their values along the motion.
 
     A reaction that friction depends on presses there: other states are no motion of the scene.
@@ -144,21 +176,24 @@ def put_motion(a: Arithmetic, equations: Equations) -> None:
             a.require_positive(a.value(Symbol(load.normal, real=True)))
 
 
-def put_solution(a: Arithmetic, equations: Equations) -> None:
-    """The same, whether or not the reactions press."""
-    for symbol, number in zip(equations.unknowns, solve(a, equations), strict=True):
-        a.assign(symbol, number)
-    for symbol, expression in equations.reactions:
-        a.assign(symbol, a.value(expression))
-
-
 def gradient(scene: Scene, sides: Sequence[Expr]) -> list[Expr]:
     """d(left - right)/du', where signs keep their values."""
     residual = sides[0] - sides[1]
     return [slope(residual, symbol) for symbol in scene.ud]
 
 
-def check_complete(scene: Scene, rows: Sequence[Published], equations: Equations) -> Finding:
+def _closing(equations: Derived) -> Matrix:
+    """A of A u' = b."""
+    if not isinstance(equations, ProgramEquations):
+        return equations.constraint_matrix
+    mechanism = equations.mechanism
+    matrix = coefficients(acceleration_forms(mechanism), mechanism.ud)
+    program = mechanism.builder.program({"A": [entry for row in matrix for entry in row]})
+    found = expressions(program, symbols(equations.scene))["A"]
+    return Matrix(len(matrix), len(mechanism.ud), found)
+
+
+def check_complete(scene: Scene, rows: Sequence[Published], equations: Derived) -> Finding:
     """Whether the typed equations of motion determine all accelerations.
 
     The constraints of the scene, differentiated down to u', count as rows too, so that the typed
@@ -177,7 +212,7 @@ def check_complete(scene: Scene, rows: Sequence[Published], equations: Equations
         for row in typed
     ]
     left = Matrix([gradient(scene, pair) for pair in sides])
-    left = left.col_join(equations.constraint_matrix)
+    left = left.col_join(_closing(equations))
 
     def experiment(a: Arithmetic) -> Pairs:
         if _bent(scene, left):

@@ -202,8 +202,18 @@ def _without_textbook(
     witnesses = [
         check_program(scene, name, solved(programs, name), states) for name in programs.routes
     ]
-    if system.published:
-        remarks.append("Published rows are not checked: they need equations that are written out.")
+    stage("published equations")
+    known = tuple(row for row in system.published if isinstance(row.quantity, QUANTITIES))
+    if len(known) < len(system.published):
+        remarks.append(
+            "Published rows about linear equations are not checked: they need formulas of these."
+        )
+    support = programs.route("free_body").rows
+    equations = as_program(scene, programs.mechanism, support)
+    published = tuple(LedgerResult(row, check_row(scene, row, equations)) for row in known)
+    motions = [row for row in known if isinstance(row.quantity, EquationOfMotion)]
+    if motions:
+        findings.append(check_complete(scene, motions, equations))
     return SystemResult(
         name=system.name,
         scene=scene,
@@ -212,6 +222,7 @@ def _without_textbook(
             for name in programs.routes
         },
         findings=tuple(findings),
+        published=published,
         remarks=tuple(remarks),
         pairs=pairs,
         witnesses=tuple(witnesses),

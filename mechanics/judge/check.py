@@ -7,8 +7,8 @@ from collections.abc import Mapping, Sequence
 from functools import lru_cache
 from typing import Any
 
-from mechanics.crosscheck.routes import derive_textbook
-from mechanics.equations import Equations
+from mechanics.crosscheck.routes import derive
+from mechanics.equations import Equations, ProgramEquations
 from mechanics.errors import InputError, wanted
 from mechanics.judge.at_values import Values, read_values, right_at
 from mechanics.judge.at_values import words as in_words
@@ -36,13 +36,13 @@ from mechanics.scene.system import System
 
 
 @lru_cache(maxsize=32)
-def derived(scene: Scene) -> Equations:
+def derived(scene: Scene) -> Equations | ProgramEquations:
     """What statements about a scene are compared with: the route that has the reactions."""
-    return derive_textbook(scene, "free_body")
+    return derive(scene, "free_body")
 
 
 def check(
-    scene: Scene | System | Equations,
+    scene: Scene | System | Equations | ProgramEquations,
     equations: Any,
     *,
     names: Mapping[str, str] | None = None,
@@ -58,8 +58,9 @@ def check(
 
     Parameters
     ----------
-    scene : Scene, System or Equations
-        What they are about; equations that were derived already save that time.
+    scene : Scene, System, Equations or ProgramEquations
+        What they are about; equations that were derived already save that time. Where they stay a
+        program, statements are judged as they stand: nothing is said of what would mend them.
     equations : str, Path, SymPy object, function, or a sequence of them
         LaTeX, or text in SymPy's or MATLAB's notation, or the path of a file with such a text, or
         with C (``.c``); an expression, equation, matrix, `KanesMethod`, `LagrangesMethod` or
@@ -99,12 +100,16 @@ def check(
     InputError
         When nothing can be read, by line and column.
     """
-    wanted(scene, (Scene, System, Equations), "check", "pass a scene, or one of systems.ALL")
-    if isinstance(scene, Equations):
+    kinds = (Scene, System, Equations, ProgramEquations)
+    wanted(scene, kinds, "check", "pass a scene, or one of systems.ALL")
+    if isinstance(scene, Equations | ProgramEquations):
         truth = scene
     else:
         truth = derived(scene.scene() if isinstance(scene, System) else scene)
     things = spread(equations)
+    if isinstance(truth, ProgramEquations):
+        _plain(things, convention=convention, values=values, where=where)
+        return _check_program(truth, things, names, notation, about, function)
     if (convention or where) and any(isinstance(thing, BlackBox) for thing in things):
         raise InputError("check: a black box is only called: leave out a convention and where")
     boxed = [check_box(truth, thing, names) for thing in things if isinstance(thing, BlackBox)]
@@ -132,6 +137,36 @@ def check(
     bounds = (r for e in judged for r in at_the_bound(truth, e.statement, e.finding))
     remarks = (*remarks, *told, *([twice] if twice else []), *dict.fromkeys(bounds))
     return Check(truth.scene, judged, tuple(matches.values()), remarks, truth)
+
+
+def _plain(things: Sequence[Any], **asked: Any) -> None:
+    """Refuse what needs equations that are written out."""
+    if any(isinstance(thing, BlackBox) for thing in things):
+        raise InputError(
+            "check: equations that stay a program are not compared with a black box: pass its"
+            " formulas, or functions that can be traced"
+        )
+    for name, value in asked.items():
+        if value:
+            raise InputError(
+                f"check: equations that stay a program are judged as they stand: leave out {name}"
+            )
+
+
+def _check_program(
+    truth: ProgramEquations, things: Sequence[Any], names: Mapping[str, str] | None, *how: Any
+) -> Check:
+    """Verdicts on a scene whose equations stay a program."""
+    readings = [read(truth.scene, thing, names, *how) for thing in things]
+    statements = [statement for reading in readings for statement in reading.statements]
+    judged = tuple(Judged(s, judge(truth, s, {})) for s in statements)
+    matches = {match.name: match for reading in readings for match in reading.names}
+    remarks = tuple(dict.fromkeys(r for reading in readings for r in reading.remarks))
+    if any(entry.finding.verdict is Verdict.REFUTED for entry in judged):
+        remarks += (
+            "no term-by-term search is made for a scene of this size: its equations stay a program",
+        )
+    return Check(truth.scene, judged, tuple(matches.values()), remarks)
 
 
 def _read(truth: Equations, part: Any, names: Mapping[str, str] | None, *how: Any) -> Reading:

@@ -6,6 +6,7 @@ statement  --ledger, by cases where it has some-->  PROVED, CERTIFIED, REFUTED, 
 from functools import partial
 
 from mechanics.checks.ledger import check_row
+from mechanics.checks.ledger_motion import Derived
 from mechanics.equations import Equations
 from mechanics.errors import ExpressionError, InputError, SceneError, SingularError
 from mechanics.judge.at_values import Values, judged_at
@@ -19,17 +20,17 @@ from mechanics.reading.demands import Demand
 from mechanics.reading.statement import Statement
 from mechanics.scene import Scene
 from mechanics.scene.published import Published
-from mechanics.scene.symbols import plain_symbol
+from mechanics.scene.symbols import plain_symbol, symbols_of
 
 FAILURES = (InputError, SceneError, ExpressionError, SingularError)
 
 
-def judge(truth: Equations, statement: Statement, values: Values) -> Finding:
+def judge(truth: Derived, statement: Statement, values: Values) -> Finding:
     """The finding of a statement; where parameters have values, if some are given."""
     return where_defined(truth, statement, identity(truth, statement, values), values=values)
 
 
-def identity(truth: Equations, statement: Statement, values: Values) -> Finding:
+def identity(truth: Derived, statement: Statement, values: Values) -> Finding:
     """The finding of a statement as far as what was written has values."""
     subject = subject_of(statement)
     if statement.doubt or statement.row is None:
@@ -38,7 +39,7 @@ def identity(truth: Equations, statement: Statement, values: Values) -> Finding:
         doubt = f"{thirds}: nothing determines a third derivative: write the equation itself"
         return undecided(subject, doubt)
     try:
-        if values:
+        if values and isinstance(truth, Equations):
             return with_content(statement, judged_at(truth, statement.row, values))
         return with_content(statement, _of_row(truth, statement.demands.of, statement.row))
     except FAILURES as error:
@@ -47,7 +48,7 @@ def identity(truth: Equations, statement: Statement, values: Values) -> Finding:
         return undecided(subject, "its expressions are nested too deeply")
 
 
-def _of_row(truth: Equations, demands: tuple[Demand, ...], row: Published) -> Finding:
+def _of_row(truth: Derived, demands: tuple[Demand, ...], row: Published) -> Finding:
     """The finding of a row: by cases, of limited inputs, or where its own wraps are principal."""
     found = check_row(truth.scene, row, truth)
     guarded = found.verdict is Verdict.REFUTED and has_guard(row, demands)
@@ -73,5 +74,5 @@ def subject_of(statement: Statement) -> str:
 def _third_rates(scene: Scene, statement: Statement) -> str:
     """Names the third derivatives of coordinates that a statement holds."""
     sides = statement.row.sides if statement.row is not None else ()
-    held = {symbol.name for side in sides for symbol in side.free_symbols}
+    held = {symbol.name for symbol in symbols_of(sides)}
     return ", ".join(sorted(held & {plain_symbol(q, 3).name for q in scene.coordinates}))

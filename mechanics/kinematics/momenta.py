@@ -18,7 +18,7 @@ from mechanics.kinematics.textbook import differentiate
 from mechanics.kinematics.textbook.motion import inertia_matrix
 from mechanics.scene import Scene
 from mechanics.scene.rates import rate, rate_table
-from mechanics.scene.symbols import plain_table
+from mechanics.scene.symbols import parts_of, plain_table, symbols_of
 
 
 @lru_cache(maxsize=32)
@@ -75,12 +75,13 @@ def momenta_written_out(scene: Scene, expression: Expr) -> Expr:
     """
     expression = sympify(expression)
     symbols, functions = momentum_symbols(scene), _functions(scene)
-    if expression.atoms(AppliedUndef) & functions.keys():
+    if {e for e in parts_of([expression]) if isinstance(e, AppliedUndef)} & functions.keys():
         # d/dt of a whole expression is carried out before its functions become symbols.
         expression = (expression.doit() if expression.has(Derivative) else expression).xreplace(
             functions
         )
-    used = {p for p in symbols if {p, rate_symbol(p)} & expression.free_symbols}
+    held = symbols_of([expression])
+    used = {p for p in symbols if {p, rate_symbol(p)} & held}
     if not used:
         return expression
     momenta, table = generalized_momenta(scene), rate_table(scene)

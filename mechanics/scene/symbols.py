@@ -5,9 +5,9 @@ what users write, and again only inside the two adapters over SymPy's own method
 """
 
 import re
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 
-from sympy import Derivative, Expr, Symbol, sympify
+from sympy import Basic, Derivative, Expr, Symbol, sympify
 from sympy.core.function import AppliedUndef
 from sympy.physics.vector import dynamicsymbols
 
@@ -58,6 +58,8 @@ def to_plain(expression: Expr, table: Mapping[Expr, Expr], where: str) -> Expr:
         When a function of time is left that the table does not know; `where` names the place.
     """
     expression = sympify(expression)
+    if not any(isinstance(part, Derivative | AppliedUndef) for part in parts_of([expression])):
+        return expression
     if expression.has(Derivative):
         # d/dt of a whole expression, as people type it, is carried out first.
         expression = expression.doit()
@@ -76,3 +78,26 @@ def to_plain(expression: Expr, table: Mapping[Expr, Expr], where: str) -> Expr:
             " add it to coordinates=, speeds= or inputs="
         )
     return plain
+
+
+def parts_of(expressions: Iterable[Basic]) -> Iterator[Basic]:
+    """Every part of the expressions, each object once.
+
+    SymPy's own walk meets a part as often as it occurs, which long programs of people do not bear.
+    """
+    stack = list(expressions)
+    seen: set[int] = set()
+    while stack:
+        part = stack.pop()
+        if id(part) not in seen:
+            seen.add(id(part))
+            yield part
+            stack += part.args
+
+
+def symbols_of(expressions: Iterable[Expr]) -> set[Symbol]:
+    """Symbols that the expressions hold, those that sums and integrals bind left out."""
+    every = list(parts_of(expressions))
+    if any(getattr(part, "bound_symbols", None) for part in every):
+        return set().union(*(expression.free_symbols for expression in expressions))
+    return {part for part in every if isinstance(part, Symbol)}

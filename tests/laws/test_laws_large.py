@@ -1,6 +1,7 @@
 """What is said of scenes that stay programs: printed, linearised, measured."""
 
 import types
+from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
@@ -8,18 +9,24 @@ import pytest
 from arms_with_contacts import hanging_arm, rolling_arm
 from linkages import parallelogram
 from serial_arms import serial_arm
-from sympy import Rational, pi, simplify
+from sympy import Rational, cos, pi, simplify, sin
+from sympy.physics.mechanics import dynamicsymbols
 
 import mechanics
 from mechanics.checks.admissible import check_scene
 from mechanics.cli import main
-from mechanics.crosscheck import ROUTES, derive
+from mechanics.cli.program_listing import program_python
+from mechanics.crosscheck import ROUTES, crosscheck, derive
 from mechanics.crosscheck.routes import as_program
 from mechanics.extremes.truth import truth
+from mechanics.kernel import Verdict
 from mechanics.linear import linearise, state_space
 from mechanics.linear.values import with_numbers
 from mechanics.program import Builder
 from mechanics.program.listing import LONGEST, listing
+from mechanics.scene.published import published
+from mechanics.scene.quantities import EquationOfMotion, Position
+from mechanics.scene.system import System
 from mechanics.simulate.integrators import INTEGRATORS
 from mechanics.trade.accurate import simulate
 from systems import elastic_pendulum, four_bar, rolling_disc
@@ -182,3 +189,65 @@ def test_an_arm_is_simulated_to_an_accuracy() -> None:
     plain = simulate(model, 0.2, samples=5, initial={"q1": 0.3}, rtol=1e-12, atol=1e-12)
     for name, values in found.coordinates.items():
         assert np.allclose(values, plain.coordinates[name], rtol=0, atol=1e-7)
+
+
+CODE = """
+import math
+
+def torques({arguments}):
+{lines}
+    return [{outputs}]
+"""
+
+
+def as_code(change: tuple[str, str] = ("", "")) -> Callable[..., object]:
+    """What a person could have written: the residual of an arm of four as a Python function."""
+    scene = serial_arm(4, "zyx").scene
+    text = program_python(derive(scene, "kane"), {})
+    body = text.split("def residual")[1].split("def solution")[0]
+    lines = [line for line in body.splitlines() if " = " in line and "," not in line.split("=")[0]]
+    outputs = body.split("numpy.array([")[1].split("], dtype")[0]
+    symbols = (*scene.q, *scene.qd, *scene.ud, *scene.input_symbols, *scene.parameters)
+    code = CODE.format(
+        arguments=", ".join(map(str, symbols)), lines="\n".join(lines), outputs=outputs
+    )
+    code = code.replace("numpy.", "math.")
+    if change[0]:
+        assert change[0] in code
+        code = code.replace(*change, 1)
+    module = types.ModuleType("written")
+    exec(code, module.__dict__)
+    return module.torques
+
+
+def test_code_is_judged_against_the_program() -> None:
+    scene = serial_arm(4, "zyx").scene
+    right = mechanics.check(scene, as_code())
+    assert right.ok
+    assert len(right.judged) == 4
+    wrong = mechanics.check(scene, as_code(("math.sin(q3)", "math.cos(q3)")))
+    assert wrong.verdict is Verdict.REFUTED
+    assert any("no term-by-term search is made" in remark for remark in wrong.remarks)
+    with pytest.raises(mechanics.errors.InputError, match="leave out values"):
+        mechanics.check(scene, as_code(), values={"g": 9.81})
+
+
+def test_statements_about_a_wheel_are_judged() -> None:
+    energy = "T = 1"
+    found = mechanics.check(rolling_arm(), energy)
+    assert found.verdict is Verdict.REFUTED
+    rolled = mechanics.check(rolling_arm(), "x_ddot = 0")
+    assert rolled.verdict is Verdict.REFUTED
+
+
+def test_published_rows_of_a_large_scene_are_checked() -> None:
+    (c1,) = (p for p in hanging_arm().parameters if p.name == "c1")
+    q1 = dynamicsymbols("q1")
+    rows = (
+        published("(1)", Position("C1", "z"), c1 * cos(q1), label="height"),
+        published("(2)", Position("C1", "z"), c1 * sin(q1), label="height, wrong"),
+        published("(3)", EquationOfMotion(), q1.diff().diff(), sin(q1), label="wrong"),
+    )
+    found = crosscheck(System("hanging arm", hanging_arm, rows)).published
+    verdicts = [entry.finding.verdict for entry in found]
+    assert verdicts == [Verdict.PROVED, Verdict.REFUTED, Verdict.REFUTED]

@@ -16,7 +16,8 @@ from typing import TypeVar
 from sympy import Expr, Symbol, cos
 
 from mechanics.checks.ledger_compare import ordered
-from mechanics.checks.ledger_motion import put_motion, put_solution
+from mechanics.checks.ledger_motion import put_motion
+from mechanics.checks.solution import put_solution
 from mechanics.equations import Equations
 from mechanics.kernel import Range
 from mechanics.kernel.draws import Draws

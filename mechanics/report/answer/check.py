@@ -31,7 +31,7 @@ class Check:
         What each name was taken for.
     remarks : tuple of str
     derived : Equations or None
-        What the statements were compared with.
+        What the statements were compared with; None where that stays a program.
     """
 
     scene: Scene
