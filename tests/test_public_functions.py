@@ -23,9 +23,18 @@ SCENE = rocker.scene()
             lambda: mechanics.simulate(SCENE, 1),
             "simulate: Model wanted, Scene found: pass compile(",
         ),
-        (lambda: mechanics.trade(SCENE, 1), "trade: Equations wanted, Scene found"),
-        (lambda: mechanics.extremes(SCENE), "extremes: Equations wanted, Scene found"),
-        (lambda: mechanics.linearise(SCENE, {}), "linearise: Equations wanted, Scene found"),
+        (
+            lambda: mechanics.trade(SCENE, 1),
+            "trade: Equations or ProgramEquations wanted, Scene found",
+        ),
+        (
+            lambda: mechanics.extremes(SCENE),
+            "extremes: Equations or ProgramEquations wanted, Scene found",
+        ),
+        (
+            lambda: mechanics.linearise(SCENE, {}),
+            "linearise: Equations or ProgramEquations wanted, Scene found",
+        ),
         (lambda: mechanics.modes(SCENE), "modes: Linear wanted, Scene found: pass linearise("),
         (lambda: mechanics.write_c(SCENE, "c"), "write_c: Model wanted, Scene found"),
         (lambda: mechanics.write_fmu(SCENE, "a.fmu"), "write_fmu: Model wanted, Scene found"),
