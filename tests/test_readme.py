@@ -4,6 +4,7 @@ import contextlib
 import io
 import re
 from pathlib import Path
+from typing import Any
 
 import mechanics
 from systems import elastic_pendulum
@@ -24,6 +25,16 @@ def test_the_python_example_prints_what_the_readme_says() -> None:
     with contextlib.redirect_stdout(printed):
         exec(compile(block("example: python"), "README.md", "exec"), {"__name__": "example"})
     assert printed.getvalue() == block("output: python")
+
+
+def test_the_scene_of_the_python_example_can_be_exported(tmp_path: Path) -> None:
+    names: dict[str, Any] = {"__name__": "example"}
+    with contextlib.redirect_stdout(io.StringIO()):
+        exec(compile(block("example: python"), "README.md", "exec"), names)
+    model = mechanics.compile(mechanics.derive(names["scene"]))
+    # What is refuted raises.
+    assert mechanics.write_c(model, tmp_path / "pendulum")
+    assert (tmp_path / "pendulum" / "manifest.json").exists()
 
 
 def test_files_that_the_readme_links_exist() -> None:

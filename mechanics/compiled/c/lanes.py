@@ -58,7 +58,8 @@ def lanes_source(
     """Definition of ``static inline int name_lanes(...)``: the loop.
 
     It returns `FAR` where an angle of some state is too large for the inline sine, or no number;
-    with `checked`, plus `WILD` where a value that has to be finite may not be.
+    with `checked`, plus `WILD` where a value of another state has to be finite and may not be: what
+    the inline sine makes of an angle that is too large tells nothing.
     """
     writer = _Writer(code, entries, kind, name, shared)
     unsigned = "uint32_t" if kind == "float" else "uint64_t"
@@ -122,6 +123,7 @@ class _Writer:
         self._fused = self._fusions()
         self._inverses: dict[int, Text] = {}
         self._texts: list[Text] = []
+        self._angles: list[str] = []
         self._turned: dict[tuple[int, int], Text] = {}
         self._read(entries, shared)
         for k, node in enumerate(code.nodes):
@@ -135,6 +137,18 @@ class _Writer:
         if not any(" * stride" in line for line in self.inside):
             unread.append("stride")
         self.ignored = [f"    (void){argument};" for argument in unread]
+        self._beyond = self._far_lane()
+
+    def _far_lane(self) -> str:
+        """Add to the loop whether an angle of this state is too large; the name of it, if any."""
+        if not self._angles:
+            return ""
+        beyond = self._namer.local("beyond")
+        unsigned = "uint32_t" if self._kind == "float" else "uint64_t"
+        tests = " | ".join(f"mechanics_far{self._f}({angle})" for angle in self._angles)
+        self.inside += wrapped(f"const {unsigned} {beyond} = {tests};", "        ", " | ")
+        self.inside.append(f"        {self.far} |= {beyond};")
+        return beyond
 
     def check(self) -> str:
         """Add to the loop whether values are finite; the name of the flag."""
@@ -146,7 +160,8 @@ class _Writer:
             " + ".join(dict.fromkeys(values)) or "0",
             literal(_LARGEST[self._kind], self._kind),
         )
-        self.inside.append(f"        {flag} |= !(fabs{self._f}({total}) <= {limit});")
+        near = f"!{self._beyond} & " if self._beyond else ""
+        self.inside.append(f"        {flag} |= {near}!(fabs{self._f}({total}) <= {limit});")
         return flag
 
     def _inputs(self) -> list[tuple[int, Node]]:
@@ -208,8 +223,8 @@ class _Writer:
             self.inside += [
                 f"        {self._kind} {pair[0]}, {pair[1]};",
                 f"        mechanics_sincos{self._f}({angle.code}, &{pair[0]}, &{pair[1]});",
-                f"        {self.far} |= mechanics_far{self._f}({angle.code});",
             ]
+            self._angles.append(angle.code)
             for operation, name in zip(_TURNS, pair, strict=True):
                 self._turned[operand, operation] = Text(name)
         return self._turned[operand, node.operation]

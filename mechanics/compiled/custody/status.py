@@ -2,11 +2,11 @@
 
     scalar    0 if every value is finite, else 3 if an input is not, else 1 if a divisor is zero,
               else 2
-    batch     1 if an angle of some lane is too far, plus 2 if the sum of the values is not finite
+    batch     1 if an angle of some lane is too far, plus 2 if a value is not finite
 
 Conditions of the text are about values. Which of them are the same, up to their sign, is proposed
-by residues at a point; the decisions are compared as they stand, and the kernel decides whether
-these values are the same.
+by residues at a point; the decisions are compared for every truth of their conditions, and the
+kernel decides whether these values are the same.
 """
 
 from __future__ import annotations
@@ -36,6 +36,7 @@ from mechanics.program.c.condition import (
     Decision,
     atoms,
     choice,
+    equivalent,
     joined,
     renamed,
 )  # fmt: skip
@@ -71,10 +72,10 @@ def prove_status(kernel: Kernel, source: Source, graph: Graph, known: Known) -> 
         return undecided(subject, f"refused: {error}")
     found = values.found()
     wanted = values.lanes() if kernel.lanes else values.scalar()
-    if found == wanted and kernel.lanes and (missed := values.not_far()):
-        return undecided(subject, missed)
-    if found != wanted:
+    if not equivalent(found, wanted):
         return undecided(subject, difference(found, wanted))
+    if kernel.lanes and (missed := values.not_far()):
+        return undecided(subject, missed)
     return values.same(subject)
 
 

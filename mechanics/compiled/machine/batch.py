@@ -16,6 +16,7 @@ from mechanics.compiled.c.batch import BLOCK, batch_source
 from mechanics.compiled.c.lanes import SHARED
 from mechanics.compiled.c.sine import sine_source
 from mechanics.compiled.c.source import Entries, function_source, signature
+from mechanics.compiled.c.status import Codes
 from mechanics.compiled.c.strided import strided_source
 from mechanics.compiled.machine.library import FLAGS, REMARKS, build
 from mechanics.compiled.machine.vectorised import TELL, family, loop_line, settings, vectorised
@@ -143,13 +144,15 @@ def library_source(
     real = "float" if kind is np.float32 else "double"
     scalar = f"{PREFIX}{code.name}"
     name = f"{scalar}_states"
+    codes = Codes("0", "1", "2", "3") if checked else None
+    head = signature(code, real, scalar, "int" if checked else "void")
     return "\n".join([
         "#include <math.h>",
         "#include <stddef.h>",
         "#include <stdint.h>",
         "",
         sine_source(real),
-        f"static {function_source(code, entries, real, signature(code, real, scalar))}",
+        f"static {function_source(code, entries, real, head, codes)}",
         batch_source(code, entries, real, name, scalar=scalar, shared=shared, checked=checked),
         strided_source(code, real, name, shared),
     ])  # fmt: skip

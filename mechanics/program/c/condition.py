@@ -118,6 +118,37 @@ def choice(condition: Condition, yes: Decision, no: Decision) -> Decision:
     return found
 
 
+MOST_PAIRS = 4_096
+"""Pairs of decisions that `equivalent` looks at."""
+
+
+def equivalent(one: Decision | None, two: Decision | None) -> bool:
+    """Whether two decisions are the same, whichever of their statements are true.
+
+    Shannon's expansion: with each statement true, and false, what is left has to be equivalent.
+    False where that would take more than `MOST_PAIRS` pairs.
+    """
+    waiting = [(one, two)]
+    seen: set[tuple[Decision | None, Decision | None]] = set()
+    while waiting:
+        pair = left, right = waiting.pop()
+        if left == right or pair in seen:
+            continue
+        if left is None or right is None or len(seen) == MOST_PAIRS:
+            return False
+        seen.add(pair)
+        first = next((atom for side in (left, right) for atom in atoms(side)), None)
+        if first is None:
+            return False
+        for truth in (True, False):
+
+            def known(atom: Atom, first: Atom = first, truth: bool = truth) -> Condition:
+                return truth if atom == first else atom
+
+            waiting.append((renamed(left, known), renamed(right, known)))
+    return True
+
+
 def renamed(decision: Decision, name: Callable[[Atom], Condition]) -> Decision:
     """The same decision with other names for its statements."""
     if not isinstance(decision, Choice):

@@ -356,8 +356,16 @@ class Reader:
         if not gathers and not self.is_own(variable):
             raise ExpressionError(f"{where}: {variable.name} is carried from lane to lane")
         guards = [guard for guard in self.guards[variable.guards :] if guard.condition is not True]
-        if guards and (variable.type.kind in REALS or not all(guard.both for guard in guards)):
+        skipped = [guard.condition for guard in guards if not guard.both]
+        if guards and (variable.type.kind in REALS or (skipped and not gathers)):
             raise ExpressionError(f"{where}: {variable.name} is set under a condition only")
+        if skipped and variable.value is not None:
+            # What a skipped lane does not say, the flag does not gather.
+            condition: Condition = True
+            for guard in skipped:
+                condition = joined(True, condition, guard)
+            sides = (as_decision(side, where) for side in (value, variable.value))
+            value = of_decision(choice(condition, *sides))
         variable.value = self.converted(value, variable.type, where)
 
     def store(self, at: Pointer, value: Value, where: Any) -> None:

@@ -36,7 +36,6 @@ static inline int elastic_pendulum_forward_dynamics_batch_lanes(size_t count, si
         const double theta_dot = u[1 * stride + i];
         double sin_theta, cos_theta;
         mechanics_sincos(theta, &sin_theta, &cos_theta);
-        far |= mechanics_far(theta);
         const double v2 = mechanics_fma(-theta_dot, theta_dot * v1, g * cos_theta);
         const double v4 = mechanics_fma(-x, v3, v2 * (M * sin_theta));
         const double v6 = mechanics_fma(-M, cos_theta * cos_theta, v5);
@@ -44,15 +43,18 @@ static inline int elastic_pendulum_forward_dynamics_batch_lanes(size_t count, si
         const double v8 = mechanics_fma(g, sin_theta, cos_theta * v7);
         ud[i] = v7;
         ud[1 * stride + i] = v8 * v9;
-        wild |= !(fabs(v7 + (v8 * v9) + v6 + v1) <= 0x1.fffffffffffffp+1023);
+        const uint64_t beyond = mechanics_far(theta);
+        far |= beyond;
+        wild |= !beyond & !(fabs(v7 + (v8 * v9) + v6 + v1) <= 0x1.fffffffffffffp+1023);
     }
     return (far != 0) | (wild != 0) << 1;
 }
 
 /* The states whose angles are too large for the inline sine, by the C library. */
-static void elastic_pendulum_forward_dynamics_batch_far(size_t count, size_t stride,
-    const double *q, const double *u, const double *p, double *ud)
+static int elastic_pendulum_forward_dynamics_batch_far(size_t count, size_t stride, const double *q,
+    const double *u, const double *p, double *ud)
 {
+    int found = 0;
     for (size_t i = 0; i < count; ++i) {
         if (!(elastic_pendulum_forward_dynamics_batch_lanes(1, stride, q + i, u + i, p,
             ud + i) & 1))
@@ -64,10 +66,12 @@ static void elastic_pendulum_forward_dynamics_batch_far(size_t count, size_t str
             q_[k] = q[k * stride + i];
         for (size_t k = 0; k < 2; ++k)
             u_[k] = u[k * stride + i];
-        elastic_pendulum_forward_dynamics(q_, u_, p, ud_);
+        const int status = elastic_pendulum_forward_dynamics(q_, u_, p, ud_);
         for (size_t k = 0; k < 2; ++k)
             ud[k * stride + i] = ud_[k];
+        found |= status != 0 ? 2 : 0;
     }
+    return found;
 }
 
 int elastic_pendulum_forward_dynamics_batch(size_t count, size_t stride, const double *q,
@@ -80,7 +84,8 @@ int elastic_pendulum_forward_dynamics_batch(size_t count, size_t stride, const d
             p, ud + i);
         found |= flags;
         if (flags & 1)
-            elastic_pendulum_forward_dynamics_batch_far(lanes, stride, q + i, u + i, p, ud + i);
+            found |= elastic_pendulum_forward_dynamics_batch_far(lanes, stride, q + i, u + i, p,
+                ud + i);
     }
     return found;
 }
@@ -113,7 +118,6 @@ static inline int elastic_pendulum_energy_batch_lanes(size_t count, size_t strid
         const double theta_dot = u[1 * stride + i];
         double sin_theta, cos_theta;
         mechanics_sincos(theta, &sin_theta, &cos_theta);
-        far |= mechanics_far(theta);
         const double v2 = theta_dot * L * cos_theta;
         const double v3 = x_dot + v2 * v1;
         const double v5 = theta_dot * theta_dot * v4;
@@ -125,15 +129,18 @@ static inline int elastic_pendulum_energy_batch_lanes(size_t count, size_t strid
         kinetic[i] = v11;
         potential[i] = v13;
         total[i] = v11 + v13;
-        wild |= !(fabs(v11 + v13 + (v11 + v13)) <= 0x1.fffffffffffffp+1023);
+        const uint64_t beyond = mechanics_far(theta);
+        far |= beyond;
+        wild |= !beyond & !(fabs(v11 + v13 + (v11 + v13)) <= 0x1.fffffffffffffp+1023);
     }
     return (far != 0) | (wild != 0) << 1;
 }
 
 /* The states whose angles are too large for the inline sine, by the C library. */
-static void elastic_pendulum_energy_batch_far(size_t count, size_t stride, const double *q,
+static int elastic_pendulum_energy_batch_far(size_t count, size_t stride, const double *q,
     const double *u, const double *p, double *kinetic, double *potential, double *total)
 {
+    int found = 0;
     for (size_t i = 0; i < count; ++i) {
         if (!(elastic_pendulum_energy_batch_lanes(1, stride, q + i, u + i, p, kinetic + i,
             potential + i, total + i) & 1))
@@ -147,14 +154,16 @@ static void elastic_pendulum_energy_batch_far(size_t count, size_t stride, const
             q_[k] = q[k * stride + i];
         for (size_t k = 0; k < 2; ++k)
             u_[k] = u[k * stride + i];
-        elastic_pendulum_energy(q_, u_, p, kinetic_, potential_, total_);
+        const int status = elastic_pendulum_energy(q_, u_, p, kinetic_, potential_, total_);
         for (size_t k = 0; k < 1; ++k)
             kinetic[k * stride + i] = kinetic_[k];
         for (size_t k = 0; k < 1; ++k)
             potential[k * stride + i] = potential_[k];
         for (size_t k = 0; k < 1; ++k)
             total[k * stride + i] = total_[k];
+        found |= status != 0 ? 2 : 0;
     }
+    return found;
 }
 
 int elastic_pendulum_energy_batch(size_t count, size_t stride, const double *q, const double *u,
@@ -167,7 +176,7 @@ int elastic_pendulum_energy_batch(size_t count, size_t stride, const double *q, 
             kinetic + i, potential + i, total + i);
         found |= flags;
         if (flags & 1)
-            elastic_pendulum_energy_batch_far(lanes, stride, q + i, u + i, p, kinetic + i,
+            found |= elastic_pendulum_energy_batch_far(lanes, stride, q + i, u + i, p, kinetic + i,
                 potential + i, total + i);
     }
     return found;
@@ -197,9 +206,10 @@ static inline int elastic_pendulum_coordinate_rates_batch_lanes(size_t count, si
 }
 
 /* The states whose angles are too large for the inline sine, by the C library. */
-static void elastic_pendulum_coordinate_rates_batch_far(size_t count, size_t stride,
-    const double *q, const double *u, const double *p, double *qd)
+static int elastic_pendulum_coordinate_rates_batch_far(size_t count, size_t stride, const double *q,
+    const double *u, const double *p, double *qd)
 {
+    int found = 0;
     for (size_t i = 0; i < count; ++i) {
         if (!(elastic_pendulum_coordinate_rates_batch_lanes(1, stride, q + i, u + i, p,
             qd + i) & 1))
@@ -211,10 +221,12 @@ static void elastic_pendulum_coordinate_rates_batch_far(size_t count, size_t str
             q_[k] = q[k * stride + i];
         for (size_t k = 0; k < 2; ++k)
             u_[k] = u[k * stride + i];
-        elastic_pendulum_coordinate_rates(q_, u_, p, qd_);
+        const int status = elastic_pendulum_coordinate_rates(q_, u_, p, qd_);
         for (size_t k = 0; k < 2; ++k)
             qd[k * stride + i] = qd_[k];
+        found |= status != 0 ? 2 : 0;
     }
+    return found;
 }
 
 int elastic_pendulum_coordinate_rates_batch(size_t count, size_t stride, const double *q,
@@ -227,7 +239,8 @@ int elastic_pendulum_coordinate_rates_batch(size_t count, size_t stride, const d
             p, qd + i);
         found |= flags;
         if (flags & 1)
-            elastic_pendulum_coordinate_rates_batch_far(lanes, stride, q + i, u + i, p, qd + i);
+            found |= elastic_pendulum_coordinate_rates_batch_far(lanes, stride, q + i, u + i, p,
+                qd + i);
     }
     return found;
 }
