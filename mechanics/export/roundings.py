@@ -16,7 +16,7 @@ from mechanics.program import Builder
 from mechanics.program.interpret import interpret
 from mechanics.program.numpy_domain import Arrays
 from mechanics.program.operations import INPUT, OPERATIONS
-from mechanics.program.routine import Routine
+from mechanics.program.routine import Routine, every_value
 
 TOGETHER = 64
 """Outputs that are followed backwards at a time."""
@@ -34,7 +34,7 @@ def first_order(code: Routine, inputs: Sequence[Sequence[float]], digits: int) -
     digits : int
         Binary digits that a value is rounded to.
     """
-    values = _values(code, inputs)
+    values = np.array(every_value(code, inputs, np.float64))
     slopes = _slopes(code, values)
     sizes = np.abs(values)
     sizes[[k for k, node in enumerate(code.nodes) if node.operation == INPUT]] = 0
@@ -46,22 +46,6 @@ def first_order(code: Routine, inputs: Sequence[Sequence[float]], digits: int) -
             sums += (2.0**-digits * (sizes @ back)).tolist()
     ends = np.cumsum([len(nodes) for nodes in code.outputs])
     return [list(part) for part in np.split(np.array(sums), ends[:-1])]
-
-
-def _values(code: Routine, inputs: Sequence[Sequence[float]]) -> Array:
-    """Every value, as doubles give it."""
-    functions = Arrays().operations
-    values: list[float] = []
-    with np.errstate(all="ignore"):
-        for node in code.nodes:
-            if node.constant is not None:
-                values.append(float(node.constant))
-            elif node.operation == INPUT:
-                values.append(inputs[node.operands[0]][node.operands[1]])
-            else:
-                parts = [np.float64(values[operand]) for operand in node.operands]
-                values.append(float(functions[OPERATIONS[node.operation].name](*parts)))
-    return np.array(values)
 
 
 def _slopes(code: Routine, values: Array) -> dict[int, Sequence[float]]:

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from array import array
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cached_property
 from typing import Any, NamedTuple
@@ -204,10 +204,20 @@ def run(code: Routine, columns: Sequence[Sequence[Any]], kind: type) -> list[tup
     -------
     For every output, for every entry, an array or scalar.
     """
-    flat: list[Any] = [np.asarray(column, dtype=kind) for group in columns for column in group]
-    with np.errstate(all="ignore"):
-        values = interpret(
-            code.program, Arrays(kind), dict(zip(code.program.inputs, flat, strict=True)),
-            release=False,
-        )  # fmt: skip
+    values = _interpreted(code.program, columns, kind)
     return [values[name] for name, _ in code.shapes]
+
+
+def every_value(code: Routine, columns: Sequence[Sequence[Any]], kind: type) -> tuple[Any, ...]:
+    """All values in the order of evaluation; see `run`."""
+    every = replace(code.program, outputs={"every": tuple(range(len(code.program)))})
+    return _interpreted(every, columns, kind)["every"]
+
+
+def _interpreted(
+    program: Program, columns: Sequence[Sequence[Any]], kind: type
+) -> dict[str, tuple[Any, ...]]:
+    flat: list[Any] = [np.asarray(column, dtype=kind) for group in columns for column in group]
+    inputs = dict(zip(program.inputs, flat, strict=True))
+    with np.errstate(all="ignore"):
+        return interpret(program, Arrays(kind), inputs, release=False)

@@ -8,21 +8,16 @@ Evaluated by NumPy with every operation rounded to the precision, as the machine
 exact where they are subnormal, so they lose nothing there.
 """
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from mechanics.program.numpy_domain import Arrays
-from mechanics.program.operations import DIVIDE, INPUT, MULTIPLY, OPERATIONS
-from mechanics.program.routine import Node, Routine
+from mechanics.program.operations import DIVIDE, INPUT, MULTIPLY
+from mechanics.program.routine import Node, Routine, every_value
 
 CHUNK = 4096
-
-Functions = Mapping[str, Callable[..., Any]]
-"""What each operation computes, by its name."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -62,35 +57,25 @@ def trace(code: Routine, points: NDArray[np.float64], kind: type[np.floating]) -
     broken = np.full(len(points), -1, dtype=np.int64)
     by_zero = np.zeros(len(points), dtype=bool)
     underflow = broken.copy()
-    starts = np.cumsum([0, *(size for _, size in code.inputs)])
-    functions = Arrays(kind).operations
     for start in range(0, len(points), CHUNK):
         part = slice(start, start + CHUNK)
         with np.errstate(all="ignore"):
-            columns = points[part].T.astype(kind)
-            _walk(
-                code, columns, starts, functions, kind,
-                broken[part], by_zero[part], underflow[part],
-            )  # fmt: skip
+            values = every_value(code, [list(points[part].T)], kind)
+            _walk(code, values, kind, broken[part], by_zero[part], underflow[part])
     return Events(broken, by_zero, underflow)
 
 
 def _walk(
     code: Routine,
-    columns: NDArray[np.floating],
-    starts: NDArray[np.int64],
-    functions: Functions,
+    values: Sequence[NDArray[np.floating]],
     kind: type[np.floating],
     broken: NDArray[np.int64],
     by_zero: NDArray[np.bool_],
     underflow: NDArray[np.int64],
 ) -> None:
     tiny = np.finfo(kind).tiny
-    values: list[NDArray[np.floating]] = []
-    for k, node in enumerate(code.nodes):
-        operands = [values[i] for i in node.operands] if _computed(node) else []
-        value = _value(node, operands, columns, starts, functions, kind)
-        values.append(value)
+    for k, (node, value) in enumerate(zip(code.nodes, values, strict=True)):
+        operands = [values[i] for i in code.operands(k)]
         numbers = np.isfinite(value)
         if not np.all(numbers):
             born = ~numbers & (broken < 0)
@@ -102,26 +87,6 @@ def _walk(
         small = np.abs(value) < tiny
         if np.any(small) and (lost := _lost(node, value, operands)) is not None:
             underflow[small & lost & (underflow < 0)] = k
-
-
-def _computed(node: Node) -> bool:
-    return node.constant is None and node.operation != INPUT
-
-
-def _value(
-    node: Node,
-    operands: Sequence[NDArray[np.floating]],
-    columns: NDArray[np.floating],
-    starts: NDArray[np.int64],
-    functions: Functions,
-    kind: type[np.floating],
-) -> NDArray[np.floating]:
-    if node.constant is not None:
-        return np.asarray(kind(float(node.constant)))
-    if node.operation == INPUT:
-        group, entry = node.operands
-        return columns[starts[group] + entry]
-    return np.asarray(functions[OPERATIONS[node.operation].name](*operands))
 
 
 def _lost(
