@@ -1,7 +1,7 @@
 r"""Where LaTeX may break on a page: nothing is lost, nothing wide stays whole, nothing hangs."""
 
 import re
-from time import perf_counter
+from time import process_time
 
 import pytest
 from markupsafe import Markup
@@ -72,6 +72,6 @@ def test_a_line_may_end_before_a_wrong_sign() -> None:
     "hostile", ["(" * 4000, "{" * 4000 + "}" * 4000, r"\frac" * 3000, r"\left" * 3000, "x" * 30000]
 )
 def test_what_cannot_be_read_takes_no_time(hostile: str) -> None:
-    start = perf_counter()
+    start = process_time()
     broken(hostile, lambda piece: Markup("{}").format(piece))
-    assert perf_counter() - start < 2
+    assert process_time() - start < 2

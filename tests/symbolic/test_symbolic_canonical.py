@@ -1,5 +1,7 @@
 """Laws of the canonical form: equal to what it came from, the same when taken twice."""
 
+from time import process_time
+
 import mpmath
 import pytest
 import sympy as sp
@@ -102,9 +104,7 @@ def test_what_is_too_large_says_so():
         canonical(sp.Add(*symbols) ** 9)
 
 
-def test_the_moment_of_a_long_chain_is_quick(benchmark_seconds=5.0):
-    from time import monotonic
-
+def test_the_moment_of_a_long_chain_is_quick() -> None:
     n = 12
     q, u, w = (sp.symbols(f"{name}1:{n + 1}", real=True) for name in "quw")
     m, lengths = (sp.symbols(f"{name}1:{n + 1}", positive=True) for name in "ml")
@@ -114,8 +114,9 @@ def test_the_moment_of_a_long_chain_is_quick(benchmark_seconds=5.0):
         ax += lengths[i] * (w[i] * sp.cos(q[i]) - u[i] ** 2 * sp.sin(q[i]))
         ay += lengths[i] * (w[i] * sp.sin(q[i]) + u[i] ** 2 * sp.cos(q[i]))
         total += m[i] * (px * ay - py * ax)
-    start = monotonic()
+    start = process_time()
     coefficients, rest = collect_linear(total, w)
-    assert monotonic() - start < benchmark_seconds
+    # Of the processor: a busy machine fails nothing.
+    assert process_time() - start < 5
     assert len(coefficients) == n
     assert not rest.free_symbols & set(w)
