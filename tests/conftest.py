@@ -1,10 +1,11 @@
 """Laws with many cases: a fixed sample of them runs by default, the rest is a campaign.
 
 ``@pytest.mark.sample(n)`` leaves a law n of its cases, and those about the systems of the seed;
-the others get the marker ``campaign``. ``--cases N`` runs at most N cases of each campaign. Both
-draw by a hash of the name of a case, so that every run on every machine has the same ones.
+the others get the marker ``campaign``, and ``--cases N`` leaves N of them. Both draw by a hash of
+the name of a case, so that every run on every machine has the same ones.
 """
 
+import sys
 from collections import defaultdict
 from collections.abc import Iterable
 from hashlib import sha256
@@ -22,21 +23,21 @@ OF_THE_SEED = {system.name for system in SEED}
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
-    parser.addoption("--cases", type=int, metavar="N", help="at most N cases of each campaign")
+    words = "at most N cases of a law beside its sample"
+    parser.addoption("--cases", type=int, default=sys.maxsize, metavar="N", help=words)
 
 
 @pytest.hookimpl(tryfirst=True)
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
+    beyond: set[pytest.Item] = set()
     for cases in by_law(item for item in items if item.get_closest_marker("sample")):
         (most,) = cases[0].get_closest_marker("sample").args
-        for case in drawn(case for case in cases if not is_of_the_seed(case))[most:]:
+        others = drawn(case for case in cases if not is_of_the_seed(case))[most:]
+        for case in others:
             case.add_marker("campaign")
-    most = config.getoption("cases")
-    if most is not None:
-        laws = by_law(item for item in items if item.get_closest_marker("campaign"))
-        beyond = {case for cases in laws for case in drawn(cases)[most:]}
-        config.hook.pytest_deselected(items=list(beyond))
-        items[:] = [item for item in items if item not in beyond]
+        beyond.update(others[config.getoption("cases") :])
+    config.hook.pytest_deselected(items=list(beyond))
+    items[:] = [item for item in items if item not in beyond]
 
 
 def by_law(items: Iterable[pytest.Item]) -> list[list[pytest.Item]]:

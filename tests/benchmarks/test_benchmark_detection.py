@@ -32,6 +32,8 @@ from mechanics.scene.published import published
 from mechanics.scene.quantities import EquationOfMotion
 from systems import ALL
 
+pytestmark = pytest.mark.campaign
+
 NAMES = tuple(system.name for system in ALL)
 MUTANTS, REWRITINGS = 9, 5
 BLAMED = ("elastic_pendulum", "rocker", "cartpole")
@@ -165,7 +167,6 @@ def test_what_cannot_be_drawn_is_told() -> None:
     assert issubclass(NothingToDrawError, ValueError)
 
 
-@pytest.mark.campaign
 def test_the_first_repair_undoes_what_was_done() -> None:
     found = list(campaign.run([f"m{i}" for i in range(20)], 2, BLAMED, 20))
     assert [line(r) for r in found if len(r.kinds) == 1 and missed(r)] == []

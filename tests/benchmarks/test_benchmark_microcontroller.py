@@ -14,6 +14,8 @@ from mechanics.compiled import Model, compile
 from mechanics.crosscheck import derive
 from mechanics.errors import CompilerError
 
+pytestmark = pytest.mark.campaign
+
 
 @pytest.fixture(scope="module")
 def cross_compiler() -> None:

@@ -2,6 +2,8 @@
 
 import json
 
+import pytest
+
 from benchmarks.mutants.__main__ import EQUIVALENT, RESULTS, draw, text_of
 from benchmarks.mutants.operators import STRICT, is_python, mutants
 from benchmarks.mutants.trial import callers
@@ -67,6 +69,7 @@ def test_names_last_when_other_lines_change() -> None:
     assert before == {m.key for m in mutants("x.py", "# a comment\n" + TEXT)}
 
 
+@pytest.mark.campaign
 def test_500_are_drawn_and_each_is_python() -> None:
     drawn = draw(60)
     assert [m.key for m in drawn] == [m.key for m in draw(70)[:60]]

@@ -13,6 +13,8 @@ from mechanics.compiled import compile
 from mechanics.routes.derivation import ROUTES
 from systems import ALL
 
+pytestmark = pytest.mark.campaign
+
 BASELINE = Path(__file__).parents[2] / "benchmarks" / "operations.json"
 FUNCTIONS = ("mass_matrix", "forcing", "forward_dynamics")
 

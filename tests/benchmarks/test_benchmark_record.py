@@ -44,6 +44,7 @@ def drawn(what: str) -> bool:
 
 
 @pytest.mark.campaign
+@pytest.mark.sample(0)
 @pytest.mark.parametrize("system", ALL, ids=lambda system: system.name)
 def test_all_that_is_said_of_a_system_is_what_is_recorded(system: System) -> None:
     said = recorded()[system.name]

@@ -6,6 +6,8 @@ from typing import Any
 
 import pytest
 
+pytestmark = pytest.mark.campaign
+
 
 def written(ran: Any) -> set[str]:
     assert ran.code == 0, ran.err

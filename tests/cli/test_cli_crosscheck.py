@@ -3,6 +3,8 @@
 import json
 from typing import Any
 
+import pytest
+
 SCHEMA: dict[str, Any] = {
     "name": str,
     "ok": bool,
@@ -87,6 +89,7 @@ def test_systems_lists_every_system(run: Any) -> None:
     assert all(system.name in ran.out for system in ALL)
 
 
+@pytest.mark.campaign
 def test_residuals_of_a_scene_with_constraints_are_measured_on_them(run: Any) -> None:
     """Off the constraints the published power balance of the four-bar linkage does not hold."""
     ran = run(

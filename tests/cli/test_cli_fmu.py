@@ -16,6 +16,8 @@ from mechanics.compiled.proof import prove_graph
 from mechanics.export.fmu import proof, unit
 from mechanics.kernel import Finding
 
+pytestmark = pytest.mark.campaign
+
 
 def test_a_unit_is_written_and_fmpy_accepts_it(run: Any, tmp_path: Path) -> None:
     path = tmp_path / "rocker.fmu"

@@ -5,6 +5,8 @@ from typing import Any
 
 import pytest
 
+pytestmark = pytest.mark.campaign
+
 FLORIAN = r"""
 \begin{align}
 \ddot{x} &= \frac{F + m_p l (\dot\theta^2 \sin\theta - \ddot\theta\cos\theta)

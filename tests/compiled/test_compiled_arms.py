@@ -23,6 +23,8 @@ from mechanics.routes.derivation import by_route
 from mechanics.scene import Scene
 from systems import double_pendulum, pendulum_chain
 
+pytestmark = pytest.mark.campaign
+
 EPS = np.finfo(float).eps
 ROUNDINGS = 256
 """Of the residual of each row, against the sum of the magnitudes of what is added up in it."""
@@ -118,7 +120,6 @@ def test_a_form_that_is_no_solution_is_not_chosen(monkeypatch: pytest.MonkeyPatc
         _ = modelled(by_route("kane", arm.scene), "recursive").form
 
 
-@pytest.mark.campaign
 def test_rows_serve_where_the_normal_form_of_f_is_too_large() -> None:
     """Turns of 1/3 rad between the joints keep their sines and cosines in every product."""
     arm = serial_arm(4, axes="z", fixed="x", turn=Rational(1, 3))
@@ -130,7 +131,6 @@ def test_rows_serve_where_the_normal_form_of_f_is_too_large() -> None:
     assert finding.shown, finding
 
 
-@pytest.mark.campaign
 def test_six_joints() -> None:
     arm = serial_arm(6)
     assert_follows(arm, modelled(by_route("kane", arm.scene)))

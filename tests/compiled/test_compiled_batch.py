@@ -21,6 +21,8 @@ from mechanics.program.routine import run
 from mechanics.routes.derivation import by_route
 from systems import rocker
 
+pytestmark = pytest.mark.campaign
+
 SYSTEMS = [
     ("elastic_pendulum", "kane"), ("rocker", "moving_point"), ("two_mass_chain", "free_body"),
     ("rolling_disc", "free_body"), ("four_bar", "kane"),

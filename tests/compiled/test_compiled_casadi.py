@@ -65,6 +65,7 @@ def test_names_are_kept(model: Model) -> None:
         assert set(named) == set(outputs)
 
 
+@pytest.mark.sample(2)
 def test_functions_are_differentiable(model: Model) -> None:
     """J by `factory`, forward and reverse directions, and differences of the values: one thing."""
     for function in model.casadi.values():

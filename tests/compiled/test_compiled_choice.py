@@ -18,6 +18,8 @@ from mechanics.kernel import Verdict
 from mechanics.routes.derivation import by_route
 from systems import SEED, pendulum_chain
 
+pytestmark = pytest.mark.campaign
+
 PEERS = {10: 595, 20: 1215, 50: 3075}
 """Instructions of the articulated-body algorithm for the cart with that many links."""
 
@@ -31,7 +33,6 @@ def instructions(links: int) -> int:
     return int(chain(links).casadi["forward_dynamics"].n_instructions())
 
 
-@pytest.mark.campaign
 def test_operations_grow_linearly_with_the_links() -> None:
     """Every link takes the same number of instructions, so what 50 take follows from 10 and 11."""
     counts = {links: instructions(links) for links in (8, 9, 10, 11, 20)}
@@ -45,7 +46,6 @@ def test_operations_grow_linearly_with_the_links() -> None:
         assert count <= 0.8 * peer
 
 
-@pytest.mark.campaign
 def test_fifty_links_are_derived_compiled_and_certified(unwritten: None) -> None:
     model = chain(50)
     assert model.form == "recursive"

@@ -14,6 +14,8 @@ from mechanics.compiled.finite import not_finite
 from mechanics.kernel import Verdict
 from mechanics.scene import Particle, Scene, gravity, parameters, reaction
 
+pytestmark = pytest.mark.campaign
+
 a, b = dynamicsymbols("a b")
 m1, m2, l1, l2, g = parameters("m1 m2 l1 l2 g", units="kg kg m m m/s^2", typical="1 1 1 1 9.81")
 STATES = 20_000

@@ -11,6 +11,8 @@ from mechanics.errors import InputError
 from mechanics.routes.derivation import by_route
 from systems import pendulum_chain
 
+pytestmark = pytest.mark.campaign
+
 SYSTEMS = ["elastic_pendulum", "rocker", "two_mass_chain", "pendulum_chain", "rolling_disc"]
 ROUTES = ["free_body", "kane", "lagrange"]
 NAMES = [form.name for form in FORMS]

@@ -19,6 +19,8 @@ from mechanics.kernel import Finding, Verdict
 from mechanics.kernel.balls import precision
 from mechanics.program.c.parse import parse
 
+pytestmark = pytest.mark.campaign
+
 HEAD = "#include <math.h>\n#include <stdint.h>\n"
 KINDS = ("double", "float")
 BITS = {"double": 53, "float": 24}

@@ -15,6 +15,8 @@ from mechanics.linear import linearise, numeric_poles
 from mechanics.simulate import Ending, simulate
 from systems import rocker
 
+pytestmark = pytest.mark.campaign
+
 HERE = Path(__file__).parent
 
 

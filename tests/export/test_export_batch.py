@@ -15,6 +15,8 @@ from mechanics.compiled.machine.native import find_compiler
 from mechanics.export import write_c as write_and_prove
 from mechanics.export.batch import BATCHED
 
+pytestmark = pytest.mark.campaign
+
 # The proofs are tested with the evidence.
 write_c = functools.partial(write_and_prove, prove=False)
 

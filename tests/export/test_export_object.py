@@ -9,6 +9,8 @@ import pytest
 
 from mechanics.export import write_c as write_and_prove
 
+pytestmark = pytest.mark.campaign
+
 # The proofs are tested with the evidence.
 write_c = functools.partial(write_and_prove, prove=False)
 

@@ -16,6 +16,8 @@ from mechanics.export.evidence.verify import Outcome, verify
 from mechanics.simulate.integrators.rate import motion_graphs
 from systems import SEED
 
+pytestmark = pytest.mark.campaign
+
 # What is shown about both is tested elsewhere.
 write_c = functools.partial(write_and_prove, prove=False, batch=False)
 SYSTEMS = {system.name: system for system in SEED}
@@ -40,7 +42,6 @@ def test_the_folder_holds_what_was_checked(name: str, tmp_path: Path) -> None:
     assert contents(tmp_path / "checked") == contents(tmp_path / "new")
 
 
-@pytest.mark.campaign
 def test_an_arm_in_space_is_exported_as_it_was_checked(tmp_path: Path) -> None:
     """With a fixed quarter turn between its joints: its model was another one after a check."""
     equations, few = derive(serial_arm(2, fixed="x").scene, "free_body"), ["forward_dynamics"]

@@ -10,6 +10,8 @@ import pytest
 
 from mechanics.export import write_c as write_and_prove
 
+pytestmark = pytest.mark.campaign
+
 # The proofs are tested with the evidence.
 write_c = functools.partial(write_and_prove, prove=False)
 
@@ -97,7 +99,6 @@ def built_and_run(run, folder: Path, find: str, *options: str) -> list[float]:
     return [float(word) for word in run([folder / "build" / "user"]).split()]
 
 
-@pytest.mark.campaign
 def test_find_package_gives_the_target(installed: Path, tmp_path: Path, run, expected) -> None:
     find = "find_package(elastic_pendulum REQUIRED)\nfind_package(rocker CONFIG REQUIRED)"
     prefix = f"-DCMAKE_PREFIX_PATH={installed}"

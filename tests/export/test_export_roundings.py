@@ -14,6 +14,8 @@ from mechanics.export.vectors import ROOM, enclosed, vectors
 from mechanics.program.casadi_reader import read_routine
 from mechanics.program.routine import run
 
+pytestmark = pytest.mark.campaign
+
 
 def test_a_sum_of_products_by_hand() -> None:
     x = ca.SX.sym("x", 3)

@@ -10,6 +10,8 @@ from mechanics.extremes import CAUSES, Cause, point, reproduce, to_record
 from mechanics.extremes.result import PRECISIONS, STABLE, tolerance
 from systems import SEED, VARIANTS
 
+pytestmark = pytest.mark.campaign
+
 NAMES = [system.name for system in (*SEED, *VARIANTS)]
 
 

@@ -19,6 +19,8 @@ from mechanics.reading.conventions import conventions
 from mechanics.reading.directed import directed
 from systems import ALL
 
+pytestmark = pytest.mark.campaign
+
 NAMES = [system.name for system in ALL]
 PENDULUMS = ("elastic_pendulum", "double_pendulum", "rod_pendulum", "cartpole", "acrobot")
 SHOWN = ("PROVED", "CERTIFIED")

@@ -35,6 +35,8 @@ from mechanics.scene import (
 from mechanics.scene.loads import Gravity
 from mechanics.symbolic import Arithmetic, canonical, decide
 
+pytestmark = pytest.mark.campaign
+
 SYSTEMS = [system.name for system in systems.ALL]
 ROUTES = ("free_body", "moving_point", "kane", "lagrange")
 SEED = [system.name for system in systems.SEED]

@@ -29,6 +29,8 @@ from mechanics.scene.published import published
 from mechanics.scene.quantities import EquationOfMotion, ReactionValue
 from mechanics.scene.system import System
 
+pytestmark = pytest.mark.campaign
+
 x, a = dynamicsymbols("x a")
 m1, m2, J, R, c, g = parameters(
     "m1 m2 J R c g", units="kg kg kg*m^2 m N*m*s/rad m/s^2", typical="2 1 0.05 0.2 0.01 9.81"

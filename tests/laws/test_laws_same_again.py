@@ -12,6 +12,8 @@ import pytest
 
 import mechanics
 
+pytestmark = pytest.mark.campaign
+
 ROOT = Path(mechanics.__file__).parents[1]
 PARTS = (
     "kernel",
@@ -123,7 +125,6 @@ def test_another_hash_seed_and_a_clock_that_runs_fast_change_nothing(said: str) 
     assert asked(2, RACING) == said
 
 
-@pytest.mark.campaign
 def test_c_text_and_verdicts_of_an_arm_are_the_same_under_load_and_another_hash_seed() -> None:
     # Each is a load for the other.
     with ThreadPoolExecutor() as pool:

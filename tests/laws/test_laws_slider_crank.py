@@ -7,6 +7,8 @@ from mechanics import crosscheck, derive
 from mechanics.crosscheck import CrossCheck
 from mechanics.kernel import Verdict
 
+pytestmark = pytest.mark.campaign
+
 
 @pytest.mark.parametrize("pin", ["end of the rod", "slider"])
 def test_all_routes_agree(pin: str) -> None:

@@ -116,6 +116,7 @@ def test_the_engine_gives_the_right_values(truth, assert_agree) -> None:
     assert_agree([value.subs(values).evalf() for value in second], RIGHT)
 
 
+@pytest.mark.campaign
 @pytest.mark.parametrize("up", [1, -1])
 def test_lagrange_with_the_constraint_substituted_is_refuted(truth, assert_agree, up: int) -> None:
     method = by_lagrange(up)

@@ -11,6 +11,8 @@ from mechanics.judge.check import derived
 from mechanics.scene import Particle, RigidBody, Scene, gravity, holonomic, parameters, reaction
 from systems import four_bar, rod_pendulum
 
+pytestmark = pytest.mark.campaign
+
 theta, phi, s, x, y = dynamicsymbols("theta phi s x y")
 r, l, m, J, g = parameters("r l m J g", units="m m kg kg*m^2 m/s^2", typical="0.05 0.2 1 0.01 9.81")
 

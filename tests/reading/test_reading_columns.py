@@ -109,6 +109,7 @@ def test_a_sign_before_a_matrix_is_found_in_every_row() -> None:
         assert (edit.written, edit.right) == ("-", "+")
 
 
+@pytest.mark.campaign
 def test_an_entry_that_is_nought_can_lack_a_term() -> None:
     texts = changed(r"h(\dot\theta_1+\dot\theta_2)", "0")
     blame = checked(*texts, blame=True).judged[0].blame
@@ -138,6 +139,7 @@ def test_a_pair_that_is_raised_is_no_number() -> None:
     assert "a comma is out of place here" in found.judged[0].statement.doubt
 
 
+@pytest.mark.campaign
 def test_an_error_in_its_own_definition_ends_the_search_with_an_answer() -> None:
     """The name of an entry may not be put into its own definition."""
     blame = checked(*changed(r"h(\dot\theta_1+\dot\theta_2)", "0"), blame=True).judged[0].blame
@@ -207,6 +209,7 @@ def test_euler_s_equations_as_vectors(text: str, expected: str) -> None:
     assert [entry.finding.verdict.name for entry in found.judged] == [expected] * 3
 
 
+@pytest.mark.campaign
 def test_the_sign_of_a_vector_product_is_blamed_where_it_stands() -> None:
     found = mechanics.check(BODY, EULER.replace(r"+ \omega", r"- \omega"), notation="latex")
     for entry in found.judged:

@@ -25,7 +25,7 @@ from mechanics.report.result import RouteResult, SystemResult
 from mechanics.routes.derivation import by_route
 from systems import elastic_pendulum, pendulum_chain
 
-pytestmark = pytest.mark.browser
+pytestmark = [pytest.mark.browser, pytest.mark.campaign]
 
 NAMES = ("chromium", "chromium-browser", "google-chrome", "chrome")
 MEASURE = (Path(__file__).parent / "measure.js").read_text(encoding="utf-8")

@@ -15,6 +15,8 @@ from mechanics.report.extremes_map import LETTERS, heat_map, shade, strip, value
 from mechanics.report.extremes_plot import heat_plot
 from systems import rocker, two_mass_chain
 
+pytestmark = pytest.mark.campaign
+
 
 @cache
 def walked(controlled: bool = False) -> Extremes:

@@ -19,6 +19,8 @@ from mechanics.scene import Particle, Scene, force, parameters
 from mechanics.simulate import Ensemble, Status, ensemble
 from systems import elastic_pendulum, rocker
 
+pytestmark = pytest.mark.campaign
+
 needs_compiler = pytest.mark.skipif(find_compiler() is None, reason="no C compiler here")
 METHODS: tuple[dict[str, Any], ...] = (
     {"method": "taylor", "tolerance": 1e-9},

@@ -35,7 +35,10 @@ from mechanics.simulate.pose import pose
 from mechanics.simulate.reference import reference
 from systems import ALL
 
-pytestmark = pytest.mark.skipif(find_compiler() is None, reason="no C compiler here")
+pytestmark = [
+    pytest.mark.campaign,
+    pytest.mark.skipif(find_compiler() is None, reason="no C compiler here"),
+]
 SYSTEMS = ("elastic_pendulum", "rocker", "pendulum_chain", "four_bar")
 PAIRS = [(i, j) for i in range(40) for j in range(i)]
 TIMES = np.array([0.0, 0.05, 0.2])

@@ -15,6 +15,8 @@ from mechanics.simulate.long_run import SAMPLES, long_runs, natural_period
 from mechanics.simulate.pose import pose
 from systems import ALL
 
+pytestmark = pytest.mark.campaign
+
 SCENES = {system.name: system.scene for system in ALL}
 needs_compiler = pytest.mark.skipif(find_compiler() is None, reason="no C compiler here")
 

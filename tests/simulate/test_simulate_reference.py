@@ -31,6 +31,8 @@ from mechanics.simulate.reference_series import Taylor
 from mechanics.simulate.reference_taylor import exact, solve
 from systems import ALL
 
+pytestmark = pytest.mark.campaign
+
 SCENES = {system.name: system.scene for system in ALL}
 BITS = 200
 # x and y of a point mass on a rod of 1 m, g = 9.81, released horizontally: elliptic functions.

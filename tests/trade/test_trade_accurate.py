@@ -16,6 +16,8 @@ from mechanics.trade.accurate import states_of
 from mechanics.trade.case import Case
 from mechanics.trade.truth import from_reference
 
+pytestmark = pytest.mark.campaign
+
 FEW = tuple(m for m in INTEGRATORS if m.name in ("SciPy DOP853", "C RK5", "C RK8"))
 
 

@@ -16,6 +16,8 @@ from mechanics.trade.recommend import recommend
 from mechanics.trade.train import Trained, error_of, tail_limit, tolerance_factor
 from mechanics.trade.truth import Truth, from_reference, from_states
 
+pytestmark = pytest.mark.campaign
+
 OTHERS = 50
 SEED = 4711
 

@@ -16,6 +16,8 @@ from mechanics.export.write_c import write_c
 from mechanics.routes.derivation import by_route
 from systems import elastic_pendulum
 
+pytestmark = pytest.mark.campaign
+
 FUNCTIONS = ("forward_dynamics", "prepare", "forward_dynamics_prepared")
 Attack = Callable[[Path, dict[str, Any]], None]
 

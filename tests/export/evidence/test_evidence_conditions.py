@@ -14,6 +14,8 @@ from mechanics.export.write_c import write_c
 from mechanics.routes.derivation import by_route
 from systems import rocker
 
+pytestmark = pytest.mark.campaign
+
 NAMES = ("forward_dynamics", "energy")
 Judged = Callable[[str, str, str], Verification]
 

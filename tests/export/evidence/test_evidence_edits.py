@@ -12,6 +12,8 @@ import pytest
 
 from mechanics.kernel import Verdict
 
+pytestmark = pytest.mark.campaign
+
 PARTS, EDITS = 10, 50
 FEWEST_REFUTED, MOST_HARMLESS = 3, 10
 """Of the edits of one part."""

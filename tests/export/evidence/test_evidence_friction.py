@@ -13,6 +13,8 @@ from mechanics.export.evidence.read import read_folder
 from mechanics.export.write_c import write_c
 from mechanics.kernel import Verdict
 
+pytestmark = pytest.mark.campaign
+
 SIGN = "(x_dot > 0.0 ? 1.0 : (x_dot < 0.0 ? -1.0 : x_dot))"
 NAME = "name_forward_dynamics"
 

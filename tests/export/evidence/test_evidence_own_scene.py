@@ -11,6 +11,8 @@ from mechanics.export.evidence.verify import Outcome, verify
 from mechanics.export.write_c import write_c
 from mechanics.scene import RigidBody, Scene, gravity, parameters, reaction, torque
 
+pytestmark = pytest.mark.campaign
+
 a, b, tau = dynamicsymbols("a b tau")
 m1, m2, l1, l2, J1, J2, g, c1, c2 = parameters(
     "m1 m2 l1 l2 J1 J2 g c1 c2",
@@ -44,7 +46,6 @@ def acrobot() -> Scene:
     )  # fmt: skip
 
 
-@pytest.mark.campaign
 def test_a_scene_of_somebody_goes_through_the_chain(tmp_path: Path) -> None:
     equations = derive(acrobot(), "free_body")
     names = ("forward_dynamics", "energy")

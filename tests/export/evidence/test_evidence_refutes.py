@@ -18,6 +18,8 @@ from mechanics.program import Builder
 from mechanics.program.operations import CONSTANT, INPUT, MULTIPLY
 from mechanics.program.routine import Node, routine
 
+pytestmark = pytest.mark.campaign
+
 OUTPUT = re.compile(r"[a-z_]+\[\d+\]: ")
 KEPT = "coordinate_rates", "prepare"
 """No operations in the first; the second is compared entry by entry with the program."""

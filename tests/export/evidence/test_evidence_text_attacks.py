@@ -11,6 +11,8 @@ from mechanics.export.evidence.sines import prove_sines
 from mechanics.export.evidence.vectors import prove_vectors
 from mechanics.kernel import Verdict
 
+pytestmark = pytest.mark.campaign
+
 PUT = "static int put(double *o, double v)\n{\n    *o = v;\n    return 1;\n}\n\n"
 OUTPUT = "    ud[0] = v5;\n"
 STORED = (

@@ -27,6 +27,8 @@ from mechanics.routes.derivation import by_route
 from mechanics.simulate.run import begin
 from systems import elastic_pendulum, four_bar, rocker, rolling_disc
 
+pytestmark = pytest.mark.campaign
+
 Models, Units = Callable[[str], Model], Callable[[str], Path]
 GOLDEN = Path(__file__).parent / "golden" / "rocker.xml"
 STRICT = ["-Wall", "-Wextra", "-Wpedantic", "-Wshadow", "-Wconversion", "-Werror"]

@@ -17,6 +17,8 @@ from mechanics.program.c.parse import parse
 from mechanics.symbolic import decide
 from systems import ALL
 
+pytestmark = pytest.mark.campaign
+
 SYSTEMS = [system.name for system in ALL]
 Models, Units = Callable[[str], Model], Callable[[str], Path]
 

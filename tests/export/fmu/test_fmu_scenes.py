@@ -15,6 +15,8 @@ from mechanics.routes.derivation import by_route
 from mechanics.scene import Particle, Scene, condition, force, gravity, parameters, reaction
 from mechanics.simulate import simulate
 
+pytestmark = pytest.mark.campaign
+
 KINDS = ["CoSimulation", "ModelExchange"]
 
 

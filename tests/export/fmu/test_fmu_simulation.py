@@ -14,6 +14,8 @@ from mechanics.crosscheck.fmu import write_fmu
 from mechanics.simulate import Ending, Trajectory, simulate
 from systems import ALL, four_bar
 
+pytestmark = pytest.mark.campaign
+
 SYSTEMS = [system.name for system in ALL]
 DURATION, SAMPLES = 1.0, 51
 Models, Units = Callable[[str], Model], Callable[[str], Path]
