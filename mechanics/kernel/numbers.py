@@ -53,7 +53,7 @@ class Numbers:
         """Tell that an unknown is the square root of a polynomial in numbers."""
         terms = radicand.to_dict()
         self._values.setdefault(place, lambda values: _at(terms, values).sqrt())
-        bound = self._bound(terms)
+        bound = self.bound(terms)
         if bound is not None:
             u, l = bound
             # sqrt(U / l) = sqrt(U l) / l
@@ -73,7 +73,7 @@ class Numbers:
     def sign(self, terms: Terms) -> int | None:
         """-1, 0 or 1; None where it is not known."""
         digits = list(PRECISIONS)
-        bound = self._bound(terms)
+        bound = self.bound(terms)
         smallest = inf
         if bound is not None:
             u, l = bound
@@ -99,7 +99,7 @@ class Numbers:
         places = {k for monomial in terms for k, power in enumerate(monomial) if power}
         return frozenset().union(*(self._below[k] for k in places))
 
-    def _bound(self, terms: Terms) -> tuple[float, float] | None:
+    def bound(self, terms: Terms) -> tuple[float, float] | None:
         """log2 of u and l of (1), or None where something is no root."""
         most: dict[int, int] = {}
         for monomial in terms:

@@ -59,6 +59,13 @@ def test_the_value_stays_the_same(name: str) -> None:
     assert value(base_angles(program)) == pytest.approx(value(program), abs=1e-12)
 
 
+def test_what_has_base_angles_only_is_left_as_it_is() -> None:
+    program = built(lambda B, x, y, z: x.sin() + z.log().sin() + x.cos().exp())
+    assert base_angles(program) is program
+    other = built(lambda B, x, y, z: B.call("asin", x / 3).sin() + B.pi.cos())
+    assert not {"asin", "sin", "cos"} & set(base_angles(other).counts())
+
+
 @pytest.mark.parametrize("name", CASES)
 def test_only_base_angles_are_left_and_once_is_enough(name: str) -> None:
     program = base_angles(built(CASES[name]))

@@ -499,6 +499,17 @@ def test_points_lie_on_the_circle_and_opposite_angles_are_opposite_points() -> N
     assert (cos(0), sin(0)) == (1, 0)
 
 
+def test_a_multiple_of_pi_that_the_prime_has_not_is_an_angle_like_any() -> None:
+    """pi / 8 needs points of order 16, which a circle of a multiple of 9240 points need not have."""
+    f = field(turns=[Fraction(1, 8)], modulus=9240)
+    angle = f.pi() * pow(8, -1, f.prime)
+    c, s = f.operations["cos"](angle), f.operations["sin"](angle)
+    power = (1, 0)
+    for _ in range(9240):
+        power = (power[0] * c - power[1] * s) % f.prime, (power[1] * c + power[0] * s) % f.prime
+    assert power != (1, 0)
+
+
 @pytest.mark.parametrize(("n", "modulus"), [(5, 840), (12, 840), (420, 840), (11, 9240)])
 def test_multiples_of_pi_have_their_order_and_go_with_the_roots(n: int, modulus: int) -> None:
     turns = [Fraction(k, n) for k in (1, 2)]
