@@ -500,7 +500,7 @@ def test_points_lie_on_the_circle_and_opposite_angles_are_opposite_points() -> N
 
 
 def test_a_multiple_of_pi_that_the_prime_has_not_is_an_angle_like_any() -> None:
-    """pi / 8 needs points of order 16, which a circle of a multiple of 9240 points need not have."""
+    """pi / 8 needs a point of order 16; a circle of a multiple of 9240 points need not have any."""
     f = field(turns=[Fraction(1, 8)], modulus=9240)
     angle = f.pi() * pow(8, -1, f.prime)
     c, s = f.operations["cos"](angle), f.operations["sin"](angle)
