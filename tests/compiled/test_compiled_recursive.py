@@ -81,7 +81,7 @@ def certified(model: Any, graph: ca.Function | None = None) -> Verdict:
 SMOOTH = [system for system in (*ALL, *VARIANTS) if not frictions(system.scene())]
 
 
-@pytest.mark.sample(8)
+@pytest.mark.sample(3)
 @pytest.mark.parametrize("route", ROUTES)
 @pytest.mark.parametrize("system", SMOOTH, ids=lambda system: system.name)
 def test_from_the_bodies_it_is_what_every_route_derived(system: Any, route: str) -> None:
@@ -109,6 +109,7 @@ def test_friction_is_not_in_gauss_s_function(system: Any) -> None:
     assert certified(compile(equations)) is Verdict.CERTIFIED
 
 
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("joints", ["z", "xy", "xYz", "Xyz", "zXyx"])
 def test_arms_in_space(joints: str) -> None:
     assert certified(forced(by_route("kane", arm(joints)))) is Verdict.CERTIFIED

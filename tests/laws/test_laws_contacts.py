@@ -62,6 +62,7 @@ def drawn(model: Model, count: int, size: float = 1.0) -> dict[str, np.ndarray]:
     return {**state, "p": None}
 
 
+@pytest.mark.sample(4)
 @pytest.mark.parametrize("route", ["free_body", "moving_point", "lagrange"])
 @pytest.mark.parametrize("name", SMALL)
 def test_a_small_scene_is_the_same_both_ways(name: str, route: str) -> None:
@@ -87,6 +88,7 @@ def model(request: pytest.FixtureRequest) -> Model:
     return mechanics.compile(derived, compiler=None)
 
 
+@pytest.mark.sample(1)
 def test_what_is_compiled_of_a_large_scene_is_shown(model: Model) -> None:
     names = [name for name in model.casadi if name != "step"]
     findings = prove_compiled(model, names)
@@ -131,6 +133,7 @@ def test_motions_start_on_the_constraints_and_stay_there(model: Model) -> None:
         assert found.energy_drift < 1e-8
 
 
+@pytest.mark.campaign
 def test_a_wheel_with_an_arm_is_cross_checked() -> None:
     result = crosscheck(rolling_arm())
     assert result.ok
@@ -154,6 +157,7 @@ from arms_with_contacts import rolling_arm as scene
 """
 
 
+@pytest.mark.campaign
 def test_code_of_a_wheel_is_written_and_verified(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -181,6 +181,7 @@ def test_enclosed_accelerations_are_those_of_what_is_written_out() -> None:
         assert x.rel_accuracy_bits() > 80
 
 
+@pytest.mark.campaign
 def test_an_arm_is_simulated_to_an_accuracy() -> None:
     model = mechanics.compile(derive(hanging_arm(), "kane"))
     members = [member for member in INTEGRATORS if member.name in ("C RK4", "C RK8")]

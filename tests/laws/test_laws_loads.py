@@ -80,7 +80,7 @@ SCENES = {
 }  # fmt: skip
 
 
-@pytest.mark.sample(4)
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("name", SCENES)
 def test_every_load_by_every_route(assert_laws: Any, name: str) -> None:
     assert_laws(SCENES[name])
@@ -133,6 +133,7 @@ def test_velocities_that_users_set_have_no_influence(assert_laws: Any) -> None:
     assert derive(scene, "kane").residual == before.residual
 
 
+@pytest.mark.campaign
 def test_a_pendulum_in_cartesian_coordinates(assert_laws: Any) -> None:
     N, O = ReferenceFrame("N"), Point("O")
     B = O.locatenew("B", x * N.x + y * N.y)

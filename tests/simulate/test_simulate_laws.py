@@ -83,6 +83,7 @@ def test_energy_is_conserved(model_of: ModelOf, member: Member) -> None:
     assert motion.energy_drift < member.energy
 
 
+@pytest.mark.sample(1)
 @pytest.mark.parametrize("member", MEMBERS, ids=lambda member: member.name)
 def test_rates_of_coordinates_are_their_derivatives(model_of: ModelOf, member: Member) -> None:
     model = model_of(member.name)

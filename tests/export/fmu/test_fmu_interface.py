@@ -191,6 +191,7 @@ def test_a_singular_configuration_is_named(opened: Opener) -> None:
     assert "a divisor is zero: the configuration is singular" in unit.log[-1][1]
 
 
+@pytest.mark.sample(1)
 @pytest.mark.parametrize("name", SYSTEMS)
 def test_derivatives_are_those_of_the_graphs(
     opened: Opener, model_of: Callable[[str], Model], name: str
