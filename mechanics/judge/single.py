@@ -5,6 +5,8 @@ statement  --ledger, by cases where it has some-->  PROVED, CERTIFIED, REFUTED, 
 
 from functools import partial
 
+from sympy.matrices import MatrixBase
+
 from mechanics.checks.ledger import check_row
 from mechanics.checks.ledger_motion import Derived
 from mechanics.equations import Equations
@@ -74,5 +76,6 @@ def subject_of(statement: Statement) -> str:
 def _third_rates(scene: Scene, statement: Statement) -> str:
     """Names the third derivatives of coordinates that a statement holds."""
     sides = statement.row.sides if statement.row is not None else ()
-    held = {symbol.name for symbol in symbols_of(sides)}
+    entries = [e for s in sides for e in (s.flat() if isinstance(s, MatrixBase) else [s])]
+    held = {symbol.name for symbol in symbols_of(entries)}
     return ", ".join(sorted(held & {plain_symbol(q, 3).name for q in scene.coordinates}))
