@@ -326,7 +326,7 @@ def written_out(equations: Equations | ProgramEquations) -> Equations:
     if isinstance(equations, ProgramEquations):
         raise InputError(
             f"{equations.scene.name}: its equations of {equations.program.count} operations are too"
-            " long to be written out: crosscheck, codegen, fmu, simulate and compile take them as a"
-            " program, what needs M and f does not"
+            " long to be written out as matrices M and f: call derive(scene, route), which gives"
+            " them as a program; every command takes that"
         )
     return equations

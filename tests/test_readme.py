@@ -6,6 +6,8 @@ import re
 from pathlib import Path
 from typing import Any
 
+import pytest
+
 import mechanics
 from systems import elastic_pendulum
 
@@ -20,11 +22,12 @@ def block(marker: str) -> str:
     return found[1]
 
 
-def test_the_python_example_prints_what_the_readme_says() -> None:
+@pytest.mark.parametrize("name", ["python", "space"])
+def test_an_example_prints_what_the_readme_says(name: str) -> None:
     printed = io.StringIO()
     with contextlib.redirect_stdout(printed):
-        exec(compile(block("example: python"), "README.md", "exec"), {"__name__": "example"})
-    assert printed.getvalue() == block("output: python")
+        exec(compile(block(f"example: {name}"), "README.md", "exec"), {"__name__": "example"})
+    assert printed.getvalue() == block(f"output: {name}")
 
 
 def test_the_scene_of_the_python_example_can_be_exported(tmp_path: Path) -> None:

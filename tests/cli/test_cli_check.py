@@ -77,6 +77,7 @@ def test_doubt_exits_with_three() -> None:
         (("elastic_pendulum", "no_such_file.tex"), "file no_such_file.tex: it cannot be read"),
         (("elastic_pendulum", "-", "--name", "phi"), "write mine=the scene's"),
         (("elastic_pendulum", "-", "--name", "phi=psi"), "has no 'psi': its names are"),
+        (("elastic_pendulum", "-", "--name", "zz=theta"), "no text has 'zz': it has"),
         (("elastic_pendulum", "-", "--about", "love"), "it can be equation of motion"),
         (("elastic_pendulum", "-", "--notation", "word"), "it can be latex, text"),
         (("elastic_pendulum", "-", "--convention", "x"), "it can be other vertical"),
