@@ -2,6 +2,7 @@
 
 import inspect
 import json
+import re
 import sys
 from pathlib import Path
 from typing import Annotated, Any
@@ -18,7 +19,11 @@ from mechanics.judge.check_json import to_json
 from mechanics.kernel import Verdict
 from mechanics.reading.code.black_box import BlackBox
 from mechanics.reading.declared import NAMES
+from mechanics.reading.read import file_text
+from mechanics.report.answer.check import Check
 from mechanics.report.answer.page import check_html
+
+NOT_A_NAME = re.compile(r"[^A-Za-z0-9]+")
 
 
 def check(
@@ -115,6 +120,7 @@ def check(
             convention=convention or (), function=function, values=values, where=where or (),
             blame=blame,
         )  # fmt: skip
+    _refuse_absent(_names(name or []), parts, [*(where or []), *(convention or [])], found)
     if report is not None:
         write_file(check_html(found), report)
     if json_file is not None:
@@ -151,6 +157,24 @@ def _named(module: Any, name: str, path: str) -> Any:
             f" rates = {above.__name__}().{found.__name__} at its end"
         )
     return found
+
+
+def _refuse_absent(names: dict[str, str], parts: list[Any], more: list[str], found: Check) -> None:
+    """Refuse a name that is given a meaning and stands in none of the texts.
+
+    Letters and digits are compared, so that braces of LaTeX do not matter. What is no text in ASCII
+    may spell a name otherwise, and is not looked into; nor is what stands for a quantity.
+    """
+    if not all(isinstance(part, str | Path) for part in parts):
+        return
+    texts = [file_text(part) if isinstance(part, Path) else part for part in parts]
+    if not all(text.isascii() for text in texts):
+        return
+    plain = NOT_A_NAME.sub("", " ".join([*texts, *more]))
+    for mine, theirs in names.items():
+        if " " not in theirs and mine.isascii() and NOT_A_NAME.sub("", mine) not in plain:
+            known = ", ".join(match.name for match in found.names)
+            raise InputError(f"--name {mine}={theirs}: no text has {mine!r}: it has {known}")
 
 
 def _names(entries: list[str]) -> dict[str, str]:

@@ -3,10 +3,8 @@
 statements  --ledger-->  PROVED, CERTIFIED, REFUTED with a witness, UNDECIDED
 """
 
-import re
 from collections.abc import Mapping, Sequence
 from functools import lru_cache
-from pathlib import Path
 from typing import Any
 
 from mechanics.crosscheck.routes import derive
@@ -30,14 +28,11 @@ from mechanics.judge.where import Where, judge_where, read_where, right_where
 from mechanics.kernel import Verdict
 from mechanics.reading.code.black_box import BlackBox
 from mechanics.reading.declared import Declared, read_declared
-from mechanics.reading.read import file_text
 from mechanics.reading.statement import Reading, Statement
 from mechanics.report.answer.check import Check
 from mechanics.report.answer.judged import Judged
 from mechanics.scene import Scene
 from mechanics.scene.system import System
-
-NOT_A_NAME = re.compile(r"[^A-Za-z0-9]+")
 
 
 @lru_cache(maxsize=32)
@@ -120,7 +115,6 @@ def check(
     boxed = [check_box(truth, thing, names) for thing in things if isinstance(thing, BlackBox)]
     parts = [thing for thing in things if not isinstance(thing, BlackBox)]
     readings = [_read(truth, part, names, notation, about, function) for part in parts]
-    _refuse_absent(things, readings, names or {})
     statements = [statement for reading in readings for statement in reading.statements]
     if sum(map(bool, (values, convention, where))) > 1:
         raise InputError("check: of values, a convention and where, give one only")
@@ -159,39 +153,11 @@ def _plain(things: Sequence[Any], **asked: Any) -> None:
             )
 
 
-def _refuse_absent(
-    things: Sequence[Any], readings: Sequence[Reading], names: Mapping[str, str]
-) -> None:
-    """Refuse a name that is given a meaning and stands in none of the texts.
-
-    Letters and digits are compared, so that ``theta_1`` stands in ``\\theta_{1}``. What is no text
-    in ASCII may spell a name otherwise, and is not looked into.
-
-    Raises
-    ------
-    InputError
-        Naming it, and the names that were read.
-    """
-    if not all(isinstance(thing, str | Path) for thing in things):
-        return
-    texts = [file_text(thing) if isinstance(thing, Path) else thing for thing in things]
-    if not all(text.isascii() for text in texts):
-        return
-    plain = NOT_A_NAME.sub("", " ".join(texts))
-    for name in names:
-        if name.isascii() and NOT_A_NAME.sub("", name) not in plain:
-            found = dict.fromkeys(match.name for reading in readings for match in reading.names)
-            raise InputError(
-                f"name {name}={names[name]}: no text has {name!r}: it has {', '.join(found)}"
-            )
-
-
 def _check_program(
     truth: ProgramEquations, things: Sequence[Any], names: Mapping[str, str] | None, *how: Any
 ) -> Check:
     """Verdicts on a scene whose equations stay a program."""
     readings = [read(truth.scene, thing, names, *how) for thing in things]
-    _refuse_absent(things, readings, names or {})
     statements = [statement for reading in readings for statement in reading.statements]
     judged = tuple(Judged(s, judge(truth, s, {})) for s in statements)
     matches = {match.name: match for reading in readings for match in reading.names}

@@ -9,6 +9,7 @@ from collections.abc import Iterable, Iterator, Mapping
 
 from sympy import Basic, Derivative, Expr, Symbol, sympify
 from sympy.core.function import AppliedUndef
+from sympy.matrices import MatrixBase
 from sympy.physics.vector import dynamicsymbols
 
 from mechanics.errors import SceneError
@@ -92,7 +93,8 @@ def parts_of(expressions: Iterable[Basic]) -> Iterator[Basic]:
         if id(part) not in seen:
             seen.add(id(part))
             yield part
-            stack += part.args
+            # A matrix that may change is none of SymPy's expressions.
+            stack += part.flat() if isinstance(part, MatrixBase) else part.args
 
 
 def symbols_of(expressions: Iterable[Expr]) -> set[Symbol]:
