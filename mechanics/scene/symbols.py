@@ -87,11 +87,12 @@ def parts_of(expressions: Iterable[Basic]) -> Iterator[Basic]:
     SymPy's own walk meets a part as often as it occurs, which long programs of people do not bear.
     """
     stack = list(expressions)
-    seen: set[int] = set()
+    # What was seen is kept: another object may get the id of one that is gone.
+    seen: dict[int, Basic] = {}
     while stack:
         part = stack.pop()
         if id(part) not in seen:
-            seen.add(id(part))
+            seen[id(part)] = part
             yield part
             # A matrix that may change is none of SymPy's expressions.
             stack += part.flat() if isinstance(part, MatrixBase) else part.args
