@@ -55,6 +55,7 @@ def test_bounds_of_one_root_are_reached() -> None:
     numbers.root(0, ONE * fmpq(7, 3))
     u, l = numbers.bound(R.to_dict()) or (0, 0)
     assert (2**u, 2**l) == pytest.approx((sqrt(21), 3), rel=1e-5)
+    assert 2**u > sqrt(21), "rounding leaves it above"
 
 
 def test_what_is_no_root_has_no_bound() -> None:
