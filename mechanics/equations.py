@@ -5,24 +5,22 @@
     A u' = b                   constraints, differentiated down to u'
 
 B lambda are the reactions that maintain the constraints. A route that solves for dependent speeds
-has no lambda, and fewer rows.
+has no lambda, and fewer rows. A route derives them as a program; where a person can read them they
+are written in SymPy, too.
 """
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
-from functools import cached_property
 
 from sympy import Expr, Matrix, Symbol
 
 from mechanics.errors import InputError
-from mechanics.kernel.ring import TooLarge
 from mechanics.mechanism import Mechanism
-from mechanics.program import Program
 from mechanics.program.builder import Node
 from mechanics.scene import Scene
 
 FEW = 6
-"""Unknowns up to which M, f and B are written out even where rows could stand for them."""
+"""Unknowns up to which forms of forward dynamics are weighed by their errors, too."""
 
 
 @dataclass(frozen=True)
@@ -97,66 +95,122 @@ class Matrices:
     constraint_bias: Matrix
 
 
+@dataclass(frozen=True)
+class Rows:
+    """Equations of motion of one route, as nodes of the mechanism's builder.
+
+    Attributes
+    ----------
+    route : str
+    values : tuple of Node
+        Each is zero along every motion; as many as speeds, but for those that the constraints take.
+    multipliers : tuple of Node
+        Unknown reactions that stay, as inputs.
+    conjugate : bool
+        Whether the rows are power-conjugate to u: the virtual power of each speed.
+    reactions : mapping of str to Node
+        Reactions that were eliminated, in q, u, u' and the multipliers.
+    chosen : tuple of str
+        What the route picked, in words.
+    """
+
+    route: str
+    values: tuple[Node, ...]
+    multipliers: tuple[Node, ...]
+    conjugate: bool
+    reactions: Mapping[str, Node] = field(default_factory=dict)
+    chosen: tuple[str, ...] = ()
+
+    def __repr__(self) -> str:
+        return f"<{len(self.values)} rows by {self.route}>"
+
+
 @dataclass(frozen=True, eq=False, repr=False)
 class Equations:
-    """Equations of motion of a scene as one route derived them, in plain symbols.
+    """Equations of motion of a scene: as one route derived them, or given as matrices.
 
     Attributes
     ----------
     scene : Scene
     route : str
-    write : callable
-        Makes the matrices; called when one of them is first read.
     multipliers : tuple of Symbol
         lambda, m of them; empty where the route eliminates them.
     conjugate : bool
         Whether the rows are power-conjugate to u, so that M is symmetric and B = A^T up to the
         naming of the multipliers.
-    solve_reactions : callable or None
-        Finds the eliminated reactions; called when they are first asked for. None where the route
-        has none.
+    mechanism : Mechanism or None
+        The scene as nodes; None where somebody gave matrices.
+    rows : Rows or None
+        What the route derived, in the builder of the mechanism; None where somebody gave matrices.
+    textbook : Matrices or None
+        M, f, B, A and b in plain symbols; None for a scene that is too large to be written out.
+    reactions : tuple of (Symbol, Expr)
+        Eliminated reactions, linear in u' and lambda, in the order of the elimination, where they
+        are written out.
     chosen : tuple of str
         What the route picked, in words: free bodies and moment centres.
-    explain : callable
-        Makes the steps of the derivation before its result, for people; called when they are first
-        asked for.
     fixed : mapping of Symbol to Expr
-        Parameters that stand as numbers in these equations, while the scene still names them.
-    of_bodies : bool
-        Whether these are the scene's own equations, so that forms of forward dynamics may start
-        from its bodies; not so where a model was simplified.
-    write_rows : callable
-        Makes M u' - f - B lambda row by row as it was derived, before it is split into M, f and B,
-        where the route has that.
-    write_constraints : callable or None
-        Makes A and b alone, so that M and f need not be written out for them.
+        Parameters that stand as numbers in the matrices, while scene and program still name them.
     """
 
     scene: Scene
     route: str
-    write: Callable[[], Matrices]
     multipliers: tuple[Symbol, ...]
     conjugate: bool
-    solve_reactions: Callable[[], tuple[tuple[Symbol, Expr], ...]] | None = None
+    mechanism: Mechanism | None = None
+    rows: Rows | None = None
+    textbook: Matrices | None = None
+    reactions: tuple[tuple[Symbol, Expr], ...] = ()
     chosen: tuple[str, ...] = ()
-    explain: Callable[[], tuple[Step, ...]] = tuple
     fixed: Mapping[Symbol, Expr] = field(default_factory=dict)
-    of_bodies: bool = False
-    write_rows: Callable[[], tuple[Expr, ...]] = tuple
-    write_constraints: Callable[[], tuple[Matrix, Matrix]] | None = None
 
     def __repr__(self) -> str:
         return f"<equations of {self.scene.name} by {self.route}: {len(self.scene.u)} speeds>"
 
     @property
-    def tells_reactions(self) -> bool:
-        """Whether reactions that the route eliminates can be had."""
-        return self.solve_reactions is not None
-
-    @cached_property
     def matrices(self) -> Matrices:
-        """M, f, B, A and b."""
-        return self.write()
+        """M, f, B, A and b.
+
+        Raises
+        ------
+        InputError
+            Where the scene is too large for that.
+        """
+        if self.textbook is None:
+            raise InputError(
+                f"{self.scene.name}: its equations{self._size} are too long to be written out as"
+                " matrices M and f: call derive(scene, route), which gives them as a program; every"
+                " command takes that"
+            )
+        return self.textbook
+
+    @property
+    def _size(self) -> str:
+        if self.rows is None:
+            return ""
+        mechanism, rows = self.program
+        return f" of {mechanism.builder.program({'rows': rows.values}).count} operations"
+
+    @property
+    def program(self) -> tuple[Mechanism, Rows]:
+        """The scene as nodes, and the rows that the route derived.
+
+        Raises
+        ------
+        InputError
+            Where somebody gave matrices.
+        """
+        if self.mechanism is None or self.rows is None:
+            raise InputError(f"{self!r} were given as matrices: derive them for a program")
+        return self.mechanism, self.rows
+
+    @property
+    def tells_reactions(self) -> bool:
+        """Whether reactions that the route eliminates can be had.
+
+        Of a scene that is not written out by procedure (i), whatever the route.
+        """
+        return bool(self.reactions if self.textbook is not None else self.scene.reactions)
 
     @property
     def mass(self) -> Matrix:
@@ -173,44 +227,19 @@ class Equations:
         """B, r x m."""
         return self.matrices.reaction_matrix
 
-    @cached_property
-    def _constraints(self) -> tuple[Matrix, Matrix]:
-        if self.write_constraints is not None:
-            return self.write_constraints()
-        return self.matrices.constraint_matrix, self.matrices.constraint_bias
-
     @property
     def constraint_matrix(self) -> Matrix:
         """A, c x n."""
-        return self._constraints[0]
+        return self.matrices.constraint_matrix
 
     @property
     def constraint_bias(self) -> Matrix:
         """b, c x 1."""
-        return self._constraints[1]
-
-    @cached_property
-    def rows(self) -> tuple[Expr, ...]:
-        """M u' - f - B lambda as it was derived; empty where the route does not have that.
-
-        Where rows are not conjugate, a factor that M, f and B share may stand in a row here.
-        """
-        return self.write_rows()
+        return self.matrices.constraint_bias
 
     def with_matrices(self, **changed: Matrix) -> "Equations":
-        """The same equations with other matrices, which no rows stand for."""
-        matrices = replace(self.matrices, **changed)
-        return replace(self, write=lambda: matrices, write_rows=tuple, write_constraints=None)
-
-    @cached_property
-    def reactions(self) -> tuple[tuple[Symbol, Expr], ...]:
-        """Eliminated reactions, linear in u' and lambda, in the order of the elimination."""
-        return () if self.solve_reactions is None else self.solve_reactions()
-
-    @cached_property
-    def steps(self) -> tuple[Step, ...]:
-        """The derivation in steps, in the order in which it is carried out; the result is last."""
-        return (*self.explain(), self.result)
+        """The same equations with other matrices, that no program stands for."""
+        return replace(self, textbook=replace(self.matrices, **changed), mechanism=None, rows=None)
 
     @property
     def result(self) -> Step:
@@ -252,70 +281,12 @@ class Equations:
         return left, right
 
     @property
-    def long(self) -> bool:
-        """Whether `rows` stand for M, f and B, which are too long to be written out."""
-        return bool(self.rows) and len(self.unknowns) > FEW
-
-    @property
-    def readable(self) -> bool:
-        """Whether M, f and B can be written out: their normal form is not too large."""
-        try:
-            _ = self.system
-        except TooLarge:
-            return False
-        return True
-
-    @property
     def unknowns(self) -> tuple[Symbol, ...]:
         """(u', lambda) in the order of `system`."""
         return (*self.scene.ud, *self.multipliers)
 
 
-@dataclass(frozen=True, eq=False, repr=False)
-class ProgramEquations:
-    """Equations of motion of a scene that is too large to be written out: rows of a program.
-
-    Attributes
-    ----------
-    scene : Scene
-    route : str
-    mechanism : Mechanism
-        The scene as nodes.
-    values : tuple of Node
-        Rows in q, u, u' and the multipliers that vanish along every motion, in their builder.
-    multipliers : tuple of Node
-    conjugate : bool
-        Whether the rows are power-conjugate to u.
-    reactions : mapping of str to Node
-        Reactions that were eliminated, in q, u, u' and the multipliers.
-    """
-
-    scene: Scene
-    route: str
-    mechanism: Mechanism
-    values: tuple[Node, ...]
-    multipliers: tuple[Node, ...]
-    conjugate: bool
-    reactions: Mapping[str, Node]
-
-    def __repr__(self) -> str:
-        return (
-            f"<equations of {self.scene.name} by {self.route}: {len(self.values)} rows of"
-            f" {self.program.count} operations>"
-        )
-
-    @property
-    def tells_reactions(self) -> bool:
-        """Whether reactions can be had: by procedure (i), whatever the route."""
-        return bool(self.mechanism.reactions)
-
-    @property
-    def program(self) -> Program:
-        """The rows as a frozen program with the output ``"rows"``."""
-        return self.mechanism.builder.program({"rows": self.values})
-
-
-def written_out(equations: Equations | ProgramEquations) -> Equations:
+def written_out(equations: Equations) -> Equations:
     """Equations of whom M and f are expressions.
 
     Raises
@@ -323,10 +294,5 @@ def written_out(equations: Equations | ProgramEquations) -> Equations:
     InputError
         Where the scene is too large for that.
     """
-    if isinstance(equations, ProgramEquations):
-        raise InputError(
-            f"{equations.scene.name}: its equations of {equations.program.count} operations are too"
-            " long to be written out as matrices M and f: call derive(scene, route), which gives"
-            " them as a program; every command takes that"
-        )
+    _ = equations.matrices
     return equations

@@ -17,7 +17,7 @@ SCENE = rocker.scene()
     [
         (
             lambda: mechanics.compile(SCENE),
-            "compile: Equations or ProgramEquations wanted, Scene found: pass derive(",
+            "compile: Equations wanted, Scene found: pass derive(",
         ),
         (
             lambda: mechanics.simulate(SCENE, 1),
@@ -25,15 +25,15 @@ SCENE = rocker.scene()
         ),
         (
             lambda: mechanics.trade(SCENE, 1),
-            "trade: Equations or ProgramEquations wanted, Scene found",
+            "trade: Equations wanted, Scene found",
         ),
         (
             lambda: mechanics.extremes(SCENE),
-            "extremes: Equations or ProgramEquations wanted, Scene found",
+            "extremes: Equations wanted, Scene found",
         ),
         (
             lambda: mechanics.linearise(SCENE, {}),
-            "linearise: Equations or ProgramEquations wanted, Scene found",
+            "linearise: Equations wanted, Scene found",
         ),
         (lambda: mechanics.modes(SCENE), "modes: Linear wanted, Scene found: pass linearise("),
         (lambda: mechanics.write_c(SCENE, "c"), "write_c: Model wanted, Scene found"),

@@ -35,7 +35,7 @@ from mechanics.checks.virtual_power import (
 )
 from mechanics.crosscheck import CrossCheck, crosscheck
 from mechanics.crosscheck.by_sympy import METHODS
-from mechanics.crosscheck.programs import Programs, check_laws, derive_rows, is_written_out
+from mechanics.crosscheck.programs import Programs, check_laws, derive_rows
 from mechanics.crosscheck.programs import solved as solved_program
 from mechanics.crosscheck.sympy_table import too_large
 from mechanics.equations import Equations
@@ -43,7 +43,7 @@ from mechanics.kernel import Verdict
 from mechanics.kinematics.motion import poses
 from mechanics.program.interpret import interpret
 from mechanics.program.numpy_domain import Arrays
-from mechanics.routes.derivation import ROUTES
+from mechanics.routes.derivation import ROUTES, is_written_out
 from mechanics.routes.loads import potential as potential_of
 from mechanics.scene import Scene
 from mechanics.scene.potential import potential

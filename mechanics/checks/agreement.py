@@ -29,6 +29,7 @@ from dataclasses import dataclass
 from itertools import combinations
 
 from mechanics.checks.statements import equal
+from mechanics.equations import Rows
 from mechanics.errors import SingularError
 from mechanics.kernel import Finding, follows
 from mechanics.mechanism import Mechanism
@@ -36,7 +37,6 @@ from mechanics.program.builder import Node
 from mechanics.program.residues import Residues
 from mechanics.program.vectors import dot
 from mechanics.routes.rows import (
-    Rows,
     acceleration_forms,
     coefficients,
     remainder,

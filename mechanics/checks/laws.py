@@ -19,6 +19,7 @@ from typing import Any
 from mechanics.checks.agreement import Derived
 from mechanics.checks.energy import kinetic
 from mechanics.checks.statements import each_or_all, equal
+from mechanics.equations import Rows
 from mechanics.kernel import Finding
 from mechanics.kinematics import chain, differentiate
 from mechanics.kinematics.motion import Motions
@@ -39,7 +40,6 @@ from mechanics.routes.loads import (
     unit_reactions,
 )
 from mechanics.routes.rows import (
-    Rows,
     coefficients,
     remainder,
     substitute,

@@ -14,7 +14,8 @@ from sympy.matrices import MatrixBase
 from mechanics.checks.ledger_compare import equal, rounded
 from mechanics.checks.ledger_energy import ENERGIES, energy_pairs
 from mechanics.checks.ledger_momenta import DERIVED, derived
-from mechanics.checks.ledger_motion import Derived, check_equation, check_reaction
+from mechanics.checks.ledger_motion import check_equation, check_reaction
+from mechanics.equations import Equations
 from mechanics.errors import InputError
 from mechanics.kernel import Finding
 from mechanics.kinematics.momenta import momenta_written_out
@@ -29,7 +30,7 @@ QUANTITIES: tuple[type[Quantity], ...] = (
 
 
 def check_row(
-    scene: Scene, row: Published, equations: Derived | None = None, where: Sequence[Expr] = ()
+    scene: Scene, row: Published, equations: Equations | None = None, where: Sequence[Expr] = ()
 ) -> Finding:
     """Compare every typed side of a row with the quantity that the row is about.
 
@@ -37,7 +38,7 @@ def check_row(
     ----------
     scene : Scene
     row : Published
-    equations : Equations or ProgramEquations, optional
+    equations : Equations, optional
         Of one route; needed by rows about equations of motion and reactions along the motion.
     where : sequence of Expr
         What is positive at all states that are looked at, in coordinates and parameters; for rows

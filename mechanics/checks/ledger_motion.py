@@ -14,7 +14,7 @@ from sympy import Expr, Matrix, S, Symbol, fraction, together
 
 from mechanics.checks.ledger_compare import decide_in, equal
 from mechanics.checks.solution import put_solution
-from mechanics.equations import Equations, ProgramEquations
+from mechanics.equations import Equations
 from mechanics.errors import InputError
 from mechanics.kernel import Finding, Verdict, undecided
 from mechanics.kinematics.momenta import momenta_written_out
@@ -33,7 +33,6 @@ from mechanics.scene.symbols import symbols_of
 from mechanics.symbolic import Arithmetic, Number, decide, slope
 
 Pairs = list[tuple[Number, Number]]
-Derived = Equations | ProgramEquations
 
 STATIC = "it holds no acceleration, so it is no equation of motion"
 CURVED = (
@@ -43,7 +42,7 @@ CURVED = (
 
 
 def check_equation(
-    subject: str, sides: Sequence[Expr], equations: Derived, where: Sequence[Expr] = ()
+    subject: str, sides: Sequence[Expr], equations: Equations, where: Sequence[Expr] = ()
 ) -> Finding:
     """Whether a typed equation of motion holds, and says something, along the motion."""
     scene = equations.scene
@@ -58,7 +57,7 @@ def check_equation(
     found = decide_in(scene, subject, experiment, symbols_of(sides), where=where)
     if found.verdict is Verdict.REFUTED:
         return found
-    if isinstance(equations, ProgramEquations):
+    if equations.textbook is None:
         doubt = _of_no_motion(scene, sides)
         return undecided(subject, doubt) if doubt else found
     rates = gradient(scene, sides)
@@ -108,7 +107,7 @@ def _strange(scene: Scene, sides: Sequence[Expr]) -> str:
     )
 
 
-def _untold(equations: Derived, sides: Sequence[Expr]) -> str:
+def _untold(equations: Equations, sides: Sequence[Expr]) -> str:
     """Names the reactions in an equation that the route does not give values to."""
     held = {reaction.name for reaction in equations.scene.reactions}
     held &= {symbol.name for symbol in symbols_of(sides)}
@@ -124,7 +123,7 @@ def _bent(scene: Scene, rates: Sequence[Expr]) -> bool:
 
 
 def check_reaction(
-    subject: str, name: str, sides: Sequence[Expr], equations: Derived,
+    subject: str, name: str, sides: Sequence[Expr], equations: Equations,
     where: Sequence[Expr] = (),
 ) -> Finding:  # fmt: skip
     """Whether every typed side is the reaction, along the motion.
@@ -155,17 +154,18 @@ def check_reaction(
     return decide_in(equations.scene, subject, experiment, symbols_of(sides), where=where)
 
 
-def gives(equations: Derived, name: str) -> bool:
+def gives(equations: Equations, name: str) -> bool:
     """Whether equations tell a reaction: as a multiplier, or as one that was eliminated."""
-    if isinstance(equations, ProgramEquations):
-        return name in equations.reactions or name in map(name_of, equations.multipliers)
+    if equations.textbook is None:
+        rows = equations.program[1]
+        return name in rows.reactions or name in map(name_of, rows.multipliers)
     symbol = Symbol(name, real=True)
     if symbol in equations.multipliers:
         return True
-    return equations.solve_reactions is not None and symbol in dict(equations.reactions)
+    return symbol in dict(equations.reactions)
 
 
-def put_motion(a: Arithmetic, equations: Derived) -> None:
+def put_motion(a: Arithmetic, equations: Equations) -> None:
     """Let u', the multipliers and the reactions stand for their values along the motion.
 
     A reaction that friction depends on presses there: other states are no motion of the scene.
@@ -182,18 +182,18 @@ def gradient(scene: Scene, sides: Sequence[Expr]) -> list[Expr]:
     return [slope(residual, symbol) for symbol in scene.ud]
 
 
-def _closing(equations: Derived) -> Matrix:
+def _closing(equations: Equations) -> Matrix:
     """A of A u' = b."""
-    if not isinstance(equations, ProgramEquations):
+    if equations.textbook is not None:
         return equations.constraint_matrix
-    mechanism = equations.mechanism
+    mechanism, _ = equations.program
     matrix = coefficients(acceleration_forms(mechanism), mechanism.ud)
     program = mechanism.builder.program({"A": [entry for row in matrix for entry in row]})
     found = expressions(program, symbols(equations.scene))["A"]
     return Matrix(len(matrix), len(mechanism.ud), found)
 
 
-def check_complete(scene: Scene, rows: Sequence[Published], equations: Derived) -> Finding:
+def check_complete(scene: Scene, rows: Sequence[Published], equations: Equations) -> Finding:
     """Whether the typed equations of motion determine all accelerations.
 
     The constraints of the scene, differentiated down to u', count as rows too, so that the typed

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from mechanics.checks.agreement import Derived
 from mechanics.checks.statements import equal
+from mechanics.equations import Rows
 from mechanics.kernel import Finding
 from mechanics.kinematics import chain
 from mechanics.kinematics.motion import body_motions
@@ -15,7 +16,7 @@ from mechanics.program.vectors import scale, subtract
 from mechanics.routes.directions import used_directions
 from mechanics.routes.kane import inertial
 from mechanics.routes.loads import acting_reactions, applied, by_body
-from mechanics.routes.rows import Rows, substitute
+from mechanics.routes.rows import substitute
 
 
 def check_reactions(free_body: Rows, other: Derived) -> Finding:

@@ -3,7 +3,7 @@
 [[M, -B], [A, 0]] (u', lambda) = (f, b)
 """
 
-from mechanics.equations import Equations, ProgramEquations
+from mechanics.equations import Equations
 from mechanics.mechanism import name_of
 from mechanics.program.interpret import include
 from mechanics.routes.rows import acceleration_forms, coefficients, remainder
@@ -22,9 +22,9 @@ def proof_pays(scene: Scene) -> bool:
     return len(scene.u) <= LARGEST_PROOF
 
 
-def put_solution(a: Arithmetic, equations: Equations | ProgramEquations) -> None:
+def put_solution(a: Arithmetic, equations: Equations) -> None:
     """Let u', the multipliers and the reactions stand for their values along the motion."""
-    if isinstance(equations, ProgramEquations):
+    if equations.textbook is None:
         _put_program(a, equations)
         return
     for symbol, number in zip(equations.unknowns, solve(a, equations), strict=True):
@@ -33,15 +33,12 @@ def put_solution(a: Arithmetic, equations: Equations | ProgramEquations) -> None
         a.assign(symbol, a.value(expression))
 
 
-def _put_program(a: Arithmetic, equations: ProgramEquations) -> None:
+def _put_program(a: Arithmetic, equations: Equations) -> None:
     """The same where the rows are a program."""
-    mechanism, build, named = (
-        equations.mechanism,
-        equations.mechanism.builder,
-        symbols(equations.scene),
-    )
-    unknowns = (*mechanism.ud, *equations.multipliers)
-    rows = [*equations.values, *acceleration_forms(mechanism)]
+    mechanism, route = equations.program
+    build, named = mechanism.builder, symbols(equations.scene)
+    unknowns = (*mechanism.ud, *route.multipliers)
+    rows = [*route.values, *acceleration_forms(mechanism)]
     matrix = coefficients(rows, unknowns)
     right = [-entry for entry in remainder(build, rows, unknowns)]
     program = build.program({"matrix": [e for row in matrix for e in row], "right": right})
@@ -52,9 +49,9 @@ def _put_program(a: Arithmetic, equations: ProgramEquations) -> None:
     values = {name_of(node): value for node, value in zip(unknowns, solved, strict=True)}
     for name, value in values.items():
         a.assign(named[name], value)
-    if not equations.reactions:
+    if not route.reactions:
         return
-    told = build.program({name: [node] for name, node in equations.reactions.items()})
+    told = build.program({name: [node] for name, node in route.reactions.items()})
     given = {n: values[n] if n in values else a.value(named[n]) for n in told.inputs}
     for name, (value,) in include(a.builder, told, given).items():
         a.assign(named[name], value)

@@ -14,7 +14,7 @@ from mechanics.cli.values import assignments
 from mechanics.compiled import compile
 from mechanics.compiled.fixed import fix, read_fixed
 from mechanics.crosscheck import derive as derive_by
-from mechanics.equations import Equations, ProgramEquations
+from mechanics.equations import Equations
 from mechanics.report.notation import latex
 
 
@@ -53,7 +53,7 @@ def derive(
     scene = load(system).scene()
     table = read_fixed(scene, assignments(fixed or [], "--fix"))
     equations = derive_by(scene, route)
-    if isinstance(equations, ProgramEquations):
+    if equations.textbook is None:
         compile(equations, fixed={symbol.name: value for symbol, value in table.items()})
         typer.echo(PROGRAM_WRITERS[form](equations, table))
     else:

@@ -14,7 +14,7 @@ from sympy.printing.numpy import NumPyPrinter
 from mechanics.compiled.bordered import bind
 from mechanics.compiled.fixed import Fixed
 from mechanics.compiled.quantities import quantities
-from mechanics.equations import ProgramEquations
+from mechanics.equations import Equations
 from mechanics.program import Program
 from mechanics.program.listing import Listing, listing
 from mechanics.report.notation import latex
@@ -53,7 +53,7 @@ def solution(q, u, inputs, p):
 '''
 
 
-def program_text(equations: ProgramEquations, fixed: Fixed) -> str:
+def program_text(equations: Equations, fixed: Fixed) -> str:
     """One assignment a line, then the equations."""
     found = _listing(equations, fixed)
     lines = [f"{equations.scene.name}, by {equations.route}"]
@@ -62,7 +62,7 @@ def program_text(equations: ProgramEquations, fixed: Fixed) -> str:
     return "\n".join(lines)
 
 
-def program_latex(equations: ProgramEquations, fixed: Fixed) -> str:
+def program_latex(equations: Equations, fixed: Fixed) -> str:
     """The same in LaTeX."""
     found = _listing(equations, fixed)
     rows = [f"{latex(_subscript(name))} &= {_typeset(value)}" for name, value in found.lines]
@@ -70,7 +70,7 @@ def program_latex(equations: ProgramEquations, fixed: Fixed) -> str:
     return "\\begin{align}\n" + " \\\\\n".join(rows) + "\n\\end{align}"
 
 
-def program_python(equations: ProgramEquations, fixed: Fixed) -> str:
+def program_python(equations: Equations, fixed: Fixed) -> str:
     """A module of NumPy: the residual of the equations, and what solves them."""
     found, known = _listing(equations, fixed), quantities(equations, fixed, with_reactions=False)
     groups = {group: [entry.symbol for entry in getattr(known, group)] for group in GROUPS}
@@ -98,14 +98,14 @@ def program_python(equations: ProgramEquations, fixed: Fixed) -> str:
     )  # fmt: skip
 
 
-def _listing(equations: ProgramEquations, fixed: Fixed) -> Listing:
+def _listing(equations: Equations, fixed: Fixed) -> Listing:
     return listing(_program(equations, fixed), symbols(equations.scene))
 
 
-def _program(equations: ProgramEquations, fixed: Fixed) -> Program:
-    mechanism = equations.mechanism
-    rows = [*equations.values, *acceleration_forms(mechanism)]
-    program = mechanism.builder.program({"rows": rows})
+def _program(equations: Equations, fixed: Fixed) -> Program:
+    mechanism, rows = equations.program
+    every = [*rows.values, *acceleration_forms(mechanism)]
+    program = mechanism.builder.program({"rows": every})
     if not fixed:
         return program
     build, nodes = bind(program, {symbol.name: value for symbol, value in fixed.items()})

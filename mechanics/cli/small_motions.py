@@ -8,7 +8,6 @@ from sympy import Expr, Matrix, Rational
 from mechanics.cli.load import load
 from mechanics.cli.values import points
 from mechanics.crosscheck import derive
-from mechanics.equations import ProgramEquations
 from mechanics.errors import ExpressionError, InputError
 from mechanics.linear import Linear, damped, damped_modes, linearise, numeric_modes, stability
 from mechanics.linear import modes as exact_modes
@@ -100,7 +99,7 @@ def _linear(name: str, settings: list[str]) -> Linear:
             known = ", ".join((*coordinates, *inputs))
             raise InputError(f"{scene.name}: there is no coordinate or input {key!r}: {known}")
     equations = derive(scene, "lagrange")
-    if isinstance(equations, ProgramEquations):
+    if equations.textbook is None:
         # Formulas of these are no reading for a person.
         numbers = {symbol: with_numbers(scene, symbol) for symbol in scene.parameters}
         typer.echo("typical values: the equations are too long for formulas")

@@ -17,7 +17,6 @@ from mechanics.cli.files import refuse_unwritable, write, write_file
 from mechanics.cli.load import load
 from mechanics.cli.values import points, sorted_out
 from mechanics.crosscheck import derive, derive_textbook
-from mechanics.equations import ProgramEquations
 from mechanics.report.trade import trade_html
 from mechanics.report.trade_plot import standalone
 from mechanics.simulate.files import writable
@@ -81,7 +80,7 @@ def trade(
             parameters=parameters,
             inputs=inputs,
             target=target,
-            derive=None if isinstance(equations, ProgramEquations) else again,
+            derive=None if equations.textbook is None else again,
             progress=lambda words, share: status.update(f"{share:.0%} {escape(words)}"),
         )
     if report is not None:

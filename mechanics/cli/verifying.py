@@ -17,7 +17,7 @@ from mechanics.cli.files import write
 from mechanics.cli.findings import STYLES, counted, explain
 from mechanics.cli.load import CALL, built_in, load
 from mechanics.crosscheck import derive
-from mechanics.equations import Equations, ProgramEquations
+from mechanics.equations import Equations
 from mechanics.errors import InputError
 from mechanics.export.evidence.read import Folder, read_folder
 from mechanics.export.evidence.record import chain_record
@@ -83,7 +83,7 @@ def verify(
         raise typer.Exit(found.outcome.value)
 
 
-def _derived(folder: Folder, scene: str | None) -> tuple[Equations | ProgramEquations | None, str]:
+def _derived(folder: Folder, scene: str | None) -> tuple[Equations | None, str]:
     """The equations derived again, or why they are not."""
     if scene is not None:
         return derive(load(scene).scene(), folder.route), ""

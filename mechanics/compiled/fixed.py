@@ -14,7 +14,7 @@ from typing import Any
 import sympy
 from sympy import Expr, Matrix, Rational, Symbol
 
-from mechanics.equations import Equations
+from mechanics.equations import Equations, Matrices
 from mechanics.errors import InputError, RangeError, SingularError
 from mechanics.program.constants import rational
 from mechanics.scene import Scene
@@ -108,8 +108,9 @@ def fix(equations: Equations, table: Fixed) -> Equations:
     put = partial(fixed_matrix, equations, table)
     matrices = {name: put(matrix) for name, matrix in vars(equations.matrices).items()}
     fixed = replace(
-        equations.with_matrices(**matrices),
-        solve_reactions=equations.solve_reactions and partial(_reactions, equations, table),
+        equations,
+        textbook=Matrices(**matrices),
+        reactions=_reactions(equations, table),
         fixed={**equations.fixed, **table},
     )
     left, _ = fixed.system

@@ -11,17 +11,17 @@ from math import inf
 import casadi as ca
 import sympy
 
-from mechanics.compiled.fixed import Fixed, fix
-from mechanics.compiled.forms import FORMS, named_form
+from mechanics.compiled.fixed import Fixed
+from mechanics.compiled.forms import FORMS
 from mechanics.compiled.outputs import FORMS as PROGRAM_FORMS
-from mechanics.compiled.program_source import ProgramSource
 from mechanics.compiled.programs.gathered import gathered
 from mechanics.compiled.programs.reciprocals import with_reciprocals
 from mechanics.compiled.quantities import DIGITS, STATE, Quantities, quantities
+from mechanics.compiled.source import Source, with_fixed
 from mechanics.compiled.step import RK4, runge_kutta
-from mechanics.compiled.textbook import Textbook, dense_function
+from mechanics.compiled.textbook import dense_function
 from mechanics.compiled.translate import Translator
-from mechanics.equations import Equations, ProgramEquations
+from mechanics.equations import Equations
 from mechanics.errors import ExpressionError, InputError
 from mechanics.program.casadi_reader import read_routine
 from mechanics.scene.actions import frictions
@@ -41,7 +41,7 @@ class Graphs(Mapping[str, ca.Function]):
 
     Parameters
     ----------
-    equations : Equations or ProgramEquations
+    equations : Equations
     form : str
         Of forward dynamics, one of `mechanics.compiled.FORMS`, or ``"auto"``.
     fixed : mapping of Symbol to Expr
@@ -51,17 +51,17 @@ class Graphs(Mapping[str, ca.Function]):
 
     Attributes
     ----------
-    derived : Equations or ProgramEquations
+    derived : Equations
         As they were given.
     quantities : Quantities
         Of all arrays.
-    source : Textbook or ProgramSource
+    source : Source
         What makes the graphs of outputs.
     """
 
     def __init__(
         self,
-        equations: Equations | ProgramEquations,
+        equations: Equations,
         form: str = "auto",
         fixed: Fixed | None = None,
         outputs: Sequence[str] | None = None,
@@ -74,30 +74,17 @@ class Graphs(Mapping[str, ca.Function]):
         self._built: dict[str, ca.Function] = {}
         self._found: dict[str, tuple[str, dict[str, ca.SX]]] = {}
         self._named = form
-        self.source: Textbook | ProgramSource
-        if isinstance(equations, ProgramEquations):
-            self._known(equations, "reactions" in self._inputs)
-            self.source = ProgramSource(
-                equations, self.fixed, form, self.quantities, self._columns, self._constants
-            )
-            return
-        put = fix(equations, self.fixed)
-        if form != "auto":
-            # A form that there is not is refused at once; the cheapest is found when it is needed.
-            named_form(form, put)
-        self._known(put, "reactions" in self._inputs)
-        self.source = Textbook(
-            put, self.fixed, form, self.quantities, self._columns, self._constants, self._bound
-        )
-
-    def _known(self, equations: Equations | ProgramEquations, with_reactions: bool) -> None:
-        self.quantities: Quantities = quantities(equations, self.fixed, with_reactions)
+        put = with_fixed(equations, self.fixed, form)
+        self.quantities: Quantities = quantities(put, self.fixed, "reactions" in self._inputs)
         groups = {name: getattr(self.quantities, name) for name in (*STATE, "ud", "multipliers")}
         self._columns = {name: ca.SX.sym(name, len(group)) for name, group in groups.items()}
         self._columns["h"] = ca.SX.sym("h")
+        self.source = Source(
+            put, self.fixed, form, self.quantities, self._columns, self._constants, self._bound
+        )
 
     @property
-    def equations(self) -> Equations | ProgramEquations:
+    def equations(self) -> Equations:
         """With the fixed values, where they are written out."""
         return self.source.equations
 
@@ -185,16 +172,16 @@ class Graphs(Mapping[str, ca.Function]):
     @cached_property
     def _free(self) -> "Graphs | None":
         """The same functions of free parameters, where numbers can be put in place of these."""
-        written = isinstance(self.derived, Equations) and self._named == "auto"
+        written = self.derived.textbook is not None and self._named == "auto"
         if not self.fixed or not written or 0 in self.fixed.values():
             return None
         return Graphs(self.derived, outputs=tuple(self._inputs))
 
     def _solved(self, name: str, outputs: Mapping[str, ca.SX]) -> bool:
         """Whether forward dynamics solve the system at the numbers: a pivot may vanish there."""
-        if name != "forward_dynamics" or not isinstance(self.source, Textbook):
+        if name != "forward_dynamics" or self.source.matrices is None:
             return True
-        return self.source.solved_by(ca.vertcat(*outputs.values()))
+        return self.source.matrices.solved_by(ca.vertcat(*outputs.values()))
 
     def _put(self, name: str, free: "Graphs") -> dict[str, ca.SX]:
         """Graphs of free parameters with the fixed numbers."""
@@ -256,14 +243,14 @@ def _symbols(graph: ca.SX) -> ca.SX:
     return ca.vertcat(*ca.symvar(graph)) if ca.symvar(graph) else ca.SX(0, 1)
 
 
-def form_names(equations: Equations | ProgramEquations) -> tuple[str, ...]:
+def form_names(equations: Equations) -> tuple[str, ...]:
     """Forms of forward dynamics that may suit some equations."""
-    if isinstance(equations, ProgramEquations):
+    if equations.textbook is None:
         return PROGRAM_FORMS
     return tuple(form.name for form in FORMS if not form.unsuited(equations))
 
 
-def function_inputs(equations: Equations | ProgramEquations) -> Inputs:
+def function_inputs(equations: Equations) -> Inputs:
     """The functions of a model, with their inputs beside the state."""
     found: Inputs = {
         "forward_dynamics": (),

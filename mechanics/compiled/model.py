@@ -23,7 +23,7 @@ from mechanics.compiled.graphs import Graphs
 from mechanics.compiled.machine.evaluator import FLAGS
 from mechanics.compiled.machine.native import find_compiler
 from mechanics.compiled.programs.of_model import Programs
-from mechanics.equations import Equations, ProgramEquations
+from mechanics.equations import Equations
 from mechanics.errors import wanted
 
 Array = NDArray[np.floating]
@@ -159,7 +159,7 @@ class Model(Functions):
 
 
 def compile(
-    equations: Equations | ProgramEquations,
+    equations: Equations,
     *,
     compiler: str | None = "auto",
     flags: str = FLAGS[0],
@@ -174,7 +174,7 @@ def compile(
 
     Parameters
     ----------
-    equations : Equations or ProgramEquations
+    equations : Equations
         M, f, the residual and the reactions of a scene that is too large to be written out are
         those of rows conjugate to u, whatever the route.
     compiler : str or None
@@ -205,7 +205,7 @@ def compile(
     SingularError
         If the equations do not determine the accelerations at the fixed values.
     """
-    wanted(equations, (Equations, ProgramEquations), "compile", "pass derive(scene, route)")
+    wanted(equations, Equations, "compile", "pass derive(scene, route)")
     found = find_compiler() if compiler == "auto" else compiler
     table = read_fixed(equations.scene, fixed or {})
     graphs = Graphs(equations, form, table, outputs)

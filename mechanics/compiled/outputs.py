@@ -14,7 +14,7 @@ inverse dynamics are the forces to be added, tau = rows(q, u, u', lambda(q, u)).
 
 All rows are power-conjugate to u, so that they are equal and not only equivalent: which of them an
 output is made from is a matter of operations alone. Friction couples the rows with the reactions
-that press, and the rows are those of the route. `mechanics.compiled.custody.program_laws` shows
+that press, and the rows are those of the route. `mechanics.compiled.custody.laws` shows
 each. Parameters that are fixed are numbers before operations are counted.
 """
 
@@ -27,6 +27,7 @@ from functools import cached_property
 from sympy import Expr
 
 from mechanics.compiled.bordered import Bordered, Choose, bind, bordered
+from mechanics.equations import Rows as RouteRows
 from mechanics.errors import InputError
 from mechanics.kinematics import chain
 from mechanics.kinematics.motion import body_motions, poses
@@ -45,7 +46,6 @@ from mechanics.recursions.pseudo_inertia import grouped, moments
 from mechanics.routes import free_body, kane
 from mechanics.routes.lagrange import kinetic_energy
 from mechanics.routes.loads import potential
-from mechanics.routes.rows import Rows as RouteRows
 from mechanics.routes.rows import acceleration_forms, coefficients, remainder, substitute
 
 Rows = tuple[Node, ...]

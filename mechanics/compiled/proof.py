@@ -1,7 +1,7 @@
 """What was compiled is still the same mathematics: CasADi graphs against the derived equations.
 
-In exact arithmetic: the graphs are walked instruction by instruction, what was derived as SymPy
-expressions, at the values of parameters that are fixed. The graphs are those that are bound and
+In exact arithmetic: the graphs are walked instruction by instruction, at the values of parameters
+that are fixed. The graphs are those that are bound and
 evaluated, with pi and other numbers that no double holds still standing as symbols.
 `mechanics.compiled.custody` has the laws, and the rest of the chain down to the machine code.
 """
@@ -12,12 +12,11 @@ from typing import Any
 import casadi as ca
 
 from mechanics.compiled.custody.code import code_of
-from mechanics.compiled.custody.derived import Known, derived
+from mechanics.compiled.custody.derived import Derived, derived
 from mechanics.compiled.custody.graph import STEP, prove_derived
 from mechanics.compiled.custody.laws import LAWS
 from mechanics.compiled.graphs import Graphs
 from mechanics.compiled.model import Model
-from mechanics.equations import ProgramEquations
 from mechanics.errors import InputError
 from mechanics.kernel import Finding
 
@@ -43,7 +42,7 @@ def prove_compiled(
     present = tuple(model.casadi)
     names = [n for n in DEFAULT if n in present] if functions is None else functions
     graphs = model.casadi
-    once = derived(graphs, names) if isinstance(graphs.derived, ProgramEquations) else None
+    once = derived(graphs)
     return tuple(prove_graph(name, graphs, known=once, **options) for name in names)
 
 
@@ -51,7 +50,7 @@ def prove_graph(
     name: str,
     graphs: Graphs,
     function: ca.Function | None = None,
-    known: Known | None = None,
+    known: Derived | None = None,
     **options: Any,
 ) -> Finding:
     """Decide whether one graph is what was derived.
@@ -63,7 +62,7 @@ def prove_graph(
     graphs : Graphs
     function : casadi.Function, optional
         The graph to examine, with the inputs of ``graphs.exact(name)``; that one by default.
-    known : Known, optional
+    known : Derived, optional
         What was derived, where the caller has it.
 
     Raises
@@ -75,5 +74,5 @@ def prove_graph(
         raise InputError(f"function {name!r}: what it should be is known for {', '.join(LAWS)}")
     own, constants = graphs.exact(name)
     rates = code_of(*graphs.exact_rates()) if name == STEP else None
-    law = known or derived(graphs, (name,), by_rows=True)
+    law = known or derived(graphs)
     return prove_derived(name, code_of(function or own, constants), law, rates, **options)

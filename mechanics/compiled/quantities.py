@@ -12,9 +12,9 @@ from functools import cached_property
 import sympy
 from sympy import Expr, Symbol
 
-from mechanics.equations import Equations, ProgramEquations
+from mechanics.equations import Equations
 from mechanics.errors import ValueMissingError
-from mechanics.mechanism import GROUND, Mechanism, inputs_of, lower, name_of
+from mechanics.mechanism import GROUND, Mechanism, inputs_of, lower
 from mechanics.program.builder import Builder, Node
 from mechanics.program.operations import COS, SIN, TAN
 from mechanics.program.program import reachable
@@ -97,7 +97,7 @@ class Quantities:
 
 
 def quantities(
-    equations: Equations | ProgramEquations,
+    equations: Equations,
     fixed: Mapping[Symbol, Expr] | None = None,
     with_reactions: bool = True,
 ) -> Quantities:
@@ -105,7 +105,7 @@ def quantities(
 
     Parameters
     ----------
-    equations : Equations or ProgramEquations
+    equations : Equations
     fixed : mapping of Symbol to Expr, optional
         Values of parameters that are no longer given.
     with_reactions : bool
@@ -127,15 +127,12 @@ def quantities(
     definitions = {
         s: sympy.sympify(e).xreplace(known) for s, e in scene.definitions.items() if s not in known
     }
-    multipliers: Iterable[Symbol] = ()
-    if isinstance(equations, Equations):
-        multipliers = equations.multipliers
-        told = [symbol for symbol, _ in equations.reactions] if with_reactions else []
-    else:
-        own = {r.name: r.symbol for r in scene.reactions}
-        names = map(name_of, equations.multipliers)
-        multipliers = [own[n] if n in own else Symbol(n, real=True) for n in names]
-        told = [r.symbol for r in scene.reactions] if with_reactions else []
+    told: list[Symbol] = []
+    if with_reactions:
+        written = equations.textbook is not None
+        told = (
+            [s for s, _ in equations.reactions] if written else [r.symbol for r in scene.reactions]
+        )
     return Quantities(
         q=motion(scene.q, turning_q, 0),
         u=motion(scene.u, turning, 1),
@@ -144,17 +141,17 @@ def quantities(
             _input(mechanism, symbol) for symbol in input_symbols(equations, with_reactions)
         ),
         p=tuple(_parameter(symbol) for symbol in scene.parameters if symbol not in known),
-        multipliers=tuple(declared.get(s, Quantity(s, "", "multiplier")) for s in multipliers),
+        multipliers=tuple(
+            declared.get(s, Quantity(s, "", "multiplier")) for s in equations.multipliers
+        ),
         reactions=tuple(declared.get(s, Quantity(s, "N")) for s in told),
         definitions=definitions,
     )
 
 
-def mechanism_of(equations: Equations | ProgramEquations) -> Mechanism:
+def mechanism_of(equations: Equations) -> Mechanism:
     """The scene of some equations as nodes."""
-    if isinstance(equations, ProgramEquations):
-        return equations.mechanism
-    return lower(equations.scene, Builder())
+    return equations.mechanism or lower(equations.scene, Builder())
 
 
 def typical_value(symbol: Symbol, definitions: Mapping[Symbol, Expr]) -> float:
@@ -222,9 +219,7 @@ def _turns(scene: Scene, speed: Symbol, angles: set[Symbol]) -> bool:
     return any(q in angles for q in driven)
 
 
-def input_symbols(
-    equations: Equations | ProgramEquations, with_reactions: bool = False
-) -> list[Symbol]:
+def input_symbols(equations: Equations, with_reactions: bool = False) -> list[Symbol]:
     """Inputs in the scene's order, then their rates up to the highest that occurs, then time.
 
     Time is there wherever the scene writes it, though it may cancel in the equations of a route.
@@ -234,7 +229,7 @@ def input_symbols(
     orders = range(1, len(DOTS))
     given = {plain_symbol(f, k) for f in scene.inputs for k in orders}
     used = _used(equations, given) if given else set()
-    if with_reactions and isinstance(equations, Equations):
+    if with_reactions:
         for _, expression in equations.reactions:
             used |= expression.free_symbols
     found = list(scene.input_symbols)
@@ -245,15 +240,13 @@ def input_symbols(
     return found + ([TIME] if scene.explicit_time else [])
 
 
-def _used(equations: Equations | ProgramEquations, given: set[Symbol]) -> set[Symbol]:
-    """Those of the given symbols that the equations hold; M and f are not written out for none."""
-    if isinstance(equations, ProgramEquations):
-        closing = acceleration_forms(equations.mechanism)
-        held = names_of((*equations.values, *closing, *equations.reactions.values()))
+def _used(equations: Equations, given: set[Symbol]) -> set[Symbol]:
+    """Those of the given symbols that the equations hold."""
+    if equations.textbook is None and equations.rows is not None:
+        closing = acceleration_forms(mechanism_of(equations))
+        rows = equations.rows
+        held = names_of((*rows.values, *closing, *rows.reactions.values()))
         return {symbol for symbol in given if symbol.name in held}
-    rows = (*equations.rows, *equations.constraint_matrix, *equations.constraint_bias)
-    if equations.rows and not any(row.free_symbols & given for row in rows):
-        return set()
     left, right = equations.system
     return (left.free_symbols | right.free_symbols) & given
 

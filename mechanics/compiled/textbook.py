@@ -21,19 +21,11 @@ from mechanics.compiled.fixed import Fixed
 from mechanics.compiled.forms import Form, System, written
 from mechanics.compiled.forms.order import Order
 from mechanics.compiled.mechanical import Totals, totals
-from mechanics.compiled.outputs import Outputs
-from mechanics.compiled.program_source import graphs_of, outputs_of
 from mechanics.compiled.quantities import STATE, Quantities
 from mechanics.compiled.translate import Translator
 from mechanics.equations import Equations
-from mechanics.mechanism import lower
-from mechanics.program import Builder
-from mechanics.scene.actions import frictions
 
 Table = Mapping[sympy.Symbol, ca.SX]
-
-OF_EVERY_ROUTE = frozenset({"inverse_dynamics", "jacobians", "energy"})
-"""Functions that are the same whatever the rows of a route are, and that programs make shorter."""
 
 
 def instructions(outputs: Mapping[str, ca.SX]) -> int:
@@ -80,29 +72,8 @@ class Textbook:
     bound: Callable[[list[ca.SX]], list[ca.SX]]
 
     def outputs(self, name: str) -> dict[str, ca.SX]:
-        """The graphs of the outputs of a function.
-
-        What every route has to give is compiled from what is shorter, the matrices of this one or
-        the programs of the scene's mechanism.
-        """
-        own = self._every[name]()
-        if name not in OF_EVERY_ROUTE or self._programs is None:
-            return own
-        constants = dict(self.constants)
-        other = graphs_of(name, self._programs, self.quantities, self.columns, constants)
-        if instructions(other) >= instructions(own):
-            return own
-        self.constants.update(constants)
-        return other
-
-    @cached_property
-    def _programs(self) -> Outputs | None:
-        """Programs of the mechanism, where the equations are those of a tree of bodies."""
-        equations, scene = self.equations, self.equations.scene
-        if not equations.of_bodies or scene.constraints or frictions(scene):
-            return None
-        fixed = {symbol.name: value for symbol, value in self.fixed.items()}
-        return outputs_of(lower(scene, Builder()), self.quantities, fixed, "auto")
+        """The graphs of the outputs of a function."""
+        return self._every[name]()
 
     @cached_property
     def _every(self) -> dict[str, Callable[[], dict[str, ca.SX]]]:

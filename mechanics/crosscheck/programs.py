@@ -28,17 +28,11 @@ from mechanics.program.builder import Node
 from mechanics.program.residues import Residues
 from mechanics.program.sympy_reader import read
 from mechanics.program.vectors import dot
-from mechanics.routes import kane
 from mechanics.routes.derivation import ROUTES
 from mechanics.routes.rows import substitute
 
 DERIVATIONS = {route.name: route.rows for route in ROUTES}
 """By name of a route: what makes its rows."""
-
-LARGEST_TEXTBOOK = 600
-"""Operations of Kane's rows up to which the equations are written out."""
-MOST_IN_SPACE = 3
-"""Bodies with a full inertia up to which they are: more in space are no reading for a person."""
 
 
 @dataclass(frozen=True)
@@ -63,18 +57,6 @@ class Programs:
     def operations(self, name: str) -> int:
         """Operations of a route's rows, shared ones once."""
         return self.mechanism.builder.program({"rows": self.routes[name].rows.values}).count
-
-
-def is_written_out(mechanism: Mechanism) -> bool:
-    """Whether a scene is small enough for its equations to be read, by any route.
-
-    Decided by counts alone, before anything is written.
-    """
-    in_space = sum(body.inertia is not None and not body.scalar for body in mechanism.bodies)
-    if in_space > MOST_IN_SPACE:
-        return False
-    rows = kane.derive(mechanism).values
-    return mechanism.builder.program({"rows": rows}).count <= LARGEST_TEXTBOOK
 
 
 def derive_rows(

@@ -3,12 +3,9 @@
 from collections.abc import Sequence
 
 from mechanics.checks.admissible import check_scene
-from mechanics.crosscheck.programs import is_written_out
-from mechanics.equations import Equations, ProgramEquations, written_out
+from mechanics.equations import Equations, written_out
 from mechanics.errors import InputError, wanted
-from mechanics.mechanism import Mechanism
 from mechanics.routes.derivation import ROUTES, Route
-from mechanics.routes.rows import Rows
 from mechanics.scene import Scene
 
 
@@ -27,10 +24,10 @@ def named_routes(names: Sequence[str]) -> tuple[Route, ...]:
     return tuple(route for route in ROUTES if not names or route.name in names)
 
 
-def derive(scene: Scene, route: str = "free_body") -> Equations | ProgramEquations:
+def derive(scene: Scene, route: str = "free_body") -> Equations:
     """Equations of motion of a scene by one route, after the scene was found admissible.
 
-    A scene that is too large to be written out gives `ProgramEquations`.
+    Those of a scene that is too large for a person to read are a program alone, without matrices.
 
     Parameters
     ----------
@@ -48,17 +45,7 @@ def derive(scene: Scene, route: str = "free_body") -> Equations | ProgramEquatio
     wanted(scene, Scene, "derive", "pass what scene() of a system gives")
     (chosen,) = named_routes((route,))
     mechanism = check_scene(scene)
-    rows = chosen.rows(mechanism)
-    if is_written_out(mechanism):
-        return chosen.written(scene, mechanism, rows)
-    return as_program(scene, mechanism, rows)
-
-
-def as_program(scene: Scene, mechanism: Mechanism, rows: Rows) -> ProgramEquations:
-    """Rows of a route as equations that stay a program."""
-    return ProgramEquations(
-        scene, rows.route, mechanism, rows.values, rows.multipliers, rows.conjugate, rows.reactions
-    )
+    return chosen.equations(scene, mechanism, chosen.rows(mechanism))
 
 
 def derive_textbook(scene: Scene, route: str = "free_body") -> Equations:
@@ -76,6 +63,6 @@ def derive_with(scene: Scene, names: Sequence[str] = ()) -> dict[str, Equations]
     """Equations of motion by several routes, all of them for no name."""
     mechanism = check_scene(scene)
     return {
-        route.name: route.written(scene, mechanism, route.rows(mechanism))
+        route.name: route.equations(scene, mechanism, route.rows(mechanism))
         for route in named_routes(names)
     }

@@ -6,6 +6,7 @@ scene --> routes --> pairs, laws, ledger --> compiled graphs --> residuals --> s
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from functools import partial
 
 from sympy import Symbol
 
@@ -22,7 +23,7 @@ from mechanics.checks.virtual_power import (
     check_virtual_power,
     drawn_states,
 )
-from mechanics.clock import Stopwatch
+from mechanics.clock import timed
 from mechanics.compiled import Model, compile, prove_compiled
 from mechanics.compiled.finite import not_finite
 from mechanics.crosscheck.by_sympy import by_sympy, matrix_operations
@@ -33,17 +34,16 @@ from mechanics.crosscheck.programs import (
     check_laws,
     check_textbook,
     derive_rows,
-    is_written_out,
     solved,
 )
-from mechanics.crosscheck.routes import as_program, named_routes
+from mechanics.crosscheck.routes import named_routes
 from mechanics.crosscheck.small_motions import small_motions
 from mechanics.equations import Equations
 from mechanics.errors import wanted
 from mechanics.kernel import Finding, Verdict
 from mechanics.linear.ledger import check_linear_row
 from mechanics.report.result import LedgerResult, RouteResult, SystemResult
-from mechanics.routes.derivation import by_route
+from mechanics.routes.derivation import as_program, by_route, steps_of
 from mechanics.scene import Scene
 from mechanics.scene.actions import frictions
 from mechanics.scene.potential import potential
@@ -114,9 +114,9 @@ def crosscheck(system: System | Scene, options: CrossCheck | None = None) -> Sys
     mechanism = check_scene(scene)
     names = [route.name for route in named_routes(options.routes)]
     programs = derive_rows(mechanism, names, stage)
-    if not is_written_out(mechanism):
-        return _without_textbook(system, scene, programs, stage)
-    derived, seconds = _written_out(scene, programs, stage)
+    derived, seconds = _equations(scene, programs, stage)
+    if any(equations.textbook is None for equations in derived.values()):
+        return _without_textbook(system, derived, programs, stage)
     stage("comparing routes")
     pairs = compare_pairs(programs.routes)
     sympy = by_sympy(scene, programs, pairs, stage)
@@ -168,6 +168,7 @@ def crosscheck(system: System | Scene, options: CrossCheck | None = None) -> Sys
                 matrix_operations(models[name]),
                 models[name].form,
                 models[name].program("forward_dynamics").operations,
+                steps=steps_of(equations),
             )
             for name, equations in derived.items()
         },
@@ -184,9 +185,14 @@ def crosscheck(system: System | Scene, options: CrossCheck | None = None) -> Sys
 
 
 def _without_textbook(
-    system: System, scene: Scene, programs: Programs, stage: Callable[[str], None]
+    system: System,
+    derived: Mapping[str, Equations],
+    programs: Programs,
+    stage: Callable[[str], None],
 ) -> SystemResult:
     """Of a scene that is too large to be written out by SymPy: the routes are programs alone."""
+    first = next(iter(derived.values()))
+    scene = first.scene
     stage("comparing routes")
     pairs = compare_pairs(programs.routes)
     sympy = by_sympy(scene, programs, pairs, stage)
@@ -194,8 +200,7 @@ def _without_textbook(
     findings = [*pairs.values(), *check_laws(programs)]
     remarks = ["The equations are too long to be written out, and stay programs."]
     stage("compiling")
-    rows = next(iter(programs.routes.values())).rows
-    model = compile(as_program(scene, programs.mechanism, rows))
+    model = compile(first)
     findings += prove_compiled(model, [name for name in model.casadi if name != "step"])
     stage("the scene as declared")
     states = drawn_states(scene)
@@ -230,18 +235,15 @@ def _without_textbook(
     )
 
 
-def _written_out(
+def _equations(
     scene: Scene, programs: Programs, stage: Callable[[str], None]
 ) -> tuple[dict[str, Equations], dict[str, float]]:
     derived, seconds = {}, {}
     for route in named_routes(tuple(programs.routes)):
         stage(f"writing out {route.name}")
-        watch = Stopwatch()
         rows = programs.routes[route.name].rows
-        derived[route.name] = route.written(scene, programs.mechanism, rows)
-        # M and f are written out when they are first read: they belong to the derivation.
-        _ = derived[route.name].system
-        seconds[route.name] = programs.seconds[route.name] + watch.seconds
+        derived[route.name], own = timed(partial(route.equations, scene, programs.mechanism, rows))
+        seconds[route.name] = programs.seconds[route.name] + own
     return derived, seconds
 
 

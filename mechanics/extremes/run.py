@@ -9,7 +9,7 @@ import numpy as np
 
 from mechanics.compiled import Model, compile
 from mechanics.compiled.graphs import form_names
-from mechanics.equations import Equations, ProgramEquations
+from mechanics.equations import Equations
 from mechanics.errors import InputError, wanted
 from mechanics.extremes.axes import axes
 from mechanics.extremes.domain import reaches
@@ -21,7 +21,7 @@ from mechanics.scene.system import Path
 
 
 def extremes(
-    equations: Equations | ProgramEquations,
+    equations: Equations,
     *,
     name: str = "",
     paths: Sequence[Path] = (),
@@ -33,7 +33,7 @@ def extremes(
 
     Parameters
     ----------
-    equations : Equations or ProgramEquations
+    equations : Equations
     name : str
         Of the system, for people; by default that of the scene.
     paths : sequence of Path
@@ -52,7 +52,7 @@ def extremes(
     ExpressionError
         If an operation of the equations has no enclosure; it is named.
     """
-    wanted(equations, (Equations, ProgramEquations), "extremes", "pass derive(scene, route)")
+    wanted(equations, Equations, "extremes", "pass derive(scene, route)")
     default = compile(equations, compiler=compiler)
     chosen = list(dict.fromkeys([*(forms or form_names(equations)), default.form]))
     models = {form: compile(equations, compiler=compiler, form=form) for form in chosen}

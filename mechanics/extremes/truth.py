@@ -18,7 +18,7 @@ import sympy
 from flint import arb, arb_mat
 
 from mechanics.compiled.quantities import angles
-from mechanics.equations import Equations, ProgramEquations
+from mechanics.equations import Equations
 from mechanics.kernel import Statement
 from mechanics.kernel.balls import Balls, precision
 from mechanics.kernel.independence import generic_rank
@@ -171,12 +171,12 @@ class Truth:
         return generic_rank(left, "left", n, {}) < n
 
 
-def truth(equations: Equations | ProgramEquations, symbols: Sequence[sympy.Symbol]) -> Truth:
+def truth(equations: Equations, symbols: Sequence[sympy.Symbol]) -> Truth:
     """Enclosures for the linear system of a set of equations.
 
     Parameters
     ----------
-    equations : Equations or ProgramEquations
+    equations : Equations
     symbols : sequence of Symbol
         Everything that has a value: q, u, inputs, parameters.
 
@@ -187,7 +187,7 @@ def truth(equations: Equations | ProgramEquations, symbols: Sequence[sympy.Symbo
     TooLarge
         If the normal form is.
     """
-    if isinstance(equations, ProgramEquations):
+    if equations.textbook is None:
         return _truth_of_program(equations, symbols)
     left, right = equations.system
     builder = Builder()
@@ -202,11 +202,11 @@ def truth(equations: Equations | ProgramEquations, symbols: Sequence[sympy.Symbo
     return Truth(left.rows, names, builder.program(terms, names), turning)
 
 
-def _truth_of_program(equations: ProgramEquations, symbols: Sequence[sympy.Symbol]) -> Truth:
+def _truth_of_program(equations: Equations, symbols: Sequence[sympy.Symbol]) -> Truth:
     """The same where the terms are what the program adds up, nothing expanded."""
-    mechanism, build = equations.mechanism, equations.mechanism.builder
-    unknowns = (*mechanism.ud, *equations.multipliers)
-    rows = [*equations.values, *acceleration_forms(mechanism)]
+    mechanism, route = equations.program
+    build, unknowns = mechanism.builder, (*mechanism.ud, *route.multipliers)
+    rows = [*route.values, *acceleration_forms(mechanism)]
     right = [-entry for entry in remainder(build, rows, unknowns)]
     entries = [
         entry

@@ -22,7 +22,8 @@ from sympy.core.relational import Eq, Ge, Gt, Le, Lt, Ne, Relational
 from sympy.logic.boolalg import And, Boolean, Not, Or
 
 from mechanics.checks.ledger_compare import settle_defined
-from mechanics.checks.ledger_motion import Derived, put_motion
+from mechanics.checks.ledger_motion import put_motion
+from mechanics.equations import Equations
 from mechanics.errors import ExpressionError
 from mechanics.judge.entered import Region, entered
 from mechanics.judge.guards import inside, is_guard
@@ -50,7 +51,7 @@ def has_guard(row: Published, demands: Sequence[Demand]) -> bool:
     return any(is_guard(s, demands) for r in relations for s in (r, Not(r)))
 
 
-def check_cases(truth: Derived, row: Published, demands: Sequence[Demand] = ()) -> Finding | None:
+def check_cases(truth: Equations, row: Published, demands: Sequence[Demand] = ()) -> Finding | None:
     """The finding of a row with cases, from its cases one by one; None where that is no help.
 
     Parameters
@@ -112,7 +113,7 @@ def _in_words(condition: Relational) -> str:
     return f"{condition.lhs} {sign} {condition.rhs}" if sign else str(condition)
 
 
-def in_case(truth: Derived, row: Published, conditions: tuple[Relational, ...]) -> Finding:
+def in_case(truth: Equations, row: Published, conditions: tuple[Relational, ...]) -> Finding:
     """The finding of a case where its conditions hold.
 
     Where no symbols are found that make them hold, the case may be right everywhere, or wrong at a
@@ -242,7 +243,7 @@ def _of_scene(witness: Witness, region: Region) -> Witness:
     return replace(witness, state=tuple(sorted(state.items())), solved=tuple(solved.items()))
 
 
-def _in_region(truth: Derived, row: Published, region: Region) -> Callable[[Arithmetic], Pairs]:
+def _in_region(truth: Equations, row: Published, region: Region) -> Callable[[Arithmetic], Pairs]:
     def experiment(a: Arithmetic) -> Pairs:
         for symbol, value in region.items():
             a.assign(symbol, a.value(value))

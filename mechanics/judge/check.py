@@ -8,7 +8,7 @@ from functools import lru_cache
 from typing import Any
 
 from mechanics.crosscheck.routes import derive
-from mechanics.equations import Equations, ProgramEquations
+from mechanics.equations import Equations
 from mechanics.errors import InputError, wanted
 from mechanics.judge.at_values import Values, read_values, right_at
 from mechanics.judge.at_values import words as in_words
@@ -36,13 +36,13 @@ from mechanics.scene.system import System
 
 
 @lru_cache(maxsize=32)
-def derived(scene: Scene) -> Equations | ProgramEquations:
+def derived(scene: Scene) -> Equations:
     """What statements about a scene are compared with: the route that has the reactions."""
     return derive(scene, "free_body")
 
 
 def check(
-    scene: Scene | System | Equations | ProgramEquations,
+    scene: Scene | System | Equations,
     equations: Any,
     *,
     names: Mapping[str, str] | None = None,
@@ -58,7 +58,7 @@ def check(
 
     Parameters
     ----------
-    scene : Scene, System, Equations or ProgramEquations
+    scene : Scene, System or Equations
         What they are about; equations that were derived already save that time. Where they stay a
         program, statements are judged as they stand: nothing is said of what would mend them.
     equations : str, Path, SymPy object, function, or a sequence of them
@@ -100,14 +100,14 @@ def check(
     InputError
         When nothing can be read, by line and column.
     """
-    kinds = (Scene, System, Equations, ProgramEquations)
+    kinds = (Scene, System, Equations)
     wanted(scene, kinds, "check", "pass a scene, or one of systems.ALL")
-    if isinstance(scene, Equations | ProgramEquations):
+    if isinstance(scene, Equations):
         truth = scene
     else:
         truth = derived(scene.scene() if isinstance(scene, System) else scene)
     things = spread(equations)
-    if isinstance(truth, ProgramEquations):
+    if truth.textbook is None:
         _plain(things, convention=convention, values=values, where=where)
         return _check_program(truth, things, names, notation, about, function)
     if (convention or where) and any(isinstance(thing, BlackBox) for thing in things):
@@ -154,7 +154,7 @@ def _plain(things: Sequence[Any], **asked: Any) -> None:
 
 
 def _check_program(
-    truth: ProgramEquations, things: Sequence[Any], names: Mapping[str, str] | None, *how: Any
+    truth: Equations, things: Sequence[Any], names: Mapping[str, str] | None, *how: Any
 ) -> Check:
     """Verdicts on a scene whose equations stay a program."""
     readings = [read(truth.scene, thing, names, *how) for thing in things]

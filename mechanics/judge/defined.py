@@ -16,8 +16,8 @@ from sympy import Add, And, Basic, Expr, Mul, Not, Or, Pow, Symbol, sympify
 from sympy.core.relational import Relational
 
 from mechanics.checks.equilibria import exact
-from mechanics.checks.ledger_motion import Derived
 from mechanics.checks.metric import metric
+from mechanics.equations import Equations
 from mechanics.errors import MechanicsError
 from mechanics.kernel import Finding, Verdict, enclose, refuted, undecided
 from mechanics.kernel.definedness import BITS, Gap, Kind, Space, gaps, touching, unmet
@@ -48,7 +48,7 @@ class Written:
 
 
 def where_defined(
-    truth: Derived, statement: Statement, finding: Finding, region: Sequence[Expr] = (),
+    truth: Equations, statement: Statement, finding: Finding, region: Sequence[Expr] = (),
     values: Mapping[Symbol, Expr] | None = None,
 ) -> Finding:  # fmt: skip
     """The finding of a statement, with where it is defined.
@@ -82,7 +82,7 @@ def where_defined(
 
 
 def _decided(
-    truth: Derived, demands: Demands, finding: Finding, region: Sequence[Expr],
+    truth: Equations, demands: Demands, finding: Finding, region: Sequence[Expr],
     fixed: Mapping[Symbol, Expr],
 ) -> Finding:  # fmt: skip
     written = _written(truth.scene, demands, fixed)
@@ -104,7 +104,7 @@ def _decided(
     return _told(finding, gaps(builder, left, space), written, demands.code)
 
 
-def at_the_bound(truth: Derived, statement: Statement, finding: Finding) -> tuple[str, ...]:
+def at_the_bound(truth: Equations, statement: Statement, finding: Finding) -> tuple[str, ...]:
     """Remarks on code that is shown, and whose rounding may step over where a root is defined."""
     demands = statement.demands
     near = [d for d in demands.of if d.operation in ("asin", "acos") or _subtracts(d)]

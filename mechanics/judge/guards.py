@@ -16,7 +16,7 @@ from flint import arb
 from sympy import Not, Rational, S, Symbol
 from sympy.core.relational import Ge, Gt, Le, Lt, Relational
 
-from mechanics.checks.ledger_motion import Derived
+from mechanics.equations import Equations
 from mechanics.kernel import Witness
 from mechanics.kernel.balls import ball, enclose, precision
 from mechanics.kernel.statement import LEFT, POSITIVE, RIGHT
@@ -90,7 +90,7 @@ def _number(condition: Relational) -> Fraction:
 
 
 def inside(
-    truth: Derived, conditions: Sequence[Relational], experiment: Callable[[Arithmetic], Pairs]
+    truth: Equations, conditions: Sequence[Relational], experiment: Callable[[Arithmetic], Pairs]
 ) -> Inside:
     """Guarded values beside those of the truth, at states where conditions hold.
 
@@ -121,7 +121,7 @@ def inside(
 
 
 def _states(
-    truth: Derived, conditions: Sequence[Relational]
+    truth: Equations, conditions: Sequence[Relational]
 ) -> Iterator[Mapping[Symbol, Fraction]]:
     """States near 0 of what the guard holds, and far from it, where conditions hold."""
     scene = truth.scene

@@ -14,7 +14,8 @@ from sympy import Abs, Dummy, Expr, Max, Min, Piecewise, Symbol
 from sympy.core.relational import Relational
 
 from mechanics.checks.ledger_compare import settle_defined
-from mechanics.checks.ledger_motion import Derived, put_motion
+from mechanics.checks.ledger_motion import put_motion
+from mechanics.equations import Equations
 from mechanics.kernel import Finding
 from mechanics.scene.published import Published
 from mechanics.scene.quantities import EquationOfMotion
@@ -29,7 +30,7 @@ Limits = tuple[Expr | None, Expr | None]
 """The least and the largest value."""
 
 
-def limited(truth: Derived, row: Published) -> Finding | None:
+def limited(truth: Equations, row: Published) -> Finding | None:
     """The finding of a row as one about limited inputs, if it is shown; else None.
 
     Parameters
@@ -56,7 +57,7 @@ def limited(truth: Derived, row: Published) -> Finding | None:
 
 
 def _of_limited(
-    truth: Derived, row: Published, limits: Mapping[Symbol, Limits], order: int
+    truth: Equations, row: Published, limits: Mapping[Symbol, Limits], order: int
 ) -> Callable[[Arithmetic], list[tuple[Number, Number]]]:
     """The experiment in which the truth sees limited inputs and the row sees them as they are."""
     free = {u: Dummy(u.name, real=True) for u in limits}

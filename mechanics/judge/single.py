@@ -8,7 +8,6 @@ from functools import partial
 from sympy.matrices import MatrixBase
 
 from mechanics.checks.ledger import check_row
-from mechanics.checks.ledger_motion import Derived
 from mechanics.equations import Equations
 from mechanics.errors import ExpressionError, InputError, SceneError, SingularError
 from mechanics.judge.at_values import Values, judged_at
@@ -27,12 +26,12 @@ from mechanics.scene.symbols import plain_symbol, symbols_of
 FAILURES = (InputError, SceneError, ExpressionError, SingularError)
 
 
-def judge(truth: Derived, statement: Statement, values: Values) -> Finding:
+def judge(truth: Equations, statement: Statement, values: Values) -> Finding:
     """The finding of a statement; where parameters have values, if some are given."""
     return where_defined(truth, statement, identity(truth, statement, values), values=values)
 
 
-def identity(truth: Derived, statement: Statement, values: Values) -> Finding:
+def identity(truth: Equations, statement: Statement, values: Values) -> Finding:
     """The finding of a statement as far as what was written has values."""
     subject = subject_of(statement)
     if statement.doubt or statement.row is None:
@@ -50,7 +49,7 @@ def identity(truth: Derived, statement: Statement, values: Values) -> Finding:
         return undecided(subject, "its expressions are nested too deeply")
 
 
-def _of_row(truth: Derived, demands: tuple[Demand, ...], row: Published) -> Finding:
+def _of_row(truth: Equations, demands: tuple[Demand, ...], row: Published) -> Finding:
     """The finding of a row: by cases, of limited inputs, or where its own wraps are principal."""
     found = check_row(truth.scene, row, truth)
     guarded = found.verdict is Verdict.REFUTED and has_guard(row, demands)

@@ -18,7 +18,7 @@ from dataclasses import dataclass
 from sympy import Abs, Expr, Matrix, Symbol, eye, sign, sympify
 
 from mechanics.compiled.bordered import bind
-from mechanics.equations import Equations, ProgramEquations
+from mechanics.equations import Equations
 from mechanics.errors import InputError, wanted
 from mechanics.linear.algebra import independent_rows, inverse, is_zero, null_space, reduced
 from mechanics.linear.form import Linear
@@ -53,7 +53,7 @@ class Rest:
 
 
 def linearise(
-    equations: Equations | ProgramEquations,
+    equations: Equations,
     at: Values,
     inputs: Values | None = None,
     parameters: Mapping[Symbol, Expr] | None = None,
@@ -62,7 +62,7 @@ def linearise(
 
     Parameters
     ----------
-    equations : Equations or ProgramEquations
+    equations : Equations
         By any route.
     at : mapping
         A value for every coordinate, by name, dynamic symbol or plain symbol.
@@ -83,7 +83,7 @@ def linearise(
     ExpressionError
         If it cannot be told whether the point is an equilibrium.
     """
-    wanted(equations, (Equations, ProgramEquations), "linearise", "pass derive(scene, route)")
+    wanted(equations, Equations, "linearise", "pass derive(scene, route)")
     scene = equations.scene
     rest = _rest(scene, at, inputs or {}, parameters or {})
     _placed(scene, rest)
@@ -200,9 +200,9 @@ def _written(equations: Equations, rest: Rest) -> Slopes:
     )
 
 
-def _derived(equations: ProgramEquations, rest: Rest) -> Slopes:
+def _derived(equations: Equations, rest: Rest) -> Slopes:
     """Slopes of a program, by its exact derivatives."""
-    scene, mechanism = equations.scene, equations.mechanism
+    scene, (mechanism, route) = equations.scene, equations.program
     if scene.explicit_time:
         raise _timed(scene)
     for friction in mechanism.frictions:
@@ -210,13 +210,13 @@ def _derived(equations: ProgramEquations, rest: Rest) -> Slopes:
             f"{scene.name}: load {friction.name} has no slope at the operating point: nothing"
             " is linear there; linearise a scene without this friction"
         )
-    build, rows = mechanism.builder, equations.values
+    build, rows = mechanism.builder, route.values
     orders = [
         [build.input(w.name + dots) for w in scene.input_symbols] for dots in DOTS
     ]  # fmt: skip
     groups = {
         "mass": (rows, mechanism.ud),
-        "reactions": (rows, equations.multipliers),
+        "reactions": (rows, route.multipliers),
         "speeds": (rows, mechanism.u),
         "coordinates": (rows, mechanism.q),
         "constraints": (acceleration_forms(mechanism), mechanism.ud),
@@ -234,7 +234,7 @@ def _derived(equations: ProgramEquations, rest: Rest) -> Slopes:
     matrices = {
         name: Matrix(len(pair[0]), len(pair[1]), found[name]) for name, pair in groups.items()
     }
-    multipliers = [names[name_of(node)] for node in equations.multipliers]
+    multipliers = [names[name_of(node)] for node in route.multipliers]
     still = dict.fromkeys(multipliers, sympify(0))
 
     def by_coordinates(static: Matrix) -> Matrix:
@@ -260,9 +260,9 @@ def _timed(scene: Scene) -> InputError:
     )
 
 
-def _expand(equations: Equations | ProgramEquations, rest: Rest) -> Linear:
+def _expand(equations: Equations, rest: Rest) -> Linear:
     scene = equations.scene
-    if isinstance(equations, ProgramEquations):
+    if equations.textbook is None:
         slopes = _derived(equations, rest)
     else:
         slopes = _written(equations, rest)
@@ -310,9 +310,7 @@ def _smooth(equations: Equations, rest: Rest) -> None:
                 )
 
 
-def _static(
-    equations: Equations | ProgramEquations, rest: Rest, left: Matrix, slopes: Slopes
-) -> Matrix:
+def _static(equations: Equations, rest: Rest, left: Matrix, slopes: Slopes) -> Matrix:
     """Return the static reactions lambda_0; refuse a point out of balance."""
     out_of_balance = (left * slopes.forcing).applyfunc(reduced)
     for row, entry in enumerate(out_of_balance, 1):

@@ -5,7 +5,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
-from mechanics.equations import Equations
+from mechanics.equations import Equations, Step
 from mechanics.kernel import Finding, Verdict
 from mechanics.scene import Scene
 from mechanics.scene.published import Published
@@ -18,7 +18,7 @@ class RouteResult:
     `equations` is None where they are too long to be written out, and for SymPy's own methods.
     `operations` counts the operations of M and f after common subexpressions are shared, `forward`
     those of forward dynamics, which are written in `form`, one of `mechanics.compiled.FORMS`.
-    `absent` says why there is no such derivation.
+    `absent` says why there is no such derivation, `steps` how it goes, the result last.
     """
 
     equations: Equations | None
@@ -27,6 +27,7 @@ class RouteResult:
     form: str = ""
     forward: int = 0
     absent: str = ""
+    steps: tuple[Step, ...] = ()
 
 
 @dataclass(frozen=True)

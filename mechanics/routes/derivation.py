@@ -5,13 +5,18 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from mechanics.equations import Equations, Step
+from mechanics.equations import Equations, Rows, Step
+from mechanics.kernel.ring import TooLarge
 from mechanics.mechanism import Mechanism, lower
 from mechanics.program import Builder
 from mechanics.routes import free_body, kane, lagrange, moving_point, steps
-from mechanics.routes.rows import Rows
 from mechanics.routes.textbook import Printer, textbook
 from mechanics.scene import Scene
+
+LARGEST_TEXTBOOK = 300
+"""Operations of Kane's rows up to which the equations are written out."""
+MOST_IN_SPACE = 3
+"""Bodies with a full inertia up to which they are: more in space are no reading for a person."""
 
 
 @dataclass(frozen=True)
@@ -34,13 +39,21 @@ class Route:
     def derive(self, scene: Scene) -> Equations:
         """Equations of a scene, which is not asked whether it is admissible."""
         mechanism = lower(scene, Builder())
-        return self.written(scene, mechanism, self.rows(mechanism))
+        return self.equations(scene, mechanism, self.rows(mechanism))
 
-    def written(self, scene: Scene, mechanism: Mechanism, rows: Rows) -> Equations:
-        """Its rows as equations in SymPy; Kane's with dependent speeds put in."""
-        if rows.route == "kane":
-            rows = kane.with_dependent_speeds(mechanism, rows)
-        return textbook(scene, mechanism, rows, self.steps)
+    def equations(self, scene: Scene, mechanism: Mechanism, rows: Rows) -> Equations:
+        """Rows that it derived as equations, written in SymPy where a person can read them.
+
+        Kane's have their dependent speeds put in there.
+        """
+        program = as_program(scene, mechanism, rows)
+        if not is_written_out(mechanism):
+            return program
+        own = kane.with_dependent_speeds(mechanism, rows) if rows.route == "kane" else rows
+        try:
+            return textbook(as_program(scene, mechanism, own))
+        except TooLarge:
+            return program
 
 
 ROUTES: tuple[Route, ...] = (
@@ -53,5 +66,37 @@ ROUTES: tuple[Route, ...] = (
 
 def by_route(name: str, scene: Scene) -> Equations:
     """Equations of a scene by one route; see `Route.derive`."""
-    (route,) = (route for route in ROUTES if route.name == name)
-    return route.derive(scene)
+    return _named(name).derive(scene)
+
+
+def is_written_out(mechanism: Mechanism) -> bool:
+    """Whether a scene is small enough for its equations to be read, by any route.
+
+    Decided by counts alone, before anything is written.
+    """
+    in_space = sum(body.inertia is not None and not body.scalar for body in mechanism.bodies)
+    if in_space > MOST_IN_SPACE:
+        return False
+    rows = kane.derive(mechanism).values
+    return mechanism.builder.program({"rows": rows}).count <= LARGEST_TEXTBOOK
+
+
+def steps_of(equations: Equations) -> tuple[Step, ...]:
+    """The derivation in steps, in the order in which it is carried out; the result is last."""
+    if equations.mechanism is None or equations.rows is None:
+        return (equations.result,)
+    printer = Printer(equations.scene, equations.mechanism)
+    before = _named(equations.rows.route).steps(printer, equations.mechanism)
+    return (*before, equations.result)
+
+
+def _named(name: str) -> Route:
+    return next(route for route in ROUTES if route.name == name)
+
+
+def as_program(scene: Scene, mechanism: Mechanism, rows: Rows) -> Equations:
+    """Rows of a route as equations without matrices."""
+    multipliers = tuple(map(Printer(scene, mechanism).symbol, rows.multipliers))
+    return Equations(
+        scene, rows.route, multipliers, rows.conjugate, mechanism, rows, chosen=rows.chosen
+    )

@@ -14,6 +14,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+from mechanics.equations import Rows
 from mechanics.kinematics import differentiate
 from mechanics.kinematics.motion import BodyMotion, Motions, body_motions
 from mechanics.mechanism import Mechanism
@@ -24,7 +25,6 @@ from mechanics.program.vectors import Vector, add, dot, times, transpose, zeros
 from mechanics.routes.directions import AXES, Directions, used_directions
 from mechanics.routes.elimination import Elimination, Row, nonzero
 from mechanics.routes.loads import Wrench, acting_reactions, applied, by_body
-from mechanics.routes.rows import Rows
 
 
 @dataclass(frozen=True)

@@ -11,6 +11,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+from mechanics.equations import Rows
 from mechanics.kinematics import chain
 from mechanics.kinematics.motion import BodyMotion, Motions, body_motions
 from mechanics.mechanism import Mechanism
@@ -19,7 +20,7 @@ from mechanics.program.derivatives import gradient
 from mechanics.program.vectors import Matrix, add, cross, dot, scale, subtract, times, zeros
 from mechanics.routes.elimination import without_pressing
 from mechanics.routes.loads import Wrench, acting_reactions, applied, by_body
-from mechanics.routes.rows import Rows, acceleration_forms, coefficients, remainder
+from mechanics.routes.rows import acceleration_forms, coefficients, remainder
 
 
 def derive(mechanism: Mechanism) -> Rows:

@@ -7,7 +7,6 @@ which an auxiliary speed gives.
 """
 
 from collections.abc import Sequence
-from functools import partial
 
 from sympy import Expr, Matrix, zeros
 from sympy.physics.mechanics import KanesMethod
@@ -42,7 +41,7 @@ def derive(scene: Scene) -> Equations:
         return _with_friction(scene, mass, forcing)
     n = len(scene.u)
     matrices = Matrices(mass, forcing, zeros(n, 0), zeros(0, n), zeros(0, 1))
-    return Equations(scene, NAME, lambda: matrices, (), conjugate=True)
+    return Equations(scene, NAME, (), True, textbook=matrices)
 
 
 def kanes_method(scene: Scene, dynamic: Dynamic) -> KanesMethod:
@@ -58,8 +57,8 @@ def _with_friction(scene: Scene, mass: Matrix, forcing: Matrix) -> Equations:
     contact = pressed(scene, auxiliary_equations(scene, pressing(scene)))
     n = len(scene.u)
     matrices = Matrices(*contact.put_into(mass, forcing), zeros(n, 0), zeros(0, n), zeros(0, 1))
-    solve = partial(contact.solve, scene.ud)
-    return Equations(scene, NAME, lambda: matrices, (), conjugate=False, solve_reactions=solve)
+    reactions = contact.solve(scene.ud)
+    return Equations(scene, NAME, (), False, textbook=matrices, reactions=reactions)
 
 
 def _with_dependent_speeds(scene: Scene, dynamic: Dynamic) -> Equations:
@@ -77,7 +76,7 @@ def _with_dependent_speeds(scene: Scene, dynamic: Dynamic) -> Equations:
     matrices = Matrices(
         square[:free, :], right[:free, :], zeros(free, 0), square[free:, :], right[free:, :]
     )
-    return Equations(scene, NAME, lambda: matrices, (), conjugate=False)
+    return Equations(scene, NAME, (), False, textbook=matrices)
 
 
 def _matrices(scene: Scene, dynamic: Dynamic, method: KanesMethod) -> tuple[Matrix, Matrix]:

@@ -14,6 +14,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 
+from mechanics.equations import Rows
 from mechanics.kinematics import differentiate
 from mechanics.kinematics.motion import Motions, PointMotion, poses
 from mechanics.mechanism import Mechanism
@@ -23,7 +24,7 @@ from mechanics.program.vectors import Vector, add, dot, scale, times, transpose
 from mechanics.routes import loads
 from mechanics.routes.elimination import without_pressing
 from mechanics.routes.loads import Wrench, other, potential
-from mechanics.routes.rows import Rows, acceleration_forms, substitute
+from mechanics.routes.rows import acceleration_forms, substitute
 
 
 def derive(mechanism: Mechanism) -> Rows:

@@ -12,7 +12,6 @@ unknown, which the equation of an opened joint gives.
 """
 
 from dataclasses import replace
-from functools import partial
 
 from sympy import Add, Expr, Matrix, Rational, Symbol, zeros
 from sympy.physics.mechanics import LagrangesMethod, Point, ReferenceFrame
@@ -77,7 +76,7 @@ def _with_friction(equations: Equations) -> Equations:
     return replace(
         equations.with_matrices(mass=mass, forcing=forcing),
         conjugate=False,
-        solve_reactions=partial(contact.solve, scene.ud),
+        reactions=contact.solve(scene.ud),
     )
 
 
@@ -143,7 +142,7 @@ def _common_form(scene: Scene, method: LagrangesMethod, dynamic: Dynamic) -> Equ
             scene, mass, forcing, reactions, matrix, bias
         )
     matrices = Matrices(mass, forcing, reactions, matrix, bias)
-    return Equations(scene, "lagrange_sympy", lambda: matrices, names, conjugate=True)
+    return Equations(scene, "lagrange_sympy", names, True, textbook=matrices)
 
 
 def _in_speeds(

@@ -27,6 +27,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
+from mechanics.equations import Rows
 from mechanics.errors import SingularError
 from mechanics.kinematics import chain
 from mechanics.kinematics.motion import BodyMotion, Motions, body_motions
@@ -49,7 +50,7 @@ from mechanics.program.vectors import (
 from mechanics.routes.directions import AXES, Directions, used_directions
 from mechanics.routes.elimination import Elimination, Row
 from mechanics.routes.loads import Wrench, acting_reactions, applied, by_body
-from mechanics.routes.rows import Rows, acceleration_forms, coefficients
+from mechanics.routes.rows import acceleration_forms, coefficients
 
 LARGEST_DIRECTION = 60
 """Operations up to which a direction is written for people."""

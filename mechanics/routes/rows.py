@@ -1,4 +1,4 @@
-"""What a route returns: rows that vanish along every motion, and the constraints as conditions.
+"""Rows that vanish along every motion, split and put together, and constraints as conditions.
 
 row(q, u, u', lambda) = 0          linear in u' and lambda
 A u' - b = 0                       d/dt of each constraint's form in q and u
@@ -7,7 +7,6 @@ A u' - b = 0                       d/dt of each constraint's form in q and u
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
 
 from mechanics.errors import SceneError
 from mechanics.mechanism import Mechanism
@@ -15,36 +14,6 @@ from mechanics.program.builder import Builder, Node
 from mechanics.program.derivatives import gradient, tangent
 from mechanics.program.interpret import include
 from mechanics.program.vectors import Matrix
-
-
-@dataclass(frozen=True)
-class Rows:
-    """Equations of motion of one route, as nodes of the mechanism's builder.
-
-    Attributes
-    ----------
-    route : str
-    values : tuple of Node
-        Each is zero along every motion; as many as speeds, but for those that the constraints take.
-    multipliers : tuple of Node
-        Unknown reactions that stay, as inputs.
-    conjugate : bool
-        Whether the rows are power-conjugate to u: the virtual power of each speed.
-    reactions : mapping of str to Node
-        Reactions that were eliminated, in q, u, u' and the multipliers.
-    chosen : tuple of str
-        What the route picked, in words.
-    """
-
-    route: str
-    values: tuple[Node, ...]
-    multipliers: tuple[Node, ...]
-    conjugate: bool
-    reactions: Mapping[str, Node] = field(default_factory=dict)
-    chosen: tuple[str, ...] = ()
-
-    def __repr__(self) -> str:
-        return f"<{len(self.values)} rows by {self.route}>"
 
 
 def velocity_forms(mechanism: Mechanism) -> list[Node]:

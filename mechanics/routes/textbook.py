@@ -1,4 +1,4 @@
-"""Rows of a program as a textbook writes them: the common form in SymPy, made when asked for.
+"""Rows of a program as a textbook writes them: the common form in SymPy.
 
 row(q, u, u', lambda) = M u' - f - B lambda = 0
 A u' - b = 0                                        constraints, differentiated down to u'
@@ -7,18 +7,19 @@ A u' - b = 0                                        constraints, differentiated 
 from __future__ import annotations
 
 import sys
-from collections.abc import Callable, Sequence, Set
+from collections.abc import Sequence, Set
+from dataclasses import replace
 from functools import partial
 
 from sympy import Add, Expr, Matrix, Mul, S, Symbol, sift
 
-from mechanics.equations import Equations, Matrices, Step
+from mechanics.equations import Equations, Matrices, Rows
 from mechanics.mechanism import Mechanism
 from mechanics.program import Builder
 from mechanics.program.builder import Node
 from mechanics.program.sympy_printer import expressions
 from mechanics.program.sympy_reader import read
-from mechanics.routes.rows import Rows, acceleration_forms, coefficients, remainder
+from mechanics.routes.rows import acceleration_forms, coefficients, remainder
 from mechanics.scene import Scene
 from mechanics.scene.rates import TIME
 from mechanics.scene.symbols import DOTS, plain_symbol
@@ -71,35 +72,22 @@ def symbols(scene: Scene) -> dict[str, Symbol]:
     return {symbol.name: symbol for symbol in found}
 
 
-def textbook(
-    scene: Scene,
-    mechanism: Mechanism,
-    rows: Rows,
-    explain: Callable[[Printer, Mechanism], tuple[Step, ...]],
-) -> Equations:
-    """Equations whose matrices, reactions and steps are written from a program when asked for.
+def textbook(equations: Equations) -> Equations:
+    """The same equations with the matrices and the eliminated reactions written in SymPy.
 
-    Parameters
-    ----------
-    scene : Scene
-    mechanism : Mechanism
-    rows : Rows
-    explain : callable
-        Makes the steps of the derivation before its result, from a printer and the mechanism.
+    Raises
+    ------
+    TooLarge
+        Where a normal form is.
     """
+    scene, mechanism, rows = equations.scene, equations.mechanism, equations.rows
+    if mechanism is None or rows is None:
+        return equations
     printer = Printer(scene, mechanism)
-    return Equations(
-        scene,
-        rows.route,
-        partial(_matrices, printer, mechanism, rows),
-        tuple(map(printer.symbol, rows.multipliers)),
-        rows.conjugate,
-        solve_reactions=partial(_reactions, printer, rows) if rows.reactions else None,
-        chosen=rows.chosen,
-        explain=partial(explain, printer, mechanism),
-        of_bodies=True,
-        write_rows=partial(printer, rows.values),
-        write_constraints=partial(_constraints, printer, mechanism),
+    return replace(
+        equations,
+        textbook=_matrices(printer, mechanism, rows),
+        reactions=_reactions(printer, rows) if rows.reactions else (),
     )
 
 

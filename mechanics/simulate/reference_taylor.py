@@ -17,7 +17,6 @@ from weakref import WeakKeyDictionary
 from mechanics.compiled.forms.members import ELIMINATION, PRIMITIVE
 from mechanics.compiled.graphs import STATE, Graphs
 from mechanics.compiled.model import Model
-from mechanics.equations import ProgramEquations
 from mechanics.errors import SingularError
 from mechanics.program import Builder, Program
 from mechanics.program.builder import Node
@@ -109,7 +108,7 @@ def _shortest(model: Model) -> Program:
 
 def _searched(model: Model) -> Program:
     best = _rate(motion_graphs(model), rate_entries(model))
-    if best.count < SHORT or isinstance(model.equations, ProgramEquations):
+    if best.count < SHORT or model.equations.textbook is None:
         return best
     for form in (ELIMINATION, PRIMITIVE):
         if form.name == model.form or form.unsuited(model.equations):

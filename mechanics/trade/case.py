@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from mechanics.compiled import Model, compile
-from mechanics.equations import Equations, ProgramEquations
+from mechanics.equations import Equations
 from mechanics.errors import InputError
 from mechanics.simulate.consistent import Suggestion, consistent_coordinates, consistent_speeds
 from mechanics.simulate.constraints import manifold, periodic
@@ -42,7 +42,7 @@ class Case:
 
     Attributes
     ----------
-    equations : Equations or ProgramEquations
+    equations : Equations
     horizon : float
         In s.
     initial, parameters : mapping of str to float
@@ -57,7 +57,7 @@ class Case:
         Makes the linearised equations; refuses where there are none.
     """
 
-    equations: Equations | ProgramEquations
+    equations: Equations
     horizon: float
     initial: Mapping[str, float] = field(default_factory=dict)
     parameters: Mapping[str, float] = field(default_factory=dict)

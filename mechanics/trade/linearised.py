@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 from sympy import Expr, Integer, Matrix, Symbol, cos, pi, sin, sympify
 
-from mechanics.equations import Equations, Matrices, ProgramEquations
+from mechanics.equations import Equations, Matrices
 from mechanics.errors import ExpressionError, InputError, SingularError
 from mechanics.linear import Linear, linearise, numeric_poles
 from mechanics.scene import Scene
@@ -59,7 +59,7 @@ class Equilibrium:
 
 
 def equilibria(
-    equations: Equations | ProgramEquations, parameters: Mapping[str, float], near: Suggestion
+    equations: Equations, parameters: Mapping[str, float], near: Suggestion
 ) -> tuple[Equilibrium, ...]:
     """The nearest equilibrium, and the nearest stable one if that is another, stable ones first.
 
@@ -77,7 +77,7 @@ def equilibria(
         If none is found among the places where every coordinate is zero or an angle half a turn,
         or the linear equations are not in the scene's own coordinates.
     """
-    if isinstance(equations, ProgramEquations):
+    if equations.textbook is None:
         raise InputError(
             f"{equations.scene.name}: its equations stay a program, and so would its linear ones:"
             " `mechanics linearize` gives them in numbers"
@@ -106,7 +106,7 @@ def equilibria(
 
 
 def linearised(
-    equations: Equations | ProgramEquations,
+    equations: Equations,
     parameters: Mapping[str, float],
     inputs: Mapping[str, Any],
     suggested: tuple[Suggestion, Suggestion],
@@ -136,15 +136,15 @@ def as_equations(linear: Linear) -> Equations:
         linear.mass, forcing, Matrix.zeros(rows, 0), Matrix.zeros(0, n), Matrix.zeros(0, 1)
     )
     route = f"{linear.route}, linearised"
-    return Equations(scene, route, lambda: matrices, (), conjugate=linear.conjugate)
+    return Equations(scene, route, (), linear.conjugate, textbook=matrices)
 
 
-def is_linear(equations: Equations | ProgramEquations) -> bool:
+def is_linear(equations: Equations) -> bool:
     """Whether u' is linear in q and u with constant coefficients as it stands.
 
     True only where M is constant and f linear, which is enough to tell the seed's chain of masses.
     """
-    if isinstance(equations, ProgramEquations):
+    if equations.textbook is None:
         return False
     state = {*equations.scene.q, *equations.scene.u}
     constant = not any(sympify(entry).free_symbols & state for entry in equations.mass)

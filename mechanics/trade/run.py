@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from mechanics.equations import Equations, ProgramEquations
+from mechanics.equations import Equations
 from mechanics.errors import InputError, wanted
 from mechanics.simulate.integrators import INTEGRATORS, Integrator
 from mechanics.simulate.run import simulate_one
@@ -43,7 +43,7 @@ CONFIRMING = 300
 
 
 def trade(
-    equations: Equations | ProgramEquations,
+    equations: Equations,
     horizon: float,
     *,
     initial: Mapping[str, float] | None = None,
@@ -60,7 +60,7 @@ def trade(
 
     Parameters
     ----------
-    equations : Equations or ProgramEquations
+    equations : Equations
         By any route.
     horizon : float
         Length of the motion in s. Shortened where doubles cannot tell the motion that long.
@@ -91,7 +91,7 @@ def trade(
     OverBudget
         If the motion is too fast for a reference over the horizon.
     """
-    wanted(equations, (Equations, ProgramEquations), "trade", "pass derive(scene, route)")
+    wanted(equations, Equations, "trade", "pass derive(scene, route)")
     tell = progress or (lambda words, share: None)
     targets = _targets(target)
     asked = Case(equations, horizon, initial or {}, parameters or {}, inputs or {}, compiler)

@@ -53,7 +53,7 @@ def test_without_friction_all_of_them_are_right() -> None:
         matrices = {
             "mass": truth.mass.xreplace(smooth), "forcing": truth.forcing.xreplace(smooth)
         }  # fmt: skip
-        still = replace(truth.with_matrices(**matrices), solve_reactions=None)
+        still = replace(truth.with_matrices(**matrices), reactions=())
         smooth_row = replace(row, sides=sides)
         assert check_row(scene, smooth_row, still).verdict is Verdict.PROVED, row.tag
 

@@ -19,6 +19,7 @@ from mechanics.checks.agreement import (
     linear_system,
     matched,
 )
+from mechanics.equations import Rows
 from mechanics.errors import SingularError
 from mechanics.kernel import Finding, Verdict, enclose
 from mechanics.mechanism import Mechanism, lower
@@ -26,7 +27,6 @@ from mechanics.program import Builder, Node
 from mechanics.program.derivatives import gradient
 from mechanics.program.residues import Residues
 from mechanics.routes import free_body, kane, lagrange, moving_point
-from mechanics.routes.rows import Rows
 from mechanics.scene import parameters
 from systems import ALL, elastic_pendulum, four_bar, pendulum_chain, rolling_disc
 

@@ -48,7 +48,7 @@ def test_operations_grow_linearly_with_the_links() -> None:
 
 def test_fifty_links_are_derived_compiled_and_certified(unwritten: None) -> None:
     model = chain(50)
-    assert model.form == "recursive"
+    assert model.form == "articulated"
     assert model.casadi["forward_dynamics"].n_instructions() <= 62 * 50
     found = prove_graph("forward_dynamics", model.casadi, try_normal=False)
     assert found.verdict is Verdict.CERTIFIED
@@ -57,7 +57,7 @@ def test_fifty_links_are_derived_compiled_and_certified(unwritten: None) -> None
 
 def test_twenty_links_are_certified_and_never_written_out(unwritten: None) -> None:
     model = chain(20)
-    assert model.form == "recursive"
+    assert model.form == "articulated"
     found = prove_graph("forward_dynamics", model.casadi, try_normal=False)
     assert found.verdict is Verdict.CERTIFIED
 
@@ -84,7 +84,7 @@ def test_what_is_taken_weighs_least(links: int) -> None:
     }
     weights = {
         name: operations(known._solution) * 2 ** digits_lost(known._linear.error(known._solution))
-        for name, known in ((name, graphs.source) for name, graphs in models.items())
+        for name, known in ((name, graphs.source.matrices) for name, graphs in models.items())
     }
     assert models["auto"].form == "recursive"
     assert weights["auto"] <= weights["recursive"] < weights["elimination"]
@@ -112,7 +112,7 @@ def test_a_digit_lost_weighs_as_twice_the_operations() -> None:
 
     def choose(errors: dict[int, float]) -> Any:
         system = SimpleNamespace(
-            equations=given, written_out=True, error=lambda graph: errors[operations(graph)]
+            equations=given, small=True, error=lambda graph: errors[operations(graph)]
         )
         return lightest(system, [long, short])
 
@@ -124,7 +124,7 @@ def test_a_digit_lost_weighs_as_twice_the_operations() -> None:
 
 def test_equations_that_are_not_the_bodies_own_are_solved_as_they_are() -> None:
     equations = by_route("kane", pendulum_chain.scene(5))
-    simplified = dataclasses.replace(equations, of_bodies=False)
+    simplified = dataclasses.replace(equations, mechanism=None, rows=None)
     assert compile(equations, compiler=None).form == "recursive"
     assert compile(simplified, compiler=None).form != "recursive"
     with pytest.raises(InputError, match="form 'recursive': the equations by kane are not those"):

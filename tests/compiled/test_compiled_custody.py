@@ -45,14 +45,14 @@ def graphs():
 
 
 def test_the_step_is_that_of_the_rates(graphs) -> None:
-    known, rates = derived(graphs, ("step",)), code_of(*graphs.exact_rates())
+    known, rates = derived(graphs), code_of(*graphs.exact_rates())
     step = code_of(*graphs.exact("step"))
     assert prove_derived("rates", rates, known).shown
     assert prove_derived("step", step, known, rates).verdict is Verdict.CERTIFIED
 
 
 def test_a_changed_weight_of_the_step_is_refuted(graphs) -> None:
-    known, rates = derived(graphs, ("step",)), code_of(*graphs.exact_rates())
+    known, rates = derived(graphs), code_of(*graphs.exact_rates())
     step = code_of(*graphs.exact("step"))
     places = [k for k, node in enumerate(step.routine.nodes) if node.constant == 6]
     assert places

@@ -13,6 +13,7 @@ from mechanics.checks.solution import solve
 from mechanics.crosscheck import derive
 from mechanics.equations import Equations
 from mechanics.kinematics.textbook.chain import body_motions
+from mechanics.routes.derivation import steps_of
 from mechanics.scene import (
     Particle,
     RigidBody,
@@ -206,5 +207,5 @@ def test_moving_point_projects_across_the_leaning_reaction() -> None:
     assert equations.chosen == (
         "whole system: moment about a point of the axis beside foot, axis N.z",
     )
-    lines = [line for step in equations.steps for line in step.lines]
+    lines = [line for step in steps_of(equations) for line in step.lines]
     assert lines and not any(line.right.has(DiracDelta) for line in lines)

@@ -17,13 +17,13 @@ from mechanics.checks.admissible import check_scene
 from mechanics.cli import main
 from mechanics.cli.program_listing import program_python
 from mechanics.crosscheck import ROUTES, crosscheck, derive
-from mechanics.crosscheck.routes import as_program
 from mechanics.extremes.truth import truth
 from mechanics.kernel import Verdict
 from mechanics.linear import linearise, state_space
 from mechanics.linear.values import with_numbers
 from mechanics.program import Builder
 from mechanics.program.listing import LONGEST, listing
+from mechanics.routes.derivation import as_program
 from mechanics.scene.published import published
 from mechanics.scene.quantities import EquationOfMotion, Position
 from mechanics.scene.system import System
@@ -132,7 +132,7 @@ def test_linear_equations_are_those_of_what_is_written_out(make, at, name: str) 
     mechanism = check_scene(scene)
     (route,) = (route for route in ROUTES if route.name == name)
     rows = route.rows(mechanism)
-    both = as_program(scene, mechanism, rows), route.written(scene, mechanism, rows)
+    both = as_program(scene, mechanism, rows), route.equations(scene, mechanism, rows)
     one, two = (linearise(equations, rest, inputs) for equations in both)
     assert one.coordinates == two.coordinates
     # Rows of procedure (i) may be combined otherwise where they are written out.
@@ -169,7 +169,7 @@ def test_enclosed_accelerations_are_those_of_what_is_written_out() -> None:
     mechanism = check_scene(scene)
     (route,) = (route for route in ROUTES if route.name == "free_body")
     rows = route.rows(mechanism)
-    program, written = as_program(scene, mechanism, rows), route.written(scene, mechanism, rows)
+    program, written = as_program(scene, mechanism, rows), route.equations(scene, mechanism, rows)
     known = mechanics.compile(program, compiler=None).quantities
     symbols = [e.symbol for group in ("q", "u", "inputs", "p") for e in getattr(known, group)]
     values = np.random.default_rng(2).uniform(0.5, 1.5, len(symbols)).tolist()

@@ -7,7 +7,7 @@ import mechanics
 from mechanics.checks.solution import Pairs, solve
 from mechanics.crosscheck import ROUTES, Route
 from mechanics.kinematics.manifold import settle
-from mechanics.routes.derivation import by_route
+from mechanics.routes.derivation import by_route, steps_of
 from mechanics.routes.multipliers import multipliers_of
 from mechanics.scene.system import System
 from mechanics.symbolic import Arithmetic, decide
@@ -21,7 +21,7 @@ CONSTRAINED = [system for system in ALL if system.scene().constraints]
 @pytest.mark.parametrize("system", CONSTRAINED, ids=lambda system: system.name)
 def test_the_last_step_states_all_equations(system: System, route: Route) -> None:
     equations = route.derive(system.scene())
-    step = equations.steps[-1]
+    step = steps_of(equations)[-1]
     assert step == equations.result
     left, right = equations.system
     whole = left * Matrix(equations.unknowns) - right

@@ -50,23 +50,24 @@ def block() -> Scene:
 
 
 def equations(scene: Scene, route: str) -> Equations:
-    acceleration = scene.ud[0]
-    steps = (
-        Step("Kinematics", "The position $x$ and its rate.", (Line("r_x", scene.q[0]),)),
-        Step("Free body", "", (Line(m * acceleration, -k * scene.q[0], "block, along N.x"),)),
-    )
     none = Matrix.zeros(0, 1)
     matrices = Matrices(Matrix([[m]]), Matrix([-k * scene.q[0]]), Matrix.zeros(1, 0), none, none)
     return Equations(
         scene,
         route,
-        lambda: matrices,
         (),
         conjugate=True,
-        solve_reactions=(lambda: ((Symbol("N", real=True), m * cos(scene.q[0])),))
-        if route == "free_body"
-        else None,
-        explain=lambda: steps,
+        textbook=matrices,
+        reactions=((Symbol("N", real=True), m * cos(scene.q[0])),) if route == "free_body" else (),
+    )
+
+
+def steps(equations: Equations) -> tuple[Step, ...]:
+    (x,), (acceleration,) = equations.scene.q, equations.scene.ud
+    return (
+        Step("Kinematics", "The position $x$ and its rate.", (Line("r_x", x),)),
+        Step("Free body", "", (Line(m * acceleration, -k * x, "block, along N.x"),)),
+        equations.result,
     )
 
 
@@ -75,7 +76,14 @@ def small() -> SystemResult:
     """Every part of a report once, with every verdict."""
     scene = block()
     routes = {
-        name: RouteResult(equations(scene, name), seconds, operations, "fewest", operations + 5)
+        name: RouteResult(
+            equations(scene, name),
+            seconds,
+            operations,
+            "fewest",
+            operations + 5,
+            steps=steps(equations(scene, name)),
+        )
         for name, seconds, operations in (
             ("free_body", 0.004, 12),
             ("moving_point", 0.25, 9),

@@ -10,7 +10,6 @@ import re
 import shutil
 import subprocess
 from dataclasses import dataclass, replace
-from functools import partial
 from html import escape, unescape
 from pathlib import Path
 from typing import Any
@@ -22,7 +21,7 @@ from mechanics.report.answer.check import Check
 from mechanics.report.answer.page import check_html
 from mechanics.report.html import to_html
 from mechanics.report.result import RouteResult, SystemResult
-from mechanics.routes.derivation import by_route
+from mechanics.routes.derivation import by_route, steps_of
 from systems import elastic_pendulum, pendulum_chain
 
 pytestmark = [pytest.mark.browser, pytest.mark.campaign]
@@ -96,16 +95,14 @@ def derived() -> list[SystemResult]:
     for scene in (elastic_pendulum.scene(), pendulum_chain.scene(4)):
         equations = by_route("free_body", scene)
         long = replace(
-            equations.steps[-1],
+            equations.result,
             title="Without a place to break a line",
             lines=(
                 Line(r"\left(" + " + ".join(["x_{long}"] * 60) + r"\right)", equations.forcing[0]),
                 *(Line(symbol, value) for symbol, value in equations.reactions),
             ),
         )
-        route = RouteResult(
-            replace(equations, explain=partial(tuple, (*equations.steps, long))), 0.1, 999
-        )
+        route = RouteResult(equations, 0.1, 999, steps=(*steps_of(equations), long))
         results.append(SystemResult(scene.name, scene, {"free_body": route}, ()))
     return results
 

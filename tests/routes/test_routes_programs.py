@@ -7,6 +7,7 @@ the kernel's verdicts on them are tests of `mechanics.checks`.
 import pytest
 
 from benchmarks.faults.scenes import trammel
+from mechanics.equations import Rows
 from mechanics.mechanism import Mechanism, lower
 from mechanics.program import Builder
 from mechanics.program.residues import Residues
@@ -14,7 +15,6 @@ from mechanics.program.vectors import dot
 from mechanics.routes import free_body, kane, lagrange, moving_point
 from mechanics.routes.moving_point import null_space
 from mechanics.routes.rows import (
-    Rows,
     acceleration_forms,
     coefficients,
     remainder,

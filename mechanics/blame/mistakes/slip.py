@@ -143,7 +143,7 @@ def equations(truth: Equations, slip: Slip) -> Equations:
         truth.constraint_bias if slip.held else zeros(0, 1),
     )
     words = f"with a mistake: {slip.words}"
-    return Equations(scene, words, lambda: matrices, kept, conjugate=False)
+    return Equations(scene, words, kept, False, textbook=matrices)
 
 
 def _sum(row: Sequence[Part], unknowns: tuple[Symbol, ...]) -> tuple[list[Expr], Expr]:

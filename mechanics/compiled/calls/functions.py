@@ -22,7 +22,7 @@ from mechanics.compiled.machine.evaluator import FLAGS, Kernel, evaluator
 from mechanics.compiled.machine.native import LONG
 from mechanics.compiled.programs.of_model import Programs
 from mechanics.compiled.quantities import DIGITS, Quantities
-from mechanics.equations import Equations, ProgramEquations
+from mechanics.equations import Equations
 from mechanics.errors import InputError
 from mechanics.program.routine import Routine
 
@@ -39,7 +39,7 @@ class Functions:
 
     Attributes
     ----------
-    equations : Equations or ProgramEquations
+    equations : Equations
     casadi : mapping of str to casadi.Function
         Every function as a CasADi graph with named inputs and outputs, built on first use.
     compiler : str or None
@@ -50,7 +50,7 @@ class Functions:
         Settings of the C compiler.
     """
 
-    equations: Equations | ProgramEquations
+    equations: Equations
     casadi: Graphs
     compiler: str | None
     programs: Programs

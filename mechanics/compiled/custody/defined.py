@@ -88,7 +88,7 @@ def _doubtful(gap: Gap) -> bool:
 
 
 def _refuted(finding: Finding, gap: Gap, physics: Physics) -> Finding:
-    if physics.constrained:
+    if physics.known.constrained:
         # The states that were tried need not be on the constraints.
         return _undecided(finding, gap, physics)
     where = "at any state" if gap.kind is Kind.NOWHERE else f"at {_state(gap, physics)}"

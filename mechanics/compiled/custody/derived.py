@@ -1,25 +1,38 @@
-"""What was derived, as plain expressions: the left side of the first step of the chain.
+"""What was derived, as a program: the left side of the first step of the chain.
 
-left x = right,  x = (u', lambda)        q' = rates        kinetic, potential, momenta, reactions
+    rows(q, u, u', lambda) = 0        closing = A u' - b = 0        q' = rates
+    residual = [M u' - f - B lambda; A u' - b]                      kinetic, potential, momenta, ...
+
+Rows are those of the route. M and f are as they are written out, or of rows conjugate to u where
+they are not.
 """
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 
-from sympy import Expr, Matrix, S, Symbol, zeros
+from sympy import Expr, Matrix, Symbol
 
-from mechanics.compiled.custody.derived_program import GROUPS, DerivedProgram, derived_program
 from mechanics.compiled.graphs import Graphs
-from mechanics.compiled.mechanical import totals
-from mechanics.equations import ProgramEquations
+from mechanics.compiled.outputs import energies, every_reaction, momenta
+from mechanics.equations import Equations, Rows
+from mechanics.mechanism import Mechanism, lower
+from mechanics.program import Builder, Program
+from mechanics.program.builder import Node
+from mechanics.program.sympy_reader import read
+from mechanics.routes import kane
+from mechanics.routes.rows import acceleration_forms, coefficients, remainder, substitute
 from mechanics.scene.rates import TIME
+
+GROUPS = ("q", "u", "ud", "inputs", "p", "multipliers", "reactions", "h")
+
+Outputs = dict[str, Sequence[Node]]
 
 
 @dataclass(frozen=True, eq=False)
 class Derived:
-    """Expressions in plain symbols, before parameters are fixed.
+    """What was derived, before parameters are fixed.
 
     Attributes
     ----------
@@ -30,21 +43,11 @@ class Derived:
         Exact values of parameters that are no input.
     time : int or None
         Entry of the inputs that is the time.
-    unknowns : tuple of Symbol
-        u' and the multipliers.
-    left, right : Matrix
-        Of the linear system for the unknowns.
-    mass, forcing : Matrix
-    rates : tuple of Expr
-        q'.
-    kinetic, potential : Expr
-    linear, angular : tuple of Expr
-        Momenta.
-    reactions : tuple of (Symbol, Expr)
-        In terms of the unknowns, too.
-    rows : tuple of Expr
-        M u' - f - B lambda as it was derived, where M and f have not been written out; `left` and
-        `right` then hold the constraints only.
+    program : Program
+        Outputs: ``rows``, ``closing``, ``mass`` column by column, ``forcing``, ``residual``,
+        ``rates``, ``kinetic``, ``potential``, ``linear``, ``angular``, ``generalized`` and
+        ``reactions``; ``forces`` where rows conjugate to u give the inverse dynamics, at the
+        multipliers of the motion. u' and the multipliers are inputs.
     """
 
     scene: str
@@ -52,67 +55,102 @@ class Derived:
     symbols: Mapping[str, tuple[Symbol, ...]]
     fixed: Mapping[Symbol, Expr]
     time: int | None
-    unknowns: tuple[Symbol, ...]
-    left: Matrix
-    right: Matrix
-    mass: Matrix
-    forcing: Matrix
-    rates: tuple[Expr, ...]
-    kinetic: Expr = S.Zero
-    potential: Expr = S.Zero
-    linear: tuple[Expr, ...] = ()
-    angular: tuple[Expr, ...] = ()
-    reactions: tuple[tuple[Symbol, Expr], ...] = field(default=())
-    rows: tuple[Expr, ...] = ()
+    program: Program
+
+    @property
+    def constrained(self) -> bool:
+        """Whether its states are those on constraints."""
+        return bool(self.program.outputs.get("closing"))
 
 
-Known = Derived | DerivedProgram
-"""What was derived, written out or as a program."""
-
-WITH_TOTALS = frozenset({"energy", "momenta", "inverse_dynamics"})
-"""Functions that need energies."""
-OF_ROWS = frozenset({"forward_dynamics", "coordinate_rates", "energy", "momenta"})
-"""Functions that can be judged by rows that are not split into M and f."""
-
-
-def derived(graphs: Graphs, functions: Sequence[str], by_rows: bool = False) -> Known:
-    """What was derived, as far as some functions need it.
-
-    With `by_rows`, M and f of a long chain are not written out where rows can judge.
-    """
-    if isinstance(graphs.derived, ProgramEquations):
-        return derived_program(graphs.derived, graphs.quantities, graphs.fixed)
-    equations, scene = graphs.derived, graphs.derived.scene
-    by_rows = by_rows and bool(equations.rows) and OF_ROWS.issuperset(functions)
-    by_rows = by_rows and (equations.long or not equations.readable)
-    if by_rows:
-        count = len(equations.multipliers)
-        constraints = equations.constraint_matrix
-        left = constraints.row_join(zeros(constraints.rows, count))
-        right, mass, forcing = equations.constraint_bias, zeros(0, 0), zeros(0, 1)
+def derived(graphs: Graphs) -> Derived:
+    """What was derived, for all functions of a model."""
+    equations, known = graphs.derived, graphs.quantities
+    mechanism = equations.mechanism or lower(equations.scene, Builder())
+    route, outputs = equations.route, {
+        "rates": mechanism.q_rates, **energies(mechanism), **momenta(mechanism),
+    }  # fmt: skip
+    del outputs["total"]
+    if equations.textbook is None:
+        route, system = _of_program(*equations.program)
     else:
-        left, right = equations.system
-        mass, forcing = equations.mass, equations.forcing
-    symbols = {g: tuple(e.symbol for e in getattr(graphs.quantities, g)) for g in GROUPS}
+        system = _of_matrices(equations, mechanism)
+    told = [entry.symbol.name for entry in known.reactions]
+    reactions = _reactions(equations, mechanism) if told else {}
+    outputs |= {**system, "reactions": [reactions[name] for name in told]}
+    symbols = {g: tuple(e.symbol for e in getattr(known, g)) for g in GROUPS}
     times = [i for i, symbol in enumerate(symbols["inputs"]) if symbol == TIME]
-    known = totals(scene) if WITH_TOTALS & set(functions) else None
-    momenta = "momenta" in functions
     return Derived(
-        scene=scene.name,
-        route=equations.route,
-        symbols=symbols,
-        fixed=graphs.fixed,
-        time=times[0] if times else None,
-        unknowns=tuple(equations.unknowns),
-        left=left,
-        right=right,
-        mass=mass,
-        forcing=forcing,
-        rates=tuple(scene.coordinate_rates[qd] for qd in scene.qd),
-        kinetic=known.kinetic if known else S.Zero,
-        potential=known.potential if known and "energy" in functions else S.Zero,
-        linear=tuple(known.linear_momentum) if known and momenta else (),
-        angular=tuple(known.angular_momentum) if known and momenta else (),
-        reactions=tuple(equations.reactions) if "reactions" in functions else (),
-        rows=equations.rows if by_rows else (),
-    )
+        equations.scene.name, route, symbols, graphs.fixed, times[0] if times else None,
+        mechanism.builder.program(outputs),
+    )  # fmt: skip
+
+
+def _of_matrices(equations: Equations, mechanism: Mechanism) -> Outputs:
+    """Rows, constraints, M, f and the residual where they are written out."""
+    build, matrices = mechanism.builder, equations.matrices
+    sides = matrices.constraint_matrix * Matrix(equations.scene.ud) - matrices.constraint_bias
+    rows, closing = read(build, list(equations.residual)), read(build, list(sides))
+    found: Outputs = {
+        "rows": rows,
+        "closing": closing,
+        "mass": read(build, list(matrices.mass.T)),
+        "forcing": read(build, list(matrices.forcing)),
+        "residual": [*rows, *closing],
+    }
+    if equations.rows is not None:
+        found |= {"rows": equations.rows.values, "closing": acceleration_forms(mechanism)}
+        if not mechanism.constraints and not mechanism.frictions:
+            found["forces"] = kane.derive(mechanism).values
+    return found
+
+
+def _of_program(mechanism: Mechanism, route: Rows) -> tuple[str, Outputs]:
+    """The same where they are not, and the route whose rows they are."""
+    name, rows, closing = route.route, route.values, acceleration_forms(mechanism)
+    # Conjugate to u, in the multipliers of the route; under friction as the route has them.
+    own = mechanism.frictions or name == "lagrange"
+    conjugate = rows if own else kane.derive(mechanism).values
+    if conjugate != rows and mechanism.constraints:
+        values = _solved(mechanism, conjugate, route.multipliers)
+        anywhere, _ = mechanism.filters
+        if not all(map(anywhere.is_zero, substitute(mechanism.builder, rows, values))):
+            # Where the route closes a loop otherwise, its rows hold on the constraints only.
+            name, rows = "kane", conjugate
+    matrix = coefficients(conjugate, mechanism.ud)
+    rest = remainder(mechanism.builder, conjugate, (*mechanism.ud, *route.multipliers))
+    return name, {
+        "rows": rows,
+        "closing": closing,
+        "mass": [row[j] for j in range(len(mechanism.ud)) for row in matrix],
+        "forcing": [-entry for entry in rest],
+        "residual": [*conjugate, *closing],
+        "forces": conjugate,
+    }
+
+
+def _solved(
+    mechanism: Mechanism, rows: Sequence[Node], multipliers: Sequence[Node]
+) -> dict[Node, Node]:
+    """u' and the multipliers as one operation on the state."""
+    unknowns = (*mechanism.ud, *multipliers)
+    every = [*rows, *acceleration_forms(mechanism)]
+    right = [-entry for entry in remainder(mechanism.builder, every, unknowns)]
+    values = mechanism.builder.solve(coefficients(every, unknowns), right)
+    return dict(zip(unknowns, values, strict=True))
+
+
+def _reactions(equations: Equations, mechanism: Mechanism) -> Mapping[str, Node]:
+    """Reactions by name, in u' and the multipliers; where no route has them written, of all."""
+    if equations.textbook is None:
+        nodes: Sequence[Node] = every_reaction(mechanism)
+        if mechanism.constraints or mechanism.frictions:
+            own = kane.derive(mechanism)
+            values = _solved(mechanism, own.values, own.multipliers)
+            nodes = substitute(mechanism.builder, nodes, values)
+        return dict(zip((r.name for r in mechanism.reactions), nodes, strict=True))
+    if equations.rows is not None:
+        return equations.rows.reactions
+    names, written = zip(*equations.reactions, strict=True)
+    nodes = read(mechanism.builder, written)
+    return dict(zip((symbol.name for symbol in names), nodes, strict=True))

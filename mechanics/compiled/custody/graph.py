@@ -7,11 +7,9 @@ from typing import Any
 
 from mechanics.compiled.custody.code import Code
 from mechanics.compiled.custody.defined import divides_by_zero, where_defined
-from mechanics.compiled.custody.derived import Known
-from mechanics.compiled.custody.derived_program import DerivedProgram
+from mechanics.compiled.custody.derived import Derived
 from mechanics.compiled.custody.laws import LAWS, Outputs
 from mechanics.compiled.custody.physics import Entry, Physics
-from mechanics.compiled.custody.program_laws import PROGRAM_LAWS
 from mechanics.compiled.custody.step import composed
 from mechanics.compiled.fixed import words
 from mechanics.errors import InputError
@@ -20,9 +18,12 @@ from mechanics.program.operations import Sign
 
 STEP = "step"
 
+LARGEST = 3000
+"""Nodes of what was derived beyond which its normal form outgrows every limit."""
+
 
 def prove_derived(
-    name: str, code: Code, known: Known, rates: Code | None = None, **options: Any
+    name: str, code: Code, known: Derived, rates: Code | None = None, **options: Any
 ) -> Finding:
     """Decide whether a graph is what was derived.
 
@@ -32,7 +33,7 @@ def prove_derived(
         What the function should be.
     code : Code
         Of the graph, with named constants as inputs.
-    known : Known
+    known : Derived
     rates : Code, optional
         For the step: the graph of (q', u'), which is a function of its own to decide about.
     **options
@@ -47,8 +48,7 @@ def prove_derived(
     if known.fixed:
         subject += f", {words(known.fixed)}"
     physics = Physics(known)
-    if isinstance(known, DerivedProgram):
-        # Its normal form outgrows every limit.
+    if len(known.program) > LARGEST:
         options["try_normal"] = False
     if name not in LAWS and (name != STEP or rates is None):
         raise InputError(f"function {name!r}: what it should be is known for {', '.join(LAWS)}")
@@ -71,8 +71,7 @@ def _entries(
     name: str, outputs: Outputs, physics: Physics, rates: Code | None
 ) -> Iterator[Entry]:  # fmt: skip
     if rates is None or name != STEP:
-        laws = PROGRAM_LAWS if isinstance(physics.known, DerivedProgram) else LAWS
-        yield from laws[name](physics, outputs)
+        yield from LAWS[name](physics, outputs)
         return
     other = composed(physics.builder, rates, physics.known.time, physics.inputs)
     for output, nodes in outputs.items():

@@ -1,10 +1,13 @@
 """What each function of a model has to be, in terms of what was derived.
 
-    forward dynamics     K x = k,  K = [[M, -B], [A, 0]],  k = [f, b],  x what the graph gives
-    jacobians            column = dx/ds,  x = K^-1 k,  s in q, u, inputs, p
-    step                 y + h/6 (k1 + 2 k2 + 2 k3 + k4) of the rates, themselves K x = k
-    the rest             graph = expression
+    forward dynamics     rows(q, u, x) = 0,  A u' = b at x             x what the graph gives
+    jacobians            J w = K^-1 (-(d residual / d s) w) at x       s in q, u, inputs, p;  any w
+    inverse dynamics     rows conjugate to u, or M_T (u' - x),         M_T = d2T/du2
+    step                 y + h/6 (k1 + 2 k2 + 2 k3 + k4) of the rates
+    the rest             graph = program
 
+with K the slope of the residual by (u', lambda), and x = K^-1 k where it is not the graph's. The
+law of Jacobians is linear in w: it holds for symbols if and only if it does for every column.
 A law gives, by output, pairs of values that have to be equal: the graph's, and what was derived.
 """
 
@@ -12,158 +15,148 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 
-from sympy import Expr
-
 from mechanics.compiled.custody.physics import Entry, Physics
-from mechanics.program import Builder, Node, gradient, tangent
+from mechanics.program import Node, gradient, tangent
 from mechanics.program.interpret import include
-from mechanics.program.sympy_reader import read
+from mechanics.routes.rows import coefficients, remainder, substitute
 
+Nodes = Sequence[Node]
 Outputs = dict[str, list[Node]]
 Law = Callable[[Physics, Outputs], Iterator[Entry]]
 
 STATE = ("q", "u", "inputs", "p")
 
 
+def _derived(physics: Physics) -> dict[str, tuple[Node, ...]]:
+    """What was derived, at the values of fixed parameters."""
+    known = physics.known
+    fixed = {s.name: physics.leaves[s] for s in known.fixed if s.name in known.program.inputs}
+    return include(physics.builder, known.program, fixed)
+
+
+def _unknowns(physics: Physics) -> list[Node]:
+    """u' and the multipliers."""
+    return [*physics.inputs["ud"], *physics.inputs["multipliers"]]
+
+
+def _at(physics: Physics, nodes: Nodes, unknowns: Nodes) -> Nodes:
+    """Nodes with other accelerations and multipliers."""
+    values = dict(zip(_unknowns(physics), unknowns, strict=True))
+    return substitute(physics.builder, nodes, values)
+
+
+def _matrix(physics: Physics, rows: Nodes) -> Sequence[Nodes]:
+    """K of rows that are linear in the unknowns."""
+    return coefficients(rows, _unknowns(physics))
+
+
+def _solution(physics: Physics, rows: Nodes) -> Nodes:
+    """x of K x = k."""
+    right = [-entry for entry in remainder(physics.builder, rows, _unknowns(physics))]
+    return physics.builder.solve(_matrix(physics, rows), right)
+
+
+def _zero(physics: Physics, rows: Nodes) -> Iterator[Entry]:
+    for i, row in enumerate(rows):
+        yield f"row {i}", row, physics.builder.zero
+
+
+def _equal(name: str, numbers: Nodes, wanted: Nodes) -> Iterator[Entry]:
+    for i, (number, node) in enumerate(zip(numbers, wanted, strict=True)):
+        yield f"{name}[{i}]", number, node
+
+
 def _forward_dynamics(physics: Physics, outputs: Outputs) -> Iterator[Entry]:
-    known, zero = physics.textbook, physics.builder.zero
-    solution = outputs["ud"] + outputs["multipliers"]
-    # The value of a row at what the graph gives; M and f would be its slope and its rest.
-    at = dict(zip(known.unknowns, solution, strict=True)) if known.rows else {}
-    for i, row in enumerate(physics.nodes(known.rows, at)):
-        yield f"row {i} as derived", row, zero
-    matrix, right = _system(physics)
-    for i, (entries, side) in enumerate(zip(matrix, right, strict=True)):
-        yield f"row {i} of K x = k", _dot(physics, entries, solution), side
+    derived = _derived(physics)
+    rows = [*derived["rows"], *derived["closing"]]
+    yield from _zero(physics, _at(physics, rows, outputs["ud"] + outputs["multipliers"]))
 
 
 def _rates(physics: Physics, outputs: Outputs) -> Iterator[Entry]:
     yield from _forward_dynamics(physics, outputs)
-    yield from _coordinate_rates(physics, outputs)
-
-
-def _system(physics: Physics) -> tuple[list[list[Node]], list[Node]]:
-    """K and k."""
-    left, right = physics.textbook.left, physics.textbook.right
-    entries = physics.nodes([*left, *right])
-    size = left.cols
-    rows = [entries[size * i : size * (i + 1)] for i in range(left.rows)]
-    return rows, entries[size * left.rows :]
-
-
-def _solution(physics: Physics) -> list[Node]:
-    """x = K^-1 k."""
-    return list(physics.builder.solve(*_system(physics)))
-
-
-def _dot(physics: Physics, row: Sequence[Node], vector: Sequence[Node]) -> Node:
-    total = physics.builder.zero
-    for entry, number in zip(row, vector, strict=True):
-        total = total + entry * number
-    return total
-
-
-def _residual(physics: Physics, outputs: Outputs) -> Iterator[Entry]:
-    matrix, right = _system(physics)
-    unknowns = physics.nodes(physics.textbook.unknowns)
-    rows = zip(outputs["residual"], matrix, right, strict=True)
-    for i, (number, entries, side) in enumerate(rows):
-        yield f"residual[{i}]", number, _dot(physics, entries, unknowns) - side
-
-
-def _momentum(physics: Physics, speeds: Sequence[Node]) -> tuple[Node, ...]:
-    """dT/du at other speeds."""
-    known, own = physics.textbook, Builder()
-    (kinetic,) = read(own, [known.kinetic])
-    symbols = known.symbols["u"]
-    rates = gradient([kinetic], [1], [own.input(symbol.name) for symbol in symbols])
-    given = {symbol.name: node for symbol, node in physics.leaves.items()}
-    given |= {symbol.name: speed for symbol, speed in zip(symbols, speeds, strict=True)}
-    program = own.program({"momentum": rates})
-    given = {name: node for name, node in given.items() if name in program.inputs}
-    return include(physics.builder, program, given)["momentum"]
+    yield from _equal("qd", outputs["qd"], _derived(physics)["rates"])
 
 
 def _inverse_dynamics(physics: Physics, outputs: Outputs) -> Iterator[Entry]:
-    """tau = M_T w with w = u' - what the loads give, the latter solved for.
+    """tau = M_T w with w = u' - what the loads give, where no conjugate rows say it.
 
     dT/du is affine in u with the slope M_T: tau is its change from u = 0 to u = w.
     """
-    wanted, zero = physics.inputs["ud"], physics.builder.zero
-    gains = [x - y for x, y in zip(wanted, _solution(physics), strict=False)]
-    moving = _momentum(physics, gains)
-    still = _momentum(physics, [zero] * len(gains))
-    for i, force in enumerate(outputs["forces"]):
-        yield f"forces[{i}]", force, moving[i] - still[i]
+    derived = _derived(physics)
+    if "forces" in derived:
+        yield from _equal("forces", outputs["forces"], _moving(physics, derived))
+        return
+    speeds, zero = physics.inputs["u"], physics.builder.zero
+    moving = gradient(derived["kinetic"], [1], speeds)
+    found = _solution(physics, derived["residual"])
+    gains = [x - y for x, y in zip(physics.inputs["ud"], found, strict=False)]
+    one, two = (
+        substitute(physics.builder, moving, dict(zip(speeds, values, strict=True)))
+        for values in (gains, [zero] * len(gains))
+    )
+    yield from _equal("forces", outputs["forces"], [x - y for x, y in zip(one, two, strict=True)])
 
 
-def _energy(physics: Physics, outputs: Outputs) -> Iterator[Entry]:
-    kinetic, potential = physics.nodes([physics.textbook.kinetic, physics.textbook.potential])
-    yield "kinetic[0]", outputs["kinetic"][0], kinetic
-    yield "potential[0]", outputs["potential"][0], potential
-    yield "total[0]", outputs["total"][0], kinetic + potential
-
-
-def _momenta(physics: Physics, outputs: Outputs) -> Iterator[Entry]:
-    yield from _equal(physics, outputs, "linear", physics.textbook.linear)
-    yield from _equal(physics, outputs, "angular", physics.textbook.angular)
-    rates = _momentum(physics, physics.inputs["u"])
-    for i, (number, rate) in enumerate(zip(outputs["generalized"], rates, strict=True)):
-        yield f"generalized[{i}]", number, rate
-
-
-def _reactions(physics: Physics, outputs: Outputs) -> Iterator[Entry]:
-    known = physics.textbook
-    at = dict(zip(known.unknowns, _solution(physics), strict=True))
-    values = physics.nodes([value for _, value in known.reactions], at)
-    for i, (number, value) in enumerate(zip(outputs["reactions"], values, strict=True)):
-        yield f"reactions[{i}]", number, value
-
-
-def _coordinate_rates(physics: Physics, outputs: Outputs) -> Iterator[Entry]:
-    yield from _equal(physics, outputs, "qd", physics.textbook.rates)
+def _moving(physics: Physics, derived: dict[str, tuple[Node, ...]]) -> Nodes:
+    """Rows conjugate to u at the multipliers of the motion."""
+    multipliers = physics.inputs["multipliers"]
+    if not multipliers:
+        return derived["forces"]
+    found = _solution(physics, derived["residual"])[-len(multipliers) :]
+    values = dict(zip(multipliers, found, strict=True))
+    return substitute(physics.builder, derived["forces"], values)
 
 
 def _jacobians(physics: Physics, outputs: Outputs) -> Iterator[Entry]:
-    """Derivatives of the solution, by the rule for one of a linear system."""
-    solution, one = _solution(physics), physics.builder.one
+    build, rows = physics.builder, _derived(physics)["residual"]
     n = len(physics.inputs["ud"])
+    along: dict[Node, Node] = {}
+    moved = [build.zero] * n
     for group in STATE:
-        for k, node in enumerate(physics.inputs[group]):
-            derivative = tangent(solution, {node: one})
-            for i in range(n):
-                at = k * n + i
-                yield f"ud_{group}[{at}]", outputs[f"ud_{group}"][at], derivative[i]
+        for k, entry in enumerate(physics.inputs[group]):
+            weight = along[entry] = build.input(f"weight of {group} {k}")
+            column = outputs[f"ud_{group}"][n * k : n * (k + 1)]
+            moved = [total + weight * slope for total, slope in zip(moved, column, strict=True)]
+    slopes = _at(physics, tangent(rows, along), _solution(physics, rows))
+    wanted = build.solve(_matrix(physics, rows), [-slope for slope in slopes])
+    yield from _equal("along any direction: ud", moved, wanted[:n])
 
 
-def _equal(
-    physics: Physics, outputs: Outputs, name: str, expressions: Sequence[Expr]
-) -> Iterator[Entry]:
-    nodes = physics.nodes(expressions)
-    for i, (number, node) in enumerate(zip(outputs[name], nodes, strict=True)):
-        yield f"{name}[{i}]", number, node
+def _energy(physics: Physics, outputs: Outputs) -> Iterator[Entry]:
+    derived = _derived(physics)
+    (kinetic,), (potential,) = derived["kinetic"], derived["potential"]
+    for name, value in zip(
+        ("kinetic", "potential", "total"), (kinetic, potential, kinetic + potential), strict=True
+    ):
+        yield from _equal(name, outputs[name], [value])
 
 
-def _matrix(output: str) -> Law:
-    """A law for an output that is one matrix of the equations, column by column."""
+def _reactions(physics: Physics, outputs: Outputs) -> Iterator[Entry]:
+    derived = _derived(physics)
+    values = _at(physics, derived["reactions"], _solution(physics, derived["residual"]))
+    yield from _equal("reactions", outputs["reactions"], values)
+
+
+def _same(**pairs: str) -> Law:
+    """Outputs of a graph that are outputs of the program."""
 
     def law(physics: Physics, outputs: Outputs) -> Iterator[Entry]:
-        known = physics.textbook
-        matrix = known.mass if output == "mass_matrix" else known.forcing
-        yield from _equal(physics, outputs, output, list(matrix.T))
+        derived = _derived(physics)
+        for own, name in pairs.items():
+            yield from _equal(own, outputs[own], derived[name])
 
     return law
 
 
 LAWS: dict[str, Law] = {
     "forward_dynamics": _forward_dynamics,
-    "mass_matrix": _matrix("mass_matrix"),
-    "forcing": _matrix("forcing"),
-    "residual": _residual,
+    "mass_matrix": _same(mass_matrix="mass"),
+    "forcing": _same(forcing="forcing"),
+    "residual": _same(residual="residual"),
     "inverse_dynamics": _inverse_dynamics,
     "energy": _energy,
-    "momenta": _momenta,
-    "coordinate_rates": _coordinate_rates,
+    "momenta": _same(linear="linear", angular="angular", generalized="generalized"),
+    "coordinate_rates": _same(qd="rates"),
     "reactions": _reactions,
     "jacobians": _jacobians,
     "rates": _rates,

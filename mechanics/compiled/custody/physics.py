@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
 
-from sympy import Expr, Symbol
+from sympy import Symbol
 
-from mechanics.compiled.custody.derived import Derived, Known
+from mechanics.compiled.custody.derived import Derived
 from mechanics.kernel import Finding, Range, Statement, decide
 from mechanics.kernel.statement import LEFT, RIGHT
 from mechanics.program import Builder, Node
@@ -24,14 +24,14 @@ class Physics:
 
     Attributes
     ----------
-    known : Known
+    known : Derived
     builder : Builder
     inputs : dict of str to list of Node
         By group.
     leaves : dict of Symbol to Node
     """
 
-    known: Known
+    known: Derived
     builder: Builder = field(default_factory=Builder)
     inputs: dict[str, list[Node]] = field(init=False)
     leaves: dict[Symbol, Node] = field(init=False)
@@ -45,32 +45,11 @@ class Physics:
         object.__setattr__(self, "leaves", leaves)
         object.__setattr__(self, "inputs", inputs)
 
-    def nodes(
-        self, expressions: Sequence[Expr], given: Mapping[Symbol, Node] | None = None
-    ) -> list[Node]:
-        """Nodes of expressions, of which some symbols may be given."""
-        return list(read(self.builder, expressions, {**self.leaves, **(given or {})}))
-
-    @property
-    def textbook(self) -> Derived:
-        """What was derived, where it is written out."""
-        if not isinstance(self.known, Derived):
-            raise TypeError(f"{self.known.scene}: what was derived is a program")
-        return self.known
-
     @property
     def ranges(self) -> dict[str, Range]:
         """What is declared of the inputs."""
         every = [symbol for group in self.known.symbols.values() for symbol in group]
         return {symbol.name: _range(symbol) for symbol in every}
-
-    @property
-    def constrained(self) -> bool:
-        """Whether its states are those on constraints."""
-        known = self.known
-        if known.symbols.get("multipliers"):
-            return True
-        return isinstance(known, Derived) and known.left.rows > known.mass.rows
 
     def typical(self, name: str) -> Fraction:
         """What an input is at rest: 0, or a typical value of a parameter."""

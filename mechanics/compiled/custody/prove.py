@@ -9,7 +9,7 @@ from typing import Any
 from mechanics.compiled.custody.code import Code
 from mechanics.compiled.custody.constants import literals
 from mechanics.compiled.custody.defined import divides_by_zero, where_defined
-from mechanics.compiled.custody.derived import Known
+from mechanics.compiled.custody.derived import Derived
 from mechanics.compiled.custody.kernel import Kernel
 from mechanics.compiled.custody.physics import Entry, Physics
 from mechanics.compiled.custody.text import Groups, Reading, Text, read_into, read_text
@@ -60,7 +60,7 @@ def prove_text(
     kernel: Kernel,
     source: Source,
     graphs: Mapping[str, Graph],
-    known: Known,
+    known: Derived,
     prepare: Kernel | None = None,
     **options: Any,
 ) -> tuple[Finding, Text | None]:
@@ -72,7 +72,7 @@ def prove_text(
     source : Source
         Of its file, with those that it calls.
     graphs : mapping of str to Graph
-    known : Known
+    known : Derived
         For the names and signs of the inputs.
     prepare : Kernel, optional
         The function that prepares parameters, for one that takes them prepared.

@@ -22,7 +22,7 @@ from mechanics.compiled.c.flow import looked_at
 from mechanics.compiled.c.lanes import FAR, WILD
 from mechanics.compiled.c.status import watched
 from mechanics.compiled.custody.code import entries
-from mechanics.compiled.custody.derived import Known
+from mechanics.compiled.custody.derived import Derived
 from mechanics.compiled.custody.kernel import Kernel
 from mechanics.compiled.custody.physics import Entry, Physics
 from mechanics.compiled.custody.prove import Graph, read_beside, written_nodes
@@ -52,7 +52,7 @@ LARGEST = {
 }
 
 
-def prove_status(kernel: Kernel, source: Source, graph: Graph, known: Known) -> Finding:
+def prove_status(kernel: Kernel, source: Source, graph: Graph, known: Derived) -> Finding:
     """Decide whether the status of a C function is the one that is specified.
 
     Parameters
@@ -85,7 +85,7 @@ class _Values:
     Which are is proposed by residues at a point, and decided by the kernel at the end.
     """
 
-    def __init__(self, kernel: Kernel, source: Source, graph: Graph, known: Known) -> None:
+    def __init__(self, kernel: Kernel, source: Source, graph: Graph, known: Derived) -> None:
         self.kernel, self.graph = kernel, graph
         self.physics = Physics(known)
         builder, given = self.physics.builder, dict(self.physics.inputs)

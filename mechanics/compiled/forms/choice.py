@@ -41,7 +41,7 @@ def chosen(system: System) -> tuple[Form, ca.SX]:
     found = [(form, graph) for form in (RECURSIVE, SPARSE) for graph in form.ways(system)]
     n = len(system.equations.unknowns)
     small = n <= FEW or not found or min(operations(graph) for _, graph in found) >= full(n)
-    if not found or (small and system.readable):
+    if not found or small:
         usual = preferred(system.equations)
         graph = usual.solve(system)
         if system.solved_by(graph):

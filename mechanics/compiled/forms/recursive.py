@@ -32,7 +32,7 @@ def unsuited(equations: Equations) -> str:
 
 def inapplicable(equations: Equations) -> str:
     """Why there is no tree to go along; empty where there may be one."""
-    if not equations.of_bodies:
+    if equations.rows is None:
         return f"the equations by {equations.route} are not those of the scene's bodies"
     if equations.scene.constraints:
         named = ", ".join(constraint.name for constraint in equations.scene.constraints)
@@ -49,7 +49,7 @@ def ways(system: System) -> list[ca.SX]:
     if inapplicable(equations):
         return []
     graphs = tried(equations, _solved).graphs(system)
-    if not graphs or system.written_out:
+    if not graphs or system.small:
         return [graph for _, graph in graphs]
     # What is not weighed by its errors is on the safe side, unless that costs a lot.
     counted = [(operations(graph), way, graph) for way, graph in graphs]

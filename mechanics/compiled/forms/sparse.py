@@ -37,7 +37,7 @@ def unsuited(equations: Equations) -> str:
 
 def inapplicable(equations: Equations) -> str:
     """Why there are no constraints to take along; empty where there may be."""
-    if not equations.of_bodies:
+    if equations.rows is None:
         return f"the equations by {equations.route} are not those of the scene's bodies"
     if not equations.scene.constraints:
         return "nothing constrains the coordinates: form 'recursive' is for trees"

@@ -5,7 +5,6 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import casadi as ca
-from sympy import Matrix
 
 from mechanics.compiled.forms.factor import Pivots, solve_general, solve_symmetric
 from mechanics.compiled.forms.primitive import Primitive, primitive
@@ -19,7 +18,9 @@ from mechanics.compiled.forms.trial import (
 from mechanics.compiled.quantities import Quantities
 from mechanics.compiled.terms import Terms
 from mechanics.compiled.translate import Translator
-from mechanics.equations import Equations
+from mechanics.equations import FEW, Equations
+from mechanics.routes.rows import acceleration_forms
+from mechanics.routes.textbook import Printer
 
 
 @dataclass(frozen=True, eq=False)
@@ -63,15 +64,10 @@ class System:
         x = ca.SX.sym("x", len(self.equations.unknowns))
         return reference(self.function(self.residual(x), x=x), x.numel(), self.quantities)
 
-    @cached_property
-    def readable(self) -> bool:
-        """Whether M and f can be written out."""
-        return self.equations.readable
-
     @property
-    def written_out(self) -> bool:
-        """Whether forms are weighed by K and k: these are not too long, nor too large."""
-        return not self.equations.long and self.readable
+    def small(self) -> bool:
+        """Whether forms are weighed by their errors, too, and not by operations alone."""
+        return self.equations.rows is None or len(self.equations.unknowns) <= FEW
 
     @cached_property
     def graphs(self) -> tuple[ca.SX, ca.SX]:
@@ -80,15 +76,14 @@ class System:
         return self.translate.matrix(left), self.translate.matrix(right)
 
     def residual(self, x: ca.SX) -> ca.SX:
-        """K x - k, by the rows that stand for K and k where the route has them."""
+        """K x - k, by the rows as they were derived: what cancels in K and k has rounded there."""
         equations = self.equations
-        if not equations.rows:
+        if equations.rows is None or equations.fixed:
             left, right = self.graphs
             return left @ x - right
-        unknowns = equations.unknowns
-        closing = equations.constraint_matrix * Matrix(equations.scene.ud)
-        rows = [*equations.rows, *(closing - equations.constraint_bias)]
-        given = ca.vertcat(*map(self.translate, unknowns))
+        mechanism, route = equations.program
+        rows = Printer(equations.scene, mechanism)((*route.values, *acceleration_forms(mechanism)))
+        given = ca.vertcat(*map(self.translate, equations.unknowns))
         return ca.substitute(self.translate.column(rows), given, x)
 
     @cached_property

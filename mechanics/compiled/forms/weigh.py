@@ -50,7 +50,7 @@ def lightest(system: System, graphs: Iterable[ca.SX]) -> ca.SX:
             " satisfy M u' = f: choose another one, or 'auto'"
         )
     best, least = counted[0][1], inf
-    if not system.written_out:
+    if not system.small:
         return best
     for count, graph in counted:
         if count >= least:

@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from mechanics.compiled.custody.code import Code
-from mechanics.compiled.custody.derived import Known
+from mechanics.compiled.custody.derived import Derived
 from mechanics.compiled.custody.graph import prove_derived
 from mechanics.compiled.custody.kernel import Kernel
 from mechanics.compiled.custody.prove import Graph, is_prepared, prove_text
@@ -35,7 +35,7 @@ class Evidence:
 
     Attributes
     ----------
-    known : Known
+    known : Derived
     graphs : mapping of str to Graph
         By function.
     rates : Code or None
@@ -45,7 +45,7 @@ class Evidence:
         C files and headers by name.
     """
 
-    known: Known
+    known: Derived
     graphs: Mapping[str, Graph]
     rates: Code | None
     kernels: tuple[Kernel, ...]
@@ -69,7 +69,7 @@ def silent(words: str) -> None:
     """Nobody is told."""
 
 
-def first_step(evidence: Evidence, known: Known, report: Report = silent) -> Iterator[Finding]:
+def first_step(evidence: Evidence, known: Derived, report: Report = silent) -> Iterator[Finding]:
     """Decide for each graph whether it is what was derived."""
     codes = [(name, name, g.code) for name, g in evidence.graphs.items() if name not in PARTS]
     whole = [code for name, _, code in codes if name == WHOLE]

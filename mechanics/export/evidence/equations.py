@@ -1,13 +1,10 @@
-"""equations.json: what was derived, as `Derived` or `DerivedProgram` has it.
+"""equations.json: what was derived, as `Derived` has it.
 
-    {"scene": ..., "symbols": [["L", "positive"], ...], "nodes": [["symbol", 0], ...],
-     "groups": {"q": [0, 1], ...}, "left": [[12, 17], [17, 20]], "right": [31, 32], ...}
+    {"scene": ..., "symbols": [["L", "positive"], ...], "groups": {"q": [0, 1], ...},
+     "inputs": ["q1", ...], "operations": [...], "outputs": {"rows": [41, 57], ...}}
 
-Numbers in the parts are places among the nodes; those in the groups are places among the symbols.
-What was derived as a program stands as one, in the format of `mechanics.program.json_format`.
-
-    {"scene": ..., "symbols": ..., "groups": ..., "inputs": ["q1", ...], "operations": [...],
-     "outputs": {"rows": [41, 57], ...}}
+Numbers in the groups are places among the symbols. What was derived stands as a program in the
+format of `mechanics.program.json_format`, values of fixed parameters as `nodes`.
 """
 
 from __future__ import annotations
@@ -16,22 +13,18 @@ import json
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from sympy import Expr, Matrix, Symbol
+from sympy import Expr, Symbol
 
-from mechanics.compiled.custody.derived import Derived, Known
-from mechanics.compiled.custody.derived_program import GROUPS, DerivedProgram
+from mechanics.compiled.custody.derived import GROUPS, Derived
 from mechanics.errors import ExpressionError, InputError
 from mechanics.export.evidence.expressions import Writer, index, read_nodes, read_symbols
 from mechanics.program import Program
 from mechanics.program.json_format import FORMAT, read, write
 
 FILE = "equations.json"
-MATRICES = ("left", "right", "mass", "forcing")
-COLUMNS = ("rates", "linear", "angular")
-SCALARS = ("kinetic", "potential")
 
 
-def equations_text(known: Known) -> str:
+def equations_text(known: Derived) -> str:
     """Text of the file."""
     writer = Writer()
     groups = {g: [writer.symbol(s) for s in known.symbols[g]] for g in GROUPS}
@@ -42,19 +35,7 @@ def equations_text(known: Known) -> str:
         "time": known.time,
         "fixed": _pairs(writer, tuple(known.fixed.items())),
     }
-    if isinstance(known, DerivedProgram):
-        content |= _program(known.program)
-        return lines({**content, "symbols": writer.symbols, "nodes": writer.nodes})
-    content["unknowns"] = [writer.symbol(symbol) for symbol in known.unknowns]
-    content["reactions"] = _pairs(writer, known.reactions)
-    for name in MATRICES:
-        matrix = getattr(known, name)
-        rows = [[writer.add(matrix[i, j]) for j in range(matrix.cols)] for i in range(matrix.rows)]
-        content[name] = [matrix.cols, rows]
-    for name in COLUMNS:
-        content[name] = [writer.add(entry) for entry in getattr(known, name)]
-    for name in SCALARS:
-        content[name] = writer.add(getattr(known, name))
+    content |= _program(known.program)
     return lines({**content, "symbols": writer.symbols, "nodes": writer.nodes})
 
 
@@ -82,7 +63,7 @@ def lines(content: dict[str, Any]) -> str:
     return "{\n" + ",\n".join(parts) + "\n}\n"
 
 
-def read_equations(content: Any) -> Known:
+def read_equations(content: Any) -> Derived:
     """What a file says that was derived.
 
     Parameters
@@ -106,7 +87,7 @@ def read_equations(content: Any) -> Known:
         raise ExpressionError(f"it is not what was derived: {words}") from None
 
 
-def _read(content: Any) -> Known:
+def _read(content: Any) -> Derived:
     symbols = read_symbols(content["symbols"])
     nodes = read_nodes(content["nodes"], symbols)
 
@@ -122,48 +103,33 @@ def _read(content: Any) -> Known:
     def pairs(records: Any) -> tuple[tuple[Symbol, Expr], ...]:
         return tuple((symbol(one), expression(two)) for one, two in records)
 
-    def matrix(record: Any) -> Matrix:
-        columns, rows = record
-        flat = [expression(place) for row in rows for place in row]
-        return Matrix(len(rows), index(columns, 10_000), flat)
-
     time = content["time"]
     groups = {g: tuple(symbol(place) for place in content["groups"][g]) for g in GROUPS}
     if time is not None:
         index(time, len(groups["inputs"]))
-    if "operations" in content:
-        return DerivedProgram(
-            scene=str(content["scene"]),
-            route=str(content["route"]),
-            symbols=groups,
-            fixed=dict(pairs(content["fixed"])),
-            time=time,
-            program=_read_program(content, groups),
-        )
     return Derived(
         scene=str(content["scene"]),
         route=str(content["route"]),
         symbols=groups,
         fixed=dict(pairs(content["fixed"])),
         time=time,
-        unknowns=tuple(symbol(place) for place in content["unknowns"]),
-        reactions=pairs(content["reactions"]),
-        **{name: matrix(content[name]) for name in MATRICES},
-        **{name: tuple(map(expression, content[name])) for name in COLUMNS},
-        **{name: expression(content[name]) for name in SCALARS},
+        program=_read_program(content, groups),
     )
 
 
 def _read_program(content: Any, groups: Mapping[str, Sequence[Symbol]]) -> Program:
     whole = {"format": FORMAT, "inputs": content["inputs"], "nodes": content["operations"]}
     program = read(json.dumps({**whole, "outputs": content["outputs"]}))
-    n = len(groups["ud"])
+    n, found = len(groups["ud"]), {name: len(nodes) for name, nodes in program.outputs.items()}
+    size = n + len(groups["multipliers"])
+    rows = found.get("rows", 0)
     sizes = {
-        "rows": n, "conjugate": n, "constraints": len(groups["multipliers"]),
+        "closing": size - rows, "residual": size, "mass": n * rows, "forcing": rows,
         "rates": len(groups["q"]), "kinetic": 1, "potential": 1, "linear": 3, "angular": 3,
         "generalized": n, "reactions": len(groups["reactions"]),
+        **({"forces": n} if "forces" in found else {}),
     }  # fmt: skip
     for name, size in sizes.items():
-        if len(program.outputs.get(name, ())) != size:
+        if found.get(name, 0) != size:
             raise ExpressionError(f"{name}: {size} entries are expected")
     return program

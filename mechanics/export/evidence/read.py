@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import Any
 
 from mechanics.compiled.custody.code import Code
-from mechanics.compiled.custody.derived import Known
+from mechanics.compiled.custody.derived import Derived
 from mechanics.compiled.custody.kernel import Kernel
 from mechanics.errors import ExpressionError, InputError
 from mechanics.export.evidence import equations, graphs
@@ -188,7 +188,7 @@ def _evidence(path: Path, manifest: Mapping[str, Any], texts: Mapping[str, str])
     return Evidence(known, found, rates, kernels, code)
 
 
-def _fit(known: Known, codes: Sequence[Code]) -> None:
+def _fit(known: Derived, codes: Sequence[Code]) -> None:
     """The graphs have the arrays of what was derived."""
     for code in codes:
         for group, size in code.inputs:

@@ -57,7 +57,7 @@ def evidence_of(
         kernels += [Kernel(name, f"{own}_{name}", file, part.kind) for name in names]
         batch = f"{own}_batch.c"
         kernels += [Kernel(n, f"{own}_{n}_batch", batch, part.kind, SHARED) for n in many]
-    return Evidence(derived(model.casadi, names), graphs, rates, tuple(kernels), dict(texts))
+    return Evidence(derived(model.casadi), graphs, rates, tuple(kernels), dict(texts))
 
 
 def evidence_files(evidence: Evidence) -> dict[str, str]:

@@ -14,10 +14,10 @@ from pathlib import Path
 
 from mechanics.compiled.custody.binary import Measured
 from mechanics.compiled.custody.build import building, compilers
-from mechanics.compiled.custody.derived import Known, derived
+from mechanics.compiled.custody.derived import Derived, derived
 from mechanics.compiled.fixed import Fixed, read_fixed
 from mechanics.compiled.graphs import STATE, Graphs
-from mechanics.equations import Equations, ProgramEquations
+from mechanics.equations import Equations
 from mechanics.errors import InputError
 from mechanics.export.evidence.binaries import third_step
 from mechanics.export.evidence.chain import (
@@ -108,7 +108,7 @@ class Verification:
 
 def chain(
     evidence: Evidence,
-    again: Known | None = None,
+    again: Derived | None = None,
     measure: bool = True,
     sines: bool = True,
     report: Report = silent,
@@ -118,7 +118,7 @@ def chain(
     Parameters
     ----------
     evidence : Evidence
-    again : Known, optional
+    again : Derived, optional
         What was derived anew, to be compared with the graphs, too.
     measure : bool
         Whether to compile the code and compare.
@@ -175,7 +175,7 @@ def _not_compiled(measure: bool, paths: Sequence[str], shown: bool) -> str:
 
 def verify(
     folder: Folder | str | Path,
-    equations: Equations | ProgramEquations | None = None,
+    equations: Equations | None = None,
     measure: bool = True,
     report: Report = silent,
 ) -> Verification:
@@ -185,7 +185,7 @@ def verify(
     ----------
     folder : Folder, str or Path
         As `write_c` wrote it.
-    equations : Equations or ProgramEquations, optional
+    equations : Equations, optional
         Derived again from the scene by the route of the manifest: the graphs are compared with
         these, too. Without them the outcome is UNDECIDED at best.
     measure : bool
@@ -207,7 +207,7 @@ def verify(
     return Verification(folder, found, physics, unvouched(folder, physics))
 
 
-def derived_again(folder: Folder, equations: Equations | ProgramEquations) -> Known:
+def derived_again(folder: Folder, equations: Equations) -> Derived:
     """What was derived again, with the parameters fixed as the manifest says.
 
     Raises
@@ -215,11 +215,11 @@ def derived_again(folder: Folder, equations: Equations | ProgramEquations) -> Kn
     InputError
         If the arrays have other entries: it is another scene.
     """
-    scene, names = equations.scene, tuple(folder.evidence.graphs)
+    scene = equations.scene
     here = {symbol.name for group in folder.evidence.known.symbols.values() for symbol in group}
     if not {symbol.name for symbol in (*scene.q, *scene.u)} <= here:
         raise _other(folder, scene.name)
-    found = derived(Graphs(equations, fixed=_fixed(folder, scene)), names)
+    found = derived(Graphs(equations, fixed=_fixed(folder, scene)))
     for group in (*STATE, "ud", "multipliers"):
         left, right = (
             [symbol.name for symbol in one.symbols[group]] for one in (folder.evidence.known, found)

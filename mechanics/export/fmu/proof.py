@@ -9,7 +9,7 @@ The text is read back from the archive. Its graphs are put together from those o
 import zipfile
 from pathlib import Path
 
-from sympy import Matrix, Symbol
+from sympy import Symbol
 
 from mechanics.compiled import Model
 from mechanics.compiled.c.names import identifier
@@ -27,6 +27,7 @@ from mechanics.export.fmu.functions import (
 )
 from mechanics.export.fmu.model_text import symbol
 from mechanics.kernel import Finding
+from mechanics.program import Builder
 from mechanics.program.c.parse import Source, parse
 from mechanics.program.casadi_reader import read_routine
 
@@ -88,6 +89,5 @@ def _names(model: Model, known: Functions) -> Derived:
         "given": tuple(entry.symbol for entry in given),
         "seed": tuple(Symbol(f"seed_{i}") for i in range(size)),
     }
-    none = Matrix(0, 0, [])
     scene, route = model.equations.scene.name, model.equations.route
-    return Derived(scene, route, groups, {}, None, (), none, none, none, none, ())
+    return Derived(scene, route, groups, {}, None, Builder().program({}))

@@ -17,6 +17,7 @@ from mechanics.report.answer.sheets import shared_notes
 from mechanics.report.drawing import drawing
 from mechanics.report.environment import environment
 from mechanics.report.sections import SymbolRow, symbol_rows
+from mechanics.routes.derivation import steps_of
 
 
 def check_html(found: Check) -> str:
@@ -52,7 +53,7 @@ def check_html(found: Check) -> str:
         symbols=_symbols(found, state),
         route=route,
         result=result,
-        steps_before=found.derived.steps[:-1] if found.derived else (),
+        steps_before=steps_of(found.derived)[:-1] if found.derived else (),
     )
 
 

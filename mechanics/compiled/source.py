@@ -1,0 +1,206 @@
+"""Where the graphs of a model come from: matrices that are written out, and programs.
+
+Equations that are not written out have programs alone. What every route has to give is compiled
+from what is shorter. What an output is made from is chosen in `mechanics.compiled.textbook` and
+`mechanics.compiled.outputs`; numbers that no double holds stay exact, as named constants.
+"""
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, replace
+from functools import cached_property
+
+import casadi as ca
+import sympy
+
+from mechanics.compiled.bordered import bind, tried_pivots
+from mechanics.compiled.fixed import Fixed, fix, words
+from mechanics.compiled.forms import named_form
+from mechanics.compiled.outputs import FORMS, Outputs
+from mechanics.compiled.quantities import STATE, Quantities
+from mechanics.compiled.textbook import Textbook, instructions
+from mechanics.equations import Equations
+from mechanics.errors import ExpressionError, InputError, SingularError
+from mechanics.mechanism import Mechanism
+from mechanics.program.casadi_printer import print_graphs
+from mechanics.program.residues import Residues
+from mechanics.routes.rows import acceleration_forms, coefficients
+
+OF_EVERY_ROUTE = frozenset({"inverse_dynamics", "jacobians", "energy"})
+"""Functions that are the same whatever the rows of a route are, and that programs make shorter."""
+
+
+def with_fixed(equations: Equations, fixed: Fixed, form: str) -> Equations:
+    """The equations with the fixed values in their matrices, once form and values are possible.
+
+    Raises
+    ------
+    InputError
+        For a form that there is not, and a division by a parameter that is fixed to zero.
+    SingularError
+        If the equations do not determine the accelerations at the fixed values.
+    """
+    if equations.textbook is not None:
+        put = fix(equations, fixed)
+        if form != "auto":
+            # A form that there is not is refused at once; the cheapest is found when it is needed.
+            named_form(form, put)
+        return put
+    if form not in ("auto", *FORMS):
+        raise InputError(
+            f"form {form!r}: the equations of {equations.scene.name} are too long to be written"
+            f" out: choose among {', '.join(FORMS)}, or 'auto'"
+        )
+    if fixed:
+        _determined(equations, fixed)
+    return equations
+
+
+def _determined(equations: Equations, fixed: Fixed) -> None:
+    """Find the system for (u', lambda) regular at the fixed values: at a point of a field."""
+    mechanism, rows = equations.program
+    unknowns = (*mechanism.ud, *rows.multipliers)
+    matrix = coefficients([*rows.values, *acceleration_forms(mechanism)], unknowns)
+    program = mechanism.builder.program({"K": [entry for row in matrix for entry in row]})
+    named = f"{equations.scene.name} by {equations.route}: with {words(fixed)} fixed,"
+    try:
+        other, found = bind(program, _numbers(fixed))
+    except ExpressionError:
+        raise InputError(
+            f"{named} something is divided by zero: leave the parameter free"
+        ) from None
+    n = len(unknowns)
+    filter_ = Residues(other)
+    values = filter_.values(found["K"])
+    table = [values[n * i : n * (i + 1)] for i in range(len(matrix))]
+    if len(filter_.eliminate(table, n)) < n:
+        raise SingularError(
+            f"{named} the equations do not determine the accelerations: is a body left without"
+            " mass?"
+        )
+
+
+def _numbers(fixed: Fixed) -> dict[str, sympy.Expr]:
+    return {symbol.name: value for symbol, value in fixed.items()}
+
+
+@dataclass(frozen=True, eq=False)
+class Source:
+    """Graphs of the outputs of equations.
+
+    Attributes
+    ----------
+    equations : Equations
+        With the fixed values, as `with_fixed` gives them.
+    fixed : mapping of Symbol to Expr
+    named : str
+        Form of forward dynamics, or ``"auto"``.
+    quantities : Quantities
+    columns : mapping of str to casadi.SX
+        The arrays.
+    constants : dict of Expr to casadi.SX
+        Numbers that no double holds, as they are found.
+    bound : callable
+        Puts the nearest doubles in place of these.
+    """
+
+    equations: Equations
+    fixed: Fixed
+    named: str
+    quantities: Quantities
+    columns: Mapping[str, ca.SX]
+    constants: dict[sympy.Expr, ca.SX]
+    bound: Callable[[list[ca.SX]], list[ca.SX]]
+
+    @cached_property
+    def matrices(self) -> Textbook | None:
+        """Graphs of matrices, where they are written out."""
+        if self.equations.textbook is None:
+            return None
+        return Textbook(
+            self.equations, self.fixed, self.named, self.quantities, self.columns,
+            self.constants, self.bound,
+        )  # fmt: skip
+
+    @cached_property
+    def programs(self) -> Outputs | None:
+        """Programs of the mechanism; None where matrices have to do.
+
+        Beside matrices they serve a tree of bodies only.
+        """
+        equations = self.equations
+        if equations.mechanism is None:
+            return None
+        mechanism, rows = equations.program
+        written, numbers = equations.textbook is not None, _numbers(self.fixed)
+        form = "auto" if written else self.named
+        programs = outputs_of(mechanism, self.quantities, numbers, form)
+        if not (mechanism.constraints or mechanism.frictions):
+            return programs
+        if written:
+            return None
+        return replace(programs, route=rows, choose=tried_pivots(self.quantities, numbers))
+
+    @property
+    def form(self) -> str:
+        """How forward dynamics is written: one of `mechanics.compiled.FORMS` or of `outputs`."""
+        if self.matrices is not None:
+            return self.matrices.form
+        return "" if self.programs is None else self.programs.chosen
+
+    def outputs(self, name: str) -> dict[str, ca.SX]:
+        """The graphs of the outputs of a function."""
+        if self.matrices is None:
+            return self._from_programs(name, self.constants)
+        own = self.matrices.outputs(name)
+        if name not in OF_EVERY_ROUTE or self.programs is None:
+            return own
+        constants = dict(self.constants)
+        other = self._from_programs(name, constants)
+        if instructions(other) >= instructions(own):
+            return own
+        self.constants.update(constants)
+        return other
+
+    def _from_programs(self, name: str, constants: dict[sympy.Expr, ca.SX]) -> dict[str, ca.SX]:
+        if self.programs is None:
+            return {}
+        return graphs_of(name, self.programs, self.quantities, self.columns, constants)
+
+
+def outputs_of(
+    mechanism: Mechanism, quantities: Quantities, fixed: Mapping[str, sympy.Expr], form: str
+) -> Outputs:
+    """The programs of a mechanism in the arrays of a model."""
+    variables = {
+        name: tuple(mechanism.builder.input(entry.name) for entry in getattr(quantities, name))
+        for name in STATE
+    }
+    return Outputs(mechanism, variables, fixed, form)
+
+
+def graphs_of(
+    name: str,
+    programs: Outputs,
+    quantities: Quantities,
+    columns: Mapping[str, ca.SX],
+    constants: dict[sympy.Expr, ca.SX],
+) -> dict[str, ca.SX]:
+    """The graphs of the outputs of a function; numbers that no double holds join the constants."""
+    groups = {group: getattr(quantities, group) for group in (*STATE, "ud", "multipliers")}
+    entries = {
+        entry.name: columns[group][i]
+        for group, of_group in groups.items()
+        for i, entry in enumerate(of_group)
+    }
+    n = len(quantities.ud)
+    shapes = {f"ud_{group}": (n, len(groups[group])) for group in STATE}
+    shapes |= {"mass_matrix": (n, n), "multipliers": (len(quantities.multipliers), 1)}
+    program = programs[name]
+
+    def named(number: sympy.Expr) -> ca.SX:
+        if number not in constants:
+            constants[number] = ca.SX.sym(f"c{len(constants)}")
+        return constants[number]
+
+    own = {output: shape for output, shape in shapes.items() if output in program.outputs}
+    return print_graphs(program, entries, own, named)
