@@ -68,6 +68,29 @@ def test_what_is_modelled_has_the_value_of_c(body: str, value: object) -> None:
         assert not function.late and not function.beyond
 
 
+BRANCHES = [
+    "double s; if (x[0] < 1.0) s = x[0]; else s = x[1]; y[0] = s;",
+    "double s = x[1]; if (x[0] < 1.0) { double t = x[0]; s = t; } y[0] = s;",
+    "double s = x[1]; if (x[0] < 1.0) { if (x[0] < 1.0) s = x[0]; else s = 7.0; } y[0] = s;",
+    "double t[1] = {x[1]}; if (x[0] < 1.0) t[0] = x[0]; y[0] = t[0];",
+    "double t[1]; if (x[0] < 1.0) t[0] = x[0]; else t[0] = x[1]; y[0] = t[0];",
+    "double s = 7.0, t[1]; if (x[0] < 1.0) { t[0] = x[0]; s = t[0]; } else s = x[1]; y[0] = s;",
+    "y[0] = x[1]; if (x[0] < 1.0) y[0] = x[0]; double s = y[0]; y[0] = 1.0; y[0] = s;",
+]
+
+
+@pytest.mark.parametrize("body", BRANCHES)
+def test_a_branch_that_sets_a_number_is_a_choice(body: str) -> None:
+    builder = Builder()
+    choice = "(x[0] < 1.0) ? x[0] : x[1]"
+    for wanted, sign in ((choice, ""), (f"-({choice})", "-")):
+        (right,) = read(f"y[0] = {wanted};", builder=builder).outputs.values()
+        (left,) = read(f"{body} y[0] = {sign}y[0];", builder=builder).outputs.values()
+        nodes = [Node(builder, one[-1].node) for one in (left, right)]
+        program = builder.program({"left": nodes[:1], "right": nodes[1:]})
+        assert decide(Statement(body, program)).shown
+
+
 def test_functions_and_macros_of_the_file_are_read() -> None:
     before = """
         #define TWO 2.0   /* a macro */
@@ -113,7 +136,12 @@ REFUSED = [
     ("if (x[0] < 1.0) y[0] = x[0]; double s = 1.0; while (s < 2.0) s = 3.0;", "While"),
     ("static double s = 1.0; y[0] = s;", "s keeps its value between calls"),
     ("volatile double s = x[0]; y[0] = s;", "volatile is not known"),
-    ("double s = 0.0; if (x[0] < 1.0) s = 1.0; y[0] = s;", "set under a condition only"),
+    ("double s; if (x[0] < 1.0) s = 1.0; y[0] = s;", "s is read before it is set"),
+    ("double t[1]; if (x[0] < 1.0) t[0] = 1.0; y[0] = t[0];", "t[0] is set under a condition only"),
+    (
+        "double s; for (int i = 0; i < 2; ++i) { if (x[0] < 1.0) continue; s = 1.0; }",
+        "s is set under a condition only",
+    ),
     ("goto end; end: y[0] = x[0];", "Goto"),
     ("y[0] = (x[0], x[1]);", "ExprList"),
     ("y[0] = x[0] % 2;", "% of real numbers"),

@@ -147,3 +147,52 @@ float theta_ddot(struct Pendulum p, float u)
 """
     assert _verdict(ROD, text) == "PROVED"
     assert _verdict(ROD, text.replace("1.5f*p.g", "1.5f*p.m")) == "REFUTED"
+
+
+SIDES = {
+    "one result": "double push = m*g*l/2*sin(theta); if (u > 0) push += u; else push += u;"
+                  "return push/(m*l*l/3);",
+    "ways out": "if (u > 0) { double push = u; return (m*g*l/2*sin(theta) + push)/(m*l*l/3); }"
+                "else if (theta < 0) return (u + m*g*l/2*sin(theta))/(m*l*l/3);"
+                "double s = sin(theta); return (m*g*l/2*s + u)/(m*l*l/3);",
+    "turns": "return (m*g*l/2*sin(fmod(theta, 2*M_PI)) + u)/(m*l*l/3);",
+    "half turns": "return (u - m*g*l/2*sin(theta + M_PI))/(m*l*l/3);",
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("body", SIDES.values(), ids=SIDES.keys())
+@pytest.mark.parametrize(("sign", "verdict"), [("", "PROVED"), ("-", "REFUTED")])
+def test_branches_and_constants_of_the_header(body: str, sign: str, verdict: str) -> None:
+    body = body.replace("/(m*l*l/3)", f"/({sign}m*l*l/3)", 1)
+    assert _verdict(ROD, f"#include <math.h>\n{HEAD}\n{{ {body} }}\n") == verdict
+
+
+ARRAYS = {
+    "both write": "if (u > 0) dx[1] = a; else dx[1] = b; dx[0] = x[1];",
+    "one writes again": "dx[1] = b; dx[0] = x[1]; if (u > 0) { dx[1] = a; }",
+    "one ends": "dx[0] = x[1]; if (u > 0) { dx[1] = a; return; } dx[1] = b;",
+}
+RIGHT = "(m*g*l/2*sin(x[0]) + u)/(m*l*l/3)"
+
+
+@pytest.mark.parametrize("body", ARRAYS.values(), ids=ARRAYS.keys())
+@pytest.mark.parametrize("wrong", ["", "a", "b"])
+def test_outputs_by_cases_are_all_judged(body: str, wrong: str) -> None:
+    head = "void f(const double *x, double u, double m, double l, double g, double *dx)"
+    sides = "".join(f"double {n} = {RIGHT.replace('+', '-' if n == wrong else '+')};" for n in "ab")
+    found = _verdict(ROD, f"#include <math.h>\n{head}\n{{ {sides} {body} }}\n")
+    assert found == ("REFUTED" if wrong else "PROVED")
+
+
+@pytest.mark.parametrize(
+    ("body", "words"),
+    [
+        ("double s; if (u > 0) s = 1; return s;", "s is read before it is set"),
+        ("if (u > 0) return 1;", "Return is not known here"),
+        ("if (u > 0) return 1; return 2; return 3;", "Return is not known here"),
+        ("return M_PI;", "M_PI is not declared"),
+    ],
+)
+def test_cases_without_a_value_are_refused(body: str, words: str) -> None:
+    with pytest.raises(InputError, match=words):
+        check(ROD, f"{HEAD} {{ {body} }}", notation="c")

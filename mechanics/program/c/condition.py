@@ -91,6 +91,9 @@ class Choice:
 MOST_CASES = 64
 """Each condition can double them."""
 
+MOST_STATEMENTS = 12
+"""Of a condition whose every case is tried."""
+
 Decision = int | Choice
 
 
@@ -175,6 +178,26 @@ def atoms(decision: Decision) -> Iterator[Atom]:
         yield from _atoms(decision.condition)
         yield from atoms(decision.yes)
         yield from atoms(decision.no)
+
+
+def possible(condition: Condition) -> bool:
+    """Whether a condition holds for some truth of its statements, each taken for itself.
+
+    Raises
+    ------
+    ExpressionError
+        If it has too many statements to try.
+    """
+    if isinstance(condition, bool):
+        return condition
+    every = dict.fromkeys(_atoms(condition))
+    if len(every) > MOST_STATEMENTS:
+        raise ExpressionError(f"more than {MOST_STATEMENTS} comparisons decide a value")
+    one = next(iter(every))
+    return any(
+        possible(_renamed(condition, lambda atom, v=value: v if atom == one else atom))  # type: ignore[misc]
+        for value in (True, False)
+    )
 
 
 def _atoms(condition: Condition) -> Iterator[Atom]:

@@ -2,7 +2,7 @@
 
     int f(const double q[2], double ud[2])     q[0], q[1] -> nodes,   nodes -> ud[0], ud[1], status
 
-    if (...) status = 2;                       both ways; what differs depends on the condition
+    if (...) s = 2; else s = x;                both ways; what differs depends on the condition
     if (...) continue;                         the rest under the opposite condition
     for (int i = 0; i < 4; ++i) { ... }        four times
     for (size_t i = 0; i < count; ++i) { ... } once, for lane i: entry k at k * stride + i
@@ -17,7 +17,8 @@ arrays as outputs, so a read after a write is noted.
 
 What C does silently is refused by name: a float beside a double, a double made an integer, an
 integer quotient of what is not known, a variable that is read before it is set, a constant that is
-changed, a number that is set under a condition. Integers beside real numbers are exact.
+changed, a number that is read where only one branch has set it. Integers beside real numbers are
+exact.
 
     -1 < 1u  is false,      (1u - 2) * x  is 4294967295 x,      -7 / 2u  is 2147483644
 
@@ -49,7 +50,7 @@ from mechanics.program.c.function import BEYOND, Function, Parameter, Target, Wr
 from mechanics.program.c.library import ARITHMETIC, FAR, FUNCTIONS, FUSED, SINCOS
 from mechanics.program.c.literal import literal, rounded
 from mechanics.program.c.parse import Source
-from mechanics.program.c.select import chosen
+from mechanics.program.c.select import chosen, latest
 from mechanics.program.c.types import REALS, Type, declared, parameters, signature
 from mechanics.program.c.values import (
     INTEGERS,
@@ -357,7 +358,7 @@ class Reader:
             raise ExpressionError(f"{where}: {variable.name} is carried from lane to lane")
         guards = [guard for guard in self.guards[variable.guards :] if guard.condition is not True]
         skipped = [guard.condition for guard in guards if not guard.both]
-        if guards and (variable.type.kind in REALS or (skipped and not gathers)):
+        if skipped and not gathers:
             raise ExpressionError(f"{where}: {variable.name} is set under a condition only")
         if skipped and variable.value is not None:
             # What a skipped lane does not say, the flag does not gather.
@@ -380,16 +381,19 @@ class Reader:
         outside = array.place is not None
         if self.lane and outside and not array.stride:
             raise ExpressionError(f"{where}: {array.name} is written by every lane")
-        condition: Condition = True
-        for guard in self.guards[array.guards :]:
-            condition = joined(True, condition, guard.condition)
-        if condition is not True and not outside:
-            raise ExpressionError(f"{where}: {array.name}[{entry}] is set under a condition only")
+        condition = self._under(array)
         written = Written(condition, self.real(value, array.kind, where))
         if condition is not False:
             before = [] if condition is True else array.entries.get(entry, [])
             array.entries[entry] = [*before, written]
             self.written = self.written or outside
+
+    def _under(self, array: Array) -> Condition:
+        """The condition under which the statement at hand runs, where the array is declared."""
+        condition: Condition = True
+        for guard in self.guards[array.guards :]:
+            condition = joined(True, condition, guard.condition)
+        return condition
 
     def _if(self, node: Any) -> None:
         condition = self.condition(self.value(node.cond), node.coord)
@@ -413,9 +417,22 @@ class Reader:
         for variable, yes, no in zip(variables, *ends, strict=True):
             if isinstance(condition, bool):
                 variable.value = yes if condition else no
+            elif yes != no and variable.type.kind in REALS and not variable.type.depth:
+                variable.value = self._merged(condition, variable, yes, no, node.coord)
             elif yes != no:
                 sides = (as_decision(side, node.coord) for side in (yes, no))
                 variable.value = of_decision(choice(condition, *sides))
+
+    def _merged(
+        self, condition: Condition, variable: Variable, yes: Value | None, no: Value | None,
+        where: Any,
+    ) -> Value | None:  # fmt: skip
+        """A real number after both branches; it has none where one of them gives it none."""
+        if yes is None or no is None:
+            return None
+        kind = variable.type.kind
+        first, second = (self.real(side, kind, where) for side in (yes, no))
+        return Real(self.target.choose(condition, first, second, kind, where), kind)
 
     # ------------------------------------------------------------------ loops
 
@@ -599,9 +616,12 @@ class Reader:
             node = self.target.input(BEYOND, len(self.beyond) - 1, array.kind)
             return Real(node, array.kind)
         if array.place is None or not array.constant:
-            if entry not in array.entries:
-                raise ExpressionError(f"{where}: {array.name}[{entry}] is read before it is set")
-            return Real(array.entries[entry][-1].node, array.kind)
+            written = array.entries.get(entry, ())
+            last = latest(self.target, written, self._under(array), array.kind, where)
+            if last is None:
+                words = "is set under a condition only" if written else "is read before it is set"
+                raise ExpressionError(f"{where}: {array.name}[{entry}] {words}")
+            return Real(last, array.kind)
         if self.written:
             self.late.append(f"{where}: {array.name}[{at.offset}]")
         return Real(self.target.input(array.place, entry, array.kind), array.kind)

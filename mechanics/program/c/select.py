@@ -2,12 +2,21 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from fractions import Fraction
 from typing import Any
 
 from mechanics.errors import ExpressionError
-from mechanics.program.c.condition import Atom, Choice, Condition, Decision
-from mechanics.program.c.function import Target
+from mechanics.program.c.condition import (
+    Atom,
+    Choice,
+    Condition,
+    Decision,
+    joined,
+    negation,
+    possible,
+)
+from mechanics.program.c.function import Target, Written
 
 RELATIONS = {"<": "less", "<=": "not_greater", "==": "equal"}
 
@@ -18,6 +27,37 @@ def chosen(target: Target, decision: Decision, kind: str, where: Any) -> int:
         return target.number(Fraction(decision), kind)
     yes, no = (chosen(target, side, kind, where) for side in (decision.yes, decision.no))
     return target.choose(decision.condition, yes, no, kind, where)
+
+
+def latest(
+    target: Target, written: Sequence[Written], under: Condition, kind: str, where: Any
+) -> int | None:
+    """What was written last, each under its condition; None where some case has written nothing.
+
+    if (c) y = a; else y = b;    ->    !c ? b : a
+
+    Parameters
+    ----------
+    target : Target
+    written : sequence of Written
+        In order.
+    under : Condition
+        What holds where it is read.
+    kind : str
+    where : Any
+    """
+    node: int | None = None
+    unset = under
+    for one in written:
+        both = joined(True, under, one.condition)
+        if both is False:
+            continue
+        if node is None or both == under:
+            node = one.node
+        else:
+            node = target.choose(one.condition, one.node, node, kind, where)
+        unset = joined(True, unset, negation(one.condition))
+    return None if possible(unset) else node
 
 
 def truth(target: Target, condition: Condition, kind: str, where: Any) -> int:

@@ -3,6 +3,7 @@
 double A[2][3];  A[i][j]                  ->  double A[6];  A[i*3 + j]
 int i;  for (i = 0; i <= n; i++)          ->  for (int i = 0; i < n + 1; i++)
 for (int i = n; i >= a; i--) s            ->  for (int k = 0; k < n - a + 1; ++k) {int i = n - k; s}
+if (c) return a; s; return b;             ->  if (c) r = a; else {s; r = b;} return r;
 """
 
 from collections.abc import Iterator
@@ -48,6 +49,7 @@ def flat(source: Source) -> Source:
         _uses(function.body, columns, heads)
         _loops(function.body, _plain_counters(function.body))
         _assignments(function.body)
+        _one_way_out(function)
     return replace(source, functions=functions, prototypes=prototypes)
 
 
@@ -225,3 +227,63 @@ def _assignments(node: Any) -> None:
 
 def _assigns(node: Any) -> bool:
     return isinstance(node, c_ast.Assignment) and node.op == "="
+
+
+def _one_way_out(function: Any) -> None:
+    """Return at the end alone, where each branch that returns does so on all its ways."""
+    statements, kind = function.body.block_items or [], function.decl.type.type
+    words, where = getattr(kind.type, "names", None), function.coord
+    name = f"{function.decl.name}_result" if words == ["double"] else ""
+    early = any(_returns(one) and not isinstance(one, c_ast.Return) for one in statements)
+    taken = name and any(getattr(node, "name", None) == name for node in _below(function))
+    if taken or not early or words not in (["double"], ["void"]):
+        return
+    joined = _without_returns(statements, name)
+    if joined is None:
+        return
+    if name:
+        inner = c_ast.TypeDecl(name, [], None, kind.type, where)
+        result = c_ast.Decl(name, [], [], [], [], inner, None, None, where)
+        joined = [result, *joined, c_ast.Return(c_ast.ID(name, where), where)]
+    function.body.block_items = joined
+
+
+def _returns(node: Any) -> bool:
+    return any(isinstance(below, c_ast.Return) for below in _below(node))
+
+
+def _without_returns(statements: list[Any], name: str) -> list[Any] | None:
+    """Statements that set the result instead; None where a branch returns on some ways only."""
+    at = next((k for k, one in enumerate(statements) if _returns(one)), None)
+    if at is None:
+        return None if name else statements
+    one, before, rest = statements[at], statements[:at], statements[at + 1 :]
+    if isinstance(one, c_ast.Return) and not rest and (one.expr is not None) is bool(name):
+        set_ = c_ast.Assignment("=", c_ast.ID(name, one.coord), one.expr, one.coord)
+        return [*before, set_] if name else before
+    if not isinstance(one, c_ast.If):
+        return None
+    branches = one.iftrue, one.iffalse
+    going_on = [branch for branch in branches if branch is None or not _ends(branch)]
+    if rest and len(going_on) != 1:
+        return None
+    sides = []
+    for branch in branches:
+        if branch in going_on:
+            # What follows sees nothing that the branch declares.
+            own = [*([] if branch is None else [branch]), *rest]
+        else:
+            own = branch.block_items if isinstance(branch, c_ast.Compound) else [branch]
+        sides.append(_without_returns(own, name))
+    if None in sides:
+        return None
+    return [*before, c_ast.If(one.cond, *(c_ast.Compound(side) for side in sides), one.coord)]
+
+
+def _ends(node: Any) -> bool:
+    """Whether every way through a statement returns."""
+    if isinstance(node, c_ast.Compound):
+        return bool(node.block_items) and _ends(node.block_items[-1])
+    if isinstance(node, c_ast.If):
+        return node.iffalse is not None and _ends(node.iftrue) and _ends(node.iffalse)
+    return isinstance(node, c_ast.Return)

@@ -47,10 +47,26 @@ RESERVED = re.compile(r"_\w*|unix|linux|i386")
 
 DIRECTIVE = re.compile(r"^[ \t\v]*#[ \t\v]*(ifdef|ifndef|if|elif)\b([^\n]*)", re.MULTILINE)
 BRANCH = re.compile(r"^[ \t\v]*#[ \t\v]*(ifdef|ifndef|if|elif|else|endif)\b", re.MULTILINE)
+DEFINED = re.compile(r"#[ \t\v]*(?:define|undef)[ \t\v]+(\w+)")
+INCLUDED = re.compile(r"^[ \t\v]*#[ \t\v]*include[ \t\v]*<math\.h>", re.MULTILINE)
 DEFINE = re.compile(r"#[ \t\v]*define\b")
 LINKAGE = re.compile(r"[ \t]*#[ \t]*ifdef[ \t]+__cplusplus[ \t]*")
 EXTERN = re.compile(r'\s*(?:extern\s*"C"\s*\{|\})\s*#\s*endif\b')
 GUARD = re.compile(r"\w*_(?:H|HPP|C|INCLUDED)_*")
+
+
+def of_the_header(text: str) -> str:
+    """The text with numbers for the constants of math.h, where it includes that and defines none.
+
+    sin(2*M_PI)  ->  sin(2*3.141592653589793)       the double, which is read as any other
+    """
+    plain = without_comments(text)
+    if not INCLUDED.search(plain):
+        return text
+    own = {name for m in DIRECTIVE.finditer(plain) for name in re.findall(r"\w+", m[2])}
+    own |= {match[1] for match in DEFINED.finditer(plain)}
+    values = {name: repr(value) for name, value in CONSTANTS.items() if name not in own}
+    return re.sub(TOKEN, lambda m: values.get(m[0], m[0]), text)
 
 
 def known_meaning(source: Source, text: str) -> Source:

@@ -16,6 +16,7 @@ from mechanics.errors import ExpressionError, InputError
 from mechanics.program.c.function import Parameter
 from mechanics.program.c.parse import parse
 from mechanics.program.c.reader import read_function as read_c_function
+from mechanics.program.c.select import latest
 from mechanics.program.casadi_reader import Instruction as Node
 from mechanics.program.casadi_reader import single_assignment
 from mechanics.reading.about import QUANTITIES
@@ -25,7 +26,7 @@ from mechanics.reading.code.as_written import Formula, Formulas, of_graph
 from mechanics.reading.code.c_constants import with_constants
 from mechanics.reading.code.c_flat import flat
 from mechanics.reading.code.c_macros import without_macros
-from mechanics.reading.code.c_person import defaults, known_meaning, without_comments
+from mechanics.reading.code.c_person import defaults, known_meaning, of_the_header, without_comments
 from mechanics.reading.code.c_place import placed
 from mechanics.reading.code.c_plain import plain
 from mechanics.reading.code.c_target import Instructions
@@ -159,7 +160,7 @@ def read_c(
         raise InputError(f"{origin}, line 1, column 1: {len(text)} characters: {LARGEST_C} at most")
     coord = ""
     try:
-        text = with_constants(without_macros(text, origin), origin)
+        text = with_constants(of_the_header(without_macros(text, origin)), origin)
         source = known_meaning(parse(text, origin), text)
         taken = defaults(source, text)
         written = plain(text, origin)
@@ -198,23 +199,22 @@ def _c_outputs(
     program, nodes = read_c_function(source, WRAPPER, parameters, target), target.nodes
     if program.beyond:
         raise InputError(f"{program.beyond[0]} is read beyond the end of the array")
-    bounded_code(nodes, origin)
-    constants = Constants()
-    numbers = expressions(nodes, entries, constants)
-    found: list[Expr] = []
-    formulas = of_graph(nodes, entries, constants)
-    known: dict[Expr, Formula] = {}
-    asked: list[tuple[Expr, tuple[Demand, ...]]] = []
+    last: list[int] = []
     place = len(wanted)
     for entry in range(size):
         if (place, entry) not in program.outputs:
             raise InputError(f"{origin}: output {entry} is not written")
-        first, *later = program.outputs[place, entry]
-        if first.condition is not True or later:
+        node = latest(target, program.outputs[place, entry], True, "double", origin)
+        if node is None:
             raise InputError(f"{origin}: output {entry} is written under a condition only")
-        found.append(numbers[first.node])
-        known[numbers[first.node]] = formulas[first.node]
-        asked.append((numbers[first.node], demands_of(nodes, numbers, first.node)))
+        last.append(node)
+    bounded_code(nodes, origin)
+    constants = Constants()
+    numbers = expressions(nodes, entries, constants)
+    formulas = of_graph(nodes, entries, constants)
+    found = [numbers[node] for node in last]
+    known = {numbers[node]: formulas[node] for node in last}
+    asked = [(numbers[node], demands_of(nodes, numbers, node)) for node in last]
     return Outputs(
         (Matrix(found),), tuple(constants.notes), formulas=_known(known), demands=_demanded(asked)
     )
