@@ -170,6 +170,7 @@ def test_branches_and_constants_of_the_header(body: str, sign: str, verdict: str
 ARRAYS = {
     "both write": "if (u > 0) dx[1] = a; else dx[1] = b; dx[0] = x[1];",
     "one writes again": "dx[1] = b; dx[0] = x[1]; if (u > 0) { dx[1] = a; }",
+    "read again": "dx[0] = x[1]; dx[1] = b; if (u > 0) dx[1] = a; double s = dx[1]; dx[1] = s;",
     "one ends": "dx[0] = x[1]; if (u > 0) { dx[1] = a; return; } dx[1] = b;",
 }
 RIGHT = "(m*g*l/2*sin(x[0]) + u)/(m*l*l/3)"
