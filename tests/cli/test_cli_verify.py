@@ -84,7 +84,7 @@ def test_a_last_digit_is_refuted_whatever_the_hash(run: Any, folder: Path) -> No
 def test_derived_equations_that_were_changed_are_refuted(run: Any, folder: Path) -> None:
     path = folder / "equations.json"
     text = path.read_text(encoding="utf-8")
-    path.write_text(text.replace('["number", "1/2"]', '["number", "1/4"]'), encoding="utf-8")
+    path.write_text(text.replace('["constant", "1/2"]', '["constant", "1/4"]'), encoding="utf-8")
     rehash(folder)
     ran = run("verify", folder, "--no-compile")
     assert ran.code == 1 and "derived, free_body" in ran.out
@@ -292,10 +292,12 @@ def test_what_is_no_folder_is_one_line(run: Any, tmp_path: Path) -> None:
 
 
 NODES = [
-    ('["symbol", 0]', '["symbol", 999]', "no place among"),
-    ('["symbol", 0]', '["system", 0]', "no such operation"),
-    ('["number", "1/2"]', '["number", "__import__(1)"]', "a number is expected"),
-    ('["number", "1/2"]', '["sin", 0, 1, 2]', "no such operation"),
+    ('["input", 0]', '["input", 999]', "refers to something else"),
+    ('["input", 0]', '["system", 0]', "name of an operation"),
+    ('["constant", "1/2"]', '["constant", "__import__(1)"]', "no fraction in a string"),
+    ('["constant", "1/2"]', '["sin", 0, 1, 2]', "3 operands, 1 expected"),
+    ('"groups": {"q": [0, 1]', '"groups": {"q": [0, 999]', "no place among"),
+    ('["number", "981/100"]', '["number", "__import__(1)"]', "a number is expected"),
     ('"positive"', '"purple"', "a name and a sign are expected"),
 ]
 
