@@ -15,10 +15,12 @@ import sympy
 from mechanics.compiled.bordered import bind, tried_pivots
 from mechanics.compiled.fixed import Fixed, fix, words
 from mechanics.compiled.forms import named_form
+from mechanics.compiled.forms.members import RECURSIVE
+from mechanics.compiled.forms.weigh import lightest
 from mechanics.compiled.outputs import FORMS, Outputs
 from mechanics.compiled.quantities import STATE, Quantities
 from mechanics.compiled.textbook import Textbook, instructions
-from mechanics.equations import Equations
+from mechanics.equations import FEW, Equations
 from mechanics.errors import ExpressionError, InputError, SingularError
 from mechanics.mechanism import Mechanism
 from mechanics.program.casadi_printer import print_graphs
@@ -145,10 +147,14 @@ class Source:
         """How forward dynamics is written: one of `mechanics.compiled.FORMS` or of `outputs`."""
         if self.matrices is not None:
             return self.matrices.form
+        if self._from_bodies is not None:
+            return RECURSIVE.name
         return "" if self.programs is None else self.programs.chosen
 
     def outputs(self, name: str) -> dict[str, ca.SX]:
         """The graphs of the outputs of a function."""
+        if name == "forward_dynamics" and self._from_bodies is not None:
+            return {"ud": self._from_bodies, "multipliers": ca.SX(0, 1)}
         if self.matrices is None:
             return self._from_programs(name, self.constants)
         own = self.matrices.outputs(name)
@@ -160,6 +166,26 @@ class Source:
             return own
         self.constants.update(constants)
         return other
+
+    @cached_property
+    def _from_bodies(self) -> ca.SX | None:
+        """u' of a program from its bodies, where that is shorter: for many that move in a plane."""
+        equations, programs = self.equations, self.programs
+        if equations.textbook is not None or programs is None or self.named != "auto":
+            return None
+        flat = all(body.inertia is None or body.scalar for body in programs.mechanism.bodies)
+        if not flat or len(equations.unknowns) <= FEW:
+            return None
+        own = replace(equations, fixed=self.fixed)
+        system = Textbook(
+            own, self.fixed, self.named, self.quantities, self.columns, self.constants, self.bound
+        ).system
+        ways = RECURSIVE.ways(system)
+        if not ways:
+            return None
+        found = lightest(system, ways)
+        other = self._from_programs("forward_dynamics", dict(self.constants))
+        return found if instructions({"ud": found}) < instructions(other) else None
 
     def _from_programs(self, name: str, constants: dict[sympy.Expr, ca.SX]) -> dict[str, ca.SX]:
         if self.programs is None:

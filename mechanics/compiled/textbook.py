@@ -107,7 +107,8 @@ class Textbook:
         return self._translate.matrix(entries)
 
     @cached_property
-    def _linear(self) -> System:
+    def system(self) -> System:
+        """What forms of forward dynamics start from."""
         return System(self.equations, self._translate, self.quantities, self._of_state)
 
     @property
@@ -117,7 +118,7 @@ class Textbook:
 
     def solved_by(self, solution: ca.SX) -> bool:
         """Whether a graph of (u', lambda) is a solution at states that are drawn."""
-        return self._linear.solved_by(solution)
+        return self.system.solved_by(solution)
 
     @property
     def _solution(self) -> ca.SX:
@@ -126,12 +127,12 @@ class Textbook:
 
     @cached_property
     def _written(self) -> tuple[Form, ca.SX]:
-        return written(self.named, self._linear)
+        return written(self.named, self.system)
 
     @property
     def pivots(self) -> Order:
         """The order in which rows and columns of the linear system are eliminated."""
-        return tuple(self._linear.pivots)
+        return tuple(self.system.pivots)
 
     def _of_state(self, *graphs: ca.SX, x: ca.SX | None = None) -> ca.Function:
         inputs = {group: self.columns[group] for group in STATE}
@@ -146,14 +147,14 @@ class Textbook:
         return {"ud": self._solution[:n, 0], "multipliers": self._solution[n:, 0]}
 
     def _residual(self) -> dict[str, ca.SX]:
-        left, right = self._linear.graphs
+        left, right = self.system.graphs
         unknowns = ca.vertcat(self.columns["ud"], self.columns["multipliers"])
         return {"residual": left @ unknowns - right}
 
     def _inverse_dynamics(self) -> dict[str, ca.SX]:
         wanted = self.columns["ud"]
-        if self._linear.symmetric:
-            left, right = self._linear.graphs
+        if self.system.symmetric:
+            left, right = self.system.graphs
             return {"forces": left @ wanted - right}
         kinetic = self._translate(self._totals.kinetic)
         inertia = ca.jacobian(ca.jacobian(kinetic, self.columns["u"]).T, self.columns["u"])
@@ -188,11 +189,11 @@ class Textbook:
 
     def _jacobians(self) -> dict[str, ca.SX]:
         """The factors of K serve every column; differentiating through them costs twice as much."""
-        left, right = self._linear.graphs
-        held, solution = ca.SX.sym("x", left.shape[1]), self._linear.solve(right)
+        left, right = self.system.graphs
+        held, solution = ca.SX.sym("x", left.shape[1]), self.system.solve(right)
         state = ca.vertcat(*(self.columns[group] for group in STATE))
         slopes = ca.jacobian(right - left @ held, state)
-        columns = self._linear.solve(ca.substitute(slopes, held, solution))
+        columns = self.system.solve(ca.substitute(slopes, held, solution))
         found, start = {}, 0
         for group in STATE:
             end = start + len(getattr(self.quantities, group))

@@ -48,7 +48,7 @@ def test_operations_grow_linearly_with_the_links() -> None:
 
 def test_fifty_links_are_derived_compiled_and_certified(unwritten: None) -> None:
     model = chain(50)
-    assert model.form == "articulated"
+    assert model.form == "recursive"
     assert model.casadi["forward_dynamics"].n_instructions() <= 62 * 50
     found = prove_graph("forward_dynamics", model.casadi, try_normal=False)
     assert found.verdict is Verdict.CERTIFIED
@@ -57,7 +57,7 @@ def test_fifty_links_are_derived_compiled_and_certified(unwritten: None) -> None
 
 def test_twenty_links_are_certified_and_never_written_out(unwritten: None) -> None:
     model = chain(20)
-    assert model.form == "articulated"
+    assert model.form == "recursive"
     found = prove_graph("forward_dynamics", model.casadi, try_normal=False)
     assert found.verdict is Verdict.CERTIFIED
 
@@ -83,7 +83,7 @@ def test_what_is_taken_weighs_least(links: int) -> None:
         for form in ("auto", "recursive", "elimination")
     }
     weights = {
-        name: operations(known._solution) * 2 ** digits_lost(known._linear.error(known._solution))
+        name: operations(known._solution) * 2 ** digits_lost(known.system.error(known._solution))
         for name, known in ((name, graphs.source.matrices) for name, graphs in models.items())
     }
     assert models["auto"].form == "recursive"

@@ -19,7 +19,7 @@ from mechanics.program.operations import Sign
 STEP = "step"
 
 LARGEST = 3000
-"""Nodes of what was derived beyond which its normal form outgrows every limit."""
+"""Nodes of two sides beyond which its normal form outgrows every limit."""
 
 
 def prove_derived(
@@ -48,8 +48,6 @@ def prove_derived(
     if known.fixed:
         subject += f", {words(known.fixed)}"
     physics = Physics(known)
-    if len(known.program) > LARGEST:
-        options["try_normal"] = False
     if name not in LAWS and (name != STEP or rates is None):
         raise InputError(f"function {name!r}: what it should be is known for {', '.join(LAWS)}")
     outputs = code.results(physics.builder, physics.inputs)
@@ -57,6 +55,9 @@ def prove_derived(
     physics.builder.obligations = {}
     entries = list(_entries(name, outputs, physics, rates))
     truth = tuple(physics.builder.obligations)
+    sides = [node for _, *pair in entries for node in pair]
+    if len(physics.builder.program({"sides": sides})) > LARGEST:
+        options["try_normal"] = False
     found = physics.decide_entries(subject, entries, **options)
     if not found.shown:
         return found

@@ -78,11 +78,13 @@ class System:
     def residual(self, x: ca.SX) -> ca.SX:
         """K x - k, by the rows as they were derived: what cancels in K and k has rounded there."""
         equations = self.equations
-        if equations.rows is None or equations.fixed:
+        if equations.rows is None or (equations.fixed and equations.textbook is not None):
             left, right = self.graphs
             return left @ x - right
         mechanism, route = equations.program
-        rows = Printer(equations.scene, mechanism)((*route.values, *acceleration_forms(mechanism)))
+        nodes = (*route.values, *acceleration_forms(mechanism))
+        printed = Printer(equations.scene, mechanism)(nodes)
+        rows = [row.xreplace(dict(equations.fixed)) for row in printed]
         given = ca.vertcat(*map(self.translate, equations.unknowns))
         return ca.substitute(self.translate.column(rows), given, x)
 
