@@ -23,12 +23,17 @@ from mechanics.compiled.textbook import Textbook, instructions
 from mechanics.equations import FEW, Equations
 from mechanics.errors import ExpressionError, InputError, SingularError
 from mechanics.mechanism import Mechanism
+from mechanics.program import Builder
 from mechanics.program.casadi_printer import print_graphs
+from mechanics.program.interpret import include
 from mechanics.program.residues import Residues
+from mechanics.program.sympy_reader import read
 from mechanics.routes.rows import acceleration_forms, coefficients
 
 OF_EVERY_ROUTE = frozenset({"inverse_dynamics", "jacobians", "energy"})
 """Functions that are the same whatever the rows of a route are, and that programs make shorter."""
+OF_ROWS = frozenset({"mass_matrix", "forcing"})
+"""Those that programs give where the rows of a route are conjugate to u, in the order of u."""
 
 
 def with_fixed(equations: Equations, fixed: Fixed, form: str) -> Equations:
@@ -158,7 +163,9 @@ class Source:
         if self.matrices is None:
             return self._from_programs(name, self.constants)
         own = self.matrices.outputs(name)
-        if name not in OF_EVERY_ROUTE or self.programs is None:
+        if name not in OF_EVERY_ROUTE | OF_ROWS or self.programs is None:
+            return own
+        if name in OF_ROWS and not self._conjugate:
             return own
         constants = dict(self.constants)
         other = self._from_programs(name, constants)
@@ -186,6 +193,28 @@ class Source:
         found = lightest(system, ways)
         other = self._from_programs("forward_dynamics", dict(self.constants))
         return found if instructions({"ud": found}) < instructions(other) else None
+
+    @cached_property
+    def _conjugate(self) -> bool:
+        """Whether M and f of the rows are those of the programs, by values at a point of a field.
+
+        It proposes only: what is compiled is compared with what was derived, as a proof.
+        """
+        if self.programs is None or self.equations.textbook is None:
+            return False
+        build = Builder()
+        known = self.quantities
+        groups = (known.q, known.u, known.inputs, known.p)
+        inputs = {e.symbol: build.input(e.name) for group in groups for e in group}
+        textbook = self.equations.textbook
+        own = {"mass_matrix": textbook.mass, "forcing": textbook.forcing}
+        filter_ = Residues(build)
+        for name, matrix in own.items():
+            (other,) = include(build, self.programs[name], {}).values()
+            left = read(build, tuple(matrix), inputs)
+            if len(left) != len(other) or filter_.values(left) != filter_.values(other):
+                return False
+        return True
 
     def _from_programs(self, name: str, constants: dict[sympy.Expr, ca.SX]) -> dict[str, ca.SX]:
         if self.programs is None:

@@ -84,9 +84,9 @@ int elastic_pendulum_forcing(const double q[2], const double u[2], const double 
     const double g = p[2];
     const double k = p[3];
     const double sin_theta = sin(theta);
-    const double v1 = M * (L * (theta_dot * theta_dot)) * sin_theta / 2.0;
-    const double v2 = v1 - k * (2.0 * x);
-    const double v3 = -(sin_theta * (g * (L * M)) / 2.0);
+    const double v1 = M * (0x1p-1 * L);
+    const double v2 = sin_theta * (theta_dot * theta_dot * v1) - x * (2.0 * k);
+    const double v3 = -(v1 * (g * sin_theta));
     int status = ELASTIC_PENDULUM_OK;
     if (!(isfinite(v2) && isfinite(v3))) {
         if (!(isfinite(x) && isfinite(theta) && isfinite(theta_dot) && isfinite(L) && isfinite(M) &&
