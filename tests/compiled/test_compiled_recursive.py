@@ -30,6 +30,8 @@ from mechanics.scene import (
 from mechanics.scene.actions import frictions
 from systems import ALL, VARIANTS, pendulum_chain
 
+pytestmark = pytest.mark.campaign
+
 ROUTES = ("free_body", "moving_point", "kane", "lagrange")
 
 

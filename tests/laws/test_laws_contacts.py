@@ -25,6 +25,8 @@ from mechanics.scene import Scene
 from mechanics.simulate import simulate
 from systems import cartpole_friction, four_bar, rolling_disc
 
+pytestmark = pytest.mark.campaign
+
 EPS = np.finfo(float).eps
 ROUNDINGS = 64
 """Of a row, against the sum of the magnitudes of what is added up in it."""

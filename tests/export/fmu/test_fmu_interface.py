@@ -12,6 +12,8 @@ from mechanics.compiled import Model
 from mechanics.export.fmu.functions import functions
 from systems import ALL
 
+pytestmark = pytest.mark.campaign
+
 SYSTEMS = [system.name for system in ALL]
 Opener = Callable[..., Any]
 
