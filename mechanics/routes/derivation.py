@@ -13,8 +13,8 @@ from mechanics.routes import free_body, kane, lagrange, moving_point, steps
 from mechanics.routes.textbook import Printer, textbook
 from mechanics.scene import Scene
 
-LARGEST_TEXTBOOK = 300
-"""Operations of Kane's rows up to which the equations are written out."""
+LARGEST_TEXTBOOK = 320
+"""Operations of Kane's rows up to which the equations are written out; a free body takes 309."""
 MOST_IN_SPACE = 3
 """Bodies with a full inertia up to which they are: more in space are no reading for a person."""
 
