@@ -11,11 +11,11 @@ periods, and the table says for how many.
 import argparse
 from collections.abc import Mapping, Sequence
 
+from benchmarks.problems import pose
+from benchmarks.secular_drift import LongRun, long_runs, natural_period
 from mechanics.compiled import compile
 from mechanics.routes.derivation import by_route
 from mechanics.simulate.integrators import INTEGRATORS, Problem, Setting
-from mechanics.simulate.long_run import LongRun, long_runs, natural_period
-from mechanics.simulate.pose import pose
 from systems import ALL
 
 # Moderate swings: regular motions, in which errors grow with powers of time.

@@ -10,9 +10,9 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import asdict, dataclass
 
 from benchmarks.space import scenes
+from benchmarks.space.counting import Counts, count
 from mechanics.mechanism import Mechanism, lower
 from mechanics.program import Builder, Node, tangent
-from mechanics.program.counting import Counts, count
 from mechanics.program.derivatives import gradient
 from mechanics.program.elimination import expand_solves
 from mechanics.recursions import newton_euler

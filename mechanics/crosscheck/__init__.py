@@ -1,6 +1,6 @@
 """Cross-check one system: derive by every route, prove, compile, measure."""
 
-from mechanics.crosscheck.routes import derive, derive_textbook, derive_with
+from mechanics.crosscheck.routes import derive, derive_textbook
 from mechanics.crosscheck.system import CrossCheck, crosscheck
 from mechanics.routes.derivation import ROUTES, Route
 
@@ -11,5 +11,4 @@ __all__ = [
     "crosscheck",
     "derive",
     "derive_textbook",
-    "derive_with",
 ]

@@ -57,12 +57,3 @@ def derive_textbook(scene: Scene, route: str = "free_body") -> Equations:
         Where the scene is too large for that.
     """
     return written_out(derive(scene, route))
-
-
-def derive_with(scene: Scene, names: Sequence[str] = ()) -> dict[str, Equations]:
-    """Equations of motion by several routes, all of them for no name."""
-    mechanism = check_scene(scene)
-    return {
-        route.name: route.equations(scene, mechanism, route.rows(mechanism))
-        for route in named_routes(names)
-    }

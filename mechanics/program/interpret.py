@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from typing import Any, Protocol
+from typing import Any, Protocol, runtime_checkable
 
 from mechanics.errors import ExpressionError
 from mechanics.program.builder import Builder, Node
@@ -24,8 +24,6 @@ from mechanics.program.operations import (
 )
 from mechanics.program.program import Program
 
-Solve = Callable[[list[list[Any]], list[Any], bool], Sequence[Any]]
-
 
 class Domain(Protocol):
     """What an interpreter needs to know."""
@@ -33,19 +31,20 @@ class Domain(Protocol):
     @property
     def operations(self) -> Mapping[str, Callable[..., Any]]:
         """By the name in the table: from the values of the operands to the value."""
-        ...
 
     def constant(self, value: Fraction) -> Any:
         """The rational in this domain."""
-        ...
 
     def pi(self) -> Any:
         """The number pi in this domain."""
-        ...
+
+
+@runtime_checkable
+class Solver(Protocol):
+    """What a domain needs for programs that hold linear systems, too."""
 
     def solve(self, matrix: list[list[Any]], right: list[Any], symmetric: bool) -> Sequence[Any]:
         """x of matrix x = right."""
-        ...
 
 
 def interpret(
@@ -84,7 +83,7 @@ def interpret(
             values[number] = domain.pi()
         elif code == ENTRY:
             values[number] = values[first[number]][second[number]]
-        elif code == SOLVE:
+        elif code == SOLVE and isinstance(domain, Solver):
             values[number] = _solved(program, domain, values, first[number])
         else:
             function = functions[code]
@@ -107,7 +106,7 @@ def interpret(
     return {name: tuple(values[n] for n in ns) for name, ns in program.outputs.items()}
 
 
-def _solved(program: Program, domain: Domain, values: list[Any], place: int) -> Sequence[Any]:
+def _solved(program: Program, domain: Solver, values: list[Any], place: int) -> Sequence[Any]:
     size, symmetric, *entries = program.systems[place]
     known = [values[entry] for entry in entries]
     matrix = [known[size * i : size * (i + 1)] for i in range(size)]

@@ -165,6 +165,3 @@ class Ring(Shape):
     def spread(self) -> tuple[Expr, Expr]:
         """R^2 / 2 along every direction."""
         return self.radius**2 / 2, self.radius**2 / 2
-
-
-SHAPES: tuple[type[Shape], ...] = (Rectangle, Disc, Semidisc, Rod, Ring)

@@ -12,7 +12,6 @@ from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
 from operator import add, mul, neg, sub
-from typing import Any
 
 from flint import arb
 
@@ -56,10 +55,6 @@ class FixedPoint:
         """The number pi."""
         with precision(self.bits + GUARD):
             return self._fixed(arb.pi())
-
-    def solve(self, matrix: list[list[Any]], right: list[Any], symmetric: bool) -> Sequence[int]:
-        """Rules hold no linear systems: these are written out."""
-        raise NotImplementedError
 
     def dot(self, u: Iterable[int], w: Iterable[int]) -> int:
         """The sum of products, rounded once."""

@@ -1,7 +1,7 @@
 """SymPy's expressions and the kernel: statements about them, and their normal forms for people."""
 
 from mechanics.symbolic.arithmetic import Arithmetic, Number
-from mechanics.symbolic.canonical import canonical, collect_linear, linear_equation, tidy
+from mechanics.symbolic.canonical import canonical, collect_linear, tidy
 from mechanics.symbolic.decide import decide, is_zero, prove_equal, prove_zero
 from mechanics.symbolic.decimals import decimal_matches, enclose, roundings
 from mechanics.symbolic.independence import generic_rank, independent_rows
@@ -18,7 +18,6 @@ __all__ = [
     "generic_rank",
     "independent_rows",
     "is_zero",
-    "linear_equation",
     "prove_equal",
     "prove_zero",
     "roundings",

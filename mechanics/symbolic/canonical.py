@@ -80,17 +80,6 @@ def collect_linear(
     return [result.write(part) for part in parts], result.write(rest)
 
 
-def linear_equation(
-    expr: sympy.Expr, symbols: Sequence[sympy.Symbol]
-) -> tuple[list[sympy.Expr], sympy.Expr]:
-    """Write ``expr = 0`` as ``sum_j coefficients[j] symbols[j] = right``; as `collect_linear`.
-
-    Negating a long sum takes every term in hand again; a polynomial is negated at once.
-    """
-    result, parts, rest = _split(expr, symbols)
-    return [result.write(part) for part in parts], result.write(-rest)
-
-
 def _split(
     expr: sympy.Expr, symbols: Sequence[sympy.Symbol]
 ) -> tuple[Reader, list[fmpq_mpoly], fmpq_mpoly]:

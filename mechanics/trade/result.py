@@ -70,10 +70,6 @@ class Trade:
         ]
         return tuple(usable[i] for i in pareto(usable, ALIKE))
 
-    def recommendation(self, target: float) -> Recommendation:
-        """The pick for a target that was asked for."""
-        return next(r for r in self.recommendations if r.target == target)
-
     def bound(self, choice: Choice) -> float | None:
         """What the errors of a choice stay below over the family; None where it was not tried."""
         return next((t.bound for t in self.trained if t.choice == choice), None)

@@ -6,13 +6,14 @@ from math import comb
 from typing import Any
 
 import pytest
+from every_route import derive_with
 from sympy import Matrix, cos, pi, sin
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols, inertia
 
 from mechanics import CrossCheck
 from mechanics.checks.virtual_power import check_powers, check_virtual_power, drawn_states
 from mechanics.cli.crosschecking import exit_code
-from mechanics.crosscheck import crosscheck, derive_with
+from mechanics.crosscheck import crosscheck
 from mechanics.kernel import Finding, Verdict
 from mechanics.routes.derivation import ROUTES, by_route
 from mechanics.scene import (

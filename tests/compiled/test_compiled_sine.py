@@ -7,7 +7,7 @@ import shutil
 import numpy as np
 import pytest
 
-from mechanics.compiled.c.minimax import COUNTS, REACHES, coefficients, pieces
+from benchmarks.minimax import COUNTS, REACHES, coefficients, pieces
 from mechanics.compiled.c.sine import LIMIT, PRECISIONS, sine_source
 from mechanics.compiled.machine.library import load
 

@@ -7,9 +7,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from benchmarks.problems import pose
 from mechanics.export import write_c as write_and_prove
 from mechanics.simulate.integrators import INTEGRATORS, Setting
-from mechanics.simulate.pose import pose
 
 # The proofs are tested with the evidence.
 write_c = functools.partial(write_and_prove, prove=False)

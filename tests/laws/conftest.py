@@ -5,9 +5,10 @@ from functools import cache
 from math import comb
 
 import pytest
+from every_route import derive_with
 
 import systems
-from mechanics.crosscheck import CrossCheck, crosscheck, derive_with
+from mechanics.crosscheck import CrossCheck, crosscheck
 from mechanics.equations import Equations
 from mechanics.kernel import Verdict
 from mechanics.scene import Scene

@@ -3,6 +3,7 @@
 from dataclasses import dataclass
 
 import pytest
+from every_route import derive_with
 from hypothesis import given, seed, settings
 from hypothesis import strategies as st
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
@@ -10,7 +11,6 @@ from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 from mechanics.checks.admissible import check_scene
 from mechanics.checks.agreement import compare_pairs
 from mechanics.compiled import compile, prove_graph
-from mechanics.crosscheck import derive_with
 from mechanics.crosscheck.programs import check_laws, check_textbook, derive_rows
 from mechanics.routes.derivation import by_route
 from mechanics.scene import (

@@ -3,11 +3,11 @@
 from typing import Any
 
 import pytest
+from every_route import derive_with
 from sympy import Expr, cos, sin, sqrt
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols, inertia
 
 from mechanics.checks.ledger import check_row
-from mechanics.crosscheck import derive_with
 from mechanics.kernel import Verdict
 from mechanics.scene import (
     Particle,

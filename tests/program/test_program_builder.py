@@ -12,6 +12,7 @@ from mechanics.program.composed import COMPOSED, build
 from mechanics.program.interpret import include, interpret
 from mechanics.program.numpy_domain import Arrays
 from mechanics.program.operations import ARITY, OPERATIONS, Sign
+from mechanics.simulate.reference_series import FixedPoint
 
 
 def test_rows_stand_at_their_codes() -> None:
@@ -188,3 +189,11 @@ def test_truth_values_are_denied_in_one_way() -> None:
     assert denied == 1 - less == b.call("equal", less, 0) == b.call("equal", 0, less)
     assert b.call("not", denied) == less == b.call("equal", 1, less)
     assert b.call("not", b.call("not", x)) != x
+
+
+def test_a_linear_system_needs_a_domain_that_solves() -> None:
+    b = Builder()
+    x, y = b.input("x"), b.input("y")
+    program = b.program({"f": b.solve([[x, y], [y, x]], [x, y])})
+    with pytest.raises(ExpressionError, match="operation solve has no meaning here"):
+        interpret(program, FixedPoint(64), {"x": 1 << 64, "y": 2 << 64})

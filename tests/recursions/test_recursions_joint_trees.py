@@ -6,12 +6,12 @@ from hypothesis import Phase, given, settings
 from hypothesis import strategies as st
 
 from benchmarks.space import scenes
+from benchmarks.space.counting import count
 from benchmarks.space.random_trees import build, numbers, state, trees
 from benchmarks.space.scenes import Joint
 from benchmarks.space.textbook import inverse_dynamics
 from mechanics.mechanism import Mechanism, lower
 from mechanics.program import Builder, Node, interpret, tangent
-from mechanics.program.counting import count
 from mechanics.program.numpy_domain import Arrays
 from mechanics.program.operations import Sign
 from mechanics.program.residues import Residues

@@ -8,12 +8,12 @@ from hypothesis import Phase, given, settings
 from hypothesis import strategies as st
 
 from benchmarks.space import scenes
+from benchmarks.space.counting import count
 from benchmarks.space.random_trees import build, numbers, state, trees
 from benchmarks.space.scenes import Joint
 from benchmarks.space.textbook import inverse_dynamics
 from mechanics.mechanism import Mechanism, Mixed, lower
 from mechanics.program import Builder, interpret
-from mechanics.program.counting import count
 from mechanics.program.interpret import include
 from mechanics.program.numpy_domain import Arrays
 from mechanics.program.residues import Residues

@@ -13,8 +13,10 @@ from mechanics.scene.shape_integrals import (
     integrated_inertia,
     integrated_mass,
 )
-from mechanics.scene.shapes import SHAPES, Disc, Rectangle, Ring, Rod, Semidisc, Shape
+from mechanics.scene.shapes import Disc, Rectangle, Ring, Rod, Semidisc, Shape
 from mechanics.symbolic import prove_equal
+
+SHAPES = (Rectangle, Disc, Semidisc, Rod, Ring)
 
 R, L, b, h, m, density = symbols("R L b h m sigma", positive=True)
 x, y, angle = symbols("x y alpha", real=True)

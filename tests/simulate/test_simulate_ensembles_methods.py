@@ -16,6 +16,7 @@ from scipy.integrate import solve_ivp
 from sympy import cos
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
+from benchmarks.problems import pose
 from mechanics.compiled import Model, compile
 from mechanics.compiled.machine.library import FLAGS, REMARKS, build, find_compiler
 from mechanics.compiled.machine.vectorised import TELL, loop_line, vectorised
@@ -31,7 +32,6 @@ from mechanics.simulate.ensembles.library import Library, ensemble_function
 from mechanics.simulate.ensembles.run import Control, integrated
 from mechanics.simulate.ensembles.taylor import order, rate_program, taylor_source
 from mechanics.simulate.integrators import INTEGRATORS, Problem, Setting
-from mechanics.simulate.pose import pose
 from mechanics.simulate.reference import reference
 from systems import ALL
 

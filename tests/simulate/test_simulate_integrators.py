@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
+from benchmarks.problems import pose
 from mechanics.compiled.machine.native import find_compiler
 from mechanics.compiled.model import Model, compile
 from mechanics.compiled.tableaus import TABLEAUX
@@ -18,7 +19,6 @@ from mechanics.routes.derivation import by_route
 from mechanics.simulate.integrators import INTEGRATORS, Integrator, Outcome, Problem, Setting
 from mechanics.simulate.integrators.rate import Rate
 from mechanics.simulate.integrators.stiffness import rates_at_start
-from mechanics.simulate.pose import pose
 from mechanics.simulate.reference import Reference, reference
 from systems import ALL
 

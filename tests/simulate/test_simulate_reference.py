@@ -13,6 +13,7 @@ from flint import arb, arb_series, ctx
 from sympy import Abs
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
+from benchmarks.problems import pose
 from mechanics.compiled.machine.native import find_compiler
 from mechanics.compiled.model import compile
 from mechanics.errors import ExpressionError, InputError, SingularError
@@ -24,7 +25,6 @@ from mechanics.scene import Particle, Scene, force, gravity, parameters, reactio
 from mechanics.simulate.integrators import INTEGRATORS, Problem, Setting
 from mechanics.simulate.integrators.heyoka import equations as heyoka_equations
 from mechanics.simulate.integrators.problem import OverBudget
-from mechanics.simulate.pose import pose
 from mechanics.simulate.reference import reference
 from mechanics.simulate.reference_growth import growth
 from mechanics.simulate.reference_series import Taylor

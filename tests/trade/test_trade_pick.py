@@ -34,7 +34,7 @@ def others(pendulum: Trade, case: Case) -> list[tuple[np.ndarray, Truth]]:
 def test_pick_meets_its_target_on_states_it_was_not_tuned_on(
     pendulum: Trade, case: Case, others: list[tuple[np.ndarray, Truth]], target: float
 ) -> None:
-    pick = pendulum.recommendation(target)
+    (pick,) = (each for each in pendulum.recommendations if each.target == target)
     assert pick.choice is not None
     errors = [error_of(case, pick.choice, start, truth) for start, truth in others]
     assert max(errors) <= target

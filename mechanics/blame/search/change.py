@@ -89,11 +89,6 @@ def is_minus(node: Node) -> bool:
     )
 
 
-def number_node(ratio: Fraction) -> Node:
-    """A number, with its sign and fraction as people write them."""
-    return Number(0, ratio)
-
-
 def times(factor: Node, node: Node) -> Node:
     """A product with a factor in front, behind the sign; sines and cosines stand last."""
     if is_minus(node) and isinstance(node, Product):

@@ -38,7 +38,7 @@ class Numbers:
     pieces : tuple of str
         Of pi/2.
     sine, cosine : tuple of str
-        Coefficients of P and Q, from `mechanics.compiled.c.minimax`.
+        Coefficients of P and Q, from ``benchmarks/minimax.py``.
     """
 
     kind: str

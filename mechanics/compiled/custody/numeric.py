@@ -123,10 +123,6 @@ class Magnitudes:
         """An input, which is exact."""
         return Sized(value, np.abs(np.asarray(value, dtype=float)), False)
 
-    def solve(self, matrix: list[list[Any]], right: list[Any], symmetric: bool) -> Sequence[Sized]:
-        """Of no text."""
-        raise NotImplementedError("C has no linear systems")
-
 
 _SIZES: Mapping[str, Callable[..., Any]] = {
     "add": lambda x, y: x.size + y.size,

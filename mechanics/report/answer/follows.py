@@ -10,8 +10,6 @@ from sympy import Add, Expr, S, Symbol
 from mechanics.blame.shape import shortest
 from mechanics.blame.terms import terms_of
 from mechanics.equations import Equations, Line
-from mechanics.errors import ExpressionError, MechanicsError
-from mechanics.kernel.ring import TooLarge
 from mechanics.routes.derivation import by_route
 
 MOST = 4
@@ -21,18 +19,17 @@ MOST = 4
 def lines_of(derived: Equations) -> tuple[str, tuple[Line, ...]]:
     """The route whose rows are shown beside a person's, and its rows.
 
-    Where a scene has constraints, or no Lagrange's equations, these are the rows that the
-    statements were compared with.
+    Where a scene has constraints, or Lagrange's equations are too long to be read, these are the
+    rows that the statements were compared with.
     """
     scene = derived.scene
     if not scene.constraints and len(scene.u) <= MOST:
-        try:
-            rows = by_route("lagrange", scene).result.lines
+        own = by_route("lagrange", scene)
+        if own.textbook is not None:
             return "lagrange", tuple(
-                Line(_left(row.left, scene.ud), _short(row.right), row.label) for row in rows
+                Line(_left(row.left, scene.ud), _short(row.right), row.label)
+                for row in own.result.lines
             )
-        except (MechanicsError, ExpressionError, TooLarge):
-            pass  # friction, or another load that Lagrange's equations have no place for
     return derived.route, derived.result.lines
 
 

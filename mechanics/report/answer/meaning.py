@@ -14,7 +14,6 @@ SEEMING = re.compile(
     r" \((?P<why>.*)\)"
 )
 OPAQUE = re.compile(r"known by congruence only: (?P<names>[^()]*)")
-DISJOINT = "the enclosures at a real state are disjoint"
 
 
 def meaning(finding: Finding) -> tuple[str, str]:

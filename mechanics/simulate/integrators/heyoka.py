@@ -67,10 +67,6 @@ class Expressions:
         """The nearest double to pi."""
         return self.constant(Fraction(math.pi))
 
-    def solve(self, matrix: list[list[Any]], right: list[Any], symmetric: bool) -> Sequence[Any]:
-        """The right-hand side of a motion holds no linear systems."""
-        raise NotImplementedError
-
 
 def _available() -> str:
     if importlib.util.find_spec("heyoka") is None:

@@ -4,7 +4,7 @@
     cos r = 1 - z / 2 + z^2 Q(z)         Q minimises the relative error of the cosine
 
 by Remez' exchange with `DIGITS` bits. The coefficients that stand in `sine` are these, rounded to
-the precision; run ``python -m mechanics.compiled.c.minimax`` to see them again.
+the precision; run ``python -m benchmarks.minimax`` to see them again.
 """
 
 from collections.abc import Callable, Sequence

@@ -5,14 +5,14 @@ import math
 import numpy as np
 import pytest
 
+from benchmarks.problems import pose
+from benchmarks.secular_drift import SAMPLES, long_runs, natural_period
 from mechanics.compiled.machine.native import find_compiler
 from mechanics.compiled.model import compile
 from mechanics.errors import InputError
 from mechanics.routes.derivation import by_route
 from mechanics.simulate.drift import Drift, drift
 from mechanics.simulate.integrators import Problem, Setting
-from mechanics.simulate.long_run import SAMPLES, long_runs, natural_period
-from mechanics.simulate.pose import pose
 from systems import ALL
 
 pytestmark = pytest.mark.campaign

@@ -2,8 +2,8 @@
 
 import pytest
 
+from benchmarks.space.counting import Counts, count
 from mechanics.program import Builder
-from mechanics.program.counting import Counts, count
 
 B = Builder()
 X, Y, M = (B.input(name) for name in "xym")
