@@ -30,6 +30,7 @@ def test_an_example_prints_what_the_readme_says(name: str) -> None:
     assert printed.getvalue() == block(f"output: {name}")
 
 
+@pytest.mark.campaign
 def test_the_scene_of_the_python_example_can_be_exported(tmp_path: Path) -> None:
     names: dict[str, Any] = {"__name__": "example"}
     with contextlib.redirect_stdout(io.StringIO()):

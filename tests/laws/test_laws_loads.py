@@ -80,7 +80,7 @@ SCENES = {
 }  # fmt: skip
 
 
-@pytest.mark.sample(2)
+@pytest.mark.sample(1)
 @pytest.mark.parametrize("name", SCENES)
 def test_every_load_by_every_route(assert_laws: Any, name: str) -> None:
     assert_laws(SCENES[name])

@@ -58,6 +58,7 @@ def top(pivot: bool) -> Scene:
     )  # fmt: skip
 
 
+@pytest.mark.campaign
 def test_heavy_symmetric_top(assert_laws: Any) -> None:
     scene = top(pivot=True)
     assert_laws(scene)
