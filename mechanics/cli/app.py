@@ -15,6 +15,7 @@ from rich.console import Console
 from rich.markup import escape
 from typer.core import TyperGroup
 
+from mechanics.cli.interrupts import end_in_order
 from mechanics.errors import MechanicsError, RefutedError
 
 # Typer brings its own copy of click, or uses click, depending on its version.
@@ -131,6 +132,7 @@ DEFECT = 70
 
 def main() -> None:
     """Entry point of the console command."""
+    end_in_order()
     try:
         code = app(sys.argv[1:] or ["--help"], prog_name="mechanics", standalone_mode=False)
     except USAGE_ERROR as error:

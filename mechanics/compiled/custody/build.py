@@ -7,12 +7,12 @@ import os
 import shutil
 import subprocess
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from contextlib import contextmanager
+from contextlib import ExitStack, contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
-from mechanics.errors import CompilerError
+from mechanics.compiled.machine.process import started
 
 COMPILERS = ("gcc", "clang")
 STRICT = ("-std=c99", "-fPIC", "-shared", "-ffp-contract=off", "-w")
@@ -78,7 +78,7 @@ def building(
     settings : sequence of sequence of str
         What each of them is called with.
     """
-    with TemporaryDirectory(prefix="mechanics-") as folder:
+    with TemporaryDirectory(prefix="mechanics-") as folder, ExitStack() as processes:
         at = Path(folder)
         for name, text in texts.items():
             (at / name).write_bytes(text.encode("utf-8"))
@@ -89,25 +89,9 @@ def building(
                 out = at / f"library{number}_{place}.so"
                 flags = (*STRICT, *setting)
                 command = [path, *flags, *(str(at / file) for file in files), "-o", str(out), "-lm"]
-                running.append((path, setting, out, _started(command)))
-        try:
-            yield lambda: tuple(_done(*one) for one in running)
-        finally:
-            for *_, process in running:
-                if process.poll() is None:
-                    process.kill()
-                    process.wait()
-                if process.stderr is not None:
-                    process.stderr.close()
-
-
-def _started(command: Sequence[str]) -> subprocess.Popen[str]:
-    try:
-        return subprocess.Popen(
-            command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True
-        )
-    except OSError as error:
-        raise CompilerError(f"C compiler {command[0]} cannot be run: {error}") from error
+                process = processes.enter_context(started(command, at))
+                running.append((path, setting, out, process))
+        yield lambda: tuple(_done(*one) for one in running)
 
 
 def _done(path: str, setting: Sequence[str], out: Path, process: subprocess.Popen[str]) -> Built:
@@ -115,8 +99,6 @@ def _done(path: str, setting: Sequence[str], out: Path, process: subprocess.Pope
     try:
         _, words = process.communicate(timeout=SECONDS)
     except subprocess.TimeoutExpired:
-        process.kill()
-        process.communicate()
         return Built(title, flags, None, f"no end after {SECONDS} s")
     if process.returncode != 0:
         lines = [line for line in words.splitlines() if "error" in line] or words.splitlines()

@@ -39,7 +39,7 @@ def where_defined(
     truth : sequence of Obligation
         Of what it should be.
     """
-    rest = list(_unmatched(written, truth))
+    rest = list(unmatched(written, truth))
     if not finding.shown or not rest:
         return finding
     builder = physics.builder
@@ -66,7 +66,31 @@ def divides_by_zero(physics: Physics, written: Iterable[Obligation]) -> str:
     return ""
 
 
-def _unmatched(written: Iterable[Obligation], truth: Sequence[Obligation]) -> Iterable[Obligation]:
+def counterparts(
+    physics: Physics, rest: Sequence[Obligation], truth: Sequence[Obligation]
+) -> list[tuple[Node, Node]]:
+    """Arguments of obligations, and what the same is demanded of in the truth.
+
+    Residues at a point propose which are equal; whether they are is for the kernel to decide. Empty
+    unless every obligation has a counterpart.
+    """
+    builder, values = physics.builder, Residues(physics.builder)
+    pairs: list[tuple[Node, Node]] = []
+    for one in rest:
+        left = Node(builder, one.node)
+        theirs = (
+            Node(builder, other.node)
+            for other in truth
+            if other.sign is one.sign and set(other.conditions) <= set(one.conditions)
+        )
+        right = next((node for node in theirs if values.is_zero(left - node)), None)
+        if right is None:
+            return []
+        pairs.append((left, right))
+    return pairs
+
+
+def unmatched(written: Iterable[Obligation], truth: Sequence[Obligation]) -> Iterable[Obligation]:
     """Obligations that the truth does not have as they stand."""
     known: dict[tuple[Sign, int], list[frozenset[tuple[int, bool]]]] = {}
     for obligation in truth:

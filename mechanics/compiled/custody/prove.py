@@ -8,11 +8,16 @@ from typing import Any
 
 from mechanics.compiled.custody.code import Code
 from mechanics.compiled.custody.constants import literals
-from mechanics.compiled.custody.defined import divides_by_zero, where_defined
+from mechanics.compiled.custody.defined import (
+    counterparts,
+    divides_by_zero,
+    unmatched,
+    where_defined,
+)
 from mechanics.compiled.custody.derived import Derived
 from mechanics.compiled.custody.kernel import Kernel
 from mechanics.compiled.custody.physics import Entry, Physics
-from mechanics.compiled.custody.text import Groups, Reading, Text, read_into, read_text
+from mechanics.compiled.custody.text import Groups, Reading, Text, read_into
 from mechanics.compiled.programs.hoist import CONSTANTS, PREPARE, PREPARED
 from mechanics.errors import ExpressionError
 from mechanics.kernel import Finding, undecided
@@ -57,18 +62,19 @@ def read_beside(
 
 
 def prove_text(
-    kernel: Kernel,
+    text: Text,
     source: Source,
     graphs: Mapping[str, Graph],
     known: Derived,
     prepare: Kernel | None = None,
     **options: Any,
-) -> tuple[Finding, Text | None]:
+) -> Finding:
     """Decide whether a C function computes what its graph does.
 
     Parameters
     ----------
-    kernel : Kernel
+    text : Text
+        The function as it was written, see `read_text`.
     source : Source
         Of its file, with those that it calls.
     graphs : mapping of str to Graph
@@ -78,19 +84,13 @@ def prove_text(
         The function that prepares parameters, for one that takes them prepared.
     **options
         As for `mechanics.kernel.decide`.
-
-    Returns
-    -------
-    Finding
-    Text or None
-        The text that was read; None if it was refused.
     """
+    kernel = text.kernel
     graph = graphs[kernel.function]
     subject = f"{kernel.file}: {kernel.symbol} = graph"
     physics = Physics(known)
     builder, given = physics.builder, dict(physics.inputs)
     try:
-        text = read_text(kernel, source, graph.written.inputs, outputs_of(graph))
         expected = _expected(physics, kernel, graph)
         truth = tuple(builder.obligations)
         builder.obligations = {}
@@ -101,14 +101,22 @@ def prove_text(
         written = tuple(builder.obligations)
         entries: list[Entry] = [(n, node, expected[n]) for n, node in reading.written()]
         small = len(text.program) <= SMALL
-        found = physics.decide_entries(subject, entries, **{"try_normal": small, **options})
+        demands: list[Entry] = []
+        if not small and any(left != right for _, left, right in entries):
+            # What the field decides, it decides of the divisors by the same draws.
+            pairs = counterparts(physics, list(unmatched(written, truth)), truth)
+            demands = [("divisor", left, right) for left, right in pairs]
+        options = {"try_normal": small, **options}
+        found = physics.decide_entries(subject, [*entries, *demands], **options)
+        if demands and not found.shown:
+            demands, found = [], physics.decide_entries(subject, entries, **options)
         if not found.shown:
-            return found, text
+            return found
         if doubt := reading.doubt or divides_by_zero(physics, written):
-            return undecided(subject, doubt), text
-        return where_defined(found, physics, written, truth), text
+            return undecided(subject, doubt)
+        return where_defined(found, physics, () if demands else written, truth)
     except ExpressionError as error:
-        return undecided(subject, f"refused: {error}"), None
+        return undecided(subject, f"refused: {error}")
 
 
 def _expected(physics: Physics, kernel: Kernel, graph: Graph) -> dict[str, Node]:

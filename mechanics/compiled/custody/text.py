@@ -143,13 +143,14 @@ def read_into(
 VALUES, ASKED = "values", "asked"
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Text:
     """A C function as it was written, as a program.
 
     Attributes
     ----------
-    signature : Signature
+    reading : Reading
+        Its nodes are rounded operations.
     program : Program
         Inputs ``"q[0]"``; outputs ``"values"``: every value that an entry gets, in order;
         ``"asked"``: operands of the conditions of the status; ``"every"``: all that the values are
@@ -162,11 +163,16 @@ class Text:
         Where the operands of its conditions stand among those that are asked.
     """
 
-    signature: Signature
+    reading: Reading
     program: Program
     counts: tuple[int, ...]
     status: Decision | None
     places: Mapping[int, int]
+
+    @property
+    def signature(self) -> Signature:
+        """What its arguments are."""
+        return self.reading.signature
 
     @property
     def kernel(self) -> Kernel:
@@ -201,4 +207,18 @@ def read_text(kernel: Kernel, source: Source, groups: Groups, outputs: Groups) -
     })  # fmt: skip
     counts = [len(reading.function.outputs[at]) for _, at in reading.signature.entries()]
     places = {number: place for place, number in enumerate(asked)}
-    return Text(reading.signature, program, tuple(counts), status, places)
+    return Text(reading, program, tuple(counts), status, places)
+
+
+def reads_alike(one: Text, two: Text) -> bool:
+    """Whether two texts are the same operations on the same values, in the same order."""
+    return (
+        one.signature == two.signature
+        and one.reading.function == two.reading.function
+        and _tables(one.reading.builder) == _tables(two.reading.builder)
+    )
+
+
+def _tables(builder: Builder) -> tuple[object, ...]:
+    rows = builder.operations, builder.operands, builder.constants, builder.inputs
+    return (*rows, builder.systems, list(builder.obligations))

@@ -7,13 +7,13 @@ import ctypes
 import functools
 import os
 import shutil
-import subprocess
 import tempfile
 import threading
 from collections.abc import Sequence
 from hashlib import sha256
 from pathlib import Path
 
+from mechanics.compiled.machine.process import run
 from mechanics.errors import CompilerError
 
 # No contraction into fused operations and no reassociation: results are the same everywhere.
@@ -74,17 +74,14 @@ def build(source: str, compiler: str, flags: Sequence[str], linked: Sequence[str
     with _BUILDING.setdefault(name, threading.Lock()):
         if not library.exists():
             file.write_text(source, encoding="ascii")
-            remarks = _run([compiler, *flags, "-c", str(file), "-o", str(object_file)])
+            remarks = _run([compiler, *flags, "-c", str(file), "-o", str(object_file)], stem.parent)
             stem.with_suffix(REMARKS).write_text(remarks, encoding="utf-8")
-            _run([compiler, "-shared", str(object_file), "-o", str(library), *linked])
+            _run([compiler, "-shared", str(object_file), "-o", str(library), *linked], stem.parent)
     return library
 
 
-def _run(command: list[str]) -> str:
-    try:
-        done = subprocess.run(command, capture_output=True, text=True, check=False)
-    except OSError as error:
-        raise CompilerError(f"C compiler {command[0]} cannot be run: {error}") from error
+def _run(command: list[str], folder: Path) -> str:
+    done = run(command, folder)
     if done.returncode != 0:
         words = (done.stderr or done.stdout).strip() or f"exit code {done.returncode}, no message"
         raise CompilerError(

@@ -14,9 +14,9 @@ from mechanics.compiled.custody.code import Code
 from mechanics.compiled.custody.derived import Derived
 from mechanics.compiled.custody.graph import prove_derived
 from mechanics.compiled.custody.kernel import Kernel
-from mechanics.compiled.custody.prove import Graph, is_prepared, prove_text
+from mechanics.compiled.custody.prove import Graph, is_prepared, outputs_of, prove_text
 from mechanics.compiled.custody.status import prove_status
-from mechanics.compiled.custody.text import Text
+from mechanics.compiled.custody.text import Text, read_text, reads_alike
 from mechanics.compiled.programs.hoist import PREPARE
 from mechanics.compiled.programs.of_model import PARTS, WHOLE
 from mechanics.errors import ExpressionError, InputError
@@ -58,7 +58,6 @@ class Read:
 
     kernel: Kernel
     text: Text
-    prepare: Text | None = None
 
 
 Report = Callable[[str], None]
@@ -92,13 +91,21 @@ def first_step(evidence: Evidence, known: Derived, report: Report = silent) -> I
 
 
 def second_step(evidence: Evidence, read: list[Read], report: Report = silent) -> Iterator[Finding]:
-    """Decide for each C function whether it is its graph; `read` gets those that are."""
+    """Decide for each C function whether it is its graph; `read` gets those that are.
+
+    A text that reads the same with other macros has the findings that it has without them.
+    """
     found = sources(evidence.kernels, evidence.texts)
     for kernel in evidence.kernels:
+        first: _Judged | None = None
         for (file, title), source in found.items():
             if file == kernel.file:
                 report(f"{kernel.symbol}: graph = text")
-                yield from _kernel(evidence, kernel, title, source, read)
+                judged = _kernel(evidence, kernel, source, first)
+                first = first or judged
+                yield from (_titled(finding, title) for finding in judged.findings)
+        if first is not None and first.texts and all(one.shown for one in first.findings):
+            read.append(Read(kernel, first.texts[0]))
     plain = {f: s for (f, t), s in found.items() if not t and isinstance(s, Source)}
     for name in not_named(evidence.kernels, plain):
         words = "refused: the manifest does not say what this function should be"
@@ -110,13 +117,20 @@ def _is_static(source: Source, name: str) -> bool:
     return definition is not None and "static" in (definition.decl.storage or ())
 
 
+@dataclass(frozen=True)
+class _Judged:
+    """What is found about a kernel as it reads with some macros, and what was read."""
+
+    findings: tuple[Finding, ...]
+    texts: tuple[Text, ...] = ()
+
+
 def _kernel(
     evidence: Evidence,
     kernel: Kernel,
-    title: str,
     source: Source | ExpressionError,
-    read: list[Read],
-) -> Iterator[Finding]:
+    first: _Judged | None,
+) -> _Judged:
     subject = f"{kernel.file}: {kernel.symbol} = graph"
     prepare = _preparing(evidence.kernels, kernel)
     words = ""
@@ -124,21 +138,30 @@ def _kernel(
         words = str(source)
     elif kernel.function not in evidence.graphs:
         words = "it has no graph"
-    elif is_prepared(kernel.function) and prepare is None:
+    elif is_prepared(kernel.function) and (prepare is None or PREPARE not in evidence.graphs):
         words = f"there is no {PREPARE} function beside it"
     elif _is_static(source, kernel.symbol):
         words = "it is static: no other file can call it"
     if isinstance(source, ExpressionError) or words:
-        yield _titled(undecided(subject, f"refused: {words}"), title)
-        return
-    finding, text = prove_text(kernel, source, evidence.graphs, evidence.known, prepare)
-    yield _titled(finding, title)
-    if text is not None and finding.shown:
-        graph = evidence.graphs[kernel.function]
-        status = prove_status(kernel, source, graph, evidence.known)
-        yield _titled(status, title)
-        if status.shown and not title:
-            read.append(Read(kernel, text))
+        return _Judged((undecided(subject, f"refused: {words}"),))
+    try:
+        texts = tuple(_text(evidence, k, source) for k in (kernel, prepare) if k is not None)
+    except ExpressionError as error:
+        return _Judged((undecided(subject, f"refused: {error}"),))
+    alike = first is not None and len(first.texts) == len(texts)
+    if first is not None and alike and all(map(reads_alike, texts, first.texts)):
+        return first
+    graphs, known = evidence.graphs, evidence.known
+    finding = prove_text(texts[0], source, graphs, known, prepare)
+    if not finding.shown:
+        return _Judged((finding,), texts)
+    status = prove_status(kernel, source, graphs[kernel.function], known)
+    return _Judged((finding, status), texts)
+
+
+def _text(evidence: Evidence, kernel: Kernel, source: Source) -> Text:
+    graph = evidence.graphs[kernel.function]
+    return read_text(kernel, source, graph.written.inputs, outputs_of(graph))
 
 
 def _titled(finding: Finding, title: str) -> Finding:

@@ -1,13 +1,13 @@
 """The library of a unit for this machine: which platform it is, and how it is compiled."""
 
 import platform
-import subprocess
 import sys
 import tempfile
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
+from mechanics.compiled.machine.process import run
 from mechanics.errors import CompilerError, InputError
 
 OPTIONS = ("-std=c99", "-fPIC", "-fvisibility=hidden", "-ffp-contract=off",
@@ -81,14 +81,9 @@ def compiled_library(sources: Mapping[str, str], compiler: str, flags: str) -> b
     with tempfile.TemporaryDirectory(prefix="mechanics-") as folder:
         for name, text in sources.items():
             (Path(folder) / name).write_text(text, encoding="utf-8")
-        files = sorted(name for name in sources if name.endswith(".c"))
-        command = [compiler, *OPTIONS, *flags.split(), "-shared", *files, "-o", "unit"]
-        try:
-            done = subprocess.run(
-                [*command, "-lm"], cwd=folder, capture_output=True, text=True, check=False
-            )
-        except OSError as error:
-            raise CompilerError(f"C compiler {compiler} cannot be run: {error}") from error
+        files = [f"{folder}/{name}" for name in sorted(sources) if name.endswith(".c")]
+        command = [compiler, *OPTIONS, *flags.split(), "-shared", *files, "-o", f"{folder}/unit"]
+        done = run([*command, "-lm"], Path(folder))
         if done.returncode != 0:
             words = (done.stderr or done.stdout).strip() or f"exit code {done.returncode}"
             raise CompilerError(

@@ -16,8 +16,10 @@ from mechanics.compiled.c.names import identifier
 from mechanics.compiled.custody.code import exact
 from mechanics.compiled.custody.derived import Derived
 from mechanics.compiled.custody.kernel import Kernel
-from mechanics.compiled.custody.prove import Graph, prove_text
+from mechanics.compiled.custody.prove import Graph, outputs_of, prove_text
+from mechanics.compiled.custody.text import read_text
 from mechanics.compiled.proof import prove_compiled, prove_graph
+from mechanics.errors import ExpressionError
 from mechanics.export.fmu.functions import (
     CLOCK,
     STEP_SIZE,
@@ -26,7 +28,7 @@ from mechanics.export.fmu.functions import (
     functions,
 )
 from mechanics.export.fmu.model_text import symbol
-from mechanics.kernel import Finding
+from mechanics.kernel import Finding, undecided
 from mechanics.program import Builder
 from mechanics.program.c.parse import Source, parse
 from mechanics.program.casadi_reader import read_routine
@@ -75,8 +77,13 @@ def prove_functions(model: Model, known: Functions, source: Source) -> tuple[Fin
         kernel = Kernel(
             name, symbol(identifier(model.equations.scene.name), name), SOURCE, "double"
         )
-        finding, _ = prove_text(kernel, source, {name: Graph(exact(code), code)}, names)
-        found.append(finding)
+        graph = Graph(exact(code), code)
+        try:
+            text = read_text(kernel, source, code.inputs, outputs_of(graph))
+        except ExpressionError as error:
+            found.append(undecided(f"{SOURCE}: {kernel.symbol} = graph", f"refused: {error}"))
+            continue
+        found.append(prove_text(text, source, {name: graph}, names))
     return tuple(found)
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
-from functools import lru_cache
+from functools import cached_property, lru_cache
 from typing import Any
 
 from pycparser import CParser, c_ast
@@ -17,6 +17,8 @@ typedef unsigned long size_t; typedef int int32_t; typedef unsigned int uint32_t
 typedef long int64_t; typedef unsigned long uint64_t; typedef long ptrdiff_t;
 """
 """Types of the C library that generated code uses."""
+
+UNSIGNED = frozenset({"unsigned", "size_t", "uint32_t", "uint64_t"})
 
 
 @dataclass(frozen=True)
@@ -42,6 +44,23 @@ class Source:
     structs: Mapping[str, Any]
     macros: Mapping[str, str]
     asked: tuple[str, ...]
+
+    @cached_property
+    def has_unsigned(self) -> bool:
+        """Whether there are unsigned integers in its functions."""
+        return any(map(_has_unsigned, self.functions.values()))
+
+
+def _has_unsigned(node: Any) -> bool:
+    waiting = [node]
+    while waiting:
+        at = waiting.pop()
+        if isinstance(at, c_ast.IdentifierType) and UNSIGNED & set(at.names):
+            return True
+        if isinstance(at, c_ast.Constant) and "unsigned" in at.type:
+            return True
+        waiting += [child for _, child in at.children()]
+    return False
 
 
 def linked(first: Source, *others: Source) -> Source:

@@ -49,7 +49,7 @@ from mechanics.program.c.condition import (
 from mechanics.program.c.function import BEYOND, Function, Parameter, Target, Written
 from mechanics.program.c.library import ARITHMETIC, FAR, FUNCTIONS, FUSED, SINCOS
 from mechanics.program.c.literal import literal, rounded
-from mechanics.program.c.parse import Source
+from mechanics.program.c.parse import UNSIGNED, Source
 from mechanics.program.c.select import chosen, latest
 from mechanics.program.c.types import REALS, Type, declared, parameters, signature
 from mechanics.program.c.values import (
@@ -77,8 +77,6 @@ MOST_TURNS = 4096
 
 MOST_TURNS_IN_ALL = 20_000
 """Of all loops together: five that nest ask for a trillion."""
-
-UNSIGNED = frozenset({"unsigned", "size_t", "uint32_t", "uint64_t"})
 
 
 class Guard(NamedTuple):
@@ -172,7 +170,7 @@ class Reader:
 
     def __init__(self, source: Source, target: Target) -> None:
         self.source, self.target = source, target
-        self.unsigned = any(_has_unsigned(node) for node in source.functions.values())
+        self.unsigned = source.has_unsigned
         self.scopes: list[dict[str, Variable | Array]] = [{}]
         self.guards: list[Guard] = []
         self.beyond: list[str] = []
@@ -651,7 +649,7 @@ class Reader:
         value = self.value(node.expr)
         if node.op == "-" and isinstance(value, Whole):
             result = times(whole(-1), value)
-            if not (isinstance(node.expr, c_ast.Constant) and not _has_unsigned(node.expr)):
+            if not (isinstance(node.expr, c_ast.Constant) and "unsigned" not in node.expr.type):
                 self._natural(node.coord, value, result)
             return result
         if node.op == "!":
@@ -894,12 +892,3 @@ def _least(decision: Decision) -> int:
     if isinstance(decision, Choice):
         return min(_least(decision.yes), _least(decision.no))
     return decision
-
-
-def _has_unsigned(node: Any) -> bool:
-    """Whether there are unsigned integers in a syntax tree."""
-    if isinstance(node, c_ast.IdentifierType) and UNSIGNED & set(node.names):
-        return True
-    if isinstance(node, c_ast.Constant) and "unsigned" in node.type:
-        return True
-    return any(_has_unsigned(child) for _, child in node.children())

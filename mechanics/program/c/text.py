@@ -55,7 +55,7 @@ class _Reader:
         self.out.append(f'\n# 1 "{file}"\n')
         # One entry a condition: whether its branch is taken, and whether one has been.
         branches: list[list[bool]] = []
-        for number, line in enumerate(_without_errors(lines(tokens(text, file))), 1):
+        for number, line in enumerate(_lines(text, file), 1):
             solid = [token for token in line if token[0] != "space"]
             where = f"{file}:{number}"
             if solid and solid[0][1] == "#":
@@ -146,6 +146,12 @@ class _Reader:
             else:
                 result.append(text)
         return result
+
+
+# By content: a header stands in every file that includes it, under every choice of macros.
+@lru_cache(maxsize=64)
+def _lines(text: str, file: str) -> Sequence[Line]:
+    return tuple(_without_errors(lines(tokens(text, file))))
 
 
 def _without_errors(text: Sequence[Line]) -> list[Line]:
