@@ -26,7 +26,7 @@ from mechanics.closure import Closure, close
 from mechanics.errors import SceneError
 from mechanics.kernel import Range
 from mechanics.program.builder import Builder, Node
-from mechanics.program.derivatives import tangent
+from mechanics.program.forward import tangent
 from mechanics.program.operations import INPUT
 from mechanics.program.program import reachable
 from mechanics.program.residues import Residues

@@ -12,9 +12,10 @@ from dataclasses import asdict, dataclass
 from benchmarks.space import scenes
 from benchmarks.space.counting import Counts, count
 from mechanics.mechanism import Mechanism, lower
-from mechanics.program import Builder, Node, tangent
+from mechanics.program import Builder, Node
 from mechanics.program.derivatives import gradient
 from mechanics.program.elimination import expand_solves
+from mechanics.program.forward import tangent
 from mechanics.recursions import newton_euler
 from mechanics.recursions.articulated_bodies import forward_dynamics
 from mechanics.recursions.composite_bodies import mass_matrix

@@ -21,7 +21,8 @@ from mechanics.kinematics import chain
 from mechanics.kinematics.motion import BodyMotion, Motions, body_motions
 from mechanics.mechanism import GROUND, Mechanism, lower
 from mechanics.program.builder import Builder, Node
-from mechanics.program.derivatives import gradient, tangent
+from mechanics.program.derivatives import gradient
+from mechanics.program.forward import tangent
 from mechanics.program.residues import Residues
 from mechanics.program.vectors import Vector, add, cross, dot, scale, subtract
 from mechanics.routes.directions import AXES, Directions, used_directions

@@ -11,7 +11,8 @@
 What the canaries say is evidence about the program, not about a scene: SUPPORTED, or REFUTED.
 """
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import dataclass
 from typing import Any
 
 from flint import arb
@@ -26,6 +27,7 @@ from sympy import (
     pi,
     sin,
     sqrt,
+    srepr,
     symbols,
     tan,
 )
@@ -52,6 +54,16 @@ from mechanics.symbolic import prove_equal
 
 BITS = 100
 CLOSE = arb(2) ** -50
+
+
+@dataclass(frozen=True)
+class Known:
+    """What is known beforehand, what the program says of it, and words for where that differs."""
+
+    words: str
+    known: Any
+    value: Any
+
 
 Element = tuple[arb, arb, arb]
 """Size, x and y."""
@@ -100,48 +112,48 @@ TYPED: tuple[tuple[Any, Expr], ...] = (
 def check_canaries() -> tuple[Finding, ...]:
     """All canaries; the scene does not matter."""
     return (
-        _told("decisions", len(TRUE) + len(FALSE), [*_decided_wrongly()]),
-        _told("numbers as they are typed", len(TYPED), [*_read_wrongly()]),
-        _told("declarations keep what is given", 13, [*_kept_wrongly()]),
-        _told("shapes against integrals", 7, [*_integrated_wrongly()]),
-        _compared(),
+        _finding("decisions", _decided()),
+        _finding("numbers as they are typed", _read()),
+        _finding("declarations keep what is given", _kept()),
+        _finding("shapes against integrals", _integrated()),
+        _finding("routes and laws", _compared()),
     )
 
 
-def _compared() -> Finding:
-    """Routes and laws that are known to be right, and to be wrong."""
-    known = [*known_findings()]
-    wrong = [
-        f"{words}: {finding.verdict.name}"
-        for words, true, finding in known
-        if not (finding.shown if true else finding.verdict is Verdict.REFUTED)
-    ]
-    return _told("routes and laws", len(known), wrong)
-
-
-def _told(what: str, count: int, wrong: list[str]) -> Finding:
-    subject = f"canaries: {what}"
+def _finding(what: str, asked: Iterable[Known]) -> Finding:
+    subject, rows = f"canaries: {what}", [*asked]
+    found = [supported(subject, [(row.known, row.value)], "") for row in rows]
+    wrong = [r for r, one in zip(rows, found, strict=True) if one.verdict is not Verdict.SUPPORTED]
     if wrong:
-        return refuted(subject, f"do not trust this program: {'; '.join(wrong)}")
-    return supported(subject, f"all {count} are as they are known to be")
+        words = f"do not trust this program: {'; '.join(row.words for row in wrong)}"
+        return refuted(subject, words, wrong[0].known, wrong[0].value)
+    samples = [(row.known, row.value) for row in rows]
+    return supported(subject, samples, f"all {len(rows)} are as they are known to be")
 
 
-def _decided_wrongly() -> Iterator[str]:
-    for left, right in TRUE:
-        if prove_equal("canary", left, right).verdict is not Verdict.PROVED:
-            yield f"{left} = {right} is not proved"
-    for left, right in FALSE:
-        if prove_equal("canary", left, right).verdict is not Verdict.REFUTED:
-            yield f"{left} = {right} is not refuted"
+def _compared() -> Iterator[Known]:
+    """Routes and laws that are known to be right, and to be wrong."""
+    for words, true, finding in known_findings():
+        name = finding.verdict.name
+        known = name if true and finding.shown else "PROVED" if true else "REFUTED"
+        yield Known(f"{words}: {name}", known, name)
 
 
-def _read_wrongly() -> Iterator[str]:
+def _decided() -> Iterator[Known]:
+    for pairs, verdict in ((TRUE, Verdict.PROVED), (FALSE, Verdict.REFUTED)):
+        for left, right in pairs:
+            found = prove_equal("canary", left, right).verdict
+            words = f"{left} = {right} is not {verdict.name.lower()}"
+            yield Known(words, verdict.name, found.name)
+
+
+def _read() -> Iterator[Known]:
     for typed, meant in TYPED:
-        if scalar(typed, "canary") != meant:
-            yield f"{typed} is read as {scalar(typed, 'canary')}"
+        found = scalar(typed, "canary")
+        yield Known(f"{typed} is read as {found}", srepr(meant), srepr(found))
 
 
-def _kept_wrongly() -> Iterator[str]:
+def _kept() -> Iterator[Known]:
     N, P, Q = ReferenceFrame("N"), Point("P"), Point("Q")
     a, b = symbols("a b", positive=True)
     ends: dict[str, Any] = {"on": "one", "by": "two"}
@@ -171,12 +183,17 @@ def _kept_wrongly() -> Iterator[str]:
         ),
     ]
     for made, given in parts:
-        for name, value in given.items():
-            if getattr(made, name) != value:
-                yield f"{type(made).__name__}: {name} {value} is kept as {getattr(made, name)}"
+        kept = {name: getattr(made, name) for name in given}
+        words = ", ".join(
+            f"{name} {given[name]} is kept as {kept[name]}"
+            for name in given
+            if given[name] != kept[name]
+        )
+        values = tuple(map(str, given.values())), tuple(map(str, kept.values()))
+        yield Known(f"{type(made).__name__}: {words}", *values)
 
 
-def _integrated_wrongly() -> Iterator[str]:
+def _integrated() -> Iterator[Known]:
     body = composite(
         (
             part(Rectangle(2, 1), density=3, at=(1, 0), angle=pi / 6),
@@ -211,8 +228,8 @@ def _integrated_wrongly() -> Iterator[str]:
             ("second moment xy", xy, body.second_moment[0, 1]),
             ("moment of inertia", xx + yy, body.inertia),
         ):
-            if not abs(wanted - there.value(found)) < CLOSE:
-                yield f"the {name} of a body cut from all shapes is {found}"
+            words = f"the {name} of a body cut from all shapes is {found}"
+            yield Known(words, arb(wanted.mid(), CLOSE), there.value(found))
 
 
 def _placed(density: Any, at: tuple[Any, Any], angle: arb, region: Iterator[Element]) -> Iterator:

@@ -30,7 +30,16 @@ SUBJECT = "dimensions of published rows"
 
 
 class _Mixed(Exception):
-    """Two terms that stand together have different dimensions."""
+    """Two terms that stand together have different dimensions.
+
+    Attributes
+    ----------
+    units : (str, str)
+    """
+
+    def __init__(self, message: str, one: str, other: str) -> None:
+        super().__init__(message)
+        self.units = one, other
 
 
 def check_dimensions(
@@ -58,23 +67,22 @@ def check_dimensions(
     texts = {symbol: unit.replace(" ", "*") for symbol, unit in units.items()}
     known = {symbol: dimension_of_unit(text, str(symbol)) for symbol, text in texts.items()}
     found = []
-    pairs: list[tuple[Dimension | None, Dimension | None]] = []
+    pairs: list[tuple[str, str]] = []
     for row in chosen:
         subject = f"{row.tag} {row.label}"
         try:
             for entries in _entries(scene, row, subject):
                 first = _one(scene, entries, known)
                 own = [_dimension(scene, side, known) for side in entries]
-                pairs += [(first, dimension) for dimension in own if dimension is not None]
+                pairs += [(words(first), words(one)) for one in own if first and one]
         except _Mixed as mixed:
             evidence = f"{mixed}: correct the row, or the unit of a parameter"
-            found.append(refuted(f"{subject}: dimensions", evidence))
+            found.append(refuted(f"{subject}: dimensions", evidence, *mixed.units))
     count = len(chosen) - len(found)
     evidence = f"in {count} rows all terms whose units are declared have one dimension"
-    if not count:
+    if not count or not pairs:
         return tuple(found)
-    first_ones, others = [one for one, _ in pairs], [other for _, other in pairs]
-    return (same(SUBJECT, first_ones, others, evidence), *found)
+    return (same(SUBJECT, [one for one, _ in pairs], [two for _, two in pairs], evidence), *found)
 
 
 def _entries(scene: Scene, row: Published, subject: str) -> Iterator[tuple[Expr, ...]]:
@@ -91,9 +99,9 @@ def _one(scene: Scene, terms: Sequence[Expr], known: Mapping[Symbol, Any]) -> Di
         if found is None:
             continue
         if first is not None and found != first[1]:
+            one, other = words(first[1]), words(found)
             raise _Mixed(
-                f"{_shown(first[0])} has the unit {words(first[1])}, and {_shown(term)} has"
-                f" {words(found)}"
+                f"{_shown(first[0])} has the unit {one}, and {_shown(term)} has {other}", one, other
             )
         first = first or (term, found)
     return first[1] if first else None
@@ -136,7 +144,8 @@ def _plain(scene: Scene, argument: Expr, known: Mapping[Symbol, Any], of: Expr) 
     """Refuse an argument that has a dimension."""
     found = _dimension(scene, argument, known)
     if found is not None and found != NONE:
-        raise _Mixed(f"{_shown(argument)} in {_shown(of)} has the unit {words(found)}, not 1")
+        unit = words(found)
+        raise _Mixed(f"{_shown(argument)} in {_shown(of)} has the unit {unit}, not 1", unit, "1")
 
 
 def _sum(parts: Sequence[tuple[Any, Any]]) -> Dimension | None:

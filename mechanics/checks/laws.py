@@ -25,7 +25,8 @@ from mechanics.kinematics import chain, differentiate
 from mechanics.kinematics.motion import Motions
 from mechanics.mechanism import Mechanism, inputs_of
 from mechanics.program.builder import Node
-from mechanics.program.derivatives import gradient, tangent
+from mechanics.program.derivatives import gradient
+from mechanics.program.forward import tangent
 from mechanics.program.residues import Residues
 from mechanics.program.vectors import dot
 from mechanics.routes.lagrange import virtual_power

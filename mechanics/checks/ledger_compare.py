@@ -14,7 +14,7 @@ from flint import arb
 from sympy import Expr, Float, S, Symbol, sympify
 
 from mechanics.errors import InputError, SceneError
-from mechanics.kernel import Finding, Witness, enclosed, refuted
+from mechanics.kernel import Finding, enclosed, refuted
 from mechanics.kinematics.manifold import settle, settle_accelerations
 from mechanics.scene import Scene
 from mechanics.scene.symbols import symbols_of
@@ -169,8 +169,8 @@ def rounded(scene: Scene, subject: str, left: Expr, right: Expr) -> Finding:
     if found.shown:
         return found
     state = tuple(sorted((symbol.name, "1") for symbol in ones))
-    sides = _rounding(printed).str(20, more=True), value.str(20, more=True)
-    return refuted(subject, f"{words}, which does not round to {printed}", Witness(state, *sides))
+    words = f"{words}, which does not round to {printed}"
+    return refuted(subject, words, _rounding(printed), value, state)
 
 
 def _rounding(printed: str) -> arb:

@@ -27,7 +27,7 @@ from mechanics.checks.jets import Instant, OutsideDomain, precision
 from mechanics.checks.states import State, draw_states, name_of
 from mechanics.equations import Equations
 from mechanics.errors import ExpressionError
-from mechanics.kernel import Finding, Witness, enclose, refuted, supported, undecided
+from mechanics.kernel import Finding, enclose, refuted, supported, undecided
 from mechanics.program import Program
 from mechanics.scene import Scene
 from mechanics.scene.loads import CONSERVATIVE, Coulomb
@@ -233,6 +233,7 @@ def _tried(
 ) -> Finding:
     """Rows of (words, left, right) at the first admissible states."""
     used = 0
+    samples: list[tuple[arb, arb]] = []
     with precision(BITS):
         for state in states:
             try:
@@ -247,14 +248,14 @@ def _tried(
             for words, left, right in compared:
                 if not left.overlaps(right):
                     evidence = f"{words}: the enclosures at a real state are disjoint"
-                    witness = Witness(state.items(), left.str(20), right.str(20))
-                    return refuted(subject, evidence, witness)
+                    return refuted(subject, evidence, left, right, state.items())
                 if not abs(left - right) < CLOSE:
                     return undecided(subject, f"{words}: known too badly")
+                samples.append((arb(left.mid(), CLOSE), right))
             used += 1
             if used == USED:
                 break
-    if not used:
-        return undecided(subject, "no drawn state is admissible")
-    evidence = f"equal within 2^-100 at {used} drawn states; no bound of the chance of error"
-    return supported(subject, evidence)
+        if not used:
+            return undecided(subject, "no drawn state is admissible")
+        evidence = f"equal within 2^-100 at {used} drawn states; no bound of the chance of error"
+        return supported(subject, samples, evidence)

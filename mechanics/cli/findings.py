@@ -35,7 +35,8 @@ def explain(console: Console, finding: Finding) -> None:
     console.print(f"[{style}]{name}[/] {escape(finding.subject)}: {escape(finding.evidence)}")
     if finding.witness is not None:
         state = ", ".join(f"{symbol} = {value}" for symbol, value in finding.witness.state)
-        console.print(f"  at {escape(state)}")
+        if state:
+            console.print(f"  at {escape(state)}")
         if solved := ", ".join(f"{name} = {value}" for name, value in finding.witness.solved):
             console.print(f"  from which follow {escape(solved)}")
         console.print(f"  left  {escape(finding.witness.left)}")

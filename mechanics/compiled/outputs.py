@@ -34,8 +34,9 @@ from mechanics.kinematics.motion import body_motions, poses
 from mechanics.mechanism import Mechanism, name_of
 from mechanics.program import Program
 from mechanics.program.builder import Builder, Node
-from mechanics.program.derivatives import gradient, tangent
+from mechanics.program.derivatives import gradient
 from mechanics.program.elimination import expand_solves
+from mechanics.program.forward import tangent
 from mechanics.program.vectors import Vector, add, cross, scale, times, zeros
 from mechanics.recursions import newton_euler
 from mechanics.recursions.articulated_bodies import forward_dynamics

@@ -27,7 +27,8 @@ def refuse_refuted(findings: Sequence[Finding], target: str) -> None:
     where = ""
     if first.witness is not None:
         state = ", ".join(f"{name} = {value}" for name, value in first.witness.state)
-        where = f", at {state}: {first.witness.left} and {first.witness.right}"
+        at = f", at {state}" if state else ""
+        where = f"{at}: {first.witness.left} and {first.witness.right}"
     others = f", and {more} more" if more else ""
     raise RefutedError(
         f"REFUTED {first.subject}: {first.evidence}{where}{others}: {target} is not written"

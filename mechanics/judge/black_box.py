@@ -13,6 +13,7 @@ from functools import partial
 from typing import Any
 
 import numpy as np
+from flint import arb
 from sympy import Symbol
 
 from mechanics.checks.ledger_compare import definitions_in_full
@@ -20,7 +21,7 @@ from mechanics.compiled import compile
 from mechanics.equations import Equations
 from mechanics.errors import InputError, SingularError
 from mechanics.judge.mean_rates import State, mean_rates
-from mechanics.kernel import Finding, Witness, refuted, supported, undecided
+from mechanics.kernel import Finding, refuted, supported, undecided
 from mechanics.reading.code.black_box import BlackBox, Box, entries, match_box
 from mechanics.reading.names import Match
 from mechanics.reading.statement import Statement
@@ -124,22 +125,30 @@ def _judged(
     engine: Callable[[State], float], label: str, k: int,
     outcomes: list[tuple[State, np.ndarray]],
 ) -> Finding:  # fmt: skip
-    worst, at = -1.0, None
+    rows: list[tuple[State, float, float]] = []
     for state, outputs in outcomes:
         try:
-            value = engine(state)
+            rows.append((state, engine(state), float(outputs[k])))
         except SingularError:
             continue
-        error = abs(float(outputs[k]) - value) / (1 + abs(value))
-        if error > worst:
-            worst, at = error, (state, float(outputs[k]), value)
-    if at is None:
+    if not rows:
         return undecided(label, "the engine's own equations are singular there")
+    state, value, given = max(rows, key=lambda row: _error(*row[1:]))
+    worst = _error(value, given)
     words = f"largest difference {worst:.1e} of 1 + the value, at {len(outcomes)} states"
     if worst <= CLOSE:
-        return supported(label, f"{words}; the code itself was not read")
+        samples = [(_near(known, CLOSE), number) for _, known, number in rows]
+        return supported(label, samples, f"{words}; the code itself was not read")
     if worst <= APART:
         return undecided(label, f"{words}: more than rounding, less than an error")
-    state, given, value = at
     shown = tuple(sorted((name, str(Fraction(v))) for name, v in state.items() if name != "t"))
-    return refuted(label, words, Witness(shown, repr(value), repr(given)))
+    return refuted(label, words, _near(value, APART), given, shown)
+
+
+def _error(value: float, given: float) -> float:
+    return abs(given - value) / (1 + abs(value))
+
+
+def _near(value: float, share: float) -> arb:
+    """Numbers that differ from a value by no more than a share of 1 + its magnitude."""
+    return arb(value, share * (1 + abs(value)))

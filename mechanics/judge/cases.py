@@ -80,7 +80,8 @@ def check_cases(truth: Equations, row: Published, demands: Sequence[Demand] = ()
             where = " and ".join(map(_in_words, guard))
             if found.apart is not None:
                 words = f"within its guard {where} the value is not near the truth"
-                return refuted(f"{row.tag} {row.label}", words, found.apart)
+                far = found.apart
+                return refuted(f"{row.tag} {row.label}", words, far.near, far.value, far.state)
             if found.states or found.singular:
                 (singular if found.singular else near).append(where)
                 continue

@@ -19,8 +19,17 @@ from mechanics.checks.equilibria import exact
 from mechanics.checks.metric import metric
 from mechanics.equations import Equations
 from mechanics.errors import MechanicsError
-from mechanics.kernel import Finding, Verdict, enclose, refuted, undecided
-from mechanics.kernel.definedness import BITS, Gap, Kind, Space, gaps, touching, unmet
+from mechanics.kernel import Finding, Verdict, enclose, undecided
+from mechanics.kernel.definedness import (
+    BITS,
+    Gap,
+    Kind,
+    Space,
+    gaps,
+    touching,
+    undefined,
+    unmet,
+)
 from mechanics.kernel.statement import POSITIVE
 from mechanics.kernel.states import State
 from mechanics.kinematics.manifold import settle
@@ -68,7 +77,7 @@ def where_defined(
     if finding.verdict is Verdict.REFUTED or not demands.of:
         return finding
     if never := [d for d in demands.of if d.nowhere and not d.conditions]:
-        return _never(finding, _operation(never[0]), "at any state")
+        return _never(finding, never[0])
     uncalled = statement.doubt.startswith(UNCALLED) and statement.row is not None
     if not (finding.shown or uncalled) or all(map(_plain_divisor, demands.of)):
         return finding
@@ -343,12 +352,16 @@ def _refuted(finding: Finding, left: Sequence[Gap], written: Written) -> Finding
     gap = left[0]
     demand = written.origin[gap.obligation]
     where = "at any state" if gap.kind is Kind.NOWHERE else f"at {_state(gap, written)}"
-    return _never(finding, _operation(demand), where)
+    words = f"{_operation(demand)} has no real value {where}, where the motion has one"
+    return undefined(finding.subject, words, gap)
 
 
-def _never(finding: Finding, operation: str, where: str) -> Finding:
-    words = f"{operation} has no real value {where}, where the motion has one"
-    return refuted(finding.subject, words, domain="undefined")
+def _never(finding: Finding, demand: Demand) -> Finding:
+    """What has a value nowhere, as it stands, divides by zero."""
+    builder = Builder()
+    builder.demand(Sign.NONZERO, 0, demand.operation)
+    (gap,) = gaps(builder, tuple(builder.obligations), Space(frozenset(), {}, ()))
+    return _refuted(finding, [gap], Written(builder, {gap.obligation: demand}))
 
 
 def _undecided(finding: Finding, left: Sequence[Gap], written: Written) -> Finding:

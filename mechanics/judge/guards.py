@@ -17,7 +17,6 @@ from sympy import Not, Rational, S, Symbol
 from sympy.core.relational import Ge, Gt, Le, Lt, Relational
 
 from mechanics.equations import Equations
-from mechanics.kernel import Witness
 from mechanics.kernel.balls import ball, enclose, precision
 from mechanics.kernel.statement import LEFT, POSITIVE, RIGHT
 from mechanics.program import Program
@@ -27,7 +26,6 @@ from mechanics.symbolic import Arithmetic
 LARGEST = Fraction(1, 10**6)
 NEAR = Fraction(1, 10**9)
 BITS = 256
-DIGITS = 17
 
 SHARES = (
     Fraction(0),
@@ -45,20 +43,29 @@ Pairs = list[tuple[Any, Any]]
 
 
 @dataclass(frozen=True)
+class Apart:
+    """A state, all values that are near the truth there, and the guarded one."""
+
+    state: tuple[tuple[str, str], ...]
+    near: arb
+    value: arb
+
+
+@dataclass(frozen=True)
 class Inside:
     """What was found inside of a guard.
 
     Attributes
     ----------
-    apart : Witness or None
-        A state at which the guarded value is not near the truth.
+    apart : Apart or None
+        Where the guarded value is not near the truth.
     singular : bool
         Whether the truth has no value at a state inside.
     states : int
         At how many the values are near.
     """
 
-    apart: Witness | None
+    apart: Apart | None
     singular: bool
     states: int
 
@@ -115,7 +122,7 @@ def inside(
                 continue
             far = [(x, y) for x, y in values if not _is_near(x, y)]
             if far:
-                return Inside(_witness(state, *far[0]), singular, near)
+                return Inside(_apart(state, *far[0]), singular, near)
             near += 1
     return Inside(None, singular, near)
 
@@ -159,6 +166,6 @@ def _is_near(x: arb, y: arb) -> bool:
     return bool(abs(x - y) <= ball(NEAR) * abs(x).max(arb(1)))
 
 
-def _witness(state: Mapping[Symbol, Fraction], x: arb, y: arb) -> Witness:
+def _apart(state: Mapping[Symbol, Fraction], x: arb, y: arb) -> Apart:
     words = tuple(sorted((symbol.name, str(value)) for symbol, value in state.items()))
-    return Witness(words, x.str(DIGITS), y.str(DIGITS))
+    return Apart(words, x + arb(0, (ball(NEAR) * abs(x).max(arb(1))).upper()), y)

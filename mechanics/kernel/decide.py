@@ -13,7 +13,7 @@ from math import ceil, inf
 
 from mechanics.kernel.canaries import CANARIES
 from mechanics.kernel.constraints import on_constraints
-from mechanics.kernel.finding import COMPONENT, Finding, Verdict, refuted, undecided
+from mechanics.kernel.finding import COMPONENT, Finding, Verdict, undecided
 from mechanics.kernel.normal import proves
 from mechanics.kernel.statement import LEFT, RATES, RIGHT, ZERO, Statement
 from mechanics.kernel.trial import Answer, Trial, trial
@@ -84,7 +84,7 @@ def _decided(statement: Statement, try_normal: bool) -> Finding:
     witness = find(statement)
     if witness is not None:
         words = "the enclosures at a real state are disjoint"
-        return refuted(subject, words, witness)
+        return Finding(subject, Verdict.REFUTED, words, witness=witness)
     if outcome.answer is Answer.ZERO:
         return _certified(subject, outcome)
     # Only here can the normal form know more than the field: |x|, signs of roots.

@@ -23,6 +23,7 @@ from flint import arb, fmpq_mpoly
 from mechanics.kernel.balls import ball, enclose
 from mechanics.kernel.conjugates import has_cases, is_thin
 from mechanics.kernel.draws import Draws
+from mechanics.kernel.finding import Finding, Verdict, undecided
 from mechanics.kernel.signs import (
     ANY,
     NEGATIVE,
@@ -199,6 +200,16 @@ def gaps(builder: Builder, written: Sequence[Obligation], space: Space) -> tuple
     trial = _Trial(builder, forms, space, [o for o, _ in left])
     found = (trial.gap(obligation, signs) for obligation, signs in left)
     return tuple(gap for gap in found if gap is not None)
+
+
+def undefined(subject: str, words: str, gap: Gap) -> Finding:
+    """What is said of a gap that refutes: REFUTED where it leaves states out that have to be met.
+
+    Those are all states, open sets that hold a reference state, and states of the stated region.
+    """
+    if gap.kind is Kind.NOWHERE or (gap.kind is Kind.OPEN and (gap.at_rest or gap.region)):
+        return Finding(subject, Verdict.REFUTED, words, domain="undefined")
+    return undecided(subject, f"{words}: not known of any state that has to be met")
 
 
 def _forms(builder: Builder, written: Sequence[Obligation], space: Space) -> Forms:

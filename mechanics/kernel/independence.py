@@ -25,9 +25,7 @@ MOST_DRAWS = 64
 Values = dict[str, tuple[Any, ...]]
 
 
-def at_a_point(
-    program: Program, signs: Mapping[str, Range], bits: int = BITS
-) -> tuple[int, Values]:  # fmt: skip
+def at_a_point(program: Program, signs: Mapping[str, Range]) -> tuple[int, Values]:
     """A prime, and the residues of a program's outputs at a random admissible point.
 
     Parameters
@@ -36,8 +34,6 @@ def at_a_point(
         Outputs called ``"positive"`` are squares at the point.
     signs : mapping of str to Range
         What is known of the inputs.
-    bits : int
-        Of the prime.
 
     Raises
     ------
@@ -50,7 +46,7 @@ def at_a_point(
     modulus = common_modulus(turns)
     draws = Draws(seed, "point")
     for _ in range(MOST_DRAWS):
-        prime = draw_prime(bits, modulus, draws)
+        prime = draw_prime(BITS, modulus, draws)
         domain = Residues(prime, modulus, draws, turns)
         inputs = {name: domain.input(signs.get(name, Range.FREE)) for name in program.inputs}
         try:

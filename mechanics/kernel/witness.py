@@ -15,7 +15,7 @@ from flint import arb
 
 from mechanics.kernel.balls import PRECISIONS, enclose, precision
 from mechanics.kernel.draws import Draws
-from mechanics.kernel.finding import Witness
+from mechanics.kernel.finding import Witness, in_words
 from mechanics.kernel.statement import LEFT, POSITIVE, RIGHT, Range, Statement
 from mechanics.program import Program
 from mechanics.program.operations import COS, INPUT, SIN
@@ -181,14 +181,4 @@ def _witness(
         for i, value in enumerate(values)
     ]
     words = tuple((name, str(state[name])) for name in sorted(state))
-    return Witness(words, *_words(x, y), tuple(solved))
-
-
-def _words(x: arb, y: arb) -> tuple[str, str]:
-    """Decimal enclosures with so many digits that they too are disjoint."""
-    for digits in (20, 40, 80, 160, 320, 640):
-        left, right = x.str(digits), y.str(digits)
-        with precision(5 * digits):
-            if not arb(left).overlaps(arb(right)):
-                break
-    return left, right
+    return Witness(words, *in_words(x, y), tuple(solved))

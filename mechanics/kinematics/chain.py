@@ -16,7 +16,7 @@ from collections.abc import Mapping, Sequence
 from mechanics.kinematics.motion import FrameMotion, Motions, PointMotion, poses
 from mechanics.mechanism import GROUND, Frame, Mechanism
 from mechanics.program.builder import Builder, Node
-from mechanics.program.derivatives import tangent
+from mechanics.program.forward import tangent
 from mechanics.program.vectors import Vector, add, cross, dot, scale, times, transpose, zeros
 
 

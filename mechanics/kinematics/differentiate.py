@@ -12,7 +12,7 @@ from collections.abc import Mapping
 from mechanics.kinematics.motion import FrameMotion, Motions, PointMotion, poses
 from mechanics.mechanism import Mechanism
 from mechanics.program.builder import Node
-from mechanics.program.derivatives import tangent
+from mechanics.program.forward import tangent
 from mechanics.program.vectors import Matrix, Vector, dot
 
 

@@ -4,17 +4,23 @@ M x'' = E w - C x' - K x,    D(s) X = E(s) W,    w = gain (reference - output)
 """
 
 from collections.abc import Callable, Mapping
+from dataclasses import replace
 
 from sympy import Abs, Expr, Matrix, Symbol
 from sympy.core.relational import Relational
 
 from mechanics.errors import InputError
-from mechanics.kernel import Finding, same, undecided
+from mechanics.kernel import Finding, undecided
 from mechanics.kinematics.textbook.motion import inertia_matrix
 from mechanics.linear.algebra import coefficients, sign
 from mechanics.linear.case import Case, Pairs, compare, numbers, require_conjugate
 from mechanics.linear.form import Linear
-from mechanics.linear.stability import conditions, stability, stability_region
+from mechanics.linear.stability import (
+    coefficient_ratios,
+    conditions,
+    stability,
+    stability_region,
+)
 from mechanics.linear.transfer import characteristic_polynomial, transfer_function
 from mechanics.scene import RigidBody
 from mechanics.scene.linear_quantities import (
@@ -158,12 +164,12 @@ def equilibrium_stability(case: Case) -> Finding:
     found = stability(case.linear)
     if found.stable is None:
         return undecided(case.subject, found.value)
-    if found.stable is (word == "stable"):
-        return same(case.subject, word, "stable" if found.stable else "unstable", found.value)
-    # A state at which the claim about the signs is seen to be false.
-    claim = 1 if word == "stable" else -1
-    wrong = [c for c in conditions(case.linear) if sign(c) == -claim]
-    return decide(case.subject, lambda a: [(a.value(c), a.value(claim * Abs(c))) for c in wrong])
+    # All conditions are positive, or some are negative: of those the claim is decided.
+    known, claim = 1 if found.stable else -1, 1 if word == "stable" else -1
+    every = (*conditions(case.linear), *coefficient_ratios(case.linear))
+    pairs = [(c, claim * Abs(c)) for c in every if sign(c) == known]
+    finding = decide(case.subject, lambda a: [(a.value(c), a.value(size)) for c, size in pairs])
+    return replace(finding, evidence=found.value) if finding.shown else finding
 
 
 def stability_boundary(case: Case) -> Finding:

@@ -11,7 +11,7 @@ from flint import arb
 from sympy import Expr, Float, Rational
 
 from mechanics.errors import InputError
-from mechanics.kernel import Finding, Witness, enclosed, refuted, undecided
+from mechanics.kernel import Finding, enclosed, refuted, undecided
 from mechanics.linear.case import Case, entries
 from mechanics.symbolic import decimal_matches, enclose, roundings
 
@@ -110,11 +110,9 @@ def _refuted(case: Case, column: int, attempt: Sequence[Rounding], free_signs: b
     return refuted(
         case.subject,
         f"{words}, whatever the sign of the column" if free_signs else words,
-        Witness(
-            (("entry", str(row)), ("column", str(column))),
-            wrong.interval.str(20, more=True),
-            wrong.value.str(20, more=True),
-        ),
+        wrong.interval,
+        wrong.value,
+        (("entry", str(row)), ("column", str(column))),
     )
 
 

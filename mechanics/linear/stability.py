@@ -74,7 +74,7 @@ def conditions(linear: Linear) -> tuple[Expr, ...]:
 
 def stability(linear: Linear) -> Stability:
     """Stability of the equilibrium for all admissible parameters, if they settle it."""
-    if any(sign(ratio) == -1 for ratio in _ratios(linear)):
+    if any(sign(ratio) == -1 for ratio in coefficient_ratios(linear)):
         return Stability.UNSTABLE
     signs = [sign(condition) for condition in conditions(linear)]
     if all(value == 1 for value in signs):
@@ -106,7 +106,7 @@ def stability_region(linear: Linear, gain: Symbol) -> Region:
     return Region(gain, tuple(lower), tuple(upper))
 
 
-def _ratios(linear: Linear) -> list[Expr]:
+def coefficient_ratios(linear: Linear) -> list[Expr]:
     """a_i / a_n, without the leading one: in S = s^2 where there is no damping."""
     if linear.undamped:
         polynomial = (linear.mass * SQUARE + linear.stiffness).det(method="berkowitz")
@@ -118,7 +118,7 @@ def _ratios(linear: Linear) -> list[Expr]:
 
 
 def _undamped(linear: Linear) -> tuple[Expr, ...]:
-    ratios = _ratios(linear)
+    ratios = coefficient_ratios(linear)
     if linear.conjugate or len(ratios) == 1 or _symmetric(linear):
         return tuple(ratios)
     if len(ratios) > 2:
@@ -145,7 +145,7 @@ def _lienard_chipart(linear: Linear) -> tuple[Expr, ...]:
     n is a_0 times the one of order n - 1, so that n - 1, n - 3, ... are the ones to take; that of
     order 1 is a coefficient again.
     """
-    ratios = _ratios(linear)
+    ratios = coefficient_ratios(linear)
     from_top = [S.One, *reversed(ratios)]
     degree = len(ratios)
 

@@ -4,7 +4,7 @@ Builder --> Program --> interpret(program, domain)
 """
 
 from mechanics.program.builder import Builder, Node, Obligation
-from mechanics.program.derivatives import gradient, tangent
+from mechanics.program.derivatives import gradient
 from mechanics.program.interpret import Domain, interpret
 from mechanics.program.operations import OPERATIONS, Operation
 from mechanics.program.program import Program
@@ -19,5 +19,4 @@ __all__ = [
     "Program",
     "gradient",
     "interpret",
-    "tangent",
 ]

@@ -10,7 +10,7 @@ from dataclasses import replace
 
 from mechanics.mechanism import GROUND, Frame, Mechanism, Mixed, inputs_of
 from mechanics.program.builder import Node
-from mechanics.program.derivatives import tangent
+from mechanics.program.forward import tangent
 from mechanics.program.vectors import Matrix, Vector, add, dot, scale, times, transpose, zeros
 
 

@@ -16,7 +16,7 @@ from dataclasses import dataclass
 
 from mechanics.mechanism import GROUND, Mechanism, inputs_of
 from mechanics.program.builder import Node
-from mechanics.program.derivatives import tangent
+from mechanics.program.forward import tangent
 from mechanics.program.vectors import Matrix, Vector, add, product, scale, transpose, zeros
 from mechanics.recursions.frames import common, express, lineage, rigid_steps
 from mechanics.recursions.pseudo_inertia import Moments, outer

@@ -14,7 +14,7 @@ from dataclasses import dataclass
 
 from mechanics.mechanism import GROUND, Line, Mechanism, Mixed, inputs_of
 from mechanics.program.builder import Node
-from mechanics.program.derivatives import tangent
+from mechanics.program.forward import tangent
 from mechanics.program.vectors import Vector, cross, dot, scale
 from mechanics.recursions.frames import collect, common, express, negated
 

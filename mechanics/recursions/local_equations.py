@@ -22,7 +22,7 @@ from dataclasses import replace
 
 from mechanics.mechanism import GROUND, Mechanism
 from mechanics.program.builder import Node
-from mechanics.program.derivatives import tangent
+from mechanics.program.forward import tangent
 from mechanics.program.interpret import include
 from mechanics.program.vectors import Vector, add, cross, dot, scale, times
 from mechanics.recursions import newton_euler

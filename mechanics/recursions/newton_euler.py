@@ -23,7 +23,8 @@ from dataclasses import dataclass
 
 from mechanics.mechanism import GROUND, Mechanism
 from mechanics.program.builder import Node
-from mechanics.program.derivatives import gradient, tangent
+from mechanics.program.derivatives import gradient
+from mechanics.program.forward import tangent
 from mechanics.program.vectors import Matrix, Vector, add, cross, scale, times, transpose, zeros
 from mechanics.recursions.frames import (
     acceleration_matrix,

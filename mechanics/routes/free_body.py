@@ -19,7 +19,7 @@ from mechanics.kinematics import differentiate
 from mechanics.kinematics.motion import BodyMotion, Motions, body_motions
 from mechanics.mechanism import Mechanism
 from mechanics.program.builder import Node
-from mechanics.program.derivatives import tangent
+from mechanics.program.forward import tangent
 from mechanics.program.residues import Residues
 from mechanics.program.vectors import Vector, add, dot, times, transpose, zeros
 from mechanics.routes.directions import AXES, Directions, used_directions

@@ -19,7 +19,8 @@ from mechanics.kinematics import differentiate
 from mechanics.kinematics.motion import Motions, PointMotion, poses
 from mechanics.mechanism import Mechanism
 from mechanics.program.builder import Node
-from mechanics.program.derivatives import gradient, tangent
+from mechanics.program.derivatives import gradient
+from mechanics.program.forward import tangent
 from mechanics.program.vectors import Vector, add, dot, scale, times, transpose
 from mechanics.routes import loads
 from mechanics.routes.elimination import without_pressing

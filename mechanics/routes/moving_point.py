@@ -33,7 +33,7 @@ from mechanics.kinematics import chain
 from mechanics.kinematics.motion import BodyMotion, Motions, body_motions
 from mechanics.mechanism import Mechanism
 from mechanics.program.builder import Node
-from mechanics.program.derivatives import tangent
+from mechanics.program.forward import tangent
 from mechanics.program.residues import Residues
 from mechanics.program.sympy_printer import expressions, written_size
 from mechanics.program.vectors import (

@@ -11,7 +11,8 @@ from collections.abc import Mapping, Sequence
 from mechanics.errors import SceneError
 from mechanics.mechanism import Mechanism
 from mechanics.program.builder import Builder, Node
-from mechanics.program.derivatives import gradient, tangent
+from mechanics.program.derivatives import gradient
+from mechanics.program.forward import tangent
 from mechanics.program.interpret import include
 from mechanics.program.vectors import Matrix
 

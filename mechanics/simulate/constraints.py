@@ -13,8 +13,9 @@ import numpy as np
 from numpy.typing import NDArray
 from sympy import Expr, Symbol, cos, sin
 
-from mechanics.program import Builder, Program, tangent
+from mechanics.program import Builder, Program
 from mechanics.program.casadi_printer import print_function
+from mechanics.program.forward import tangent
 from mechanics.program.sympy_reader import read
 from mechanics.scene import Scene
 from mechanics.scene.rates import TIME, rate, rate_table

@@ -12,7 +12,8 @@ from flint import arb, arb_mat
 from numpy.typing import NDArray
 
 from mechanics.kernel.balls import ball, enclose, precision
-from mechanics.program import Builder, tangent
+from mechanics.program import Builder
+from mechanics.program.forward import tangent
 from mechanics.program.interpret import include
 from mechanics.simulate.reference_taylor import Exact
 

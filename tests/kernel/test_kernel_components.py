@@ -7,7 +7,7 @@ import pytest
 from mechanics.kernel import Finding, Range, Statement, Verdict, decide, enclose
 from mechanics.kernel.constraints import on_constraints
 from mechanics.program import Builder, Node
-from mechanics.program.derivatives import tangent
+from mechanics.program.forward import tangent
 
 LENGTHS = {"a": Range.POSITIVE, "b": Range.POSITIVE}
 

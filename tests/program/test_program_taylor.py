@@ -13,7 +13,8 @@ from hypothesis import strategies as st
 from hypothesis.strategies import SearchStrategy
 
 from mechanics.errors import ExpressionError
-from mechanics.program import OPERATIONS, Builder, Node, Program, interpret, tangent
+from mechanics.program import OPERATIONS, Builder, Node, Program, interpret
+from mechanics.program.forward import tangent
 from mechanics.program.interpret import Domain, include
 from mechanics.program.numpy_domain import Arrays
 from mechanics.program.taylor import JUMPING, Kind, expand, recurrences

@@ -11,7 +11,8 @@ from benchmarks.space.random_trees import build, numbers, state, trees
 from benchmarks.space.scenes import Joint
 from benchmarks.space.textbook import inverse_dynamics
 from mechanics.mechanism import Mechanism, lower
-from mechanics.program import Builder, Node, interpret, tangent
+from mechanics.program import Builder, Node, interpret
+from mechanics.program.forward import tangent
 from mechanics.program.numpy_domain import Arrays
 from mechanics.program.operations import Sign
 from mechanics.program.residues import Residues

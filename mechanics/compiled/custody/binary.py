@@ -20,7 +20,7 @@ from mechanics.compiled.custody.calls import lanes, one_by_one
 from mechanics.compiled.custody.states import STRATA, TYPES
 from mechanics.compiled.custody.status import OK
 from mechanics.compiled.custody.truth import BITS, Truth, doubtful
-from mechanics.kernel import Finding, Witness, refuted, supported, undecided
+from mechanics.kernel import Finding, refuted, supported, undecided
 from mechanics.kernel.balls import precision
 
 
@@ -65,15 +65,17 @@ def compare(known: Truth, built: Built) -> tuple[Finding, Measured | None]:
         return undecided(subject, f"refused: {built.refusal}"), None
     call = lanes if text.kernel.lanes else one_by_one
     results, statuses, odd = call(known, getattr(built.library, symbol))
-    if odd:
-        return refuted(subject, odd), None
+    if odd is not None:
+        return refuted(subject, odd.words, odd.wanted, odd.found), None
     ulp = ulp_terms = 0.0
+    samples: list[tuple[Any, Any]] = []
     for i, normal, entries in known.exact:
         for k, (name, exact, around) in enumerate(entries):
             found = float(results[i, k])
             with precision(BITS):
                 if not (np.isfinite(found) and around.contains(arb(found))):
                     return _refuted(subject, known, i, name, around, found), None
+                samples.append((around, found))
                 error = float(abs(arb(found) - exact).upper())
                 if known.given.stratum[i] == 0:
                     ulp = max(ulp, error / _last(float(exact.mid()), kind))
@@ -94,7 +96,11 @@ def compare(known: Truth, built: Built) -> tuple[Finding, Measured | None]:
         f" {ulp_terms:.3g} ulp of the sum of the terms, {ulp:.3g} of the result at ordinary states;"
         f" status at {count} states"
     )
-    return supported(subject, words), measured
+    if statuses is not None and known.statuses is not None:
+        open_ones = {i for i in _other_statuses(known, statuses) if doubtful(known, i)}
+        sure = [i for i in range(count) if i not in open_ones]
+        samples.append((known.statuses[sure].tolist(), statuses[sure].tolist()))
+    return supported(subject, samples, words), measured
 
 
 def _last(value: float, kind: str) -> float:
@@ -105,9 +111,8 @@ def _last(value: float, kind: str) -> float:
 
 
 def _refuted(subject: str, known: Truth, i: int, name: str, around: arb, found: float) -> Finding:
-    witness = Witness(_state(known, i), around.str(20), repr(found))
     words = f"{name} is not what correct roundings of the text can give"
-    return refuted(subject, words, witness)
+    return refuted(subject, words, around, found, _state(known, i))
 
 
 def _state(known: Truth, i: int) -> tuple[tuple[str, str], ...]:
@@ -121,14 +126,17 @@ def _state(known: Truth, i: int) -> tuple[tuple[str, str], ...]:
 def _wrong_status(subject: str, known: Truth, statuses: Any) -> Finding | None:
     if statuses is None or known.statuses is None:
         return None
-    differ = np.flatnonzero(np.atleast_1d(statuses != known.statuses)).tolist()
-    i = next((i for i in differ if not doubtful(known, i)), None)
+    i = next((i for i in _other_statuses(known, statuses) if not doubtful(known, i)), None)
     if i is None:
         return None
     found, wanted = int(statuses[i]), int(known.statuses[i])
-    witness = Witness(_state(known, i), str(wanted), str(found))
     words = f"the status is {found}, the text says {wanted} ({STRATA[known.given.stratum[i]]})"
-    return refuted(subject, words, witness)
+    return refuted(subject, words, wanted, found, _state(known, i))
+
+
+def _other_statuses(known: Truth, statuses: Any) -> list[int]:
+    """States at which the status is another one than the text says."""
+    return np.flatnonzero(np.atleast_1d(statuses != known.statuses)).tolist()
 
 
 def _no_number(subject: str, known: Truth, results: Any, statuses: Any) -> Finding | None:
@@ -139,6 +147,6 @@ def _no_number(subject: str, known: Truth, results: Any, statuses: Any) -> Findi
     if not wild.any():
         return None
     i = int(np.flatnonzero(wild)[0])
-    witness = Witness(_state(known, i), f"status {OK}", str(results[i].tolist()))
     words = f"the status is {OK}, and a value is no number ({STRATA[known.given.stratum[i]]})"
-    return refuted(subject, words, witness)
+    wild_one = next(float(value) for value in results[i] if not np.isfinite(value))
+    return refuted(subject, words, 0, wild_one, _state(known, i))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ctypes
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -20,11 +21,20 @@ MARK = 12345
 Array = NDArray[np.floating]
 
 
+@dataclass(frozen=True)
+class Odd:
+    """What a call of many lanes does that it must not: words, what is expected, what it does."""
+
+    words: str
+    wanted: Any
+    found: Any
+
+
 def _pointer(array: Array, offset: int = 0) -> ctypes.c_void_p:
     return ctypes.c_void_p(array.ctypes.data + offset * array.itemsize)
 
 
-def one_by_one(known: Truth, function: Any) -> tuple[Array, Any, str]:
+def one_by_one(known: Truth, function: Any) -> tuple[Array, Any, Odd | None]:
     """Values and statuses, a call a state."""
     text, count = known.text, len(known.given.stratum)
     kind = TYPES[text.kernel.kind]
@@ -37,10 +47,10 @@ def one_by_one(known: Truth, function: Any) -> tuple[Array, Any, str]:
         result = function(*given)
         statuses[i] = result if result is not None else 0
     values = np.concatenate(outs, axis=1) if outs else np.zeros((count, 0))
-    return values, statuses if text.status is not None else None, ""
+    return values, statuses if text.status is not None else None, None
 
 
-def lanes(known: Truth, function: Any) -> tuple[Array, Any, str]:
+def lanes(known: Truth, function: Any) -> tuple[Array, Any, Odd | None]:
     """Values by one call: unaligned, in several blocks; equal lanes have to be equal."""
     text, count = known.text, len(known.given.stratum)
     kind, stride = TYPES[text.kernel.kind], LANES + PAD
@@ -62,14 +72,18 @@ def lanes(known: Truth, function: Any) -> tuple[Array, Any, str]:
     function.restype = ctypes.c_int
     flags = function(*arguments)
     tables = [array[1:].reshape(-1, stride) for array in outs]
-    if any((t[:, LANES:] != MARK).any() for t in tables) or any(a[0] != MARK for a in outs):
-        return np.zeros((0, 0)), None, "it writes beyond its lanes"
+    edges = np.concatenate([*(t[:, LANES:].ravel() for t in tables), *(a[:1] for a in outs)])
+    if len(beyond := edges[edges != MARK]):
+        return np.zeros((0, 0)), None, Odd("it writes beyond its lanes", MARK, float(beyond[0]))
     table = np.concatenate([t[:, :LANES] for t in tables]).T
     first = table[:count]
     if not np.array_equal(table, first[order], equal_nan=True):
-        return table, None, "a lane has another value where it stands elsewhere in the batch"
+        words = "a lane has another value where it stands elsewhere in the batch"
+        both = [tuple(values.ravel().tolist()) for values in (first[order], table)]
+        return table, None, Odd(words, *both)
     if known.statuses is not None and text.status is not None:
         wanted = int(np.bitwise_or.reduce(known.statuses))
         if flags != wanted:
-            return table, None, f"it returns {flags}, the text says {wanted}"
-    return first, None, ""
+            words = f"it returns {flags}, the text says {wanted}"
+            return table, None, Odd(words, wanted, int(flags))
+    return first, None, None

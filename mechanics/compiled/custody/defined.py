@@ -12,8 +12,8 @@ from collections.abc import Iterable, Sequence
 from dataclasses import replace
 
 from mechanics.compiled.custody.physics import Physics
-from mechanics.kernel import Finding, Range, refuted, undecided
-from mechanics.kernel.definedness import Gap, Kind, Space, gaps
+from mechanics.kernel import Finding, Range, undecided
+from mechanics.kernel.definedness import Gap, Kind, Space, gaps, undefined
 from mechanics.program import Node, Obligation
 from mechanics.program.operations import INPUT, Sign
 from mechanics.program.program import reachable
@@ -117,7 +117,7 @@ def _refuted(finding: Finding, gap: Gap, physics: Physics) -> Finding:
         return _undecided(finding, gap, physics)
     where = "at any state" if gap.kind is Kind.NOWHERE else f"at {_state(gap, physics)}"
     words = f"{gap.obligation.operation} has no real value {where}, where the motion has one"
-    return refuted(finding.subject, words, domain="undefined")
+    return undefined(finding.subject, words, gap)
 
 
 def _undecided(finding: Finding, gap: Gap, physics: Physics) -> Finding:

@@ -48,8 +48,10 @@ def prove_headers(evidence: Evidence) -> Iterator[Finding]:
         # Longest first: the name of one library may begin that of another.
         known = sorted(prefixes, key=len, reverse=True)
         numbers = {name: body for name, body in macros.items() if body}
-        if missing := _missing(evidence, file, headers, numbers):
-            yield refuted(f"{file}: sizes", f"missing: {', '.join(missing)}")
+        needed = _needed(evidence, file, headers)
+        if missing := needed - numbers.keys():
+            both = ", ".join(sorted(needed)), ", ".join(sorted(needed & numbers.keys()))
+            yield refuted(f"{file}: sizes", f"missing: {', '.join(sorted(missing))}", *both)
         values = {name: _value(name, known, wanted) for name in numbers}
         wrong = [
             f"{name} is {body}{_instead(name, known, wanted)}"
@@ -75,7 +77,7 @@ def _prototypes(evidence: Evidence, headers: dict[str, str]) -> Iterator[Finding
             texts = {write(p.type) for p in source.prototypes[name]}
             if len(texts) > 1:
                 words = f"it is declared as {' and as '.join(sorted(texts))}"
-                yield refuted(f"{node.coord.file}: {name}", words)
+                yield refuted(f"{node.coord.file}: {name}", words, *sorted(texts)[:2])
 
 
 def _declarations(evidence: Evidence, headers: dict[str, str]) -> Iterator[Finding]:
@@ -103,14 +105,12 @@ def _declarations(evidence: Evidence, headers: dict[str, str]) -> Iterator[Findi
         yield undecided("declarations", words)
 
 
-def _missing(
-    evidence: Evidence, file: str, headers: dict[str, str], numbers: dict[str, str]
-) -> list[str]:
-    """Sizes of arguments of the kernels that a header declares, and does not give."""
+def _needed(evidence: Evidence, file: str, headers: dict[str, str]) -> set[str]:
+    """Sizes of arguments of the kernels that a header declares."""
     try:
         source = parse(headers[file], file, headers)
     except ExpressionError:
-        return []  # told where it is read
+        return set()  # told where it is read
     needed = []
     for kernel in evidence.kernels:
         ends = f"_{kernel.function}"
@@ -120,7 +120,7 @@ def _missing(
                 f"{prefix}_{p.name.upper()}{SIZE}"
                 for p in parameters(node.type) if p.name in evidence.known.symbols
             ]  # fmt: skip
-    return sorted(set(needed) - set(numbers))
+    return set(needed)
 
 
 DOCUMENTED = re.compile(r"^ \*   (\w+)\[(\d+)\]  (\S+)", re.MULTILINE)

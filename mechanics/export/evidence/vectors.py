@@ -22,7 +22,7 @@ from mechanics.compiled.custody.prove import Graph
 from mechanics.compiled.custody.rounding import DIGITS
 from mechanics.compiled.custody.states import TYPES
 from mechanics.errors import ExpressionError
-from mechanics.kernel import Finding, Witness, enclose, enclosed, refuted, undecided
+from mechanics.kernel import Finding, enclose, enclosed, refuted, undecided
 from mechanics.program.c.literal import literal
 from mechanics.program.c.parse import parse
 
@@ -94,7 +94,7 @@ def _compared(subject: str, kind: str, tables: Mapping[str, Rows], graph: Graph)
     asked = [name for name, (rows, columns) in code.shapes if rows * columns]
     count = len(tables[f"{asked[0]}_expected"])
     if not count:
-        return refuted(subject, "refused: there is no state in its tables")
+        return undecided(subject, "refused: there is no state in its tables")
     bounds: list[tuple[Fraction, arb, Fraction]] = []
     for i in range(count):
         given = [
@@ -109,11 +109,10 @@ def _compared(subject: str, kind: str, tables: Mapping[str, Rows], graph: Graph)
         for name in asked:
             odd = _odd(name, results[name], tables, i, kind)
             if odd is not None:
-                words, value, found = odd
+                words, allowed, found = odd
                 told = tuple((g, " ".join(map(str, row))) for (g, _), row in
                               zip(code.inputs, given, strict=True))  # fmt: skip
-                witness = Witness(told, value.str(20), str(float(found)))
-                return refuted(subject, words, witness)
+                return refuted(subject, words, allowed, float(found), told)
             bounds += [
                 (min(near), arb(float(found)), max(near))
                 for value, found in zip(results[name], tables[f"{name}_expected"][i], strict=True)
@@ -130,16 +129,27 @@ def _row(rows: Rows, i: int) -> list[Fraction]:
 def _odd(
     name: str, values: Sequence[arb], tables: Mapping[str, Rows], i: int, kind: str
 ) -> tuple[str, arb, Fraction] | None:
-    """What is wrong with a row, the value and what stands there."""
+    """What is wrong with a row, the ball of what may stand there, and what does."""
     expected, tolerance = tables[f"{name}_expected"][i], tables[f"{name}_tolerance"][i]
     size = max((abs(float(v.mid())) for v in values), default=0.0)
     most = Fraction(2.0 ** (SLACK - DIGITS[kind] // 2) * size)
     for k, (value, found, room) in enumerate(zip(values, expected, tolerance, strict=True)):
-        if found not in _allowed(value, kind):
-            return f"{name}_expected[{i}][{k}] is not the value", value, found
+        near = _allowed(value, kind)
+        if found not in near:
+            return f"{name}_expected[{i}][{k}] is not the value", _between(*_ends(near)), found
         if not 0 <= room <= most:
-            return f"{name}_tolerance[{i}][{k}] is too large to tell anything", value, room
+            words = f"{name}_tolerance[{i}][{k}] is too large to tell anything"
+            return words, _between(Fraction(0), most), room
     return None
+
+
+def _ends(numbers: set[Fraction]) -> tuple[Fraction, Fraction]:
+    return min(numbers), max(numbers)
+
+
+def _between(low: Fraction, high: Fraction) -> arb:
+    """The ball of a range whose ends are doubles."""
+    return arb(float((low + high) / 2), float((high - low) / 2))
 
 
 def _allowed(value: arb, kind: str) -> set[Fraction]:

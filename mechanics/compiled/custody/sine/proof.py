@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import random
 from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
 from fractions import Fraction
 from functools import lru_cache
 from math import ldexp
@@ -25,7 +26,7 @@ from mechanics.compiled.custody.sine.quadrant import check_parity, check_quadran
 from mechanics.compiled.custody.sine.reduction import reduced, small
 from mechanics.compiled.custody.sine.rounding import unit
 from mechanics.errors import ExpressionError
-from mechanics.kernel import Finding, Witness, enclosed, refuted, undecided
+from mechanics.kernel import Finding, enclosed, refuted, undecided
 from mechanics.kernel.balls import precision
 from mechanics.program.c.literal import literal
 from mechanics.program.c.parse import Source, parse
@@ -39,6 +40,16 @@ PREFIX = "mechanics_"
 SUFFIX = {"double": "", "float": "f"}
 FEW, TRIALS = 8, 60
 """Angles of each kind that are tried to find a witness: before a proof, and where it fails."""
+
+
+@dataclass(frozen=True)
+class Far:
+    """An angle, the value that a function computes, and the ball of those that are accepted."""
+
+    function: str
+    x: float
+    value: float
+    allowed: arb
 
 
 def verify_sine(
@@ -72,8 +83,8 @@ def verify_sine(
         limit = _limit(sources[0], kind)
         for source in sources:
             # What is wrong is seen at a few angles, most often, and a proof takes seconds.
-            if (witness := _seen(_inline(source), name, kind, limit, most)) is not None:
-                return refuted(subject, "see the witness", witness)
+            if (far := _seen(_inline(source), name, kind, limit, most)) is not None:
+                return _refuted(subject, "", far)
         for source in sources:
             found = found.joined(_proved(_inline(source), name, kind, limit))
     except ExpressionError as error:
@@ -85,10 +96,15 @@ def verify_sine(
             return finding
         why = f"the error is bounded by {max(found.sine, found.cosine):.3g} ulp only"
     for source in sources:
-        witness = _witness(source, name, kind, limit, most, TRIALS)
-        if witness is not None:
-            return refuted(subject, f"{why}; see the witness", witness)
+        far = _far(source, name, kind, limit, most, TRIALS)
+        if far is not None:
+            return _refuted(subject, f"{why}; ", far)
     return undecided(subject, why)
+
+
+def _refuted(subject: str, why: str, far: Far) -> Finding:
+    words = f"{why}see the witness of {far.function}"
+    return refuted(subject, words, far.value, far.allowed, (("x", f"{far.x!r}, {far.x.hex()}"),))
 
 
 def _inline(source: Source) -> str:
@@ -99,8 +115,8 @@ def _inline(source: Source) -> str:
 
 
 @lru_cache(maxsize=16)
-def _seen(text: str, name: str, kind: str, limit: Fraction, most: float) -> Witness | None:
-    return _witness(parse(text), name, kind, limit, most, FEW)
+def _seen(text: str, name: str, kind: str, limit: Fraction, most: float) -> Far | None:
+    return _far(parse(text), name, kind, limit, most, FEW)
 
 
 @lru_cache(maxsize=16)
@@ -154,9 +170,9 @@ def _limit(source: Source, kind: str) -> Fraction:
     raise ExpressionError(f"{name} is not !(fabs{f}(x) <= limit)")
 
 
-def _witness(
+def _far(
     source: Source, name: str, kind: str, limit: Fraction, most: float, trials: int
-) -> Witness | None:
+) -> Far | None:
     """An angle at which the error is larger."""
     with precision(300):
         for x in _angles(kind, limit, trials):
@@ -169,8 +185,8 @@ def _witness(
                 error = abs(_exact(value) - exact)
                 if exact.contains(0) or not error > most * unit(kind, abs(exact)):
                     continue
-                state = (("x", f"{x!r}, {x.hex()}"),)
-                return Witness(state, f"{which}: {value!r}", f"{exact.str(20)}")
+                room = (most * unit(kind, abs(exact))).upper()
+                return Far(which, x, value, exact + arb(0, room))
     return None
 
 
