@@ -218,7 +218,7 @@ def test_only_the_kernel_makes_findings() -> None:
     assert breaches(makes_verdicts, others) == []
 
 
-LINES_OF_A_VERDICT = 7024
+LINES_OF_A_VERDICT = 7023
 """The aim is 4,000: whoever makes it less writes the new figure here."""
 
 
