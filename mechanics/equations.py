@@ -11,10 +11,12 @@ are written in SymPy, too.
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 
 from sympy import Expr, Matrix, Symbol
 
 from mechanics.errors import InputError
+from mechanics.kinematics.symbolic import Kinematics
 from mechanics.mechanism import Mechanism
 from mechanics.program.builder import Node
 from mechanics.scene import Scene
@@ -166,6 +168,11 @@ class Equations:
 
     def __repr__(self) -> str:
         return f"<equations of {self.scene.name} by {self.route}: {len(self.scene.u)} speeds>"
+
+    @cached_property
+    def kinematics(self) -> Kinematics:
+        """How the scene moves, for statements about it."""
+        return Kinematics(self.scene, self.mechanism)
 
     @property
     def matrices(self) -> Matrices:

@@ -18,7 +18,6 @@ from sympy import Matrix
 from benchmarks.detection.states import BITS, Numbers, States, states, value, vanishes
 from benchmarks.detection.tree import Tree, read, symbol, symbols
 from mechanics.checks.ledger import plain_side
-from mechanics.checks.ledger_energy import kinetic_energy
 from mechanics.crosscheck.routes import derive
 from mechanics.equations import Equations
 from mechanics.errors import MechanicsError
@@ -135,7 +134,9 @@ def _published(about: Subject) -> Iterator[Row]:
         kind = {EquationOfMotion: "motion", ReactionValue: "reaction"}.get(type(row.quantity))
         if kind is None:
             continue
-        first, *others = (plain_side(about.scene, side, row.tag) for side in row.sides)
+        first, *others = (
+            plain_side(about.free_body.kinematics, side, row.tag) for side in row.sides
+        )
         if isinstance(row.quantity, ReactionValue):
             first, others = sympy.Symbol(row.quantity.name, real=True), [first, *others]
         for other in others:
@@ -198,7 +199,7 @@ def _reactions(about: Subject) -> Iterator[Row]:
 
 def _energies(about: Subject) -> Iterator[Row]:
     scene = about.scene
-    kinetic, stored = kinetic_energy(scene), potential(scene)
+    kinetic, stored = about.free_body.kinematics.kinetic_energy, potential(scene)
     energies = {"kinetic energy": kinetic, "potential energy": stored,
                 "energy": kinetic + stored, "Lagrangian": kinetic - stored}  # fmt: skip
     for words, energy in energies.items():
@@ -206,5 +207,5 @@ def _energies(about: Subject) -> Iterator[Row]:
             for form in (energy, canonical(energy)):
                 yield Row(words, words, (read(form),))
     if len(scene.u) > 1:
-        matrix = [kinetic.diff(one, other) for one in scene.u for other in scene.u]
+        matrix = about.free_body.kinematics.mass_matrix
         yield Row("mass matrix", "mass matrix", tuple(read(canonical(entry)) for entry in matrix))

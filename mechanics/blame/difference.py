@@ -30,8 +30,9 @@ from mechanics.blame.view import View, view_of
 from mechanics.equations import Equations
 from mechanics.errors import ExpressionError
 from mechanics.kernel.ring import TooLarge
-from mechanics.kinematics.momenta import momenta_written_out, momentum_symbols, rate_symbol
+from mechanics.kinematics.momenta import momenta_written_out
 from mechanics.reading.statement import Statement
+from mechanics.scene.momenta import momentum_symbols, rate_symbol
 from mechanics.scene.published import Published
 from mechanics.scene.quantities import EquationOfMotion, ReactionValue
 
@@ -115,7 +116,7 @@ def groups(
         return tuple(
             Group(name, left, right, origins_of(pieces, apart(right, left)), about)
             for side in row.sides
-            for other, own in [folded(truth, momenta_written_out(truth.scene, side))]
+            for other, own in [folded(truth, momenta_written_out(truth.kinematics, side))]
             for name, about, left, right, pieces in entries_of(
                 other.scene, replace(row, sides=(own,))
             )
@@ -125,8 +126,8 @@ def groups(
 
 
 def _of_equation(truth: Equations, row: Published, repaired: Published | None) -> tuple[Group, ...]:
-    scene, own = truth.scene, residual(row)
-    plain = momenta_written_out(scene, own)
+    own = residual(row)
+    plain = momenta_written_out(truth.kinematics, own)
     if repaired is not None:
         # Both are in the person's symbols, momenta among them.
         truth, expression = folded(truth, own)
@@ -143,7 +144,8 @@ def _by_group(truth: Equations, expression: Expr, found: Meant) -> Iterator[Grou
     scene = truth.scene
     by_field: dict[str, tuple[str, ...]] = {}
     if not found.pieces:
-        by_field = origins_in_field(truth, momenta_written_out(scene, written(found.right)))
+        right = momenta_written_out(truth.kinematics, written(found.right))
+        by_field = origins_in_field(truth, right)
     left, other = grouped(scene, found.written), grouped(scene, found.right)
     symbols = {f"{COEFFICIENT}{s.name}": s for s in meanings(scene).accelerations}
     summed = any(not node.args[0].is_Symbol for node in expression.atoms(sin, cos))

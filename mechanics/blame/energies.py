@@ -54,7 +54,7 @@ def wrong_energies(
         row = statement.row
         if row is None or finding.verdict is not Verdict.REFUTED or type(row.quantity) not in SIGNS:
             continue
-        side = momenta_written_out(truth.scene, row.sides[-1])
+        side = momenta_written_out(truth.kinematics, row.sides[-1])
         found.append(_off(truth.scene, index, side, SIGNS[type(row.quantity)]))
     return found
 
@@ -130,6 +130,6 @@ def _shown(truth: Equations, statements: Sequence[Statement], energy: WrongEnerg
     row = statements[energy.index].row
     if row is None:
         return []
-    other, side = folded(truth, momenta_written_out(truth.scene, row.sides[-1]))
+    other, side = folded(truth, momenta_written_out(truth.kinematics, row.sides[-1]))
     off = _off(other.scene, energy.index, side, SIGNS[type(row.quantity)])
     return [shortest(terms, {})[0] for terms in terms_of(wrong_rows(other.scene, [off]))]

@@ -65,7 +65,7 @@ def explanations(
     energies = wrong_energies(truth, statements, findings)
     for index, words in blamed(truth, statements, findings, energies).items():
         found[index].append(words)
-    along = list(_along(truth.scene, statements, findings))
+    along = list(_along(truth, statements, findings))
     refuted = [one for one in along if one.refuted]
     for one in refuted:
         found[one.index] += _of_one_equation(truth, one)
@@ -83,7 +83,7 @@ def explanations(
 
 
 def _along(
-    scene: Scene, statements: Sequence[Statement], findings: Sequence[Finding]
+    truth: Equations, statements: Sequence[Statement], findings: Sequence[Finding]
 ) -> Iterator[Stated]:
     """What is stated along the motion."""
     for index, (s, finding) in enumerate(zip(statements, findings, strict=True)):
@@ -92,7 +92,7 @@ def _along(
         if isinstance(s.row.quantity, EquationOfMotion | ReactionValue):
             try:
                 yield stated(
-                    scene, index, s.row, residual(s.row), finding.verdict is Verdict.REFUTED
+                    truth, index, s.row, residual(s.row), finding.verdict is Verdict.REFUTED
                 )
             except (ExpressionError, TooLarge):
                 continue  # not linear in the accelerations: no derivation gives such an equation

@@ -17,7 +17,6 @@ from mechanics.errors import ExpressionError
 from mechanics.kernel.field import Inadmissible
 from mechanics.kernel.independence import pivot_columns
 from mechanics.kinematics.momenta import momenta_written_out
-from mechanics.scene import Scene
 from mechanics.scene.published import Published
 from mechanics.symbolic import Arithmetic, Number
 from mechanics.symbolic.point import Point
@@ -119,7 +118,7 @@ def _zero(a: Arithmetic, point: Point, stated: Stated, motion: Motion) -> bool:
     return point.value(total) == 0
 
 
-def stated(scene: Scene, index: int, row: Published, residual: Expr, refuted: bool) -> Stated:
+def stated(truth: Equations, index: int, row: Published, residual: Expr, refuted: bool) -> Stated:
     """A statement split into unknowns and rest.
 
     Raises
@@ -129,8 +128,9 @@ def stated(scene: Scene, index: int, row: Published, residual: Expr, refuted: bo
     TooLarge
         When it outgrows the normal form.
     """
+    scene = truth.scene
     unknowns = (*scene.ud, *(reaction.symbol for reaction in scene.reactions))
-    residual = momenta_written_out(scene, residual)
+    residual = momenta_written_out(truth.kinematics, residual)
     factors, rest = split(scene.plain(residual), unknowns)
     held = tuple(pair for pair in zip(unknowns, factors, strict=True) if pair[1] != 0)
     return Stated(index, row, residual, held, rest, refuted)

@@ -16,6 +16,7 @@ from sympy import Abs, Derivative, Expr, Function, Pow, Symbol, cos, exp, sign, 
 
 from mechanics.checks.ledger import QUANTITIES, plain_side
 from mechanics.kernel import Finding, refuted, same
+from mechanics.kinematics.symbolic import Kinematics
 from mechanics.scene import Scene
 from mechanics.scene.published import Published
 from mechanics.scene.unit_names import UNITS, Dimension, dimension_of_unit, words
@@ -68,10 +69,11 @@ def check_dimensions(
     known = {symbol: dimension_of_unit(text, str(symbol)) for symbol, text in texts.items()}
     found = []
     pairs: list[tuple[str, str]] = []
+    kinematics = Kinematics(scene)
     for row in chosen:
         subject = f"{row.tag} {row.label}"
         try:
-            for entries in _entries(scene, row, subject):
+            for entries in _entries(kinematics, row, subject):
                 first = _one(scene, entries, known)
                 own = [_dimension(scene, side, known) for side in entries]
                 pairs += [(words(first), words(one)) for one in own if first and one]
@@ -85,9 +87,9 @@ def check_dimensions(
     return (same(SUBJECT, [one for one, _ in pairs], [two for _, two in pairs], evidence), *found)
 
 
-def _entries(scene: Scene, row: Published, subject: str) -> Iterator[tuple[Expr, ...]]:
+def _entries(kinematics: Kinematics, row: Published, subject: str) -> Iterator[tuple[Expr, ...]]:
     """The sides of a row; of vectors, entry by entry."""
-    sides = [plain_side(scene, side, subject) for side in row.sides]
+    sides = [plain_side(kinematics, side, subject) for side in row.sides]
     yield from zip(*([*s] if hasattr(s, "shape") else [s] for s in sides), strict=True)
 
 

@@ -13,18 +13,19 @@ from sympy.matrices import MatrixBase
 
 from mechanics.checks.ledger_compare import equal, rounded
 from mechanics.checks.ledger_energy import ENERGIES, energy_pairs
-from mechanics.checks.ledger_momenta import DERIVED, derived
+from mechanics.checks.ledger_momenta import DERIVED, VECTORS, derived
 from mechanics.checks.ledger_motion import check_equation, check_reaction
 from mechanics.equations import Equations
 from mechanics.errors import InputError
 from mechanics.kernel import Finding
 from mechanics.kinematics.momenta import momenta_written_out
+from mechanics.kinematics.symbolic import Kinematics
 from mechanics.scene import Scene
 from mechanics.scene.published import Published, Quantity
 from mechanics.scene.quantities import EquationOfMotion, Identity, ReactionValue
 
 QUANTITIES: tuple[type[Quantity], ...] = (
-    *DERIVED, *ENERGIES, EquationOfMotion, ReactionValue, Identity,
+    *VECTORS, *DERIVED, *ENERGIES, EquationOfMotion, ReactionValue, Identity,
 )  # fmt: skip
 """What this ledger can check; rows about other quantities belong to other checks."""
 
@@ -57,12 +58,14 @@ def check_row(
         When a side holds a function of time that the scene does not have.
     """
     subject = f"{row.tag} {row.label}"
-    sides = [plain_side(scene, side, subject) for side in row.sides]
+    own = equations is not None and equations.scene is scene
+    kinematics = equations.kinematics if equations is not None and own else Kinematics(scene)
+    sides = [plain_side(kinematics, side, subject) for side in row.sides]
     quantity = row.quantity
     if isinstance(quantity, EquationOfMotion | ReactionValue):
         if equations is None:
             raise InputError(f"{subject}: it holds along the motion: pass equations=")
-        if equations.scene is not scene:
+        if not own:
             raise InputError(
                 f"{subject}: the equations belong to another scene, {equations.scene.name}: pass"
                 " those of this one"
@@ -80,8 +83,8 @@ def check_row(
     if where:
         raise InputError(f"{subject}: it is judged at all states: leave out where= for it")
     if isinstance(quantity, ENERGIES):
-        return equal(scene, subject, *energy_pairs(scene, quantity, sides, subject))
-    targets = derived(scene, quantity)
+        return equal(scene, subject, *energy_pairs(kinematics, quantity, sides, subject))
+    targets = derived(kinematics, quantity)
     _enough(sides, len(targets), subject)
     # The last target is what every further side has to be.
     pairs = [(side, targets[min(i, len(targets) - 1)]) for i, side in enumerate(sides)]
@@ -98,11 +101,11 @@ def check_row(
     return equal(scene, subject, lefts, rights)
 
 
-def plain_side(scene: Scene, side: Expr | MatrixBase, where: str) -> Expr | Matrix:
+def plain_side(kinematics: Kinematics, side: Expr | MatrixBase, where: str) -> Expr | Matrix:
     """A typed side in plain symbols, vectors entry by entry, generalized momenta written out."""
     if isinstance(side, MatrixBase):
-        return Matrix(side).applyfunc(lambda entry: plain_side(scene, entry, where))
-    return scene.plain(momenta_written_out(scene, side), where)
+        return Matrix(side).applyfunc(lambda entry: plain_side(kinematics, entry, where))
+    return kinematics.scene.plain(momenta_written_out(kinematics, side), where)
 
 
 def _entries(side: Expr | MatrixBase) -> list[Expr]:

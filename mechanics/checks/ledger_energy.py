@@ -8,14 +8,12 @@ that is no state of the scene, their derivatives by q, u and u'.
 """
 
 from collections.abc import Sequence
-from functools import lru_cache
 
-from sympy import Add, Expr, Rational, S, Symbol, nan, oo, zoo
+from sympy import Expr, S, Symbol, nan, oo, zoo
 from sympy.matrices import MatrixBase
 
 from mechanics.errors import InputError
-from mechanics.kinematics.textbook import differentiate
-from mechanics.kinematics.textbook.motion import inertia_matrix
+from mechanics.kinematics.symbolic import Kinematics
 from mechanics.scene import Scene
 from mechanics.scene import quantities as q
 from mechanics.scene.potential import potential
@@ -29,22 +27,8 @@ SHARES: dict[type[Quantity], tuple[int, int]] = {
 """How often the kinetic and the potential energy are in what is known up to a constant."""
 
 
-@lru_cache(maxsize=32)
-def kinetic_energy(scene: Scene) -> Expr:
-    """Kinetic energy of all bodies in q and u, in J."""
-    terms = []
-    for motion in differentiate.body_motions(scene):
-        velocity = motion.centre.velocity
-        terms.append(motion.body.mass * velocity.dot(velocity))
-        if motion.turns:
-            omega = motion.angular_velocity
-            spin = inertia_matrix(scene, motion.body, motion.rotation) * omega
-            terms.append(omega.dot(spin))
-    return Rational(1, 2) * Add(*terms)
-
-
 def energy_pairs(
-    scene: Scene, quantity: Quantity, sides: Sequence[Expr | MatrixBase], subject: str
+    kinematics: Kinematics, quantity: Quantity, sides: Sequence[Expr | MatrixBase], subject: str
 ) -> tuple[list[Expr], list[Expr]]:
     """Entries of the typed sides, and what they have to be.
 
@@ -55,38 +39,37 @@ def energy_pairs(
         matrix.
     """
     if isinstance(quantity, q.MassMatrix):
-        return _mass_matrix(scene, sides, subject)
+        return _mass_matrix(kinematics, sides, subject)
     if any(isinstance(side, MatrixBase) for side in sides):
         raise InputError(f"{subject}: an energy is no matrix")
     if isinstance(quantity, q.KineticEnergy):
-        return list(sides), [kinetic_energy(scene)] * len(sides)
-    kinetic, stored = SHARES[type(quantity)]
-    above = None if scene.constraints else _above(scene, sides, kinetic, stored)
+        return list(sides), [energy_of(kinematics, quantity)] * len(sides)
+    scene, energy = kinematics.scene, energy_of(kinematics, quantity)
+    above = None if scene.constraints else _above(scene, sides, energy)
     if above is not None:
         return above
     # By what has to be left out too: no constant depends on it.
     lefts = [side.diff(symbol) for side in sides for symbol in _moving(scene)]
-    return lefts, list(_slopes(scene, kinetic, stored)) * len(sides)
+    return lefts, [energy.diff(symbol) for symbol in _moving(scene)] * len(sides)
+
+
+def energy_of(kinematics: Kinematics, quantity: Quantity) -> Expr:
+    """The energy that a row is about, in J."""
+    kinetic, stored = SHARES.get(type(quantity), (1, 0))
+    energy: Expr = stored * potential(kinematics.scene)
+    return energy + kinetic * kinematics.kinetic_energy if kinetic else energy
 
 
 def _above(
-    scene: Scene, sides: Sequence[Expr], kinetic: int, stored: int
+    scene: Scene, sides: Sequence[Expr], energy: Expr
 ) -> tuple[list[Expr], list[Expr]] | None:
     """Energies less their values at rest; None where one of them has no value there."""
     still = dict.fromkeys(_moving(scene), S.Zero)
-    energy = kinetic * kinetic_energy(scene) + stored * potential(scene)
     resting = [typed.xreplace(still) for typed in (energy, *sides)]
     if any(value.has(nan, zoo, oo, -oo) for value in resting):
         return None
     right, *lefts = (e - rest for e, rest in zip((energy, *sides), resting, strict=True))
     return lefts, [right] * len(lefts)
-
-
-@lru_cache(maxsize=64)
-def _slopes(scene: Scene, kinetic: int, stored: int) -> tuple[Expr, ...]:
-    """Derivatives of so many times T and V by the coordinates, speeds and accelerations."""
-    energy = kinetic * kinetic_energy(scene) + stored * potential(scene)
-    return tuple(energy.diff(symbol) for symbol in _moving(scene))
 
 
 def _moving(scene: Scene) -> tuple[Symbol, ...]:
@@ -96,19 +79,13 @@ def _moving(scene: Scene) -> tuple[Symbol, ...]:
 
 
 def _mass_matrix(
-    scene: Scene, sides: Sequence[Expr | MatrixBase], subject: str
+    kinematics: Kinematics, sides: Sequence[Expr | MatrixBase], subject: str
 ) -> tuple[list[Expr], list[Expr]]:
-    size = len(scene.u)
+    size = len(kinematics.scene.u)
     for side in sides:
         if not isinstance(side, MatrixBase) or side.shape != (size, size):
             raise InputError(
-                f"{subject}: a mass matrix of {scene.name} has {size} rows and {size} columns"
+                f"{subject}: a mass matrix of {kinematics.scene.name} has {size} rows and {size}"
+                " columns"
             )
-    return [entry for side in sides for entry in side], list(mass_matrix(scene)) * len(sides)
-
-
-@lru_cache(maxsize=32)
-def mass_matrix(scene: Scene) -> tuple[Expr, ...]:
-    """Second derivatives of the kinetic energy by the speeds, row by row."""
-    energy = kinetic_energy(scene)
-    return tuple(energy.diff(one, other) for one in scene.u for other in scene.u)
+    return [entry for side in sides for entry in side], list(kinematics.mass_matrix) * len(sides)

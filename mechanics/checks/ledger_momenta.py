@@ -2,27 +2,26 @@
 
     P = sum m v_C      H_B = sum (I omega + BC x m v_C)      tau_B = sum ((r - r_B) x F + couple)
 
-Velocities come from `mechanics.kinematics.textbook.differentiate`, forces from the loads and the
-reactions as symbols. Pairs inside a free body cancel in the sums. Inertias of shapes are integrated
-directly, so that they do not rest on the closed forms that a scene's definitions are made of.
+They are derived as programs, along the chain, and printed; reactions are symbols, and pairs inside
+a free body cancel. Inertias of shapes are integrated directly, so that they do not rest on the
+closed forms that a scene's definitions are made of.
 """
 
 from collections.abc import Callable
-from functools import lru_cache
 from typing import Any
 
-from sympy import Expr, Matrix, zeros
+from sympy import Expr, Matrix
 
 from mechanics.errors import InputError
-from mechanics.kinematics.momenta import generalized_momenta, momentum_symbols
-from mechanics.kinematics.textbook import differentiate
-from mechanics.kinematics.textbook.motion import BodyMotion, PointMotion, inertia_matrix
-from mechanics.scene import Scene
+from mechanics.kinematics.motion import PointMotion
+from mechanics.kinematics.symbolic import Kinematics
+from mechanics.program.derivatives import tangent
+from mechanics.program.vectors import Vector, add, cross, scale, subtract, times, zeros
+from mechanics.routes.loads import Wrench, acting_reactions, applied
 from mechanics.scene import quantities as q
-from mechanics.scene.actions import Action, acting_reactions, applied_actions, moment
-from mechanics.scene.places import direction, point_named
+from mechanics.scene.momenta import momentum_symbols
+from mechanics.scene.places import direction
 from mechanics.scene.published import Quantity
-from mechanics.scene.rates import rate_table, rates
 from mechanics.scene.shape_integrals import (
     integrated_centroid,
     integrated_inertia,
@@ -33,7 +32,7 @@ Sides = tuple[Expr | Matrix, ...]
 """One member: every side is this. Two: the first side, and every further one."""
 
 
-def derived(scene: Scene, quantity: Quantity) -> Sides:
+def derived(kinematics: Kinematics, quantity: Quantity) -> Sides:
     """What the sides of a row about this quantity have to be, in plain symbols.
 
     Raises
@@ -41,9 +40,14 @@ def derived(scene: Scene, quantity: Quantity) -> Sides:
     InputError
         When the scene has no body or point of that name, or the quantity is not mechanical.
     """
-    if type(quantity) not in DERIVED:
+    sides: Sides
+    if type(quantity) in VECTORS:
+        vectors = VECTORS[type(quantity)](kinematics, quantity)
+        sides = tuple(Matrix(kinematics.printer(vector)) for vector in vectors)
+    elif type(quantity) in DERIVED:
+        sides = DERIVED[type(quantity)](kinematics, quantity)
+    else:
         raise InputError(f"{type(quantity).__name__} is no quantity that a scene alone gives")
-    sides = DERIVED[type(quantity)](scene, quantity)
     along = getattr(quantity, "along", None)
     if along is None:
         return sides
@@ -51,137 +55,141 @@ def derived(scene: Scene, quantity: Quantity) -> Sides:
     return tuple(side.dot(axis) if isinstance(side, Matrix) else side for side in sides)
 
 
-def momentum(scene: Scene, bodies: q.Names) -> Matrix:
-    """3 x 1 linear momentum of a free body, in kg m/s."""
-    total = zeros(3, 1)
-    for motion in _motions(scene, bodies):
-        total += motion.body.mass * motion.centre.velocity
+def momentum(moving: Kinematics, bodies: q.Names) -> Vector:
+    """Linear momentum of a free body, in kg m/s."""
+    own = (
+        scale(moving.mechanism.bodies[i].mass, moving.moving[i].centre.velocity)
+        for i in _inside(moving, bodies)
+    )
+    return add(zeros(moving.mechanism.builder), *own)
+
+
+def moment_of_momentum(moving: Kinematics, bodies: q.Names, about: str | None) -> Vector:
+    """Sum of BC x P, in kg m^2/s."""
+    total, centre = zeros(moving.mechanism.builder), _centre(moving, bodies, about).position
+    for i in _inside(moving, bodies):
+        arm = subtract(moving.moving[i].centre.position, centre)
+        total = add(total, cross(arm, momentum(moving, moving.scene.bodies[i].name)))
     return total
 
 
-def moment_of_momentum(scene: Scene, bodies: q.Names, about: str | None) -> Matrix:
-    """3 x 1 sum of BC x P, in kg m^2/s."""
-    centre = _centre(scene, bodies, about).position
-    total = zeros(3, 1)
-    for motion in _motions(scene, bodies):
-        arm = motion.centre.position - centre
-        total += arm.cross(motion.body.mass * motion.centre.velocity)
+def angular_momentum(moving: Kinematics, bodies: q.Names, about: str | None) -> Vector:
+    """Angular momentum about a point, or about the mass centre of one body, in kg m^2/s."""
+    total = moment_of_momentum(moving, bodies, about)
+    for i in _inside(moving, bodies):
+        turning, inertia = moving.moving[i].turning, moving.moving[i].inertia
+        if turning is not None and inertia is not None:
+            total = add(total, times(inertia, turning.omega))
     return total
 
 
-def angular_momentum(scene: Scene, bodies: q.Names, about: str | None) -> Matrix:
-    """3 x 1 angular momentum about a point, or about the mass centre of one body, in kg m^2/s."""
-    total = moment_of_momentum(scene, bodies, about)
-    for motion in _motions(scene, bodies):
-        total += inertia_matrix(scene, motion.body, motion.rotation) * motion.angular_velocity
+def moving_point_term(moving: Kinematics, bodies: q.Names, about: str) -> Vector:
+    """v_B x P, in N m."""
+    return cross(_centre(moving, bodies, about).velocity, momentum(moving, bodies))
+
+
+def forces(moving: Kinematics, bodies: q.Names) -> Vector:
+    """Sum of the loads and reactions on a free body, reactions as inputs, in N."""
+    return _total(moving, bodies, lambda wrench: wrench.force)
+
+
+def moments(moving: Kinematics, bodies: q.Names, about: str | None) -> Vector:
+    """Sum of the moments of loads and reactions about a point, in N m."""
+    centre = _centre(moving, bodies, about).position
+    return _total(moving, bodies, lambda wrench: wrench.moment(centre))
+
+
+def _total(moving: Kinematics, bodies: q.Names, effect: Callable[[Wrench], Vector]) -> Vector:
+    mechanism, inside = moving.mechanism, set(_inside(moving, bodies))
+    total = zeros(mechanism.builder)
+    for wrench in applied(mechanism, moving.motions):
+        if wrench.body in inside:
+            total = add(total, effect(wrench))
+    units = acting_reactions(mechanism, moving.motions.poses)
+    for reaction, pair in zip(mechanism.reactions, units, strict=True):
+        own = [unit for unit in pair if unit.body in inside]
+        # Both ends inside: equal and opposite.
+        if len(own) == 1:
+            total = add(total, scale(mechanism.builder.input(reaction.name), effect(own[0])))
     return total
 
 
-def moving_point_term(scene: Scene, bodies: q.Names, about: str) -> Matrix:
-    """3 x 1 v_B x P, in N m."""
-    return _centre(scene, bodies, about).velocity.cross(momentum(scene, bodies))
+def _rate(moving: Kinematics, vector: Vector) -> Vector:
+    return tuple(tangent(vector, moving.mechanism.rates))
 
 
-def forces(scene: Scene, bodies: q.Names) -> Matrix:
-    """3 x 1 sum of the loads and reactions on a free body, reactions as symbols, in N."""
-    return _total(scene, bodies, lambda action: action.force)
-
-
-def moments(scene: Scene, bodies: q.Names, about: str | None) -> Matrix:
-    """3 x 1 sum of the moments of loads and reactions about a point, in N m."""
-    centre = _centre(scene, bodies, about).position
-    return _total(scene, bodies, lambda action: moment(action, centre))
-
-
-def _total(scene: Scene, bodies: q.Names, effect: Callable[[Action], Matrix]) -> Matrix:
-    inside = {motion.body.name for motion in _motions(scene, bodies)}
-    total = zeros(3, 1)
-    for action in applied_actions(scene):
-        if action.body in inside:
-            total += effect(action)
-    for symbol, pair in acting_reactions(scene).items():
-        for action in pair:
-            if action.body in inside:
-                total += symbol * effect(action)
-    # Opposite forces inside the free body cancel only when products are multiplied out.
-    return total.expand()
-
-
-def _rate(scene: Scene, vector: Matrix) -> Matrix:
-    return rates(vector, rate_table(scene))
-
-
-@lru_cache(maxsize=4)
-def _all_motions(scene: Scene) -> tuple[BodyMotion, ...]:
-    return differentiate.body_motions(scene)
-
-
-def _motions(scene: Scene, bodies: q.Names) -> list[BodyMotion]:
+def _inside(moving: Kinematics, bodies: q.Names) -> list[int]:
+    """Places of the named bodies, in scene order."""
     names = [bodies] if isinstance(bodies, str) else list(bodies)
-    inside = [scene.body(name) for name in names]
-    return [motion for motion in _all_motions(scene) if motion.body in inside]
+    inside = [moving.scene.body(name) for name in names]
+    return [i for i, body in enumerate(moving.scene.bodies) if body in inside]
 
 
-def _centre(scene: Scene, bodies: q.Names, about: str | None) -> PointMotion:
+def _centre(moving: Kinematics, bodies: q.Names, about: str | None) -> PointMotion:
     if about is not None:
-        return differentiate.point_motion(scene, point_named(scene, about))
-    inside = _motions(scene, bodies)
+        return moving.point_nodes(about)
+    inside = _inside(moving, bodies)
     if len(inside) != 1:
         raise InputError(
-            f"{scene.name}: {len(inside)} bodies have no mass centre of one body: name the point"
-            " with about="
+            f"{moving.scene.name}: {len(inside)} bodies have no mass centre of one body: name the"
+            " point with about="
         )
-    return inside[0].centre
+    return moving.moving[inside[0]].centre
 
 
-def _position(scene: Scene, quantity: q.Position) -> Sides:
-    end = scene.position(point_named(scene, quantity.point))
+def _position(moving: Kinematics, quantity: q.Position) -> Vector:
+    end = moving.point_nodes(quantity.point).position
     if quantity.of is None:
-        return (end,)
-    return (end - scene.position(point_named(scene, quantity.of)),)
+        return end
+    return subtract(end, moving.point_nodes(quantity.of).position)
 
 
-def _generalized(scene: Scene, quantity: q.GeneralizedMomentum) -> Sides:
-    by_name = {c.name: p for p, c in momentum_symbols(scene).items()}
+def _generalized(moving: Kinematics, quantity: q.GeneralizedMomentum) -> Sides:
+    by_name = {c.name: p for p, c in momentum_symbols(moving.scene).items()}
     if quantity.coordinate not in by_name:
         raise InputError(
-            f"{scene.name}: there is no momentum of {quantity.coordinate!r}: the coordinates are"
-            f" {', '.join(by_name)}"
+            f"{moving.scene.name}: there is no momentum of {quantity.coordinate!r}: the coordinates"
+            f" are {', '.join(by_name)}"
         )
-    return (generalized_momenta(scene)[by_name[quantity.coordinate]],)
+    return (moving.momenta[by_name[quantity.coordinate]],)
 
 
 def _centroid(quantity: q.Centroid) -> Matrix:
     return Matrix([*(integrated_centroid(quantity.body) - Matrix(quantity.origin)), 0])
 
 
-DERIVED: dict[type[Quantity], Callable[[Scene, Any], Sides]] = {
-    q.Position: _position,
-    q.Velocity: lambda s, x: (
-        differentiate.point_motion(s, point_named(s, x.point)).velocity,
+VECTORS: dict[type[Quantity], Callable[[Kinematics, Any], tuple[Vector, ...]]] = {
+    q.Position: lambda k, x: (_position(k, x),),
+    q.Velocity: lambda k, x: (k.point_nodes(x.point).velocity,),
+    q.Momentum: lambda k, x: (momentum(k, x.bodies),),
+    q.RateOfMomentum: lambda k, x: (_rate(k, momentum(k, x.bodies)),),
+    q.AngularMomentum: lambda k, x: (angular_momentum(k, x.bodies, x.about),),
+    q.RateOfAngularMomentum: lambda k, x: (
+        _rate(k, angular_momentum(k, x.bodies, x.about)),
     ),
-    q.Momentum: lambda s, x: (momentum(s, x.bodies),),
-    q.GeneralizedMomentum: _generalized,
-    q.RateOfMomentum: lambda s, x: (_rate(s, momentum(s, x.bodies)),),
-    q.AngularMomentum: lambda s, x: (angular_momentum(s, x.bodies, x.about),),
-    q.RateOfAngularMomentum: lambda s, x: (
-        _rate(s, angular_momentum(s, x.bodies, x.about)),
+    q.MomentOfMomentum: lambda k, x: (moment_of_momentum(k, x.bodies, x.about),),
+    q.MovingPointTerm: lambda k, x: (moving_point_term(k, x.bodies, x.about),),
+    q.Moment: lambda k, x: (moments(k, x.bodies, x.about),),
+    q.MomentumPrinciple: lambda k, x: (
+        forces(k, x.bodies), _rate(k, momentum(k, x.bodies)),
     ),
-    q.MomentOfMomentum: lambda s, x: (moment_of_momentum(s, x.bodies, x.about),),
-    q.MovingPointTerm: lambda s, x: (moving_point_term(s, x.bodies, x.about),),
-    q.Moment: lambda s, x: (moments(s, x.bodies, x.about),),
-    q.MomentumPrinciple: lambda s, x: (
-        forces(s, x.bodies), _rate(s, momentum(s, x.bodies)),
+    q.AngularMomentumPrinciple: lambda k, x: (
+        moments(k, x.body, None), _rate(k, angular_momentum(k, x.body, None)),
     ),
-    q.AngularMomentumPrinciple: lambda s, x: (
-        moments(s, x.body, None), _rate(s, angular_momentum(s, x.body, None)),
+    q.MovingPointPrinciple: lambda k, x: (
+        moments(k, x.bodies, x.about),
+        add(
+            _rate(k, angular_momentum(k, x.bodies, x.about)),
+            moving_point_term(k, x.bodies, x.about),
+        ),
     ),
-    q.MovingPointPrinciple: lambda s, x: (
-        moments(s, x.bodies, x.about),
-        _rate(s, angular_momentum(s, x.bodies, x.about))
-        + moving_point_term(s, x.bodies, x.about),
-    ),
-    q.Mass: lambda s, x: (integrated_mass(x.body),),
-    q.Centroid: lambda s, x: (_centroid(x),),
-    q.Inertia: lambda s, x: (integrated_inertia(x.body, x.about),),
 }  # fmt: skip
+"""As nodes."""
+
+DERIVED: dict[type[Quantity], Callable[[Kinematics, Any], Sides]] = {
+    q.GeneralizedMomentum: _generalized,
+    q.Mass: lambda k, x: (integrated_mass(x.body),),
+    q.Centroid: lambda k, x: (_centroid(x),),
+    q.Inertia: lambda k, x: (integrated_inertia(x.body, x.about),),
+}
+"""As expressions."""

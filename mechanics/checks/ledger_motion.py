@@ -9,6 +9,7 @@ degrees of freedom.
 """
 
 from collections.abc import Sequence
+from functools import partial
 
 from sympy import Expr, Matrix, S, Symbol, fraction, together
 
@@ -18,12 +19,12 @@ from mechanics.equations import Equations
 from mechanics.errors import InputError
 from mechanics.kernel import Finding, Verdict, undecided
 from mechanics.kinematics.momenta import momenta_written_out
+from mechanics.kinematics.printer import symbols
 from mechanics.mechanism import name_of
 from mechanics.program.derivatives import gradient as gradient_of
 from mechanics.program.residues import Residues
 from mechanics.program.sympy_printer import expressions
 from mechanics.routes.rows import acceleration_forms, coefficients
-from mechanics.routes.textbook import symbols
 from mechanics.scene import Scene
 from mechanics.scene.actions import frictions
 from mechanics.scene.published import Published
@@ -207,10 +208,8 @@ def check_complete(scene: Scene, rows: Sequence[Published], equations: Equations
     typed = [row for row in rows if isinstance(row.quantity, EquationOfMotion)]
     if not typed:
         raise InputError(f"{scene.name}: there is no equation of motion among the published rows")
-    sides = [
-        [scene.plain(momenta_written_out(scene, side), row.tag) for side in row.sides]
-        for row in typed
-    ]
+    written = partial(momenta_written_out, equations.kinematics)
+    sides = [[scene.plain(written(side), row.tag) for side in row.sides] for row in typed]
     left = Matrix([gradient(scene, pair) for pair in sides])
     left = left.col_join(_closing(equations))
 

@@ -4,10 +4,10 @@
 """
 
 from mechanics.equations import Equations
+from mechanics.kinematics.printer import symbols
 from mechanics.mechanism import name_of
 from mechanics.program.interpret import include
 from mechanics.routes.rows import acceleration_forms, coefficients, remainder
-from mechanics.routes.textbook import symbols
 from mechanics.scene import Scene
 from mechanics.symbolic import Arithmetic, Number
 

@@ -15,11 +15,11 @@ from mechanics.compiled.bordered import bind
 from mechanics.compiled.fixed import Fixed
 from mechanics.compiled.quantities import quantities
 from mechanics.equations import Equations
+from mechanics.kinematics.printer import symbols
 from mechanics.program import Program
 from mechanics.program.listing import Listing, listing
 from mechanics.report.notation import latex
 from mechanics.routes.rows import acceleration_forms
-from mechanics.routes.textbook import symbols
 
 GROUPS = ("q", "u", "ud", "multipliers", "inputs", "p")
 

@@ -6,10 +6,9 @@ T = sum (m v.v + omega.I omega) / 2        P = sum m v        H_O = sum (r x m v
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from sympy import Add, Expr, Matrix, Rational, Symbol, zeros
+from sympy import Expr, Matrix, Symbol, zeros
 
-from mechanics.kinematics.textbook.differentiate import body_motions
-from mechanics.kinematics.textbook.motion import inertia_matrix
+from mechanics.kinematics.symbolic import Kinematics
 from mechanics.scene import Scene
 from mechanics.scene.potential import potential
 
@@ -36,13 +35,11 @@ class Totals:
 
 def totals(scene: Scene) -> Totals:
     """Energy and momenta of a scene."""
-    terms: list[Expr] = []
+    kinematics = Kinematics(scene)
     linear, angular = zeros(3, 1), zeros(3, 1)
-    for motion in body_motions(scene):
-        mass, velocity, omega = motion.body.mass, motion.centre.velocity, motion.angular_velocity
-        momentum = mass * velocity
-        spin = inertia_matrix(scene, motion.body, motion.rotation) * omega
-        terms += [mass * velocity.dot(velocity), omega.dot(spin)]
+    for motion in kinematics.bodies.values():
+        momentum = motion.body.mass * motion.centre.velocity
         linear += momentum
-        angular += motion.centre.position.cross(momentum) + spin
-    return Totals(Rational(1, 2) * Add(*terms), potential(scene), linear, angular)
+        angular += motion.centre.position.cross(momentum)
+        angular += motion.inertia * motion.angular_velocity
+    return Totals(kinematics.kinetic_energy, potential(scene), linear, angular)

@@ -10,6 +10,7 @@ from mechanics.checks.ledger_compare import definitions_in_full
 from mechanics.compiled import Model, residuals
 from mechanics.compiled.residuals import SEED, random_states
 from mechanics.kinematics.momenta import momenta_written_out
+from mechanics.kinematics.symbolic import Kinematics
 from mechanics.report.result import ResidualResult
 from mechanics.scene import Scene
 from mechanics.scene.declared import decimals
@@ -27,7 +28,8 @@ NOT_CLOSED = "Residuals are not measured: no random state was found that satisfi
 def holds_others(scene: Scene, row: Published) -> bool:
     """Whether a row holds reactions or momenta: compiled functions of the motion give neither."""
     held = {reaction.symbol for reaction in scene.reactions}
-    written = [momenta_written_out(scene, side) for side in row.sides]
+    kinematics = Kinematics(scene)
+    written = [momenta_written_out(kinematics, side) for side in row.sides]
     if any(one != other for one, other in zip(written, row.sides, strict=True)):
         return True
     return any(scene.plain(side, row.tag).free_symbols & held for side in row.sides)

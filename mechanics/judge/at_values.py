@@ -65,7 +65,7 @@ def judged_at(truth: Equations, row: Published, values: Values) -> Finding:
     """
     if not isinstance(row.quantity, KINDS):
         raise InputError("values of parameters are for equations of motion: leave them out here")
-    there = _put(in_plain_symbols(truth.scene, row), values)
+    there = _put(in_plain_symbols(truth.kinematics, row), values)
     found = check_row(truth.scene, there, fix(truth, values))
     return replace(found, evidence=f"{found.evidence}, where {words(values)}")
 
@@ -75,7 +75,7 @@ def right_at(truth: Equations, statements: Sequence[Statement]) -> tuple[str, ..
 
     A value has to stand in them as a number; or all are the scene's typical ones.
     """
-    rows = [in_plain_symbols(truth.scene, s.row) for s in statements if s.row is not None]
+    rows = [in_plain_symbols(truth.kinematics, s.row) for s in statements if s.row is not None]
     if not rows or not all(isinstance(row.quantity, KINDS) for row in rows):
         return ()
     for values in islice(_candidates(truth.scene, rows), MOST):

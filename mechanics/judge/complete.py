@@ -4,6 +4,7 @@ rank of d(lhs - rhs)/du' beside the constraints  -  rank of the constraints    o
 """
 
 from collections.abc import Sequence
+from functools import partial
 
 from sympy import Matrix
 
@@ -32,7 +33,8 @@ def redundancy(truth: Equations, judged: Sequence[Judged]) -> str:
     ]
     if len(rows) < 2:
         return ""
-    sides = [[scene.plain(momenta_written_out(scene, s), r.tag) for s in r.sides[:2]] for r in rows]
+    written = partial(momenta_written_out, truth.kinematics)
+    sides = [[scene.plain(written(s), r.tag) for s in r.sides[:2]] for r in rows]
     left = Matrix([gradient(scene, pair) for pair in sides])
     constraints = truth.constraint_matrix
     both = left.col_join(constraints) if constraints.rows else left

@@ -16,7 +16,6 @@ from sympy import Add, And, Basic, Expr, Mul, Not, Or, Pow, Symbol, sympify
 from sympy.core.relational import Relational
 
 from mechanics.checks.equilibria import exact
-from mechanics.checks.metric import metric
 from mechanics.equations import Equations
 from mechanics.errors import MechanicsError
 from mechanics.kernel import Finding, Verdict, enclose, undecided
@@ -33,7 +32,6 @@ from mechanics.kernel.definedness import (
 from mechanics.kernel.statement import POSITIVE
 from mechanics.kernel.states import State
 from mechanics.kinematics.manifold import settle
-from mechanics.kinematics.textbook.chain import body_motions
 from mechanics.program import Builder, Node, Obligation, Program
 from mechanics.program.operations import Sign
 from mechanics.program.sympy_reader import read
@@ -107,7 +105,7 @@ def _decided(
     if not left:
         return finding
     builder.obligations = {}
-    space = replace(space, truth=_of_truth(scene, builder, fixed))
+    space = replace(space, truth=_of_truth(truth, builder, fixed))
     builder.obligations = before
     space = _space(scene, builder, inside, fixed, space.truth)
     return _told(finding, gaps(builder, left, space), written, demands.code)
@@ -260,9 +258,10 @@ def _typical(symbol: Symbol | None, *, positive: bool) -> Fraction:
 
 
 def _of_truth(
-    scene: Scene, builder: Builder, fixed: Mapping[Symbol, Expr]
-) -> tuple[Obligation, ...]:  # fmt: skip
+    truth: Equations, builder: Builder, fixed: Mapping[Symbol, Expr]
+) -> tuple[Obligation, ...]:
     """Obligations of loads and geometry, and that the mass matrix is regular."""
+    scene = truth.scene
     typed = [_plain(scene, expression, fixed) for _, expression in scene.typed]
     demands = [demand for expression in typed for demand in within(expression)]
     for demand in dict.fromkeys(demands):
@@ -275,7 +274,7 @@ def _of_truth(
     found = tuple(builder.obligations)
     if scene.constraints or len(scene.u) > LARGEST_DETERMINANT:
         return found
-    mass = metric(scene, tuple(body_motions(scene)))
+    mass = truth.kinematics.mass_matrix
     entries = read(builder, [_plain(scene, entry, fixed) for entry in mass])
     n = mass.rows
     rows = [entries[n * i : n * (i + 1)] for i in range(n)]

@@ -13,7 +13,7 @@ from sympy import Expr, Symbol
 from sympy.matrices import MatrixBase
 
 from mechanics.checks.ledger_compare import settle_defined
-from mechanics.checks.ledger_energy import SHARES, kinetic_energy, mass_matrix
+from mechanics.checks.ledger_energy import SHARES, energy_of
 from mechanics.checks.ledger_motion import put_motion
 from mechanics.equations import Equations
 from mechanics.errors import ExpressionError
@@ -21,7 +21,6 @@ from mechanics.kernel.field import Inadmissible
 from mechanics.kinematics.manifold import settle_accelerations
 from mechanics.scene import Scene
 from mechanics.scene import quantities as q
-from mechanics.scene.potential import potential
 from mechanics.scene.published import Published
 from mechanics.symbolic import Arithmetic, Number
 from mechanics.symbolic.point import Point
@@ -70,7 +69,7 @@ def _look(
             put_motion(a, truth)
         else:
             settle_accelerations(scene, a)
-        derived = [_derived(a, scene, row) for row in rows]
+        derived = [_derived(a, truth, row) for row in rows]
         # What is there before any change is evaluated first: its roots are not the changes'.
         _, point = a.residues([*a.assigned.values(), *(n for some in derived for n in some)])
     except (ExpressionError, ValueError, Inadmissible):
@@ -105,19 +104,18 @@ def _unsure(point: Point) -> tuple[int, int]:
     return point.domain.square_roots, len(point.domain.kinks)
 
 
-def _derived(a: Arithmetic, scene: Scene, row: Published) -> list[Number]:
+def _derived(a: Arithmetic, truth: Equations, row: Published) -> list[Number]:
     """What every side has to be; nothing where the sides have to be each other."""
     match row.quantity:
         case q.ReactionValue(name=name):
-            return [a.value(scene.reaction(name).symbol)]
+            return [a.value(truth.scene.reaction(name).symbol)]
         case q.KineticEnergy():
-            return [a.value(kinetic_energy(scene))]
+            return [a.value(energy_of(truth.kinematics, row.quantity))]
         case q.MassMatrix():
-            return [a.value(entry) for entry in mass_matrix(scene)]
+            return [a.value(entry) for entry in truth.kinematics.mass_matrix]
         case q.PotentialEnergy() | q.TotalEnergy() | q.Lagrangian():
-            kinetic, stored = SHARES[type(row.quantity)]
-            energy = kinetic * kinetic_energy(scene) + stored * potential(scene)
-            return [a.value(energy) - _value(a, energy, _elsewhere(scene))]
+            energy = energy_of(truth.kinematics, row.quantity)
+            return [a.value(energy) - _value(a, energy, _elsewhere(truth.scene))]
     return []
 
 

@@ -14,9 +14,11 @@ from sympy.core.function import AppliedUndef
 from sympy.matrices import MatrixBase
 from sympy.physics.vector import dynamicsymbols
 
-from mechanics.kinematics.momenta import momenta_written_out, momentum_symbols, rate_symbol
+from mechanics.kinematics.momenta import momenta_written_out
+from mechanics.kinematics.symbolic import Kinematics
 from mechanics.reading.convention import Table
 from mechanics.scene import Scene
+from mechanics.scene.momenta import momentum_symbols, rate_symbol
 from mechanics.scene.published import Published
 from mechanics.scene.quantities import GeneralizedMomentum, MassMatrix
 from mechanics.scene.symbols import plain_symbol, plain_table, to_plain
@@ -28,9 +30,10 @@ def each_side(row: Published, change: Callable[[Expr], Expr]) -> Published:
     return replace(row, sides=tuple(sides))
 
 
-def in_plain_symbols(scene: Scene, row: Published) -> Published:
+def in_plain_symbols(kinematics: Kinematics, row: Published) -> Published:
     """A row in plain symbols."""
-    return each_side(row, lambda side: momenta_written_out(scene, scene.plain(side)))
+    plain = kinematics.scene.plain
+    return each_side(row, lambda side: momenta_written_out(kinematics, plain(side)))
 
 
 def moved(scene: Scene, row: Published, table: Table) -> Published:

@@ -50,7 +50,7 @@ def best_names(truth: Equations, reading: Reading, again: Read) -> Reading:
     claimed = _claimed(reading)
     if not guessed or not claimed:
         return reading
-    rows = [in_plain_symbols(truth.scene, s.row) for s in claimed if s.row is not None]
+    rows = [in_plain_symbols(truth.kinematics, s.row) for s in claimed if s.row is not None]
     choices = list(islice(_choices(truth, guessed, rows), MOST + 2))
     if not 1 < len(choices) <= MOST + 1:
         return reading

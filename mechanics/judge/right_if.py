@@ -36,7 +36,8 @@ def right_if(truth: Equations, statements: Sequence[Statement]) -> list[Change]:
         With a row each; at least one of them is refuted as it is written.
     """
     rows = [s.row for s in statements if s.row is not None]
-    quick = [in_plain_symbols(truth.scene, row) for row in rows if not moves_more(truth.scene, row)]
+    few = [row for row in rows if not moves_more(truth.scene, row)]
+    quick = [in_plain_symbols(truth.kinematics, row) for row in few]
     held = set().union(*(side.free_symbols for row in quick for side in row.sides))
     changes = _changes(truth.scene)
     if len(quick) == len(rows):
@@ -83,7 +84,7 @@ def _judged(truth: Equations, row: Published, table: dict) -> Finding | None:
     try:
         there = moved(truth.scene, row, table)
         if moves_more(truth.scene, row):
-            plain = in_plain_symbols(truth.scene, there)
+            plain = in_plain_symbols(truth.kinematics, there)
             if not all(glance(truth, [plain], [{}])):
                 return None
         return check_row(truth.scene, there, truth)

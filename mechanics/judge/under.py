@@ -45,7 +45,7 @@ def judge_under(
     InputError
         For conventions that contradict each other, or of what the scene does not have.
     """
-    held = _held(truth.scene, statements)
+    held = _held(truth, statements)
     changes = [
         (change, target)
         for change in readings(truth.scene, declared, held)
@@ -137,13 +137,14 @@ def _under(target: Equations, statement: Statement, change: Change) -> Finding:
     return judge(target, replace(statement, row=there, demands=demands), {})
 
 
-def _held(scene: Scene, statements: Sequence[Statement]) -> frozenset[Symbol]:
+def _held(truth: Equations, statements: Sequence[Statement]) -> frozenset[Symbol]:
     """Symbols that matter to statements."""
+    scene = truth.scene
     rows = [s.row for s in statements if s.row is not None and not s.doubt]
     if any(moves_more(scene, row) for row in rows):
         rates = {Symbol(q.name + dots, real=True) for q in scene.q for dots in DOTS}
         return frozenset({*scene.q, *rates, *scene.input_symbols, *scene.parameters})
-    sides = (side for row in rows for side in in_plain_symbols(scene, row).sides)
+    sides = (side for row in rows for side in in_plain_symbols(truth.kinematics, row).sides)
     return frozenset(set().union(*(side.free_symbols for side in sides)))
 
 

@@ -27,6 +27,7 @@ from mechanics.judge.readers import read
 from mechanics.judge.single import FAILURES, identity
 from mechanics.judge.vacuous import WORDS
 from mechanics.kernel import Finding, Verdict, undecided
+from mechanics.kinematics.symbolic import Kinematics
 from mechanics.reading.kinds import angular
 from mechanics.reading.names import Match
 from mechanics.reading.statement import Statement
@@ -107,7 +108,8 @@ def judge_where(truth: Equations, statement: Statement, where: Sequence[Where]) 
     words = " and ".join(one.words for one in where)
     try:
         found = check_row(truth.scene, row, truth, positive)
-        if found.shown and isinstance(row.quantity, Identity) and _empty(truth.scene, row, where):
+        stated = isinstance(row.quantity, Identity)
+        if found.shown and stated and _empty(truth.kinematics, row, where):
             return undecided(everywhere.subject, f"where {words}, {WORDS}")
         if found.verdict is Verdict.UNDECIDED and _free(truth.scene, where):
             found = _inside(truth, row, where, found)
@@ -199,9 +201,9 @@ def _condition(scene: Scene, text: str, names: Mapping[str, str]) -> Where:
     return Where(f"{left.strip()} {relation} {right.strip()}", positive)
 
 
-def _empty(scene: Scene, row: Published, where: Sequence[Where]) -> bool:
+def _empty(kinematics: Kinematics, row: Published, where: Sequence[Where]) -> bool:
     """Whether sides are the same on the branch without anything of the scene."""
-    first, *others = in_plain_symbols(scene, row).sides
+    first, *others = in_plain_symbols(kinematics, row).sides
 
     def experiment(a: Arithmetic) -> list[tuple[Number, Number]]:
         for one in where:

@@ -20,9 +20,16 @@ from mechanics.program.forward import tangent
 from mechanics.program.vectors import Vector, add, cross, dot, scale, times, transpose, zeros
 
 
-def motions(mechanism: Mechanism) -> Motions:
-    """Motion of all frames and points, in q, u and u'."""
-    build, table = mechanism.builder, mechanism.rates
+def motions(mechanism: Mechanism, rates: Mapping[Node, Node] | None = None) -> Motions:
+    """Motion of all frames and points.
+
+    Parameters
+    ----------
+    mechanism : Mechanism
+    rates : mapping of Node to Node, optional
+        Rate of each node that changes; by default those of q, u and what is given.
+    """
+    build, table = mechanism.builder, mechanism.rates if rates is None else rates
     where = poses(mechanism)
     frames: list[FrameMotion] = []
     for frame, rotation in zip(mechanism.frames, where.rotations, strict=True):
@@ -53,6 +60,18 @@ def motions(mechanism: Mechanism) -> Motions:
             velocity, acceleration = add(velocity, v), add(acceleration, a)
         points.append(PointMotion(position, velocity, acceleration))
     return Motions(where, tuple(frames), tuple(points))
+
+
+def own_rates(mechanism: Mechanism, rates: Mapping[Node, Node]) -> list[Vector]:
+    """Angular velocity of each frame in its own components: R^T omega_parent + what it turns by."""
+    found: list[Vector] = []
+    for frame in mechanism.frames:
+        turning, _ = _relative(mechanism.builder, frame, rates)
+        if frame.parent != GROUND:
+            outer = found[frame.parent]
+            turning = add(times(transpose(frame.rotation), outer), turning)
+        found.append(turning)
+    return found
 
 
 def _relative(build: Builder, frame: Frame, table: Mapping[Node, Node]) -> tuple[Vector, Vector]:

@@ -11,7 +11,7 @@ from sympy.core.relational import Relational
 
 from mechanics.errors import InputError
 from mechanics.kernel import Finding, undecided
-from mechanics.kinematics.textbook.motion import inertia_matrix
+from mechanics.kinematics.symbolic import Kinematics
 from mechanics.linear.algebra import coefficients, sign
 from mechanics.linear.case import Case, Pairs, compare, numbers, require_conjugate
 from mechanics.linear.form import Linear
@@ -89,8 +89,7 @@ def parallel_axis(linear: Linear, quantity: InertiaAbout) -> Expr:
     arm = arm.xreplace(point)
     total = body.mass * (arm[0] ** 2 + arm[1] ** 2)
     if isinstance(body, RigidBody):
-        own = inertia_matrix(scene, body, scene.rotation(body.frame))
-        total += own[2, 2].xreplace(point)
+        total += Kinematics(scene).bodies[body.name].inertia[2, 2].xreplace(point)
     return total
 
 

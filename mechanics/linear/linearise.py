@@ -20,12 +20,12 @@ from sympy import Abs, Expr, Matrix, Symbol, eye, sign, sympify
 from mechanics.compiled.bordered import bind
 from mechanics.equations import Equations
 from mechanics.errors import InputError, wanted
+from mechanics.kinematics.printer import symbols
 from mechanics.linear.algebra import independent_rows, inverse, is_zero, null_space, reduced
 from mechanics.linear.form import Linear
 from mechanics.mechanism import name_of
 from mechanics.program.sympy_printer import expressions
 from mechanics.routes.rows import acceleration_forms, coefficients
-from mechanics.routes.textbook import symbols
 from mechanics.scene import Scene
 from mechanics.scene.rates import TIME
 from mechanics.scene.symbols import DOTS

@@ -7,13 +7,12 @@ Where both readings of a definition are possible and differ, it is refused.
 """
 
 from collections.abc import Container, Iterator, Sequence
-from functools import lru_cache
 from typing import TYPE_CHECKING, Any
 
 from sympy import Expr, Matrix, Symbol
 from sympy.matrices import MatrixBase
 
-from mechanics.kinematics.momenta import generalized_momenta
+from mechanics.kinematics.symbolic import Kinematics
 from mechanics.reading.about import ENERGY_NAMES
 from mechanics.reading.partials import partial_value
 from mechanics.reading.place import Refused
@@ -90,14 +89,13 @@ def _is_speed(builder: "Builder", value: Any) -> bool:
 
 def _is_momentum(builder: "Builder", value: Any) -> bool:
     """Whether it is a generalized momentum of the scene, or a column of them."""
-    scene = builder.naming.vocabulary.scene
-    return all(_momentum(scene, entry) for entry in _entries(value))
+    kinematics = builder.naming.vocabulary.kinematics
+    return all(_momentum(kinematics, entry) for entry in _entries(value))
 
 
-@lru_cache(maxsize=256)
-def _momentum(scene: Scene, value: Expr) -> bool:
-    plain = value.xreplace(scene.coordinate_rates)
-    return any(is_zero(plain - momentum) for momentum in generalized_momenta(scene).values())
+def _momentum(kinematics: Kinematics, value: Expr) -> bool:
+    plain = value.xreplace(kinematics.scene.coordinate_rates)
+    return any(is_zero(plain - momentum) for momentum in kinematics.momenta.values())
 
 
 def _held(builder: "Builder", held: Container[str], of: Node, by: Node, at: int) -> Any:

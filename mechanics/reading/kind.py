@@ -11,12 +11,12 @@ from typing import Any
 
 from sympy import Expr, S
 
-from mechanics.kinematics.momenta import momentum_symbols, rate_symbol
 from mechanics.reading.about import ENERGY_NAMES
 from mechanics.reading.names import Naming
 from mechanics.reading.sides import scalar
 from mechanics.reading.tree import Name, Node
 from mechanics.scene import Scene
+from mechanics.scene.momenta import momentum_symbols, rate_symbol
 from mechanics.scene.published import Quantity
 from mechanics.scene.quantities import (
     EquationOfMotion,

@@ -14,9 +14,10 @@ from sympy import Expr, Symbol
 from sympy.physics.vector import dynamicsymbols
 
 from mechanics.errors import InputError
-from mechanics.kinematics.momenta import momentum_symbols, rate_symbol
+from mechanics.kinematics.symbolic import Kinematics
 from mechanics.reading.spelled_rates import bases, key
 from mechanics.scene import Scene
+from mechanics.scene.momenta import momentum_symbols, rate_symbol
 from mechanics.scene.rates import TIME, coordinate_rate_table
 from mechanics.scene.symbols import DOTS, by_name, plain_symbol
 
@@ -81,6 +82,11 @@ class Vocabulary:
         found |= {reaction.symbol for reaction in self.scene.reactions}
         moving = {s for f in self.functions for s in self.rates(f)}
         return {symbol.name: symbol for symbol in sorted(found - moving, key=by_name)}
+
+    @cached_property
+    def kinematics(self) -> Kinematics:
+        """How the scene moves."""
+        return Kinematics(self.scene)
 
     @cached_property
     def momenta(self) -> dict[str, Symbol]:

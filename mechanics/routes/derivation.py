@@ -7,10 +7,11 @@ from dataclasses import dataclass
 
 from mechanics.equations import Equations, Rows, Step
 from mechanics.kernel.ring import TooLarge
+from mechanics.kinematics.printer import Printer
 from mechanics.mechanism import Mechanism, lower
 from mechanics.program import Builder
 from mechanics.routes import free_body, kane, lagrange, moving_point, steps
-from mechanics.routes.textbook import Printer, textbook
+from mechanics.routes.textbook import textbook
 from mechanics.scene import Scene
 
 LARGEST_TEXTBOOK = 320

@@ -7,6 +7,7 @@ from sympy import Add, Expr, Rational
 from mechanics.equations import Line, Step
 from mechanics.kinematics import chain, differentiate
 from mechanics.kinematics.motion import Motions, poses
+from mechanics.kinematics.printer import Printer
 from mechanics.mechanism import Mechanism
 from mechanics.program.builder import Node
 from mechanics.program.derivatives import gradient
@@ -15,7 +16,6 @@ from mechanics.routes.free_body import FreeBodyRow, eliminated
 from mechanics.routes.lagrange import kinetic_parts
 from mechanics.routes.loads import potential
 from mechanics.routes.moving_point import choose
-from mechanics.routes.textbook import Printer
 from mechanics.scene.loads import CONSERVATIVE
 from mechanics.symbolic import canonical
 

@@ -10,10 +10,9 @@ from mechanics.blame.energies import wrong_energies, wrong_rows
 from mechanics.blame.entries import kinetic_pieces, potential_pieces
 from mechanics.blame.explanations import UNBALANCED, explanations
 from mechanics.checks.ledger import check_row
-from mechanics.checks.metric import metric
 from mechanics.equations import Equations
 from mechanics.kernel import Verdict
-from mechanics.kinematics.textbook import chain
+from mechanics.kinematics.symbolic import Kinematics
 from mechanics.reading.statement import Statement
 from mechanics.scene.published import published
 from mechanics.scene.quantities import KineticEnergy, PotentialEnergy
@@ -150,6 +149,6 @@ def test_rows_of_a_wrong_energy_are_those_of_lagrange_from_it(truth: Equations, 
         assert scene.speeds or not set().union(*(r.free_symbols for r in extra)) & {*scene.ud}
     elif not scene.speeds:
         # d/dt(dT/dq') - dT/dq has the metric of the kinetic energy before the accelerations.
-        wanted = metric(scene, chain.body_motions(scene))
+        wanted = Kinematics(scene).mass_matrix
         slopes = [row.diff(ud) for row in extra for ud in scene.ud]
         assert prove_equal("rows", slopes, list(wanted)).shown

@@ -11,9 +11,9 @@ from mechanics.compiled import compile, prove_graph
 from mechanics.compiled.forms.members import RECURSIVE, SPARSE
 from mechanics.errors import InputError
 from mechanics.kernel import Verdict
+from mechanics.kinematics.printer import Printer
 from mechanics.program.operations import COS, SIN, TAN
 from mechanics.routes.derivation import by_route
-from mechanics.routes.textbook import Printer
 from mechanics.scene import (
     RigidBody,
     Scene,

@@ -8,11 +8,10 @@ import pytest
 from sympy import DiracDelta, Expr, Symbol, cos, sign, sin
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
-from mechanics.checks.metric import metric
 from mechanics.checks.solution import solve
 from mechanics.crosscheck import derive
 from mechanics.equations import Equations
-from mechanics.kinematics.textbook.chain import body_motions
+from mechanics.kinematics.symbolic import Kinematics
 from mechanics.routes.derivation import steps_of
 from mechanics.scene import (
     Particle,
@@ -174,7 +173,7 @@ def test_without_friction_the_mass_matrix_is_that_of_the_energy(name: str) -> No
     equations = derive(scene, "kane")
     assert not equations.conjugate
     still = dict.fromkeys((mu, nu), 0)
-    wanted = metric(scene, body_motions(scene))
+    wanted = Kinematics(scene).mass_matrix
     assert decide(
         "M", lambda a: [
             (a.value(one.xreplace(still)), a.value(two))

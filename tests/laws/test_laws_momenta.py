@@ -12,11 +12,11 @@ from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 import systems
 from mechanics import Particle, Scene, parameters
 from mechanics.checks.ledger import check_row
-from mechanics.checks.ledger_energy import kinetic_energy
 from mechanics.errors import InputError
-from mechanics.kinematics.momenta import momentum_symbols
+from mechanics.kinematics.symbolic import Kinematics
 from mechanics.routes.derivation import by_route
 from mechanics.scene.loads import CONSERVATIVE
+from mechanics.scene.momenta import momentum_symbols
 from mechanics.scene.potential import potential
 from mechanics.scene.published import published
 from mechanics.scene.quantities import (
@@ -49,7 +49,7 @@ def test_momenta_times_rates_are_twice_the_kinetic_energy(derived: Any, name: st
 @pytest.mark.parametrize("name", SYSTEMS)
 def test_each_is_the_slope_of_the_kinetic_energy(derived: Any, name: str) -> None:
     scene = derived(name)["kane"].scene
-    energy = kinetic_energy(scene)
+    energy = Kinematics(scene).kinetic_energy
     slopes = [energy.diff(u) for u in scene.u]
     for q, rate in zip(scene.q, scene.qd, strict=True):
         weights = [1 if u == rate else 0 for u in scene.u]
@@ -64,7 +64,7 @@ def test_each_is_the_slope_of_the_kinetic_energy(derived: Any, name: str) -> Non
 def test_lagranges_equations_in_momenta(derived: Any, name: str) -> None:
     equations = derived(name)["lagrange"]
     scene = equations.scene
-    lagrangian = kinetic_energy(scene) - potential(scene)
+    lagrangian = equations.kinematics.kinetic_energy - potential(scene)
     for q in scene.q:
         p = dynamicsymbols(f"p_{q.name}")
         row = published("p'", EquationOfMotion(), p.diff(), lagrangian.diff(q), label=q.name)

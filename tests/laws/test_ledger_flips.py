@@ -68,7 +68,11 @@ def flipped_rows(row: Published) -> Iterator[Published]:
 def says_the_same(equations: Equations, row: Published, other: Published) -> bool:
     """Whether the flip changed nothing: equal sides, or an equation of motion times -1."""
     old, new = (
-        [entry for side in r.sides for entry in entries(plain_side(equations.scene, side, r.tag))]
+        [
+            entry
+            for side in r.sides
+            for entry in entries(plain_side(equations.kinematics, side, r.tag))
+        ]
         for r in (row, other)
     )
     if all(canonical(a - b) == 0 for a, b in zip(old, new, strict=True)):

@@ -16,7 +16,7 @@ from mechanics.blame.search.forest import Forest, Step, Way, edited
 from mechanics.blame.search.judge import Problem
 from mechanics.blame.search.point import Family, Point, Points
 from mechanics.blame.search.sheet import Sheet, sheet_of
-from mechanics.checks.ledger_energy import ENERGIES, kinetic_energy
+from mechanics.checks.ledger_energy import ENERGIES, energy_of
 from mechanics.checks.ledger_momenta import derived
 from mechanics.equations import Equations
 from mechanics.reading.entrywise import entrywise
@@ -24,9 +24,7 @@ from mechanics.reading.names import Naming, Vocabulary
 from mechanics.reading.statement import Statement
 from mechanics.reading.tree import Node, names
 from mechanics.reading.written import Trees, Written, row_trees
-from mechanics.scene import Scene
 from mechanics.scene import quantities as q
-from mechanics.scene.potential import potential
 from mechanics.scene.published import Published
 
 CONSTANT_FREE = (q.PotentialEnergy, q.TotalEnergy, q.Lagrangian)
@@ -120,7 +118,7 @@ def problems(claim: Claim) -> Iterator[Problem]:
         for k in range(rows, size):
             yield from _problems(claim, (k % rows, k), None)
         return
-    for k, target in enumerate(targets(claim.truth.scene, claim.row)):
+    for k, target in enumerate(targets(claim.truth, claim.row)):
         yield from _problems(claim, (k,), target)
 
 
@@ -133,7 +131,7 @@ def at_once(claim: Claim) -> Iterator[tuple[Claim, Problem]]:
     An equation without accelerations as one of motion: an acceleration may have lost its dots.
     """
     if isinstance(claim.row.quantity, q.TotalEnergy | q.Lagrangian):
-        for k, target in enumerate(targets(claim.truth.scene, claim.row)):
+        for k, target in enumerate(targets(claim.truth, claim.row)):
 
             def wanted(point: Point, target: Expr = target) -> int:
                 return point.value(target)
@@ -159,29 +157,18 @@ def _width(row: Published) -> int:
     return len(first) if isinstance(first, MatrixBase) else 1
 
 
-def targets(scene: Scene, row: Published) -> list[Expr]:
+def targets(truth: Equations, row: Published) -> list[Expr]:
     """What each entry has to be, in plain symbols."""
     quantity = row.quantity
     if isinstance(quantity, q.ReactionValue):
         return [Symbol(quantity.name, real=True)] * len(row.sides)
     if isinstance(quantity, q.MassMatrix):
-        energy = kinetic_energy(scene)
-        entries = [energy.diff(a, b) for a in scene.u for b in scene.u]
-        return entries * len(row.sides)
+        return list(truth.kinematics.mass_matrix) * len(row.sides)
     if isinstance(quantity, ENERGIES):
-        return [_energy(scene, row)] * len(row.sides)
-    found = derived(scene, quantity)
+        return [energy_of(truth.kinematics, quantity)] * len(row.sides)
+    found = derived(truth.kinematics, quantity)
     chosen = [found[min(i, len(found) - 1)] for i in range(len(row.sides))]
     return [e for side in chosen for e in (side if isinstance(side, MatrixBase) else [side])]
-
-
-def _energy(scene: Scene, row: Published) -> Expr:
-    if isinstance(row.quantity, q.KineticEnergy):
-        return kinetic_energy(scene)
-    if isinstance(row.quantity, q.PotentialEnergy):
-        return potential(scene)
-    sign = 1 if isinstance(row.quantity, q.TotalEnergy) else -1
-    return kinetic_energy(scene) + sign * potential(scene)
 
 
 def _problems(claim: Claim, numbers: tuple[int, ...], target: Expr | None) -> Iterator[Problem]:

@@ -25,8 +25,8 @@ from mechanics.kernel.field import Inadmissible, Residues
 from mechanics.kernel.primes import MODULUS, draw_prime
 from mechanics.kinematics.manifold import settle, settle_accelerations
 from mechanics.kinematics.momenta import momenta_written_out
+from mechanics.kinematics.symbolic import Kinematics
 from mechanics.program import Node
-from mechanics.scene import Scene
 from mechanics.symbolic import Arithmetic
 from mechanics.symbolic.point import BITS
 from mechanics.symbolic.point import Point as Values
@@ -82,7 +82,7 @@ class Motion:
         Cosines of the coordinates that are free.
     """
 
-    scene: Scene
+    kinematics: Kinematics
     arithmetic: Arithmetic
     angles: list[Node]
     _plain: dict[Expr, Node] = field(default_factory=dict)
@@ -90,7 +90,7 @@ class Motion:
     def node(self, expression: Expr) -> Node:
         """An expression, in which rates of coordinates and momenta may stand."""
         if expression not in self._plain:
-            plain = self.scene.plain(momenta_written_out(self.scene, expression))
+            plain = self.kinematics.scene.plain(momenta_written_out(self.kinematics, expression))
             self._plain[expression] = self.arithmetic.value(plain)
         return self._plain[expression]
 
@@ -196,7 +196,7 @@ class Points:
         if moving:
             (put_motion if pressing else put_solution)(a, self.truth)
         angles = [a.value(cos(q)) for q in scene.q if q not in a.assigned]
-        return Motion(scene, a, angles)
+        return Motion(self.truth.kinematics, a, angles)
 
     def _point(self, family: Family, attempt: int) -> Point:
         key = family, attempt

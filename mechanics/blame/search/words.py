@@ -11,9 +11,9 @@ from sympy import Symbol
 
 from mechanics.blame.search.sheet import Sheet
 from mechanics.equations import Equations
-from mechanics.kinematics.momenta import momentum_symbols, rate_symbol
 from mechanics.reading.tree import Call, Name, Node
 from mechanics.reading.written import Written
+from mechanics.scene.momenta import momentum_symbols, rate_symbol
 from mechanics.scene.symbols import plain_symbol
 
 TRIGONOMETRIC = ("sin", "cos", "tan")

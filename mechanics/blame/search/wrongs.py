@@ -117,8 +117,8 @@ def _against(
 def _meant(claim: Claim, problem: Problem) -> list[Meant]:
     builder = claim.written.builder()
     sides = [builder(claim.entries[number]) for number in problem.numbers]
-    other = sides[1] if len(sides) > 1 else targets(claim.truth.scene, claim.row)[0]
-    plain = momenta_written_out(claim.truth.scene, sides[0] - other)
+    other = sides[1] if len(sides) > 1 else targets(claim.truth, claim.row)[0]
+    plain = momenta_written_out(claim.truth.kinematics, sides[0] - other)
     return nearly(*folded(claim.truth, plain), MEANT)
 
 
@@ -126,7 +126,7 @@ def _sides(claim: Claim, problem: Problem) -> tuple[Terms, Terms]:
     """An energy, a momentum, an entry of a mass matrix: what is written, and what is right."""
     (number,) = problem.numbers
     own = claim.written.builder()(claim.entries[number])
-    truth, expression = folded(claim.truth, momenta_written_out(claim.truth.scene, own))
-    right = targets(truth.scene, claim.row)[number]
+    truth, expression = folded(claim.truth, momenta_written_out(claim.truth.kinematics, own))
+    right = targets(truth, claim.row)[number]
     left, other = terms_of([truth.scene.plain(side) for side in (expression, right)])
     return left, other

@@ -19,8 +19,8 @@ from mechanics.compiled.quantities import Quantities
 from mechanics.compiled.terms import Terms
 from mechanics.compiled.translate import Translator
 from mechanics.equations import FEW, Equations
+from mechanics.kinematics.printer import Printer
 from mechanics.routes.rows import acceleration_forms
-from mechanics.routes.textbook import Printer
 
 
 @dataclass(frozen=True, eq=False)
