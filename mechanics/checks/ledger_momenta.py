@@ -15,7 +15,7 @@ from sympy import Expr, Matrix
 from mechanics.errors import InputError
 from mechanics.kinematics.motion import PointMotion
 from mechanics.kinematics.symbolic import Kinematics
-from mechanics.program.derivatives import tangent
+from mechanics.program.forward import tangent
 from mechanics.program.vectors import Vector, add, cross, scale, subtract, times, zeros
 from mechanics.routes.loads import Wrench, acting_reactions, applied
 from mechanics.scene import quantities as q
