@@ -11,7 +11,23 @@ degrees of freedom.
 from collections.abc import Sequence
 from functools import partial
 
-from sympy import Expr, Matrix, S, Symbol, fraction, together
+from sympy import (
+    Abs,
+    Expr,
+    Matrix,
+    Max,
+    Min,
+    Mod,
+    Mul,
+    Piecewise,
+    S,
+    Symbol,
+    ceiling,
+    floor,
+    fraction,
+    sign,
+    together,
+)
 
 from mechanics.checks.ledger_compare import decide_in, equal
 from mechanics.checks.solution import put_solution
@@ -41,6 +57,32 @@ CURVED = (
     " satisfy too"
 )
 
+KINKED = (
+    "{} holds accelerations, so other motions may satisfy it, too: write an equation that is linear"
+    " in them, without it"
+)
+KINKS = {
+    Abs: "abs", sign: "sign", Max: "max", Min: "min", floor: "floor", ceiling: "ceil",
+    Mod: "mod", Piecewise: "a case",
+}  # fmt: skip
+"""Functions whose derivatives say nothing of linearity, in words."""
+
+
+def without_magnitude(sides: Sequence[Expr]) -> Sequence[Expr]:
+    """The sides of an equation of the same solutions: |e| = 0 is e = 0."""
+    if S.Zero not in sides:
+        return sides
+    return [
+        Mul(*(f.args[0] if isinstance(f, Abs) else f for f in Mul.make_args(side)))
+        for side in sides
+    ]
+
+
+def _kinked(scene: Scene, sides: Sequence[Expr]) -> str:
+    """A function that holds accelerations and has kinks or steps, in words; empty for none."""
+    held = (f for side in sides for f in side.atoms(*KINKS) if f.free_symbols & set(scene.ud))
+    return ", ".join(sorted({KINKS[type(f)] for f in held}))
+
 
 def check_equation(
     subject: str, sides: Sequence[Expr], equations: Equations, where: Sequence[Expr] = ()
@@ -58,6 +100,9 @@ def check_equation(
     found = decide_in(scene, subject, experiment, symbols_of(sides), where=where)
     if found.verdict is Verdict.REFUTED:
         return found
+    sides = without_magnitude(sides)
+    if kinked := _kinked(scene, sides):
+        return undecided(subject, KINKED.format(kinked))
     if equations.textbook is None:
         doubt = _of_no_motion(scene, sides)
         return undecided(subject, doubt) if doubt else found
@@ -209,7 +254,10 @@ def check_complete(scene: Scene, rows: Sequence[Published], equations: Equations
     if not typed:
         raise InputError(f"{scene.name}: there is no equation of motion among the published rows")
     written = partial(momenta_written_out, equations.kinematics)
-    sides = [[scene.plain(written(side), row.tag) for side in row.sides] for row in typed]
+    sides = [
+        [scene.plain(written(side), row.tag) for side in without_magnitude(row.sides)]
+        for row in typed
+    ]
     left = Matrix([gradient(scene, pair) for pair in sides])
     left = left.col_join(_closing(equations))
 
