@@ -41,14 +41,10 @@ def residual({groups}):
     return numpy.array([{outputs}], dtype=float)
 
 
-def solution(q, u, inputs, p):
+def solution({state}):
     """The accelerations u', shape ({speeds},), then the multipliers."""
-    count = {rows}
-    rest = residual(q, u, numpy.zeros({speeds}), numpy.zeros({multipliers}), inputs, p)
-    columns = [
-        residual(q, u, unit[:{speeds}], unit[{speeds}:], inputs, p) - rest
-        for unit in numpy.eye(count)
-    ]
+    rest = residual({at_rest})
+    columns = [residual({at_unit}) - rest for unit in numpy.eye({rows})]
     return numpy.linalg.solve(numpy.array(columns).T, -rest)
 '''
 
@@ -86,15 +82,22 @@ def program_python(equations: Equations, fixed: Fixed) -> str:
         for name, group in groups.items() if group
     ]  # fmt: skip
     lines += [f"    {name} = {printed(value)}" for name, value in found.lines]
-    rows = found.outputs["rows"]
+    rows, speeds = found.outputs["rows"], len(known.ud)
+    # An array without entries is no argument.
+    used = [group for group in GROUPS if groups[group]]
+
+    def called(unknown: str) -> str:
+        parts = {"ud": f"{unknown}[:{speeds}]", "multipliers": f"{unknown}[{speeds}:]"}
+        return ", ".join(parts.get(group, group) for group in used)
+
     return MODULE.format(
         title=" ".join(f"Equations of motion of {equations.scene.name}, by"
                        f" {equations.route}.".split()),
-        entries="\n".join(f"    {name}: {' '.join(str(s) for s in group) or '-'}"
-                          for name, group in groups.items()),
-        groups=", ".join(GROUPS), rows=len(rows), lines="\n".join(lines),
-        outputs=", ".join(map(printed, rows)), speeds=len(known.ud),
-        multipliers=len(known.multipliers),
+        entries="\n".join(f"    {name}: {' '.join(map(str, groups[name]))}" for name in used),
+        groups=", ".join(used), rows=len(rows), lines="\n".join(lines),
+        outputs=", ".join(map(printed, rows)), speeds=speeds,
+        state=", ".join(group for group in used if group not in ("ud", "multipliers")),
+        at_rest=called(f"numpy.zeros({len(rows)})"), at_unit=called("unit"),
     )  # fmt: skip
 
 

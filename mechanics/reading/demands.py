@@ -113,9 +113,9 @@ def gathered(number: Asked) -> tuple[Demand, ...]:
 def of_power(base: Expr, exponent: Expr) -> Iterator[Demand]:
     """What base ** exponent asks for."""
     if exponent.is_Integer:
-        if exponent < 0 and not (base.is_Rational and base != 0):
+        if exponent < 0 and not (base.is_number and base.is_nonzero):
             yield Demand("divide", (S.One, base))
-    elif not (base.is_Rational and base > 0):
+    elif not (base.is_number and base.is_positive):
         yield Demand("power", (base, exponent))
 
 

@@ -1,10 +1,11 @@
 """Floats in code, and the numbers that they stand for.
 
-    9.8 -> 49/5        1.3333333333333333 -> 4/3        6.283185307179586 -> 2 pi
+    9.8 -> 49/5      1.3333333333333333 -> 4/3      6.283185307179586 -> 2 pi
+    0.8660254037844386 -> sqrt(3)/2
 
 A short decimal is what was typed. A long one was computed before the code was read: it stands for
-the simplest fraction, or multiple of pi, within 4 units in the last place, and is listed; else it
-is the dyadic number that it is.
+the simplest fraction, multiple of pi or root of a fraction within 4 units in the last place, and is
+listed; else it is the dyadic number that it is.
 """
 
 from fractions import Fraction
@@ -17,7 +18,7 @@ from mechanics.errors import InputError
 
 ULPS = 4
 TYPED_DIGITS = 12
-LARGEST_DENOMINATOR = 1000
+LARGEST_DENOMINATOR, LARGEST_RADICAND = 1000, 100
 
 
 def constant_of(value: float) -> tuple[Expr, str]:
@@ -40,6 +41,11 @@ def constant_of(value: float) -> tuple[Expr, str]:
     turns = Fraction(value / pi).limit_denominator(LARGEST_DENOMINATOR)
     if turns and abs(float(turns) * pi - value) <= ULPS * ulp(value):
         number = _rational(turns) * sympy.pi
+        return number, f"{printed} is read as {number}"
+    square = Fraction(value) ** 2
+    under = square.limit_denominator(LARGEST_RADICAND)
+    if under and abs(under - square) <= 2 * ULPS * abs(Fraction(value)) * Fraction(ulp(value)):
+        number = sympy.sqrt(_rational(under)) * (1 if value > 0 else -1)
         return number, f"{printed} is read as {number}"
     return _rational(Fraction(value)), f"{printed} is read as the double that it is"
 

@@ -7,6 +7,7 @@ A function is not changed: a copy of it is made whose names mean these.
 
 import builtins
 import math
+import operator
 import random
 import sys
 import types
@@ -15,12 +16,15 @@ from operator import methodcaller
 from typing import Any
 
 import numpy as np
+import sympy
+from sympy import Expr
 
 from mechanics.errors import InputError
 from mechanics.reading.code import linear_systems
+from mechanics.reading.code.exact import ELEMENTARY, PI, TAU, E, Exact, exact, is_plain
 from mechanics.reading.code.held import content, foreign
 from mechanics.reading.code.objects import methods_used, with_methods
-from mechanics.reading.code.traced import ELEMENTARY, Traced
+from mechanics.reading.code.traced import Traced
 from mechanics.reading.code.unwrapped import unwrapped
 
 ALIASES = {
@@ -33,10 +37,41 @@ DEEPEST = 6
 
 
 def _elementary(name: str, original: Callable[..., Any]) -> Callable[..., Any]:
-    def apply(x: Any, *rest: Any) -> Any:
-        return getattr(x, name)() if isinstance(x, Traced) and not rest else original(x, *rest)
+    """A function of one number, or of the entries of an array: traced, exact, else as it was."""
+
+    def of(x: Any) -> Any:
+        if isinstance(x, Traced):
+            return getattr(x, name)()
+        return exact(ELEMENTARY[name], original, x) if is_plain(x) else original(x)
+
+    def apply(x: Any, *rest: Any, **options: Any) -> Any:
+        if rest or options:
+            return original(x, *rest, **options)
+        if isinstance(x, np.ndarray | list | tuple) and np.asarray(x).dtype == object:
+            return np.vectorize(of, otypes=[object])(np.asarray(x))
+        return of(x)
 
     return apply
+
+
+def _of_two(
+    traced: Callable[[Any, Any], Any], formula: Callable[[Expr, Expr], Expr],
+    original: Callable[..., Any],
+) -> Callable[..., Any]:  # fmt: skip
+    """A function of two numbers: traced, exact, else as it was."""
+
+    def apply(x: Any, y: Any, *rest: Any, **options: Any) -> Any:
+        if rest or options:
+            return original(x, y, *rest, **options)
+        if is_plain(x) and is_plain(y):
+            return exact(formula, original, x, y)
+        return traced(x, y)
+
+    return apply
+
+
+def _hypot(x: Any, *others: Any) -> Any:
+    return NUMPY["sqrt"](sum((y * y for y in others), x * x))
 
 
 class Module:
@@ -71,7 +106,7 @@ class _Kind(type):
         return isinstance(thing, Traced | float)
 
     def __call__(cls, x: Any = 0.0, *_: Any, **__: Any) -> Any:
-        return x if isinstance(x, Traced) else float(x)
+        return x if isinstance(x, Traced | Exact) else float(x)
 
 
 class Float(metaclass=_Kind):
@@ -136,20 +171,29 @@ NUMPY: dict[str, Any] = {
         "ones_like", "full", "identity", "ascontiguousarray",
     )},
     **{name: Float for name in ("float64", "float32", "double")},
+    **{name: _elementary(name, getattr(np, name)) for name in ELEMENTARY},
+    "pi": PI, "e": E,
     "random": Changing("np.random"),
     "linalg": Module(np.linalg, linear_systems.NUMPY),
-    "hypot": lambda x, y: np.sqrt(x * x + y * y),
-    "arctan2": lambda y, x: y.arctan2(x) if isinstance(y, Traced) else np.arctan2(y, x),
+    "hypot": _hypot,
+    "arctan2": _of_two(
+        lambda y, x: y.arctan2(x) if isinstance(y, Traced) else np.arctan2(y, x), sympy.atan2,
+        np.arctan2,
+    ),
+    "power": _of_two(np.power, operator.pow, np.power),
     "sign": _signs, "select": _selected,
     "finfo": lambda kind: np.finfo(float if kind is Float else kind),
 }  # fmt: skip
 MATH: dict[str, Any] = {
-    **{name: _elementary(name, getattr(math, name, abs)) for name in ELEMENTARY},
+    **{name: _elementary(name, getattr(math, name)) for name in ELEMENTARY if hasattr(math, name)},
     **{short: _elementary(long, getattr(math, short)) for short, long in ALIASES.items()},
+    "pi": PI,
+    "e": E,
+    "tau": TAU,
     "atan2": NUMPY["arctan2"],
     "pow": lambda x, y: x**y,
     "fmod": lambda x, y: x.fmod(y) if isinstance(x, Traced) else math.fmod(x, y),
-    "hypot": lambda x, *others: np.sqrt(sum((y * y for y in others), x * x)),
+    "hypot": _hypot,
 }
 LINEAR = {"numpy.linalg": linear_systems.NUMPY, "scipy.linalg": linear_systems.SCIPY}
 MODULES: dict[str, dict[str, Any]] = {
@@ -179,12 +223,12 @@ def stand_in(value: Any, depth: int = 0) -> Any:
         return Module(value, MODULES[value.__name__])
     if value is float:
         return Float
-    if value is np.sign:
-        return _signs
+    if value is math.pi:
+        return PI
     if isinstance(value, types.BuiltinFunctionType) and value.__module__ == "math":
         return MATH.get(value.__name__, value)
     for name, replacement in NUMPY.items():
-        if value is getattr(np, name, None) and not isinstance(value, np.ufunc):
+        if value is getattr(np, name, None):
             return replacement
     if found := _of_linear_systems(value):
         return found

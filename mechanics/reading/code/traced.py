@@ -31,6 +31,7 @@ from mechanics.reading.code.as_written import (
     subtracted,
 )
 from mechanics.reading.code.constants import constant_of
+from mechanics.reading.code.exact import ELEMENTARY, Exact
 from mechanics.reading.code.explorer import Condition, Explorer
 from mechanics.reading.demands import (
     CONSTANT_NAN,
@@ -266,6 +267,9 @@ def expression_of(value: Any, explorer: Explorer) -> Expr | None:
         return sympy.Integer(int(value))
     if isinstance(value, Fraction):
         return sympy.Rational(value.numerator, value.denominator)
+    if isinstance(value, Exact):
+        explorer.notes += [note for note in value.notes if note not in explorer.notes]
+        return value.expr
     if isinstance(value, float | np.floating) and isnan(value):
         return sympy.S.Zero  # it asks for what no state has
     if isinstance(value, float | np.floating):
@@ -297,17 +301,6 @@ def _method(name: str, function: Callable[[Expr], Expr]) -> None:
     apply.__name__, apply.__doc__ = name, f"{name} of the number."
     setattr(Traced, name, apply)
 
-
-ELEMENTARY: dict[str, Callable[[Expr], Expr]] = {
-    "sin": sympy.sin, "cos": sympy.cos, "tan": sympy.tan, "arcsin": sympy.asin,
-    "arccos": sympy.acos, "arctan": sympy.atan, "sinh": sympy.sinh, "cosh": sympy.cosh,
-    "tanh": sympy.tanh, "arcsinh": sympy.asinh, "arccosh": sympy.acosh, "arctanh": sympy.atanh,
-    "exp": sympy.exp, "log": sympy.log, "sqrt": sympy.sqrt,
-    "cbrt": lambda x: sympy.sign(x) * sympy.Abs(x) ** sympy.Rational(1, 3),
-    "fabs": sympy.Abs, "sign": sympy.sign,
-    "conjugate": lambda x: x,
-    "radians": lambda x: x * sympy.pi / 180, "deg2rad": lambda x: x * sympy.pi / 180,
-}  # fmt: skip
 
 for _name, _function in ELEMENTARY.items():
     _method(_name, _function)
