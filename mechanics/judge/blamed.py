@@ -16,6 +16,7 @@ from mechanics.blame.search.claim import claim_of, used
 from mechanics.blame.search.point import Points
 from mechanics.equations import Equations
 from mechanics.errors import MechanicsError
+from mechanics.judge.branches import blame_by_branch
 from mechanics.kernel import Verdict
 from mechanics.reading.from_sympy import Untreeable
 from mechanics.reading.place import Refused
@@ -143,8 +144,14 @@ def shown_with(points: Points, judged: Sequence[Judged], k: int) -> frozenset[in
 
 def _search(points: Points, judged: Sequence[Judged], k: int, budget: Budget) -> Blame:
     """The blame; the verdict stands whatever the search meets."""
+    statement = judged[k].statement
+
+    def search(one: Statement) -> Blame:
+        return blame_of(points, one, shown_with(points, judged, k), budget)
+
     try:
-        return blame_of(points, judged[k].statement, shown_with(points, judged, k), budget)
+        blame = blame_by_branch(points.truth, statement, judged[k].finding, search)
+        return blame or search(statement)
     except (MechanicsError, Refused, RecursionError) as error:
         words = str(error) if not isinstance(error, RecursionError) else "it is nested too deeply"
         return Blame((), (), searched=f"not searched: {words}")

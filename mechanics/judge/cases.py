@@ -51,6 +51,13 @@ def has_guard(row: Published, demands: Sequence[Demand]) -> bool:
     return any(is_guard(s, demands) for r in relations for s in (r, Not(r)))
 
 
+def has_parts(truth: Equations, row: Published) -> bool:
+    """Whether a row is told by cases that can be looked at one by one."""
+    if truth.scene.constraints or not isinstance(row.quantity, EquationOfMotion | Identity):
+        return False
+    return any(side.has(Piecewise) for side in row.sides)
+
+
 def check_cases(truth: Equations, row: Published, demands: Sequence[Demand] = ()) -> Finding | None:
     """The finding of a row with cases, from its cases one by one; None where that is no help.
 
@@ -62,22 +69,19 @@ def check_cases(truth: Equations, row: Published, demands: Sequence[Demand] = ()
     demands : sequence of Demand
         What it asks for; within a small guard of that it has to be near the truth only.
     """
-    kinds = (EquationOfMotion, Identity)
-    if truth.scene.constraints or not isinstance(row.quantity, kinds):
-        return None
-    if not any(side.has(Piecewise) for side in row.sides):
+    if not has_parts(truth, row):
         return None
     findings: list[Finding] = []
     open_ones: list[Finding] = []
     near: list[str] = []
     singular: list[str] = []
-    for conditions, sides in _parts(row):
+    for conditions, sides in parts_of(row):
         if conditions is None:
             return None
         if guard := [c for c in conditions if is_guard(c, demands)]:
             experiment = _in_region(truth, replace(row, sides=sides), {})
             found = inside(truth, conditions, experiment)
-            where = " and ".join(map(_in_words, guard))
+            where = " and ".join(map(in_words, guard))
             if found.apart is not None:
                 words = f"within its guard {where} the value is not near the truth"
                 far = found.apart
@@ -89,7 +93,7 @@ def check_cases(truth: Equations, row: Published, demands: Sequence[Demand] = ()
             finding = in_case(truth, replace(row, sides=sides), conditions)
         except Inadmissible:
             continue
-        words = " and ".join(map(_in_words, conditions))
+        words = " and ".join(map(in_words, conditions))
         if finding.verdict is Verdict.REFUTED:
             return replace(finding, evidence=f"{finding.evidence}, where {words}")
         if finding.shown:
@@ -108,7 +112,8 @@ def check_cases(truth: Equations, row: Published, demands: Sequence[Demand] = ()
     return replace(follows(worst[0].subject, findings), evidence=words, domain=domain)
 
 
-def _in_words(condition: Relational) -> str:
+def in_words(condition: Relational) -> str:
+    """A condition as people write it."""
     signs = {Eq: "=", Ne: "!="}
     sign = signs.get(type(condition))
     return f"{condition.lhs} {sign} {condition.rhs}" if sign else str(condition)
@@ -186,7 +191,7 @@ def _cases(
         before = (*before, Not(condition))
 
 
-def _parts(row: Published) -> Iterator[tuple[tuple[Relational, ...] | None, tuple[Expr, ...]]]:
+def parts_of(row: Published) -> Iterator[tuple[tuple[Relational, ...] | None, tuple[Expr, ...]]]:
     """Cases of a row with inequalities as their conditions; None for conditions of other kinds."""
     for conditions, sides in _cases(row.sides, ()):
         some = _split(conditions)

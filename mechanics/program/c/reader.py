@@ -776,7 +776,7 @@ class Reader:
         given = node.args.exprs if node.args else []
         if any(name in scope for scope in self.scopes):
             raise ExpressionError(f"{node.coord}: {name} is a variable here, and is called")
-        if name == "isfinite" and len(given) == 1:
+        if name == "isfinite" and len(given) == 1 and name not in self.source.functions:
             value = self.value(given[0])
             if isinstance(value, Real):
                 return Truth(Atom("finite", (value.node,)), exact=False)

@@ -13,9 +13,13 @@ from dataclasses import dataclass
 from mechanics.errors import ExpressionError
 from mechanics.program.c.library import FUNCTIONS, FUSED, SINCOS
 from mechanics.program.c.tokens import TOKEN
+from mechanics.reading.code.c_library import NAMES
 from mechanics.reading.code.taken_apart import Apart
 
-SINGLE = {name: known.kind for name, known in FUNCTIONS.items()} | SINCOS | FUSED
+SINGLE = (
+    {name: known.kind for name, known in FUNCTIONS.items()} | SINCOS | FUSED
+    | {f"{name}f": "float" for name in NAMES if not name.startswith("is")}
+)  # fmt: skip
 """Functions of the C library, and what they take."""
 
 SINGLE_NOTE = "single precision (float, sinf, 0.5f) is read as exact numbers"

@@ -25,6 +25,7 @@ from mechanics.reading.code.arguments import Arguments, arguments_of
 from mechanics.reading.code.as_written import Formula, Formulas, of_graph
 from mechanics.reading.code.c_constants import with_constants
 from mechanics.reading.code.c_flat import flat
+from mechanics.reading.code.c_library import with_library
 from mechanics.reading.code.c_macros import without_macros
 from mechanics.reading.code.c_person import defaults, known_meaning, of_the_header, without_comments
 from mechanics.reading.code.c_place import placed
@@ -186,7 +187,7 @@ def read_c(
 def _c_outputs(
     text: str, origin: str, wanted: Sequence[str], given: Arguments, size: int
 ) -> Outputs:
-    source = flat(parse(text, origin))
+    source = flat(with_library(parse(text, origin)))
     entries = [_entries(given.values[name]) for name in wanted]
     parameters = [
         *(

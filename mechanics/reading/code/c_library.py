@@ -1,0 +1,74 @@
+"""Functions of math.h that are others' by another name, as C has them; what has no exact meaning.
+
+fdim(x, y) = fmax(x - y, 0)     cbrt(x) = sign(x) |x|^(1/3)     isnan(x): x has no value
+"""
+
+from collections.abc import Iterator
+from dataclasses import replace
+from typing import Any
+
+from pycparser import c_ast
+
+from mechanics.errors import ExpressionError
+from mechanics.program.c.parse import Source, parse
+
+WRITTEN = """
+double fdim(double x, double y) { return fmax(x - y, 0.0); }
+double cbrt(double x) { return copysign(pow(fabs(x), 1.0 / 3.0), x); }
+double trunc(double x) { return copysign(floor(fabs(x)), x); }
+double round(double x) { return copysign(floor(fabs(x) + 0.5), x); }
+double exp2(double x) { return pow(2.0, x); }
+double log2(double x) { return log(x) / log(2.0); }
+double log10(double x) { return log(x) / log(10.0); }
+int isfinite(double x) { return x - x == 0.0; }
+int isnan(double x) { return x != x; }
+int isinf(double x) { return x - x != 0.0; }
+int signbit(double x) { return x < 0.0; }
+int isless(double x, double y) { return x < y; }
+int islessequal(double x, double y) { return x <= y; }
+int isgreater(double x, double y) { return x > y; }
+int isgreaterequal(double x, double y) { return x >= y; }
+"""
+"""Exact of real numbers: a value is finite, and one where the state gives it none is asked for."""
+
+NAMES = frozenset(parse(WRITTEN, "math.h").functions)
+
+ROUNDING = "rounds as the machine is set: write floor(x + 0.5)"
+NO_NUMBER = "is no real number: leave the case out, or write the number that bounds it"
+REFUSED = {
+    **dict.fromkeys(("rint", "nearbyint", "lrint", "llrint"), ROUNDING),
+    **dict.fromkeys(("lround", "llround"), "gives an integer: write round(x)"),
+    **dict.fromkeys(("remainder", "remquo", "drem"), "rounds a quotient: write fmod, or"
+                    " atan2(sin(x), cos(x)) where it wraps an angle"),
+    **dict.fromkeys(("abs", "labs", "llabs"), "is for integers in C: write fabs"),
+    **dict.fromkeys(("lgamma", "tgamma", "erfc", "j0", "j1", "jn", "y0", "y1", "yn"),
+                    "has no exact meaning here: write its formula where it has one"),
+    **dict.fromkeys(("frexp", "ldexp", "modf", "ilogb", "logb", "scalbn", "scalbln", "nextafter",
+                     "nexttoward", "fpclassify", "isnormal", "isunordered", "nan"),
+                    "asks for the bits of a double: write what it is for, as a formula"),
+    **dict.fromkeys(("INFINITY", "NAN", "HUGE_VAL", "HUGE_VALF", "DBL_MAX", "FLT_MAX"), NO_NUMBER),
+}  # fmt: skip
+"""Names of the library that are refused, and what to do."""
+
+
+def with_library(source: Source) -> Source:
+    """The source with those functions of math.h that others say as well.
+
+    Raises
+    ------
+    ExpressionError
+        For what has no exact meaning, by line and column.
+    """
+    for function in source.functions.values():
+        for node in _below(function.body):
+            name = getattr(node, "name", None)
+            if isinstance(node, c_ast.ID) and name in REFUSED and name not in source.functions:
+                call = "" if name.isupper() else "()"
+                raise ExpressionError(f"{node.coord}: {name}{call} {REFUSED[name]}")
+    return replace(source, functions={**parse(WRITTEN, "math.h").functions, **source.functions})
+
+
+def _below(node: Any) -> Iterator[Any]:
+    yield node
+    for _, child in node.children():
+        yield from _below(child)

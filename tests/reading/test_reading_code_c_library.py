@@ -1,0 +1,88 @@
+"""Functions of math.h as people call them: exact ones have their meaning, others are refused."""
+
+import pytest
+from rod_statements import ROD
+
+import mechanics
+from mechanics.errors import InputError
+from mechanics.kernel import Verdict
+from mechanics.report.answer.check import Check
+
+SHOWN = (Verdict.PROVED, Verdict.CERTIFIED)
+RIGHT = "3*g/(2*l)*sin(theta) + 3*u/(m*l*l)"
+CODE = """
+#include <math.h>
+double theta_ddot(double theta, double theta_dot, double u, double m, double l, double g)
+{
+    BODY
+}
+"""
+
+
+def check(body: str) -> Check:
+    text = CODE.replace("BODY", body.replace("RIGHT", RIGHT))
+    return mechanics.check(ROD, text, notation="c", blame=False)
+
+
+@pytest.mark.parametrize(
+    "more",
+    [
+        "fdim(theta, u) - fmax(theta - u, 0)",
+        "cbrt(u*u*u) - u",
+        "cbrtf(u) - cbrt(u)",
+        "trunc(1.5) - 1 + trunc(-1.5) + 1",
+        "round(2.5) - 3 + round(-2.5) + 3",
+        "exp2(2.0) - 4 + log2(u*u + 2)*log(2.0) - log(u*u + 2) + log10(10.0) - 1",
+        "fmax(theta, u) + fmin(theta, u) - theta - u",
+        "copysign(theta, u) + copysign(theta, -u) + 0*copysign(u, 1)",
+        "fabs(theta) - copysign(theta, 1.0)",
+        "sin(M_PI_2) - 1 + M_SQRT2*M_SQRT1_2 - 1",
+        "(isgreater(u, 2) ? 1 : 0) + (islessequal(u, 2) ? 1 : 0) - 1",
+    ],
+)
+def test_a_function_has_its_exact_meaning(more: str) -> None:
+    assert check(f"return RIGHT + {more};").verdict in SHOWN
+
+
+@pytest.mark.parametrize(
+    "more", ["fdim(theta, u)", "cbrt(u)", "trunc(u)", "round(u)", "signbit(u)", "log2(u*u + 2)"]
+)
+def test_a_function_is_not_zero(more: str) -> None:
+    assert check(f"return RIGHT + {more};").verdict is Verdict.REFUTED
+
+
+@pytest.mark.parametrize("asked", ["isnan(a)", "!isfinite(a)", "isinf(a)"])
+def test_a_guard_of_what_has_values_is_never_taken(asked: str) -> None:
+    assert check(f"double a = RIGHT; if ({asked}) return 0; return a;").verdict in SHOWN
+
+
+def test_a_guard_of_what_has_no_value_somewhere_says_where() -> None:
+    found = check("if (isnan(sqrt(theta))) return 0; return RIGHT;")
+    assert "theta >= 0" in str(found)
+    assert not found.ok
+
+
+@pytest.mark.parametrize(
+    ("body", "words"),
+    [
+        ("return rint(theta);", "rint() rounds as the machine is set: write floor(x + 0.5)"),
+        ("return nearbyint(theta);", "write floor(x + 0.5)"),
+        ("return remainder(theta, u);", "write fmod"),
+        ("return abs(theta);", "abs() is for integers in C: write fabs"),
+        ("return tgamma(theta);", "tgamma() has no exact meaning here"),
+        ("if (u > INFINITY) return 0; return RIGHT;", "INFINITY is no real number"),
+        ("return NAN;", "NAN is no real number"),
+        ("return ldexp(theta, 2);", "asks for the bits of a double"),
+    ],
+)
+def test_what_has_no_exact_meaning_is_one_line(body: str, words: str) -> None:
+    with pytest.raises(InputError, match=r"code\.c, line 5, column \d+: ") as caught:
+        check(body)
+    (line,) = str(caught.value).splitlines()
+    assert words in line
+
+
+def test_a_function_of_the_file_is_its_own() -> None:
+    own = "static double fdim(double x, double y) { return 0*x*y; }" + CODE
+    text = own.replace("BODY", f"return {RIGHT} + fdim(theta, u);")
+    assert mechanics.check(ROD, text, notation="c", blame=False).verdict in SHOWN
