@@ -133,6 +133,37 @@ def makes_verdicts(tree: ast.Module) -> Breaches:
                 yield node.lineno, "a verdict stays: mechanics.kernel makes another finding"
 
 
+def keeps_objects(tree: ast.Module) -> Breaches:
+    """Caches by a scene, equations or a model: state of the module that no caller sees."""
+    for node in ast.walk(tree):
+        if isinstance(node, ast.ImportFrom | ast.Import):
+            for alias in node.names:
+                if alias.name == "WeakKeyDictionary":
+                    yield node.lineno, "WeakKeyDictionary: what is made once is handed on"
+        if not isinstance(node, ast.FunctionDef):
+            continue
+        decorators = {ast.unparse(one).partition("(")[0] for one in node.decorator_list}
+        arguments = [*node.args.posonlyargs, *node.args.args, *node.args.kwonlyargs]
+        annotations = {ast.unparse(a.annotation) for a in arguments if a.annotation is not None}
+        kept = {name for text in annotations for name in re.findall(r"\w+", text)} & OBJECTS
+        if kept and {name.rpartition(".")[2] for name in decorators} & {"cache", "lru_cache"}:
+            yield node.lineno, f"{node.name} is kept by {', '.join(sorted(kept))}: hand it on"
+
+
+OBJECTS = {
+    "Case", "Derived", "Equations", "Graphs", "Kinematics", "Mechanism", "Model", "Physics",
+    "Problem", "Scene", "System", "View",
+}  # fmt: skip
+"""Data of mechanics with an identity; texts, numbers and programs are compared by value."""
+KEEPERS = {
+    *(f"blame/{name}" for name in (
+        "candidates", "entries", "explanations", "folded", "groups", "mistakes/inertia",
+        "mistakes/slip", "mistakes/turning", "origin", "pieces", "reduced", "rows",
+    )),
+    "judge/check", "judge/right_if", "kinematics/manifold", "reading/directions",
+}  # fmt: skip
+"""Modules that still do: whoever mends one takes it out, none comes in."""
+
 MADE_BY_THE_KERNEL = {"Finding", "Witness", "Gap"}
 FIXED, SIDES = {"verdict", "error_bound"}, {"left", "right"}
 """What `dataclasses.replace` may not change in findings, and besides in witnesses."""
@@ -218,6 +249,12 @@ def test_only_the_kernel_makes_findings() -> None:
     assert breaches(makes_verdicts, others) == []
 
 
+def test_no_module_keeps_what_it_was_asked_for() -> None:
+    keepers = {ROOT / f"mechanics/{name}.py" for name in KEEPERS}
+    others = [path for path in files(*PACKAGES, suffix=".py") if path not in keepers]
+    assert breaches(keeps_objects, others) == []
+
+
 LINES_OF_A_VERDICT = 7023
 """The aim is 4,000: whoever makes it less writes the new figure here."""
 
@@ -279,6 +316,9 @@ def test_every_import_is_installed_by_the_package() -> None:
         (makes_verdicts, "replace(witness, left='1')"),
         (makes_verdicts, "from mechanics.kernel import Finding as F"),
         (makes_verdicts, "replace(finding, verdict=Verdict.PROVED)"),
+        (keeps_objects, "from weakref import WeakKeyDictionary"),
+        (keeps_objects, "@lru_cache(maxsize=2)\ndef f(truth: Equations | None): return 1"),
+        (keeps_objects, "@functools.cache\ndef f(n: int, *, of: Sequence[Scene]): return 1"),
         (asserts_nothing, "class TestA:\n    def test_a(self): print(1)"),
         (undeclared_imports, "import no_such_package.part"),
         (undeclared_imports, "from pytest import raises"),
@@ -296,6 +336,7 @@ def test_laws_find_a_breach(law: Callable[[ast.Module], Breaches], source: str) 
         (swallows_errors, "try: pass\nexcept (KeyError, ValueError): pass"),
         (swallows_errors, "try: pass\nexcept Exception as e: raise ValueError(e) from None"),
         (makes_verdicts, "def f() -> Finding: return replace(finding, subject='')"),
+        (keeps_objects, "@cache\ndef f(text: str): return 1\ndef g(scene: Scene): return 1"),
         (asserts_nothing, "def test_a():\n    with pytest.raises(ValueError): f()"),
         (asserts_nothing, "def test_a():\n    np.testing.assert_allclose(1, 1)"),
         (undeclared_imports, "import flint, sympy.physics\nfrom mechanics.scene import Scene"),

@@ -23,7 +23,6 @@ from mechanics.compiled import Model, compile
 from mechanics.crosscheck import derive
 from mechanics.simulate import ensemble
 from mechanics.simulate.integrators.heyoka import equations
-from mechanics.simulate.integrators.rate import motion_program, rate_entries
 from systems import elastic_pendulum
 
 DURATION = 10.0
@@ -100,7 +99,8 @@ class OneByOne:
     def __init__(self, given: Motions, tolerance: float, **settings: bool) -> None:
         import heyoka as hy
 
-        written = equations(motion_program(given.model), rate_entries(given.model)["y"])
+        known = given.model.right_hand_side
+        written = equations(known.program, known.entries["y"])
         self._given = given
         self._solver = hy.taylor_adaptive(written, given.start[0].copy(), tol=tolerance, **settings)
 
@@ -121,7 +121,8 @@ class InBatches:
     def __init__(self, given: Motions, tolerance: float, size: int, **settings: bool) -> None:
         import heyoka as hy
 
-        written = equations(motion_program(given.model), rate_entries(given.model)["y"])
+        known = given.model.right_hand_side
+        written = equations(known.program, known.entries["y"])
         rest = -len(given.start) % size
         rows = [np.concatenate([a, a[:rest]]) for a in (given.start, given.p)]
         self._start, self._p = (np.ascontiguousarray(a.T) for a in rows)

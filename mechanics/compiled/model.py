@@ -23,6 +23,7 @@ from mechanics.compiled.graphs import Graphs
 from mechanics.compiled.machine.evaluator import FLAGS
 from mechanics.compiled.machine.native import find_compiler
 from mechanics.compiled.programs.of_model import Programs
+from mechanics.compiled.right_hand_side import RightHandSide
 from mechanics.equations import Equations
 from mechanics.errors import wanted
 
@@ -38,6 +39,11 @@ class Model(Functions):
 
     def __repr__(self) -> str:
         return f"<model of {self.equations.scene.name} by {self.equations.route}: {self.backend}>"
+
+    @cached_property
+    def right_hand_side(self) -> RightHandSide:
+        """y' = f(y, inputs, p), for integrators."""
+        return RightHandSide(self.casadi, self.compiler, self.flags)
 
     @cached_property
     def _one(self) -> OneState:

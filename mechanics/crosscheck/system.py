@@ -41,7 +41,7 @@ from mechanics.crosscheck.small_motions import small_motions
 from mechanics.equations import Equations
 from mechanics.errors import wanted
 from mechanics.kernel import Finding, Verdict
-from mechanics.linear.ledger import check_linear_row
+from mechanics.linear.ledger import check_linear_row, linear_equations
 from mechanics.report.result import LedgerResult, RouteResult, SystemResult
 from mechanics.routes.derivation import as_program, by_route, steps_of
 from mechanics.scene import Scene
@@ -285,6 +285,7 @@ def _ledger(
     first = next(iter(derived.values()))
     mechanical = derived.get("free_body", first)
     linear = next((e for e in derived.values() if e.conjugate), first)
+    linears = linear_equations(rows, linear)
     for row in rows:
         if isinstance(row.quantity, ReactionValue):
             name = row.quantity.name
@@ -293,7 +294,7 @@ def _ledger(
         elif isinstance(row.quantity, QUANTITIES):
             yield LedgerResult(row, check_row(scene, row, mechanical))
         else:
-            yield LedgerResult(row, check_linear_row(scene, row, linear))
+            yield LedgerResult(row, check_linear_row(scene, row, linear, linears))
 
 
 def _graphs(models: Mapping[str, Model]) -> Iterator[Finding]:

@@ -6,7 +6,6 @@ an equation   left = right wherever the derived equation holds, and it is no ide
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from functools import lru_cache
 from typing import Any
 
 from sympy import Expr, ImmutableMatrix, Matrix, Symbol, sympify
@@ -191,9 +190,8 @@ def entries(side: Expr | Matrix) -> list[Expr]:
     return list(side) if isinstance(side, MatrixBase) else [side]
 
 
-@lru_cache(maxsize=32)
 def linear_at(equations: Equations, point: OperatingPoint) -> Linear:
-    """The equations linearised about an operating point, once for all rows about it."""
+    """The equations linearised about an operating point."""
     return linearise(equations, dict(point.coordinates), dict(point.inputs))
 
 

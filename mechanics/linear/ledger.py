@@ -3,7 +3,7 @@
 typed side = derived side;    typed equation holds wherever the derived one does
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable, Mapping
 
 from sympy import Expr, Symbol
 
@@ -14,7 +14,7 @@ from mechanics.linear import control_rows, modal_rows
 from mechanics.linear.case import Case, linear_at
 from mechanics.linear.form import Linear
 from mechanics.scene import Scene
-from mechanics.scene.linear_quantities import InertiaAbout, LinearQuantity
+from mechanics.scene.linear_quantities import InertiaAbout, LinearQuantity, OperatingPoint
 from mechanics.scene.published import Published, Quantity
 
 CHECKS: dict[type[LinearQuantity], Callable[[Case], Finding]] = {
@@ -26,7 +26,18 @@ QUANTITIES: tuple[type[Quantity], ...] = tuple(CHECKS)
 """What this ledger can check; rows about other quantities belong to other checks."""
 
 
-def check_linear_row(scene: Scene, row: Published, equations: Equations) -> Finding:
+Linears = Mapping[OperatingPoint, Linear]
+
+
+def linear_equations(rows: Iterable[Published], equations: Equations) -> Linears:
+    """The equations linearised about each operating point of some rows, once for all about it."""
+    points = [row.quantity.point for row in rows if isinstance(row.quantity, LinearQuantity)]
+    return {point: linear_at(equations, point) for point in dict.fromkeys(points)}
+
+
+def check_linear_row(
+    scene: Scene, row: Published, equations: Equations, linears: Linears | None = None
+) -> Finding:
     """Compare every typed side of a row with the quantity that the row is about.
 
     Parameters
@@ -37,6 +48,8 @@ def check_linear_row(scene: Scene, row: Published, equations: Equations) -> Find
     equations : Equations
         Of one route for this scene; its rows have to be power-conjugate (`lagrange`, `kane`) for
         inertias and determinants.
+    linears : mapping of OperatingPoint to Linear, optional
+        These equations, linearised by `linear_equations`, where several rows are about a point.
 
     Returns
     -------
@@ -58,7 +71,8 @@ def check_linear_row(scene: Scene, row: Published, equations: Equations) -> Find
         )
     if equations.scene is not scene:
         raise InputError(f"{subject}: the equations belong to the scene {equations.scene.name}")
-    linear = linear_at(equations, row.quantity.point)
+    point = row.quantity.point
+    linear = linears[point] if linears else linear_at(equations, point)
     check = CHECKS[type(row.quantity)]
     try:
         return check(Case(subject, row, linear, _names(linear, row.quantity)))

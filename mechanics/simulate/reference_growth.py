@@ -17,7 +17,6 @@ from scipy.integrate import LSODA
 from mechanics.compiled.machine.evaluator import evaluator
 from mechanics.program.casadi_reader import read_routine
 from mechanics.simulate.integrators.problem import Problem
-from mechanics.simulate.integrators.rate import rate_entries, rate_function
 
 Array = NDArray[np.float64]
 
@@ -118,7 +117,7 @@ class _Variational:
 
     def __init__(self, problem: Problem) -> None:
         model = problem.model
-        rate = rate_function(model)
+        rate = model.right_hand_side.rate.function
         y, w, p = rate.sx_in()
         columns = ca.SX.sym("v", y.numel(), y.numel())
         value = rate(y, w, p)
@@ -127,7 +126,7 @@ class _Variational:
         function = ca.Function(
             "variational", [state, w, p], ca.cse([ca.densify(slopes)]), ["y", "inputs", "p"], ["yd"]
         )
-        names = rate_entries(model)
+        names = model.right_hand_side.entries
         grown = tuple(f"v{i + 1}" for i in range(y.numel() ** 2))
         entries = {**names, "y": (*names["y"], *grown)}
         kernel = evaluator(

@@ -12,32 +12,20 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
-from weakref import WeakKeyDictionary
 
-from mechanics.compiled.forms.members import ELIMINATION, PRIMITIVE
-from mechanics.compiled.graphs import STATE, Graphs
-from mechanics.compiled.model import Model
 from mechanics.errors import SingularError
 from mechanics.program import Builder, Program
-from mechanics.program.builder import Node
-from mechanics.program.casadi_reader import read as read_graph
 from mechanics.program.interpret import include
-from mechanics.program.sympy_reader import read as read_expressions
 from mechanics.program.taylor import Recurrences, recurrences
 from mechanics.simulate.integrators.problem import OverBudget, Problem
-from mechanics.simulate.integrators.rate import motion_graphs, rate_entries
 from mechanics.simulate.reference_series import FixedPoint, Taylor
 
 # Steps after which the solution is given up, and after how many it is known what it will take.
 STEPS, TRIAL = 40_000, 20
-# Instructions below which it does not pay to look for another form.
-SHORT = 120
 # log2 of how far the reach of a polynomial may differ from the step that scales its coefficients:
 # beyond it their last bits would be amplified, and well below it the terms in the middle
 # would be larger than the solution.
 LEAST, MOST = -1.0, 0.5
-
-_known: WeakKeyDictionary[Model, Program] = WeakKeyDictionary()
 
 
 @dataclass(frozen=True, eq=False)
@@ -81,13 +69,14 @@ class Exact:
 
 def exact(problem: Problem) -> Exact:
     """The equations with exact constants, and numbers as the rationals that doubles are."""
-    names, timed = rate_entries(problem.model), "t" in problem.varying
+    known, timed = problem.model.right_hand_side, "t" in problem.varying
+    names = known.entries
     start = dict(zip(names["y"], map(_rational, problem.start), strict=True))
     held = dict(zip(names["inputs"], map(_rational, problem.signals(0.0)), strict=True))
     held |= dict(zip(names["p"], map(_rational, problem.p), strict=True))
     if timed:
         start["t"] = held.pop("t")
-    program = _shortest(problem.model)
+    program = known.shortest
     if timed:
         builder = Builder()
         outputs = {"yd": [*include(builder, program)["yd"], builder.one]}
@@ -97,42 +86,6 @@ def exact(problem: Problem) -> Exact:
 
 def _rational(value: float) -> Fraction:
     return Fraction(float(value))
-
-
-def _shortest(model: Model) -> Program:
-    """The rate in the form with the fewest operations: in exact numbers all forms are equal."""
-    if model not in _known:
-        _known[model] = _searched(model)
-    return _known[model]
-
-
-def _searched(model: Model) -> Program:
-    best = _rate(motion_graphs(model), rate_entries(model))
-    if best.count < SHORT or model.equations.textbook is None:
-        return best
-    for form in (ELIMINATION, PRIMITIVE):
-        if form.name == model.form or form.unsuited(model.equations):
-            continue
-        other = _rate(motion_graphs(model, form.name), rate_entries(model))
-        best = min(best, other, key=lambda program: program.count)
-    return best
-
-
-def _rate(graphs: Graphs, names: Mapping[str, Sequence[str]]) -> Program:
-    """``yd``, its constants exact, of inputs by name."""
-    builder = Builder()
-    q = names["y"][: len(graphs.quantities.q)]
-    groups = (q, names["y"][len(q) :], names["inputs"], names["p"])
-    arguments = {
-        name: [builder.input(entry) for entry in group]
-        for name, group in zip(STATE, groups, strict=True)
-    }
-    rates: list[Node] = []
-    for name, output in (("coordinate_rates", "qd"), ("forward_dynamics", "ud")):
-        function, constants = graphs.exact(name)
-        arguments["constants"] = [*read_expressions(builder, constants)]
-        rates += read_graph(builder, function, arguments)[output]
-    return builder.program({"yd": rates}, [entry for group in groups for entry in group])
 
 
 def solve(

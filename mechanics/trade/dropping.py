@@ -19,7 +19,6 @@ from mechanics.errors import MechanicsError
 from mechanics.linear.values import with_numbers
 from mechanics.scene import Scene
 from mechanics.simulate.integrators import Outcome, Problem
-from mechanics.simulate.integrators.rate import rate_program
 from mechanics.simulate.values import for_equations, read_parameters
 from mechanics.trade.case import BUDGET, Case
 from mechanics.trade.choice import Choice
@@ -80,7 +79,7 @@ def dropped(case: Case, derive: Derive, choice: Choice) -> tuple[Dropped, ...]:
 
 def operations(model: Model) -> int:
     """Arithmetic operations of the right-hand side."""
-    return rate_program(model).operations
+    return model.right_hand_side.rate.routine.operations
 
 
 def _without(case: Case, part: Part, derive: Derive, choice: Choice) -> Dropped:

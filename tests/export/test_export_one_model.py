@@ -13,7 +13,6 @@ from mechanics.crosscheck.fmu import write_fmu
 from mechanics.equations import Equations
 from mechanics.export import write_c as write_and_prove
 from mechanics.export.evidence.verify import Outcome, verify
-from mechanics.simulate.integrators.rate import motion_graphs
 from systems import SEED
 
 pytestmark = pytest.mark.campaign
@@ -67,9 +66,9 @@ def test_the_unit_holds_what_was_checked(name: str, tmp_path: Path) -> None:
 
 def test_a_simulation_integrates_the_graphs_of_the_model() -> None:
     model = compile(checked("rocker"), compiler=None)
-    assert motion_graphs(model) is model.casadi
+    assert model.right_hand_side.graphs is model.casadi
     # Where the model was not asked for what a motion needs, it is made in the model's own form.
     less = compile(checked("rocker"), compiler=None, outputs=["energy"])
-    graphs = motion_graphs(less)
+    graphs = less.right_hand_side.graphs
     left, right = (str(g["forward_dynamics"]) for g in (graphs, model.casadi))
     assert left == right

@@ -20,17 +20,18 @@ from benchmarks.problems import pose
 from mechanics.compiled import Model, compile
 from mechanics.compiled.machine.library import FLAGS, REMARKS, build, find_compiler
 from mechanics.compiled.machine.vectorised import TELL, loop_line, vectorised
+from mechanics.compiled.right_hand_side import Held
 from mechanics.crosscheck import derive
 from mechanics.errors import ExpressionError
-from mechanics.program.casadi_reader import read_routine
+from mechanics.program import Program
 from mechanics.scene import Particle, Scene, force, parameters
 from mechanics.simulate import Ensemble, Status, ensemble, simulate
 from mechanics.simulate.constraints import manifold
 from mechanics.simulate.ensembles.choice import best
 from mechanics.simulate.ensembles.explicit import RATE, dop853_source
-from mechanics.simulate.ensembles.library import Library, ensemble_function
+from mechanics.simulate.ensembles.library import Library
 from mechanics.simulate.ensembles.run import Control, integrated
-from mechanics.simulate.ensembles.taylor import order, rate_program, taylor_source
+from mechanics.simulate.ensembles.taylor import order, taylor_source
 from mechanics.simulate.integrators import INTEGRATORS, Problem, Setting
 from mechanics.simulate.reference import reference
 from systems import ALL
@@ -198,7 +199,7 @@ def test_series_of_every_operation(name: str) -> None:
     f = OPERATIONS[name]
     graph = ca.Function("rate", [y, p], [ca.vertcat(f(y[0]) + 0.1, f(p) * y[0])], ["y", "held"],
                         ["yd"])  # fmt: skip
-    method = Library(graph, 2, str(find_compiler()), taylor_source)
+    method = Library(Held(graph), 2, str(find_compiler()), taylor_source)
     start = np.column_stack([np.linspace(0.05, 0.4, 18), np.zeros(18)])
     held, times = np.linspace(0.1, 0.6, 18)[:, None].copy(), np.array([0.0, 0.2, 0.3])
     by = Control(1e-13, order(1e-13), 1000)
@@ -215,13 +216,17 @@ def test_series_of_every_operation(name: str) -> None:
         assert np.allclose(found.states[i], exact, rtol=1e-10, atol=1e-11)
 
 
+def rate_program(held: Held) -> tuple[Program, tuple[str, ...]]:
+    return held.program, held.state
+
+
 def test_what_has_no_series_is_left_to_dop853() -> None:
     y, p = ca.SX.sym("y"), ca.SX.sym("p")
     graph = ca.Function("rate", [y, p], [-p * ca.fabs(y)], ["y", "held"], ["yd"])
     with pytest.raises(ExpressionError, match="operation abs has no Taylor series"):
-        taylor_source(graph)
-    assert best(*rate_program(graph), 1e-12) == "dop853"
-    method = Library(graph, 1, str(find_compiler()), dop853_source)
+        taylor_source(Held(graph))
+    assert best(*rate_program(Held(graph)), 1e-12) == "dop853"
+    method = Library(Held(graph), 1, str(find_compiler()), dop853_source)
     times = np.array([0.0, 2.0])
     found = integrated(method, np.ones((1, 1)), np.ones((1, 1)), times, Control(1e-9, 0, 999), 1)
     assert abs(found.states[0, 1, 0] - np.exp(-2)) < 1e-8
@@ -229,13 +234,13 @@ def test_what_has_no_series_is_left_to_dop853() -> None:
 
 def test_choice_goes_by_counted_operations() -> None:
     """A series for a few products and small errors; many bodies are cheaper by their slopes."""
-    small = rate_program(ensemble_function(model_of("elastic_pendulum")))
+    small = rate_program(model_of("elastic_pendulum").right_hand_side.held)
     assert [best(*small, share) for share in (1e-12, 1e-18)] == ["taylor", "taylor"]
     y, p = ca.SX.sym("y", 40), ca.SX.sym("p")
     products = ca.vertcat(*(y[i] * y[j] * ca.sin(y[i] - y[j]) for i, j in PAIRS))
     rates = products[:40] + products[40:80]
     graph = ca.Function("rate", [y, p], [rates], ["y", "held"], ["yd"])
-    assert best(*rate_program(graph), 1e-6) == "dop853"
+    assert best(*rate_program(Held(graph)), 1e-6) == "dop853"
 
 
 def test_linear_motion_takes_a_few_steps_and_is_exact() -> None:
@@ -244,7 +249,7 @@ def test_linear_motion_takes_a_few_steps_and_is_exact() -> None:
     graph = ca.Function(
         "rate", [y, p], [ca.vertcat(y[1], p, ca.SX(0))], ["y", "held"], ["yd"]
     )  # fmt: skip
-    method = Library(graph, 3, str(find_compiler()), taylor_source)
+    method = Library(Held(graph), 3, str(find_compiler()), taylor_source)
     start, held = np.array([[1.0, -2.0, 0.0]]), np.array([[3.0]])
     times = np.array([0.0, 10.0, 1000.0])
     found = integrated(method, start, held, times, Control(1e-12, 16, 1000), 1)
@@ -261,7 +266,7 @@ def test_angles_beyond_the_inline_sine() -> None:
     near, far = np.array([0.3, 0.0]), np.array([2e6, 0.0])
     times, held = np.array([0.0, 2.0]), np.full((17, 1), 1.5)
     for source in (taylor_source, dop853_source):
-        method = Library(graph, 2, str(find_compiler()), source)
+        method = Library(Held(graph), 2, str(find_compiler()), source)
         by = Control(1e-13, 18, 1000)
         alone = integrated(method, np.tile(near, (17, 1)), held, times, by, 1).states
         start = np.tile(near, (17, 1))
@@ -303,12 +308,12 @@ def test_slopes_are_computed_in_vectors(name: str) -> None:
     compiler = shutil.which(name)
     if compiler is None:
         pytest.skip(f"no {name} here")
-    function = ensemble_function(model_of("elastic_pendulum"))
+    function = model_of("elastic_pendulum").right_hand_side.held
     method = Library(function, 4, compiler, dop853_source)
     file = build(method.text, compiler, [*FLAGS, *method.flags.split(), TELL[name]], ["-lm"])
     remarks = file.with_suffix(REMARKS).read_text(encoding="utf-8")
     line = loop_line(method.text, f"{RATE}_lanes")
-    assert vectorised(remarks, compiler, line, 8, read_routine(function)).lanes > 1
+    assert vectorised(remarks, compiler, line, 8, function.routine).lanes > 1
 
 
 @pytest.mark.parametrize("name", ["gcc", "clang"])
@@ -319,7 +324,7 @@ def test_series_are_computed_in_vectors(name: str, tmp_path: Path) -> None:
         pytest.skip(f"no {name} here")
     if platform.machine() != "x86_64":
         pytest.skip("reads the instructions of x86_64")
-    method = Library(ensemble_function(model_of("elastic_pendulum")), 4, compiler, taylor_source)
+    method = Library(model_of("elastic_pendulum").right_hand_side.held, 4, compiler, taylor_source)
     source, assembly = tmp_path / "series.c", tmp_path / "series.s"
     source.write_text(method.text + "\nvoid *mechanics_expand = (void *)expand;\n")
     settings = [*FLAGS, *method.flags.split(), "-fno-inline-small-functions"]

@@ -15,12 +15,10 @@ from mechanics.compiled.model import Model
 from mechanics.compiled.tableaus import TABLEAUX
 from mechanics.errors import InputError, wanted
 from mechanics.simulate.ensembles.choice import best
-from mechanics.simulate.ensembles.library import ensemble_function
 from mechanics.simulate.ensembles.motions import Motions, read_motions
 from mechanics.simulate.ensembles.one_by_one import one_by_one
 from mechanics.simulate.ensembles.outcome import Ensemble
 from mechanics.simulate.ensembles.run import ADAPTIVE, FIXED, Run, adaptive, fixed
-from mechanics.simulate.ensembles.taylor import rate_program
 from mechanics.simulate.integrators.loop import plan
 
 Array = NDArray[np.float64]
@@ -133,7 +131,8 @@ def _run(motions: Motions, name: str, by: float, budget: int, threads: int) -> R
     if name in FIXED:
         return fixed(motions, TABLEAUX[FIXED.index(name)], by, threads)
     share = by if name == "dop853" else by * SHARE
-    chosen = best(*rate_program(ensemble_function(model)), share) if name == AUTO else name
+    held = model.right_hand_side.held
+    chosen = best(held.program, held.state, share) if name == AUTO else name
     if chosen == "dop853":
         share = max(share, FINEST_STEP)
     return adaptive(motions, chosen, share, budget, threads)

@@ -9,15 +9,15 @@ ends of a step. The coefficients are SciPy's.
 
 from collections.abc import Sequence
 from fractions import Fraction
+from functools import lru_cache
 
-import casadi as ca
 from scipy.integrate import DOP853
 
 from mechanics.compiled.c.batch import batch_source
 from mechanics.compiled.c.sine import sine_source
 from mechanics.compiled.c.source import function_source, literal, signature
+from mechanics.compiled.right_hand_side import Held
 from mechanics.compiled.step import Tableau
-from mechanics.program.casadi_reader import read_routine
 from mechanics.program.routine import Routine
 from mechanics.simulate.ensembles.text import text
 
@@ -25,6 +25,7 @@ RATE = "mechanics_rate"
 Row = Sequence[Fraction | float]
 
 
+@lru_cache(maxsize=16)
 def rate_source(code: Routine) -> str:
     """``rate(y, held, yd)`` of a block of lanes, by the batch text of the program."""
     entries = {name: tuple(f"{name}{k}" for k in range(size)) for name, size in code.inputs}
@@ -47,14 +48,14 @@ def _arrays(code: Routine) -> str:
     return ", ".join([*given, "(double *)yd"])
 
 
-def dop853_source(function: ca.Function) -> str:
+def dop853_source(of: Held) -> str:
     """Steps of DOP853, each lane with its own control."""
     stages, more = len(DOP853.B), len(DOP853.A_EXTRA)
     rows = [*DOP853.A[1:].tolist(), DOP853.B.tolist()]
     extra = [row[: stages + 1 + i] for i, row in enumerate(DOP853.A_EXTRA.tolist())]
     dense = ",\n".join(f"    {{{', '.join(map(_number, row))}}}" for row in DOP853.D.tolist())
     return "\n".join([
-        rate_source(read_routine(function)),
+        rate_source(of.routine),
         f"enum {{ STAGES = {stages}, MORE = {more}, DENSE = {len(DOP853.D)} }};",
         "typedef struct {",
         "    L slopes[STAGES + 1 + MORE][SIZE], old[SIZE], length, careful;",
@@ -71,10 +72,10 @@ def dop853_source(function: ca.Function) -> str:
     ])  # fmt: skip
 
 
-def fixed_source(function: ca.Function, tableau: Tableau) -> str:
+def fixed_source(of: Held, tableau: Tableau) -> str:
     """Steps of one length for all."""
     return "\n".join([
-        rate_source(read_routine(function)),
+        rate_source(of.routine),
         f"enum {{ STAGES = {len(tableau.a)} }};",
         _stages("stages", tableau.a[1:], 1),
         _sum("slope", tableau.b),

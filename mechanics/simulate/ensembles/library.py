@@ -5,56 +5,25 @@ computed in the same way wherever it stands, so the results do not depend on the
 """
 
 import ctypes
-from collections.abc import Callable, Hashable, Sequence
+from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from itertools import pairwise
-from weakref import WeakKeyDictionary
 
-import casadi as ca
 import numpy as np
 
 from mechanics.compiled.machine.library import load
 from mechanics.compiled.machine.native import affordable
 from mechanics.compiled.machine.vectorised import settings
 from mechanics.compiled.model import Model
+from mechanics.compiled.right_hand_side import Held
 from mechanics.simulate.ensembles.text import text
-from mechanics.simulate.integrators.rate import rate_function
 
-Source = Callable[[ca.Function], str]
+Source = Callable[[Held], str]
 
 ALIGNED = 64
 """Bytes of the widest vectors."""
 # Products that are added are one operation where the machine has it.
 FUSED = "-ffp-contract=fast"
-
-_functions: WeakKeyDictionary[Model, ca.Function] = WeakKeyDictionary()
-_libraries: WeakKeyDictionary[Model, dict[Hashable, "Library"]] = WeakKeyDictionary()
-
-
-def ensemble_function(model: Model) -> ca.Function:
-    """``rate(y, held)``: y' from the state, with t as its last entry if it is held, and the rest.
-
-    What is held are the inputs without t, and the parameters.
-    """
-    if model not in _functions:
-        function, names = rate_function(model), model.entries["inputs"]
-        y, w, p = function.sx_in()
-        state, given = y, w
-        rates = function(y, w, p)
-        if timed(model):
-            time = w[names.index("t")]
-            state, rates = ca.vertcat(y, time), ca.vertcat(rates, 1)
-            given = ca.vertcat(*(w[i] for i, name in enumerate(names) if name != "t"))
-        held = ca.vertcat(given, p)
-        _functions[model] = ca.Function(
-            "rate", [state, held], [ca.densify(rates)], ["y", "held"], ["yd"]
-        )
-    return _functions[model]
-
-
-def timed(model: Model) -> bool:
-    """Whether the time is among the inputs."""
-    return "t" in model.entries["inputs"]
 
 
 class Library:
@@ -62,7 +31,7 @@ class Library:
 
     Parameters
     ----------
-    function : casadi.Function
+    of : Held
         y' from the state and from what is held.
     moving : int
         Entries of the state whose errors count: the first ones.
@@ -81,12 +50,13 @@ class Library:
         If the compiler refuses the code; the message carries its words.
     """
 
-    def __init__(self, function: ca.Function, moving: int, compiler: str, source: Source) -> None:
+    def __init__(self, of: Held, moving: int, compiler: str, source: Source) -> None:
+        function = of.function
         size, held = function.numel_in(0), function.numel_in(1)
         self.text = "\n".join([
             text("lanes.h"),
             f"enum {{ SIZE = {size}, HELD = {held}, MOVING = {moving} }};",
-            source(function),
+            source(of),
         ])  # fmt: skip
         self.flags = f"{affordable(settings(compiler), function.n_instructions())} {FUSED}"
         library = load(self.text, compiler, self.flags)
@@ -131,17 +101,8 @@ def at(array: np.ndarray) -> ctypes.c_void_p:
     return ctypes.c_void_p(array.ctypes.data)
 
 
-def library(model: Model, key: Hashable, source: Source) -> Library:
-    """The method for a model that has a compiler, kept with it.
-
-    Parameters
-    ----------
-    key : hashable
-        Of the method.
-    """
-    known = _libraries.setdefault(model, {})
-    if key not in known:
-        function = ensemble_function(model)
-        moving = function.numel_in(0) - timed(model)
-        known[key] = Library(function, moving, model.compiler or "", source)
-    return known[key]
+def library(model: Model, source: Source) -> Library:
+    """The method for a model that has a compiler; the same text is compiled once."""
+    known = model.right_hand_side
+    moving = known.held.function.numel_in(0) - known.timed
+    return Library(known.held, moving, model.compiler or "", source)

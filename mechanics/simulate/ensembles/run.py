@@ -12,7 +12,7 @@ from scipy.integrate import DOP853
 from mechanics.compiled.step import Tableau
 from mechanics.compiled.tableaus import TABLEAUX
 from mechanics.simulate.ensembles.explicit import dop853_source, fixed_source
-from mechanics.simulate.ensembles.library import Library, Source, at, library, timed
+from mechanics.simulate.ensembles.library import Library, Source, at, library
 from mechanics.simulate.ensembles.motions import Motions
 from mechanics.simulate.ensembles.outcome import CODES, Status
 from mechanics.simulate.ensembles.taylor import order, taylor_source
@@ -52,7 +52,7 @@ def adaptive(motions: Motions, name: str, tolerance: float, budget: int, threads
         Steps that a motion may try.
     """
     sources: dict[str, Source] = {"taylor": taylor_source, "dop853": dop853_source}
-    method = library(motions.model, name, sources[name])
+    method = library(motions.model, sources[name])
     by = Control(tolerance, order(tolerance), budget)
     found = integrated(method, *_given(motions), motions.times, by, threads)
     words, cost = f"Taylor series of order {by.order}", by.order
@@ -122,7 +122,7 @@ def fixed(motions: Motions, tableau: Tableau, step: float, threads: int) -> Run:
         samples = ctypes.c_int64(len(motions.times))
         march(many, samples, at(counts), at(lengths), *rows, room)
 
-    method = library(motions.model, tableau.name, partial(fixed_source, tableau=tableau))
+    method = library(motions.model, partial(fixed_source, tableau=tableau))
     method.march([start, held, found, reached], call, threads)
     ended = reached == len(motions.times)
     steps = np.concatenate([[0], np.cumsum(counts)])[np.maximum(reached - 1, 0)]
@@ -136,7 +136,7 @@ def fixed(motions: Motions, tableau: Tableau, step: float, threads: int) -> Run:
 def _given(motions: Motions) -> tuple[Array, Array]:
     """States, with the time as the last entry if the equations hold it; and what is held."""
     start, inputs = motions.start, motions.inputs
-    if timed(motions.model):
+    if motions.model.right_hand_side.timed:
         at_time = motions.model.entries["inputs"].index("t")
         start = np.column_stack([start, inputs[:, at_time]])
         inputs = np.delete(inputs, at_time, axis=1)

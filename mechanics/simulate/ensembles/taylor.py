@@ -15,13 +15,12 @@ where a sum of products looks back at them. Straight code of all coefficients ha
 
 import math
 from collections.abc import Callable, Mapping, Sequence
+from functools import lru_cache
 from typing import Literal
 
-import casadi as ca
-
 from mechanics.compiled.c.sine import sine_source
-from mechanics.program import Builder, Program
-from mechanics.program.casadi_reader import read
+from mechanics.compiled.right_hand_side import Held
+from mechanics.program import Program
 from mechanics.program.taylor import Kind, Recurrences, Step, recurrences
 from mechanics.simulate.ensembles.lanes import Lanes
 from mechanics.simulate.ensembles.text import text
@@ -35,32 +34,23 @@ def order(share: float) -> int:
     return min(HIGHEST, math.ceil(-math.log(share) / 2) + 2)
 
 
-def rate_program(function: ca.Function) -> tuple[Program, tuple[str, ...]]:
-    """The program of ``rate(y, held)``, inputs called as in C, and those of the state."""
-    builder = Builder()
-    names = [[f"{name}[{k}]" for k in range(function.numel_in(i))]
-             for i, name in enumerate(("y", "held"))]  # fmt: skip
-    arguments = {
-        function.name_in(i): list(map(builder.input, group)) for i, group in enumerate(names)
-    }
-    (rates,) = read(builder, function, arguments).values()
-    return builder.program({"yd": rates}, [*names[0], *names[1]]), tuple(names[0])
-
-
-def taylor_source(function: ca.Function) -> str:
+def taylor_source(of: Held) -> str:
     """C text with everything that a block of lanes needs.
 
     Parameters
     ----------
-    function : casadi.Function
-        ``rate(y, held)``.
+    of : Held
 
     Raises
     ------
     ExpressionError
         If the program holds an operation that is not analytic; it is named.
     """
-    program, state = rate_program(function)
+    return _written(of.program, of.state)
+
+
+@lru_cache(maxsize=16)
+def _written(program: Program, state: tuple[str, ...]) -> str:
     writer = _Writer(recurrences(program, state), len(state))
     constants, expand = writer.constants(), writer.expand()
     return "\n".join([

@@ -5,22 +5,16 @@ steps(count, t, h, y, inputs, p)     takes steps in place; gives the number of e
 """
 
 import ctypes
-from collections.abc import Callable, Hashable
-from weakref import WeakKeyDictionary
+from collections.abc import Callable
 
 import numpy as np
 
-from mechanics.compiled.c.source import function_source, signature
 from mechanics.compiled.machine.native import affordable, load
-from mechanics.compiled.model import Model
+from mechanics.compiled.right_hand_side import INNER, Compiled
 from mechanics.program.routine import Routine
 from mechanics.simulate.integrators.loop import NOT_FINITE, plan, stopped
 from mechanics.simulate.integrators.problem import Outcome, Problem, Setting
-from mechanics.simulate.integrators.rate import rate_entries
 
-_libraries: WeakKeyDictionary[Model, dict[Hashable, ctypes.CDLL]] = WeakKeyDictionary()
-
-INNER = "mechanics_inner"
 HEAD = """\
 static long long steps(long long count, @ t, @ h, @ *y, @ *inputs, const @ *p)
 {
@@ -43,13 +37,13 @@ long long mechanics_run(long long spans, const long long *count, const @ *t, con
 
 
 def compiled_march(
-    name: str, problem: Problem, setting: Setting, code: Routine, body: str, failure: str = ""
+    name: str, problem: Problem, setting: Setting, code: Compiled, body: str, failure: str = ""
 ) -> Callable[[], Outcome]:
     """A call that integrates, from a program and the C of a loop over steps that calls it.
 
     Parameters
     ----------
-    code : Routine
+    code : Compiled
         The function that the loop calls, written by `call_inner`.
     body : str
         Statements of ``steps``, with @ for the type of the numbers, SIZE for the number of entries
@@ -58,7 +52,7 @@ def compiled_march(
         What it means when that gave up.
     """
     kind, size = setting.kind, len(problem.start)
-    library = _library(name, problem, kind, code, body)
+    library = _library(problem, kind, code, body)
     run = library.mechanics_run
     run.restype, run.argtypes = ctypes.c_longlong, [ctypes.c_longlong, *[ctypes.c_void_p] * 8]
     steps = plan(problem.times, setting.step or 0.0)
@@ -85,30 +79,20 @@ def compiled_march(
 
 
 def _library(
-    name: str, problem: Problem, kind: type[np.floating], code: Routine, body: str
-) -> ctypes.CDLL:
-    """The compiled loop; kept with the model, because writing it takes longer than using it."""
-    known = _libraries.setdefault(problem.model, {})
-    key = (name, kind, body, "t" in problem.varying)
-    if key not in known:
-        known[key] = _compiled(problem, kind, code, body)
-    return known[key]
-
-
-def _compiled(problem: Problem, kind: type[np.floating], code: Routine, body: str) -> ctypes.CDLL:
+    problem: Problem, kind: type[np.floating], code: Compiled, body: str
+) -> ctypes.CDLL:  # fmt: skip
+    """The compiled loop; the same text is compiled once."""
     model, real = problem.model, "float" if kind is np.float32 else "double"
-    entries = {**rate_entries(model), "h": ("h",)}
-    inner = f"static {signature(code, real, INNER)}"
     timed = "t" in problem.varying
     time = f"inputs[{model.entries['inputs'].index('t')}] = (x)" if timed else "(void)(x)"
     text = "\n".join(
         [
             "#include <math.h>", "", f"#define TIME(x) {time}",
             f"enum {{ SIZE = {len(problem.start)} }};", "",
-            function_source(code, entries, real, inner), HEAD, body, "}", RUN,
+            code.inner(kind), HEAD, body, "}", RUN,
         ]
     )  # fmt: skip
-    flags = affordable(model.flags, code.operations)
+    flags = affordable(model.flags, code.routine.operations)
     return load(text.replace("@", real), model.compiler or "", flags)
 
 

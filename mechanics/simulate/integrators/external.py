@@ -14,8 +14,6 @@ import casadi as ca
 
 from mechanics.compiled.machine.native import affordable, load
 from mechanics.compiled.model import Model
-from mechanics.program.casadi_reader import read_routine
-from mechanics.simulate.integrators.rate import jacobian_function, rate_function
 
 COUNTED = """
 #undef {name}
@@ -56,10 +54,11 @@ class Counters:
 
 def external(model: Model) -> tuple[Callable[..., ca.MX], Counters]:
     """``rate(y, inputs, p)`` as a function that CasADi calls, and its counters."""
-    rate, slope = rate_function(model), _jacobian(model)
+    known = model.right_hand_side.rate
+    rate, slope = known.function, _jacobian(model)
     if model.compiler is None:
         return rate, Counters()
-    flags = affordable(model.flags, read_routine(rate).operations)
+    flags = affordable(model.flags, known.routine.operations)
     library = load(_source(rate, slope), model.compiler, flags)
     cells = tuple(ctypes.c_longlong.in_dll(library, f"{name}_calls") for name in NAMES)
     return ca.external("rate", library._name), Counters(cells)
@@ -67,10 +66,10 @@ def external(model: Model) -> tuple[Callable[..., ca.MX], Counters]:
 
 def _jacobian(model: Model) -> ca.Function:
     """The Jacobian by y with the names and arguments that CasADi looks for."""
-    rate = rate_function(model)
+    rate = model.right_hand_side.rate.function
     arguments = rate.sx_in()
     size = rate.numel_out(0)
-    blocks = [jacobian_function(model)(*arguments)]
+    blocks = [model.right_hand_side.jacobian.function(*arguments)]
     blocks += [ca.SX(size, argument.numel()) for argument in arguments[1:]]
     # The Jacobian does not need the value: an empty column, or CasADi would compute it each time.
     known = ca.SX.sym("out_yd", ca.Sparsity(size, 1))

@@ -18,11 +18,9 @@ from numpy.polynomial.legendre import leggauss
 from numpy.typing import NDArray
 
 from mechanics.compiled.c.source import literal
-from mechanics.program.casadi_reader import read_routine
 from mechanics.simulate.integrators.compiled_loop import call_inner, compiled_march
 from mechanics.simulate.integrators.loop import refused
 from mechanics.simulate.integrators.problem import Integrator, Outcome, Problem, Setting
-from mechanics.simulate.integrators.rate import rate_function
 from mechanics.simulate.integrators.stiffness import rates_at_start
 
 Array = NDArray[np.float64]
@@ -128,14 +126,15 @@ def _suits(stages: int, problem: Problem, setting: Setting) -> str:
 
 
 def _prepare(stages: int, problem: Problem, setting: Setting) -> Callable[[], Outcome]:
-    kind, code = setting.kind, read_routine(rate_function(problem.model))
+    kind, code = setting.kind, problem.model.right_hand_side.rate
     real = "float" if kind is np.float32 else "double"
     a, b, c, e = (_written(values, real) for values in coefficients(stages))
     groups = {"inputs": "inputs", "p": "p", "yd": "found"}
     body = BODY.format(
         stages=stages, a=a, b=b, c=c, e=e, sweeps=SWEEPS, patient=PATIENT,
         arrived=literal(ARRIVED * float(np.finfo(kind).eps), real),
-        first=call_inner(code, y="y", **groups), call=call_inner(code, y="at", **groups),
+        first=call_inner(code.routine, y="y", **groups),
+        call=call_inner(code.routine, y="at", **groups),
     )  # fmt: skip
     words = "the iteration for the stages does not converge: the step is too long for it"
     return compiled_march(f"C Gauss{2 * stages}", problem, setting, code, body, words)

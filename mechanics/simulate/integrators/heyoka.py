@@ -13,18 +13,14 @@ from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
 from typing import Any
-from weakref import WeakKeyDictionary
 
 import numpy as np
 
-from mechanics.compiled.model import Model
 from mechanics.program import Program, interpret
 from mechanics.simulate.integrators.loop import stopped
 from mechanics.simulate.integrators.problem import Integrator, Outcome, Problem, Setting
-from mechanics.simulate.integrators.rate import motion_program, rate_entries
 
 NAME = "heyoka Taylor"
-_solvers: WeakKeyDictionary[Model, dict[Setting, Any]] = WeakKeyDictionary()
 # Programs longer than this are compiled as loops: straight code would take a minute.
 LONG = 250
 
@@ -78,7 +74,7 @@ def _suits(problem: Problem, setting: Setting) -> str:
     moved = [name for name in problem.varying if name != "t"]
     if moved:
         return f"inputs are numbers for heyoka, and {', '.join(moved)} is a function of time"
-    unknown = set(motion_program(problem.model).counts()) - {*FUNCTIONS, *ARITHMETIC}
+    unknown = set(problem.model.right_hand_side.program.counts()) - {*FUNCTIONS, *ARITHMETIC}
     if unknown:
         return f"heyoka has no operation {', '.join(sorted(unknown))}"
     finest = float(np.finfo(setting.kind).eps)
@@ -91,10 +87,7 @@ def _prepare(problem: Problem, setting: Setting) -> Callable[[], Outcome]:
     import heyoka
 
     kind: Any = np.float32 if setting.arithmetic == "single" else float
-    known = _solvers.setdefault(problem.model, {})
-    if setting not in known:
-        known[setting] = _solver(problem, setting, kind)
-    solver = known[setting]
+    solver = _solver(problem, setting, kind)
     start = np.array(problem.start, dtype=kind)
     held = np.concatenate([problem.signals(0.0), problem.p]).astype(kind)
     times = problem.times.astype(kind)
@@ -117,20 +110,20 @@ def _prepare(problem: Problem, setting: Setting) -> Callable[[], Outcome]:
 
 
 def _solver(problem: Problem, setting: Setting, kind: Any) -> Any:
-    """The compiled integrator; kept with the model, because compiling takes longer than using it.
+    """The compiled integrator; every call sets the time, the state and the parameters anew.
 
-    Every call sets the time, the state and the parameters anew.
+    What was compiled before in this process heyoka does not compile again.
     """
     import heyoka
 
-    program = motion_program(problem.model)
+    known = problem.model.right_hand_side
     return heyoka.taylor_adaptive(
-        equations(program, rate_entries(problem.model)["y"]),
+        equations(known.program, known.entries["y"]),
         np.array(problem.start, dtype=kind),
         time=kind(0),
         tol=kind(setting.tolerance),
         fp_type=kind,
-        compact_mode=program.count > LONG,
+        compact_mode=known.program.count > LONG,
     )
 
 
