@@ -22,7 +22,6 @@ from benchmarks.detection.tree import Tree, read, symbols, written
 from benchmarks.detection.vocabulary import vocabulary
 from mechanics.crosscheck.routes import derive
 from mechanics.errors import MechanicsError
-from mechanics.routes.dynamic import dynamic_speeds
 from mechanics.routes.kane_sympy import kanes_method
 from mechanics.routes.lagrange_sympy import lagranges_method
 from mechanics.scene import RigidBody, Scene
@@ -144,13 +143,9 @@ def _vectors(where: str, vector: Vector, put: Callable[[Vector], Scene]) -> Iter
                 )
 
 
-def _kane(scene: Scene) -> KanesMethod:
-    return kanes_method(scene, dynamic_speeds(scene))
-
-
 def _system(scene: Scene) -> System:
     """SymPy's newer way to the same equations."""
-    method = _kane(scene)
+    method = kanes_method(scene)
     system = System(method._inertial)
     system.add_bodies(*method.bodies)
     system.add_loads(*method.loads)
@@ -161,7 +156,7 @@ def _system(scene: Scene) -> System:
 
 
 OBJECTS: tuple[tuple[str, Callable[[Scene], KanesMethod | LagrangesMethod | System]], ...] = (
-    ("KanesMethod", _kane),
+    ("KanesMethod", kanes_method),
     ("LagrangesMethod", lagranges_method),
     ("System", _system),
 )

@@ -33,52 +33,24 @@ BY_KANES_METHOD = (
     *faults_in(
         "mechanics.routes.kane_sympy",
         (
-            "model.vector(action.force, dynamic)))",
-            "model.vector(-action.force, dynamic)))",
-            "kane (SymPy): forces at mass centres, wrong sign",
-        ),
-        (
-            "velocity = motion.centre.velocity + motion.angular_velocity",
-            "velocity = motion.centre.velocity - motion.angular_velocity",
-            "kane (SymPy): points of loads move the wrong way",
-        ),
-        (
-            "arm = action.at - motion.centre.position",
-            "arm = action.at",
-            "kane (SymPy): loads act about the origin",
-        ),
-        (
-            "back = [order.index(i) for i in range(len(order))]",
-            "back = list(range(len(order)))",
+            "order = [[*method.u].index(u) for u in _speeds(scene)]",
+            "order = list(range(n))",
             "kane (SymPy): columns stay in SymPy's order",
         ),
         (
-            "dynamic.to(form) for form in velocity_forms(scene)]",
-            "dynamic.to(-2 * form + scene.u[0]) for form in velocity_forms(scene)]",
+            '"velocity_constraints": forms,',
+            '"velocity_constraints": [-2 * form + speeds[0] for form in forms],',
             "kane (SymPy): constraints hold the first speed",
         ),
-    ),
-    *faults_in(
-        "mechanics.routes.sympy_model",
         (
-            "centre.set_acc(inertial",
-            "centre.set_acc(inertial, 0 * inertial.x) if True else (inertial",
-            "kane (SymPy): mass centres have no acceleration",
+            "kinematic = [value - u for",
+            "kinematic = [value + u for",
+            "kane (SymPy): the declared speeds have the wrong sign",
         ),
         (
-            "new.set_ang_acc(inertial, _vector(new, turn.alpha, dynamic))",
-            "new.set_ang_acc(inertial, _vector(new, -turn.alpha, dynamic))",
-            "kane (SymPy): angular accelerations have the wrong sign",
-        ),
-        (
-            "turning.set_ang_vel(model.frame, model.vector(moving.omega",
-            "turning.set_ang_vel(model.frame, model.vector(-moving.omega",
-            "kane (SymPy): couples act on a body that turns backwards",
-        ),
-        (
-            "if not isinstance(body, RigidBody) or body.inertia == 0:",
-            "if True:",
-            "kane (SymPy): every body is a point mass",
+            "rows = (active + inertial)",
+            "rows = (active - inertial)",
+            "kane (SymPy): reactions, inertia with the wrong sign",
         ),
     ),
     *faults_in(
@@ -91,28 +63,57 @@ BY_KANES_METHOD = (
     ),
 )
 
+BY_BOTH_METHODS = faults_in(
+    "mechanics.routes.sympy_model",
+    (
+        "yield self._material(name, at), signed",
+        "yield self._material(name, at), -signed",
+        "SymPy: forces have the wrong sign",
+    ),
+    (
+        "yield self.turned(body.frame), signed",
+        "yield self.turned(body.frame), -signed",
+        "SymPy: couples have the wrong sign",
+    ),
+    (
+        "point.v2pt_theory(centre, self.frame, self.turned(body.frame))",
+        "point.set_vel(self.frame, centre.vel(self.frame))",
+        "SymPy: points of loads do not turn with their bodies",
+    ),
+    (
+        "velocity.dt(self.frame).express(self.frame)",
+        "-velocity.dt(self.frame).express(self.frame)",
+        "SymPy: mass centres accelerate backwards",
+    ),
+    (
+        "child.dcm(parent).applyfunc",
+        "parent.dcm(child).applyfunc",
+        "SymPy: frames turn backwards",
+    ),
+    (
+        "if not isinstance(body, RigidBody) or body.inertia == 0:",
+        "if True:",
+        "SymPy: every body is a point mass",
+    ),
+    (
+        "arm = self.point(at).pos_from(self.point(body.centre))",
+        "arm = -self.point(at).pos_from(self.point(body.centre))",
+        "SymPy: loads act on the other side of the mass centre",
+    ),
+)
+
 BY_LAGRANGES_METHOD = (
     *faults_in(
         "mechanics.routes.lagrange_sympy",
         (
-            "kinetic_energy(scene, motions) - potential(scene))",
-            "kinetic_energy(scene, motions) + potential(scene))",
+            "_kinetic_energy(model) - potential",
+            "_kinetic_energy(model) + potential",
             "lagrange (SymPy): L = T + V",
         ),
         (
-            "terms.append(half * motion.body.mass *",
-            "terms.append(motion.body.mass *",
+            "return me.kinetic_energy(model.frame, *model.bodies.values())",
+            "return 2 * me.kinetic_energy(model.frame, *model.bodies.values())",
             "lagrange (SymPy): T without its half",
-        ),
-        (
-            "terms.append(half * canonical(omega.dot(inertia * omega)))",
-            "pass",
-            "lagrange (SymPy): no energy of turning",
-        ),
-        (
-            "vector(action.force)))",
-            "vector(-action.force)))",
-            "lagrange (SymPy): forces have the wrong sign",
         ),
         (
             "change.T * (forcing - mass * drift)",
@@ -127,4 +128,11 @@ BY_LAGRANGES_METHOD = (
     ),
 )
 
-ROWS = (*TEXTBOOK, *PRESSING, *DEPENDENT, *BY_KANES_METHOD, *BY_LAGRANGES_METHOD)
+ROWS = (
+    *TEXTBOOK,
+    *PRESSING,
+    *DEPENDENT,
+    *BY_KANES_METHOD,
+    *BY_BOTH_METHODS,
+    *BY_LAGRANGES_METHOD,
+)

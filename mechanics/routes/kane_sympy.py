@@ -1,4 +1,4 @@
-"""Kane's equations, by SymPy's `KanesMethod`.
+"""Kane's equations, by SymPy's `KanesMethod` on SymPy's own kinematics.
 
     F_r + F_r* = 0,    F_r = sum v_r . F + omega_r . T,    F_r* = - sum m a . v_r + ...
 
@@ -8,24 +8,16 @@ which an auxiliary speed gives.
 
 from collections.abc import Sequence
 
-from sympy import Expr, Matrix, zeros
+from sympy import Expr, Matrix, Symbol, zeros
 from sympy.physics.mechanics import KanesMethod
+from sympy.physics.vector import dynamicsymbols
 
 from mechanics.equations import Equations, Matrices
-from mechanics.kinematics.constraints import constraint_rows, velocity_forms
-from mechanics.kinematics.textbook import chain
 from mechanics.routes.common import tidied
-from mechanics.routes.dynamic import Dynamic, dynamic_speeds
-from mechanics.routes.kane_reactions import auxiliary_equations
-from mechanics.routes.pressing import pressed, pressing
-from mechanics.routes.sympy_model import SympyModel, Velocities, build, force_at
+from mechanics.routes.pressing import Reactions, opened, pressed, pressing
+from mechanics.routes.sympy_model import SympyModel, cramer, plain
 from mechanics.scene import Scene
-from mechanics.scene.actions import (
-    Action,
-    applied_actions,
-    frictions,
-    load_actions,
-)
+from mechanics.scene.actions import frictions
 from mechanics.symbolic import independent_rows
 
 NAME = "kane_sympy"
@@ -33,128 +25,118 @@ NAME = "kane_sympy"
 
 def derive(scene: Scene) -> Equations:
     """Equations of motion by Kane's method; dependent speeds where there are constraints."""
-    dynamic = dynamic_speeds(scene)
-    if scene.constraints:
-        return _with_dependent_speeds(scene, dynamic)
-    mass, forcing = _matrices(scene, dynamic, kanes_method(scene, dynamic))
+    method = kanes_method(scene)
+    n, free = len(scene.u), len(scene.u) - len(scene.constraints)
+    order = [[*method.u].index(u) for u in _speeds(scene)]
+    # SymPy orders the columns independent speeds first.
+    square = _plain(scene, method.mass_matrix).extract(list(range(n)), order)
+    right = _plain(scene, method.forcing)
+    mass, forcing = square[:free, :], right[:free, :]
+    reactions: Reactions = ()
     if frictions(scene):
-        return _with_friction(scene, mass, forcing)
-    n = len(scene.u)
-    matrices = Matrices(mass, forcing, zeros(n, 0), zeros(0, n), zeros(0, 1))
-    return Equations(scene, NAME, (), True, textbook=matrices)
+        contact = pressed(scene, opened_equations(scene, pressing(scene)))
+        mass, forcing = contact.put_into(mass, forcing)
+        reactions = contact.solve(scene.ud)
+    matrices = Matrices(mass, forcing, zeros(free, 0), square[free:, :], right[free:, :])
+    conjugate = free == n and not reactions
+    return Equations(scene, NAME, (), conjugate, textbook=matrices, reactions=reactions)
 
 
-def kanes_method(scene: Scene, dynamic: Dynamic) -> KanesMethod:
-    """SymPy's object for a scene without its constraints, with the equations formed."""
-    model = build(scene, dynamic)
-    method = _method(scene, dynamic, model, list(range(len(scene.u))))
-    method.kanes_equations(list(model.bodies.values()), _applied(scene, model, dynamic))
+def kanes_method(scene: Scene) -> KanesMethod:
+    """SymPy's object for a scene, with the equations formed."""
+    model, speeds = SympyModel(scene), _speeds(scene)
+    definitions = [model.scalar(value) for _, value in scene.speeds] or [
+        q.diff(dynamicsymbols._t) for q in scene.coordinates
+    ]
+    kinematic = [value - u for u, value in zip(speeds, definitions, strict=True)]
+    coordinates = list(scene.coordinates)
+    options: dict[str, list[Expr]] = {}
+    if scene.constraints:
+        coordinates, speeds, options = _constraints(model, speeds, kinematic)
+    method = KanesMethod(
+        model.frame,
+        coordinates,
+        speeds,
+        kd_eqs=kinematic,
+        kd_eqs_solver=cramer,
+        # LU divides by zero at ordinary states.
+        constraint_solver="CRAMER",
+        **options,
+    )
+    method.kanes_equations(list(model.bodies.values()), model.loads(scene.loads))
     return method
 
 
-def _with_friction(scene: Scene, mass: Matrix, forcing: Matrix) -> Equations:
-    """The forces hold the reactions that press; auxiliary speeds give these."""
-    contact = pressed(scene, auxiliary_equations(scene, pressing(scene)))
-    n = len(scene.u)
-    matrices = Matrices(*contact.put_into(mass, forcing), zeros(n, 0), zeros(0, n), zeros(0, 1))
-    reactions = contact.solve(scene.ud)
-    return Equations(scene, NAME, (), False, textbook=matrices, reactions=reactions)
-
-
-def _with_dependent_speeds(scene: Scene, dynamic: Dynamic) -> Equations:
-    model = build(scene, dynamic)
-    loads = _applied(scene, model, dynamic)
-    dependent = dependent_speeds(scene)
-    order = [i for i in range(len(scene.u)) if i not in dependent] + dependent
-    method = _method(scene, dynamic, model, order, dependent)
-    method.kanes_equations(list(model.bodies.values()), loads)
-    free = len(order) - len(dependent)
-    mass, forcing = _matrices(scene, dynamic, method)
-    # SymPy orders the columns independent speeds first.
-    back = [order.index(i) for i in range(len(order))]
-    square, right = mass.extract(list(range(mass.rows)), back), forcing
-    matrices = Matrices(
-        square[:free, :], right[:free, :], zeros(free, 0), square[free:, :], right[free:, :]
+def _constraints(
+    model: SympyModel, speeds: Sequence[Expr], kinematic: Sequence[Expr]
+) -> tuple[list[Expr], list[Expr], dict[str, list[Expr]]]:
+    """Independent coordinates and speeds, and what KanesMethod is told of the others."""
+    scene, t = model.scene, dynamicsymbols._t
+    stated = [(model.scalar(c.expression), c.holonomic) for c in scene.constraints]
+    forms = [one.diff(t) if holonomic else one for one, holonomic in stated]
+    free = KanesMethod(
+        model.frame, scene.coordinates, speeds, kd_eqs=kinematic, kd_eqs_solver=cramer
     )
-    return Equations(scene, NAME, (), False, textbook=matrices)
+    rates = Matrix(forms).xreplace(free.kindiffdict()).jacobian(speeds)
+    last = dependent_columns(_plain(scene, rates))
+    positions = [one for one, holonomic in stated if holonomic]
+    u_dependent = [speeds[i] for i in last]
+    q_dependent = [scene.coordinates[i] for i in last][len(last) - len(positions) :]
+    return (
+        [q for q in scene.coordinates if q not in q_dependent],
+        [u for u in speeds if u not in u_dependent],
+        {
+            "u_dependent": u_dependent,
+            "velocity_constraints": forms,
+            "q_dependent": q_dependent,
+            "configuration_constraints": positions,
+        },
+    )
 
 
-def _matrices(scene: Scene, dynamic: Dynamic, method: KanesMethod) -> tuple[Matrix, Matrix]:
-    """M and f in plain symbols."""
-    found = (tidied(scene, dynamic.back(m)) for m in (method.mass_matrix, method.forcing))
-    mass, forcing = found
-    return mass, forcing
+def _speeds(scene: Scene) -> list[Expr]:
+    """The declared speeds; where u is q', dynamic symbols of their own."""
+    return [u for u, _ in scene.speeds] or [dynamicsymbols(u.name) for u in scene.u]
 
 
-def dependent_speeds(scene: Scene) -> list[int]:
+def _plain(scene: Scene, matrix: Matrix) -> Matrix:
+    t = dynamicsymbols._t
+    table: dict[Expr, Expr] = {}
+    for function, u, ud in zip(_speeds(scene), scene.u, scene.ud, strict=True):
+        table |= {function: u, function.diff(t): ud}
+    return tidied(scene, plain(scene, matrix, table))
+
+
+def dependent_columns(matrix: Matrix) -> list[int]:
     """Indices of the last speeds that the constraints can be solved for."""
-    matrix, _ = constraint_rows(scene)
     backwards = list(range(matrix.cols))[::-1]
     columns = [list(matrix[:, i]) for i in backwards]
     return sorted(backwards[k] for k in independent_rows(columns))
 
 
-def _method(
-    scene: Scene,
-    dynamic: Dynamic,
-    model: SympyModel,
-    order: Sequence[int],
-    dependent: Sequence[int] = (),
-) -> KanesMethod:
-    """KanesMethod, constraints by Cramer's rule: LU divides by zero at plain states."""
-    t_rates = {q: f.diff() for q, f in zip(scene.qd, scene.coordinates, strict=True)}
-    kinematic = [t_rates[qd] - dynamic.to(scene.coordinate_rates[qd]) for qd in scene.qd]
-    speeds = [dynamic.to(u) for u in scene.u]
-    options: dict[str, object] = {}
-    coordinates = [dynamic.to(q) for q in scene.q]
-    q_dependent: list[Expr] = []
-    if dependent:
-        holonomic = [c for c in scene.constraints if c.holonomic]
-        options["u_dependent"] = [speeds[i] for i in dependent]
-        options["velocity_constraints"] = [dynamic.to(form) for form in velocity_forms(scene)]
-        if holonomic:
-            q_dependent = [coordinates[i] for i in dependent][-len(holonomic) :]
-            options["q_dependent"] = q_dependent
-            options["configuration_constraints"] = [
-                dynamic.to(scene.plain(c.expression)) for c in holonomic
-            ]
-    return KanesMethod(
+def opened_equations(scene: Scene, wanted: Sequence[Symbol]) -> tuple[tuple[Symbol, Expr], ...]:
+    """For each of the reactions an equation ``expression = 0`` that holds it.
+
+    Its joint is opened by an auxiliary speed along the reaction, and the reactions enter as loads.
+    Kane's method is given the auxiliary speeds only; all else is a function of time.
+
+    Returns
+    -------
+    tuple of (Symbol, Expr)
+        In q, u, u' and the reactions, plain symbols.
+    """
+    distances = [dynamicsymbols(f"opened_{symbol.name}") for symbol in wanted]
+    speeds = [dynamicsymbols(f"opening_{symbol.name}") for symbol in wanted]
+    model = SympyModel(scene, {}, opened(scene, wanted, distances))
+    method = KanesMethod(
         model.frame,
-        [q for q in coordinates if q not in q_dependent],
-        [speeds[i] for i in order if i not in dependent],
-        kd_eqs=kinematic,
-        # Solved for q' already: LU meets pivots of one only, and Cramer would take n! terms.
-        kd_eqs_solver="LU",
-        constraint_solver="CRAMER",
-        **options,
+        distances,
+        speeds,
+        kd_eqs=[w.diff() - u for w, u in zip(distances, speeds, strict=True)],
     )
-
-
-def _applied(scene: Scene, model: SympyModel, dynamic: Dynamic) -> list[tuple[object, object]]:
-    """All loads of a scene; friction with the reaction that presses as an unknown."""
-    rubbing = [action for load in frictions(scene) for action in load_actions(scene, load)]
-    return _loads(scene, model, dynamic, (*applied_actions(scene), *rubbing))
-
-
-def _loads(
-    scene: Scene, model: SympyModel, dynamic: Dynamic, actions: Sequence[Action]
-) -> list[tuple[object, object]]:
-    """Loads on SymPy's points and frames; a force at a mass centre uses the point that is there."""
-    centres = {body.name: scene.position(body.centre) for body in scene.bodies}
-    found: list[tuple[object, object]] = []
-    others: list[Action] = []
-    for action in actions:
-        if any(action.couple) or action.at != centres[action.body]:
-            others.append(action)
-        else:
-            point = model.bodies[action.body].masscenter
-            found.append((point, model.vector(action.force, dynamic)))
-    if others:
-        motions = {motion.body.name: motion for motion in chain.body_motions(scene)}
-        for action in others:
-            motion = motions[action.body]
-            arm = action.at - motion.centre.position
-            velocity = motion.centre.velocity + motion.angular_velocity.cross(arm)
-            moving = Velocities(velocity, motion.angular_velocity)
-            found += force_at(model, moving, action, dynamic)
-    return found
+    loads = [*model.loads(scene.loads), *model.reactions()]
+    active, inertial = method.kanes_equations(list(model.bodies.values()), loads)
+    t = dynamicsymbols._t
+    closed = dict.fromkeys((*distances, *speeds, *(u.diff(t) for u in speeds)), 0)
+    rows = (active + inertial).xreplace(closed)
+    return tuple((s, scene.plain(row)) for s, row in zip(wanted, rows, strict=True))

@@ -1,4 +1,4 @@
-"""Lagrange's equations, by SymPy's `LagrangesMethod`.
+"""Lagrange's equations, by SymPy's `LagrangesMethod` on SymPy's own kinematics.
 
     d/dt (dL/dq') - dL/dq = Q + A^T lambda,    L = T - V
 
@@ -11,61 +11,110 @@ so that the rows stay power-conjugate to u. Friction enters with the reaction th
 unknown, which the equation of an opened joint gives.
 """
 
+import re
+from collections.abc import Sequence
 from dataclasses import replace
 
-from sympy import Add, Expr, Matrix, Rational, Symbol, zeros
-from sympy.physics.mechanics import LagrangesMethod, Point, ReferenceFrame
+import sympy.physics.mechanics as me
+from sympy import Dummy, Expr, Matrix, Symbol, zeros
+from sympy.physics.mechanics import LagrangesMethod
+from sympy.physics.vector import dynamicsymbols
 
 from mechanics.equations import Equations, Matrices
-from mechanics.kinematics.textbook import differentiate
-from mechanics.kinematics.textbook.motion import BodyMotion, inertia_matrix
 from mechanics.routes.common import tidied
-from mechanics.routes.dynamic import Dynamic, dynamic_rates
-from mechanics.routes.lagrange_openings import opened_equations
-from mechanics.routes.pressing import pressed, pressing
+from mechanics.routes.pressing import opened, pressed, pressing
+from mechanics.routes.sympy_model import SympyModel, cramer, plain
 from mechanics.scene import Scene
-from mechanics.scene.actions import frictions, load_actions
+from mechanics.scene.actions import frictions
 from mechanics.scene.loads import CONSERVATIVE
-from mechanics.scene.potential import potential
-from mechanics.scene.rates import rate, rate_table, speeds_in_rates
 from mechanics.symbolic import canonical
 
 
 def derive(scene: Scene) -> Equations:
     """Equations of motion by Lagrange's method, with multipliers for every constraint."""
-    motions = {m.body.name: m for m in differentiate.body_motions_in_rates(scene)}
-    dynamic = dynamic_rates(scene)
-    method = _method(scene, motions, dynamic, kinetic_energy(scene, motions) - potential(scene))
-    equations = _common_form(scene, method, dynamic)
+    equations = _common_form(scene, lagranges_method(scene))
     return _with_friction(equations) if frictions(scene) else equations
 
 
 def lagranges_method(scene: Scene) -> LagrangesMethod:
     """SymPy's object for a scene, with the equations formed."""
-    motions = {m.body.name: m for m in differentiate.body_motions_in_rates(scene)}
-    lagrangian = kinetic_energy(scene, motions) - potential(scene)
-    return _method(scene, motions, dynamic_rates(scene), lagrangian)
-
-
-def _method(
-    scene: Scene, motions: dict[str, BodyMotion], dynamic: Dynamic, lagrangian: Expr
-) -> LagrangesMethod:
-    back = speeds_in_rates(scene)
-    constraints = [
-        (dynamic.to(scene.rates(c.expression).xreplace(back)), c.holonomic)
-        for c in scene.constraints
-    ]
-    frame = ReferenceFrame("inertial")
+    model = SympyModel(scene, _replaced(scene))
+    potential = sum(model.potential(load) for load in scene.loads if isinstance(load, CONSERVATIVE))
+    others = [load for load in scene.loads if not isinstance(load, CONSERVATIVE)]
+    constraints = [(model.scalar(c.expression), c.holonomic) for c in scene.constraints]
     method = LagrangesMethod(
-        dynamic.to(lagrangian),
-        [dynamic.to(q) for q in scene.q],
-        forcelist=_forces(scene, motions, dynamic, frame),
-        frame=frame,
+        _kinetic_energy(model) - potential,
+        list(scene.coordinates),
+        forcelist=model.loads(others),
+        frame=model.frame,
         hol_coneqs=[expression for expression, of_position in constraints if of_position],
         nonhol_coneqs=[expression for expression, of_position in constraints if not of_position],
     )
     method.form_lagranges_equations()
     return method
+
+
+def kinetic_energy(scene: Scene) -> Expr:
+    """T of all bodies in q and q', plain symbols, in the normal form."""
+    (energy,) = plain(scene, Matrix([_kinetic_energy(SympyModel(scene))]), {})
+    return canonical(energy)
+
+
+def _kinetic_energy(model: SympyModel) -> Expr:
+    return me.kinetic_energy(model.frame, *model.bodies.values())
+
+
+def _replaced(scene: Scene) -> dict[Expr, Expr]:
+    """Speeds in q and q', for which SymPy drops loads silently, and names that SymPy takes.
+
+    SymPy names its multipliers lam1, lam2, ...: a parameter of that name would merge with one.
+    """
+    clashing = [s for s in scene.parameters if re.fullmatch(r"lam\d+", s.name)]
+    return dict(scene.speeds) | {s: Dummy(s.name, **s.assumptions0) for s in clashing}
+
+
+def _common_form(scene: Scene, method: LagrangesMethod) -> Equations:
+    n, m = len(scene.q), len(scene.constraints)
+    names = tuple(Symbol(f"lambda{i + 1}", real=True) for i in range(m))
+    mass, forcing = method.mass_matrix[:, :n], method.forcing
+    matrix, bias, reactions = zeros(0, n), zeros(0, 1), zeros(n, 0)
+    if m:
+        # The mass matrix carries -B beside M; the full one has A in its last rows.
+        reactions = -method.mass_matrix[:, n:]
+        matrix = method.mass_matrix_full[2 * n :, n : 2 * n]
+        bias = method.forcing_full[2 * n :, :]
+    parts = (mass, forcing, reactions, matrix, bias)
+    if scene.speeds:
+        parts = _in_speeds(scene, *parts)
+    back = {dummy: symbol for symbol, dummy in _replaced(scene).items() if symbol.is_Symbol}
+    mass, forcing, reactions, matrix, bias = (plain(scene, part, back) for part in parts)
+    matrices = Matrices(tidied(scene, mass), tidied(scene, forcing), reactions, matrix, bias)
+    return Equations(scene, "lagrange_sympy", names, True, textbook=matrices)
+
+
+def _in_speeds(
+    scene: Scene, mass: Matrix, forcing: Matrix, reactions: Matrix, matrix: Matrix, bias: Matrix
+) -> tuple[Matrix, ...]:
+    """The equations in q' carried over to the declared speeds."""
+    t = dynamicsymbols._t
+    speeds = Matrix([u for u, _ in scene.speeds])
+    definitions = Matrix([SympyModel(scene).scalar(value) for _, value in scene.speeds])
+    qd = Matrix([q.diff(t) for q in scene.coordinates])
+    rest = definitions.xreplace(dict.fromkeys(qd, 0))
+    rates = cramer(definitions.jacobian(qd), speeds - rest)
+    table = dict(zip(qd, rates, strict=True))
+    change = rates.jacobian(speeds)
+    drift = rates.diff(t).xreplace(dict.fromkeys(speeds.diff(t), 0)).xreplace(table)
+    mass, forcing, reactions, matrix, bias = (
+        part.xreplace(table) for part in (mass, forcing, reactions, matrix, bias)
+    )
+    return (
+        change.T * mass * change,
+        change.T * (forcing - mass * drift),
+        change.T * reactions,
+        matrix * change,
+        bias - matrix * drift,
+    )
 
 
 def _with_friction(equations: Equations) -> Equations:
@@ -80,88 +129,34 @@ def _with_friction(equations: Equations) -> Equations:
     )
 
 
-def kinetic_energy(scene: Scene, motions: dict[str, BodyMotion]) -> Expr:
-    """T = sum of m v^2 / 2 + omega . I omega / 2, in q and q'."""
-    half = Rational(1, 2)
-    terms = []
-    for motion in motions.values():
-        speed = motion.centre.velocity
-        terms.append(half * motion.body.mass * Add(*(entry**2 for entry in speed)))
-        if motion.turns:
-            inertia = inertia_matrix(scene, motion.body, motion.rotation)
-            omega = motion.angular_velocity
-            terms.append(half * canonical(omega.dot(inertia * omega)))
-    return Add(*terms)
+def opened_equations(scene: Scene, wanted: Sequence[Symbol]) -> tuple[tuple[Symbol, Expr], ...]:
+    """For each of the reactions an equation ``expression = 0`` that holds it.
 
+    Lagrange's equation of a joint that is opened by w along the reaction, at w = w' = w'' = 0;
+    the reactions enter as loads.
 
-def _forces(
-    scene: Scene, motions: dict[str, BodyMotion], dynamic: Dynamic, frame: ReferenceFrame
-) -> list[tuple[object, object]]:
-    """Non-conservative loads on points and frames whose velocities are written in q'.
+    Returns
+    -------
+    tuple of (Symbol, Expr)
+        In q, u, u' and the reactions, plain symbols.
 
-    SymPy drops, silently, loads on points whose velocities are written in speeds.
+    Raises
+    ------
+    SingularError
+        When a reaction closes a loop of bodies.
     """
-    back = speeds_in_rates(scene)
-    found: list[tuple[object, object]] = []
-
-    def vector(column: Matrix) -> object:
-        entries = [dynamic.to(entry.xreplace(back)) for entry in column]
-        return entries[0] * frame.x + entries[1] * frame.y + entries[2] * frame.z
-
-    for load in scene.loads:
-        if isinstance(load, CONSERVATIVE):
-            continue
-        for action in load_actions(scene, load):
-            motion = motions[action.body]
-            arm = action.at - motion.centre.position
-            if action.force != zeros(3, 1):
-                point = Point(f"{action.name} on {action.body}")
-                speed = motion.centre.velocity + motion.angular_velocity.cross(arm)
-                point.set_vel(frame, vector(speed))
-                found.append((point, vector(action.force)))
-            if action.couple != zeros(3, 1):
-                turning = ReferenceFrame(f"{action.name} on {action.body}")
-                turning.set_ang_vel(frame, vector(motion.angular_velocity))
-                found.append((turning, vector(action.couple)))
-    return found
-
-
-def _common_form(scene: Scene, method: LagrangesMethod, dynamic: Dynamic) -> Equations:
-    n, m = len(scene.q), len(scene.constraints)
-    mass = tidied(scene, dynamic.back(method.mass_matrix[:, :n]))
-    forcing = tidied(scene, dynamic.back(method.forcing))
-    names = tuple(Symbol(f"lambda{i + 1}", real=True) for i in range(m))
-    matrix, bias, reactions = zeros(0, n), zeros(0, 1), zeros(n, 0)
-    if m:
-        # The mass matrix carries -B beside M; the full one has A in its last rows.
-        reactions = -dynamic.back(method.mass_matrix[:, n:])
-        matrix = dynamic.back(method.mass_matrix_full[2 * n :, n : 2 * n])
-        bias = dynamic.back(method.forcing_full[2 * n :, :])
-    if scene.speeds:
-        mass, forcing, reactions, matrix, bias = _in_speeds(
-            scene, mass, forcing, reactions, matrix, bias
-        )
-    matrices = Matrices(mass, forcing, reactions, matrix, bias)
-    return Equations(scene, "lagrange_sympy", names, True, textbook=matrices)
-
-
-def _in_speeds(
-    scene: Scene, mass: Matrix, forcing: Matrix, reactions: Matrix, matrix: Matrix, bias: Matrix
-) -> tuple[Matrix, Matrix, Matrix, Matrix, Matrix]:
-    """The equations in q' carried over to the declared speeds."""
-    columns = [scene.coordinate_rates[qd] for qd in scene.qd]
-    change = Matrix(columns).jacobian(scene.u)
-    table = rate_table(scene)
-    still = dict.fromkeys(scene.ud, 0)
-    drift = Matrix([rate(column, table).xreplace(still) for column in columns])
-    swap = dict(scene.coordinate_rates)
-    mass, forcing, reactions, matrix, bias = (
-        part.xreplace(swap) for part in (mass, forcing, reactions, matrix, bias)
+    t = dynamicsymbols._t
+    distances = [dynamicsymbols(f"opened_{symbol.name}") for symbol in wanted]
+    model = SympyModel(scene, {}, opened(scene, wanted, distances))
+    method = LagrangesMethod(
+        _kinetic_energy(model),
+        distances,
+        forcelist=[*model.loads(scene.loads), *model.reactions()],
+        frame=model.frame,
     )
-    return (
-        change.T * mass * change,
-        change.T * (forcing - mass * drift),
-        change.T * reactions,
-        matrix * change,
-        bias - matrix * drift,
+    rows = method.form_lagranges_equations()
+    closed = {w.diff(t, order) if order else w: 0 for w in distances for order in range(3)}
+    return tuple(
+        (symbol, scene.plain(row.xreplace(closed)))
+        for symbol, row in zip(wanted, rows, strict=True)
     )

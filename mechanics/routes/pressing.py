@@ -14,8 +14,10 @@ from dataclasses import dataclass
 from sympy import Expr, Matrix, S, Symbol
 
 from mechanics.errors import SingularError
+from mechanics.routes.sympy_model import Opening
 from mechanics.scene import Scene
 from mechanics.scene.actions import frictions
+from mechanics.scene.topology import tree
 from mechanics.symbolic import canonical, collect_linear
 
 Reactions = tuple[tuple[Symbol, Expr], ...]
@@ -25,6 +27,30 @@ def pressing(scene: Scene) -> tuple[Symbol, ...]:
     """The reactions that friction depends on, in the order of the scene."""
     named = {load.normal for load in frictions(scene)}
     return tuple(reaction.symbol for reaction in scene.reactions if reaction.name in named)
+
+
+def opened(
+    scene: Scene, wanted: Sequence[Symbol], distances: Sequence[Expr]
+) -> tuple[Opening, ...]:
+    """For each reaction everything outboard of its joint, moved along its direction.
+
+    Raises
+    ------
+    SingularError
+        When a reaction closes a loop of bodies.
+    """
+    bodies = tree(scene)
+    found = []
+    for symbol, distance in zip(wanted, distances, strict=True):
+        reaction = scene.reaction(symbol.name)
+        outer = next((name for name in bodies.order if reaction in bodies.joints[name]), None)
+        if outer is None:
+            raise SingularError(
+                f"{scene.name}: the reaction {symbol}, on which friction depends, closes a loop of"
+                " bodies: friction is derived in a tree of bodies"
+            )
+        found.append(Opening(reaction, bodies.subtree(outer), distance))
+    return tuple(found)
 
 
 @dataclass(frozen=True)

@@ -108,13 +108,11 @@ def test_a_wrong_rotation_that_all_routes_share_is_noticed_here(
     """This is what the check is for: the routes agree with each other and are wrong."""
     monkeypatch.setattr(scenes, "relative_rotation", turned_round)
     monkeypatch.setattr("mechanics.mechanism.relative_rotation", turned_round)
-    monkeypatch.setattr("mechanics.kinematics.textbook.chain.relative_rotation", turned_round)
-    monkeypatch.setattr("mechanics.routes.sympy_model.relative_rotation", turned_round)
     result = crosscheck(elastic_pendulum.scene(), CrossCheck(states=0))
-    # SymPy's own methods take the same rotation, and agree too.
-    assert {"kane_sympy", "lagrange_sympy"} <= {name for pair in result.pairs for name in pair}
-    assert len(result.pairs) == comb(len(ROUTES) + 2, 2)
-    assert all(finding.shown for finding in result.pairs.values())
+    assert len(result.pairs) == comb(len(ROUTES), 2) + 2
+    # SymPy's own methods read the frames themselves.
+    alone = {("kane", "kane_sympy"), ("lagrange", "lagrange_sympy")}
+    assert {pair for pair, finding in result.pairs.items() if not finding.shown} == alone
     wrong = [f for f in result.witnesses if f.verdict is Verdict.REFUTED]
     assert wrong
     assert not result.ok

@@ -11,7 +11,7 @@ from sympy import Expr, S, Symbol
 
 from mechanics.blame.mistakes.slip import Change, Part, Right, Slip
 from mechanics.blame.pieces import Kind, Piece
-from mechanics.routes.lagrange_openings import opened_equations
+from mechanics.routes.lagrange_sympy import opened_equations
 from mechanics.routes.pressing import pressed, pressing
 from mechanics.scene import Scene
 from mechanics.scene.actions import frictions

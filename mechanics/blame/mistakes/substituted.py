@@ -13,7 +13,6 @@ from sympy import Add, Expr, S, Symbol
 
 from mechanics.blame.mistakes.slip import Right, Slip, once
 from mechanics.blame.pieces import Kind, Origin, Piece
-from mechanics.kinematics.textbook import differentiate
 from mechanics.routes.lagrange_sympy import kinetic_energy
 from mechanics.scene import Gravity, Scene
 from mechanics.scene.loads import CONSERVATIVE
@@ -41,8 +40,7 @@ def slips(right: Right) -> Iterator[Slip]:
 
 def _lagrangian(scene: Scene) -> list[tuple[Origin, Expr]]:
     """Kinetic energy, and less the potential energy of each load, in q and q'."""
-    motions = {m.body.name: m for m in differentiate.body_motions_in_rates(scene)}
-    found = [(Origin(Kind.TRANSLATION, "all bodies"), kinetic_energy(scene, motions))]
+    found = [(Origin(Kind.TRANSLATION, "all bodies"), kinetic_energy(scene))]
     for load in scene.loads:
         if isinstance(load, CONSERVATIVE):
             name = "gravity" if isinstance(load, Gravity) else load.name
