@@ -6,11 +6,6 @@ FORMS = (
     *faults_in(
         "mechanics.symbolic.canonical",
         (
-            "result.write(part) for part in parts], result.write(-rest)",
-            "result.write(part) for part in parts], result.write(rest)",
-            "the right side of a linear equation has the wrong sign",
-        ),
-        (
             "rest -= part * ring.gen(places[symbol])",
             "rest -= 2 * part * ring.gen(places[symbol])",
             "linear terms stay in the rest",

@@ -33,9 +33,9 @@ BY_KANES_METHOD = (
     *faults_in(
         "mechanics.routes.kane_sympy",
         (
-            "order = [[*method.u].index(u) for u in _speeds(scene)]",
-            "order = list(range(n))",
-            "kane (SymPy): columns stay in SymPy's order",
+            "square[free:, :], right[free:, :])",
+            "square[free:, :], -right[free:, :])",
+            "kane (SymPy): b has the wrong sign",
         ),
         (
             '"velocity_constraints": forms,',
