@@ -100,7 +100,7 @@ LOWERED = (
 
 LANGUAGE = (
     *faults_in(
-        "mechanics.program.derivatives",
+        "mechanics.program.forward",
         (
             "return left if right is None else right if left is None else left + right",
             "return left if right is None else right if left is None else left",
@@ -116,6 +116,9 @@ LANGUAGE = (
             "return a",
             "tangent: no sign of what is negated",
         ),
+    ),
+    *faults_in(
+        "mechanics.program.derivatives",
         (
             "accumulate(second[number], -weight)",
             "accumulate(second[number], weight)",
