@@ -8,10 +8,10 @@ scalar functions stand in where an angle is too large for these.
 
 from collections.abc import Sequence
 
-from mechanics.compiled import Model
 from mechanics.compiled.c.batch import batch_source
 from mechanics.compiled.c.lanes import FAR, SHARED, WILD, arguments, wrapped
 from mechanics.compiled.c.sine import LIMIT
+from mechanics.export.contents import Contents
 from mechanics.export.functions import about
 from mechanics.export.header import comment
 from mechanics.export.precision import Part, careful
@@ -60,33 +60,33 @@ def batched(names: Sequence[str]) -> tuple[str, ...]:
     return tuple(name for name in names if name in BATCHED)
 
 
-def batch_header(model: Model, part: Part, names: Sequence[str]) -> str:
+def batch_header(contents: Contents, part: Part, names: Sequence[str]) -> str:
     """Text of the header."""
     prototypes = []
     for name in names:
-        head = f"int {part.prefix}_{name}_batch({arguments(model.program(name), part.kind)});"
-        prototypes.append("\n".join([about(model, name), *wrapped(head, ""), ""]))
+        head = f"int {part.prefix}_{name}_batch({arguments(contents.programs[name], part.kind)});"
+        prototypes.append("\n".join([about(contents.programs[name], name), *wrapped(head, ""), ""]))
     return TOP.format(
-        scene=comment(model.equations.scene.name), prefix=part.prefix, macro=part.macro,
+        scene=comment(contents.scene), prefix=part.prefix, macro=part.macro,
         guard=part.guard, prototypes="\n".join(prototypes), far=FAR, wild=WILD,
         limit=f"{LIMIT:.0f}", shared=" and ".join(SHARED),
     )  # fmt: skip
 
 
-def batch_implementation(model: Model, part: Part, names: Sequence[str]) -> str:
+def batch_implementation(contents: Contents, part: Part, names: Sequence[str]) -> str:
     """The C file."""
     lines = [
-        f"/* {comment(model.equations.scene.name)}: many states at once. */", "",
+        f"/* {comment(contents.scene)}: many states at once. */", "",
         f'#include "{part.prefix}_batch.h"', f'#include "{part.prefix}_sine.h"', "",
         "#include <math.h>", "", careful(part.macro).rstrip(),
     ]  # fmt: skip
     written = ["\n".join(lines) + "\n"]
     for name in names:
         own = f"{part.prefix}_{name}"
-        entries = model.programs.names(name)
+        code = contents.programs[name]
         written.append(
             batch_source(
-                model.program(name), entries, part.kind, f"{own}_batch", scalar=own, checked=True
+                code, contents.names(name), part.kind, f"{own}_batch", scalar=own, checked=True
             )
         )
     return "\n".join(written)

@@ -1,7 +1,7 @@
 """What each function computes, in the words of its header: one comment a prototype."""
 
-from mechanics.compiled import Model
 from mechanics.compiled.graphs import MATRICES
+from mechanics.program.routine import Routine
 
 FUNCTIONS = {
     "forward_dynamics": ("Accelerations u' (and multipliers) from the state.",),
@@ -49,10 +49,10 @@ OUTPUTS = {
 """What an entry is, for outputs that are no array with a table of its own."""
 
 
-def about(model: Model, name: str) -> str:
+def about(code: Routine, name: str) -> str:
     """The comment before a prototype."""
     lines = list(FUNCTIONS[name])
-    for out, (rows, cols) in model.program(name).shapes:
+    for out, (rows, cols) in code.shapes:
         if out in OUTPUTS and rows * cols:
             place = f"i + {rows} * j" if out in MATRICES else "i" if rows > 1 else "0"
             lines.append(f"  {out}[{place}]: {OUTPUTS[out]}")

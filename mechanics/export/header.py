@@ -2,40 +2,23 @@
 
 from collections.abc import Iterator, Sequence
 
-from mechanics.compiled import Model
 from mechanics.compiled.c.sine import LIMIT
 from mechanics.compiled.c.source import signature
 from mechanics.compiled.c.status import Codes
-from mechanics.compiled.graphs import STATE
-from mechanics.compiled.programs.hoist import CONSTANTS
 from mechanics.compiled.programs.of_model import PARTS
 from mechanics.compiled.quantities import Quantity
-from mechanics.errors import ValueMissingError
+from mechanics.export.contents import ARRAYS, Contents
 from mechanics.export.functions import about
 from mechanics.export.precision import Part
 from mechanics.program.c_printer import CALLS
-from mechanics.program.casadi_reader import read_routine
-
-ARRAYS = {
-    "q": "generalized coordinates q",
-    "u": "generalized speeds u",
-    "ud": "rates of the speeds, u'",
-    "inputs": "inputs",
-    "p": "parameters",
-    "c": "constants: what prepare makes of the parameters",
-    "multipliers": "multipliers: reactions that maintain the constraints",
-    "reactions": "reactions",
-    "h": "time",
-}
 
 
-def header(model: Model, part: Part, names: Sequence[str]) -> str:
+def header(contents: Contents, part: Part) -> str:
     """Text of the header."""
     guard = part.guard
-    scene = model.equations.scene
     top = f"""\
 /*
- * Equations of motion: {comment(scene.name)}, derived by {comment(model.equations.route)}.
+ * Equations of motion: {comment(contents.scene)}, derived by {comment(contents.route)}.
  *
  * C99, no allocation, no global state: every function may be called from any thread. SI units.
  * Matrices are stored column by column. All inputs are read before the first output is written,
@@ -45,27 +28,26 @@ def header(model: Model, part: Part, names: Sequence[str]) -> str:
  * files refuse -ffast-math, which takes the check for infinity away; what is shown of them does not
  * hold with it. {part.macro}_ALLOW_FAST_MATH compiles them all the same.
  *
-{library_calls(model, part, names)}{shared_divisors(model, names)}{fixed_values(model)} */
+{library_calls(contents, part)}{shared_divisors(contents)}{fixed_values(contents)} */
 #ifndef {guard}
 #define {guard}
 """
     sections = [top, statuses(part.codes)]
-    for array, title in used_arrays(model, names).items():
-        entries = array_entries(model, array)
-        sections.append("\n".join(array_section(model, part, array, title, entries)) + "\n")
+    for array, entries in contents.arrays.items():
+        sections.append("\n".join(array_section(contents, part, array, entries)) + "\n")
     sections.append('#ifdef __cplusplus\nextern "C" {\n#endif\n')
-    for name in names:
-        prototype = signature(model.program(name), part.kind, f"{part.prefix}_{name}", "int")
-        sections.append(f"{about(model, name)}\n{prototype};\n")
+    for name, code in contents.programs.items():
+        prototype = signature(code, part.kind, f"{part.prefix}_{name}", "int")
+        sections.append(f"{about(code, name)}\n{prototype};\n")
     sections.append(f"#ifdef __cplusplus\n}}\n#endif\n\n#endif /* {guard} */\n")
     return "\n".join(sections)
 
 
-def library_calls(model: Model, part: Part, names: Sequence[str]) -> str:
+def library_calls(contents: Contents, part: Part) -> str:
     """Lines of a comment that say what the functions need of the C library."""
     called: set[str] = set()
-    for name in names:
-        for node in model.program(name).nodes:
+    for code in contents.programs.values():
+        for node in code.nodes:
             if node.operation in CALLS:
                 called.add(CALLS[node.operation] + part.suffix)
     if not called:
@@ -82,11 +64,10 @@ def library_calls(model: Model, part: Part, names: Sequence[str]) -> str:
     return "\n".join(lines) + "\n"
 
 
-def shared_divisors(model: Model, names: Sequence[str]) -> str:
+def shared_divisors(contents: Contents) -> str:
     """Lines of a comment that say what was done to quotients; empty where nothing was."""
-    every = [model.casadi[name] for name in names if name not in PARTS]
-    before = sum(read_routine(function).divisions for function in every)
-    after = sum(model.program(name).divisions for name in names if name not in PARTS)
+    programs, before = contents.programs, contents.divisions
+    after = sum(code.divisions for name, code in programs.items() if name not in PARTS)
     if after == before:
         return ""
     return (
@@ -108,53 +89,35 @@ def statuses(names: Codes) -> str:
     return "\n".join(["/* status", *rows, " */", *lines, ""])
 
 
-def used_arrays(model: Model, names: Sequence[str]) -> dict[str, str]:
-    """Arrays of the state, and those that a function reads or writes, with their titles."""
-    used = {*STATE}
-    for name in names:
-        code = model.program(name)
-        used |= {array for array, _ in (*code.inputs, *code.shapes)}
-    return {array: title for array, title in ARRAYS.items() if array in used}
-
-
-def array_entries(model: Model, array: str) -> Sequence[Quantity]:
-    """What the entries of an array are."""
-    return model.programs.constants if array == CONSTANTS else getattr(model.quantities, array)
-
-
-def fixed_values(model: Model) -> str:
+def fixed_values(contents: Contents) -> str:
     """Lines of a comment that say which parameters are numbers; empty where none are."""
-    if not model.fixed:
+    if not contents.fixed:
         return ""
     lines = [" *\n * Fixed when this was generated, and no entry of p:\n"]
-    for name, value in sorted(model.fixed.items()):
-        lines.append(f" *   {comment(name)} = {comment(str(value))}\n")
+    for name, value in sorted(contents.fixed.items()):
+        lines.append(f" *   {comment(name)} = {comment(value)}\n")
     return "".join(lines)
 
 
 def array_section(
-    model: Model, part: Part, array: str, title: str, entries: Sequence[Quantity]
+    contents: Contents, part: Part, array: str, entries: Sequence[Quantity]
 ) -> Iterator[str]:
     """Size of an array, and a table of its entries."""
     if entries:
-        yield f"/* {title}"
+        yield f"/* {ARRAYS[array]}"
         width = max(len(comment(entry.name)) for entry in entries)
         units = max(len(comment(entry.unit) or "-") for entry in entries)
         for i, entry in enumerate(entries):
-            words = f"{comment(entry.meaning)}{_typical(model, array, i)}".strip(" ,")
+            words = f"{comment(entry.meaning)}{_typical(contents, array, i)}".strip(" ,")
             row = f" *   {array}[{i}]  {comment(entry.name):{width}}  "
             yield f"{row}{comment(entry.unit) or '-':{units}}  {words}".rstrip()
         yield " */"
     yield f"#define {part.macro}_{array.upper()}_SIZE {len(entries)}"
 
 
-def _typical(model: Model, array: str, index: int) -> str:
-    if array != "p":
-        return ""
-    try:
-        return f", typically {model.quantities.typical[index]:.6g}"
-    except ValueMissingError:
-        return ""
+def _typical(contents: Contents, array: str, index: int) -> str:
+    known = array == "p" and contents.typical
+    return f", typically {contents.typical[index]:.6g}" if known else ""
 
 
 def comment(text: str) -> str:

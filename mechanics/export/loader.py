@@ -7,14 +7,12 @@ checked like any other; here its tables are filled in.
 import inspect
 import json
 import re
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any
 
-from mechanics.compiled import Model
 from mechanics.compiled.graphs import MATRICES
-from mechanics.errors import ValueMissingError
 from mechanics.export import loader_template
-from mechanics.export.header import array_entries, used_arrays
+from mechanics.export.contents import Contents
 from mechanics.export.precision import Part
 from mechanics.program.routine import Routine
 
@@ -24,55 +22,31 @@ _TABLES = re.compile(
 )
 
 
-def loader(
-    model: Model, name: str, parts: Sequence[Part], names: Sequence[str], many: Sequence[str]
-) -> str:
+def loader(contents: Contents, name: str, parts: Sequence[Part], many: Sequence[str]) -> str:
     """Text of the module.
 
     Parameters
     ----------
+    contents : Contents
     name : str
         Of the library.
     parts : sequence of Part
         The precisions that are written.
-    names : sequence of str
-        Of the functions.
     many : sequence of str
-        Those that are there for many states, too.
+        Functions that are there for many states, too.
     """
     arrays = {
-        array: tuple((e.name, e.unit, e.meaning) for e in array_entries(model, array))
-        for array in used_arrays(model, names)
+        array: tuple((e.name, e.unit, e.meaning) for e in entries)
+        for array, entries in contents.arrays.items()
     }
-    return loader_text(arrays, _typical(model), model.program, name, parts, names, many)
-
-
-def loader_text(
-    arrays: Mapping[str, Any],
-    typical: Mapping[str, float],
-    program: Callable[[str], Routine],
-    name: str,
-    parts: Sequence[Part],
-    names: Sequence[str],
-    many: Sequence[str],
-) -> str:
-    """Text of the module from what it needs of a model; other arguments as for `loader`.
-
-    Parameters
-    ----------
-    arrays : mapping
-        Name, unit and meaning of the entries of each array.
-    typical : mapping of str to float
-        Parameters.
-    program : callable
-        Gives the program of a function.
-    """
+    parameters = [entry.name for entry in contents.arrays["p"]]
+    typical = dict(zip(parameters, contents.typical, strict=True)) if contents.typical else {}
     tables: dict[str, Any] = {
         "NAME": name,
         "PREFIXES": {part.precision: part.prefix for part in parts},
         "ARRAYS": arrays,
         "TYPICAL": typical,
-        "FUNCTIONS": _functions(program, names),
+        "FUNCTIONS": _functions(contents.programs),
     }
     tables["BATCH"] = tuple(many)
     ends = ("", "_batch") if many else ("",)
@@ -80,7 +54,8 @@ def loader_text(
         part.precision: tuple(f"{part.prefix}{end}.c" for end in ends) for part in parts
     }
     text = inspect.getsource(loader_template)
-    (inputs, outputs), first = tables["FUNCTIONS"][names[0]], names[0]
+    first = next(iter(contents.programs))
+    inputs, outputs = tables["FUNCTIONS"][first]
     words = {
         "NAME": name,
         "FUNCTION": first,
@@ -92,10 +67,9 @@ def loader_text(
     return _TABLES.sub(lambda found: f"# What was generated.\n{written}{found[3]}", text)
 
 
-def _functions(program: Callable[[str], Routine], names: Sequence[str]) -> dict[str, Any]:
+def _functions(programs: Mapping[str, Routine]) -> dict[str, Any]:
     functions = {}
-    for function in names:
-        code = program(function)
+    for function, code in programs.items():
         functions[function] = (
             tuple((group, size) for group, size in code.inputs if size),
             tuple((out, _shape(out, shape)) for out, shape in code.shapes if 0 not in shape),
@@ -105,15 +79,6 @@ def _functions(program: Callable[[str], Routine], names: Sequence[str]) -> dict[
 
 def _shape(output: str, shape: tuple[int, int]) -> tuple[int, ...]:
     return shape if output in MATRICES else shape[:1]
-
-
-def _typical(model: Model) -> dict[str, float]:
-    """Typical parameters; empty where one has none."""
-    names = [entry.name for entry in model.quantities.p]
-    try:
-        return dict(zip(names, model.quantities.typical, strict=True))
-    except ValueMissingError:
-        return {}
 
 
 def _literal(value: Any, indent: int = 0) -> str:

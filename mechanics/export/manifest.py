@@ -7,21 +7,21 @@ from hashlib import sha256
 from importlib.metadata import PackageNotFoundError, version
 from typing import Any
 
-from mechanics.compiled import Model
 from mechanics.compiled.custody.kernel import Kernel
-from mechanics.export.header import array_entries, used_arrays
+from mechanics.export.contents import Contents
 
 TOOLS = ("mechanics", "casadi", "sympy", "python-flint")
 
 
 def manifest(
-    model: Model,
+    contents: Contents,
     prefix: str,
-    names: Sequence[str],
     files: Mapping[str, str],
     kernels: Sequence[Kernel] = (),
     chain: Mapping[str, Any] | None = None,
     system: str | None = None,
+    form: str | None = None,
+    reciprocals: bool = True,
 ) -> str:
     """Text of the manifest.
 
@@ -35,37 +35,45 @@ def manifest(
         What was shown, see `mechanics.export.evidence`.
     system : str, optional
         Name of the built-in system.
+    form : str, optional
+        Of forward dynamics.
+    reciprocals : bool
+        Whether divisors are shared.
     """
     content: dict[str, Any] = {
-        "scene": model.equations.scene.name,
+        **described(contents, prefix),
         "system": system,
-        "route": model.equations.route,
-        "form": model.form if "forward_dynamics" in names else None,
-        "prefix": prefix,
-        "reciprocals": model.programs.reciprocals,
-        "fixed": {parameter: str(value) for parameter, value in sorted(model.fixed.items())},
-        "arrays": {
-            array: [
-                {"name": e.name, "unit": e.unit, "meaning": e.meaning}
-                for e in array_entries(model, array)
-            ]
-            for array in used_arrays(model, names)
-        },
-        "functions": {
-            name: {
-                "operations": model.program(name).operations,
-                "divisions": model.program(name).divisions,
-                "inputs": {group: size for group, size in model.program(name).inputs},
-                "outputs": {out: list(shape) for out, shape in model.program(name).shapes},
-            }
-            for name in names
-        },
+        "form": form,
+        "reciprocals": reciprocals,
         "kernels": [_kernel(kernel) for kernel in kernels],
         "chain": chain or {},
         "files": {file: sha256(text.encode("utf-8")).hexdigest() for file, text in files.items()},
         "versions": {tool: version_of(tool) for tool in TOOLS},
     }
     return json.dumps(content, indent=2, ensure_ascii=False) + "\n"
+
+
+def described(contents: Contents, prefix: str) -> dict[str, Any]:
+    """What the manifest says of the functions: everything that scene and graphs give again."""
+    return {
+        "scene": contents.scene,
+        "route": contents.route,
+        "prefix": prefix,
+        "fixed": dict(contents.fixed),
+        "arrays": {
+            array: [{"name": e.name, "unit": e.unit, "meaning": e.meaning} for e in entries]
+            for array, entries in contents.arrays.items()
+        },
+        "functions": {
+            name: {
+                "operations": code.operations,
+                "divisions": code.divisions,
+                "inputs": dict(code.inputs),
+                "outputs": {out: list(shape) for out, shape in code.shapes},
+            }
+            for name, code in contents.programs.items()
+        },
+    }
 
 
 def _kernel(kernel: Kernel) -> dict[str, Any]:

@@ -23,23 +23,23 @@ from pathlib import Path
 
 from mechanics.compiled import Model
 from mechanics.compiled.c.lanes import SHARED
-from mechanics.compiled.c.source import function_source, signature
+from mechanics.compiled.programs.of_model import WHOLE
 from mechanics.errors import wanted
 from mechanics.export.atomic import named
-from mechanics.export.batch import batch_header, batch_implementation, batched
+from mechanics.export.batch import batched
 from mechanics.export.batch_selftest import batch_selftest
+from mechanics.export.contents import contents_of
 from mechanics.export.evidence.record import chain_record, evidence_files, evidence_of
 from mechanics.export.evidence.verify import chain
 from mechanics.export.folder import MANIFEST, check_folder, write_folder
-from mechanics.export.header import comment, header
+from mechanics.export.implementation import code_files
 from mechanics.export.loader import loader
 from mechanics.export.manifest import manifest
 from mechanics.export.package import build_files
-from mechanics.export.precision import Part, careful, named_parts
+from mechanics.export.precision import Part, named_parts
 from mechanics.export.prefix import chosen_prefix
 from mechanics.export.refusal import refuse_refuted
 from mechanics.export.selftest import selftest
-from mechanics.export.sine import inline_choice, sine_header
 from mechanics.export.vectors import vectors
 
 
@@ -102,11 +102,12 @@ def write_c(
     parts = named_parts(prefix, precision)
     names = model.programs.written(functions)
     many = batched(names) if batch else ()
+    contents = contents_of(model, names)
     files: dict[str, str] = {}
     for part in parts:
-        files |= _sources(model, part, names, many)
+        files |= code_files(contents, part, many) | _selftests(model, part, names, many)
     files |= build_files(model.equations.scene.name, prefix, parts, bool(many))
-    files[f"{prefix}_loader.py"] = loader(model, prefix, parts, names, many)
+    files[f"{prefix}_loader.py"] = loader(contents, prefix, parts, many)
     code = {file: text for file, text in files.items() if file.endswith((".c", ".h"))}
     evidence = evidence_of(model, parts, names, many, code)
     files |= evidence_files(evidence)
@@ -118,46 +119,26 @@ def write_c(
         found = chain(evidence, measure=measure, sines=False)
         refuse_refuted([f for _, findings in found.steps for f in findings], str(target))
         shown = chain_record(found)
-    files[MANIFEST] = manifest(model, prefix, names, files, evidence.kernels, shown, system)
+    files[MANIFEST] = manifest(
+        contents, prefix, files, evidence.kernels, shown, system,
+        model.form if WHOLE in names else None, model.programs.reciprocals,
+    )  # fmt: skip
     return write_folder(target, prefix, files)
 
 
-def _sources(model: Model, part: Part, names: Sequence[str], many: Sequence[str]) -> dict[str, str]:
-    """C of one precision, by name of file."""
+def _selftests(
+    model: Model, part: Part, names: Sequence[str], many: Sequence[str]
+) -> dict[str, str]:
+    """Self-tests of one precision, by name of file."""
     scene = model.equations.scene.name
     files = {
-        f"{part.prefix}.h": header(model, part, names),
-        f"{part.prefix}.c": implementation(model, part, names),
-        f"{part.prefix}_sine.h": sine_header(part),
         f"{part.prefix}_selftest.c": selftest(
             scene, part, names, model.program, lambda name: vectors(model, name, part.digits)
         ),
     }
     if many:
-        files |= {
-            f"{part.prefix}_batch.h": batch_header(model, part, many),
-            f"{part.prefix}_batch.c": batch_implementation(model, part, many),
-            f"{part.prefix}_batch_selftest.c": batch_selftest(
-                scene,
-                part,
-                many,
-                model.program,
-                lambda name: vectors(model, name, part.digits, SHARED),
-            ),
-        }
+        files[f"{part.prefix}_batch_selftest.c"] = batch_selftest(
+            scene, part, many, model.program,
+            lambda name: vectors(model, name, part.digits, SHARED),
+        )  # fmt: skip
     return files
-
-
-def implementation(model: Model, part: Part, names: Sequence[str]) -> str:
-    """The C file."""
-    scene = comment(f"{model.equations.scene.name}, derived by {model.equations.route}")
-    written = [
-        f"/* {scene} */", "", f'#include "{part.prefix}.h"', "", "#include <math.h>", "",
-        careful(part.macro), inline_choice(part),
-    ]  # fmt: skip
-    for name in names:
-        code = model.program(name)
-        head = signature(code, part.kind, f"{part.prefix}_{name}", "int")
-        entries = model.programs.names(name)
-        written.append(function_source(code, entries, part.kind, head, part.codes))
-    return "\n".join(written)

@@ -60,7 +60,7 @@ def test_a_folder_of_somebody_else_is_one_line(run: Any, tmp_path: Path) -> None
 def test_what_is_refuted_is_one_line_and_no_folder(
     run: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    module = sys.modules["mechanics.export.write_c"]
+    module = sys.modules["mechanics.export.implementation"]
     printed = module.implementation
     monkeypatch.setattr(module, "implementation", lambda *given: printed(*given).replace("+", "-"))
     ran = run("codegen", "rocker", "-o", tmp_path / "c", "--outputs", "energy", "--no-batch")

@@ -11,7 +11,7 @@ import pytest
 from mechanics.compiled import Model
 from mechanics.crosscheck.fmu import write_fmu
 from mechanics.errors import InputError, RefutedError
-from mechanics.export import write_c
+from mechanics.export import implementation, write_c
 from mechanics.export.atomic import replace_in_folder, replaced_file
 from mechanics.export.evidence.verify import chain
 from mechanics.export.fmu import unit
@@ -43,7 +43,7 @@ def wrong_sign(monkeypatch: pytest.MonkeyPatch) -> None:
     def changed(make: Callable[..., str]) -> Callable[..., str]:
         return lambda *given: make(*given).replace(" + ", " - ")
 
-    monkeypatch.setattr(write_c_module, "implementation", changed(write_c_module.implementation))
+    monkeypatch.setattr(implementation, "implementation", changed(implementation.implementation))
     monkeypatch.setattr(unit, "model_source", changed(unit.model_source))
 
 

@@ -4,8 +4,9 @@ import re
 
 import pytest
 
+from mechanics.export.contents import ARRAYS, contents_of
 from mechanics.export.functions import FUNCTIONS, OUTPUTS
-from mechanics.export.header import ARRAYS, header
+from mechanics.export.header import header
 from mechanics.export.precision import named_parts
 
 SYSTEMS = ("elastic_pendulum", "rocker", "two_mass_chain", "rolling_disc", "four_bar")
@@ -19,7 +20,7 @@ def model(request, modelled):
 
 def text(model, precision: str = "double") -> str:
     (part,) = named_parts("system", precision)
-    return header(model, part, model.programs.written())
+    return header(contents_of(model, model.programs.written()), part)
 
 
 def test_every_entry_of_every_array_is_told(model) -> None:
@@ -75,5 +76,5 @@ def test_guards_of_names_that_begin_alike_differ(modelled) -> None:
     model, guards = modelled("rocker", "free_body"), set()
     for name in ("rocker", "rocker_h", "Rocker"):
         (part,) = named_parts(name, "double")
-        guards.add(re.search(r"#ifndef (\w+)", header(model, part, ("energy",)))[1])
+        guards.add(re.search(r"#ifndef (\w+)", header(contents_of(model, ("energy",)), part))[1])
     assert len(guards) == 3

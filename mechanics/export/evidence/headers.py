@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 
 from pycparser import c_generator
@@ -33,9 +32,6 @@ def prove_headers(evidence: Evidence) -> Iterator[Finding]:
     yield from _prototypes(evidence, headers)
     yield from _declarations(evidence, headers)
     for file, text in headers.items():
-        if wrong := _documented(evidence, text):
-            words = f"refused: {', '.join(wrong)}"
-            yield undecided(f"{file}: comments", words)
         # What includes a header gets one reading of it, whatever compiles it.
         fused = FMA if file.endswith("_sine.h") else frozenset()
         if words := odd_conditions(text, file, fused.__contains__):
@@ -121,19 +117,6 @@ def _needed(evidence: Evidence, file: str, headers: dict[str, str]) -> set[str]:
                 for p in parameters(node.type) if p.name in evidence.known.symbols
             ]  # fmt: skip
     return set(needed)
-
-
-DOCUMENTED = re.compile(r"^ \*   (\w+)\[(\d+)\]  (\S+)", re.MULTILINE)
-
-
-def _documented(evidence: Evidence, text: str) -> list[str]:
-    """Entries of arrays that comments give another name than the graphs do."""
-    wrong = []
-    for group, index, name in DOCUMENTED.findall(text):
-        symbols = evidence.known.symbols.get(group, ())
-        if symbols and (int(index) >= len(symbols) or symbols[int(index)].name != name):
-            wrong.append(f"{group}[{index}] is called {name}")
-    return wrong
 
 
 def _wanted(evidence: Evidence) -> dict[str, str]:

@@ -2,6 +2,7 @@
 
     functions of the graphs x precisions = kernels of the manifest
     build files, loader, self-tests = their text, made once more from graphs and tables
+    comments, counts and entries of the manifest = those of scene and graphs
 
 What a build may find besides, such as a math.h beside the files, is named.
 """
@@ -14,33 +15,105 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import partial
 from typing import Any
 
+from sympy import Symbol
+
 from mechanics.compiled.c.lanes import SHARED
 from mechanics.compiled.custody.kernel import Kernel
+from mechanics.compiled.graphs import Graphs
+from mechanics.compiled.programs.of_model import PARTS
+from mechanics.compiled.quantities import Quantity
 from mechanics.errors import ExpressionError
 from mechanics.export.batch import batched
 from mechanics.export.batch_selftest import batch_selftest
+from mechanics.export.contents import Contents, of_quantities
+from mechanics.export.evidence.claims import prove_claims
+from mechanics.export.evidence.comments import prove_comments
 from mechanics.export.evidence.read import NEEDED, Folder
-from mechanics.export.loader import loader_text
+from mechanics.export.folder import MANIFEST
+from mechanics.export.implementation import code_files
+from mechanics.export.loader import loader
+from mechanics.export.manifest import described
 from mechanics.export.package import build_files
 from mechanics.export.precision import Part, named_parts
 from mechanics.export.selftest import selftest
 from mechanics.export.vectors import Vector
 from mechanics.kernel import Finding, same, undecided
 from mechanics.program.c.literal import literal
+from mechanics.program.routine import Routine
 
 TABLE = r"    static const \w+ {name}\[\d+\]\[\d+\] = \{{\n(.*?)\n    \}};"
+KEYS = ("system", "form", "reciprocals", "kernels", "chain", "files", "versions")
+"""Of a manifest, beside what scene and graphs give again."""
 ODD = (KeyError, TypeError, ValueError, IndexError, AttributeError, SyntaxError, ExpressionError)
 """What reading a text raises that is not as it was written."""
 
 
-def prove_files(folder: Folder) -> Iterator[Finding]:
-    """Decide about what stands in a folder, and what the manifest says of it."""
+def prove_files(folder: Folder, again: Contents | None) -> Iterator[Finding]:
+    """Decide about what stands in a folder, and what the manifest says of it.
+
+    Parameters
+    ----------
+    folder : Folder
+    again : Contents or None
+        What a scene that was derived again says of the functions; without it, the manifest does.
+    """
     prefix = str(folder.manifest.get("prefix"))
     parts = [one for one in named_parts(prefix, "both") if f"{one.prefix}.c" in folder.texts]
     for name in folder.misread:
         yield _odd(name, "the manifest has it not, and a build may read it")
     yield from _kernels(folder, parts)
-    yield from _texts(folder, prefix, parts)
+    try:
+        contents = again or as_claimed(folder)
+    except ODD as error:
+        yield _odd("folder", f"what is written cannot be made again: {error}")
+        return
+    yield from _texts(folder, prefix, parts, contents)
+    yield from prove_claims(folder.manifest, described(contents, prefix), again is not None)
+    for key in folder.manifest:
+        if key not in KEYS and key not in described(contents, prefix):
+            yield _odd(f"{MANIFEST}: {key[:40]}", "no step looks at it")
+    for part in parts:
+        many = _many(folder, part)
+        try:
+            wanted = code_files(contents, part, many)
+        except ODD as error:
+            yield _odd(f"{part.prefix}.c", f"what is written cannot be made again: {error}")
+            continue
+        yield from prove_comments(folder.texts, wanted, again is not None)
+
+
+def as_claimed(folder: Folder) -> Contents:
+    """What manifest and loader say of the functions; only names and sizes are the graphs' own."""
+    arrays = {
+        str(name): tuple(
+            Quantity(Symbol(e["name"]), e["unit"], e["meaning"]) for e in entries
+        )
+        for name, entries in folder.manifest["arrays"].items()
+    }  # fmt: skip
+    prefix = str(folder.manifest.get("prefix"))
+    typical = _typical(folder.texts.get(f"{prefix}_loader.py", ""))
+    if typical and list(typical) != [entry.name for entry in arrays.get("p", ())]:
+        raise ExpressionError("the loader has typical values of other parameters")
+    return Contents(
+        str(folder.manifest["scene"]), folder.route, arrays, tuple(typical.values()),
+        folder.fixed, *_programs(folder),
+    )  # fmt: skip
+
+
+def as_derived(folder: Folder, graphs: Graphs) -> Contents:
+    """What a scene that was derived again says of them."""
+    scene, route = graphs.derived.scene.name, graphs.derived.route
+    fixed = {symbol.name: str(value) for symbol, value in graphs.fixed.items()}
+    return of_quantities(
+        scene, route, graphs.quantities, dict(sorted(fixed.items())), *_programs(folder)
+    )
+
+
+def _programs(folder: Folder) -> tuple[dict[str, Routine], int]:
+    """What the C was printed from, and its divisions before divisors were shared."""
+    graphs = folder.evidence.graphs
+    divisions = (g.code.routine.divisions for name, g in graphs.items() if name not in PARTS)
+    return {name: graph.written for name, graph in graphs.items()}, sum(divisions)
 
 
 def _odd(name: str, words: str) -> Finding:
@@ -72,16 +145,18 @@ def _kernels(folder: Folder, parts: Sequence[Part]) -> Iterator[Finding]:
         yield _odd(str(folder.path.name), "it holds no function that is known")
 
 
-def _texts(folder: Folder, prefix: str, parts: Sequence[Part]) -> Iterator[Finding]:
+def _texts(
+    folder: Folder, prefix: str, parts: Sequence[Part], contents: Contents
+) -> Iterator[Finding]:
     """Whether files that no other step looks at are what is written."""
-    scene, graphs = str(folder.manifest["scene"]), folder.evidence.graphs
+    scene, graphs = contents.scene, folder.evidence.graphs
     looked = {kernel.file for kernel in folder.evidence.kernels}
     many = tuple(dict.fromkeys(name for part in parts for name in _many(folder, part)))
     looked |= {f"{part.prefix}{end}.h" for part in parts for end in ("", "_batch", "_sine")}
     made: list[Callable[[], dict[str, str]]] = []
     made += [lambda: build_files(scene, prefix, parts, bool(many))] if parts else []
     made += (
-        [lambda: {f"{prefix}_loader.py": _loader(folder, prefix, parts, many)}] if graphs else []
+        [lambda: {f"{prefix}_loader.py": loader(contents, prefix, parts, many)}] if graphs else []
     )
     for part in parts:
         made.append(partial(_selftests, folder, scene, part))
@@ -157,21 +232,6 @@ def _table(body: str, name: str) -> list[tuple[float, ...]]:
 def _number(word: str) -> float:
     size = float(literal(word.removeprefix("-")).value)
     return -size if word.startswith("-") else size
-
-
-def _loader(folder: Folder, prefix: str, parts: Sequence[Part], many: Sequence[str]) -> str:
-    """The loader once more; only the typical parameters are those that stand there."""
-    arrays = {
-        name: tuple((e["name"], e["unit"], e["meaning"]) for e in entries)
-        for name, entries in folder.manifest["arrays"].items()
-    }
-    typical = _typical(folder.texts.get(f"{prefix}_loader.py", ""))
-    if typical and list(typical) != [name for name, *_ in arrays.get("p", ())]:
-        raise ExpressionError("the loader has typical values of other parameters")
-    graphs = folder.evidence.graphs
-    return loader_text(
-        arrays, typical, lambda name: graphs[name].written, prefix, parts, tuple(graphs), many
-    )
 
 
 def _typical(text: str) -> Mapping[str, float]:

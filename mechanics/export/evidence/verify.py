@@ -28,18 +28,20 @@ from mechanics.export.evidence.chain import (
     second_step,
     silent,
 )
+from mechanics.export.evidence.claims import prove_stored
 from mechanics.export.evidence.equations import FILE as EQUATIONS
 from mechanics.export.evidence.graphs import FILE as GRAPHS
 from mechanics.export.evidence.headers import prove_headers
-from mechanics.export.evidence.listing import prove_files
+from mechanics.export.evidence.listing import ODD, as_derived, prove_files
 from mechanics.export.evidence.read import Folder, read_folder
 from mechanics.export.evidence.sines import prove_sines
 from mechanics.export.evidence.vectors import prove_vectors
 from mechanics.export.folder import MANIFEST
-from mechanics.kernel import Finding, Verdict
+from mechanics.kernel import Finding, Verdict, undecided
 from mechanics.scene import Scene
 
 FRACTION = re.compile(r"-?\d+(/\d+)?")
+BINARY = "C text = binary"
 NO_PHYSICS = "the equations were not derived again"
 NO_SINES = "the text of the inline sine and cosine is proved by `mechanics verify`"
 
@@ -151,7 +153,7 @@ def chain(
     # What is not shown may include anything: it is not even compiled.
     with building(evidence.texts, files, paths) as collected:
         binaries = third_step(evidence, read, collected(), report)
-    steps.append(("C text = binary", binaries.findings))
+    steps.append((BINARY, binaries.findings))
     return Chain(tuple(steps), binaries.measured, not_done)
 
 
@@ -199,34 +201,57 @@ def verify(
         If it is no such folder, or a file of it cannot be read.
     """
     folder = folder if isinstance(folder, Folder) else read_folder(Path(folder))
-    again = derived_again(folder, equations) if equations is not None else None
+    graphs = None if equations is None else graphs_again(folder, equations)
+    again = None if graphs is None else derived(graphs)
+    if again is not None:
+        _same_entries(folder, again)
     found = chain(folder.evidence, again, measure, report=report)
-    files = tuple(prove_files(folder))
-    found = replace(found, steps=(*found.steps, ("files of the folder", files)))
+    contents = None if graphs is None else as_derived(folder, graphs)
+    files = tuple(prove_files(folder, contents))
+    stored, compilers = _stored(folder, found)
+    not_done = (f"{compilers} findings of the manifest are about binaries not made again",)
+    found = replace(
+        found,
+        steps=(*found.steps, ("files of the folder", (*files, *stored))),
+        not_done=(*found.not_done, *(not_done if compilers else ())),
+    )
     physics = equations is not None
     return Verification(folder, found, physics, unvouched(folder, physics))
 
 
-def derived_again(folder: Folder, equations: Equations) -> Derived:
-    """What was derived again, with the parameters fixed as the manifest says.
+def _stored(folder: Folder, found: Chain) -> tuple[tuple[Finding, ...], int]:
+    """What is found about the verdicts of a manifest, and how many are about other compilers."""
+    try:
+        findings, compilers = prove_stored(folder.manifest.get("chain", {}), found.steps, BINARY)
+    except ODD as error:
+        words = f"refused: it does not hold findings: {type(error).__name__} {error}"
+        return (undecided(f"{MANIFEST}: chain", words),), 0
+    return tuple(findings), compilers
+
+
+def graphs_again(folder: Folder, equations: Equations) -> Graphs:
+    """The graphs of what was derived again, with the parameters fixed as the manifest says.
 
     Raises
     ------
     InputError
-        If the arrays have other entries: it is another scene.
+        If it is another scene.
     """
     scene = equations.scene
     here = {symbol.name for group in folder.evidence.known.symbols.values() for symbol in group}
     if not {symbol.name for symbol in (*scene.q, *scene.u)} <= here:
         raise _other(folder, scene.name)
-    found = derived(Graphs(equations, fixed=_fixed(folder, scene)))
+    return Graphs(equations, fixed=_fixed(folder, scene))
+
+
+def _same_entries(folder: Folder, again: Derived) -> None:
+    """Refuse a scene whose arrays have other entries."""
     for group in (*STATE, "ud", "multipliers"):
         left, right = (
-            [symbol.name for symbol in one.symbols[group]] for one in (folder.evidence.known, found)
+            [symbol.name for symbol in one.symbols[group]] for one in (folder.evidence.known, again)
         )
         if left != right:
-            raise _other(folder, scene.name)
-    return found
+            raise _other(folder, again.scene)
 
 
 def _fixed(folder: Folder, scene: Scene) -> Fixed:

@@ -1,6 +1,7 @@
 """The tokens of a C source, line by line, comments taken out."""
 
 import re
+from collections.abc import Iterator
 from itertools import accumulate, pairwise
 
 from mechanics.errors import ExpressionError
@@ -21,6 +22,8 @@ ODD = re.compile(r"[\x00-\x08\x0d-\x1f\x7f]")
 """A carriage return alone, an end of file."""
 WORD = re.compile(r"\w\w|[^\w\s]{2}|\d\.|\.\d|[eEpP][-+]")
 """What may be one token of C, or the end of a comment, where a line is joined."""
+
+JOINED = re.compile(r"\\\r?\n")
 
 Line = list[tuple[str, str]]
 """Tokens as (kind, text)."""
@@ -67,6 +70,25 @@ def tokens(text: str, file: str) -> Line:
             found += [("newline", "\n")] * passed
             del joints[:passed]
     return found
+
+
+def comments(text: str, file: str) -> Iterator[tuple[int, str]]:
+    """Number of the first line, and text, of every comment.
+
+    Raises
+    ------
+    ExpressionError
+        For a character that C does not have.
+    """
+    at, line = 0, 1
+    while at < len(text):
+        match = TOKEN.match(text, at) or JOINED.match(text, at)
+        if match is None:
+            raise ExpressionError(f"{file}:{line}: {text[at]!r} is no token of C")
+        if match.lastgroup == "comment":
+            yield line, match.group()
+        line += match.group().count("\n")
+        at = match.end()
 
 
 def touching(line: Line) -> bool:

@@ -124,7 +124,6 @@ HEADERS = {
     "order": ("const double q[2], const double u[2]", "const double u[2], const double q[2]"),
     "size": ("const double p[5]", "const double p[3]"),
     "no size": ("#define NAME_P_SIZE 5\n", ""),
-    "comment": ("q[0]  x ", "q[0]  theta "),
 }
 
 

@@ -1,0 +1,201 @@
+"""What headers and the manifest say of the functions is what scene and graphs give again."""
+
+import json
+import shutil
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from mechanics import compile, derive, write_c
+from mechanics.compiled.graphs import Graphs
+from mechanics.export.evidence.claims import prove_stored
+from mechanics.export.evidence.listing import as_derived, prove_files
+from mechanics.export.evidence.read import read_folder
+from mechanics.kernel import Finding, Verdict, refuted, same, undecided
+from systems import elastic_pendulum
+
+Judge = Callable[[Path], list[Finding]]
+HEADER = "name.h"
+
+
+@pytest.fixture(scope="module")
+def graphs() -> Graphs:
+    return Graphs(derive(elastic_pendulum.scene()))
+
+
+@pytest.fixture(scope="module")
+def claimed(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Some functions of the elastic pendulum; what is proved of them is no matter here."""
+    folder = tmp_path_factory.mktemp("claimed")
+    names = ("forward_dynamics", "inverse_dynamics", "energy", "momenta", "jacobians")
+    model = compile(derive(elastic_pendulum.scene()))
+    write_c(model, folder, name="name", functions=names, batch=False, prove=False)
+    return folder
+
+
+@pytest.fixture
+def folder(claimed: Path, tmp_path: Path) -> Path:
+    shutil.copytree(claimed, tmp_path / "c")
+    return tmp_path / "c"
+
+
+@pytest.fixture
+def judge(graphs: Graphs) -> Judge:
+    """What is found about the files of a folder that is not shown, with the physics."""
+
+    def found(folder: Path) -> list[Finding]:
+        read = read_folder(folder)
+        return [f for f in prove_files(read, as_derived(read, graphs)) if not f.shown]
+
+    return found
+
+
+def changed(folder: Path, old: str, new: str, file: str = HEADER) -> None:
+    text = (folder / file).read_text(encoding="utf-8")
+    assert old in text
+    (folder / file).write_text(text.replace(old, new), encoding="utf-8")
+
+
+def line_of(folder: Path, words: str) -> int:
+    lines = (folder / HEADER).read_text(encoding="utf-8").splitlines()
+    return next(number for number, line in enumerate(lines, 1) if words in line)
+
+
+def test_what_was_written_is_shown(folder: Path, judge: Judge) -> None:
+    assert judge(folder) == []
+
+
+@pytest.mark.parametrize(
+    ("old", "new"),
+    [
+        ("acceleration of gravity", "length of the rod"),
+        ("theta_dot  rad/s\n", "theta_dot  deg/s\n"),
+        ("p[0]", "p[1]"),
+        ("q[0]  x ", "q[0]  theta "),
+        ("typically 9.81", "typically 9.80"),
+        ("generalized[i] * u[i] is an energy", "generalized[i] * u[i] is a power"),
+        ("1  a divisor is zero", "2  a divisor is zero"),
+    ],
+)
+def test_a_row_that_says_something_else_is_refuted(
+    folder: Path, judge: Judge, old: str, new: str
+) -> None:
+    """The finding names file and line, what stands there, and what the physics gives."""
+    changed(folder, old, new)
+    found = judge(folder)
+    assert found and all(finding.verdict is Verdict.REFUTED for finding in found)
+    first = found[0]
+    assert first.subject == f"{HEADER}: line {line_of(folder, new.strip())}"
+    assert new.strip() in first.evidence and "the scene gives" in first.evidence
+
+
+@pytest.mark.parametrize(
+    ("old", "new"),
+    [
+        ("Matrices are stored column by column", "Matrices are stored row by row"),
+        ("which added to the loads give u'", "which less the loads give u'"),
+        ("#ifndef MECHANICS_name_H\n", "/* p[0] is in feet */\n#ifndef MECHANICS_name_H\n"),
+        ("/* Derivatives of u' by q, u, inputs and p.", "/*"),
+    ],
+)
+def test_a_sentence_that_nothing_shows_is_undecided(
+    folder: Path, judge: Judge, old: str, new: str
+) -> None:
+    changed(folder, old, new)
+    assert [finding.verdict for finding in judge(folder)] == [Verdict.UNDECIDED]
+
+
+def test_another_layout_of_comments_is_no_change(folder: Path, judge: Judge) -> None:
+    changed(folder, "\n * ", "\n   *   ")
+    changed(folder, "every function may be called", "every\n function may be called")
+    changed(folder, "#ifndef MECHANICS_name_H\n", "/* of ACME */\n#ifndef MECHANICS_name_H\n")
+    assert judge(folder) == []
+
+
+def test_comments_of_sources_are_compared_too(folder: Path, judge: Judge) -> None:
+    changed(folder, "derived by free_body", "derived by kane", "name.c")
+    (found,) = judge(folder)
+    assert found.subject == "name.c: line 1" and not found.shown
+
+
+def manifest(folder: Path, change: Callable[[Any], Any]) -> None:
+    path = folder / "manifest.json"
+    content = json.loads(path.read_text(encoding="utf-8"))
+    change(content)
+    path.write_text(json.dumps(content), encoding="utf-8")
+
+
+@pytest.mark.parametrize(
+    ("change", "verdict", "subject"),
+    [
+        (
+            lambda m: m["functions"]["energy"].update(operations=1),
+            Verdict.REFUTED,
+            "functions.energy.operations",
+        ),
+        (
+            lambda m: m["arrays"]["p"][0].update(unit="ft/s^2"),
+            Verdict.REFUTED,
+            "arrays.p[0].unit",
+        ),
+        (lambda m: m["functions"].pop("energy"), Verdict.UNDECIDED, "functions.energy"),
+        (lambda m: m["functions"].update(more={}), Verdict.UNDECIDED, "functions.more"),
+        (lambda m: m.pop("arrays"), Verdict.UNDECIDED, "arrays"),
+        (lambda m: m.update(note="right"), Verdict.UNDECIDED, "note"),
+    ],
+)
+def test_a_manifest_says_what_scene_and_graphs_give(
+    folder: Path, judge: Judge, change: Any, verdict: Verdict, subject: str
+) -> None:
+    manifest(folder, change)
+    (found,) = judge(folder)
+    assert (found.verdict, found.subject) == (verdict, f"manifest.json: {subject}")
+
+
+def test_without_physics_the_manifest_is_what_headers_are_held_against(folder: Path) -> None:
+    read = read_folder(folder)
+    assert all(finding.shown for finding in prove_files(read, None))
+    changed(folder, "acceleration of gravity", "length of the rod")
+    found = [f for f in prove_files(read_folder(folder), None) if not f.shown]
+    assert found and {f.verdict for f in found} == {Verdict.UNDECIDED}
+
+
+def step(*rows: dict[str, Any], title: str = "graph = C text") -> dict[str, Any]:
+    return {"steps": [{"step": title, "findings": list(rows)}]}
+
+
+PROVED = same("a", 1, 1, "equal")
+CERTIFIED = Finding("a", Verdict.CERTIFIED, "zero", error_bound=2.0**-90)
+
+
+@pytest.mark.parametrize(
+    ("again", "stored", "verdict"),
+    [
+        (PROVED, {"verdict": "PROVED"}, None),
+        (PROVED, {"verdict": "SUPPORTED"}, None),
+        (PROVED, {"verdict": "REFUTED"}, Verdict.UNDECIDED),
+        (CERTIFIED, {"verdict": "CERTIFIED", "error_bound": 2.0**-90}, None),
+        (CERTIFIED, {"verdict": "CERTIFIED", "error_bound": 2.0**-91}, Verdict.REFUTED),
+        (CERTIFIED, {"verdict": "CERTIFIED"}, Verdict.REFUTED),
+        (CERTIFIED, {"verdict": "PROVED"}, Verdict.REFUTED),
+        (undecided("a", "refused"), {"verdict": "CERTIFIED"}, Verdict.REFUTED),
+        (refuted("a", "other", 1, 2), {"verdict": "UNDECIDED"}, Verdict.REFUTED),
+    ],
+)
+def test_a_stored_verdict_is_none_better_than_the_one_found_again(
+    again: Finding, stored: dict[str, Any], verdict: Verdict | None
+) -> None:
+    chain = step({"subject": "a", **stored})
+    found, _ = prove_stored(chain, [("graph = C text", [again])], "C text = binary")
+    assert [f.verdict for f in found if not f.shown] == ([] if verdict is None else [verdict])
+    assert all("manifest.json: " in f.subject for f in found)
+
+
+def test_a_stored_verdict_about_nothing_is_named() -> None:
+    record = {"subject": "everything", "verdict": "PROVED"}
+    (found,), _ = prove_stored(step(record), [("graph = C text", [PROVED])], "C text = binary")
+    assert found.verdict is Verdict.UNDECIDED and "everything" in found.subject
+    binary = step(record, title="C text = binary")
+    assert prove_stored(binary, [], "C text = binary") == ([], 1)
