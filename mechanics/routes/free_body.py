@@ -24,7 +24,7 @@ from mechanics.program.residues import Residues
 from mechanics.program.vectors import Vector, add, dot, times, transpose, zeros
 from mechanics.routes.directions import AXES, Directions, used_directions
 from mechanics.routes.elimination import Elimination, Row, nonzero
-from mechanics.routes.loads import Wrench, acting_reactions, applied, by_body
+from mechanics.routes.loads import Wrench, acting_reactions, applied, by_body, friction
 
 
 @dataclass(frozen=True)
@@ -40,20 +40,28 @@ class FreeBodyRow:
         Unit vector, inertial components.
     axis : str
         Its name, for people.
-    momentum, rate, applied : Node
-        Component of the momentum, its time derivative, and that of the loads, in SI units.
+    velocity, momentum, rate, applied : Node
+        Component of the velocity of the mass centre or of the angular velocity, of the momentum,
+        its time derivative, and that of the loads, in SI units.
+    loads : tuple of (str, Node)
+        That of each load, by its name.
     coefficients : mapping of int to Node
-        What a unit of each reaction contributes.
+        What a unit of each reaction contributes, with the friction that it brings.
+    frictions : tuple of (str, int, Node)
+        What of that is friction: its name, the reaction, and its part.
     """
 
     body: int
     kind: str
     along: Vector
     axis: str
+    velocity: Node
     momentum: Node
     rate: Node
     applied: Node
+    loads: tuple[tuple[str, Node], ...]
     coefficients: dict[int, Node]
+    frictions: tuple[tuple[str, int, Node], ...]
 
 
 def derive(mechanism: Mechanism) -> Rows:
@@ -120,6 +128,11 @@ def free_body_rows(mechanism: Mechanism, filter_: Residues) -> tuple[FreeBodyRow
     every = [*loads, *(unit for pair in units for unit in pair)]
     directions = used_directions(filter_, bodies, every)
     groups = by_body(mechanism, loads)
+    rubbing = [
+        (load.reaction, wrench)
+        for load in mechanism.frictions
+        for wrench in friction(motions.poses, load, units[load.reaction])
+    ]
     rows: list[FreeBodyRow] = []
     for index in mechanism.order:
         acting = {
@@ -129,7 +142,8 @@ def free_body_rows(mechanism: Mechanism, filter_: Residues) -> tuple[FreeBodyRow
             if unit.body == index
         }
         linear, angular = _axes(mechanism, motions, index, directions)
-        own = bodies[index], groups[index], acting, filter_
+        rubs = [(reaction, wrench) for reaction, wrench in rubbing if wrench.body == index]
+        own = bodies[index], groups[index], acting, rubs, filter_
         rows += _linear(mechanism, index, linear, *own)
         if bodies[index].turning is not None:
             rows += _angular(mechanism, index, angular, *own)
@@ -169,6 +183,7 @@ def _linear(
     motion: BodyMotion,
     loads: Sequence[Wrench],
     acting: dict[int, Wrench],
+    rubs: Sequence[tuple[int, Wrench]],
     filter_: Residues,
 ) -> list[FreeBodyRow]:
     mass, centre = mechanism.bodies[index].mass, motion.centre
@@ -179,10 +194,13 @@ def _linear(
             "linear",
             along,
             axis,
+            dot(centre.velocity, along),
             mass * dot(centre.velocity, along),
             mass * dot(centre.acceleration, along),
             dot(force, along),
+            tuple((load.name, dot(load.force, along)) for load in loads),
             nonzero(filter_, {r: dot(unit.force, along) for r, unit in acting.items()}),
+            tuple((rub.name, r, dot(rub.force, along)) for r, rub in rubs),
         )
         for axis, along in axes
     ]
@@ -195,6 +213,7 @@ def _angular(
     motion: BodyMotion,
     loads: Sequence[Wrench],
     acting: dict[int, Wrench],
+    rubs: Sequence[tuple[int, Wrench]],
     filter_: Residues,
 ) -> list[FreeBodyRow]:
     assert motion.turning is not None and motion.inertia is not None  # a body that turns has both
@@ -209,10 +228,13 @@ def _angular(
             "angular",
             along,
             axis,
+            dot(motion.turning.omega, along),
             dot(momentum, along),
             dot(rate, along),
             dot(torque, along),
+            tuple((load.name, dot(load.moment(centre), along)) for load in loads),
             nonzero(filter_, {reaction: dot(arm, along) for reaction, arm in arms.items()}),
+            tuple((rub.name, r, dot(rub.moment(centre), along)) for r, rub in rubs),
         )
         for axis, along in axes
     ]

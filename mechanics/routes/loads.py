@@ -7,11 +7,11 @@ friction  -mu N sign(v) along the direction of sliding, N the reaction that pres
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 
 from mechanics.kinematics.motion import Motions, Poses
-from mechanics.mechanism import GROUND, Line, Mechanism
+from mechanics.mechanism import GROUND, Friction, Line, Mechanism
 from mechanics.program.builder import Node
 from mechanics.program.vectors import Vector, add, cross, dot, scale, subtract, zeros
 
@@ -98,14 +98,22 @@ def acting_reactions(mechanism: Mechanism, where: Poses) -> list[list[Wrench]]:
     """
     table = unit_reactions(mechanism, where)
     for load in mechanism.frictions:
-        size = load.coefficient * load.sliding.sign()
-        rubbing = scale(-size, where.vector(load.along))
-        signs = (1, -1)
+        rubbing = friction(where, load, table[load.reaction])
         table[load.reaction] = [
-            replace(unit, force=add(unit.force, scale(sign, rubbing)))
-            for unit, sign in zip(table[load.reaction], signs, strict=False)
+            replace(unit, force=add(unit.force, rub.force))
+            for unit, rub in zip(table[load.reaction], rubbing, strict=True)
         ]
     return table
+
+
+def friction(where: Poses, load: Friction, units: Sequence[Wrench]) -> list[Wrench]:
+    """What friction adds to each unit of the reaction that presses."""
+    size = load.coefficient * load.sliding.sign()
+    rubbing = scale(-size, where.vector(load.along))
+    return [
+        replace(unit, name=load.name, force=scale(sign, rubbing))
+        for unit, sign in zip(units, (1, -1), strict=False)
+    ]
 
 
 def potential(mechanism: Mechanism, where: Poses) -> Node:

@@ -176,28 +176,47 @@ def derive(mechanism: Mechanism) -> Rows:
     )
 
 
-def choose(mechanism: Mechanism) -> Choice:
-    """Free bodies and moment centres of full rank.
+@dataclass(frozen=True)
+class Candidates:
+    """Every principle of every outboard subtree in which no reaction of a joint enters.
 
-    Raises
-    ------
-    SingularError
-        When the principles do not determine the motion.
+    Attributes
+    ----------
+    motions : Motions
+    bodies : tuple of BodyMotion
+    loads : list of lists of Wrench
+        By body.
+    subtrees : mapping of int to Subtree
+        By the innermost body.
+    balances : tuple of Balance
+        From the leaves inward.
+    let_in : mapping of int to Node
+        Reactions of constraints and of loops, as inputs.
     """
-    build = mechanism.builder
-    filter_, closed = filters = mechanism.filters
+
+    motions: Motions
+    bodies: tuple[BodyMotion, ...]
+    loads: list[list[Wrench]]
+    subtrees: Mapping[int, Subtree]
+    balances: tuple[Balance, ...]
+    let_in: Mapping[int, Node]
+
+
+def candidates(mechanism: Mechanism, filters: tuple[Residues, Residues]) -> Candidates:
+    """Principles to choose from."""
+    build, (filter_, _) = mechanism.builder, filters
     motions = chain.motions(mechanism)
     units = acting_reactions(mechanism, motions.poses)
-    loops = _loop_reactions(mechanism)
     let_in = {
         index: build.input(mechanism.reactions[index].name)
-        for index in (*mechanism.multipliers, *loops)
+        for index in (*mechanism.multipliers, *_loop_reactions(mechanism))
     }
     loads = applied(mechanism, motions)
     bodies = body_motions(mechanism, motions)
     every = [*loads, *(unit for pair in units for unit in pair)]
     directions = used_directions(filter_, bodies, every)
-    subtrees = _subtrees(mechanism, motions, bodies, by_body(mechanism, loads))
+    groups = by_body(mechanism, loads)
+    subtrees = _subtrees(mechanism, motions, bodies, groups)
     principles: list[Principle] = []
     held: list[dict[int, Node]] = []
     for root in reversed(mechanism.order):
@@ -216,12 +235,27 @@ def choose(mechanism: Mechanism) -> Choice:
                 }
             )
     balances = _balances(mechanism, motions, subtrees, principles, held)
+    return Candidates(motions, bodies, groups, subtrees, tuple(balances), let_in)
+
+
+def choose(mechanism: Mechanism) -> Choice:
+    """Free bodies and moment centres of full rank.
+
+    Raises
+    ------
+    SingularError
+        When the principles do not determine the motion.
+    """
+    filter_, closed = filters = mechanism.filters
+    found = candidates(mechanism, filters)
+    balances, let_in = found.balances, found.let_in
     values = [balance.value for balance in balances]
+    held = [balance.coefficients for balance in balances]
     kept = _independent(mechanism, closed, values, held, let_in)
-    rows = [Row(principles[i].root, values[i], held[i]) for i in kept]
+    rows = [Row(balances[i].principle.root, values[i], dict(held[i])) for i in kept]
     elimination = Elimination(filter_, closed, rows)
     names = [reaction.name for reaction in mechanism.reactions]
-    elimination.solve_for(list(loops), None, names)
+    elimination.solve_for(list(_loop_reactions(mechanism)), None, names)
     return Choice(tuple(balances[i] for i in kept), let_in, elimination)
 
 
