@@ -44,37 +44,6 @@ class Step:
 
 
 @dataclass(frozen=True)
-class FreeBodyRow:
-    """One momentum equation of one isolated body, before any elimination.
-
-        rate = applied + sum_j coefficients[R_j] R_j
-
-    Attributes
-    ----------
-    body : str
-    kind : str
-        ``"linear"``, or ``"angular"`` about the mass centre.
-    direction : Matrix
-        3 x 1 unit vector, inertial components.
-    axis : str
-        Name of the direction, for people.
-    momentum, rate, applied : Expr
-        Momentum component, its time derivative, and the loads, in SI units.
-    coefficients : tuple of (Symbol, Expr)
-        What a unit of each reaction contributes.
-    """
-
-    body: str
-    kind: str
-    direction: Matrix
-    axis: str
-    momentum: Expr
-    rate: Expr
-    applied: Expr
-    coefficients: tuple[tuple[Symbol, Expr], ...]
-
-
-@dataclass(frozen=True)
 class Matrices:
     """The common form in plain symbols; SI units follow from the rows.
 

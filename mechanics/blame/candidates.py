@@ -39,7 +39,7 @@ def _of_speeds(view: View) -> tuple[Candidate, ...]:
 
 @lru_cache(maxsize=16)
 def _of_parts(view: View) -> tuple[Candidate, ...]:
-    rows = (_seen(row, view) for _, row in moving_rows(view.truth))
+    rows = (_seen(moment.row, view) for moment in moving_rows(view.truth))
     return _candidates(_free(row, view.truth) for row in rows)
 
 

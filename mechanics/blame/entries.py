@@ -7,14 +7,13 @@ from collections.abc import Iterator
 from fractions import Fraction
 from functools import lru_cache
 
-from sympy import Expr, Rational
+from sympy import Expr
 from sympy.matrices import MatrixBase
 
 from mechanics.blame.groups import COEFFICIENT
 from mechanics.blame.pieces import Kind, Origin, motions_of
 from mechanics.blame.terms import Monomial, Terms, symbols_in, terms_of, total
 from mechanics.blame.terms import written as to_expression
-from mechanics.kinematics.textbook.motion import inertia_matrix
 from mechanics.scene import Gravity, Scene
 from mechanics.scene import quantities as q
 from mechanics.scene.loads import CONSERVATIVE
@@ -35,16 +34,11 @@ SIGNS = {q.KineticEnergy: (1, 0), q.PotentialEnergy: (0, 1), q.TotalEnergy: (1, 
 @lru_cache(maxsize=16)
 def kinetic_pieces(scene: Scene) -> Pieces:
     """Kinetic energy of each body, of translation and of rotation, in q and u."""
-    half, found = Rational(1, 2), []
-    for name, motion in motions_of(scene).items():
-        velocity = motion.centre.velocity
-        found.append(
-            (Origin(Kind.TRANSLATION, name), half * motion.body.mass * velocity.dot(velocity))
-        )
+    found = []
+    for name, motion in motions_of(scene).bodies.items():
+        found.append((Origin(Kind.TRANSLATION, name), motion.translation))
         if motion.turns:
-            omega = motion.angular_velocity
-            spin = inertia_matrix(scene, motion.body, motion.rotation) * omega
-            found.append((Origin(Kind.ROTATION, name), half * omega.dot(spin)))
+            found.append((Origin(Kind.ROTATION, name), motion.turning))
     return tuple(found)
 
 

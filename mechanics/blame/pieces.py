@@ -11,15 +11,15 @@ from dataclasses import dataclass
 from enum import Enum
 from functools import lru_cache
 
-from sympy import Add, Expr, Matrix, Symbol
+from sympy import Add, Expr, Matrix
 
-from mechanics.equations import FreeBodyRow
-from mechanics.kinematics.textbook import differentiate
-from mechanics.kinematics.textbook.motion import BodyMotion
-from mechanics.routes.free_body_terms import free_body_rows
-from mechanics.scene import Gravity, Scene
-from mechanics.scene.actions import Action, load_actions, moment, unit_reactions
-from mechanics.scene.topology import tree
+from mechanics.kinematics.symbolic import Kinematics
+from mechanics.mechanism import Mechanism
+from mechanics.program.builder import Node
+from mechanics.program.derivatives import gradient
+from mechanics.program.residues import Residues
+from mechanics.routes.free_body import FreeBodyRow, free_body_rows
+from mechanics.scene import Scene
 
 
 class Kind(Enum):
@@ -84,62 +84,83 @@ class Momentum:
 
     Attributes
     ----------
-    row : FreeBodyRow
+    body : str
+    kind : str
+        ``"linear"``, or ``"angular"`` about the mass centre.
+    axis : str
+        Its direction, for people.
+    direction : Matrix
+        3 x 1 unit vector, inertial components.
+    partials : tuple of Expr
+        Derivative by each speed of the velocity of the mass centre along the direction, or of the
+        angular velocity.
     pieces : tuple of Piece
         They sum to zero along every motion.
     """
 
-    row: FreeBodyRow
+    body: str
+    kind: str
+    axis: str
+    direction: Matrix
+    partials: tuple[Expr, ...]
     pieces: tuple[Piece, ...]
 
 
 @lru_cache(maxsize=16)
-def motions_of(scene: Scene) -> dict[str, BodyMotion]:
-    """Motions of the bodies by name."""
-    return {motion.body.name: motion for motion in differentiate.body_motions(scene)}
+def motions_of(scene: Scene) -> Kinematics:
+    """How the bodies of a scene move."""
+    return Kinematics(scene)
 
 
 @lru_cache(maxsize=16)
 def momenta(scene: Scene) -> tuple[Momentum, ...]:
-    """Every free-body equation of a scene in pieces."""
-    motions = motions_of(scene)
-    actions = [
-        (isinstance(load, Gravity), action)
-        for load in scene.loads
-        for action in load_actions(scene, load)
-    ]
-    units = [(symbol, unit) for symbol, pair in unit_reactions(scene).items() for unit in pair]
-    return tuple(
-        Momentum(row, tuple(_pieces(row, motions[row.body], actions, units)))
-        for row in free_body_rows(scene, tree(scene), motions)
+    """Every free-body equation of a scene in pieces, printed from procedure (i)."""
+    kinematics = motions_of(scene)
+    filter_, _ = kinematics.mechanism.filters
+    rows = free_body_rows(kinematics.mechanism, filter_)
+    return tuple(_momentum(kinematics, filter_, row) for row in rows)
+
+
+def _momentum(kinematics: Kinematics, filter_: Residues, row: FreeBodyRow) -> Momentum:
+    mechanism, build = kinematics.mechanism, kinematics.mechanism.builder
+    body = mechanism.bodies[row.body].name
+    names = [reaction.name for reaction in mechanism.reactions]
+    kind = Kind.LINEAR if row.kind == "linear" else Kind.ANGULAR
+    found = [(Origin(kind, body), row.rate)]
+    for name, part in row.loads:
+        found.append((load_origin(mechanism, name, body), -part))
+    units = dict(row.coefficients)
+    for name, reaction, part in row.frictions:
+        found.append((Origin(Kind.LOAD, body, name), -part * build.input(names[reaction])))
+        units[reaction] = units.get(reaction, build.zero) - part
+    for reaction, part in units.items():
+        value = -part * build.input(names[reaction])
+        found.append((Origin(Kind.REACTION, "", names[reaction]), value))
+    partials = gradient([row.velocity], [1], mechanism.u)
+    return Momentum(
+        body,
+        row.kind,
+        row.axis,
+        Matrix(kinematics.printer(row.along)),
+        kinematics.printer(partials),
+        printed(kinematics, filter_, found),
     )
 
 
-def _pieces(
-    row: FreeBodyRow,
-    motion: BodyMotion,
-    actions: Iterable[tuple[bool, Action]],
-    units: Iterable[tuple[Symbol, Action]],
-) -> list[Piece]:
-    kind = Kind.LINEAR if row.kind == "linear" else Kind.ANGULAR
-    found = [Piece(Origin(kind, row.body), row.rate)]
-    for heavy, action in actions:
-        if action.body == row.body:
-            name = "gravity" if heavy else action.name
-            value = -_along(action, motion, row)
-            found.append(Piece(Origin(Kind.LOAD, row.body, name), value))
-    for symbol, unit in units:
-        if unit.body == row.body:
-            value = -symbol * _along(unit, motion, row)
-            found.append(Piece(Origin(Kind.REACTION, "", symbol.name), value))
-    return [piece for piece in found if piece.value != 0]
+def load_origin(mechanism: Mechanism, name: str, body: str) -> Origin:
+    """Of a load on a body; gravity goes by that name, whatever its field is called."""
+    heavy = {field.name for field in mechanism.fields}
+    return Origin(Kind.LOAD, body, "gravity" if name in heavy else name)
 
 
-def _along(action: Action, motion: BodyMotion, row: FreeBodyRow) -> Expr:
-    """The component of a force, or of its moment about the mass centre, that a row holds."""
-    if row.kind == "linear":
-        return inner(action.force, row.direction)
-    return inner(moment(action, motion.centre.position), row.direction)
+def printed(
+    kinematics: Kinematics, filter_: Residues, parts: Iterable[tuple[Origin, Node]]
+) -> tuple[Piece, ...]:
+    """Pieces that are not zero, in SymPy."""
+    kept = [(origin, filter_.tidy(node)) for origin, node in parts]
+    kept = [(origin, node) for origin, node in kept if not node.is_zero]
+    values = kinematics.printer([node for _, node in kept])
+    return tuple(Piece(origin, value) for (origin, _), value in zip(kept, values, strict=True))
 
 
 def inner(one: Matrix, two: Matrix) -> Expr:

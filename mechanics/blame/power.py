@@ -79,6 +79,6 @@ def unbalanced(
 def _drift(scene: Scene) -> list[Expr]:
     """Velocities of the mass centres and bodies at rest: of what is moved by hand."""
     still = dict.fromkeys(scene.u, S.Zero)
-    motions = motions_of(scene).values()
+    motions = motions_of(scene).bodies.values()
     columns = [m.centre.velocity for m in motions] + [m.angular_velocity for m in motions]
     return [canonical(entry.xreplace(still)) for column in columns for entry in column]

@@ -9,16 +9,26 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import lru_cache
 
-from sympy import Add, Expr, Matrix, S, Symbol
+from sympy import Add, Expr, S
 
 from mechanics.blame.origin import holds
-from mechanics.blame.pieces import Kind, Momentum, Origin, Piece, inner, merged, momenta, motions_of
+from mechanics.blame.pieces import (
+    Kind,
+    Origin,
+    Piece,
+    load_origin,
+    merged,
+    momenta,
+    motions_of,
+    printed,
+)
 from mechanics.equations import Equations
-from mechanics.kinematics.textbook.motion import BodyMotion
-from mechanics.routes.balance import Balance, dot, triple
-from mechanics.routes.moving_point_terms import candidates
-from mechanics.scene import Gravity, Scene
-from mechanics.scene.actions import moment
+from mechanics.kinematics.symbolic import Kinematics
+from mechanics.program.builder import Node
+from mechanics.program.residues import Residues
+from mechanics.routes.moving_point import Balance, Candidates, candidates
+from mechanics.routes.moving_point_terms import body_terms, load_terms
+from mechanics.scene import Scene
 from mechanics.scene.topology import tree
 
 
@@ -46,71 +56,79 @@ class Row:
 def generalized_rows(scene: Scene) -> tuple[Row, ...]:
     """Kane's and Lagrange's equation of each speed, with the reactions of constraints in it."""
     found = []
-    for u in scene.u:
+    for index, u in enumerate(scene.u):
         weighted = [
-            (weight, piece)
+            (momentum.partials[index], piece)
             for momentum in momenta(scene)
-            if (weight := _partial(momentum, motions_of(scene)[momentum.row.body], u)) != 0
             for piece in momentum.pieces
         ]
         found.append(Row(f"Lagrange's equation of {u.name}", merged(weighted)))
     return tuple(found)
 
 
-def _partial(momentum: Momentum, motion: BodyMotion, u: Symbol) -> Expr:
-    """Partial velocity of the body along the direction of a row."""
-    linear = momentum.row.kind == "linear"
-    velocity = motion.centre.velocity if linear else motion.angular_velocity
-    return inner(velocity.diff(u), momentum.row.direction)
+@dataclass(frozen=True)
+class Moment:
+    """A momentum principle of an outboard part of the tree.
+
+    Attributes
+    ----------
+    about : str
+        The moment centre, or what it is beside; empty for linear momentum.
+    row : Row
+    carried : Expr
+        BC x m a_B along the axis, a part of the row.
+    """
+
+    about: str
+    row: Row
+    carried: Expr
 
 
 @lru_cache(maxsize=16)
-def moving_rows(truth: Equations) -> tuple[tuple[Balance, Row], ...]:
+def moving_rows(truth: Equations) -> tuple[Moment, ...]:
     """Momentum principles of outboard parts of the tree in which no reaction of a joint enters.
 
     One that the route has no use for may not hold: the moment of a body that cannot turn has a
     reaction in it that nobody declared.
     """
-    heavy = {load.name for load in truth.scene.loads if isinstance(load, Gravity)}
-    rows = (
-        (balance, Row(balance.principle.words, tuple(_balanced(balance, heavy))))
-        for balance in candidates(truth.scene)
-    )
-    return tuple((balance, row) for balance, row in rows if holds(truth, row.value))
+    kinematics = motions_of(truth.scene)
+    filters = kinematics.mechanism.filters
+    found = candidates(kinematics.mechanism, filters)
+    rows = (_balanced(kinematics, filters[0], found, balance) for balance in found.balances)
+    return tuple(moment for moment in rows if holds(truth, moment.row.value))
 
 
-def _balanced(balance: Balance, heavy: set[str]) -> Iterator[Piece]:
+def _balanced(
+    kinematics: Kinematics, filter_: Residues, found: Candidates, balance: Balance
+) -> Moment:
     """dH_B/dt and v_B x P of each body, less the loads, along the principle's directions."""
-    axis, along, centre = balance.principle.axis, balance.principle.along, balance.centre
-    turning = axis != Matrix([0, 0, 0])
-    about = balance.principle.point.name if turning else ""
-    found = []
-    for part in balance.parts:
-        body, c = part.motion.body, part.motion.centre
-        arm, slip = c.position - centre.position, c.velocity - centre.velocity
-        turned = body.mass * (triple(axis, arm, c.acceleration) + triple(axis, slip, c.velocity))
-        moved = body.mass * triple(axis, centre.velocity, c.velocity)
-        found += [
-            Piece(Origin(Kind.ANGULAR, body.name, about=about), dot(axis, part.spin_rate) + turned),
-            Piece(Origin(Kind.MOVING, body.name, about=about), moved),
-            Piece(Origin(Kind.LINEAR, body.name), body.mass * dot(along, c.acceleration)),
+    mechanism, build = kinematics.mechanism, kinematics.mechanism.builder
+    about = ""
+    if not balance.principle.linear:
+        about = mechanism.points[found.subtrees[balance.principle.root].point].name
+    parts: list[tuple[Origin, Node]] = []
+    carried = build.zero
+    for terms in body_terms(mechanism, found, balance):
+        body = mechanism.bodies[terms.body].name
+        carried = carried + terms.carried
+        parts += [
+            (Origin(Kind.ANGULAR, body, about=about), terms.turning),
+            (Origin(Kind.MOVING, body, about=about), terms.moving),
+            (Origin(Kind.LINEAR, body), terms.linear),
         ]
-    for load in balance.loads:
-        name = "gravity" if load.name in heavy else load.name
-        value = dot(axis, moment(load, centre.position)) + dot(along, load.force)
-        found.append(Piece(Origin(Kind.LOAD, load.body, name), -value))
-    for symbol, factor in balance.coefficients.items():
-        found.append(Piece(Origin(Kind.REACTION, "", symbol.name), -factor * symbol))
-    yield from merged((S.One, piece) for piece in found)
+    for name, index, value in load_terms(mechanism, found, balance):
+        parts.append((load_origin(mechanism, name, mechanism.bodies[index].name), -value))
+    for reaction, factor in balance.coefficients.items():
+        name = mechanism.reactions[reaction].name
+        parts.append((Origin(Kind.REACTION, "", name), -factor * found.let_in[reaction]))
+    pieces = merged((S.One, piece) for piece in printed(kinematics, filter_, parts))
+    return Moment(about, Row(balance.words, pieces), *kinematics.printer([carried]))
 
 
 @lru_cache(maxsize=16)
 def free_rows(scene: Scene) -> tuple[Row, ...]:
     """Free-body equations, and linear momentum of outboard parts; reactions stand in them."""
-    found = [
-        Row(f"{m.row.body}: {m.row.kind} momentum along {m.row.axis}", m.pieces)
-        for m in momenta(scene)
-    ]
+    found = [Row(f"{m.body}: {m.kind} momentum along {m.axis}", m.pieces) for m in momenta(scene)]
     bodies = tree(scene)
     for name in bodies.order:
         inside = bodies.subtree(name)
@@ -121,9 +139,9 @@ def free_rows(scene: Scene) -> tuple[Row, ...]:
 
 def _together(scene: Scene, inside: tuple[str, ...]) -> Iterator[Row]:
     """Linear momentum of several bodies along each direction that all of them use."""
-    own = [m for m in momenta(scene) if m.row.body in inside and m.row.kind == "linear"]
-    for axis in dict.fromkeys(m.row.axis for m in own):
-        group = [m for m in own if m.row.axis == axis]
+    own = [m for m in momenta(scene) if m.body in inside and m.kind == "linear"]
+    for axis in dict.fromkeys(m.axis for m in own):
+        group = [m for m in own if m.axis == axis]
         if len(group) == len(inside):
             pieces = merged((S.One, piece) for m in group for piece in m.pieces)
             yield Row(f"{' + '.join(inside)}: linear momentum along {axis}", pieces)

@@ -26,7 +26,7 @@ class Row:
 
 
 @dataclass(frozen=True)
-class _Solved:
+class Solved:
     """A reaction solved from a row: R = (value - sum of the others) / pivot."""
 
     reaction: int
@@ -43,7 +43,7 @@ class Elimination:
     anywhere: Residues
     closed: Residues
     work: list[Row]
-    solved: list[_Solved] = field(default_factory=list)
+    solved: list[Solved] = field(default_factory=list)
 
     def solve_for(self, reactions: Sequence[int], body: int | None, names: Sequence[str]) -> None:
         """Solve rows for reactions, rows of the body itself first.
@@ -71,7 +71,7 @@ class Elimination:
             _, _, index, reaction = min(candidates)
             waiting.remove(reaction)
             pivot = self.work.pop(index)
-            self.solved.append(_Solved(reaction, pivot))
+            self.solved.append(Solved(reaction, pivot))
             for row in self.work:
                 if reaction in row.coefficients:
                     self._subtract(row, pivot, reaction)

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 
 from mechanics.mechanism import Mechanism
 from mechanics.program.builder import Node
-from mechanics.program.derivatives import tangent
+from mechanics.program.forward import tangent
 from mechanics.program.vectors import Vector, add, cross, dot, scale, subtract, times
 from mechanics.routes.moving_point import Balance, Candidates
 

@@ -16,6 +16,7 @@ from mechanics.routes.free_body import FreeBodyRow, eliminated
 from mechanics.routes.lagrange import kinetic_parts
 from mechanics.routes.loads import potential
 from mechanics.routes.moving_point import choose
+from mechanics.routes.multipliers import solution
 from mechanics.scene.loads import CONSERVATIVE
 from mechanics.symbolic import canonical
 
@@ -36,10 +37,7 @@ def free_body(printer: Printer, mechanism: Mechanism) -> tuple[Step, ...]:
         equations.append(Line(Add(applied, *held), rate, label))
     solved = []
     for step in elimination.solved:
-        value, *factors = printer.short((step.row.value, *step.row.coefficients.values()))
-        others = dict(zip(step.row.coefficients, factors, strict=True))
-        pivot = others.pop(step.reaction)
-        rest = Add(value, *(-f * symbols[r] for r, f in others.items())) / pivot
+        rest = solution(printer, step, symbols)
         solved.append(Line(symbols[step.reaction], rest, f"from {names[step.row.body]}"))
     return (
         Step(

@@ -33,7 +33,7 @@ def along(truth: Equations, expressions: list) -> Finding:
 @pytest.mark.sample(3)
 def test_pieces_of_every_row_sum_to_zero_along_the_motion(truth: Equations) -> None:
     rows = [*generalized_rows(truth.scene), *free_rows(truth.scene)]
-    rows += [row for _, row in moving_rows(truth)]
+    rows += [moment.row for moment in moving_rows(truth)]
     assert len(rows) >= len(truth.scene.u)
     assert along(truth, [row.value for row in rows]).shown
 

@@ -104,7 +104,7 @@ def test_friction_with_the_wrong_sign(truth_of: Callable[[str], Equations]) -> N
 
 @pytest.mark.sample(3)
 def test_nothing_is_explained_where_all_is_right(truth: Equations, stated: Stated) -> None:
-    rows = [*generalized_rows(truth.scene), *(row for _, row in moving_rows(truth))]
+    rows = [*generalized_rows(truth.scene), *(moment.row for moment in moving_rows(truth))]
     values = [row.value for row in rows if row.value.free_symbols & set(truth.scene.ud)]
     statements = [stated(value, str(tag)) for tag, value in zip(count(1), values, strict=False)]
     findings = judged(truth, statements)

@@ -15,7 +15,9 @@ from mechanics import compile, crosscheck, derive, simulate
 from mechanics.crosscheck import ROUTES, CrossCheck
 from mechanics.errors import InputError, SingularError
 from mechanics.export import write_c
-from mechanics.routes.multipliers import Row, solve_for
+from mechanics.program import Builder
+from mechanics.program.residues import Residues
+from mechanics.routes.elimination import Elimination, Row
 from mechanics.scene import (
     Particle,
     RigidBody,
@@ -168,10 +170,10 @@ def test_loops_are_compiled_written_and_simulated(route: str, tmp_path: Path) ->
 
 
 def test_a_reaction_that_no_row_holds_is_refused_by_name() -> None:
-    scene = atwood()
-    tensions = [held.symbol for held in scene.reactions[:2]]
+    builder = Builder()
+    row, filter_ = Row(0, builder.input("x_ddot"), {}), Residues(builder)
     with pytest.raises(SingularError, match=r"T1, T2.*holonomic"):
-        solve_for([Row("left", scene.ud[0], {})], tensions)
+        Elimination(filter_, filter_, [row]).solve_for([0, 1], None, ["T1", "T2"])
 
 
 def test_rows_that_no_route_answers_are_left_out_with_a_remark() -> None:

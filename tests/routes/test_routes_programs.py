@@ -14,12 +14,14 @@ from mechanics.program.residues import Residues
 from mechanics.program.vectors import dot
 from mechanics.routes import free_body, kane, lagrange, moving_point
 from mechanics.routes.moving_point import null_space
+from mechanics.routes.moving_point_terms import body_terms, load_terms
 from mechanics.routes.rows import (
     acceleration_forms,
     coefficients,
     remainder,
 )
 from mechanics.scene import Scene
+from mechanics.scene.system import System
 from systems import ALL, VARIANTS, pendulum_chain
 
 ROUTES = (free_body, moving_point, kane, lagrange)
@@ -110,3 +112,23 @@ def test_every_row_annihilates_the_null_space(numbers: str, rank: int) -> None:
         for row in rows:
             assert filter_.is_zero(dot(row, vector))
     assert len(filter_.eliminate([filter_.values(vector) for vector in basis], width)) == len(basis)
+
+
+@pytest.mark.parametrize("system", ALL, ids=lambda system: system.name)
+def test_what_bodies_and_loads_contribute_adds_up_to_each_principle(system: System) -> None:
+    mechanism = lower(system.scene(), Builder())
+    filters = mechanism.filters
+    found = moving_point.candidates(mechanism, filters)
+    assert found.balances
+    for balance in found.balances:
+        rest = balance.value
+        for terms in body_terms(mechanism, found, balance):
+            rest = rest - terms.turning - terms.moving - terms.linear
+        for _, _, value in load_terms(mechanism, found, balance):
+            rest = rest + value
+        assert filters[0].is_zero(rest)
+    for row in free_body.free_body_rows(mechanism, filters[0]):
+        loads = row.applied
+        for _, part in row.loads:
+            loads = loads - part
+        assert filters[0].is_zero(loads)

@@ -12,7 +12,7 @@ from sympy import Expr, Matrix, Rational, S, eye
 
 from mechanics.blame.mistakes.slip import Change, Part, Right, Slip
 from mechanics.blame.pieces import Kind, Origin, Piece, inner, momenta, motions_of
-from mechanics.kinematics.textbook.motion import BodyMotion
+from mechanics.kinematics.symbolic import BodyMotion
 from mechanics.scene import RigidBody, Scene
 from mechanics.scene.rates import rate_table, rates
 from mechanics.scene.topology import tree
@@ -23,7 +23,7 @@ def slips(right: Right) -> Iterator[Slip]:
     """Every body that turns and has an inertia, and then all of them."""
     turning = [
         name
-        for name, motion in motions_of(right.scene).items()
+        for name, motion in motions_of(right.scene).bodies.items()
         if motion.turns and isinstance(motion.body, RigidBody) and motion.body.inertia != 0
     ]
     several = [(name,) for name in turning] + ([tuple(turning)] if len(turning) > 1 else [])
@@ -61,9 +61,9 @@ def _added(right: Right, index: int, names: tuple[str, ...], factor: Rational) -
 def _in_row(right: Right, index: int, name: str, growth: Matrix) -> Expr:
     """The rate of an angular momentum along the direction of a row, or times w_r."""
     if not right.free:
-        turning = motions_of(right.scene)[name].angular_velocity
+        turning = motions_of(right.scene).bodies[name].angular_velocity
         return inner(growth, turning.diff(right.scene.u[index]))
-    row = momenta(right.scene)[index].row
+    row = momenta(right.scene)[index]
     own = row.body == name and row.kind == "angular"
     return inner(growth, row.direction) if own else S.Zero
 
@@ -71,7 +71,7 @@ def _in_row(right: Right, index: int, name: str, growth: Matrix) -> Expr:
 @lru_cache(maxsize=64)
 def _transfer(scene: Scene, name: str) -> Matrix | None:
     """d/dt of (m d^2 - m d d^T) w, d from the inboard joint to the mass centre, 3 x 1, in N m."""
-    motion = motions_of(scene)[name]
+    motion = motions_of(scene).bodies[name]
     arm = _arm(scene, name, motion)
     if arm is None:
         return None

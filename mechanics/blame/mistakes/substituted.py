@@ -13,7 +13,7 @@ from sympy import Add, Expr, S, Symbol
 
 from mechanics.blame.mistakes.slip import Right, Slip, once
 from mechanics.blame.pieces import Kind, Origin, Piece
-from mechanics.routes.lagrange_sympy import kinetic_energy
+from mechanics.kinematics.symbolic import Kinematics
 from mechanics.scene import Gravity, Scene
 from mechanics.scene.loads import CONSERVATIVE
 from mechanics.scene.potential import load_potential
@@ -40,7 +40,7 @@ def slips(right: Right) -> Iterator[Slip]:
 
 def _lagrangian(scene: Scene) -> list[tuple[Origin, Expr]]:
     """Kinetic energy, and less the potential energy of each load, in q and q'."""
-    found = [(Origin(Kind.TRANSLATION, "all bodies"), kinetic_energy(scene))]
+    found = [(Origin(Kind.TRANSLATION, "all bodies"), Kinematics(scene).energy_in_rates)]
     for load in scene.loads:
         if isinstance(load, CONSERVATIVE):
             name = "gravity" if isinstance(load, Gravity) else load.name
