@@ -117,7 +117,7 @@ def momenta(scene: Scene) -> tuple[Momentum, ...]:
     """Every free-body equation of a scene in pieces, printed from procedure (i)."""
     kinematics = motions_of(scene)
     filter_, _ = kinematics.mechanism.filters
-    rows = free_body_rows(kinematics.mechanism, filter_)
+    rows = free_body_rows(kinematics.mechanism, filter_, kinematics.motions)
     return tuple(_momentum(kinematics, filter_, row) for row in rows)
 
 

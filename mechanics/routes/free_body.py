@@ -106,7 +106,7 @@ def eliminated(mechanism: Mechanism) -> tuple[tuple[FreeBodyRow, ...], Eliminati
         When no row determines a reaction.
     """
     filter_, closed = mechanism.filters
-    rows = free_body_rows(mechanism, filter_)
+    rows = free_body_rows(mechanism, filter_, differentiate.motions(mechanism))
     work = [Row(row.body, row.rate - row.applied, dict(row.coefficients)) for row in rows]
     elimination = Elimination(filter_, closed, work)
     kept = mechanism.multipliers
@@ -119,9 +119,10 @@ def eliminated(mechanism: Mechanism) -> tuple[tuple[FreeBodyRow, ...], Eliminati
     return rows, elimination
 
 
-def free_body_rows(mechanism: Mechanism, filter_: Residues) -> tuple[FreeBodyRow, ...]:
+def free_body_rows(
+    mechanism: Mechanism, filter_: Residues, motions: Motions
+) -> tuple[FreeBodyRow, ...]:
     """Momentum equations of every isolated body, in tree order."""
-    motions = differentiate.motions(mechanism)
     bodies = body_motions(mechanism, motions)
     loads = applied(mechanism, motions)
     units = acting_reactions(mechanism, motions.poses)

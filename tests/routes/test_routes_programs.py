@@ -8,6 +8,7 @@ import pytest
 
 from benchmarks.faults.scenes import trammel
 from mechanics.equations import Rows
+from mechanics.kinematics import differentiate
 from mechanics.mechanism import Mechanism, lower
 from mechanics.program import Builder
 from mechanics.program.residues import Residues
@@ -76,7 +77,7 @@ def test_reactions_of_free_bodies_make_their_rows_zero() -> None:
     rows = free_body.derive(mechanism)
     assert set(rows.reactions) == {"T", "N", "N1"}
     filter_ = Residues(mechanism.builder)
-    bodies = free_body.free_body_rows(mechanism, filter_)
+    bodies = free_body.free_body_rows(mechanism, filter_, differentiate.motions(mechanism))
     names = [reaction.name for reaction in mechanism.reactions]
     own = [
         row.rate - row.applied
@@ -127,7 +128,7 @@ def test_what_bodies_and_loads_contribute_adds_up_to_each_principle(system: Syst
         for _, _, value in load_terms(mechanism, found, balance):
             rest = rest + value
         assert filters[0].is_zero(rest)
-    for row in free_body.free_body_rows(mechanism, filters[0]):
+    for row in free_body.free_body_rows(mechanism, filters[0], found.motions):
         loads = row.applied
         for _, part in row.loads:
             loads = loads - part
