@@ -82,7 +82,7 @@ def check_admissible(mechanism: Mechanism) -> None:
     if mechanism.closure.values or not mechanism.closure:
         # Where no point on the constraints is known, the laws say that it is undecided.
         _ideal(mechanism, table, powers, filter_)
-    _complete(mechanism, _freedoms(mechanism, bodies, directions, units), filter_)
+    _complete(mechanism, _freedoms(mechanism, bodies, directions, units), table, filter_)
     _maintained(mechanism, powers, filter_)
     _regular(mechanism, table, filter_)
 
@@ -252,7 +252,13 @@ def _freedoms(
     return found
 
 
-def _complete(mechanism: Mechanism, freedoms: Sequence[_Freedom], filter_: Residues) -> None:
+def _complete(
+    mechanism: Mechanism,
+    freedoms: Sequence[_Freedom],
+    table: Sequence[Sequence[int]],
+    filter_: Residues,
+) -> None:
+    """Reactions and velocities that the constraints admit span the freedoms of isolated bodies."""
     names = [reaction.name for reaction in mechanism.reactions]
     size = len(freedoms)
     flat = filter_.values([entry for freedom in freedoms for entry in freedom.reactions])
@@ -271,11 +277,14 @@ def _complete(mechanism: Mechanism, freedoms: Sequence[_Freedom], filter_: Resid
     moved = coefficients([freedom.velocity for freedom in freedoms], mechanism.u)
     speeds = filter_.values([entry for row in moved for entry in row])
     width = len(mechanism.u)
-    spanned = [list(column) for column in columns] + [speeds[k::width] for k in range(width)]
-    have = len(_rank(filter_, spanned, size))
+    # A combination of these is admitted where what it does to the constraints, behind, is zero.
+    behind = [0] * len(table)
+    spanned = [[*column, *behind] for column in columns]
+    spanned += [[*speeds[k::width], *(row[k] for row in table)] for k in range(width)]
+    have = len(_rank(filter_, spanned, size + len(table)))
     for k, freedom in enumerate(freedoms):
-        alone = [int(i == k) for i in range(size)]
-        if len(_rank(filter_, [*spanned, alone], size)) > have:
+        alone = [*(int(i == k) for i in range(size)), *behind]
+        if len(_rank(filter_, [*spanned, alone], size + len(table))) > have:
             raise SceneError(
                 f"{mechanism.name}: the reactions are incomplete ({len(independent)} of {wanted}):"
                 f" nothing holds body {freedom.body} in {freedom.words}: declare the reaction"

@@ -29,11 +29,11 @@ def systems() -> None:
 
     Example: `mechanics systems`
     """
-    from systems import ALL, SEED
+    from systems import ALL, SEED, VARIANTS
 
     name = Column("system", no_wrap=True)
     table = Table(name, "scene", "coordinates", "published rows", box=None, pad_edge=False)
-    for system in ALL:
+    for system in (*ALL, *VARIANTS):
         scene = system.scene()
         mark = " *" if system in SEED else ""
         names = ", ".join(q.name for q in scene.q)

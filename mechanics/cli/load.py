@@ -70,7 +70,7 @@ def built_in(text: str) -> System:
             return System(text, partial(make, int(sized[2] or sized[3])))
         raise InputError(f"system {text!r}: {sized[1]} has no size: write {sized[1]}")
     raise InputError(
-        f"system {text!r} is not known: the systems are {', '.join(s.name for s in ALL)};"
+        f"system {text!r} is not known: the systems are {', '.join(known)};"
         " or give the path of a .py file with a function scene()"
     )
 

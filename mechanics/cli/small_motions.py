@@ -82,8 +82,8 @@ def _natural(linear: Linear) -> None:
 def _numeric(linear: Linear) -> None:
     numeric = numeric_modes(linear)
     for i, value in enumerate(numeric.eigenvalues):
-        shape = ", ".join(f"{entry:.10g}" for entry in numeric.shapes[:, i])
-        typer.echo(f"omega_{i + 1}^2 = {value:.10g}   shape ({shape})")
+        shape = ", ".join(f"{entry + 0.0:.10g}" for entry in numeric.shapes[:, i])
+        typer.echo(f"omega_{i + 1}^2 = {value + 0.0:.10g}   shape ({shape})")
 
 
 def _linear(name: str, settings: list[str]) -> Linear:

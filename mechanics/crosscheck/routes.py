@@ -24,7 +24,7 @@ def named_routes(names: Sequence[str]) -> tuple[Route, ...]:
     return tuple(route for route in ROUTES if not names or route.name in names)
 
 
-def derive(scene: Scene, route: str = "free_body") -> Equations:
+def derive(scene: Scene, route: str | Route = "free_body") -> Equations:
     """Equations of motion of a scene by one route, after the scene was found admissible.
 
     Those of a scene that is too large for a person to read are a program alone, without matrices.
@@ -32,8 +32,8 @@ def derive(scene: Scene, route: str = "free_body") -> Equations:
     Parameters
     ----------
     scene : Scene
-    route : str
-        ``"free_body"``, ``"moving_point"``, ``"kane"`` or ``"lagrange"``.
+    route : str or Route
+        ``"free_body"``, ``"moving_point"``, ``"kane"`` or ``"lagrange"``, or one of `ROUTES`.
 
     Raises
     ------
@@ -43,7 +43,7 @@ def derive(scene: Scene, route: str = "free_body") -> Equations:
         For a name that is no route.
     """
     wanted(scene, Scene, "derive", "pass what scene() of a system gives")
-    (chosen,) = named_routes((route,))
+    chosen = route if isinstance(route, Route) else named_routes((route,))[0]
     mechanism = check_scene(scene)
     return chosen.equations(scene, mechanism, chosen.rows(mechanism))
 

@@ -50,6 +50,7 @@ from mechanics.scene.potential import potential
 from mechanics.scene.published import Published
 from mechanics.scene.quantities import EquationOfMotion, ReactionValue
 from mechanics.scene.system import System
+from mechanics.scene.units import without_unit
 
 DEFAULT_STATES = 100_000
 
@@ -150,6 +151,7 @@ def crosscheck(system: System | Scene, options: CrossCheck | None = None) -> Sys
     if any(row in right and holds_others(scene, row) for row in motions):
         remarks += ("Residuals of equations that hold a reaction or a momentum are not measured.",)
     remarks += (
+        *_units_missing(scene),
         _written(models),
         f"Compiled functions are evaluated by {_preferred(models).backend}.",
     )
@@ -199,6 +201,7 @@ def _without_textbook(
     pairs |= sympy.pairs
     findings = [*pairs.values(), *check_laws(programs)]
     remarks = ["The equations are too long to be written out, and stay programs."]
+    remarks += _units_missing(scene)
     stage("compiling")
     model = compile(first)
     findings += prove_compiled(model, [name for name in model.casadi if name != "step"])
@@ -312,6 +315,13 @@ def _graphs(models: Mapping[str, Model]) -> Iterator[Finding]:
 def _preferred(models: Mapping[str, Model]) -> Model:
     """The model that is simulated: Kane's has the fewest operations."""
     return models.get("kane", next(iter(models.values())))
+
+
+def _units_missing(scene: Scene) -> tuple[str, ...]:
+    """What is not checked because no unit is declared."""
+    names = ", ".join(symbol.name for symbol in without_unit(scene))
+    words = f"No unit is declared for {names}: what is added to them may have any dimension."
+    return (words,) if names else ()
 
 
 def _written(models: Mapping[str, Model]) -> str:

@@ -74,7 +74,9 @@ def read_where(
     InputError
         For what is no inequality in coordinates and parameters, or holds at no state that is found.
     """
-    known = {match.name: match.meaning for match in names} | dict(given)
+    table = {match.name: match.meaning for match in names} | dict(given)
+    # What code calls a vector is no name in a condition.
+    known = {name: meaning for name, meaning in table.items() if len(_words(meaning)) == 1}
     parts = [part for text in texts for part in _parts(text)]
     if len(parts) > MOST_CONDITIONS or any(len(part) > LONGEST for part in parts):
         raise InputError(f"where: at most {MOST_CONDITIONS} conditions of {LONGEST} characters")
@@ -146,6 +148,10 @@ def right_where(
         except MechanicsError:
             return ()  # the ledger compares it with something else than the motion
     return ()
+
+
+def _words(meaning: str) -> list[str]:
+    return meaning.replace(",", " ").split()
 
 
 def _parts(text: str) -> Iterator[str]:

@@ -42,7 +42,7 @@ class DampedModes:
     def ratios(self) -> NDArray[np.float64]:
         """zeta = -Re s / |s|: one for a real pole, negative where motions grow, zero for s = 0."""
         sizes = np.abs(self.poles)
-        return np.where(sizes > 0, -self.poles.real, 0.0) / np.where(sizes > 0, sizes, 1.0)
+        return np.where(sizes > 0, 0.0 - self.poles.real, 0.0) / np.where(sizes > 0, sizes, 1.0)
 
     @property
     def words(self) -> tuple[str, ...]:
@@ -86,14 +86,14 @@ def damped_modes(linear: Linear, values: Numbers | None = None) -> DampedModes:
 
 def _motion(s: complex, omega: float, zeta: float) -> str:
     if s.imag == 0:
-        return f"s = {s.real:.6g} 1/s, no oscillation"
-    return f"s = {s.real:.6g} ± {s.imag:.6g}i 1/s, frequency {omega:.6g} rad/s" + (
+        return f"s = {s.real + 0.0:.6g} 1/s, no oscillation"
+    return f"s = {s.real + 0.0:.6g} ± {s.imag:.6g}i 1/s, frequency {omega:.6g} rad/s" + (
         f" ({omega / (2 * pi):.4g} Hz), damping ratio {zeta:.4g}"
     )
 
 
 def _element(a: complex) -> str:
-    """A real element with its sign, another by its size and phase."""
+    """A real element with its sign, another by its size and phase; -0 is 0."""
     if abs(a.imag) <= 1e-9 * abs(a):
-        return f"{a.real:.4g}"
+        return f"{a.real + 0.0:.4g}"
     return f"{abs(a):.4g} at {degrees(np.angle(a)):.4g}°"

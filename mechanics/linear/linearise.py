@@ -25,6 +25,7 @@ from mechanics.linear.algebra import independent_rows, inverse, is_zero, null_sp
 from mechanics.linear.form import Linear
 from mechanics.mechanism import name_of
 from mechanics.program.sympy_printer import expressions
+from mechanics.reading.kinds import angular
 from mechanics.routes.rows import acceleration_forms, coefficients
 from mechanics.scene import Scene
 from mechanics.scene.rates import TIME
@@ -276,7 +277,7 @@ def _expand(equations: Equations, rest: Rest) -> Linear:
     still = slopes.reactions
     # Rows conjugate to u, projected on the admitted speeds, are conjugate to x'.
     left = speeds.T if conjugate else null_space(still.T)[0].T
-    static = _static(equations, rest, left, slopes)
+    static = _static(equations, rest, left, slopes, free if conjugate else ())
 
     def projected(matrix: Matrix) -> Matrix:
         return (left * matrix).applyfunc(reduced)
@@ -310,15 +311,30 @@ def _smooth(equations: Equations, rest: Rest) -> None:
                 )
 
 
-def _static(equations: Equations, rest: Rest, left: Matrix, slopes: Slopes) -> Matrix:
-    """Return the static reactions lambda_0; refuse a point out of balance."""
+def _static(
+    equations: Equations, rest: Rest, left: Matrix, slopes: Slopes, moved: Sequence[int]
+) -> Matrix:
+    """Return the static reactions lambda_0; refuse a point out of balance.
+
+    Rows are the forces on the coordinates that are `moved`, where these are given.
+    """
+    scene, turning = equations.scene, angular(equations.scene)
     out_of_balance = (left * slopes.forcing).applyfunc(reduced)
     for row, entry in enumerate(out_of_balance, 1):
         if not is_zero(entry):
-            place = ", ".join(f"{symbol} = {value}" for symbol, value in rest.point.items())
+            units = {q: " rad" if q in turning else " m" for q in scene.q}
+            place = ", ".join(f"{s} = {value}{units.get(s, '')}" for s, value in rest.point.items())
+            left_over = f"row {row} of the equations at rest leaves {entry}"
+            if moved:
+                q = scene.q[moved[row - 1]]
+                torque = q in turning
+                left_over = (
+                    f"the {'torque' if torque else 'force'} on {q} at rest is"
+                    f" {entry} {'N m' if torque else 'N'}"
+                )
             raise InputError(
-                f"{equations.scene.name}: {place} is no equilibrium: row {row} of the equations"
-                f" ({equations.route}) at rest leaves {entry}, not zero"
+                f"{scene.name}: {place} is no equilibrium: {left_over}, not zero"
+                f" ({equations.route})"
             )
     still = slopes.reactions
     if not still.cols:

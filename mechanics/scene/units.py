@@ -13,7 +13,7 @@ from collections.abc import Iterator
 from itertools import pairwise
 from typing import TYPE_CHECKING
 
-from sympy import Add, Expr, Mul, Pow, sympify
+from sympy import Add, Expr, Mul, Pow, Symbol, cos, exp, sin, sympify, tan
 from sympy.physics.vector import Vector
 
 from mechanics.errors import SceneError
@@ -25,6 +25,9 @@ from mechanics.scene.wellformed import inertia_entries
 
 if TYPE_CHECKING:
     from mechanics.scene.scene import Scene
+
+PLAIN = (sin, cos, tan, exp)
+"""Functions whose values are numbers: beside a factor with a unit they have none."""
 
 
 def check_units(scene: Scene) -> None:
@@ -42,6 +45,13 @@ def check_units(scene: Scene) -> None:
                 f"{where}: {expression} has the unit {words(found)}, not {unit}: correct the"
                 " expression, or the units of its parameters"
             )
+    for constraint in scene.constraints:
+        dimension(scene, constraint.expression, f"constraint {constraint.name}")
+
+
+def without_unit(scene: Scene) -> tuple[Symbol, ...]:
+    """Parameters whose unit is not declared."""
+    return tuple(p for p in scene.parameters if not getattr(p, "unit", ""))
 
 
 def dimension(scene: Scene, expression: Expr, where: str) -> Dimension | None:
@@ -61,7 +71,9 @@ def dimension(scene: Scene, expression: Expr, where: str) -> Dimension | None:
         return None if base is None else tuple(expression.exp * entry for entry in base)
     if isinstance(expression, Mul):
         factors = [
-            dimension(scene, factor, where) for factor in expression.args if not factor.is_number
+            dimension(scene, factor, where)
+            for factor in expression.args
+            if not (factor.is_number or isinstance(factor, PLAIN))
         ]
         if not factors or any(factor is None for factor in factors):
             return None

@@ -119,7 +119,7 @@ def test_wrong_side_of_the_borderline_is_refuted() -> None:
         (
             "linearised equation of motion",
             {"quantity": LinearisedEquation(operating_point({"theta": 1}, {"f": 0}))},
-            "theta = 1, f = 0 is no equilibrium",
+            "theta = 1 rad, f = 0 is no equilibrium",
         ),
         (
             "the upright equilibrium without control",

@@ -11,6 +11,7 @@ from fractions import Fraction
 from lark import Token, Tree
 
 from mechanics.reading.columns import transposed
+from mechanics.reading.latex.bars import OPENING
 from mechanics.reading.latex.item import (
     Item,
     bare,
@@ -43,6 +44,7 @@ from mechanics.reading.tree import (
 
 Fold = Callable[[list[Item], int], Node]
 
+BARS = ("|", "vert", OPENING)
 DEEPEST_BRACKETS = 40
 MOST_ENTRIES = 50
 """Of a bracket with commas."""
@@ -211,7 +213,7 @@ class Items:
     def _bracket(self, base: Tree, at: int) -> Item:
         inner = next(c for c in base.children if isinstance(c, Tree))
         left = base.children[0]
-        if isinstance(left, Token) and left.type == "LEFT" and left.value.endswith(("|", "vert")):
+        if isinstance(left, Token) and left.type == "LEFT" and left.value.endswith(BARS):
             return Item("node", at, Call(at, "abs", (self.group(inner, at),)))
         pieces = pieces_of(inner)
         nodes = self._separated(inner, at)

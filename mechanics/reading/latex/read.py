@@ -15,6 +15,7 @@ from lark import Token, Tree
 from lark.exceptions import UnexpectedCharacters, UnexpectedEOF, UnexpectedInput, UnexpectedToken
 
 from mechanics.reading.columns import names_a_column
+from mechanics.reading.latex.bars import barred
 from mechanics.reading.latex.blocks import Block, blocks, claims, is_value
 from mechanics.reading.latex.fold import ALL, GLUED, SLASH, Fold
 from mechanics.reading.latex.grammar import PARSER
@@ -158,7 +159,7 @@ def _block(
     if by_cases := BY_CASES.search(text):
         raise Refused(offset + by_cases.start(), "cases cannot be read here: give one of them")
     try:
-        tree = _tree(text)
+        tree = _tree(barred(text))
     except UnexpectedInput as error:
         raise _unexpected(error, text, offset) from None
     found: list[Entry] = []

@@ -12,6 +12,7 @@ from mechanics.report.answer.meaning import difference, headline, meaning
 from mechanics.report.answer.sentences import about, place, sides, solved
 from mechanics.report.answer.sheets import names_of, sheets
 from mechanics.report.answer.witness import short_state, short_value, short_values
+from mechanics.scene import Scene
 
 LONG = 120
 """Characters of a statement that is shown once; what else may be changed in it is folded."""
@@ -54,12 +55,12 @@ class Sheet:
     cards: tuple[Card, ...]
 
 
-def sheets_of(told: Iterable[Judged]) -> list[Sheet]:
+def sheets_of(told: Iterable[Judged], scene: Scene) -> list[Sheet]:
     """The sheets of statements, in their order."""
     found: list[Sheet] = []
     number = 0
     for entries in sheets(told):
-        cards = tuple(_card(number + n, entry) for n, entry in enumerate(entries, start=1))
+        cards = tuple(_card(number + n, entry, scene) for n, entry in enumerate(entries, start=1))
         number += len(cards)
         statement = entries[0].statement
         verdicts = [entry.finding.verdict for entry in entries]
@@ -70,7 +71,7 @@ def sheets_of(told: Iterable[Judged]) -> list[Sheet]:
     return found
 
 
-def _card(number: int, entry: Judged) -> Card:
+def _card(number: int, entry: Judged, scene: Scene) -> Card:
     statement, blame = entry.statement, entry.blame
     repairs = blame.repairs if blame is not None else ()
     hand = typed.hand_of(statement)
@@ -94,7 +95,7 @@ def _card(number: int, entry: Judged) -> Card:
         if witness
         else "",
         state=[(n, short_state(v)) for n, v in witness.state] if witness else [],
-        solved=[(n, short_value(v)) for n, v in solved(statement, witness.solved)]
+        solved=[(n, short_value(v)) for n, v in solved(statement, witness.solved, scene)]
         if witness
         else [],
     )

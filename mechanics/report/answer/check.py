@@ -61,7 +61,7 @@ class Check:
         return numbered([once(spelled(entry, self.scene)) for entry in self.judged])
 
     def __rich__(self) -> Group:
-        return answer(self.told, self.names, self.remarks)
+        return answer(self.told, self.names, self.remarks, self.scene)
 
     def __str__(self) -> str:
         return plain(self.__rich__())

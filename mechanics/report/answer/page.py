@@ -45,7 +45,7 @@ def check_html(found: Check) -> str:
     return made.get_template("answer/page.html").render(
         found=found,
         scene=found.scene,
-        sheets=sheets_of(told),
+        sheets=sheets_of(told, found.scene),
         notes=notes,
         hand=typed.hand_of(told[0].statement) if told else typed.Hand("", None),
         tally=words.tally(entry.finding for entry in found.judged),

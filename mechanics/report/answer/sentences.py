@@ -8,6 +8,7 @@ from collections.abc import Sequence
 from mechanics.blame.result import Edit
 from mechanics.reading.names import Match
 from mechanics.reading.statement import Statement
+from mechanics.scene import Scene
 from mechanics.scene.quantities import EquationOfMotion, Identity, ReactionValue
 
 
@@ -84,10 +85,18 @@ def sides(statement: Statement) -> tuple[str, str]:
     return "written", "derived"
 
 
-def solved(statement: Statement, found: Sequence[tuple[str, str]]) -> list[tuple[str, str]]:
-    """What follows from a state, as far as the statement holds it."""
+def solved(
+    statement: Statement, found: Sequence[tuple[str, str]], scene: Scene | None = None
+) -> list[tuple[str, str]]:
+    """What follows from a state: where the scene is, and of the rest what the statement holds.
+
+    Of a loop the coordinates, speeds and lengths that close it; of accelerations and reactions
+    those that are spoken of.
+    """
     if statement.row is None:
         return list(found)
     held = set().union(*(side.free_symbols for side in statement.row.sides))
+    if scene is not None:
+        held.update(scene.q, scene.qd, scene.u, scene.parameters)
     names = {symbol.name for symbol in held}
     return [(name, value) for name, value in found if name in names]

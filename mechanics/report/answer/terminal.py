@@ -39,6 +39,7 @@ from mechanics.report.answer.sheets import shared_notes, sheets
 from mechanics.report.answer.source import Source
 from mechanics.report.answer.typed import Hand, hand_of
 from mechanics.report.answer.witness import short_state, short_value, short_values
+from mechanics.scene import Scene
 
 STYLES = {
     Verdict.PROVED: "bold green",
@@ -59,8 +60,9 @@ def plain(answer: RenderableType, width: int = PLAIN_WIDTH) -> str:
 
 
 def answer(
-    judged: Sequence[Judged], names: Sequence[Match] = (), remarks: Sequence[str] = ()
-) -> Group:
+    judged: Sequence[Judged], names: Sequence[Match] = (), remarks: Sequence[str] = (),
+    scene: Scene | None = None,
+) -> Group:  # fmt: skip
     """What became of statements, for `rich.console.Console.print`.
 
     Parameters
@@ -69,12 +71,14 @@ def answer(
     names : sequence of Match
         What names were taken for; those that are the same are not told.
     remarks : sequence of str
+    scene : Scene, optional
+        What follows from the state of a witness is told as far as it places the scene.
     """
     parts: list[RenderableType] = []
     apart = False
     told, notes = shared_notes(judged)
     for sheet in sheets(told):
-        made = [line for n, entry in enumerate(sheet) for line in one(entry, again=n > 0)]
+        made = [line for n, entry in enumerate(sheet) for line in one(entry, scene, again=n > 0)]
         if parts and (len(made) > 1 or apart):
             parts.append("")
         parts, apart = parts + made, len(made) > 1
@@ -91,7 +95,9 @@ def answer(
     return Group(*parts, *last)
 
 
-def one(entry: Judged, *, again: bool = False) -> Iterator[RenderableType]:
+def one(
+    entry: Judged, scene: Scene | None = None, *, again: bool = False
+) -> Iterator[RenderableType]:
     """Everything about one statement; of a further row of an equation that is shown, its own."""
     statement, finding, blame = entry.statement, entry.finding, entry.blame
     repairs = blame.repairs if blame is not None else ()
@@ -112,7 +118,7 @@ def one(entry: Judged, *, again: bool = False) -> Iterator[RenderableType]:
     if blame is not None:
         yield from _blame(blame, statement)
     yield from (below(line(words, "yellow", "right if ")) for words in entry.right_if)
-    yield from _state(entry)
+    yield from _state(entry, scene)
     yield from (below(line(note, "dim")) for note in statement.notes)
 
 
@@ -169,7 +175,7 @@ def _edit(edit: Edit, lead: str, where: str) -> Text:
     return text.append(f": {edit.mistake.value}")
 
 
-def _state(entry: Judged) -> Iterator[RenderableType]:
+def _state(entry: Judged, scene: Scene | None) -> Iterator[RenderableType]:
     """The state of a witness with what follows from it, and both values there."""
     finding: Finding = entry.finding
     if finding.witness is None:
@@ -179,7 +185,7 @@ def _state(entry: Judged) -> Iterator[RenderableType]:
     yield below(line(difference(sides(entry.statement), values)))
     state = [(name, short_state(value)) for name, value in witness.state]
     yield below(line(f"the state: {_listed(state)}", "dim"))
-    if held := solved(entry.statement, witness.solved):
+    if held := solved(entry.statement, witness.solved, scene):
         short = [(name, short_value(value)) for name, value in held]
         yield below(line(f"from which follow {_listed(short)}", "dim"))
     yield below(line(finding.evidence, "dim", "(how it is known: ").append(")", "dim"))

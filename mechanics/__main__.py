@@ -1,0 +1,5 @@
+"""`python -m mechanics`: the command line."""
+
+from mechanics.cli import main
+
+main()
