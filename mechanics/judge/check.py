@@ -4,7 +4,6 @@ statements  --ledger-->  PROVED, CERTIFIED, REFUTED with a witness, UNDECIDED
 """
 
 from collections.abc import Mapping, Sequence
-from functools import lru_cache
 from typing import Any
 
 from mechanics.crosscheck.routes import derive
@@ -35,7 +34,6 @@ from mechanics.scene import Scene
 from mechanics.scene.system import System
 
 
-@lru_cache(maxsize=32)
 def derived(scene: Scene) -> Equations:
     """What statements about a scene are compared with: the route that has the reactions."""
     return derive(scene, "free_body")
