@@ -56,11 +56,6 @@ COMPOSED = (
         ("v = c1 + across", "v = c1 - across", "composed: omega x r, wrong sign"),
         ("omega, rates(omega, table))", "omega, omega)", "composed: omega for alpha"),
         (
-            "turn.rotation * turn.omega, turn.rotation * turn.alpha",
-            "turn.rotation.T * turn.omega, turn.rotation.T * turn.alpha",
-            "composed: omega turned the wrong way",
-        ),
-        (
             "turn[j, i] = c, c, -s, s",
             "turn[j, i] = c, c, s, -s",
             "composed: axis and angle of the turn backwards",
@@ -88,15 +83,6 @@ CONSTRAINTS = (
             "expression = rate(expression * scene.q[0], table)",
             "closures are multiplied by the first coordinate",
         ),
-    ),
-    *faults_in(
-        "mechanics.kinematics.textbook.directions",
-        (
-            "for i in range(3) if any(not is_zero(v[i]) for v in linear))",
-            "for i in range(2) if any(not is_zero(v[i]) for v in linear))",
-            "nothing moves along z",
-        ),
-        ("rotation = {0, 1, 2}", "rotation = {2}", "in space, moments about z only"),
     ),
 )
 

@@ -15,8 +15,7 @@ from itertools import pairwise
 from sympy import Expr, Matrix, cos, eye, sin, zeros
 from sympy.physics.vector import Point, ReferenceFrame
 
-from mechanics.kinematics.textbook.motion import BodyMotion, PointMotion
-from mechanics.scene import Particle, Scene
+from mechanics.scene import Scene
 from mechanics.scene.geometry import (
     components,
     frame_path,
@@ -131,37 +130,6 @@ class Chain:
         for frame, column in mixed.items():
             total += self.frame(frame).rotation * column
         return total
-
-
-def point_motion(chain: Chain, point: Point) -> PointMotion:
-    """Motion of a geometric point, in inertial components."""
-    return _point(chain, point)
-
-
-def body_motions(scene: Scene, chain: Chain | None = None) -> tuple[BodyMotion, ...]:
-    """Motion of every body in scene order, in inertial components."""
-    chain = chain or Chain(scene)
-    found = []
-    for body in scene.bodies:
-        centre = _point(chain, body.centre)
-        if isinstance(body, Particle):
-            found.append(BodyMotion(body, centre, eye(3), zeros(3, 1), zeros(3, 1)))
-            continue
-        turn = chain.frame(body.frame)
-        spin, gain = turn.rotation * turn.omega, turn.rotation * turn.alpha
-        if _unturned(turn.rotation, turn.omega):
-            spin, gain = turn.omega, turn.alpha
-        found.append(BodyMotion(body, centre, turn.rotation, spin, gain))
-    return tuple(found)
-
-
-def _point(chain: Chain, point: Point) -> PointMotion:
-    motion = chain.point(point)
-    return PointMotion(
-        chain.inertial(motion.position),
-        chain.inertial(motion.velocity),
-        chain.inertial(motion.acceleration),
-    )
 
 
 def axis_angle(step: Matrix) -> tuple[Matrix, Expr] | None:

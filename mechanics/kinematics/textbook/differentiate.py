@@ -13,23 +13,13 @@ from sympy.physics.vector import Point, ReferenceFrame
 
 from mechanics.kinematics.textbook.motion import BodyMotion, PointMotion
 from mechanics.scene import Particle, Scene
-from mechanics.scene.rates import coordinate_rate_table, rate, rate_table, rates
+from mechanics.scene.rates import rate, rate_table, rates
 from mechanics.symbolic import canonical
-
-
-def point_motion(scene: Scene, point: Point) -> PointMotion:
-    """Motion of a point, in q, u and u'."""
-    return _point(scene, point, rate_table(scene))
 
 
 def body_motions(scene: Scene) -> tuple[BodyMotion, ...]:
     """Motion of every body in scene order, in q, u and u'."""
     return _bodies(scene, rate_table(scene))
-
-
-def body_motions_in_rates(scene: Scene) -> tuple[BodyMotion, ...]:
-    """Motion of every body with q' and q'' as symbols of their own, whatever the speeds are."""
-    return _bodies(scene, coordinate_rate_table(scene))
 
 
 def angular_velocity(
