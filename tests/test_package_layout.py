@@ -25,6 +25,7 @@ TOP_LEVEL = {
     "LICENSE",
     "README.md",
     "benchmarks",
+    "docs",
     "mechanics",
     "pyproject.toml",
     "systems",

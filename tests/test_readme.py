@@ -1,4 +1,4 @@
-"""The README stays true: its example runs, prints what it says, and its files exist."""
+"""The README and the pages of docs stay true: examples run and print what is said, files exist."""
 
 import contextlib
 import io
@@ -9,17 +9,25 @@ from typing import Any
 import pytest
 
 import mechanics
+from mechanics.cli.app import COMMANDS, command
 from systems import elastic_pendulum
 
 ROOT = Path(__file__).parents[1]
-README = (ROOT / "README.md").read_text(encoding="utf-8")
+PAGES = {
+    path: path.read_text(encoding="utf-8")
+    for path in (ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md")))
+}
+README = PAGES[ROOT / "README.md"]
+CALLED = re.compile(r"(?:`|^|&& )(?:\.venv/bin/)?mechanics ([a-z]+)((?: [^`\n]*)?)", re.MULTILINE)
+"""A command and its arguments, in a line of a block or between backquotes."""
 
 
 def block(marker: str) -> str:
-    """The fenced block under a marker comment."""
-    found = re.search(rf"<!-- {marker} -->\n```\w*\n(.*?)```", README, re.DOTALL)
-    assert found is not None, f"README.md has no block marked {marker}"
-    return found[1]
+    """The fenced block under a marker comment, of one page."""
+    pattern = re.compile(rf"<!-- {marker} -->\n```\w*\n(.*?)```", re.DOTALL)
+    found = [match for page in PAGES.values() for match in pattern.finditer(page)]
+    assert len(found) == 1, f"{len(found)} blocks are marked {marker}"
+    return found[0][1]
 
 
 @pytest.mark.parametrize("name", ["python", "space"])
@@ -41,11 +49,34 @@ def test_the_scene_of_the_python_example_can_be_exported(tmp_path: Path) -> None
     assert (tmp_path / "pendulum" / "manifest.json").exists()
 
 
-def test_files_that_the_readme_links_exist() -> None:
-    links = re.findall(r"\]\(([^)#]+)\)", README)
-    assert links
-    missing = [link for link in links if "://" not in link and not (ROOT / link).exists()]
+@pytest.mark.parametrize("path", PAGES, ids=lambda path: path.stem)
+def test_files_that_a_page_links_exist(path: Path) -> None:
+    links = re.findall(r"\]\(([^)#]+)\)", PAGES[path])
+    missing = [link for link in links if "://" not in link and not (path.parent / link).exists()]
     assert not missing
+
+
+def test_the_readme_is_read_in_one_sitting_and_lists_every_page() -> None:
+    assert README.count("\n") <= 250
+    listed = re.findall(r"\]\((docs/[^)]+)\)", README)
+    assert {ROOT / link for link in listed} == {path for path in PAGES if path.name != "README.md"}
+
+
+def test_commands_and_options_that_pages_name_are_known() -> None:
+    named = {
+        (name, option)
+        for page in PAGES.values()
+        for name, rest in CALLED.findall(page)
+        for option in ("", *re.findall(r"--[a-z][a-z-]*", rest))
+    }
+    assert len(named) > 40
+    options = {
+        name: {o for p in command(name).params for o in (*p.opts, *p.secondary_opts)}
+        | {"", "--help"}
+        for name in COMMANDS
+    }
+    unknown = {(name, option) for name, option in named if option not in options.get(name, ())}
+    assert not unknown
 
 
 def test_the_answer_to_wrong_equations_is_what_the_readme_says() -> None:
