@@ -128,6 +128,9 @@ def makes_verdicts(tree: ast.Module) -> Breaches:
         if called_name(node) in MADE_BY_THE_KERNEL:
             words = f"only mechanics.kernel makes a {called_name(node)}"
             yield node.lineno, f"{words}: give one of its functions both sides"
+        sides = [ast.unparse(side) for side in node.args[1:3]]
+        if called_name(node) == "same" and len(sides) == 2 and sides[0] == sides[1]:
+            yield node.lineno, "same compares a thing with itself: give both sides"
         if called_name(node) == "replace" and node.args:
             fixed = FIXED | SIDES if "witness" in ast.unparse(node.args[0]) else FIXED
             if fixed & {k.arg for k in node.keywords}:
@@ -313,6 +316,7 @@ def test_every_import_is_installed_by_the_package() -> None:
         (makes_verdicts, "Finding(subject, Verdict.PROVED, words)"),
         (makes_verdicts, "kernel.Finding(subject, Verdict.PROVED, words)"),
         (makes_verdicts, "Witness(state, '1', '2')"),
+        (makes_verdicts, "same(subject, count, count, words)"),
         (makes_verdicts, "from mechanics.kernel.definedness import Gap as G"),
         (makes_verdicts, "replace(witness, left='1')"),
         (makes_verdicts, "from mechanics.kernel import Finding as F"),

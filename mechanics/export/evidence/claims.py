@@ -92,21 +92,23 @@ def prove_stored(
     """
     known = {finding.subject: finding for _, findings in steps for finding in findings}
     found: list[Finding] = []
-    compilers = again = 0
+    compilers, held = 0, list[tuple[str, str]]()
     for step in stored.get("steps", ()):
         for record in step["findings"]:
             subject, verdict = str(record["subject"]), Verdict[str(record["verdict"])]
             if subject in known:
-                again += 1
+                weaker = min(verdict, known[subject].verdict, key=STRENGTH.index)
+                held.append((verdict.name, weaker.name))
                 found += _compared(known[subject], verdict, record.get("error_bound"))
             elif step["step"] == elsewhere:
                 compilers += 1
             elif verdict not in (Verdict.REFUTED, Verdict.UNDECIDED):
                 words = f"refused: {verdict.name} stands there, and no step decides about it"
                 found.append(undecided(f"manifest.json: {subject}", words))
-    if again and not found:
-        words = f"{again} verdicts are none better than those found again"
-        found.append(same("manifest.json: chain", again, again, words))
+    if held and not found:
+        words = f"{len(held)} verdicts are none better than those found again"
+        stands, weaker_ones = zip(*held, strict=True)
+        found.append(same("manifest.json: chain", stands, weaker_ones, words))
     return found, compilers
 
 

@@ -57,9 +57,9 @@ def prove_comments(
             continue
         found = list(_differences(file, here, there, physics))
         if not found:
-            count = len(there)
-            words = f"{count} comments are those printed"
-            found = [same(f"{file}: comments", count, count, words)]
+            words = f"{len(there)} comments are those printed"
+            printed = [comment.words for comment in there]
+            found = [same(f"{file}: comments", _matching(here, there), printed, words)]
         yield from found
 
 
@@ -76,6 +76,13 @@ def _comments(text: str, file: str) -> list[Comment]:
         if words:
             found.append(Comment(tuple(words), tuple(lines)))
     return found
+
+
+def _matching(here: Sequence[Comment], there: Sequence[Comment]) -> list[tuple[str, ...]]:
+    """Words of the comments of a file that are printed, too; others say nothing of entries."""
+    matcher = SequenceMatcher(None, [c.words for c in here], [c.words for c in there], False)
+    blocks = matcher.get_matching_blocks()
+    return [here[k].words for first, _, size in blocks for k in range(first, first + size)]
 
 
 def _differences(
