@@ -89,7 +89,7 @@ class Bordered:
         zero = [build.zero] * len(a)
         upper = [(*row, *column) for row, column in zip(self.mass, self._columns, strict=True)]
         x = build.solve([*upper, *((*row, *zero) for row in a)], right, symmetric=True)
-        return (*x[:n], *self._multipliers([-entry for entry in x[n:]]))
+        return (*x[:n], *self.multipliers([-entry for entry in x[n:]]))
 
     @cached_property
     def _columns(self) -> Matrix:
@@ -129,7 +129,7 @@ class Bordered:
     def _pivots(self) -> Order:
         return self.choose(self._general, [*self.forcing, *self.constraint_bias])
 
-    def _multipliers(self, mu: Sequence[Node]) -> list[Node]:
+    def multipliers(self, mu: Sequence[Node]) -> list[Node]:
         """lambda of B lambda = A^T mu."""
         own = self._own
         if own is not None:

@@ -13,7 +13,6 @@ import sympy
 
 from mechanics.compiled.fixed import Fixed
 from mechanics.compiled.forms import FORMS
-from mechanics.compiled.outputs import FORMS as PROGRAM_FORMS
 from mechanics.compiled.programs.gathered import gathered
 from mechanics.compiled.programs.reciprocals import with_reciprocals
 from mechanics.compiled.quantities import DIGITS, STATE, Quantities, quantities
@@ -245,8 +244,6 @@ def _symbols(graph: ca.SX) -> ca.SX:
 
 def form_names(equations: Equations) -> tuple[str, ...]:
     """Forms of forward dynamics that may suit some equations."""
-    if equations.textbook is None:
-        return PROGRAM_FORMS
     return tuple(form.name for form in FORMS if not form.unsuited(equations))
 
 

@@ -4,7 +4,7 @@
     residual            the same: M u' - f
     mass matrix         M = d tau / d u', or composite bodies
     forcing             f = -tau(q, u, 0)
-    forward dynamics    M u' = f, or articulated bodies
+    forward dynamics    M u' = f, articulated bodies, or Gauss's principle
     jacobians           M dx = -(d tau)(q, u, x)             x = u', along each entry of the state,
                         or the derivatives of articulated bodies
 
@@ -27,21 +27,33 @@ from functools import cached_property
 from sympy import Expr
 
 from mechanics.compiled.bordered import Bordered, Choose, bind, bordered
+from mechanics.compiled.forms.bodies import joint_trees
+from mechanics.compiled.forms.members import (
+    ARTICULATED,
+    COMPOSITE,
+    ELIMINATION,
+    RECURSIVE,
+    SPARSE,
+    Form,
+)
+from mechanics.equations import FEW
 from mechanics.equations import Rows as RouteRows
-from mechanics.errors import InputError
+from mechanics.errors import ExpressionError, SingularError
 from mechanics.kinematics import chain
 from mechanics.kinematics.motion import body_motions, poses
 from mechanics.mechanism import Mechanism, name_of
 from mechanics.program import Program
 from mechanics.program.builder import Builder, Node
 from mechanics.program.derivatives import gradient
+from mechanics.program.differences import with_one_difference
 from mechanics.program.elimination import expand_solves
 from mechanics.program.forward import tangent
-from mechanics.program.vectors import Vector, add, cross, scale, times, zeros
-from mechanics.recursions import newton_euler
+from mechanics.program.residues import Residues
+from mechanics.program.vectors import Vector, add, cross, dot, scale, times, zeros
+from mechanics.recursions import least_constraint, newton_euler
 from mechanics.recursions.articulated_bodies import forward_dynamics
 from mechanics.recursions.composite_bodies import mass_matrix
-from mechanics.recursions.joints import Link, joint_tree
+from mechanics.recursions.joints import Link
 from mechanics.recursions.local_equations import jacobian
 from mechanics.recursions.pseudo_inertia import grouped, moments
 from mechanics.routes import free_body, kane
@@ -90,14 +102,8 @@ def solvable(build: Builder, rows: Sequence[Node], accelerations: Sequence[Node]
     return Solvable(coefficients(rows, accelerations), [-entry for entry in rest])
 
 
-COMPOSITE, ARTICULATED, KANE = "composite", "articulated", "kane"
-MEANINGS = {
-    COMPOSITE: "M by composite bodies, then L D Lᵀ",
-    ARTICULATED: "articulated bodies, without M",
-    KANE: "M of the rows, then elimination",
-}
-"""Of the forms of forward dynamics, in a phrase."""
-FORMS = tuple(MEANINGS)
+SAFE = 1.25
+"""How many times the operations a way may take that rounds better, where errors are not tried."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -112,7 +118,7 @@ class Outputs:
     fixed : mapping of str to Expr
         Exact values of parameters.
     form : str
-        Of forward dynamics, one of `FORMS`, or ``"auto"``.
+        Of forward dynamics, the name of one of `mechanics.compiled.FORMS`, or ``"auto"``.
     route : RouteRows or None
         What the route derived; needed for constraints and friction.
     choose : callable or None
@@ -144,8 +150,8 @@ class Outputs:
             "forcing": lambda: self._bound({"forcing": self._system.forcing}),
             "residual": lambda: self._bound({"residual": (*self._rows, *self._closing)}),
             "inverse_dynamics": self._inverse_dynamics,
-            "energy": lambda: self._bound(energies(self.mechanism)),
-            "momenta": lambda: self._bound(momenta(self.mechanism)),
+            "energy": self._energy,
+            "momenta": self._momenta,
             "coordinate_rates": lambda: self._bound({"qd": self.mechanism.q_rates}),
             "jacobians": self._jacobians,
             "reactions": self._reactions,
@@ -162,7 +168,7 @@ class Outputs:
         if self.fixed:
             build, nodes = bind(program, self.fixed)
             program = build.program(nodes)
-        return expand_solves(program)
+        return with_one_difference(expand_solves(program))
 
     def _cheapest(self, candidates: Iterable[Outcome]) -> Program:
         """The program of the fewest operations; the first of several."""
@@ -209,40 +215,111 @@ class Outputs:
 
     @cached_property
     def _accelerations(self) -> list[tuple[str, Rows]]:
-        """u' and the multipliers in every form."""
-        mechanism = self.mechanism
-        if self._bordered is not None:
-            found = self._constrained(self._bordered)
-        else:
-            found = self._free()
-        chosen = [way for way in found if self.form in (way[0], "auto")]
+        """u' and the multipliers in every form that was asked for."""
+        chosen = [
+            (name, nodes)
+            for name in (ELIMINATION.name, *(form.name for form in self._from_bodies))
+            if self.form in (name, "auto")
+            for nodes in self.ways(name)
+        ]
         if not chosen:
-            raise InputError(
-                f"form {self.form!r}: {mechanism.name} is no tree of joints with one freedom each,"
-                f" free of constraints: choose {KANE!r}, or 'auto'"
+            raise SingularError(
+                f"form {self.form!r} of {self.mechanism.name} gives no accelerations that satisfy"
+                " M u' = f: choose another one, or 'auto'"
             )
         return chosen
 
-    def _free(self) -> list[tuple[str, Rows]]:
-        mechanism, system = self.mechanism, self._system
-        bias = [-entry for entry in system.forcing]
-        found = [(KANE, system.accelerations(mechanism.builder))]
-        for links in self._trees:
-            composite = Solvable(mass_matrix(mechanism, links), system.forcing)
-            found.append((COMPOSITE, composite.accelerations(mechanism.builder)))
-        for links in self._trees:
-            found.append((ARTICULATED, forward_dynamics(mechanism, links, bias)))
+    @property
+    def _from_bodies(self) -> tuple[Form, ...]:
+        """Forms to choose among; Gauss's principle is for many bodies in a plane."""
+        flat = all(body.inertia is None or body.scalar for body in self.mechanism.bodies)
+        many = len(self.mechanism.ud) + len(self.mechanism.constraints) > FEW
+        least = (RECURSIVE, SPARSE) if (flat and many) or self.form != "auto" else ()
+        return (COMPOSITE, ARTICULATED, *least)
+
+    def ways(self, form: str) -> list[Rows]:
+        """u' and the multipliers in a form, each way shown to solve the rows at a point of a field.
+
+        It is proved once more when it is compiled.
+        """
+        ways = self._ways[form]
+        return [nodes for nodes in ways() if self._solves(nodes)]
+
+    @cached_property
+    def _ways(self) -> dict[str, Callable[[], list[Rows]]]:
+        return {
+            ELIMINATION.name: self._eliminated,
+            COMPOSITE.name: self._composite,
+            ARTICULATED.name: self._articulated,
+            RECURSIVE.name: lambda: [] if self._constrained else self._least(),
+            SPARSE.name: lambda: self._least() if self._constrained else [],
+        }
+
+    def _solves(self, nodes: Rows) -> bool:
+        mechanism = self.mechanism
+        unknowns = mechanism.ud
+        if self._bordered is not None and self.route is not None:
+            unknowns = (*unknowns, *self.route.multipliers)
+        form = (*self._rows, *self._closing)
+        values = dict(zip(unknowns, nodes, strict=True))
+        filter_ = Residues(mechanism.builder)
+        return all(map(filter_.is_zero, substitute(mechanism.builder, form, values)))
+
+    @property
+    def _constrained(self) -> bool:
+        return bool(self.mechanism.constraints)
+
+    def _eliminated(self) -> list[Rows]:
+        if self._bordered is not None:
+            return [self._bordered.solution]
+        return [self._system.accelerations(self.mechanism.builder)]
+
+    def _composite(self) -> list[Rows]:
+        """With constraints where the tree that remains without loops is one of joints."""
+        mechanism, found = self.mechanism, []
+        if mechanism.frictions:
+            return []
+        for links in joint_trees(replace(mechanism, constraints=())):
+            mass = mass_matrix(mechanism, links)
+            if self._bordered is not None:
+                found.append(replace(self._bordered, mass=mass).solution)
+            else:
+                found.append(Solvable(mass, self._system.forcing).accelerations(mechanism.builder))
         return found
 
-    def _constrained(self, system: Bordered) -> list[tuple[str, Rows]]:
-        """M by composite bodies serves where the tree that remains without loops is one."""
-        mechanism, found = self.mechanism, [(KANE, system.solution)]
+    def _articulated(self) -> list[Rows]:
+        bias = [-entry for entry in self._system.forcing]
+        return [forward_dynamics(self.mechanism, links, bias) for links in self._trees]
+
+    def _least(self) -> list[Rows]:
+        """By Gauss's principle: on the safe side where errors are not tried, unless that costs."""
+        mechanism, held, found = self.mechanism, self._bordered, []
         if mechanism.frictions:
-            return found
-        for links in joint_trees(replace(mechanism, constraints=())):
-            composite = replace(system, mass=mass_matrix(mechanism, links))
-            found.append((COMPOSITE, composite.solution))
-        return found
+            return []
+        for way in least_constraint.WAYS:
+            try:
+                if held is None:
+                    nodes = least_constraint.forward_dynamics(mechanism, way)
+                else:
+                    matrix, bias = held.constraint_matrix, held.constraint_bias
+                    nodes = least_constraint.forward_dynamics(mechanism, way, matrix, bias)
+                    n = len(mechanism.ud)
+                    nodes = (*nodes[:n], *held.multipliers(nodes[n:]))
+            except (ExpressionError, SingularError):
+                continue  # this way has no solution here; another may have
+            found.append((way.inertial, operations(self._bound({"x": nodes})), nodes))
+        if len(mechanism.ud) <= FEW or not found:
+            return [nodes for _, _, nodes in found]
+        few = min(count for _, count, _ in found)
+        safe = [nodes for inertial, count, nodes in found if inertial and count <= SAFE * few]
+        return safe or [nodes for _, _, nodes in found]
+
+    def bound_ways(self, form: str) -> list[Program]:
+        """The programs of `ways`."""
+        n = len(self.mechanism.ud)
+        return [
+            self._bound({"ud": nodes[:n], "multipliers": nodes[n:]}) for nodes in self.ways(form)
+        ]
 
     @cached_property
     def _forward_dynamics(self) -> tuple[str, Program]:
@@ -264,10 +341,29 @@ class Outputs:
             for _, nodes in self._accelerations
         )  # fmt: skip
 
+    @cached_property
+    def _masses(self) -> list[Sequence[Sequence[Node]]]:
+        found = [self._system.mass]
+        return found + [mass_matrix(self.mechanism, links) for links in self._trees]
+
     def _mass_matrix(self) -> Program:
-        masses = [self._system.mass]
-        masses += [mass_matrix(self.mechanism, links) for links in self._trees]
-        return self._cheapest({"mass_matrix": _flat(mass)} for mass in masses)
+        return self._cheapest({"mass_matrix": _flat(mass)} for mass in self._masses)
+
+    def _energy(self) -> Program:
+        """T from velocities that are differentiated, or composed along frames and points."""
+        own, kinetic = energies(self.mechanism), composed_energy(self.mechanism)
+        (stored,) = own["potential"]
+        return self._cheapest((own, own | {"kinetic": [kinetic], "total": [kinetic + stored]}))
+
+    def _momenta(self) -> Program:
+        """dT/du, or M u where this is the same: where nothing moves as prescribed."""
+        mechanism, own, filter_ = self.mechanism, momenta(self.mechanism), self.mechanism.filters[0]
+        ways = [gradient([composed_energy(mechanism)], [1], mechanism.u)]
+        masses = replace(self, route=None, choose=None)._masses
+        ways += [list(times(mass, mechanism.u)) for mass in masses]
+        want = filter_.values(own["generalized"])
+        same = [own | {"generalized": way} for way in ways if filter_.values(way) == want]
+        return self._cheapest((own, *same))
 
     def _jacobians(self) -> Program:
         """One group after the other, row by row."""
@@ -353,12 +449,6 @@ def operations(program: Program) -> int:
     return program.count
 
 
-def joint_trees(mechanism: Mechanism) -> list[tuple[Link, ...]]:
-    """The tree of joints with one freedom each, masses as declared and grouped; none for others."""
-    trees = (joint_tree(mechanism, ways(mechanism)) for ways in (moments, grouped))
-    return [links for links in trees if links is not None]
-
-
 def _flat(matrix: Sequence[Sequence[Node]]) -> list[Node]:
     return [entry for row in matrix for entry in row]
 
@@ -392,6 +482,19 @@ def energies(mechanism: Mechanism) -> Outcome:
         (kinetic,) = substitute(mechanism.builder, [kinetic], speeds)
     stored = potential(mechanism, poses(mechanism))
     return {"kinetic": [kinetic], "potential": [stored], "total": [kinetic + stored]}
+
+
+def composed_energy(mechanism: Mechanism) -> Node:
+    """Kinetic energy in J, by velocities that are composed along frames and points."""
+    total = mechanism.builder.zero
+    for body, motion in zip(
+        mechanism.bodies, body_motions(mechanism, chain.motions(mechanism)), strict=True
+    ):
+        total = total + body.mass * dot(motion.centre.velocity, motion.centre.velocity)
+        if motion.turning is not None and motion.inertia is not None:
+            omega = motion.turning.omega
+            total = total + dot(omega, times(motion.inertia, omega))
+    return total / 2
 
 
 def momenta(mechanism: Mechanism) -> Outcome:

@@ -14,23 +14,23 @@ import sympy
 
 from mechanics.compiled.bordered import bind, tried_pivots
 from mechanics.compiled.fixed import Fixed, fix, words
-from mechanics.compiled.forms import named_form
-from mechanics.compiled.forms.members import RECURSIVE
-from mechanics.compiled.forms.weigh import lightest
-from mechanics.compiled.outputs import FORMS, Outputs
+from mechanics.compiled.forms import FORMS, named_form
+from mechanics.compiled.outputs import Outputs
 from mechanics.compiled.quantities import STATE, Quantities
 from mechanics.compiled.textbook import Textbook, instructions
-from mechanics.equations import FEW, Equations
+from mechanics.equations import Equations
 from mechanics.errors import ExpressionError, InputError, SingularError
 from mechanics.mechanism import Mechanism
-from mechanics.program import Builder
+from mechanics.program import Builder, Program
 from mechanics.program.casadi_printer import print_graphs
 from mechanics.program.interpret import include
 from mechanics.program.residues import Residues
 from mechanics.program.sympy_reader import read
 from mechanics.routes.rows import acceleration_forms, coefficients
 
-OF_EVERY_ROUTE = frozenset({"inverse_dynamics", "jacobians", "energy"})
+OF_BODIES = frozenset({"energy", "momenta"})
+"""Functions that no route has anything to do with."""
+OF_EVERY_ROUTE = frozenset({"inverse_dynamics", "jacobians"})
 """Functions that are the same whatever the rows of a route are, and that programs make shorter."""
 OF_ROWS = frozenset({"mass_matrix", "forcing"})
 """Those that programs give where the rows of a route are conjugate to u, in the order of u."""
@@ -46,17 +46,12 @@ def with_fixed(equations: Equations, fixed: Fixed, form: str) -> Equations:
     SingularError
         If the equations do not determine the accelerations at the fixed values.
     """
+    put = fix(equations, fixed) if equations.textbook is not None else equations
+    if form != "auto":
+        # A form that there is not is refused at once; the cheapest is found when it is needed.
+        named_form(form, put)
     if equations.textbook is not None:
-        put = fix(equations, fixed)
-        if form != "auto":
-            # A form that there is not is refused at once; the cheapest is found when it is needed.
-            named_form(form, put)
         return put
-    if form not in ("auto", *FORMS):
-        raise InputError(
-            f"form {form!r}: the equations of {equations.scene.name} are too long to be written"
-            f" out: choose among {', '.join(FORMS)}, or 'auto'"
-        )
     if fixed:
         _determined(equations, fixed)
     return equations
@@ -125,45 +120,50 @@ class Source:
             return None
         return Textbook(
             self.equations, self.fixed, self.named, self.quantities, self.columns,
-            self.constants, self.bound,
+            self.constants, self.bound, self._from_bodies,
         )  # fmt: skip
 
     @cached_property
     def programs(self) -> Outputs | None:
-        """Programs of the mechanism; None where matrices have to do.
-
-        Beside matrices they serve a tree of bodies only.
-        """
+        """Programs of the mechanism; None where somebody gave matrices."""
         equations = self.equations
         if equations.mechanism is None:
             return None
         mechanism, rows = equations.program
-        written, numbers = equations.textbook is not None, _numbers(self.fixed)
-        form = "auto" if written else self.named
-        programs = outputs_of(mechanism, self.quantities, numbers, form)
+        # A form of matrices is no form of programs beside them.
+        form = "auto" if equations.textbook is not None else self.named
+        programs = outputs_of(mechanism, self.quantities, _numbers(self.fixed), form)
         if not (mechanism.constraints or mechanism.frictions):
             return programs
-        if written:
-            return None
-        return replace(programs, route=rows, choose=tried_pivots(self.quantities, numbers))
+        choose = tried_pivots(self.quantities, _numbers(self.fixed))
+        return replace(programs, route=rows, choose=choose)
+
+    def _from_bodies(self, form: str) -> list[ca.SX]:
+        """Graphs of (u', lambda) in a form that starts from the bodies, where it suits."""
+        programs = self.programs
+        if programs is None or any(f.name == form and f.unsuited(self.equations) for f in FORMS):
+            return []
+        columns = []
+        for program in programs.bound_ways(form):
+            graphs = graphs_of(program, self.quantities, self.columns, self.constants)
+            columns.append(ca.vertcat(graphs["ud"], graphs["multipliers"]))
+        return columns
 
     @property
     def form(self) -> str:
-        """How forward dynamics is written: one of `mechanics.compiled.FORMS` or of `outputs`."""
+        """How forward dynamics is written: the name of one of `mechanics.compiled.FORMS`."""
         if self.matrices is not None:
             return self.matrices.form
-        if self._from_bodies is not None:
-            return RECURSIVE.name
         return "" if self.programs is None else self.programs.chosen
 
     def outputs(self, name: str) -> dict[str, ca.SX]:
         """The graphs of the outputs of a function."""
-        if name == "forward_dynamics" and self._from_bodies is not None:
-            return {"ud": self._from_bodies, "multipliers": ca.SX(0, 1)}
         if self.matrices is None:
             return self._from_programs(name, self.constants)
         own = self.matrices.outputs(name)
-        if name not in OF_EVERY_ROUTE | OF_ROWS or self.programs is None:
+        if name not in OF_BODIES and not (self._tree and name in OF_EVERY_ROUTE | OF_ROWS):
+            return own
+        if self.programs is None:
             return own
         if name in OF_ROWS and not self._conjugate:
             return own
@@ -174,25 +174,11 @@ class Source:
         self.constants.update(constants)
         return other
 
-    @cached_property
-    def _from_bodies(self) -> ca.SX | None:
-        """u' of a program from its bodies, where that is shorter: for many that move in a plane."""
-        equations, programs = self.equations, self.programs
-        if equations.textbook is not None or programs is None or self.named != "auto":
-            return None
-        flat = all(body.inertia is None or body.scalar for body in programs.mechanism.bodies)
-        if not flat or len(equations.unknowns) <= FEW:
-            return None
-        own = replace(equations, fixed=self.fixed)
-        system = Textbook(
-            own, self.fixed, self.named, self.quantities, self.columns, self.constants, self.bound
-        ).system
-        ways = RECURSIVE.ways(system)
-        if not ways:
-            return None
-        found = lightest(system, ways)
-        other = self._from_programs("forward_dynamics", dict(self.constants))
-        return found if instructions({"ud": found}) < instructions(other) else None
+    @property
+    def _tree(self) -> bool:
+        """Whether nothing couples the bodies but their joints: beside matrices programs serve."""
+        mechanism = self.equations.mechanism
+        return mechanism is not None and not (mechanism.constraints or mechanism.frictions)
 
     @cached_property
     def _conjugate(self) -> bool:
@@ -219,7 +205,7 @@ class Source:
     def _from_programs(self, name: str, constants: dict[sympy.Expr, ca.SX]) -> dict[str, ca.SX]:
         if self.programs is None:
             return {}
-        return graphs_of(name, self.programs, self.quantities, self.columns, constants)
+        return graphs_of(self.programs[name], self.quantities, self.columns, constants)
 
 
 def outputs_of(
@@ -234,13 +220,12 @@ def outputs_of(
 
 
 def graphs_of(
-    name: str,
-    programs: Outputs,
+    program: Program,
     quantities: Quantities,
     columns: Mapping[str, ca.SX],
     constants: dict[sympy.Expr, ca.SX],
 ) -> dict[str, ca.SX]:
-    """The graphs of the outputs of a function; numbers that no double holds join the constants."""
+    """The graphs of the outputs of a program; numbers that no double holds join the constants."""
     groups = {group: getattr(quantities, group) for group in (*STATE, "ud", "multipliers")}
     entries = {
         entry.name: columns[group][i]
@@ -250,7 +235,6 @@ def graphs_of(
     n = len(quantities.ud)
     shapes = {f"ud_{group}": (n, len(groups[group])) for group in STATE}
     shapes |= {"mass_matrix": (n, n), "multipliers": (len(quantities.multipliers), 1)}
-    program = programs[name]
 
     def named(number: sympy.Expr) -> ca.SX:
         if number not in constants:

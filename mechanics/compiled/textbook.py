@@ -61,6 +61,8 @@ class Textbook:
         Numbers that no double holds, as they are found.
     bound : callable
         Puts the nearest doubles in place of these.
+    from_bodies : callable
+        From the name of a form to graphs of (u', lambda) that start from the bodies.
     """
 
     equations: Equations
@@ -70,6 +72,7 @@ class Textbook:
     columns: Mapping[str, ca.SX]
     constants: dict[sympy.Expr, ca.SX]
     bound: Callable[[list[ca.SX]], list[ca.SX]]
+    from_bodies: Callable[[str], list[ca.SX]]
 
     def outputs(self, name: str) -> dict[str, ca.SX]:
         """The graphs of the outputs of a function."""
@@ -109,7 +112,9 @@ class Textbook:
     @cached_property
     def system(self) -> System:
         """What forms of forward dynamics start from."""
-        return System(self.equations, self._translate, self.quantities, self._of_state)
+        return System(
+            self.equations, self._translate, self.quantities, self._of_state, self.from_bodies
+        )
 
     @property
     def form(self) -> str:

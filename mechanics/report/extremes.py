@@ -9,7 +9,6 @@ from jinja2 import Environment, PackageLoader, StrictUndefined
 from markupsafe import Markup
 
 from mechanics.compiled import FORMS
-from mechanics.compiled.outputs import MEANINGS
 from mechanics.extremes import CAUSES, Extremes, Reach, Visited
 from mechanics.extremes.cause import Cause
 from mechanics.extremes.result import PRECISIONS, STABLE
@@ -131,7 +130,7 @@ def _chapter(number: int, found: Extremes) -> Chapter:
 
 
 def _form(found: Extremes, form: str) -> FormRow:
-    meaning = (MEANINGS | {known.name: known.meaning for known in FORMS})[form]
+    meaning = {known.name: known.meaning for known in FORMS}[form]
     shares = {}
     for precision in PRECISIONS:
         counts: Counter[int] = Counter()

@@ -1,24 +1,24 @@
 """Arms in space: what is compiled is what recursive Newton-Euler computes, whoever read what."""
 
+from fractions import Fraction
 from typing import Any
 
-import casadi as ca
 import numpy as np
 import pytest
 from newton_euler import forward_dynamics, inverse_dynamics
 from serial_arms import Arm, serial_arm
 from sympy import Rational
 
-from mechanics.compiled import Model, compile, prove_graph
-from mechanics.compiled.forms import recursive
-from mechanics.compiled.forms.bodies import leaf_to_root
-from mechanics.compiled.forms.bodies.affine import Affine
-from mechanics.compiled.forms.bodies.gauss import Gauss
-from mechanics.compiled.forms.bodies.leaf_to_root import Solved, values
+from mechanics.compiled import Model, compile, outputs, prove_graph
 from mechanics.compiled.sampling import ordinary
 from mechanics.crosscheck import derive
 from mechanics.equations import Equations
 from mechanics.errors import ExpressionError, SingularError
+from mechanics.program import Builder
+from mechanics.recursions import least_constraint
+from mechanics.recursions.least_constraint.affine import Affine
+from mechanics.recursions.least_constraint.elimination import Solved, values
+from mechanics.recursions.least_constraint.gauss import Gauss
 from mechanics.routes.derivation import by_route, steps_of
 from mechanics.scene import Scene
 from systems import double_pendulum, pendulum_chain
@@ -92,8 +92,9 @@ def test_the_graph_does_not_depend_on_what_was_read(scene: Scene) -> None:
 
 
 def test_a_value_that_is_found_from_itself_is_refused() -> None:
-    one, two = (Affine({name: ca.SX(1)}) for name in ("one", "two"))
-    value = values(Gauss(), [Solved("one", two), Solved("two", one)])
+    builder = Builder()
+    one, two = (Affine({name: builder.one}, builder.zero) for name in ("one", "two"))
+    value = values(Gauss(builder), [Solved("one", two), Solved("two", one)])
     with pytest.raises(ExpressionError, match="acceleration one is found from itself"):
         value("one")
 
@@ -102,18 +103,22 @@ def test_three_joints_with_mass_centres_off_their_axes() -> None:
     """The way that goes in a circle is not offered; the others are."""
     arm = serial_arm(3, **OFF_AXIS)
     model = modelled(by_route("kane", arm.scene), "recursive")
-    assert len(recursive.ways(model.casadi.source.matrices.system)) == len(leaf_to_root.WAYS) - 1
+    assert len(model.casadi.source.programs.ways("recursive")) == len(least_constraint.WAYS) - 1
     assert_follows(arm, model)
     assert_follows(arm, modelled(by_route("free_body", arm.scene)))
 
 
 def test_a_form_that_is_no_solution_is_not_chosen(monkeypatch: pytest.MonkeyPatch) -> None:
-    arm, solved = serial_arm(2), recursive._solved
-    monkeypatch.setattr(recursive, "_solved", lambda *given: solved(*given) * (1 + 1e-6))
+    arm, solved = serial_arm(2), least_constraint.forward_dynamics
+    monkeypatch.setattr(
+        outputs.least_constraint,
+        "forward_dynamics",
+        lambda *given: tuple(entry * Fraction(1000001, 1000000) for entry in solved(*given)),
+    )
     model = modelled(by_route("kane", arm.scene))
     assert model.form != "recursive"
     assert_follows(arm, model)
-    with pytest.raises(SingularError, match="arm of 2 by kane: this form gives no accelerations"):
+    with pytest.raises(SingularError, match="form 'recursive' gives no accelerations"):
         _ = modelled(by_route("kane", arm.scene), "recursive").form
 
 

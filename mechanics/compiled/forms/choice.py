@@ -9,7 +9,7 @@ both are, and weighed.
 
 import casadi as ca
 
-from mechanics.compiled.forms.members import RECURSIVE, SPARSE, Form, named_form, preferred
+from mechanics.compiled.forms.members import FORMS, Form, named_form, preferred
 from mechanics.compiled.forms.operations import operations
 from mechanics.compiled.forms.system import System
 from mechanics.compiled.forms.weigh import lightest
@@ -30,24 +30,23 @@ def written(name: str, system: System) -> tuple[Form, ca.SX]:
     if name == "auto":
         return chosen(system)
     form = named_form(name, system.equations)
-    graph = form.solve(system)
-    if not system.solved_by(graph):
-        raise _unsolved(system, f"form {name!r}")
-    return form, graph
+    ways = form.ways(system)
+    if not ways:
+        raise _unsolved(system, f"form {name!r} gives no")
+    return form, lightest(system, ways)
 
 
 def chosen(system: System) -> tuple[Form, ca.SX]:
     """The form, and the graph of (u', lambda)."""
-    found = [(form, graph) for form in (RECURSIVE, SPARSE) for graph in form.ways(system)]
+    bodies = [form for form in FORMS if form.solve is None]
+    found = [(form, graph) for form in bodies for graph in form.ways(system)]
     n = len(system.equations.unknowns)
     small = n <= FEW or not found or min(operations(graph) for _, graph in found) >= full(n)
-    if not found or small:
+    if small:
         usual = preferred(system.equations)
-        graph = usual.solve(system)
-        if system.solved_by(graph):
-            found.append((usual, graph))
+        found += [(usual, graph) for graph in usual.ways(system)]
     if not found:
-        raise _unsolved(system, "no form")
+        raise _unsolved(system, "no form gives")
     best = lightest(system, [graph for _, graph in found])
     return next(written for written in found if written[1] is best)
 
@@ -55,7 +54,7 @@ def chosen(system: System) -> tuple[Form, ca.SX]:
 def _unsolved(system: System, form: str) -> SingularError:
     equations = system.equations
     return SingularError(
-        f"{equations.scene.name} by {equations.route}: {form} gives accelerations that satisfy"
+        f"{equations.scene.name} by {equations.route}: {form} accelerations that satisfy"
         " M u' = f at ordinary states: look for a body without mass or redundant constraints"
     )
 

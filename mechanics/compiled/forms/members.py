@@ -4,10 +4,14 @@
     primitive      the same after common factors were divided out of rows and columns
     rearranged     pivots d_i = m_i / m_(i+1), minors written without a subtraction where they can
     fewest         nested polynomials, in quotients or eliminated, if they take fewer operations
-    recursive      bodies of a tree from its leaves to its root and back
+    composite      M by composite bodies, then L D L^T
+    articulated    articulated bodies, joint by joint, without M
+    recursive      Gauss's function of a tree made least, from its leaves to its root and back
     sparse         the same with the constraints of closed loops, where few entries fill in
 
-Each solves K x = k, K = [[M, -B], [A, 0]], x = (u', lambda), and its graph is proved to.
+Each solves K x = k, K = [[M, -B], [A, 0]], x = (u', lambda), is shown to, and its graph is proved
+to. The last four start from the bodies and need no matrix that is written out; elimination takes
+the rows of a program where there is none.
 """
 
 from collections.abc import Callable, Iterator
@@ -16,7 +20,7 @@ from dataclasses import dataclass
 import casadi as ca
 from sympy import Matrix
 
-from mechanics.compiled.forms import recursive, sparse
+from mechanics.compiled.forms.bodies import no_joint_tree, no_loops, no_spanning_tree, no_tree
 from mechanics.compiled.forms.entries import entry_polynomials, nested_entries
 from mechanics.compiled.forms.factor import solve_general, solve_with_pivots
 from mechanics.compiled.forms.fewest import nested_quotients
@@ -34,10 +38,6 @@ def _always(equations: Equations) -> str:
     return ""
 
 
-def _none(system: System) -> list[ca.SX]:
-    return []
-
-
 @dataclass(frozen=True)
 class Form:
     """One way to write the solution of K x = k.
@@ -49,17 +49,21 @@ class Form:
         In a phrase.
     unsuited : callable
         Why a set of equations cannot be solved in this form; empty where it can.
-    solve : callable
-        From the system to the graph of x.
-    ways : callable
-        Several such graphs, where the form has them without K; none where it does not apply.
+    solve : callable or None
+        From K and k to the graph of x; None for a form that starts from the bodies.
     """
 
     name: str
     meaning: str
     unsuited: Callable[[Equations], str]
-    solve: Callable[[System], ca.SX]
-    ways: Callable[[System], list[ca.SX]] = _none
+    solve: Callable[[System], ca.SX] | None = None
+
+    def ways(self, system: System) -> list[ca.SX]:
+        """The graphs of x in this form, each shown to be a solution."""
+        if self.solve is None:
+            return system.from_bodies(self.name)
+        graph = self.solve(system)
+        return [graph] if system.solved_by(graph) else []
 
 
 def named_form(name: str, equations: Equations) -> Form:
@@ -179,21 +183,34 @@ def _scaled(system: System) -> tuple[ca.SX, ca.SX, ca.SX]:
     )
 
 
+def _matrices(unsuited: Callable[[Equations], str]) -> Callable[[Equations], str]:
+    """What a form asks of M and f, once these are written out."""
+
+    def asked(equations: Equations) -> str:
+        if equations.textbook is None:
+            return f"the equations of {equations.scene.name} are too long to be written out"
+        return unsuited(equations)
+
+    return asked
+
+
 ELIMINATION = Form("elimination", "L D Lᵀ, or Gaussian elimination", _always, _elimination)
-PRIMITIVE = Form("primitive", "elimination without common factors", _readable, _primitive)
-REARRANGED = Form("rearranged", "pivots without subtraction", _small_and_readable, _rearranged)
+PRIMITIVE = Form(
+    "primitive", "elimination without common factors", _matrices(_readable), _primitive
+)
+REARRANGED = Form(
+    "rearranged", "pivots without subtraction", _matrices(_small_and_readable), _rearranged
+)
+FEWEST = Form(
+    "fewest", "nested polynomials, in quotients or eliminated", _matrices(_nestable), _fewest
+)
+COMPOSITE = Form("composite", "M by composite bodies, then L D Lᵀ", no_spanning_tree)
+ARTICULATED = Form("articulated", "articulated bodies, without M", no_joint_tree)
+RECURSIVE = Form("recursive", "bodies from leaves to root and back", no_tree)
+SPARSE = Form("sparse", "bodies and constraints, where few entries fill in", no_loops)
 
-FEWEST = Form("fewest", "nested polynomials, in quotients or eliminated", _nestable, _fewest)
-
-RECURSIVE = Form(
-    "recursive", "bodies from leaves to root and back",
-    recursive.unsuited, recursive.solve, recursive.ways,
+FORMS: tuple[Form, ...] = (
+    ELIMINATION, PRIMITIVE, REARRANGED, FEWEST, COMPOSITE, ARTICULATED, RECURSIVE, SPARSE,
 )  # fmt: skip
-SPARSE = Form(
-    "sparse", "bodies and constraints, where few entries fill in",
-    sparse.unsuited, sparse.solve, sparse.ways,
-)  # fmt: skip
-
-FORMS: tuple[Form, ...] = (ELIMINATION, PRIMITIVE, REARRANGED, FEWEST, RECURSIVE, SPARSE)
 PREFERRED: tuple[Form, ...] = (FEWEST, ELIMINATION)
 """Of the forms that start from K and k, what ``"auto"`` takes: the first that suits."""

@@ -34,12 +34,15 @@ class System:
     quantities : Quantities
     function : callable
         From graphs, and from the graph of what is put in place of x, to a function of the state.
+    from_bodies : callable
+        From the name of a form to graphs of x that start from the bodies, shown to be solutions.
     """
 
     equations: Equations
     translate: Translator
     quantities: Quantities
     function: Callable[..., ca.Function]
+    from_bodies: Callable[[str], list[ca.SX]]
 
     def choose(self, left: ca.SX, right: ca.SX) -> Pivots:
         """The pivots that suit a square matrix and a column."""

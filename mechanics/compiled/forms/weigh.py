@@ -13,7 +13,6 @@ import casadi as ca
 
 from mechanics.compiled.forms.operations import operations
 from mechanics.compiled.forms.system import System
-from mechanics.errors import SingularError
 
 ROUNDINGS = 8.0
 """Backward error that no form is blamed for, in roundings."""
@@ -36,19 +35,8 @@ def lightest(system: System, graphs: Iterable[ca.SX]) -> ca.SX:
     """The graph of least weight; errors are tried only as long as they can decide.
 
     Where K is not written out, operations decide.
-
-    Raises
-    ------
-    SingularError
-        If there is no graph: none of this form solves the system.
     """
     counted = sorted(((operations(graph), graph) for graph in graphs), key=lambda pair: pair[0])
-    if not counted:
-        equations = system.equations
-        raise SingularError(
-            f"{equations.scene.name} by {equations.route}: this form gives no accelerations that"
-            " satisfy M u' = f: choose another one, or 'auto'"
-        )
     best, least = counted[0][1], inf
     if not system.small:
         return best

@@ -184,26 +184,28 @@ int elastic_pendulum_energy(const double q[2], const double u[2], const double p
     const double g = p[2];
     const double k = p[3];
     const double m = p[4];
-    const double cos_theta = cos(theta);
-    const double v1 = x_dot + theta_dot * L * cos_theta / 2.0;
-    const double v2 = theta_dot * theta_dot * (L * L);
     const double sin_theta = sin(theta);
-    const double v3 = m * (x_dot * x_dot) / 2.0;
-    const double v4 = M * (v1 * v1 + v2 * (sin_theta * sin_theta) / 4.0) / 2.0;
-    const double v5 = v3 + v4 + M * v2 / 24.0;
-    const double v6 = k * (x * x) - cos_theta * (g * (L * M)) / 2.0;
-    const double v7 = v5 + v6;
+    const double v1 = 0x1p-1 * L;
+    const double v2 = theta_dot * (sin_theta * v1);
+    const double cos_theta = cos(theta);
+    const double v3 = v1 * cos_theta;
+    const double v4 = x_dot + theta_dot * v3;
+    const double v5 = theta_dot * (theta_dot * (M * (L * L) / 12.0));
+    const double v6 = m * (x_dot * x_dot) + M * (v2 * v2 + v4 * v4);
+    const double v7 = 0x1p-1 * (v5 + v6);
+    const double v8 = k * (x * x) - M * (g * v3);
+    const double v9 = v7 + v8;
     int status = ELASTIC_PENDULUM_OK;
-    if (!(isfinite(v5) && isfinite(v6) && isfinite(v7))) {
+    if (!(isfinite(v7) && isfinite(v8) && isfinite(v9))) {
         if (!(isfinite(x) && isfinite(theta) && isfinite(x_dot) && isfinite(theta_dot) &&
             isfinite(L) && isfinite(M) && isfinite(g) && isfinite(k) && isfinite(m)))
             status = ELASTIC_PENDULUM_BAD_INPUT;
         else
             status = ELASTIC_PENDULUM_OVERFLOW;
     }
-    kinetic[0] = v5;
-    potential[0] = v6;
-    total[0] = v7;
+    kinetic[0] = v7;
+    potential[0] = v8;
+    total[0] = v9;
     return status;
 }
 
@@ -217,38 +219,37 @@ int elastic_pendulum_momenta(const double q[2], const double u[2], const double 
     const double L = p[0];
     const double M = p[1];
     const double m = p[4];
-    const double v1 = theta_dot * L;
+    const double v1 = 0x1p-1 * L;
     const double cos_theta = cos(theta);
-    const double v2 = x_dot + v1 * cos_theta / 2.0;
-    const double v3 = x_dot * m + M * v2;
+    const double v2 = v1 * cos_theta;
+    const double v3 = M * (x_dot + theta_dot * v2);
+    const double v4 = x_dot * m + v3;
     const double sin_theta = sin(theta);
-    const double v4 = M * v1 * sin_theta / 2.0;
-    const double v5 = L * L;
-    const double v6 = sin_theta * (M * (L * (theta_dot * (x + L * sin_theta / 2.0))));
-    const double v7 = M * (theta_dot * v5) / 12.0 + cos_theta * (M * (L * v2)) / 2.0;
-    const double v8 = v7 + v6 / 2.0;
-    const double v9 = 2.0 * v2;
-    const double v10 = 0x1p-1 * (m * (2.0 * x_dot)) + 0x1p-1 * (M * v9);
-    const double v11 = v5 * (2.0 * theta_dot);
-    const double v12 = v9 * (0x1p-1 * (L * cos_theta));
-    const double v13 = 0x1p-2 * (sin_theta * sin_theta * v11);
-    const double v14 = 0x1p-1 * (M * (v12 + v13)) + M * v11 / 24.0;
+    const double v5 = v1 * sin_theta;
+    const double v6 = M * (theta_dot * v5);
+    const double v7 = M * (L * L);
+    const double v8 = v6 * (x + v5) + v2 * v3 + theta_dot * (v7 / 12.0);
+    const double v9 = M * v1;
+    const double v10 = cos_theta * v9;
+    const double v11 = x_dot * (M + m) + theta_dot * v10;
+    const double v12 = v7 / 24.0;
+    const double v13 = x_dot * v10 + theta_dot * (v12 + (v12 + v1 * v9));
     int status = ELASTIC_PENDULUM_OK;
-    if (!(isfinite(v3) && isfinite(v4) && isfinite(v8) && isfinite(v10) && isfinite(v14))) {
+    if (!(isfinite(v4) && isfinite(v6) && isfinite(v8) && isfinite(v11) && isfinite(v13))) {
         if (!(isfinite(x) && isfinite(theta) && isfinite(x_dot) && isfinite(theta_dot) &&
             isfinite(L) && isfinite(M) && isfinite(m)))
             status = ELASTIC_PENDULUM_BAD_INPUT;
         else
             status = ELASTIC_PENDULUM_OVERFLOW;
     }
-    linear[0] = v3;
-    linear[1] = v4;
+    linear[0] = v4;
+    linear[1] = v6;
     linear[2] = 0.0;
     angular[0] = 0.0;
     angular[1] = 0.0;
     angular[2] = v8;
-    generalized[0] = v10;
-    generalized[1] = v14;
+    generalized[0] = v11;
+    generalized[1] = v13;
     return status;
 }
 

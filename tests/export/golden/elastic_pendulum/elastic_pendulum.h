@@ -12,7 +12,7 @@
  * Of the C library they call cos, sin. With the macro ELASTIC_PENDULUM_INLINE_SINE
  * defined, cos and sin are those of elastic_pendulum_sine.h instead: up to 1048576 rad, with
  * status 2 beyond, and an error of less than 2 units in the last place.
- * Quotients by one divisor share a division, 50 instead of 70, and are
+ * Quotients by one divisor share a division, 40 instead of 60, and are
  * products with the reciprocal: off by at most 1.5 units in the last place, not 0.5.
  */
 #ifndef MECHANICS_elastic_pendulum_H

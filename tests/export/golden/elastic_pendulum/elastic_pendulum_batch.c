@@ -99,11 +99,8 @@ static inline int elastic_pendulum_energy_batch_lanes(size_t count, size_t strid
     const double g = p[2];
     const double k = p[3];
     const double m = p[4];
-    const double v1 = 1.0 / 2.0;
-    const double v4 = L * L;
-    const double v7 = 1.0 / 4.0;
-    const double v10 = 1.0 / 24.0;
-    const double v12 = g * (L * M);
+    const double v1 = M * (L * L) / 12.0;
+    const double v2 = 0x1p-1 * L;
     uint64_t far = 0;
     uint64_t wild = 0;
 #if defined(__clang__)
@@ -118,20 +115,20 @@ static inline int elastic_pendulum_energy_batch_lanes(size_t count, size_t strid
         const double theta_dot = u[1 * stride + i];
         double sin_theta, cos_theta;
         mechanics_sincos(theta, &sin_theta, &cos_theta);
-        const double v2 = theta_dot * L * cos_theta;
-        const double v3 = x_dot + v2 * v1;
-        const double v5 = theta_dot * theta_dot * v4;
-        const double v6 = v5 * (sin_theta * sin_theta);
-        const double v8 = mechanics_fma(v3, v3, v6 * v7);
-        const double v9 = m * (x_dot * x_dot) * v1 + M * v8 * v1;
-        const double v11 = v9 + M * v5 * v10;
-        const double v13 = mechanics_fma(k, x * x, -(cos_theta * v12 * v1));
-        kinetic[i] = v11;
-        potential[i] = v13;
-        total[i] = v11 + v13;
+        const double v3 = theta_dot * (sin_theta * v2);
+        const double v4 = v2 * cos_theta;
+        const double v5 = mechanics_fma(theta_dot, v4, x_dot);
+        const double v6 = mechanics_fma(v5, v5, v3 * v3);
+        const double v7 = mechanics_fma(M, v6, m * (x_dot * x_dot));
+        const double v8 = mechanics_fma(theta_dot, theta_dot * v1, v7);
+        const double v9 = 0x1p-1 * v8;
+        const double v10 = mechanics_fma(-M, g * v4, k * (x * x));
+        kinetic[i] = v9;
+        potential[i] = v10;
+        total[i] = v9 + v10;
         const uint64_t beyond = mechanics_far(theta);
         far |= beyond;
-        wild |= !beyond & !(fabs(v11 + v13 + (v11 + v13)) <= 0x1.fffffffffffffp+1023);
+        wild |= !beyond & !(fabs(v9 + v10 + (v9 + v10)) <= 0x1.fffffffffffffp+1023);
     }
     return (far != 0) | (wild != 0) << 1;
 }

@@ -114,7 +114,7 @@ static int test_energy(void)
         {0x1p-43},
         {0x1p-49},
         {0x1p-44},
-        {0x1p-52},
+        {0x1p-51},
     };
     static const double potential_expected[5][1] = {
         {0x1.571140091d27bp-3},
@@ -128,7 +128,7 @@ static int test_energy(void)
         {0x1p-48},
         {0x1p-42},
         {0x1p-44},
-        {0x1p-47},
+        {0x1p-46},
     };
     static const double total_expected[5][1] = {
         {0x1.29bb326da32d5p+1},

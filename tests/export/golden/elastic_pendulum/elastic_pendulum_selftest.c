@@ -321,7 +321,7 @@ static int test_energy(void)
     static const double kinetic_tolerance[5][1] = {
         {0x1p-46},
         {0x1p-40},
-        {0x1p-48},
+        {0x1p-47},
         {0x1p-45},
         {0x1p-54},
     };
@@ -337,7 +337,7 @@ static int test_energy(void)
         {0x1p-46},
         {0x1p-41},
         {0x1p-48},
-        {0x1p-53},
+        {0x1p-52},
     };
     static const double total_expected[5][1] = {
         {0x1.29bb326da32d5p+1},
@@ -402,8 +402,8 @@ static int test_momenta(void)
     static const double linear_tolerance[5][3] = {
         {0x1p-47, 0x1p-47, 0.0},
         {0x1p-44, 0x1p-85, 0.0},
-        {0x1p-49, 0x1p-48, 0.0},
-        {0x1p-46, 0x1p-55, 0.0},
+        {0x1p-49, 0x1p-47, 0.0},
+        {0x1p-46, 0x1p-54, 0.0},
         {0x1p-51, 0x1p-65, 0.0},
     };
     static const double angular_expected[5][3] = {
@@ -428,10 +428,10 @@ static int test_momenta(void)
         {0x1.2078e7db1de81p-2, 0x1.7caf7e31688ep-9},
     };
     static const double generalized_tolerance[5][2] = {
-        {0x1p-47, 0x1p-45},
-        {0x1p-44, 0x1p-41},
+        {0x1p-47, 0x1p-46},
+        {0x1p-44, 0x1p-40},
         {0x1p-49, 0x1p-44},
-        {0x1p-46, 0x1p-50},
+        {0x1p-47, 0x1p-51},
         {0x1p-51, 0x1p-55},
     };
     int failures = 0, status;

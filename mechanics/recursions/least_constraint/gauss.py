@@ -20,19 +20,18 @@ Where squares would become many they are added up in Q.
 from collections.abc import Iterable
 from dataclasses import dataclass, field
 
-import casadi as ca
-
-from mechanics.compiled.forms.bodies.affine import NOTHING, Affine, Unknown, add
 from mechanics.errors import SingularError
+from mechanics.program.builder import Builder, Node
+from mechanics.recursions.least_constraint.affine import Affine, Unknown, add
 
-Row = dict[Unknown, ca.SX]
+Row = dict[Unknown, Node]
 
 
 @dataclass(frozen=True)
 class Square:
     """``1/2 weight form^2``."""
 
-    weight: ca.SX
+    weight: Node
     form: Affine
 
 
@@ -45,8 +44,8 @@ class Turn:
 
     pair: tuple[Unknown, Unknown]
     into: tuple[Unknown, Unknown]
-    c: ca.SX
-    s: ca.SX
+    c: Node
+    s: Node
 
 
 @dataclass
@@ -55,6 +54,7 @@ class Gauss:
 
     Attributes
     ----------
+    builder : Builder
     definitions : dict
         In the order in which they were made: what defines an unknown comes before it.
     turns : dict
@@ -68,6 +68,7 @@ class Gauss:
         another way than that of their definitions.
     """
 
+    builder: Builder
     squared: bool = True
     definitions: dict[Unknown, Affine] = field(default_factory=dict)
     turns: dict[Unknown, Turn] = field(default_factory=dict)
@@ -82,18 +83,18 @@ class Gauss:
             return value
         if name not in self.definitions:
             self.definitions[name] = value
-        return Affine({name: ca.SX(1)})
+        return Affine({name: self.builder.one}, self.builder.zero)
 
-    def add_square(self, weight: ca.SX, form: Affine) -> None:
+    def add_square(self, weight: Node, form: Affine) -> None:
         """Add ``1/2 weight form^2``."""
-        if not weight.is_zero() and not form.known:
+        if not weight.is_zero and not form.known:
             self.squares.append(Square(weight, form))
             if not self.squared:
                 self.fold(self.squares)
 
-    def add_product(self, weight: ca.SX, one: Affine, two: Affine) -> None:
+    def add_product(self, weight: Node, one: Affine, two: Affine) -> None:
         """Add ``weight one two``."""
-        if not weight.is_zero():
+        if not weight.is_zero:
             for form, other in ((one, two), (two, one)):
                 for i, x in form.coefficients.items():
                     self.add_force(i, -(x * weight * other.constant))
@@ -101,14 +102,14 @@ class Gauss:
                 for j, y in two.coefficients.items():
                     self.couple(i, j, (2 if i == j else 1) * (x * weight * y))
 
-    def add_force(self, unknown: Unknown, force: ca.SX) -> None:
+    def add_force(self, unknown: Unknown, force: Node) -> None:
         """Add to f."""
-        if not force.is_zero():
+        if not force.is_zero:
             add(self.linear, unknown, force)
 
-    def couple(self, i: Unknown, j: Unknown, value: ca.SX) -> None:
+    def couple(self, i: Unknown, j: Unknown, value: Node) -> None:
         """Add to an entry of Q and its mirror image."""
-        if not value.is_zero():
+        if not value.is_zero:
             add(self.quadratic.setdefault(i, {}), j, value)
             if i != j:
                 add(self.quadratic.setdefault(j, {}), i, value)
@@ -141,13 +142,13 @@ class Gauss:
                 for j, y in entries[place:]:
                     self.couple(i, j, weighted * y)
 
-    def drop(self, unknown: Unknown) -> tuple[Row, ca.SX, ca.SX]:
+    def drop(self, unknown: Unknown) -> tuple[Row, Node, Node]:
         """Take an unknown out of Q and f: its row, the diagonal, its force."""
         row = self.quadratic.pop(unknown, {})
-        diagonal = row.pop(unknown, NOTHING)
+        diagonal = row.pop(unknown, self.builder.zero)
         for other in row:
             self.quadratic[other].pop(unknown)
-        return row, diagonal, self.linear.pop(unknown, NOTHING)
+        return row, diagonal, self.linear.pop(unknown, self.builder.zero)
 
 
 def put(g: Gauss, unknown: Unknown, value: Affine) -> Affine:
@@ -186,7 +187,7 @@ def minimise(g: Gauss, unknown: Unknown) -> Affine:
         return _separated(g, unknown, squares)
     g.fold(squares)
     row, diagonal, force = g.drop(unknown)
-    if diagonal.is_zero():
+    if diagonal.is_zero:
         raise SingularError(f"{unknown}: nothing that moves with it has mass")
     shares = {i: coupling / diagonal for i, coupling in row.items()}
     entries = list(row)
@@ -218,13 +219,13 @@ def _separated(g: Gauss, unknown: Unknown, squares: list[Square]) -> Affine:
         g.add_square(square.weight * (weight / total), form + rest.times(-x))
         rest = rest.times(weight / total) + form.times(weighted / total)
         weight = total
-    force = g.linear.pop(unknown, NOTHING)
+    force = g.linear.pop(unknown, g.builder.zero)
     for i, entry in rest.coefficients.items():
         g.add_force(i, -(entry * force))
-    return rest.times(ca.SX(-1)) + Affine({}, force / weight)
+    return rest.times(-g.builder.one) + Affine({}, force / weight)
 
 
-def _parted(square: Square, unknown: Unknown) -> tuple[ca.SX, Affine]:
+def _parted(square: Square, unknown: Unknown) -> tuple[Node, Affine]:
     rest = dict(square.form.coefficients)
     return rest.pop(unknown), Affine(rest, square.form.constant)
 
@@ -235,12 +236,12 @@ def gather(g: Gauss, unknown: Unknown) -> None:
     if len(alone) < 2:
         return
     g.take(alone)
-    weight, moment = NOTHING, NOTHING
+    weight = moment = g.builder.zero
     for square in alone:
         weighted = square.weight * square.form.coefficients[unknown]
         weight = weight + weighted * square.form.coefficients[unknown]
         moment = moment + weighted * square.form.constant
-    g.add_square(weight, Affine({unknown: ca.SX(1)}, moment / weight))
+    g.add_square(weight, Affine({unknown: g.builder.one}, moment / weight))
 
 
 def turn(g: Gauss, by: Turn) -> None:
@@ -251,7 +252,7 @@ def turn(g: Gauss, by: Turn) -> None:
     one, two = by.pair
     g.fold(g.holding(one, two))
     first, upper, push = g.drop(one)
-    mixed = first.pop(two, NOTHING)
+    mixed = first.pop(two, g.builder.zero)
     second, lower, pull = g.drop(two)
     c, s, (i, j) = by.c, by.s, by.into
     h = s * (upper - lower) + 2 * (c * mixed)
@@ -259,7 +260,7 @@ def turn(g: Gauss, by: Turn) -> None:
     g.couple(j, j, lower + s * h)
     g.couple(i, j, c * h - mixed)
     for k in dict.fromkeys((*first, *second)):
-        a, b = first.get(k, NOTHING), second.get(k, NOTHING)
+        a, b = first.get(k, g.builder.zero), second.get(k, g.builder.zero)
         g.couple(k, i, (2 if k == i else 1) * (c * a - s * b))
         g.couple(k, j, (2 if k == j else 1) * (s * a + c * b))
     g.add_force(i, c * push - s * pull)

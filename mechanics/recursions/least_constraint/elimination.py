@@ -7,11 +7,10 @@ taken, so where nothing is coupled nothing is multiplied.
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 
-import casadi as ca
-
-from mechanics.compiled.forms.bodies.affine import Affine, Unknown
-from mechanics.compiled.forms.bodies.gauss import Gauss, few, gather, minimise, put, turn
 from mechanics.errors import ExpressionError
+from mechanics.program.builder import Node
+from mechanics.recursions.least_constraint.affine import Affine, Unknown, is_one
+from mechanics.recursions.least_constraint.gauss import Gauss, few, gather, minimise, put, turn
 
 Rule = Callable[[str, int, int], tuple[int, ...]]
 """From the kind of a step, its cost and its age to what is least for the step to take next."""
@@ -28,44 +27,18 @@ def outermost(kind: str, cost: int, age: int) -> tuple[int, ...]:
 
 
 @dataclass(frozen=True)
-class Way:
-    """How Gauss's function is written and minimised.
-
-    Attributes
-    ----------
-    rule : Rule
-    squared : bool
-        Whether squares are kept: see `Gauss`.
-    inertial : bool
-        Whether accelerations are found again in inertial components: see `Carried`.
-    """
-
-    rule: Rule
-    squared: bool
-    inertial: bool
-
-
-WAYS: tuple[Way, ...] = (
-    Way(free_first, squared=True, inertial=False),
-    Way(free_first, squared=True, inertial=True),
-    Way(outermost, squared=False, inertial=False),
-)
-"""Which is cheapest, and which rounds best, depends on the bodies."""
-
-
-@dataclass(frozen=True)
 class Solved:
     """``unknown = value / divisor``, in unknowns that are eliminated later."""
 
     unknown: Unknown
     value: Affine
-    divisor: ca.SX | None = None
+    divisor: Node | None = None
 
 
 def eliminated(
     g: Gauss,
     unknowns: Sequence[Unknown],
-    nonzero: Callable[[ca.SX], bool],
+    nonzero: Callable[[Node], bool],
     rule: Rule,
     multipliers: Sequence[Unknown] = (),
 ) -> list[Solved]:
@@ -78,7 +51,7 @@ def eliminated(
     unknowns : sequence
         Free ones, and those that G defines, the latter in order.
     nonzero : callable
-        Whether a graph is known not to vanish.
+        Whether a node is known not to vanish.
     rule : Rule
     multipliers : sequence
         Those of the unknowns that have no square in G.
@@ -91,14 +64,14 @@ def eliminated(
     return solved
 
 
-def values(g: Gauss, solved: Sequence[Solved]) -> Callable[[Unknown], ca.SX]:
+def values(g: Gauss, solved: Sequence[Solved]) -> Callable[[Unknown], Node]:
     """What gives the value of an unknown, once those it depends on are known."""
     formulas = {entry.unknown: entry for entry in solved}
     formulas |= {unknown: Solved(unknown, value) for unknown, value in g.after.items()}
-    found: dict[Unknown, ca.SX] = {}
+    found: dict[Unknown, Node] = {}
     entered: set[Unknown] = set()
 
-    def value(wanted: Unknown) -> ca.SX:
+    def value(wanted: Unknown) -> Node:
         # An explicit stack: a chain is deeper than Python's recursion goes.
         stack = [wanted]
         while stack:
@@ -118,7 +91,7 @@ def values(g: Gauss, solved: Sequence[Solved]) -> Callable[[Unknown], ca.SX]:
     return value
 
 
-def _evaluated(entry: Solved, found: dict[Unknown, ca.SX]) -> ca.SX:
+def _evaluated(entry: Solved, found: dict[Unknown, Node]) -> Node:
     total = entry.value.constant
     for unknown, coefficient in entry.value.coefficients.items():
         total = total + coefficient * found[unknown]
@@ -132,7 +105,7 @@ class _Work:
         self,
         g: Gauss,
         unknowns: Sequence[Unknown],
-        nonzero: Callable[[ca.SX], bool],
+        nonzero: Callable[[Node], bool],
         multipliers: Sequence[Unknown],
     ) -> None:
         self.g, self.nonzero, self.multipliers = g, nonzero, set(multipliers)
@@ -192,10 +165,10 @@ class _Work:
         value = self._undefined(user)
         x = value.coefficients[unknown]
         rest = {k: -entry for k, entry in value.coefficients.items() if k != unknown}
-        solved = Affine({user: ca.SX(1), **rest}, -value.constant)
+        solved = Affine({user: self.g.builder.one, **rest}, -value.constant)
         if unknown in self.g.linear:
             put(self.g, unknown, solved.times(1 / x))
-        return Solved(unknown, solved, None if x.is_one() else x)
+        return Solved(unknown, solved, None if is_one(x) else x)
 
     def _put_or_turn(self, unknown: Unknown) -> Iterator[tuple[str, int, Unknown]]:
         by = self.g.turns.get(unknown)
@@ -207,11 +180,11 @@ class _Work:
 
     def _put_cost(self, unknown: Unknown) -> int:
         value, row = self.g.definitions[unknown], self.g.row(unknown)
-        k = sum(not x.is_one() for x in value.coefficients.values())
+        k = sum(not is_one(x) for x in value.coefficients.values())
         own = int(unknown in row)
         n = len(row) - own
         held = len(self.g.holding(unknown))
-        moved = 0 if value.constant.is_zero() else n + own + held
+        moved = 0 if value.constant.is_zero else n + own + held
         return k * n + own * k * (k + 3) // 2 + k * (unknown in self.g.linear) + moved
 
     def _minimise_cost(self, unknown: Unknown) -> int:
