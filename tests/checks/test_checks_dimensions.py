@@ -13,6 +13,7 @@ from mechanics.compiled import compile
 from mechanics.kernel import Verdict
 from mechanics.routes.derivation import by_route
 from mechanics.scene import Scene
+from mechanics.scene.linear_quantities import InertiaAbout, operating_point
 from mechanics.scene.published import published
 from mechanics.scene.quantities import EquationOfMotion
 from systems import ALL, elastic_pendulum
@@ -86,3 +87,19 @@ def test_where_nothing_is_known_nothing_is_said() -> None:
 def _with_number(load):
     """Gravity as a number, which has a unit that nothing tells."""
     return replace(load, field=load.field.subs(g, 9.81)) if hasattr(load, "field") else load
+
+
+def test_a_symbol_without_a_unit_has_that_of_its_definition() -> None:
+    scene, units = case("elastic_pendulum")
+    I_C = elastic_pendulum.I_C
+    bare = {symbol: unit for symbol, unit in units.items() if symbol != I_C}
+    row = published("(1)", EquationOfMotion(), I_C * theta.diff(t, 2) + M * L, 0, label="sum")
+    (finding,) = check_dimensions(scene, [row], bare)
+    assert finding.verdict is Verdict.REFUTED
+    assert "kg*m^2*s^-2" in finding.evidence.replace("**", "^")
+
+
+def test_rows_about_linear_equations_are_left_out() -> None:
+    scene, units = case("elastic_pendulum")
+    row = published("(1)", InertiaAbout(operating_point({"x": 0}), "pendulum", "C", "theta"), k + m, label="numbers may be lengths there")
+    assert check_dimensions(scene, [row], units) == ()

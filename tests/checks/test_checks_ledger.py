@@ -15,7 +15,10 @@ from mechanics.equations import Equations
 from mechanics.errors import InputError, SceneError
 from mechanics.kernel import Finding, Verdict
 from mechanics.linear import ledger as linear
-from mechanics.routes.derivation import by_route
+from mechanics.mechanism import lower
+from mechanics.program import Builder
+from mechanics.routes import free_body
+from mechanics.routes.derivation import as_program, by_route
 from mechanics.scene import quantities as q
 from mechanics.scene.published import Published, Quantity, published
 from mechanics.scene.system import System
@@ -236,3 +239,32 @@ def test_a_symbol_that_the_scene_does_not_have_is_named() -> None:
     assert found.verdict is Verdict.UNDECIDED and found.evidence.startswith("mm: the scene has no")
     found = check(PENDULUM, q.ReactionValue("N"), Symbol("M") * 9)
     assert found.verdict is Verdict.UNDECIDED and found.evidence.startswith("M: the scene has no")
+
+
+def test_a_reaction_equal_to_itself_is_no_equation_of_motion() -> None:
+    finding = check(PENDULUM, q.EquationOfMotion(), N1, N1)
+    assert finding.verdict is Verdict.UNDECIDED
+    assert "holds no acceleration" in finding.evidence
+
+
+@pytest.mark.parametrize(
+    ("sides", "verdict", "words"),
+    [
+        ((SIXTH, 0), Verdict.PROVED, ""),
+        ((SEVENTH, 0), Verdict.PROVED, ""),
+        ((SEVENTH + x, 0), Verdict.REFUTED, ""),
+        ((theta.diff(t, 2), theta.diff(t, 2)), Verdict.UNDECIDED, "holds no acceleration"),
+        ((N1, N1), Verdict.UNDECIDED, "holds no acceleration"),
+        ((SIXTH * SEVENTH, 0), Verdict.UNDECIDED, "not linear in the accelerations"),
+    ],
+)
+def test_rows_along_the_motion_of_equations_too_long_to_be_written(
+    sides: tuple[object, ...], verdict: Verdict, words: str
+) -> None:
+    """Equations that stay a program judge rows as those in SymPy do."""
+    scene = PENDULUM.scene()
+    mechanism = lower(scene, Builder())
+    long = as_program(scene, mechanism, free_body.derive(mechanism))
+    finding = check_row(scene, published("tag", q.EquationOfMotion(), *sides, label="row"), long)
+    assert finding.verdict is verdict, finding
+    assert words in finding.evidence

@@ -8,6 +8,7 @@ import pytest
 from linkages import LINKAGES, lifted_bead, parallelogram, slider_crank
 from serial_arms import serial_arm
 from sympy import Expr, Rational, acos, atan2, pi
+from sympy.physics.mechanics import Dyadic, Point, ReferenceFrame, dynamicsymbols
 
 from mechanics.checks import laws, reactions
 from mechanics.checks.admissible import check_admissible, check_scene
@@ -20,15 +21,15 @@ from mechanics.checks.agreement import (
     matched,
 )
 from mechanics.equations import Rows
-from mechanics.errors import SingularError
+from mechanics.errors import SceneError, SingularError
 from mechanics.kernel import Finding, Verdict, enclose
 from mechanics.mechanism import Mechanism, lower
 from mechanics.program import Builder, Node
 from mechanics.program.derivatives import gradient
 from mechanics.program.residues import Residues
 from mechanics.routes import free_body, kane, lagrange, moving_point
-from mechanics.scene import parameters
-from systems import ALL, elastic_pendulum, four_bar, pendulum_chain, rolling_disc
+from mechanics.scene import RigidBody, Scene, gravity, parameters, reaction, reaction_couple
+from systems import ALL, elastic_pendulum, four_bar, pendulum_chain, rod_pendulum, rolling_disc
 
 ROUTES = (free_body, moving_point, kane, lagrange)
 
@@ -235,3 +236,33 @@ def test_roots_in_fixed_turns_are_roots(turns: tuple[Expr, Expr]) -> None:
     pairs = compare_pairs(derived(mechanism))
     assert len(pairs) == 6
     assert all(finding.shown for finding in pairs.values())
+
+
+def test_each_load_with_a_potential_has_its_finding() -> None:
+    mechanism = check_scene(elastic_pendulum.scene())
+    subjects = [finding.subject for finding in laws.check_potentials(mechanism)]
+    assert subjects == [
+        f"load {name}: force = -gradient of potential" for name in ("gravity", "k")
+    ]
+    # A motor has no potential.
+    (weight,) = laws.check_potentials(check_scene(rod_pendulum.scene()))
+    assert weight.subject.startswith("load gravity")
+
+
+def screw(inertia: Expr | Dyadic) -> Scene:
+    """A nut that turns about an upright axis and moves along it, out of every plane."""
+    N, O = ReferenceFrame("N"), Point("O")
+    z, angle = dynamicsymbols("z angle")
+    m, g = parameters("m g")
+    nut, centre = N.orientnew("A", "Axis", (angle, N.z)), O.locatenew("C", z * N.z)
+    across = [reaction(f"R{axis}", at=centre, on="nut", by=None, along=axis) for axis in (N.x, N.y)]
+    upright = [reaction_couple(f"Q{axis}", on="nut", by=None, along=axis) for axis in (N.x, N.y)]
+    return Scene(
+        "screw", N, O, coordinates=(z, angle), loads=(gravity(-g * N.z),),
+        bodies=(RigidBody("nut", centre, nut, m, inertia),), reactions=(*across, *upright),
+    )  # fmt: skip
+
+
+def test_a_scalar_inertia_out_of_its_plane_is_refused_about_any_axis() -> None:
+    with pytest.raises(SceneError, match="body nut: its inertia is a scalar, but the scene leaves"):
+        check_scene(screw(parameters("J")[0]))
