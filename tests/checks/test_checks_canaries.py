@@ -11,7 +11,8 @@ from mechanics.checks import route_canaries as routes
 from mechanics.checks.canaries import check_canaries
 from mechanics.kernel import Finding, Verdict, same
 from mechanics.scene.composite import Part
-from mechanics.scene.loads import spring
+from mechanics.scene.loads import gravity, spring
+from mechanics.scene.reactions import nonholonomic
 from mechanics.scene.shapes import Rod, Semidisc
 
 
@@ -73,3 +74,13 @@ def test_a_load_that_keeps_something_else_is_seen(monkeypatch: pytest.MonkeyPatc
 
     monkeypatch.setattr(canaries, "spring", swapped)
     assert "Spring: first P is kept as Q" in refuted()
+
+
+def test_a_constraint_that_is_kept_as_another_is_seen(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(canaries, "holonomic", nonholonomic)
+    assert "holonomic True is kept as False" in refuted()
+
+
+def test_gravity_that_keeps_another_field_is_seen(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(canaries, "gravity", lambda field: gravity(2 * field))
+    assert "Gravity: field a*N.x is kept as 2*a*N.x" in refuted()
