@@ -101,5 +101,10 @@ def test_a_symbol_without_a_unit_has_that_of_its_definition() -> None:
 
 def test_rows_about_linear_equations_are_left_out() -> None:
     scene, units = case("elastic_pendulum")
-    row = published("(1)", InertiaAbout(operating_point({"x": 0}), "pendulum", "C", "theta"), k + m, label="numbers may be lengths there")
+    row = published(
+        "(1)",
+        InertiaAbout(operating_point({"x": 0}), "pendulum", "C", "theta"),
+        k + m,
+        label="numbers may be lengths there",
+    )
     assert check_dimensions(scene, [row], units) == ()

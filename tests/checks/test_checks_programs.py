@@ -241,9 +241,7 @@ def test_roots_in_fixed_turns_are_roots(turns: tuple[Expr, Expr]) -> None:
 def test_each_load_with_a_potential_has_its_finding() -> None:
     mechanism = check_scene(elastic_pendulum.scene())
     subjects = [finding.subject for finding in laws.check_potentials(mechanism)]
-    assert subjects == [
-        f"load {name}: force = -gradient of potential" for name in ("gravity", "k")
-    ]
+    assert subjects == [f"load {name}: force = -gradient of potential" for name in ("gravity", "k")]
     # A motor has no potential.
     (weight,) = laws.check_potentials(check_scene(rod_pendulum.scene()))
     assert weight.subject.startswith("load gravity")
