@@ -25,7 +25,7 @@ B lambda has not, where the rows of both routes are power-conjugate to u:
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import combinations
 
 from mechanics.checks.statements import equal
@@ -122,10 +122,14 @@ def compare_pairs(routes: Mapping[str, Derived]) -> dict[tuple[str, str], Findin
     found = {}
     for one, two in combinations(routes, 2):
         premises = [direct[name] for name in (one, two) if name != reference]
-        if all(premise.shown for premise in premises):
-            found[one, two] = follows(_subject(one, two), premises)
-        else:
+        subject = _subject(one, two)
+        if not all(premise.shown for premise in premises):
             found[one, two] = compare(routes[one], routes[two], filter_)
+        elif len(premises) == 1:
+            # The same statement, whichever side is named first.
+            found[one, two] = replace(premises[0], subject=subject)
+        else:
+            found[one, two] = follows(subject, premises)
     return found
 
 

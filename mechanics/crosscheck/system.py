@@ -203,7 +203,8 @@ def _without_textbook(
     remarks = ["The equations are too long to be written out, and stay programs."]
     remarks += _units_missing(scene)
     stage("compiling")
-    model = compile(first)
+    models = {name: compile(equations) for name, equations in derived.items()}
+    model = models[first.route]
     findings += prove_compiled(model, [name for name in model.casadi if name != "step"])
     stage("the scene as declared")
     states = drawn_states(scene)
@@ -226,7 +227,13 @@ def _without_textbook(
         name=system.name,
         scene=scene,
         routes={
-            name: RouteResult(None, programs.seconds[name], programs.operations(name))
+            name: RouteResult(
+                None,
+                programs.seconds[name],
+                programs.operations(name),
+                models[name].form,
+                models[name].program("forward_dynamics").operations,
+            )
             for name in programs.routes
         },
         findings=tuple(findings),

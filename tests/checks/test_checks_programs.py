@@ -58,6 +58,10 @@ def test_all_pairs_are_shown(system) -> None:
     pairs = compare_pairs(routes)
     assert len(pairs) == 6
     assert all(finding.shown for finding in pairs.values())
+    # Nothing is its own reason, whichever side of it is named first.
+    told = {f"{two} = {one}: accelerations": f.evidence for (one, two), f in pairs.items()}
+    assert not any(finding.subject in finding.evidence for finding in pairs.values())
+    assert not any(turned in evidence for turned, evidence in told.items())
 
 
 CHANGES = {

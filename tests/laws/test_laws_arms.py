@@ -49,6 +49,7 @@ def test_the_routes_agree_and_what_is_compiled_is_shown(arm: Arm) -> None:
     result = crosscheck(arm.scene)
     assert result.ok
     assert set(result.routes) == {route.name for route in ROUTES}
+    assert all(route.form and route.forward for route in result.routes.values())
     assert len(result.pairs) == 6
     subjects = {finding.subject for finding in result.findings}
     for name in ("forward dynamics", "inverse dynamics", "mass matrix", "reactions"):

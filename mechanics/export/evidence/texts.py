@@ -6,8 +6,6 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from itertools import combinations
 from typing import Any
 
-from pycparser import c_generator
-
 from mechanics.compiled.custody.kernel import Kernel
 from mechanics.errors import ExpressionError
 from mechanics.program.c.conditionals import asked_names
@@ -146,14 +144,27 @@ def _same(one: Source | ExpressionError, other: Source | ExpressionError | None)
     if isinstance(one, ExpressionError) or not isinstance(other, Source):
         return isinstance(one, ExpressionError) and str(one) == str(other)
     return one.functions.keys() == other.functions.keys() and all(
-        _text(node) == _text(other.functions[name])
+        _alike(node, other.functions[name])
         for name, node in one.functions.items()
         if name not in STAND_IN
     )
 
 
-def _text(function: Any) -> str:
-    return str(c_generator.CGenerator().visit(function))
+def _alike(one: Any, two: Any) -> bool:
+    """Whether two syntax trees are the same; a sum of hundreds of terms is as deep."""
+    waiting = [(one, two)]
+    while waiting:
+        left, right = waiting.pop()
+        names, others = left.children(), right.children()
+        if type(left) is not type(right) or len(names) != len(others):
+            return False
+        if any(getattr(left, name) != getattr(right, name) for name in left.attr_names):
+            return False
+        for (name, child), (other, twin) in zip(names, others, strict=True):
+            if name != other:
+                return False
+            waiting.append((child, twin))
+    return True
 
 
 def not_named(kernels: Sequence[Kernel], texts: Mapping[str, Source]) -> Iterable[str]:

@@ -670,18 +670,32 @@ class Reader:
         return as_condition(value, where)
 
     def _binary(self, node: Any) -> Value:
-        if node.op in ("&&", "||"):
-            self.unwritten(node.right)
-            both = node.op == "&&"
-            left = self.condition(self.value(node.left), node.coord)
-            # C looks at the right side only where the left one does not decide.
-            with self.target.under(left if both else negation(left)):
-                right = self.condition(self.value(node.right), node.coord)
-            return Truth(joined(both, left, right))
-        if not isinstance(node.right, c_ast.Constant):
-            # C may begin with either side.
-            self.unwritten(node.left, node.right)
-        return self.combined(node.op, self.value(node.left), self.value(node.right), node.coord)
+        # a + b + c is as deep as it has terms: left sides are taken one after the other.
+        chain: list[Any] = []
+        seen = False
+        while isinstance(node, c_ast.BinaryOp):
+            chain.append(node)
+            if node.op in ("&&", "||"):
+                self.unwritten(node.right)
+            elif not (seen or isinstance(node.right, c_ast.Constant)):
+                # C may begin with either side.
+                self.unwritten(node.left, node.right)
+                seen = True
+            node = node.left
+        value = self.value(node)
+        for outer in reversed(chain):
+            value = self._joined(outer, value)
+        return value
+
+    def _joined(self, node: Any, left: Value) -> Value:
+        """An operation whose left side is known."""
+        if node.op not in ("&&", "||"):
+            return self.combined(node.op, left, self.value(node.right), node.coord)
+        both, first = node.op == "&&", self.condition(left, node.coord)
+        # C looks at the right side only where the left one does not decide.
+        with self.target.under(first if both else negation(first)):
+            second = self.condition(self.value(node.right), node.coord)
+        return Truth(joined(both, first, second))
 
     def combined(self, op: str, left: Value, right: Value, where: Any) -> Value:
         """left op right; no integer of it is negative beside unsigned ones."""
@@ -801,11 +815,13 @@ class Reader:
 
     def unwritten(self, *nodes: Any) -> None:
         """Refuse calls that write where C may leave them out, or reorder them."""
-        for node in nodes:
+        waiting = list(nodes)
+        while waiting:
+            node = waiting.pop()
             name = getattr(node.name, "name", "") if isinstance(node, c_ast.FuncCall) else ""
             if name in SINCOS or (name in self.source.functions and self._writes(name)):
                 raise ExpressionError(f"{node.coord}: {name}() may write, inside an expression")
-            self.unwritten(*(child for _, child in node.children()))
+            waiting += [child for _, child in node.children()]
 
     def _writes(self, name: str) -> bool:
         kinds = [declared(p) for p in parameters(self.source.functions[name].decl.type)]
