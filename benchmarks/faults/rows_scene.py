@@ -341,29 +341,6 @@ BODIES = (
         ("    return value\n", "    return value**2\n", "the mass of a body is squared"),
     ),
     *faults_in(
-        "mechanics.kinematics.textbook.motion",
-        (
-            "return rotation * inside * rotation.T",
-            "return rotation.T * inside * rotation",
-            "inertia is turned the wrong way",
-        ),
-        (
-            "return rotation * inside * rotation.T",
-            "return inside",
-            "inertia does not turn with the body",
-        ),
-        (
-            "body_scalar(scene, body.inertia) * eye(3)",
-            "2 * body_scalar(scene, body.inertia) * eye(3)",
-            "scalar inertias count twice",
-        ),
-        (
-            "if inside == diag(*([inside[0, 0]] * 3)):",
-            "if True:",
-            "every inertia counts as that of a ball",
-        ),
-    ),
-    *faults_in(
         "mechanics.scene.shapes",
         (
             "return self.length**2 / 12, sympify(0)",

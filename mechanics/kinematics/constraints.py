@@ -2,15 +2,13 @@
 
 holonomic       phi(q) = 0        d phi/dt = 0, a form linear in u
 nonholonomic    phi(q, u) = 0     the form itself
-both            A u' = b          the form, differentiated
 """
 
-from sympy import Expr, Matrix, zeros
+from sympy import Expr
 
 from mechanics.errors import SceneError
 from mechanics.scene import Scene
 from mechanics.scene.rates import rate, rate_table
-from mechanics.symbolic import collect_linear
 
 
 def velocity_forms(scene: Scene) -> list[Expr]:
@@ -33,16 +31,3 @@ def velocity_forms(scene: Scene) -> list[Expr]:
             expression = rate(expression, table)
         forms.append(expression)
     return forms
-
-
-def constraint_rows(scene: Scene) -> tuple[Matrix, Matrix]:
-    """A, c x n, and b, c x 1, with A u' = b."""
-    forms, table = velocity_forms(scene), rate_table(scene)
-    if not forms:
-        return zeros(0, len(scene.u)), zeros(0, 1)
-    matrix, bias = [], []
-    for form in forms:
-        coefficients, rest = collect_linear(rate(form, table), scene.ud)
-        matrix.append(coefficients)
-        bias.append(-rest)
-    return Matrix(matrix), Matrix(bias)

@@ -1,1 +1,0 @@
-"""Velocities from positions in SymPy, two ways, for statements that people write."""
