@@ -42,10 +42,12 @@ function outside(page, width) {
   });
 }
 
-// Tables that are wider than what they stand in.
+// Tables that are wider than what they stand in; a matrix of routes is seen whole, without a scroll.
 function wide(page) {
   return [...page.querySelectorAll("table")].filter(
-    node => !node.closest(".wide") && node.offsetWidth > node.parentElement.clientWidth + 1,
+    node =>
+      (!node.closest(".wide") || node.matches(".matrix")) &&
+      node.offsetWidth > node.parentElement.clientWidth + 1,
   );
 }
 

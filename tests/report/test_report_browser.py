@@ -11,12 +11,14 @@ import shutil
 import subprocess
 from dataclasses import dataclass, replace
 from html import escape, unescape
+from itertools import combinations
 from pathlib import Path
 from typing import Any
 
 import pytest
 
 from mechanics.equations import Line
+from mechanics.kernel import Verdict
 from mechanics.report.answer.check import Check
 from mechanics.report.answer.page import check_html
 from mechanics.report.html import to_html
@@ -109,7 +111,7 @@ def derived() -> list[SystemResult]:
 
 @pytest.mark.sample(1)
 @pytest.mark.parametrize("dark", [False, True], ids=["light", "dark"])
-@pytest.mark.parametrize("width", [390, 1280])
+@pytest.mark.parametrize("width", [390, 1100, 1280])
 def test_report_in_a_browser(
     width: int, dark: bool, small: SystemResult, derived: list[SystemResult], tmp_path: Path
 ) -> None:
@@ -123,6 +125,22 @@ def test_report_in_a_browser(
     assert found["faint"] == []
     assert found["maths"] > 100
     assert found["height"] > 3000
+
+
+@pytest.mark.parametrize("width", [390, 1100])
+def test_six_columns_of_routes_are_seen_whole(
+    width: int, small: SystemResult, tmp_path: Path
+) -> None:
+    one = next(iter(small.routes.values()))
+    names = ("free_body", "moving_point", "kane", "kane_sympy", "lagrange", "lagrange_sympy")
+    finding = next(f for f in small.pairs.values() if f.verdict is Verdict.CERTIFIED)
+    result = replace(
+        small, routes=dict.fromkeys(names, one), sympy={},
+        pairs=dict.fromkeys(combinations(names, 2), finding),
+    )  # fmt: skip
+    sight = look(to_html([result]), tmp_path, width, False)
+    assert sight.found["wide"] == []
+    assert sight.found["scroll"] <= sight.found["width"], sight.found["outside"]
 
 
 @pytest.mark.sample(1)
