@@ -44,6 +44,12 @@ from mechanics.program.c.parse import Source
 from mechanics.program.operations import ABS, ADD, COS, INPUT, NEGATE, SIN, SUBTRACT
 from mechanics.program.residues import Residues
 
+IDEAL = (
+    "; the inline sine is read as a sine for every angle: what a lane holds whose angle is too far,"
+    " before the C library's sine mends it, is compared by runs of binaries only"
+)
+"""Said of functions of many states: their text alone does not decide it."""
+
 OK, SINGULAR, OVERFLOW, BAD_INPUT = range(4)
 
 LARGEST = {
@@ -118,7 +124,8 @@ class _Values:
         found = self.physics.decide_entries(subject, pairs, try_normal=False)
         if not found.shown:
             return undecided(subject, f"the conditions are about other values: {found.evidence}")
-        return replace(found, evidence=f"the same decision about the same values: {found.evidence}")
+        words = f"the same decision about the same values: {found.evidence}"
+        return replace(found, evidence=words + IDEAL if self.kernel.lanes else words)
 
     def found(self) -> Decision | None:
         """What the text decides, about keys."""

@@ -10,6 +10,7 @@ import pytest
 
 from mechanics import compile, derive, write_c
 from mechanics.compiled.graphs import Graphs
+from mechanics.export.evidence.chain import second_step
 from mechanics.export.evidence.claims import prove_stored
 from mechanics.export.evidence.listing import as_derived, prove_files
 from mechanics.export.evidence.read import read_folder
@@ -199,3 +200,14 @@ def test_a_stored_verdict_about_nothing_is_named() -> None:
     assert found.verdict is Verdict.UNDECIDED and "everything" in found.subject
     binary = step(record, title="C text = binary")
     assert prove_stored(binary, [], "C text = binary") == ([], 1)
+
+
+def test_what_only_a_run_sees_of_many_states_is_said(tmp_path: Path) -> None:
+    """A text's far lanes are no sines before the library mends them, whatever the text says."""
+    model = compile(derive(elastic_pendulum.scene()))
+    write_c(model, tmp_path / "c", name="name", functions=["energy"], prove=False)
+    found = {f.subject: f for f in second_step(read_folder(tmp_path / "c").evidence, [])}
+    many = found["name_batch.c: status of name_energy_batch"]
+    assert many.shown and "is compared by runs of binaries only" in many.evidence
+    one = found["name.c: status of name_energy"]
+    assert one.shown and "binaries" not in one.evidence
