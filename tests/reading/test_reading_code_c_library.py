@@ -51,6 +51,11 @@ def test_a_function_is_not_zero(more: str) -> None:
     assert check(f"return RIGHT + {more};").verdict is Verdict.REFUTED
 
 
+@pytest.mark.parametrize("name", ["y1", "jn", "nan", "logb"])
+def test_a_variable_may_have_the_name_of_a_function(name: str) -> None:
+    assert check(f"double {name} = RIGHT; return {name};").verdict in SHOWN
+
+
 @pytest.mark.parametrize("asked", ["isnan(a)", "!isfinite(a)", "isinf(a)"])
 def test_a_guard_of_what_has_values_is_never_taken(asked: str) -> None:
     assert check(f"double a = RIGHT; if ({asked}) return 0; return a;").verdict in SHOWN
@@ -72,6 +77,8 @@ def test_a_guard_of_what_has_no_value_somewhere_says_where() -> None:
         ("return tgamma(theta);", "tgamma() has no exact meaning here"),
         ("if (u > INFINITY) return 0; return RIGHT;", "INFINITY is no real number"),
         ("return NAN;", "NAN is no real number"),
+        ("return copysign(theta, -0.0);", "-0.0 differs from 0.0 in copysign"),
+        ("return RIGHT + signbit(-.0e1);", "-0.0 differs from 0.0 in copysign"),
         ("return ldexp(theta, 2);", "asks for the bits of a double"),
     ],
 )

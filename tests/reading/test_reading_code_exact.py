@@ -48,6 +48,7 @@ def returned(function: Callable[..., Any]) -> Expr:
         (lambda x: math.exp(1) * x if math.sqrt(2) > 1.4 else 0, sympy.E * X),
         (lambda x: int(np.sqrt(9)) * x, 3 * X),
         (lambda x: x * len(range(int(2 * np.pi))), 6 * X),
+        (lambda x: np.linalg.norm([1.0, 1.0]) / np.sqrt(2) * x, X),
     ],
 )
 def test_numbers_that_code_computes_are_exact(function: Callable[..., Any], formula: Expr) -> None:
@@ -74,6 +75,12 @@ def test_a_double_that_was_a_root_is_that_root(value: Expr) -> None:
 @pytest.mark.parametrize("value", [math.exp(1), math.sin(1), 1.2345678901234567])
 def test_other_doubles_stay_what_they_are(value: float) -> None:
     assert constant_of(value)[0] == sympy.Rational(value)
+
+
+@pytest.mark.parametrize("size", [1e-9, 1e-3, 1.0, 1e4, 1e5, 1e6, 1e7, 1e12])
+def test_drawn_doubles_stand_for_nothing_simpler(size: float) -> None:
+    for value in size * np.random.default_rng(1).uniform(1, 10, 200):
+        assert constant_of(value)[0] == sympy.Rational(float(value))
 
 
 def test_what_is_printed_of_an_arm_with_turns_of_a_third_is_shown() -> None:

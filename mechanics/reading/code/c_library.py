@@ -61,11 +61,35 @@ def with_library(source: Source) -> Source:
     """
     for function in source.functions.values():
         for node in _below(function.body):
-            name = getattr(node, "name", None)
-            if isinstance(node, c_ast.ID) and name in REFUSED and name not in source.functions:
+            name = _of_the_library(node)
+            if name in REFUSED and name not in source.functions:
                 call = "" if name.isupper() else "()"
                 raise ExpressionError(f"{node.coord}: {name}{call} {REFUSED[name]}")
+            if _is_negative_zero(node):
+                raise ExpressionError(
+                    f"{node.coord}: -0.0 differs from 0.0 in copysign, signbit and atan2 only, and"
+                    " is the same real number: write 0.0, or the case that is meant"
+                )
     return replace(source, functions={**parse(WRITTEN, "math.h").functions, **source.functions})
+
+
+def _of_the_library(node: Any) -> str:
+    """The name of a function that is called, or of a macro; variables may be called y1."""
+    if isinstance(node, c_ast.FuncCall) and isinstance(node.name, c_ast.ID):
+        return str(node.name.name)
+    return node.name if isinstance(node, c_ast.ID) and node.name.isupper() else ""
+
+
+def _is_negative_zero(node: Any) -> bool:
+    """Whether it is a minus before a zero with a point or an exponent; the integer has no sign."""
+    if not (isinstance(node, c_ast.UnaryOp) and node.op == "-"):
+        return False
+    number = node.expr
+    return (
+        isinstance(number, c_ast.Constant)
+        and "int" not in number.type
+        and not any(digit in "123456789" for digit in number.value.lower().partition("e")[0])
+    )
 
 
 def _below(node: Any) -> Iterator[Any]:

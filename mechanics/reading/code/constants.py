@@ -5,7 +5,8 @@
 
 A short decimal is what was typed. A long one was computed before the code was read: it stands for
 the simplest fraction, multiple of pi or root of a fraction within 4 units in the last place, and is
-listed; else it is the dyadic number that it is.
+listed; else it is the dyadic number that it is. The parts of these fractions are bounded, so that
+fewer than one in a million of random doubles is next to one.
 """
 
 from fractions import Fraction
@@ -18,7 +19,7 @@ from mechanics.errors import InputError
 
 ULPS = 4
 TYPED_DIGITS = 12
-LARGEST_DENOMINATOR, LARGEST_RADICAND = 1000, 100
+LARGEST_DENOMINATOR, LARGEST_UNDER_ROOT, LARGEST_NUMERATOR = 1000, 100, 10**5
 
 
 def constant_of(value: float) -> tuple[Expr, str]:
@@ -35,19 +36,25 @@ def constant_of(value: float) -> tuple[Expr, str]:
     digits = printed.partition("e")[0].replace("-", "").replace(".", "").strip("0")
     if len(digits) <= TYPED_DIGITS:
         return _rational(Fraction(printed)), ""
-    near = Fraction(value).limit_denominator(LARGEST_DENOMINATOR)
-    if abs(near - Fraction(value)) <= ULPS * Fraction(ulp(value)):
+    near = _simplest(Fraction(value))
+    if near and abs(near - Fraction(value)) <= ULPS * Fraction(ulp(value)):
         return _rational(near), f"{printed} is read as {near}"
-    turns = Fraction(value / pi).limit_denominator(LARGEST_DENOMINATOR)
+    turns = _simplest(Fraction(value / pi))
     if turns and abs(float(turns) * pi - value) <= ULPS * ulp(value):
         number = _rational(turns) * sympy.pi
         return number, f"{printed} is read as {number}"
     square = Fraction(value) ** 2
-    under = square.limit_denominator(LARGEST_RADICAND)
+    under = _simplest(square, LARGEST_UNDER_ROOT)
     if under and abs(under - square) <= 2 * ULPS * abs(Fraction(value)) * Fraction(ulp(value)):
         number = sympy.sqrt(_rational(under)) * (1 if value > 0 else -1)
         return number, f"{printed} is read as {number}"
     return _rational(Fraction(value)), f"{printed} is read as the double that it is"
+
+
+def _simplest(value: Fraction, denominator: int = LARGEST_DENOMINATOR) -> Fraction | None:
+    """The fraction with small parts that is nearest, if it has any."""
+    found = value.limit_denominator(denominator)
+    return found if 0 < abs(found.numerator) <= LARGEST_NUMERATOR else None
 
 
 def constant_from(value: Fraction) -> tuple[Expr, str]:

@@ -114,10 +114,19 @@ class Exact(float):
         """Arithmetic entry by entry; anything else finds a double."""
         others = [entry for entry in inputs if not isinstance(entry, Exact)]
         if ufunc in ARITHMETIC or any(np.asarray(entry).dtype == object for entry in others):
-            found: list[Any] = [np.asarray(entry, dtype=object) for entry in inputs]
+            found: list[Any] = [_objects(entry) for entry in inputs]
         else:
             found = [float(entry) if isinstance(entry, Exact) else entry for entry in inputs]
         return getattr(ufunc, method)(*found, **options)
+
+
+def _objects(entries: Any) -> np.ndarray:
+    """An array of Python's numbers: NumPy's own would ask for this arithmetic again."""
+    found = np.array(entries, dtype=object)
+    for place in np.ndindex(found.shape):
+        if isinstance(found[place], np.generic):
+            found[place] = found[place].item()
+    return found
 
 
 def is_plain(value: Any) -> bool:
