@@ -9,7 +9,11 @@ from mechanics.export.functions import FUNCTIONS, OUTPUTS
 from mechanics.export.header import header
 from mechanics.export.precision import named_parts
 
-SYSTEMS = ("elastic_pendulum", "rocker", "two_mass_chain", "rolling_disc", "four_bar")
+LARGE = pytest.mark.campaign
+SYSTEMS = (
+    "elastic_pendulum", "rocker", "two_mass_chain", pytest.param("rolling_disc", marks=LARGE),
+    pytest.param("four_bar", marks=LARGE),
+)  # fmt: skip
 STATE_NEXT = {"q_next", "u_next"}
 
 

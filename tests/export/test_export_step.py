@@ -33,6 +33,7 @@ int main(void)
 """
 
 
+@pytest.mark.sample(0)
 @pytest.mark.parametrize(
     ("system", "inputs"), [("elastic_pendulum", {}), ("rocker", {}), ("four_bar", {"tau": 0.3})]
 )

@@ -36,6 +36,7 @@ def shown(finding: Finding) -> bool:
     return True
 
 
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("name", SCENES)
 def test_routes_agree_either_way(name: str) -> None:
     programs = programs_of(name)

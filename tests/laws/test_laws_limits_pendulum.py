@@ -82,6 +82,7 @@ def test_stiff_springs_tend_to_a_fixed_pivot(model: Model) -> None:
     assert errors[-1] < 1e-3
 
 
+@pytest.mark.campaign
 def test_energy_that_stays_in_stiff_springs_acts_on_the_pendulum(model: Model) -> None:
     """x = sqrt(e/k): bounded energy that does not vanish, and so another limit.
 
@@ -121,6 +122,7 @@ def test_a_light_pendulum_leaves_a_mass_on_two_springs(model: Model) -> None:
     assert order(errors, 10.0) == pytest.approx(1.0, abs=0.1)
 
 
+@pytest.mark.campaign
 def test_a_short_pendulum_leaves_a_sliding_mass(model: Model) -> None:
     """(M + m) x + M L/2 sin theta is driven by -2 k x alone, so that x is off by O(L)."""
     t, errors = 2.0, []

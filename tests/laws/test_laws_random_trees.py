@@ -112,6 +112,7 @@ def test_random_trees(part: int) -> None:
     assert_routes_agree()
 
 
+@pytest.mark.campaign
 @settings(max_examples=8)
 @given(trees())
 def test_forward_dynamics_from_the_bodies_is_what_was_derived(links: tuple[Link, ...]) -> None:

@@ -99,6 +99,7 @@ def test_system_without_linear_model_is_refused_by_name() -> None:
         equilibria(case.equations, {}, case.suggested[0])
 
 
+@pytest.mark.campaign
 @pytest.mark.parametrize(("damping", "may"), [("0.0001", True), ("0.5", False)])
 def test_damper_may_be_left_out_when_it_takes_little(damping: str, may: bool) -> None:
     case = Case(KANE(oscillator(damping)), 5.0)
@@ -111,6 +112,7 @@ def test_damper_may_be_left_out_when_it_takes_little(damping: str, may: bool) ->
         assert row.share * float(damping) == pytest.approx(2 * ENOUGH / 5.0, rel=0.15)
 
 
+@pytest.mark.campaign
 def test_leaving_out_saves_operations(pendulum: Trade) -> None:
     assert pendulum.least is not None
     models = {f.name: f for f in pendulum.least.fidelities}
