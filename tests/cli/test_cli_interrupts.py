@@ -23,12 +23,14 @@ echo "$$ $!" > "$STARTED.$$"
 mv "$STARTED.$$" "$STARTED"
 wait
 """
-CLI = (
+SIGNALS = (
     "import signal, sys; signal.signal(signal.SIGINT, signal.default_int_handler);"
-    "sys.argv[0] = 'mechanics'; from mechanics.cli import main; main()"
+    "[signal.signal(number, signal.SIG_DFL) for number in (signal.SIGTERM, signal.SIGHUP)];"
 )
+"""As in a terminal: tests that run in the background, or under `nohup`, hand on what is ignored."""
+CLI = f"{SIGNALS}sys.argv[0] = 'mechanics'; from mechanics.cli import main; main()"
 BUILD = (
-    "import signal, sys; signal.signal(signal.SIGINT, signal.default_int_handler);"
+    f"{SIGNALS}"
     "from mechanics.cli.interrupts import end_in_order; end_in_order();"
     "from mechanics.compiled.machine.library import build; build('int x;', sys.argv[1], ['-O2'])"
 )
@@ -54,7 +56,7 @@ def interrupted(tmp_path: Path) -> Callable[..., int]:
         while not started.exists() and process.poll() is None:
             time.sleep(0.01)
         process.send_signal(number)
-        _, remarks = process.communicate(timeout=300)
+        _, remarks = process.communicate(timeout=60)
         assert started.exists(), remarks
         assert list(own.iterdir()) == []
         children = [int(word) for word in started.read_text(encoding="utf-8").split()]
