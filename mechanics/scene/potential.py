@@ -5,10 +5,9 @@ spring            V = k (d - l)^2 / 2
 torsion spring    V = k angle^2 / 2
 """
 
-from sympy import Add, Expr, Rational
+from sympy import Abs, Add, Expr, Matrix, Rational, sqrt
 
 from mechanics.errors import SceneError
-from mechanics.scene.actions import elongation
 from mechanics.scene.loads import CONSERVATIVE, Gravity, Load, Spring, TorsionSpring
 from mechanics.scene.scene import Scene
 
@@ -33,3 +32,18 @@ def load_potential(scene: Scene, load: Load) -> Expr:
         angle, stiffness = (scene.plain(e, load.name) for e in (load.angle, load.stiffness))
         return half * stiffness * angle**2
     raise SceneError(f"load {load.name}: it is not conservative and has no potential")
+
+
+def elongation(scene: Scene, load: Spring) -> tuple[Expr, Matrix]:
+    """Distance d of a spring and the unit direction from its first to its second end."""
+    span = scene.position(load.second) - scene.position(load.first)
+    if load.along is not None:
+        direction = scene.vector(load.along, load.name)
+        return span.dot(direction), direction
+    distance = sqrt(sum(entry**2 for entry in span))
+    if distance.has(Abs):
+        raise SceneError(
+            f"load {load.name}: its ends move on one line, so that its length is {distance}:"
+            " give the direction with along="
+        )
+    return distance, span / distance
