@@ -5,8 +5,8 @@ A(q) u + a = 0     solved for dependent speeds
 A(q) u' = b        solved for dependent accelerations, where a statement holds free ones
 """
 
-from collections.abc import Callable, Sequence
-from functools import lru_cache, partial
+from collections.abc import Sequence
+from functools import lru_cache
 from itertools import combinations
 
 from sympy import Expr, S, Symbol
@@ -57,23 +57,6 @@ def settle_accelerations(scene: Scene, a: Arithmetic) -> None:
 def _accelerations(scene: Scene) -> Solvable:
     table = rate_table(scene)
     return _dependent([rate(form, table) for form in velocity_forms(scene)], scene.ud)
-
-
-def on_the_manifold(scene: Scene) -> Callable[[Arithmetic], None] | None:
-    """Puts the point of an arithmetic where the configuration constraints hold.
-
-    None without such constraints, and where no exact point on them is known: then points off the
-    manifold have to do, at which less is true.
-    """
-    closing = [scene.plain(c.expression, c.name) for c in scene.constraints if c.holonomic]
-    if not closing:
-        return None
-    if _linear(scene, tuple(closing)) is None:
-        try:
-            _quadratic(scene, closing)
-        except ExpressionError:
-            return None
-    return partial(settle_configuration, scene)
 
 
 def settle_configuration(scene: Scene, a: Arithmetic) -> None:

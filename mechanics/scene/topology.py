@@ -43,16 +43,6 @@ def multipliers(scene: Scene) -> tuple[Symbol, ...]:
     return tuple(by_name[name] for c in scene.constraints for name in c.reactions)
 
 
-def loop_reactions(scene: Scene, bodies: Tree) -> tuple[Symbol, ...]:
-    """Reactions that are in no joint of the tree and that no constraint names.
-
-    They close a loop of bodies that the coordinates follow by themselves: the rope tensions of an
-    Atwood machine whose one coordinate moves both masses and turns the pulley.
-    """
-    known = {r.symbol for joint in bodies.joints.values() for r in joint} | set(multipliers(scene))
-    return tuple(r.symbol for r in scene.reactions if r.symbol not in known)
-
-
 def tree(scene: Scene) -> Tree:
     """Spanning tree of the bodies over the reactions that stay after the cut.
 
