@@ -13,6 +13,7 @@ TURNS = {
 }  # fmt: skip
 
 
+@pytest.mark.campaign
 @pytest.mark.sample(1)
 @pytest.mark.parametrize("turn", TURNS.values(), ids=TURNS)
 def test_every_function_is_as_derived(turn: Expr) -> None:

@@ -75,6 +75,7 @@ def test_c_is_clean_and_passes_its_test_under_sanitizers(folder: Path, compiler:
         assert done.stdout.endswith(f"{of}: 0 failures\n") and not done.stderr
 
 
+@pytest.mark.campaign
 def test_optimised_code_passes_too(modelled, compiler: str, tmp_path: Path) -> None:
     write_c(modelled("elastic_pendulum", "kane"), tmp_path)
     for of in ("", "_batch"):

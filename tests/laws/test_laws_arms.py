@@ -45,6 +45,7 @@ def referee(arm: Arm, model: Model, q, u, ud) -> np.ndarray:
     return inverse_dynamics(arm.joints(numbers), q, u, ud, np.array([0, 0, -numbers["g"]]))
 
 
+@pytest.mark.campaign
 def test_the_routes_agree_and_what_is_compiled_is_shown(arm: Arm) -> None:
     result = crosscheck(arm.scene)
     assert result.ok

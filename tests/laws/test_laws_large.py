@@ -224,6 +224,7 @@ def as_code(change: tuple[str, str] = ("", "")) -> Callable[..., object]:
     return module.torques
 
 
+@pytest.mark.campaign
 def test_code_is_judged_against_the_program() -> None:
     scene = serial_arm(4, "zyx").scene
     right = mechanics.check(scene, as_code())

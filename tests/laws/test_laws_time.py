@@ -68,6 +68,7 @@ def test_at_rest_at_the_bottom_no_route_divides_by_zero() -> None:
         assert found.tolist() == [0.0]
 
 
+@pytest.mark.campaign
 @pytest.mark.parametrize("route", ["moving_point", "kane"])
 def test_c_is_written_with_some_outputs_and_fixed_parameters(route: str, tmp_path: Path) -> None:
     outputs = ("forward_dynamics", "energy", "step")

@@ -27,12 +27,14 @@ def test_errors_follow_from_the_reference(pendulum: Trade, case: Case) -> None:
         assert m.error_largest == np.max(errors)
 
 
+@pytest.mark.campaign
 def test_reference_has_thirty_digits_and_says_how_it_is_known(pendulum: Trade) -> None:
     assert pendulum.yardstick.digits >= 30
     assert len(pendulum.yardstick.verified_by) >= 1
     assert all(len(text.replace("-", "").replace(".", "")) >= 30 for text in pendulum.yardstick.end)
 
 
+@pytest.mark.campaign
 def test_front_is_what_no_other_beats(pendulum: Trade) -> None:
     front = pendulum.front
     for m in front:
@@ -43,6 +45,7 @@ def test_front_is_what_no_other_beats(pendulum: Trade) -> None:
     assert len(front) >= 4
 
 
+@pytest.mark.campaign
 def test_pareto_of_known_points(pendulum: Trade) -> None:
     from dataclasses import replace
 
@@ -54,6 +57,7 @@ def test_pareto_of_known_points(pendulum: Trade) -> None:
     assert pareto(made) == (0, 1, 4, 3) and pareto(made, 0.01) == (0, 1, 3)
 
 
+@pytest.mark.campaign
 def test_no_two_choices_are_the_same_motion(pendulum: Trade) -> None:
     """Equal in integrator, precision, evaluations and error: only forms and settings may be."""
     found = [
@@ -66,6 +70,7 @@ def test_no_two_choices_are_the_same_motion(pendulum: Trade) -> None:
     assert all(b < 0.99 * a for a, b in pairwise(errors))
 
 
+@pytest.mark.campaign
 def test_every_axis_is_measured(pendulum: Trade) -> None:
     choices = [m.choice for m in pendulum.measurements]
     assert {"SciPy DOP853", "C RK5", "C RK8"} <= {c.setting.integrator for c in choices}
@@ -76,6 +81,7 @@ def test_every_axis_is_measured(pendulum: Trade) -> None:
         assert any("-ffast-math" in c.variant.flags for c in choices)
 
 
+@pytest.mark.campaign
 def test_axes_are_varied_one_at_a_time(pendulum: Trade) -> None:
     plain = Variant()
     for m in pendulum.measurements:
@@ -88,6 +94,7 @@ def test_axes_are_varied_one_at_a_time(pendulum: Trade) -> None:
         assert sum(different) <= 1
 
 
+@pytest.mark.campaign
 def test_higher_order_pays_at_high_accuracy(pendulum: Trade) -> None:
     # Evaluations, not times: RK8 needs fewer than RK5 for the same error.
     def fewest(name: str) -> int:
@@ -102,6 +109,7 @@ def test_higher_order_pays_at_high_accuracy(pendulum: Trade) -> None:
     assert fewest("C RK8") < fewest("C RK5")
 
 
+@pytest.mark.campaign
 def test_energy_drift_falls_with_the_error(pendulum: Trade) -> None:
     ladder = [
         m for m in pendulum.measurements
@@ -112,6 +120,7 @@ def test_energy_drift_falls_with_the_error(pendulum: Trade) -> None:
     assert ladder[-1].energy_drift < 1e-6 * ladder[0].energy_drift
 
 
+@pytest.mark.campaign
 def test_times_are_repeated_and_their_spread_is_shown(pendulum: Trade) -> None:
     for m in pendulum.front:
         if m.time * pendulum.horizon < LONGEST:
@@ -120,6 +129,7 @@ def test_times_are_repeated_and_their_spread_is_shown(pendulum: Trade) -> None:
         assert min(m.seconds) <= low <= m.time <= high <= max(m.seconds)
 
 
+@pytest.mark.campaign
 def test_record_holds_every_figure(pendulum: Trade) -> None:
     record = json.loads(json.dumps(to_record(pendulum), allow_nan=False))
     assert len(record["measurements"]) == len(pendulum.measurements)
@@ -132,6 +142,7 @@ def test_record_holds_every_figure(pendulum: Trade) -> None:
     assert np.array_equal(starts, pendulum.family.starts)
 
 
+@pytest.mark.campaign
 def test_fast_math_is_measured_but_never_picked(pendulum: Trade) -> None:
     assert all(m.choice.variant.careful for m in pendulum.front)
     assert not Variant(flags="-O3 -ffast-math").careful

@@ -19,6 +19,7 @@ from mechanics.report.trade_plot import (
 from mechanics.trade import Trade
 
 
+@pytest.mark.campaign
 def test_page_needs_no_network_and_runs_no_script(pendulum: Trade) -> None:
     page = trade_html(pendulum)
     assert "<script" not in page
@@ -26,6 +27,7 @@ def test_page_needs_no_network_and_runs_no_script(pendulum: Trade) -> None:
     assert page.count("<svg") >= 3
 
 
+@pytest.mark.campaign
 @pytest.mark.parametrize("size", [WIDE, NARROW])
 def test_plot_shows_every_choice_of_the_front_and_every_pick(pendulum: Trade, size: Size) -> None:
     drawn = ElementTree.fromstring(work_precision(pendulum, size))
@@ -36,6 +38,7 @@ def test_plot_shows_every_choice_of_the_front_and_every_pick(pendulum: Trade, si
     assert kinds.count("line") == len(curves(pendulum))
 
 
+@pytest.mark.campaign
 @pytest.mark.parametrize("size", [WIDE, NARROW])
 def test_everything_that_is_drawn_lies_inside(pendulum: Trade, size: Size) -> None:
     drawn = ElementTree.fromstring(work_precision(pendulum, size))
@@ -46,6 +49,7 @@ def test_everything_that_is_drawn_lies_inside(pendulum: Trade, size: Size) -> No
                 assert 0 <= float(node.get(key, "")) <= limit
 
 
+@pytest.mark.campaign
 def test_plot_stands_alone(pendulum: Trade) -> None:
     text = standalone(pendulum)
     drawn = ElementTree.fromstring(text)
@@ -74,6 +78,7 @@ def test_numbers_in_sentences_become_powers(text: str, expected: str) -> None:
     assert powers(text) == expected
 
 
+@pytest.mark.campaign
 def test_every_recommendation_is_on_the_page(pendulum: Trade) -> None:
     page = trade_html(pendulum)
     for pick in pendulum.recommendations:
