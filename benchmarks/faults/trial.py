@@ -25,7 +25,7 @@ from mechanics.checks.agreement import compare_pairs
 from mechanics.checks.energy import kinetic
 from mechanics.checks.jets import precision
 from mechanics.checks.route_canaries import known_findings
-from mechanics.checks.states import State
+from mechanics.checks.states import State, name_of
 from mechanics.checks.virtual_power import (
     BITS,
     check_virtual_power,
@@ -41,6 +41,8 @@ from mechanics.crosscheck.sympy_table import too_large
 from mechanics.equations import Equations
 from mechanics.kernel import Verdict
 from mechanics.kinematics.motion import poses
+from mechanics.mechanism import Mechanism
+from mechanics.mechanism import name_of as node_name
 from mechanics.program.interpret import interpret
 from mechanics.program.numpy_domain import Arrays
 from mechanics.routes.derivation import ROUTES, is_written_out
@@ -125,30 +127,51 @@ def program_numbers(programs: Programs, *, reactions: bool) -> Numbers:
 
     Where the equations are written out, programs say the accelerations only.
     """
-    mechanism, found = programs.mechanism, {}
-    where = poses(mechanism)
-    energies = {"kinetic": [kinetic(mechanism)], "potential": [potential_of(mechanism, where)]}
-    every = {name: solved_program(programs, name) for name in programs.routes}
-    every["energies"] = mechanism.builder.program(energies)
-    for title, program in every.items():
+    found = energy_numbers(programs.mechanism)
+    for route in programs.routes:
+        program = solved_program(programs, route)
         for seed in range(2):
-            state = {name: 0.5 + Random(f"{seed} {name}").random() for name in program.inputs}
-            for name, values in interpret(program, Arrays(), state).items():
-                if not reactions and title != "energies" and name != "ud":
-                    continue
-                found[f"program {title} {seed} {name}"] = " ".join(f"{v:.9g}" for v in values)
+            for name, values in interpret(program, Arrays(), drawn(program.inputs, seed)).items():
+                if reactions or name == "ud":
+                    found[f"program {route} {seed} {name}"] = digits(values)
     return found
 
 
+def energy_numbers(mechanism: Mechanism) -> Numbers:
+    """Kinetic energy, and potential energy gained on the way to another configuration."""
+    energies = {"T": [kinetic(mechanism)], "V": [potential_of(mechanism, poses(mechanism))]}
+    program, found = mechanism.builder.program(energies), {}
+    for seed in range(2):
+        here, there = (drawn(program.inputs, each) for each in (seed, seed + 2))
+        moved = here | {name: there[name] for name in map(node_name, mechanism.q) if name in here}
+        first, second = (interpret(program, Arrays(), state) for state in (here, moved))
+        found[f"program kinetic {seed}"] = digits(first["T"])
+        found[f"program potential {seed}"] = digits([second["V"][0] - first["V"][0]])
+    return found
+
+
+def drawn(names: Sequence[str], seed: int) -> dict[str, float]:
+    """Numbers from 0.5 to 1.5, by name."""
+    return {name: 0.5 + Random(f"{seed} {name}").random() for name in names}
+
+
+def digits(values: Sequence[float]) -> str:
+    """Numbers to nine digits."""
+    return " ".join(f"{value:.9g}" for value in values)
+
+
 def potential_numbers(scene: Scene, states: Sequence[State]) -> Numbers:
-    """Potential energy at the drawn states."""
+    """Potential energy gained between two drawn states; no motion shows a constant of it."""
+    energy, found = potential(scene), {}
+    names = [name_of(q) for q in scene.coordinates]
     with precision(BITS):
-        return {
-            f"potential {state.index}": plain_values(state.plain(), state)(potential(scene)).str(
-                25, radius=False
-            )
-            for state in states[:2]
-        }
+        for state in states[:2]:
+            values = [
+                plain_values(state.plain() | dict(zip(names, other.q, strict=True)), state)(energy)
+                for other in states[:2]
+            ]
+            found[f"potential {state.index}"] = (values[1] - values[0]).str(25, radius=False)
+    return found
 
 
 def verdicts_of_probes() -> Numbers:
