@@ -156,6 +156,7 @@ def planted(mechanism: Mechanism, rows: Rows) -> Derived:
     return changed(mechanism, rows, lambda row: row - 2 * weight * g)
 
 
+@pytest.mark.sample(4)
 @pytest.mark.parametrize("name", [*LINKAGES, "four_bar"])
 def test_a_planted_sign_is_refuted_where_the_constraints_hold(name: str) -> None:
     mechanism = check_scene({**LINKAGES, "four_bar": four_bar.scene}[name]())
@@ -225,6 +226,7 @@ def test_energy_of_a_lifted_rail_counts_the_work_of_its_reaction() -> None:
 W, A, L = parameters("u v l", "m m m", "0.2 0.3 0.4")
 
 
+@pytest.mark.sample(3)
 @pytest.mark.parametrize(
     "turns",
     [

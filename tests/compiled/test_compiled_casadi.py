@@ -96,6 +96,7 @@ def test_functions_are_differentiable(model: Model) -> None:
         assert np.max(np.abs(difference - np.array(along)), initial=0.0) <= 1e-5 * size + 9 * noise
 
 
+@pytest.mark.sample(3)
 def test_second_derivatives_exist(model: Model) -> None:
     """What Newton's method in an optimiser needs: a symmetric Hessian of the accelerations, by
     parameters too, in which even a linear oscillator is not linear.

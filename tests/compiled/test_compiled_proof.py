@@ -24,6 +24,7 @@ def test_every_function_of_the_seeds_systems_is_proved(modelled, system: str, ro
     assert all(route in f.subject for f in findings)
 
 
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("system", ["rolling_disc", "four_bar"])
 @pytest.mark.parametrize("route", ["free_body", "kane"])
 def test_constrained_systems_are_shown(modelled, system: str, route: str) -> None:

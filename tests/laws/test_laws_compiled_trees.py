@@ -189,12 +189,12 @@ def of_step(book: Textbook, model: Model, p: Array) -> None:
 
 @pytest.mark.sample(1)
 @pytest.mark.parametrize("route", ("free_body", "moving_point", "kane", "lagrange"))
-@pytest.mark.parametrize("part", range(50))
+@pytest.mark.parametrize("part", range(100))
 def test_three_hundred_random_trees(part: int, route: str) -> None:
     @seed(part)
-    @settings(max_examples=6, phases=PHASES, deadline=None)
+    @settings(max_examples=3, phases=PHASES, deadline=None)
     @given(trees(), st.integers(0, 2**32))
-    def assert_six_agree(joints: tuple[Joint, ...], drawn: int) -> None:
+    def assert_three_agree(joints: tuple[Joint, ...], drawn: int) -> None:
         assert_outputs_agree(joints, drawn, route)
 
-    assert_six_agree()
+    assert_three_agree()
