@@ -16,10 +16,11 @@ import numpy as np
 
 from benchmarks.arm.programs import JOINTS, Q, U, joints, numbers
 from benchmarks.kernels.robots import BOOST, EIGEN
+from mechanics.compiled.c.source import function_source
 from mechanics.errors import CompilerError
 from mechanics.program import Program
-from mechanics.program.c_printer import print_c
 from mechanics.program.casadi_printer import print_function
+from mechanics.program.casadi_reader import read_routine
 
 FLAGS = ("-O3", "-march=native")
 HERE = Path(__file__).parent
@@ -41,10 +42,11 @@ void loop(long count, const double *q, const double *u, const double *given, dou
 
 
 def printed(program: Program, given: Sequence[str]) -> Run:
-    """Our own text."""
+    """Our own text, as exports print it."""
     arrays = {"q": list(Q), "u": list(U), "given": list(given)}
     call = "kernel(q + 7 * i, u + 7 * i, given + 7 * i, found + 7 * i);"
-    return _looping(print_c(program, "kernel", arrays), call)
+    routine = read_routine(print_function(program, "kernel", arrays))
+    return _looping("#include <math.h>\n" + function_source(routine, arrays), call)
 
 
 def by_casadi(program: Program, given: Sequence[str]) -> Run:

@@ -69,10 +69,12 @@ import mechanics
 from benchmarks.space import scenes
 from mechanics.checks.statements import equal
 from mechanics.checks.agreement import compare_pairs, linear_system
+from mechanics.compiled.c.source import function_source
 from mechanics.export import write_c
 from mechanics.mechanism import lower
 from mechanics.program import Builder
-from mechanics.program.c_printer import print_c
+from mechanics.program.casadi_printer import print_function
+from mechanics.program.casadi_reader import read_routine
 from mechanics.program.residues import Residues
 from mechanics.recursions import newton_euler
 from mechanics.recursions.pseudo_inertia import moments
@@ -86,7 +88,8 @@ with tempfile.TemporaryDirectory() as folder:
 mechanism = lower(scenes.panda(), Builder())
 rows = newton_euler.rows(mechanism, moments(mechanism))
 arrays = {"x": sorted(mechanism.builder.inputs)}
-text = print_c(mechanism.builder.program({"tau": rows}), "inverse_dynamics", arrays)
+program = mechanism.builder.program({"tau": rows})
+text = function_source(read_routine(print_function(program, "inverse_dynamics", arrays)), arrays)
 filter_ = Residues(mechanism.builder)
 systems = {
     r.route: linear_system(mechanism, r, filter_)
