@@ -14,12 +14,13 @@ from fractions import Fraction
 from functools import cache
 from typing import Any
 
-from flint import fmpq
+from flint import fmpq, fmpz
 
 from mechanics.errors import ExpressionError
 from mechanics.kernel import radicals
 from mechanics.kernel.angles import base_angles, has_truths
 from mechanics.kernel.quotients import NoValue, Quotient, Quotients
+from mechanics.kernel.radicals import LARGEST_CONTENT
 from mechanics.kernel.ring import MOST_GENERATORS, TooLarge, content
 from mechanics.kernel.sizes import is_algebraic
 from mechanics.kernel.statement import LEFT, RIGHT, Range, Statement
@@ -53,7 +54,7 @@ class Fractions:
     def __init__(self, capacity: int) -> None:
         self.quotients = a = Quotients(capacity)
         self._ring = a.ring
-        unknown = ("log", "asin", "acos", "atan", "asinh", "acosh", "atanh", "floor", "erf",
+        unknown = ("asin", "acos", "atan", "asinh", "acosh", "atanh", "floor", "erf",
                    "atan2")  # fmt: skip
         self.operations: Mapping[str, Callable[..., Quotient]] = {
             "add": a.add, "subtract": a.subtract,
@@ -62,7 +63,7 @@ class Fractions:
             "sqrt": lambda x: radicals.root(a, x, 2), "power": self._power,
             "sin": lambda x: self._circle(x)[1], "cos": lambda x: self._circle(x)[0],
             "tan": lambda x: a.divide(*reversed(self._circle(x))),
-            "exp": self._exponential, "sinh": lambda x: self._hyperbolic(x)[1],
+            "exp": self._exponential, "log": self._logarithm, "sinh": lambda x: self._hyperbolic(x)[1],
             "cosh": lambda x: self._hyperbolic(x)[0],
             "tanh": lambda x: a.divide(*reversed(self._hyperbolic(x))),
             "abs": lambda x: radicals.absolute(a, x),
@@ -115,6 +116,19 @@ class Fractions:
         grown = self.quotients.generator(("exp", key), positive=True)
         return grown if side > 0 else self.quotients.inverse(grown)
 
+    def _logarithm(self, x: Quotient) -> Quotient:
+        """log(p**m q**n) = m log p + n log q for a rational; else a generator."""
+        ratio = _rational(x)
+        if ratio is None or not 0 < ratio <= LARGEST_CONTENT or ratio.denominator > LARGEST_CONTENT:
+            return self._function("log")(x)
+        total = self.constant(Fraction(0))
+        for number, side in ((ratio.numerator, 1), (ratio.denominator, -1)):
+            for prime, times in fmpz(number).factor():
+                log = self.quotients.generator(("log", int(prime)))
+                factor = self.constant(Fraction(side * int(times)))
+                total = self.quotients.add(total, self.quotients.multiply(factor, log))
+        return total
+
     def _hyperbolic(self, x: Quotient) -> tuple[Quotient, Quotient]:
         grown, half = self._exponential(x), self.constant(Fraction(1, 2))
         shrunk = self.quotients.inverse(grown)
@@ -122,11 +136,8 @@ class Fractions:
         return self.quotients.multiply(c, half), self.quotients.multiply(s, half)
 
     def _power(self, x: Quotient, y: Quotient) -> Quotient:
-        if y.powers or not y.numerator.is_constant():
-            return self._function("power")(x, y)
-        value = y.numerator.leading_coefficient() if y.numerator != 0 else fmpq(0)
-        exponent = Fraction(int(value.p), int(value.q))
-        if not is_algebraic(exponent):
+        exponent = _rational(y)
+        if exponent is None or not is_algebraic(exponent):
             return self._function("power")(x, y)
         result = radicals.root(self.quotients, x, exponent.denominator)
         if exponent < 0:
@@ -201,6 +212,14 @@ class Fractions:
         inverse = a.inverse(determinant)
         replaced = (tuple(size if c == j else c for c in range(size)) for j in range(size))
         return [a.multiply(minor(0, columns), inverse) for columns in replaced]
+
+
+def _rational(x: Quotient) -> Fraction | None:
+    """The rational that a fraction is as it stands, or None."""
+    if x.powers or not x.numerator.is_constant():
+        return None
+    value = x.numerator.leading_coefficient() if x.numerator != 0 else fmpq(0)
+    return Fraction(int(value.p), int(value.q))
 
 
 _PLAIN = frozenset({CONSTANT, INPUT, PI, SELECT, SOLVE, ENTRY})

@@ -14,6 +14,7 @@ from fractions import Fraction
 from flint import arb
 
 from mechanics.kernel.balls import PRECISIONS, enclose, precision
+from mechanics.kernel.conjugates import has_cases
 from mechanics.kernel.draws import Draws
 from mechanics.kernel.finding import Witness, in_words
 from mechanics.kernel.statement import LEFT, POSITIVE, RIGHT, Range, Statement
@@ -79,6 +80,21 @@ def boundaries(statement: Statement) -> Iterator[State]:
             yield base | {name: -base[other]}
 
 
+def far_states(statement: Statement) -> Iterator[State]:
+    """States beyond the constants of a program with cases: a limit at 100 is met by 101 alone."""
+    if not has_cases(statement.program):
+        return
+    base = next(states(statement))
+    far = {abs(constant) for constant in statement.program.constants} - set(SIMPLE)
+    for constant in sorted(size for size in far if size > 1)[:MOST_BOUNDARIES]:
+        for name in statement.program.inputs[:MOST_BOUNDARIES]:
+            known = statement.range_of(name)
+            if known is not Range.NEGATIVE:
+                yield base | {name: constant + 1}
+            if known in (Range.FREE, Range.NEGATIVE):
+                yield base | {name: -constant - 1}
+
+
 def find_boundary_witness(statement: Statement) -> Witness | None:
     """A state on a boundary of cases that refutes the statement, or None where none was found."""
     for state in boundaries(statement):
@@ -142,6 +158,10 @@ def find_witness(statement: Statement) -> Witness | None:
             defined += here
             if defined == wanted:
                 break
+    for state in far_states(statement):
+        found, _ = _at_state(statement, state, BOUNDARY_PRECISIONS)
+        if found is not None:
+            return found
     return None
 
 

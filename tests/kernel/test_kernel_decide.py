@@ -102,6 +102,10 @@ TRUE: dict[str, Sides] = {
     "quotients": lambda B, x, y, z, a, b, L: ((x * x - y * y) / (x - y), x + y),
     "numbers as conditions": lambda B, x, y, z, a, b, L: (
         call("select", 2 * x, y, z), call("select", call("equal", x, 0), z, y)),
+    "logarithms of rationals": lambda B, x, y, z, a, b, L: (
+        x * B.constant(Fraction(9, 8)).log(), 2 * x * B.constant(3).log() - 3 * x * B.constant(2).log()),
+    "logarithm of a power": lambda B, x, y, z, a, b, L: (
+        x * B.constant(8).log() / B.constant(2).log(), 3 * x),
 }  # fmt: skip
 
 FALSE: dict[str, Sides] = {
@@ -129,6 +133,10 @@ FALSE: dict[str, Sides] = {
         B.less(x, y).choose(1, 2), call("not_greater", x, y).choose(1, 2)),
     "numbers as conditions": lambda B, x, y, z, a, b, L: (
         call("select", 2 * x, y, z), 2 * x * y + (1 - 2 * x) * z),
+    "a far limit": lambda B, x, y, z, a, b, L: (smaller(larger(x, -B.constant(100)), 100), x),
+    "a far limit of what is positive": lambda B, x, y, z, a, b, L: (smaller(a, 10**7), a),
+    "logarithms of rationals": lambda B, x, y, z, a, b, L: (
+        x * B.constant(8).log(), 3 * x * B.constant(3).log()),
 }  # fmt: skip
 
 
@@ -154,7 +162,7 @@ MP: dict[str, Callable[..., object]] = {
     "add": lambda x, y: x + y, "subtract": lambda x, y: x - y, "multiply": lambda x, y: x * y,
     "divide": lambda x, y: x / y, "negate": lambda x: -x, "sqrt": mpmath.sqrt,
     "power": lambda x, y: x**y, "exp": mpmath.exp, "sin": mpmath.sin, "cos": mpmath.cos,
-    "atan": mpmath.atan, "abs": abs, "floor": mpmath.floor,
+    "atan": mpmath.atan, "log": mpmath.log, "abs": abs, "floor": mpmath.floor,
     "sign": mpmath.sign, "not_greater": lambda x, y: mpmath.mpf(x <= y),
     "less": lambda x, y: mpmath.mpf(x < y), "not": lambda x: mpmath.mpf(x == 0),
     "select": lambda c, x, y: x if c else y,

@@ -37,6 +37,7 @@ def check(body: str) -> Check:
         "copysign(theta, u) + copysign(theta, -u) + 0*copysign(u, 1)",
         "fabs(theta) - copysign(theta, 1.0)",
         "sin(M_PI_2) - 1 + M_SQRT2*M_SQRT1_2 - 1",
+        "log2(8) - 3 + exp2(0.5) - M_SQRT2",
         "(isgreater(u, 2) ? 1 : 0) + (islessequal(u, 2) ? 1 : 0) - 1",
     ],
 )
@@ -59,6 +60,40 @@ def test_a_variable_may_have_the_name_of_a_function(name: str) -> None:
 @pytest.mark.parametrize("asked", ["isnan(a)", "!isfinite(a)", "isinf(a)"])
 def test_a_guard_of_what_has_values_is_never_taken(asked: str) -> None:
     assert check(f"double a = RIGHT; if ({asked}) return 0; return a;").verdict in SHOWN
+
+
+@pytest.mark.parametrize(
+    ("body", "words"),
+    [
+        ("if (isinf(exp(800.0))) return 0; return RIGHT;", "output 1 is 0, its formula in real"),
+        ("if (!isfinite(1e200*1e200)) return 0; return RIGHT;", "output 1 is 0, its formula"),
+        ("return RIGHT + 0*(1e200*1e200);", "output 1 is nan"),
+        ("if (0.1 + 0.2 == 0.3) return RIGHT; return 0;", "output 1 is 0"),
+        ("return RIGHT + 1e15*(1.0471975511965981 - M_PI/3);", "1.047197551196598 is read as pi/3"),
+        ("return RIGHT*(1.0471975511965981 > M_PI/3 ? 2 : 1);", "1.047197551196598 is read as"),
+    ],
+)
+def test_what_a_machine_computes_otherwise_is_not_shown(body: str, words: str) -> None:
+    found = check(body)
+    assert found.verdict is Verdict.UNDECIDED
+    assert words in " ".join(str(found).split())
+
+
+@pytest.mark.parametrize(
+    "body",
+    [
+        "return RIGHT*(1.0471975511965976*3/M_PI);",
+        "return 1.0471975511965981/M_PI*3*(RIGHT);",
+        "if (isinf(exp(8.0))) return 0; return RIGHT;",
+        "if (theta < -5 ? 0 : 1e100 < 1e90) return 0; return RIGHT;",
+    ],
+)
+def test_what_a_machine_computes_alike_is_shown(body: str) -> None:
+    assert check(body).verdict in SHOWN
+
+
+def test_a_limit_that_only_large_numbers_meet_is_refuted() -> None:
+    assert check("return RIGHT + fmin(fmax(theta, -100), 100) - theta;").verdict is Verdict.REFUTED
 
 
 def test_a_guard_of_what_has_no_value_somewhere_says_where() -> None:

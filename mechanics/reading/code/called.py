@@ -57,6 +57,11 @@ class _Formulas:
     values: tuple[float, ...]
     slack: tuple[float, ...]
 
+    @property
+    def where(self) -> str:
+        """The state, for people."""
+        return ", ".join(f"{s} = {float(x):.6g}" for s, x in self.numbers.items())
+
 
 def doubt_when_called(
     function: Callable[..., Any], given: Given, outputs: Outputs,
@@ -78,13 +83,13 @@ def doubt_when_called(
     own = held(function, standing)
     # What it computes from others beforehand has no number of its own.
     plain = {name: s for name, s in standing.items() if isinstance(s, Symbol)}
-    symbols = (*given.values(), *plain.values(), *_within(standing.values()))
+    symbols = (*given.values(), *plain.values(), *symbols_in(standing.values()))
     kept = _kept(function, given) | {s: own.numbers[name] for name, s in plain.items()}
     compared, failure = False, "its formulas have no value at random states"
     try:
-        program = _program(outputs)
-        for formulas in _at_states(symbols, program):
-            values = {name: _value(s, formulas.numbers) for name, s in standing.items()}
+        program = program_of(outputs)
+        for formulas in at_states(symbols, program):
+            values = {name: value_of(s, formulas.numbers) for name, s in standing.items()}
             function = own.with_values(values)
             results = [_attempt(function, given, formulas, kind) for kind in (float, np.float64)]
             failed = [r for r in results if isinstance(r, _Failed)]
@@ -98,7 +103,7 @@ def doubt_when_called(
                     return words
             compared = True
         if kept and (there := _at_kept(symbols, program, kept)) is not None:
-            values = {name: _value(s, there.numbers) for name, s in standing.items()}
+            values = {name: value_of(s, there.numbers) for name, s in standing.items()}
             function = own.with_values({**values, **{n: own.numbers[n] for n in plain}})
             result = _attempt(function, given, there, float, kept)
             if not isinstance(result, _Failed) and (words := _differs(result, there)):
@@ -110,15 +115,20 @@ def doubt_when_called(
     return "" if compared else f"{UNCALLED}: {failure}"
 
 
-def _at_states(symbols: Sequence[Value], program: _Program) -> Iterator[_Formulas]:
-    """Formulas at random states, and at those that take another way through the code."""
+def at_states(
+    symbols: Sequence[Value], program: _Program, rounded: int = ROUNDED
+) -> Iterator[_Formulas]:
+    """Formulas at random states, and at those that take another way through the code.
+
+    `rounded` is the number of binary digits of the roughest rounding that is allowed.
+    """
     source, tried, ways = Random(0), 0, set()
     for k in range(DRAWN):
         numbers = _drawn(symbols, source, Fraction(SCALES[k % len(SCALES)]))
         way = tuple(_holds(ball) for ball in program.conditions.at(numbers, BITS))
         if tried >= STATES and way in ways:
             continue
-        formulas = _formulas(program, numbers)
+        formulas = _formulas(program, numbers, rounded)
         if formulas is not None:
             tried += 1
             ways.add(way)
@@ -140,15 +150,16 @@ def _at_kept(
     """Formulas at a state with the person's own numbers."""
     numbers = {**_drawn(symbols, Random(0), Fraction(1))}
     numbers.update((s, Fraction(v)) for s, v in kept.items() if isinstance(s, Symbol))
-    return _formulas(program, numbers)
+    return _formulas(program, numbers, ROUNDED)
 
 
-def _within(formulas: Iterable[Expr]) -> list[Expr]:
+def symbols_in(formulas: Iterable[Expr]) -> list[Expr]:
+    """Their symbols, by name."""
     symbols = set().union(*(formula.free_symbols for formula in formulas))
     return sorted(symbols, key=str)
 
 
-def _value(formula: Expr, numbers: Numbers) -> float:
+def value_of(formula: Expr, numbers: Numbers) -> float:
     """What a number that the code holds is at a state."""
     if isinstance(formula, Symbol):
         return float(numbers[formula])
@@ -172,7 +183,8 @@ def _drawn(values: Sequence[Value], source: Random, scale: Fraction) -> Numbers:
     return found
 
 
-def _program(outputs: Outputs) -> _Program:
+def program_of(outputs: Outputs) -> _Program:
+    """What code decides upon and computes, to be enclosed at states."""
     truths = [Piecewise((S.One, condition), (S.Zero, True)) for condition in outputs.conditions]
     return _Program(
         formulas_of(truths), formulas_of([entry for matrix in outputs.values for entry in matrix])
@@ -184,7 +196,7 @@ def _holds(truth: arb) -> bool | None:
     return bool(truth == 1) if truth.is_finite() else None
 
 
-def _formulas(program: _Program, numbers: Numbers) -> _Formulas | None:
+def _formulas(program: _Program, numbers: Numbers, rounded: int) -> _Formulas | None:
     """Values of all formulas; None where one has no value, or none that a float holds.
 
     A ball's radius is what rounding to `BITS` digits does to the formula, hence grows by as many
@@ -192,11 +204,11 @@ def _formulas(program: _Program, numbers: Numbers) -> _Formulas | None:
     """
     balls = program.values.at(numbers, BITS)
     values = [float(ball.mid()) if ball.is_finite() else inf for ball in balls]
-    grown = [float(ball.rad()) * 2.0 ** (BITS - ROUNDED) for ball in balls]
+    grown = [float(ball.rad()) * 2.0 ** (BITS - rounded) for ball in balls]
     if not all(isfinite(number) for number in (*values, *grown)):
         return None
     largest = max((float(abs(number)) for number in numbers.values()), default=0.0)
-    slack = [r + 2.0**-ROUNDED * max(abs(v), largest) for v, r in zip(values, grown, strict=True)]
+    slack = [r + 2.0**-rounded * max(abs(v), largest) for v, r in zip(values, grown, strict=True)]
     return _Formulas(numbers, tuple(values), tuple(slack))
 
 
@@ -260,9 +272,8 @@ def _differs(result: list[float], formulas: _Formulas) -> str:
     rows = zip(result, formulas.values, formulas.slack, strict=True)
     for place, (number, value, slack) in enumerate(rows, 1):
         if abs(number - value) > slack:
-            where = ", ".join(f"{s} = {float(x):.6g}" for s, x in formulas.numbers.items())
             return (
                 f"called with numbers it returns other values than its formulas: output {place} is"
-                f" {number:.6g}, its formula {value:.6g}, at {where}"
+                f" {number:.6g}, its formula {value:.6g}, at {formulas.where}"
             )
     return ""

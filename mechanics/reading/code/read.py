@@ -33,6 +33,7 @@ from mechanics.reading.code.c_plain import plain
 from mechanics.reading.code.c_target import Instructions
 from mechanics.reading.code.c_wrapper import WRAPPER, wrapped
 from mechanics.reading.code.called import doubt_when_called
+from mechanics.reading.code.doubles import doubt_as_doubles
 from mechanics.reading.code.out_arguments import returning
 from mechanics.reading.code.outputs import claims, in_order, state_of_scalars, statement
 from mechanics.reading.code.python_call import beside, signature_of
@@ -216,9 +217,10 @@ def _c_outputs(
     found = [numbers[node] for node in last]
     known = {numbers[node]: formulas[node] for node in last}
     asked = [(numbers[node], demands_of(nodes, numbers, node)) for node in last]
-    return Outputs(
+    outputs = Outputs(
         (Matrix(found),), tuple(constants.notes), formulas=_known(known), demands=_demanded(asked)
     )
+    return replace(outputs, doubt=doubt_as_doubles(nodes, last, entries, outputs))
 
 
 def _demanded(asked: Iterable[tuple[Expr, tuple[Demand, ...]]]) -> dict[Expr, tuple[Demand, ...]]:
