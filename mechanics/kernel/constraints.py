@@ -34,10 +34,9 @@ from mechanics.kernel.independence import zeros
 from mechanics.kernel.squares import square_root
 from mechanics.kernel.statement import POSITIVE, RATES, ZERO, Range, Statement
 from mechanics.program import Builder, Node
-from mechanics.program.derivatives import gradient
 from mechanics.program.interpret import include
 from mechanics.program.operations import ADD, ATAN2, DIVIDE, MULTIPLY, NEGATE, SUBTRACT
-from mechanics.program.program import reachable
+from mechanics.program.program import operands_of, reachable
 
 MOST_STEPS = 256
 """Inputs that are taken out of one statement."""
@@ -157,17 +156,26 @@ class _Solver:
             coefficients[key] = node_of(self.builder, form)
         return coefficients
 
-    def slope(self, node: Node, name: str) -> dict[Monomial, Node] | None:
-        """The same for a node that was too large to be expanded, where its slope is constant."""
-        numbers = {number for monomial in self.forms.of(node.number) for number, _ in monomial}
-        whole = {n for n in numbers if self.builder.operations[n] in _EXPANDED}
-        if not any(self.depends(number, name) for number in whole):
-            return None
-        (slope,) = gradient([node], [1], [self.builder.input(name)])
-        if self.depends(slope.number, name):
-            return None
-        program = self.builder.program({"rest": [node]})
-        (rest,) = include(self.builder, program, {name: self.builder.zero})["rest"]
+    def line(self, node: Node, name: str) -> dict[Monomial, Node] | None:
+        """The same for a node that is too large to be expanded: a p + d, operation by operation."""
+        builder = self.builder
+        p, lines = builder.input(name).number, dict[int, tuple[Node, Node]]()
+        for number in reachable(builder, [node.number]):
+            code, operands = builder.operations[number], operands_of(builder, number)
+            bent = [k for k in operands if not lines[k][0].is_zero]
+            if number == p:
+                lines[number] = builder.one, builder.zero
+            elif not bent:
+                lines[number] = builder.zero, Node(builder, number)
+            elif (
+                code not in _EXPANDED
+                or (code == MULTIPLY and len(bent) > 1)
+                or (code == DIVIDE and bent != [operands[0]])
+            ):
+                return None
+            else:
+                lines[number] = _line(code, *(lines[k] for k in operands))
+        slope, rest = lines[node.number]
         return {(): rest, _FIRST: slope}
 
     def powers(self, form: Form, atoms: Sequence[Node]) -> dict[Monomial, Form]:
@@ -263,6 +271,18 @@ _SECOND: Monomial = ((1, 1),)
 _SQUARE: Monomial = ((0, 2),)
 
 
+def _line(code: int, one: tuple[Node, Node], *other: tuple[Node, Node]) -> tuple[Node, Node]:
+    """Slope and rest of a result, by those of its operands."""
+    (a, d), (b, e) = one, other[0] if other else one
+    if code == NEGATE:
+        return -a, -d
+    if code == ADD:
+        return a + b, d + e
+    if code == SUBTRACT:
+        return a - b, d - e
+    return (a / e, d / e) if code == DIVIDE else (a * e + d * b, d * e)
+
+
 def _others(held: Sequence[Node], *used: Node) -> tuple[Node, ...]:
     return tuple(node for node in held if node not in used)
 
@@ -272,7 +292,7 @@ def _linear(solver: _Solver, name: str, held: Sequence[Node]) -> Replacement | N
     for node in held:
         split = solver.split(node, [solver.builder.input(name)], name)
         if split is None:
-            split = solver.slope(node, name)
+            split = solver.line(node, name)
         if split is None or not split.keys() <= {(), _FIRST} or _FIRST not in split:
             continue
         if not solver.vanishes(split[_FIRST]):

@@ -4,7 +4,6 @@ Builder --> Program --> interpret(program, domain)
 """
 
 from mechanics.program.builder import Builder, Node, Obligation
-from mechanics.program.derivatives import gradient
 from mechanics.program.interpret import Domain, interpret
 from mechanics.program.operations import OPERATIONS, Operation
 from mechanics.program.program import Program
@@ -17,6 +16,5 @@ __all__ = [
     "Obligation",
     "Operation",
     "Program",
-    "gradient",
     "interpret",
 ]

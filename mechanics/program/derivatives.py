@@ -24,7 +24,7 @@ from mechanics.program.operations import (
     SOLVE,
     SUBTRACT,
 )
-from mechanics.program.program import reachable
+from mechanics.program.program import operands_of, reachable
 
 
 def partials(builder: Builder, number: int, code: int) -> tuple[Any, ...]:
@@ -119,12 +119,7 @@ def _varying(builder: Builder, order: Sequence[int], inputs: set[int]) -> set[in
     """Nodes that depend on the inputs."""
     found = set(inputs)
     for number in order:
-        code = builder.operations[number]
-        if code == SOLVE:
-            operands: Sequence[int] = builder.systems[builder.operands[0][number]][2:]
-        else:
-            operands = [builder.operands[k][number] for k in range(ARITY[code])]
-        if any(operand in found for operand in operands):
+        if any(operand in found for operand in operands_of(builder, number)):
             found.add(number)
     return found
 

@@ -85,10 +85,7 @@ class Program:
 
     def operands_of(self, number: int) -> tuple[int, ...]:
         """Numbers of the nodes that a node needs."""
-        code = self.operations[number]
-        if code == SOLVE:
-            return self.systems[self.operands[0][number]][2:]
-        return tuple(self.operands[k][number] for k in range(ARITY[code]))
+        return operands_of(self, number)
 
     @property
     def roots(self) -> Iterator[int]:
@@ -126,6 +123,14 @@ class Program:
         rest = (self.inputs, [*map(_digits, self.constants)], self.systems, [*self.outputs.items()])
         found.update(repr(rest).encode())
         return found.hexdigest()
+
+
+def operands_of(nodes: Program | Builder, number: int) -> tuple[int, ...]:
+    """Numbers of the nodes that a node of a program or builder needs."""
+    code = nodes.operations[number]
+    if code == SOLVE:
+        return nodes.systems[nodes.operands[0][number]][2:]
+    return tuple(nodes.operands[k][number] for k in range(ARITY[code]))
 
 
 MOST_BITS = 14_000

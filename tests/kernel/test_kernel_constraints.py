@@ -1,5 +1,6 @@
 """Statements that hold on constraints only, and that are false there, too."""
 
+from collections.abc import Callable
 from fractions import Fraction
 
 import pytest
@@ -61,6 +62,41 @@ def test_linear_constraints() -> None:
         name: Fraction(float(v)).limit_denominator(1000) for name, v in finding.witness.solved
     }
     assert solved["x"] + 2 * solved["y"] == state["z"]
+
+
+LARGE = {
+    "a product": (lambda w, y, z: w, lambda A, B, y, z: -A),
+    "a sum": (lambda w, y, z: y * w + z, lambda A, B, y, z: -z / (y * B) - A),
+    "a difference": (lambda w, y, z: z - (y - w * 3), lambda A, B, y, z: (y - z) / (3 * B) - A),
+    "signs": (lambda w, y, z: -(-(w * y) - z), lambda A, B, y, z: -z / (y * B) - A),
+    "a quotient": (lambda w, y, z: (y - w) / (z * z), lambda A, B, y, z: y / B - A),
+}
+"""Constraints on x by w = (A + x) B, and what they give for x."""
+
+
+@pytest.mark.parametrize("name", LARGE)
+def test_a_linear_constraint_that_is_too_large_to_be_expanded(name: str) -> None:
+    b = Builder()
+    x, y, z = b.input("x"), b.input("y"), b.input("z")
+    one, two = (sum((b.input(f"{n}{k}") for k in range(9)), b.zero) for n in "AB")
+    constraint, solution = LARGE[name]
+    zero = [constraint((one + x) * two, y, z)]
+    right = statement(b, x, solution(one, two, y, z), zero, dependent=("x",))
+    assert decide(right, try_normal=False).verdict is Verdict.CERTIFIED
+    wrong = statement(b, x, solution(one, two, y, z) + 1, zero, dependent=("x",))
+    assert decide(wrong).verdict is Verdict.REFUTED
+
+
+@pytest.mark.parametrize(
+    "bent",
+    [lambda w, x: w * w * w * x, lambda w, x: x / w, lambda w, x: w.exp() - x, lambda w, x: w / x],
+)
+def test_what_bends_is_not_taken_for_linear(bent: Callable[[Node, Node], Node]) -> None:
+    b = Builder()
+    x = b.input("x")
+    one, two = (sum((b.input(f"{n}{k}") for k in range(9)), b.zero) for n in "AB")
+    zero = [bent((one + x) * two, x) + x + one]
+    assert on_constraints(statement(b, x, two, zero, dependent=("x",))) is None
 
 
 def test_a_quadratic_constraint_has_two_branches() -> None:

@@ -103,7 +103,8 @@ TRUE: dict[str, Sides] = {
     "numbers as conditions": lambda B, x, y, z, a, b, L: (
         call("select", 2 * x, y, z), call("select", call("equal", x, 0), z, y)),
     "logarithms of rationals": lambda B, x, y, z, a, b, L: (
-        x * B.constant(Fraction(9, 8)).log(), 2 * x * B.constant(3).log() - 3 * x * B.constant(2).log()),
+        x * B.constant(Fraction(9, 8)).log(),
+        x * (2 * B.constant(3).log() - 3 * B.constant(2).log())),
     "logarithm of a power": lambda B, x, y, z, a, b, L: (
         x * B.constant(8).log() / B.constant(2).log(), 3 * x),
 }  # fmt: skip

@@ -7,7 +7,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from mechanics.program import OPERATIONS, Builder, Node, gradient, interpret
+from mechanics.program import OPERATIONS, Builder, Node, interpret
+from mechanics.program.derivatives import gradient
 from mechanics.program.forward import tangent
 from mechanics.program.numpy_domain import Arrays
 

@@ -16,7 +16,8 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 
 from mechanics.compiled.custody.physics import Entry, Physics
-from mechanics.program import Node, gradient
+from mechanics.program import Node
+from mechanics.program.derivatives import gradient
 from mechanics.program.forward import tangent
 from mechanics.program.interpret import include
 from mechanics.routes.rows import coefficients, remainder, substitute
