@@ -101,6 +101,29 @@ def _power_demands(x: Any, y: Any) -> tuple[tuple[Sign, Any], ...]:
     return ((Sign.NONNEGATIVE if exponent is not None and exponent > 0 else Sign.POSITIVE, x),)
 
 
+def _function(
+    name: str, code: int, partials: Callable[[Any, Any], tuple[Any]], *, numpy: str | None = None,
+    demands: Demands = _none, exact: Exact | None = None, ulp: float = 0.0,
+) -> Operation:  # fmt: skip
+    """A function of one number that every library but NumPy calls by the same name."""
+    return Operation(
+        name, code, 1, exact=exact, partials=partials, demands=demands, ulp=ulp, sympy=name,
+        casadi=f"OP_{name.upper()}", c=f"{name}({{}})", numpy=name if numpy is None else numpy,
+    )  # fmt: skip
+
+
+def _relation(
+    name: str, code: int, holds: Callable[[Fraction, Fraction], bool], c: str, casadi: str,
+    numpy: str, sympy: str, *, commutative: bool = False,
+) -> Operation:  # fmt: skip
+    """A truth value of two numbers."""
+    return Operation(
+        name, code, 2, boolean=True, commutative=commutative, c=f"{{}} {c} {{}}", casadi=casadi,
+        numpy=numpy, sympy=sympy, partials=lambda x, y, r: (0, 0),
+        exact=lambda x, y: Fraction(holds(x, y)),
+    )  # fmt: skip
+
+
 OPERATIONS: tuple[Operation, ...] = (
     Operation("constant", CONSTANT, 0),
     Operation("pi", PI, 0, numpy="pi", c="3.141592653589793", sympy="pi", ulp=0.5),
@@ -131,86 +154,39 @@ OPERATIONS: tuple[Operation, ...] = (
         partials=lambda x, r: (-1,),
         numpy="negative", casadi="OP_NEG", c="-{}",
     ),
-    Operation(
-        "sqrt", SQRT, 1,
-        partials=lambda x, r: (1 / (2 * r),),
-        demands=lambda x: ((Sign.NONNEGATIVE, x),),
-        numpy="sqrt", casadi="OP_SQRT", c="sqrt({})", sympy="sqrt", ulp=0.5,
-    ),
+    _function("sqrt", SQRT, lambda x, r: (1 / (2 * r),),
+              demands=lambda x: ((Sign.NONNEGATIVE, x),), ulp=0.5),
     Operation(
         "power", POWER, 2,
         partials=lambda x, y, r: (y * x.power(y - 1), r * x.log()),
         demands=_power_demands,
         numpy="power", casadi="OP_POW", c="pow({}, {})", sympy="Pow", ulp=1.0,
     ),
-    Operation(
-        "exp", EXP, 1, partials=lambda x, r: (r,),
-        numpy="exp", casadi="OP_EXP", c="exp({})", sympy="exp", ulp=1.0,
-    ),
-    Operation(
-        "log", LOG, 1, partials=lambda x, r: (1 / x,),
-        demands=lambda x: ((Sign.POSITIVE, x),),
-        numpy="log", casadi="OP_LOG", c="log({})", sympy="log", ulp=1.0,
-    ),
-    Operation(
-        "sin", SIN, 1, partials=lambda x, r: (x.cos(),),
-        numpy="sin", casadi="OP_SIN", c="sin({})", sympy="sin", ulp=1.0,
-    ),
-    Operation(
-        "cos", COS, 1, partials=lambda x, r: (-x.sin(),),
-        numpy="cos", casadi="OP_COS", c="cos({})", sympy="cos", ulp=1.0,
-    ),
-    Operation(
-        "tan", TAN, 1, partials=lambda x, r: (1 + r * r,),
-        demands=lambda x: ((Sign.NONZERO, x.cos()),),
-        numpy="tan", casadi="OP_TAN", c="tan({})", sympy="tan", ulp=1.0,
-    ),
-    Operation(
-        "asin", ASIN, 1, partials=lambda x, r: (1 / (1 - x * x).sqrt(),),
-        demands=lambda x: ((Sign.NONNEGATIVE, 1 - x * x),),
-        numpy="arcsin", casadi="OP_ASIN", c="asin({})", sympy="asin", ulp=1.0,
-    ),
-    Operation(
-        "acos", ACOS, 1, partials=lambda x, r: (-(1 / (1 - x * x).sqrt()),),
-        demands=lambda x: ((Sign.NONNEGATIVE, 1 - x * x),),
-        numpy="arccos", casadi="OP_ACOS", c="acos({})", sympy="acos", ulp=1.0,
-    ),
-    Operation(
-        "atan", ATAN, 1, partials=lambda x, r: (1 / (1 + x * x),),
-        numpy="arctan", casadi="OP_ATAN", c="atan({})", sympy="atan", ulp=1.0,
-    ),
+    _function("exp", EXP, lambda x, r: (r,), ulp=1.0),
+    _function("log", LOG, lambda x, r: (1 / x,), demands=lambda x: ((Sign.POSITIVE, x),), ulp=1.0),
+    _function("sin", SIN, lambda x, r: (x.cos(),), ulp=1.0),
+    _function("cos", COS, lambda x, r: (-x.sin(),), ulp=1.0),
+    _function("tan", TAN, lambda x, r: (1 + r * r,),
+              demands=lambda x: ((Sign.NONZERO, x.cos()),), ulp=1.0),
+    _function("asin", ASIN, lambda x, r: (1 / (1 - x * x).sqrt(),),
+              numpy="arcsin", demands=lambda x: ((Sign.NONNEGATIVE, 1 - x * x),), ulp=1.0),
+    _function("acos", ACOS, lambda x, r: (-(1 / (1 - x * x).sqrt()),),
+              numpy="arccos", demands=lambda x: ((Sign.NONNEGATIVE, 1 - x * x),), ulp=1.0),
+    _function("atan", ATAN, lambda x, r: (1 / (1 + x * x),), numpy="arctan", ulp=1.0),
     Operation(
         "atan2", ATAN2, 2,
         partials=lambda y, x, r: (x / (x * x + y * y), -(y / (x * x + y * y))),
         demands=lambda y, x: ((Sign.NONZERO, x * x + y * y),),
         numpy="arctan2", casadi="OP_ATAN2", c="atan2({}, {})", sympy="atan2", ulp=1.0,
     ),
-    Operation(
-        "sinh", SINH, 1, partials=lambda x, r: (x.cosh(),),
-        numpy="sinh", casadi="OP_SINH", c="sinh({})", sympy="sinh", ulp=2.0,
-    ),
-    Operation(
-        "cosh", COSH, 1, partials=lambda x, r: (x.sinh(),),
-        numpy="cosh", casadi="OP_COSH", c="cosh({})", sympy="cosh", ulp=2.0,
-    ),
-    Operation(
-        "tanh", TANH, 1, partials=lambda x, r: (1 - r * r,),
-        numpy="tanh", casadi="OP_TANH", c="tanh({})", sympy="tanh", ulp=2.0,
-    ),
-    Operation(
-        "asinh", ASINH, 1, partials=lambda x, r: (1 / (1 + x * x).sqrt(),),
-        numpy="arcsinh", casadi="OP_ASINH", c="asinh({})", sympy="asinh", ulp=2.0,
-    ),
-    Operation(
-        "acosh", ACOSH, 1, partials=lambda x, r: (1 / (x * x - 1).sqrt(),),
-        demands=lambda x: ((Sign.NONNEGATIVE, x - 1),),
-        numpy="arccosh", casadi="OP_ACOSH", c="acosh({})", sympy="acosh", ulp=3.0,
-    ),
-    Operation(
-        "atanh", ATANH, 1, partials=lambda x, r: (1 / (1 - x * x),),
-        demands=lambda x: ((Sign.POSITIVE, 1 - x * x),),
-        numpy="arctanh", casadi="OP_ATANH", c="atanh({})", sympy="atanh", ulp=2.0,
-    ),
+    _function("sinh", SINH, lambda x, r: (x.cosh(),), ulp=2.0),
+    _function("cosh", COSH, lambda x, r: (x.sinh(),), ulp=2.0),
+    _function("tanh", TANH, lambda x, r: (1 - r * r,), ulp=2.0),
+    _function("asinh", ASINH, lambda x, r: (1 / (1 + x * x).sqrt(),), numpy="arcsinh", ulp=2.0),
+    _function("acosh", ACOSH, lambda x, r: (1 / (x * x - 1).sqrt(),),
+              numpy="arccosh", demands=lambda x: ((Sign.NONNEGATIVE, x - 1),), ulp=3.0),
+    _function("atanh", ATANH, lambda x, r: (1 / (1 - x * x),),
+              numpy="arctanh", demands=lambda x: ((Sign.POSITIVE, 1 - x * x),), ulp=2.0),
     Operation(
         "abs", ABS, 1, exact=abs, partials=lambda x, r: (x.sign(),),
         numpy="abs", casadi="OP_FABS", c="fabs({})", sympy="Abs",
@@ -220,36 +196,16 @@ OPERATIONS: tuple[Operation, ...] = (
         partials=lambda x, r: (0,), numpy="sign", casadi="OP_SIGN", sympy="sign",
         c="({0} > 0.0 ? 1.0 : ({0} < 0.0 ? -1.0 : {0}))",
     ),
-    Operation(
-        "floor", FLOOR, 1, exact=lambda x: Fraction(x.__floor__()),
-        partials=lambda x, r: (0,),
-        numpy="floor", casadi="OP_FLOOR", c="floor({})", sympy="floor",
-    ),
-    Operation(
-        "less", LESS, 2, boolean=True, exact=lambda x, y: Fraction(x < y),
-        partials=lambda x, y, r: (0, 0),
-        numpy="less", casadi="OP_LT", c="{} < {}", sympy="StrictLessThan",
-    ),
-    Operation(
-        "not_greater", NOT_GREATER, 2, boolean=True, exact=lambda x, y: Fraction(x <= y),
-        partials=lambda x, y, r: (0, 0),
-        numpy="less_equal", casadi="OP_LE", c="{} <= {}", sympy="LessThan",
-    ),
-    Operation(
-        "equal", EQUAL, 2, commutative=True, boolean=True,
-        exact=lambda x, y: Fraction(x == y), partials=lambda x, y, r: (0, 0),
-        numpy="equal", casadi="OP_EQ", c="{} == {}", sympy="Equality",
-    ),
-    Operation(
-        "and", AND, 2, commutative=True, boolean=True,
-        exact=lambda x, y: Fraction(x != 0 and y != 0), partials=lambda x, y, r: (0, 0),
-        numpy="logical_and", casadi="OP_AND", c="{} && {}", sympy="And",
-    ),
-    Operation(
-        "or", OR, 2, commutative=True, boolean=True,
-        exact=lambda x, y: Fraction(x != 0 or y != 0), partials=lambda x, y, r: (0, 0),
-        numpy="logical_or", casadi="OP_OR", c="{} || {}", sympy="Or",
-    ),
+    _function("floor", FLOOR, lambda x, r: (0,), exact=lambda x: Fraction(x.__floor__())),
+    _relation("less", LESS, lambda x, y: x < y, "<", "OP_LT", "less", "StrictLessThan"),
+    _relation("not_greater", NOT_GREATER, lambda x, y: x <= y, "<=", "OP_LE", "less_equal",
+              "LessThan"),
+    _relation("equal", EQUAL, lambda x, y: x == y, "==", "OP_EQ", "equal", "Equality",
+              commutative=True),
+    _relation("and", AND, lambda x, y: x != 0 and y != 0, "&&", "OP_AND", "logical_and", "And",
+              commutative=True),
+    _relation("or", OR, lambda x, y: x != 0 or y != 0, "||", "OP_OR", "logical_or", "Or",
+              commutative=True),
     Operation(
         "not", NOT, 1, boolean=True,
         exact=lambda x: Fraction(x == 0), partials=lambda x, r: (0,),
@@ -263,10 +219,8 @@ OPERATIONS: tuple[Operation, ...] = (
     # x of M x = f; its operands are the entries of M and f, and `entry` takes the components of x.
     Operation("solve", SOLVE, 0),
     Operation("entry", ENTRY, 1),
-    Operation(
-        "erf", ERF, 1, partials=lambda x, r: (2 * (-(x * x)).exp() / x.builder.pi.sqrt(),),
-        numpy="", casadi="OP_ERF", c="erf({})", sympy="erf", ulp=1.0,
-    ),
+    _function("erf", ERF, lambda x, r: (2 * (-(x * x)).exp() / x.builder.pi.sqrt(),),
+              numpy="", ulp=1.0),
 )  # fmt: skip
 
 BY_NAME = {row.name: row for row in OPERATIONS}
