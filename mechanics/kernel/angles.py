@@ -420,19 +420,8 @@ class _Rewriting:
             else:
                 base = self._base(monomial, abs(factor.numerator), factor.denominator)
                 times = 1 if factor > 0 else -1
-            grown = self._power(self._builder.call("exp", base), abs(times))
+            grown = self._builder.product(self._builder.call("exp", base), abs(times))
             result = result * grown if times > 0 else result / grown
-        return result
-
-    def _power(self, grown: Node, times: int) -> Node:
-        """An integer power as products, however large."""
-        result, square = self._builder.one, grown
-        while times:
-            if times & 1:
-                result = result * square
-            times >>= 1
-            if times:
-                square = square * square
         return result
 
     def _truth(self, x: Node) -> Node:

@@ -64,17 +64,6 @@ class Case:
         """The enclosure of pi."""
         return acb.pi()
 
-    def solve(
-        self, matrix: Sequence[Sequence[acb]], right: Sequence[acb], symmetric: bool
-    ) -> Sequence[acb]:
-        """Not known here.
-
-        Raises
-        ------
-        ExpressionError
-        """
-        raise ExpressionError("the cases of a linear system are not looked at")
-
 
 def _power(x: acb, y: acb) -> acb:
     """Of what is positive."""

@@ -18,7 +18,7 @@ from flint import fmpq, fmpz
 
 from mechanics.errors import ExpressionError
 from mechanics.kernel import radicals
-from mechanics.kernel.angles import base_angles, has_truths
+from mechanics.kernel.angles import base_angles
 from mechanics.kernel.quotients import NoValue, Quotient, Quotients
 from mechanics.kernel.radicals import LARGEST_CONTENT
 from mechanics.kernel.ring import MOST_GENERATORS, TooLarge, content
@@ -62,11 +62,7 @@ class Fractions:
             "divide": a.divide,
             "sqrt": lambda x: radicals.root(a, x, 2), "power": self._power,
             "sin": lambda x: self._circle(x)[1], "cos": lambda x: self._circle(x)[0],
-            "tan": lambda x: a.divide(*reversed(self._circle(x))),
             "exp": self._exponential, "log": self._logarithm,
-            "sinh": lambda x: self._hyperbolic(x)[1],
-            "cosh": lambda x: self._hyperbolic(x)[0],
-            "tanh": lambda x: a.divide(*reversed(self._hyperbolic(x))),
             "abs": lambda x: radicals.absolute(a, x),
             "sign": lambda x: radicals.sign(a, x),
             "less": lambda x, y: self._truth("less", a.subtract(x, y)),
@@ -129,12 +125,6 @@ class Fractions:
                 factor = self.constant(Fraction(side * int(times)))
                 total = self.quotients.add(total, self.quotients.multiply(factor, log))
         return total
-
-    def _hyperbolic(self, x: Quotient) -> tuple[Quotient, Quotient]:
-        grown, half = self._exponential(x), self.constant(Fraction(1, 2))
-        shrunk = self.quotients.inverse(grown)
-        c, s = self.quotients.add(grown, shrunk), self.quotients.subtract(grown, shrunk)
-        return self.quotients.multiply(c, half), self.quotients.multiply(s, half)
 
     def _power(self, x: Quotient, y: Quotient) -> Quotient:
         exponent = _rational(y)
@@ -250,10 +240,8 @@ def proves(statement: Statement) -> bool:
     unknowns = max((system[0] for system in program.systems), default=0)
     if len(program) > MOST_NODES or unknowns > MOST_UNKNOWNS:
         return False
-    if has_truths(program) and _attempt(statement, program):
-        return True
-    expanded = base_angles(program)
-    return expanded is not program and _attempt(statement, expanded)
+    whole, expanded = base_angles(program, 0), base_angles(program)
+    return _attempt(statement, whole) or (expanded is not whole and _attempt(statement, expanded))
 
 
 def _attempt(statement: Statement, program: Program) -> bool:

@@ -19,7 +19,6 @@ from math import isfinite, isqrt
 
 from mechanics.errors import ExpressionError, ZeroDivisorError
 from mechanics.program.operations import (
-    ABS,
     ADD,
     BY_NAME,
     CONSTANT,
@@ -367,12 +366,9 @@ class Builder:
             return self.one_number
         operations, first = self.operations, self.operands[0]
         if operations[b] == NEGATE:
-            return self.negate(self._divide(a, first[b]))
+            return self.negate(self._node(DIVIDE, a, first[b]))
         if operations[a] == NEGATE:
-            return self.negate(self._divide(first[a], b))
-        return self._divide(a, b)
-
-    def _divide(self, a: int, b: int) -> int:
+            return self.negate(self._node(DIVIDE, first[a], b))
         return self._node(DIVIDE, a, b)
 
     # ------------------------------------------------------------------ everything else
@@ -385,19 +381,13 @@ class Builder:
         ExpressionError
             If there is no such operation, or not of so many operands.
         """
-        arithmetic: dict[str, Callable[[int, int], int]] = {
-            "add": self.add, "subtract": self.subtract, "multiply": self.multiply,
-            "divide": self.divide,
-        }  # fmt: skip
         row = BY_NAME.get(name)
         if row is None or not row.arity or row.arity != len(operands) or name == "entry":
             raise ExpressionError(f"operation {name} of {len(operands)} operands: there is none")
         numbers = [self.number_of(operand) for operand in operands]
-        if name in arithmetic:
-            return Node(self, arithmetic[name](*numbers))
-        if name == "negate":
-            return Node(self, self.negate(*numbers))
-        if name == "power":
+        if row.code in _ARITHMETIC:
+            return Node(self, _ARITHMETIC[row.code](self, *numbers))
+        if row.code == POWER:
             return self.power(Node(self, numbers[0]), Node(self, numbers[1]))
         self._demand(name, *(Node(self, number) for number in numbers))
         return Node(self, self._folded(row.code, numbers))
@@ -428,7 +418,7 @@ class Builder:
         if value is not None and value.denominator <= 2 and abs(value) <= LARGEST_EXPONENT:
             if value < 0:
                 return 1 / self.power(base, -value)
-            whole = self._product(base, value.numerator // value.denominator)
+            whole = self.product(base, value.numerator // value.denominator)
             return whole if value.denominator == 1 else whole * base.sqrt()
         if value is None or value.denominator > 1:
             self._demand("power", base, exponent)
@@ -436,8 +426,8 @@ class Builder:
             return 1 / self.power(base, -value)
         return Node(self, self._node(POWER, base.number, exponent.number))
 
-    def _product(self, base: Node, exponent: int) -> Node:
-        """base ** exponent by repeated squaring."""
+    def product(self, base: Node, exponent: int) -> Node:
+        """base ** exponent for a natural exponent, however large, by repeated squaring."""
         result, square = self.one, base
         while exponent:
             if exponent & 1:
@@ -578,36 +568,15 @@ def _exact_root(builder: Builder, a: int) -> int | None:
     return None
 
 
-def _at_zero(value: int) -> Callable[..., int | None]:
-    """A function whose value at 0 is known."""
-
-    def fold(builder: Builder, a: int) -> int | None:
-        return builder.number_of(value) if a == builder.zero_number else None
-
-    return fold
-
-
-def _odd(code: int) -> Callable[..., int | None]:
-    """f(-x) = -f(x)."""
-
-    def fold(builder: Builder, a: int) -> int | None:
-        if a == builder.zero_number:
-            return a
-        if builder.operations[a] == NEGATE:
-            return (-builder.call(OPERATIONS[code].name, -Node(builder, a))).number
-        return None
-
-    return fold
-
-
-def _even(code: int, at_zero: int) -> Callable[..., int | None]:
-    """f(-x) = f(x)."""
+def _symmetric(name: str, at_zero: int, side: int) -> Fold:
+    """A function of a known value at 0; f(-x) = side f(x) unless that is 0."""
 
     def fold(builder: Builder, a: int) -> int | None:
         if a == builder.zero_number:
             return builder.number_of(at_zero)
-        if builder.operations[a] == NEGATE:
-            return builder.call(OPERATIONS[code].name, -Node(builder, a)).number
+        if side and builder.operations[a] == NEGATE:
+            mirrored = builder.call(name, -Node(builder, a))
+            return (mirrored if side > 0 else -mirrored).number
         return None
 
     return fold
@@ -639,17 +608,16 @@ def _select(builder: Builder, condition: int, x: int, y: int) -> int | None:
     return x if x == y else None
 
 
+_ARITHMETIC: dict[int, Callable[..., int]] = {
+    ADD: Builder.add, SUBTRACT: Builder.subtract, MULTIPLY: Builder.multiply,
+    DIVIDE: Builder.divide, NEGATE: Builder.negate,
+}  # fmt: skip
+
+_ODD = ("sin", "tan", "asin", "atan", "sinh", "tanh", "asinh", "atanh", "sign", "erf")
+_SYMMETRIC = (("abs", 0, 1), ("exp", 1, 0), ("cos", 1, 1), ("cosh", 1, 1),
+              *((name, 0, -1) for name in _ODD))  # fmt: skip
+
 _SPECIAL: dict[int, Fold] = {
-    SQRT: _exact_root,
-    SELECT: _select,
-    NOT: _not,
-    EQUAL: _equal,
-    ABS: _even(ABS, 0),
-    BY_NAME["exp"].code: _at_zero(1),
-    BY_NAME["cos"].code: _even(BY_NAME["cos"].code, 1),
-    BY_NAME["cosh"].code: _even(BY_NAME["cosh"].code, 1),
-    **{
-        BY_NAME[name].code: _odd(BY_NAME[name].code)
-        for name in ("sin", "tan", "asin", "atan", "sinh", "tanh", "asinh", "atanh", "sign", "erf")
-    },
-}
+    SQRT: _exact_root, SELECT: _select, NOT: _not, EQUAL: _equal,
+    **{BY_NAME[row[0]].code: _symmetric(*row) for row in _SYMMETRIC},
+}  # fmt: skip
