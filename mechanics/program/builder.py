@@ -44,6 +44,9 @@ Number = int | Fraction
 Condition = tuple[int, bool]
 Fold = Callable[..., int | None]
 
+_ARITHMETIC = frozenset({"add", "subtract", "multiply", "divide", "negate"})
+"""Operations that a builder has as methods, which another builder may fold otherwise."""
+
 LARGEST_EXPONENT = 64
 """Integer powers up to this one are products; larger ones stay powers."""
 
@@ -385,8 +388,8 @@ class Builder:
         if row is None or not row.arity or row.arity != len(operands) or name == "entry":
             raise ExpressionError(f"operation {name} of {len(operands)} operands: there is none")
         numbers = [self.number_of(operand) for operand in operands]
-        if row.code in _ARITHMETIC:
-            return Node(self, _ARITHMETIC[row.code](self, *numbers))
+        if name in _ARITHMETIC:
+            return Node(self, getattr(self, name)(*numbers))
         if row.code == POWER:
             return self.power(Node(self, numbers[0]), Node(self, numbers[1]))
         self._demand(name, *(Node(self, number) for number in numbers))
@@ -607,11 +610,6 @@ def _select(builder: Builder, condition: int, x: int, y: int) -> int | None:
         return x if known != 0 else y
     return x if x == y else None
 
-
-_ARITHMETIC: dict[int, Callable[..., int]] = {
-    ADD: Builder.add, SUBTRACT: Builder.subtract, MULTIPLY: Builder.multiply,
-    DIVIDE: Builder.divide, NEGATE: Builder.negate,
-}  # fmt: skip
 
 _ODD = ("sin", "tan", "asin", "atan", "sinh", "tanh", "asinh", "atanh", "sign", "erf")
 _SYMMETRIC = (("abs", 0, 1), ("exp", 1, 0), ("cos", 1, 1), ("cosh", 1, 1),
