@@ -9,7 +9,6 @@ from benchmarks.detection.rows import UNKNOWN_UP_TO_A_CONSTANT, Row, Subject
 from benchmarks.detection.tree import Tree, written
 from mechanics.checks.ledger_compare import ordered
 from mechanics.checks.solution import solve
-from mechanics.kinematics.manifold import settle
 from mechanics.symbolic import Arithmetic
 from mechanics.symbolic.decide import proved
 
@@ -28,7 +27,7 @@ def same(about: Subject, row: Row, trees: tuple[Tree, ...]) -> bool:
         left, right = (list(Matrix(side).jacobian(by)) for side in (left, right))
 
     def experiment(a: Arithmetic) -> list:
-        settle(scene, a)
+        about.kane.kinematics.manifold.project(a)
         for symbol, expression in ordered(scene.definitions):
             a.assign(symbol, a.value(expression))
         if row.equation:

@@ -9,7 +9,7 @@ FOLDERS: dict[str, tuple[str, ...]] = {
     "kernel": ("tests/kernel",),
     "program": ("tests/program", "tests/kernel", "tests/routes"),
     "checks": ROUTES,
-    "kinematics": ("tests/laws/test_laws_spatial.py", *ROUTES),
+    "kinematics": ("tests/kinematics", "tests/laws/test_laws_spatial.py", *ROUTES),
     "routes": ("tests/systems", *ROUTES),
 }
 

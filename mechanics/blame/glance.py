@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from sympy import Expr, Symbol
 
 from mechanics.blame.mistakes.slip import Part, Slip, split
-from mechanics.checks.ledger_compare import settle_defined
+from mechanics.checks.ledger_compare import project_defined
 from mechanics.equations import Equations
 from mechanics.errors import ExpressionError
 from mechanics.kernel.field import Inadmissible
@@ -54,7 +54,7 @@ def glances(
     """Mistakes along whose motion statements vanish, and the indices of these."""
     found: list[tuple[Slip, frozenset[int]]] = []
     a = Arithmetic()
-    settle_defined(truth.scene, a)
+    project_defined(truth.kinematics.manifold, a)
     try:
         _, point = a.residues(list(a.assigned.values()))
     except Inadmissible:

@@ -15,7 +15,7 @@ from sympy import Expr, S, Symbol
 from mechanics.blame.groups import COEFFICIENT, grouped
 from mechanics.blame.pieces import Kind, Origin, Piece, momenta
 from mechanics.blame.terms import Monomial, Terms, terms_of, written
-from mechanics.checks.ledger_compare import settle_defined
+from mechanics.checks.ledger_compare import project_defined
 from mechanics.checks.ledger_motion import put_motion
 from mechanics.equations import Equations
 from mechanics.errors import ExpressionError
@@ -41,7 +41,7 @@ def holds(truth: Equations, right: Expr) -> bool:
     value = truth.scene.plain(right)
 
     def experiment(a: Arithmetic) -> list[tuple[Number, Number]]:
-        settle_defined(truth.scene, a)
+        project_defined(truth.kinematics.manifold, a)
         put_motion(a, truth)
         return [(a.value(value), a.rational(0))]
 
@@ -67,7 +67,7 @@ def origins_in_field(truth: Equations, right: Expr) -> dict[str, tuple[str, ...]
     found: dict[str, dict[str, None]] = {}
 
     def experiment(a: Arithmetic) -> list[tuple[Number, Number]]:
-        settle_defined(truth.scene, a)
+        project_defined(truth.kinematics.manifold, a)
         columns = [[a.value(row[j]) for row in basis] for j in range(len(basis))]
         factors = a.solve(columns, [a.value(entry) for entry in target])
         found.clear()

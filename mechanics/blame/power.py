@@ -12,7 +12,7 @@ from mechanics.blame.glance import Stated
 from mechanics.blame.origin import QUICK
 from mechanics.blame.pieces import motions_of
 from mechanics.blame.rows import generalized_rows
-from mechanics.checks.ledger_compare import settle_defined
+from mechanics.checks.ledger_compare import project_defined
 from mechanics.checks.ledger_motion import put_motion
 from mechanics.equations import Equations
 from mechanics.kernel import Finding
@@ -30,7 +30,7 @@ def keeps(truth: Equations, value: Expr) -> bool:
     growth = rate(value, rate_table(truth.scene))
 
     def experiment(a: Arithmetic) -> list[tuple[Number, Number]]:
-        settle_defined(truth.scene, a)
+        project_defined(truth.kinematics.manifold, a)
         put_motion(a, truth)
         return [(a.value(growth), a.rational(0))]
 
@@ -61,7 +61,7 @@ def unbalanced(
     own = generalized_rows(scene)
 
     def experiment(a: Arithmetic) -> list[tuple[Number, Number]]:
-        settle_defined(scene, a)
+        project_defined(truth.kinematics.manifold, a)
         matrix = [
             [a.value(dict(row.factors).get(symbol, S.Zero)) for symbol in scene.ud] for row in rows
         ]

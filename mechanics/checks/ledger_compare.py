@@ -15,7 +15,7 @@ from sympy import Expr, Float, S, Symbol, sympify
 
 from mechanics.errors import InputError, SceneError
 from mechanics.kernel import Finding, enclosed, refuted
-from mechanics.kinematics.manifold import settle, settle_accelerations
+from mechanics.kinematics.manifold import ConstraintManifold
 from mechanics.scene import Scene
 from mechanics.scene.symbols import symbols_of
 from mechanics.symbolic import Arithmetic, Number, decide, enclose, roundings
@@ -24,7 +24,7 @@ Pairs = list[tuple[Number, Number]]
 
 
 def decide_in(
-    scene: Scene,
+    manifold: ConstraintManifold,
     subject: str,
     experiment: Callable[[Arithmetic], Pairs],
     symbols: set[Symbol],
@@ -36,7 +36,7 @@ def decide_in(
 
     Parameters
     ----------
-    scene : Scene
+    manifold : ConstraintManifold
     subject : str
     experiment : callable
     symbols : set of Symbol
@@ -46,15 +46,15 @@ def decide_in(
     where : sequence of Expr
         What is positive at all states that are looked at, in coordinates and parameters.
     """
-    used = symbols & scene.definitions.keys()
+    used = symbols & manifold.scene.definitions.keys()
 
     def admissible(a: Arithmetic) -> Pairs:
-        settle(scene, a)
+        manifold.project(a)
         _require(a, where)
         return experiment(a)
 
     def expanded(a: Arithmetic) -> Pairs:
-        settle_defined(scene, a)
+        project_defined(manifold, a)
         _require(a, where)
         return experiment(a)
 
@@ -72,7 +72,7 @@ def _require(a: Arithmetic, where: Sequence[Expr]) -> None:
         a.require_positive(a.value(expression))
 
 
-def settle_defined(scene: Scene, a: Arithmetic) -> None:
+def project_defined(manifold: ConstraintManifold, a: Arithmetic) -> None:
     """Give what constraints and definitions determine the values that they ask for.
 
     Must run before any other expression is evaluated in this arithmetic.
@@ -84,8 +84,8 @@ def settle_defined(scene: Scene, a: Arithmetic) -> None:
     SceneError
         When definitions go round in a circle.
     """
-    settle(scene, a)
-    for symbol, expression in ordered(scene.definitions):
+    manifold.project(a)
+    for symbol, expression in ordered(manifold.scene.definitions):
         a.assign(symbol, a.value(expression))
 
 
@@ -124,22 +124,22 @@ def definitions_in_full(scene: Scene, but: Collection[Symbol] = ()) -> dict[Symb
 
 
 def equal(
-    scene: Scene, subject: str, lefts: Sequence[Expr], rights: Sequence[Expr],
+    manifold: ConstraintManifold, subject: str, lefts: Sequence[Expr], rights: Sequence[Expr],
     where: Sequence[Expr] = (),
 ) -> Finding:  # fmt: skip
     """Whether expressions are equal, entry by entry, for all accelerations that are admissible."""
 
     def experiment(a: Arithmetic) -> Pairs:
-        settle_accelerations(scene, a)
+        manifold.project_accelerations(a)
         return [(a.value(x), a.value(y)) for x, y in zip(lefts, rights, strict=True)]
 
     left, right = symbols_of(lefts), symbols_of(rights)
     # A symbol that only one side knows can hardly cancel: the first attempt would be in vain.
-    expand = bool((left ^ right) & scene.definitions.keys())
-    return decide_in(scene, subject, experiment, left | right, expand=expand, where=where)
+    expand = bool((left ^ right) & manifold.scene.definitions.keys())
+    return decide_in(manifold, subject, experiment, left | right, expand=expand, where=where)
 
 
-def rounded(scene: Scene, subject: str, left: Expr, right: Expr) -> Finding:
+def rounded(manifold: ConstraintManifold, subject: str, left: Expr, right: Expr) -> Finding:
     """Whether a typed side, printed number times expression, rounds the derived side.
 
     The derived side is first shown to be a constant c times the typed expression; then an enclosure
@@ -155,11 +155,11 @@ def rounded(scene: Scene, subject: str, left: Expr, right: Expr) -> Finding:
         raise InputError(
             f"{subject}: {left} is no rounded number times an exact expression: type one product"
         )
-    table = definitions_in_full(scene)
+    table = definitions_in_full(manifold.scene)
     unit, right = unit.xreplace(table), sympify(right).xreplace(table)
     ones = dict.fromkeys(unit.free_symbols | right.free_symbols, S.One)
     constant = right.xreplace(ones) / unit.xreplace(ones)
-    finding = equal(scene, subject, [constant * unit], [right])
+    finding = equal(manifold, subject, [constant * unit], [right])
     if not finding.shown:
         return finding
     value, printed = enclose(constant, {}), str(number)

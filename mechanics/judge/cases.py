@@ -21,7 +21,7 @@ from sympy import (
 from sympy.core.relational import Eq, Ge, Gt, Le, Lt, Ne, Relational
 from sympy.logic.boolalg import And, Boolean, Not, Or
 
-from mechanics.checks.ledger_compare import settle_defined
+from mechanics.checks.ledger_compare import project_defined
 from mechanics.checks.ledger_motion import put_motion
 from mechanics.equations import Equations
 from mechanics.errors import ExpressionError
@@ -253,7 +253,7 @@ def _in_region(truth: Equations, row: Published, region: Region) -> Callable[[Ar
     def experiment(a: Arithmetic) -> Pairs:
         for symbol, value in region.items():
             a.assign(symbol, a.value(value))
-        settle_defined(truth.scene, a)
+        project_defined(truth.kinematics.manifold, a)
         put_motion(a, truth)
         first, *others = row.sides
         return [(a.value(first), a.value(side)) for side in others]

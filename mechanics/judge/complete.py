@@ -11,7 +11,6 @@ from sympy import Matrix
 from mechanics.checks.ledger_motion import gradient
 from mechanics.equations import Equations
 from mechanics.kernel.field import Inadmissible
-from mechanics.kinematics.manifold import settle
 from mechanics.kinematics.momenta import momenta_written_out
 from mechanics.report.answer.judged import Judged
 from mechanics.scene.quantities import EquationOfMotion
@@ -38,9 +37,10 @@ def redundancy(truth: Equations, judged: Sequence[Judged]) -> str:
     left = Matrix([gradient(scene, pair) for pair in sides])
     constraints = truth.constraint_matrix
     both = left.col_join(constraints) if constraints.rows else left
+    project = truth.kinematics.manifold.project
     try:
-        held = generic_rank(constraints.tolist(), lambda a: settle(scene, a))
-        rank = generic_rank(both.tolist(), lambda a: settle(scene, a)) - held
+        held = generic_rank(constraints.tolist(), project)
+        rank = generic_rank(both.tolist(), project) - held
     except Inadmissible:
         return ""  # no state to look at: each equation has its verdict all the same
     if rank == len(rows):

@@ -31,7 +31,7 @@ from mechanics.kernel.definedness import (
 )
 from mechanics.kernel.statement import POSITIVE
 from mechanics.kernel.states import State
-from mechanics.kinematics.manifold import settle
+from mechanics.kinematics.manifold import ConstraintManifold
 from mechanics.program import Builder, Node, Obligation, Program
 from mechanics.program.operations import Sign
 from mechanics.program.sympy_reader import read
@@ -100,14 +100,14 @@ def _decided(
     inside = tuple(
         n.number for n in read(builder, [scene.plain(e).xreplace(fixed) for e in region])
     )
-    space = _space(scene, builder, inside, fixed)
+    space = _space(truth, builder, inside, fixed)
     left = unmet(builder, tuple(written.origin), space)
     if not left:
         return finding
     builder.obligations = {}
     space = replace(space, truth=_of_truth(truth, builder, fixed))
     builder.obligations = before
-    space = _space(scene, builder, inside, fixed, space.truth)
+    space = _space(truth, builder, inside, fixed, space.truth)
     return _told(finding, gaps(builder, left, space), written, demands.code)
 
 
@@ -119,7 +119,7 @@ def at_the_bound(truth: Equations, statement: Statement, finding: Finding) -> tu
         return ()
     written = _written(truth.scene, replace(demands, of=tuple(near)), {})
     builder = written.builder
-    found = touching(builder, tuple(written.origin), _space(truth.scene, builder, (), {}))
+    found = touching(builder, tuple(written.origin), _space(truth, builder, (), {}))
     names = dict.fromkeys(_operation(written.origin[obligation]) for obligation in found)
     return tuple(
         f"{name} is defined up to its bound, which it reaches: rounding may step over it"
@@ -190,23 +190,24 @@ def _ask(
 
 
 def _space(
-    scene: Scene, builder: Builder, region: tuple[int, ...], fixed: Mapping[Symbol, Expr],
-    truth: tuple[Obligation, ...] = (),
+    truth: Equations, builder: Builder, region: tuple[int, ...], fixed: Mapping[Symbol, Expr],
+    obligations: tuple[Obligation, ...] = (),
 ) -> Space:  # fmt: skip
+    scene = truth.scene
     symbols = {s.name: s for s in (*scene.parameters, *scene.definitions)}
     positive = frozenset(n for n in builder.inputs if n in symbols and symbols[n].is_positive)
     names = {*builder.inputs, *symbols, *(s.name for s in (*scene.q, *scene.u))}
     rest = {name: _typical(symbols.get(name), positive=name in positive) for name in sorted(names)}
     still = tuple(_still(rest, values) for values in scene.equilibria)
     if not scene.constraints:
-        return Space(positive, rest, (rest, *still), region, truth)
+        return Space(positive, rest, (rest, *still), region, obligations)
     closing = [scene.plain(c.expression, c.name) for c in scene.constraints if c.holonomic]
     kept = dict(builder.obligations)
     zero = tuple(node.number for node in read(builder, closing))
     builder.obligations = kept
-    on_constraints = partial(_settled, scene, _dependent(scene))
+    on_constraints = partial(_projected, scene, _dependent(truth.kinematics.manifold))
     references = (rest, _start(scene, rest), *still)
-    return Space(positive, rest, references, region, truth, zero, on_constraints)
+    return Space(positive, rest, references, region, obligations, zero, on_constraints)
 
 
 def _still(rest: Mapping[str, Fraction], values: Mapping[str, Expr]) -> State:
@@ -225,15 +226,15 @@ def _start(scene: Scene, rest: Mapping[str, Fraction]) -> Mapping[str, Fraction]
     return {**rest, **{name: Fraction(str(value)) for name, value in scene.example.items()}}
 
 
-def _dependent(scene: Scene) -> Program:
+def _dependent(manifold: ConstraintManifold) -> Program:
     """What the constraints determine, and under `POSITIVE` what has to be positive."""
     a = Arithmetic()
-    settle(scene, a)
+    manifold.project(a)
     outputs = {symbol.name: [node] for symbol, node in a.assigned.items()}
     return a.builder.program({**outputs, POSITIVE: a.positive})
 
 
-def _settled(scene: Scene, dependent: Program, state: State) -> State | None:
+def _projected(scene: Scene, dependent: Program, state: State) -> State | None:
     """A state on the constraints, whose dependent quantities follow from the others."""
     symbols = (*scene.parameters, *scene.q, *scene.u)
     given = {s.name: state[s.name] for s in symbols}

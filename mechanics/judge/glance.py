@@ -12,13 +12,12 @@ from collections.abc import Mapping, Sequence
 from sympy import Expr, Symbol
 from sympy.matrices import MatrixBase
 
-from mechanics.checks.ledger_compare import settle_defined
+from mechanics.checks.ledger_compare import project_defined
 from mechanics.checks.ledger_energy import SHARES, energy_of
 from mechanics.checks.ledger_motion import put_motion
 from mechanics.equations import Equations
 from mechanics.errors import ExpressionError
 from mechanics.kernel.field import Inadmissible
-from mechanics.kinematics.manifold import settle_accelerations
 from mechanics.scene import Scene
 from mechanics.scene import quantities as q
 from mechanics.scene.published import Published
@@ -62,13 +61,13 @@ def _look(
     moving: bool,
 ) -> None:  # fmt: skip
     """Rule out changes by rows along the motion, or by all others."""
-    a, scene = Arithmetic(), truth.scene
+    a, scene, manifold = Arithmetic(), truth.scene, truth.kinematics.manifold
     try:
-        settle_defined(scene, a)
+        project_defined(manifold, a)
         if moving:
             put_motion(a, truth)
         else:
-            settle_accelerations(scene, a)
+            manifold.project_accelerations(a)
         derived = [_derived(a, truth, row) for row in rows]
         # What is there before any change is evaluated first: its roots are not the changes'.
         _, point = a.residues([*a.assigned.values(), *(n for some in derived for n in some)])

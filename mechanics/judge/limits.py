@@ -13,7 +13,7 @@ from itertools import combinations, islice, permutations, product
 from sympy import Abs, Dummy, Expr, Max, Min, Piecewise, Symbol
 from sympy.core.relational import Relational
 
-from mechanics.checks.ledger_compare import settle_defined
+from mechanics.checks.ledger_compare import project_defined
 from mechanics.checks.ledger_motion import put_motion
 from mechanics.equations import Equations
 from mechanics.kernel import Finding
@@ -66,7 +66,7 @@ def _of_limited(
     def experiment(a: Arithmetic) -> list[tuple[Number, Number]]:
         for u, w in free.items():
             a.assign(u, a.value(_clipped(w, *limits[u], order)))
-        settle_defined(truth.scene, a)
+        project_defined(truth.kinematics.manifold, a)
         put_motion(a, truth)
         return [(a.value(first), a.value(side)) for side in others]
 

@@ -16,7 +16,7 @@ from sympy.core.relational import Gt, Relational
 from sympy.matrices import MatrixBase
 
 from mechanics.checks.ledger import check_row
-from mechanics.checks.ledger_compare import settle_defined
+from mechanics.checks.ledger_compare import project_defined
 from mechanics.equations import Equations
 from mechanics.errors import InputError, MechanicsError
 from mechanics.judge.cases import in_case
@@ -250,7 +250,7 @@ def _met(truth: Equations, where: Sequence[Where]) -> bool:
     """Whether a state that is drawn is where conditions hold."""
 
     def experiment(a: Arithmetic) -> list[tuple[Number, Number]]:
-        settle_defined(truth.scene, a)
+        project_defined(truth.kinematics.manifold, a)
         for one in where:
             a.require_positive(a.value(one.positive))
         return [(a.rational(0), a.rational(1))]

@@ -6,10 +6,11 @@ A(q) u' = b        solved for dependent accelerations, where a statement holds f
 """
 
 from collections.abc import Sequence
-from functools import lru_cache
+from dataclasses import dataclass
+from functools import cached_property
 from itertools import combinations
 
-from sympy import Expr, S, Symbol
+from sympy import Expr, Symbol
 
 from mechanics.errors import ExpressionError
 from mechanics.kinematics.constraints import velocity_forms
@@ -21,68 +22,118 @@ Solvable = tuple[tuple[Symbol, ...], list[list[Expr]], list[Expr]]
 """Unknowns, coefficients and rest: coefficients times unknowns plus rest is zero."""
 
 
-def settle(scene: Scene, a: Arithmetic, virtual: bool = False) -> None:
-    """Give dependent quantities the values that the constraints ask for.
+@dataclass(frozen=True, eq=False, repr=False)
+class ConstraintManifold:
+    """Constraints of a scene, solved for what depends on the rest; once, when it is first needed.
 
-    Must run before any other expression is evaluated in this arithmetic. Virtual velocities satisfy
-    A u = 0, with every prescribed motion stopped.
-
-    Raises
-    ------
-    ExpressionError
-        When no quantity is known for which a configuration constraint can be solved.
+    Attributes
+    ----------
+    scene : Scene
     """
-    if not scene.constraints:
-        return
-    settle_configuration(scene, a)
-    _solve(a, *_speeds(scene, virtual))
+
+    scene: Scene
+
+    def __repr__(self) -> str:
+        return f"<constraint manifold of {self.scene.name}>"
+
+    def project(self, a: Arithmetic) -> None:
+        """Give dependent quantities the values that the constraints ask for.
+
+        Must run before any other expression is evaluated in this arithmetic.
+
+        Raises
+        ------
+        ExpressionError
+            When no quantity is known for which a configuration constraint can be solved.
+        """
+        if self._closing:
+            self._project_configuration(a)
+        if self.scene.constraints:
+            _solve(a, *self._speeds)
+
+    def _project_configuration(self, a: Arithmetic) -> None:
+        """Together where the constraints are linear, else one by one."""
+        if self._linear is not None:
+            for symbol, number in zip(self._linear[0], _solve(a, *self._linear), strict=True):
+                if symbol.is_positive:
+                    a.require_positive(number)
+            return
+        for symbol, powers in self._quadratic:
+            _solve_square(a, symbol, *powers)
+
+    def project_accelerations(self, a: Arithmetic) -> None:
+        """Give dependent accelerations the values that the constraints ask for; after `project`."""
+        if self.scene.constraints:
+            _solve(a, *self._accelerations)
+
+    @cached_property
+    def _forms(self) -> list[Expr]:
+        return velocity_forms(self.scene)
+
+    @cached_property
+    def _speeds(self) -> Solvable:
+        return _dependent(self._forms, self.scene.u)
+
+    @cached_property
+    def _accelerations(self) -> Solvable:
+        table = rate_table(self.scene)
+        return _dependent([rate(form, table) for form in self._forms], self.scene.ud)
+
+    @cached_property
+    def _closing(self) -> list[Expr]:
+        """What is zero in every configuration."""
+        constraints = (c for c in self.scene.constraints if c.holonomic)
+        return [self.scene.plain(c.expression, c.name) for c in constraints]
+
+    def _candidates(self, closing: Sequence[Expr]) -> list[Symbol]:
+        """What they may be solved for: parameters first, for angles stay free that way."""
+        symbols = (*self.scene.parameters, *self.scene.q)
+        return [s for s in symbols if any(s in e.free_symbols for e in closing)]
+
+    @cached_property
+    def _linear(self) -> Solvable | None:
+        """The configuration constraints, in quantities in which all of them are linear."""
+        for unknown in combinations(self._candidates(self._closing), len(self._closing)):
+            try:
+                split = [collect_linear(expression, unknown) for expression in self._closing]
+            except ExpressionError:
+                continue  # not linear in this set: the next one may do
+            rows = [list(coefficients) for coefficients, _ in split]
+            if len(independent_rows(rows)) == len(rows):
+                return unknown, rows, [rest for _, rest in split]
+        return None
+
+    @cached_property
+    def _quadratic(self) -> list[tuple[Symbol, tuple[Expr, Expr, Expr]]]:
+        """For each constraint a quantity that it alone holds, and coefficients of its powers."""
+        solved = []
+        for i, expression in enumerate(self._closing):
+            others = {s for k, e in enumerate(self._closing) if k != i for s in e.free_symbols}
+            own = (s for s in self._candidates([expression]) if s not in others)
+            squares = ((symbol, _in_powers(expression, symbol)) for symbol in own)
+            first = next(((symbol, powers) for symbol, powers in squares if powers), None)
+            if first is None:
+                raise ExpressionError(
+                    f"{self.scene.name}: the configuration constraints are linear in no"
+                    f" {len(self._closing)} quantities together, and one of them is quadratic in"
+                    " nothing that it alone holds, so no exact point on them is known"
+                )
+            solved.append(first)
+        return solved
 
 
-@lru_cache(maxsize=32)
-def _speeds(scene: Scene, virtual: bool) -> Solvable:
-    forms = velocity_forms(scene)
-    if virtual:
-        still = dict.fromkeys(scene.u, S.Zero)
-        forms = [form - form.xreplace(still) for form in forms]
-    return _dependent(forms, scene.u)
-
-
-def settle_accelerations(scene: Scene, a: Arithmetic) -> None:
-    """Give dependent accelerations the values that the constraints ask for; after `settle`."""
-    if scene.constraints:
-        _solve(a, *_accelerations(scene))
-
-
-@lru_cache(maxsize=32)
-def _accelerations(scene: Scene) -> Solvable:
-    table = rate_table(scene)
-    return _dependent([rate(form, table) for form in velocity_forms(scene)], scene.ud)
-
-
-def settle_configuration(scene: Scene, a: Arithmetic) -> None:
-    """Solve the configuration constraints: together where they are linear, else one by one."""
-    closing = [scene.plain(c.expression, c.name) for c in scene.constraints if c.holonomic]
-    if not closing:
-        return
-    linear = _linear(scene, tuple(closing))
-    if linear is not None:
-        unknown, rows, rest = linear
-        for symbol, number in zip(unknown, _solve(a, unknown, rows, rest), strict=True):
-            if symbol.is_positive:
-                a.require_positive(number)
-        return
-    for symbol, (square, slope, rest) in _quadratic(scene, closing):
-        two, one, zero = (a.value(entry) for entry in (square, slope, rest))
-        root = a.sqrt(one * one - 4 * two * zero)
-        if symbol.is_positive and slope == 0:
-            # Of two opposite solutions, the positive one.
-            root = -root if square.is_negative else root
-        else:
-            root = root * _either_sign(a, symbol)
-        number = (root - one) / (2 * two)
-        if symbol.is_positive:
-            a.require_positive(number)
-        a.assign(symbol, number)
+def _solve_square(a: Arithmetic, symbol: Symbol, square: Expr, slope: Expr, rest: Expr) -> None:
+    two, one, zero = (a.value(entry) for entry in (square, slope, rest))
+    root = a.sqrt(one * one - 4 * two * zero)
+    if symbol.is_positive and slope == 0:
+        # Of two opposite solutions, the positive one.
+        root = -root if square.is_negative else root
+    else:
+        root = root * _either_sign(a, symbol)
+    number = (root - one) / (2 * two)
+    if symbol.is_positive:
+        a.require_positive(number)
+    a.assign(symbol, number)
 
 
 def _either_sign(a: Arithmetic, symbol: Symbol) -> Number:
@@ -100,46 +151,6 @@ def _solve(
     for symbol, number in zip(unknown, numbers, strict=True):
         a.assign(symbol, number)
     return numbers
-
-
-def _held(scene: Scene, closing: Sequence[Expr]) -> list[Symbol]:
-    """What the constraints may be solved for: parameters first, for angles stay free that way."""
-    return [s for s in (*scene.parameters, *scene.q) if any(s in e.free_symbols for e in closing)]
-
-
-@lru_cache(maxsize=32)
-def _linear(scene: Scene, closing: tuple[Expr, ...]) -> Solvable | None:
-    for unknown in combinations(_held(scene, closing), len(closing)):
-        try:
-            split = [collect_linear(expression, unknown) for expression in closing]
-        except ExpressionError:
-            continue  # not linear in this set: the next one may do
-        rows = [list(coefficients) for coefficients, _ in split]
-        if len(independent_rows(rows)) == len(rows):
-            return unknown, rows, [rest for _, rest in split]
-    return None
-
-
-def _quadratic(
-    scene: Scene, closing: Sequence[Expr]
-) -> list[tuple[Symbol, tuple[Expr, Expr, Expr]]]:
-    """For each constraint a quantity that it alone holds, and the coefficients of its square."""
-    found = []
-    for i, expression in enumerate(closing):
-        others = {s for k, e in enumerate(closing) if k != i for s in e.free_symbols}
-        split = None
-        for symbol in _held(scene, [expression]):
-            split = None if symbol in others else _in_powers(expression, symbol)
-            if split is not None:
-                found.append((symbol, split))
-                break
-        if split is None:
-            raise ExpressionError(
-                f"{scene.name}: the configuration constraints are linear in no {len(closing)}"
-                " quantities together, and one of them is quadratic in nothing that it alone"
-                " holds, so no exact point on them is known"
-            )
-    return found
 
 
 def _in_powers(expression: Expr, symbol: Symbol) -> tuple[Expr, Expr, Expr] | None:

@@ -12,7 +12,6 @@ from mechanics.checks.ledger_motion import put_motion
 from mechanics.crosscheck.routes import derive
 from mechanics.equations import Equations
 from mechanics.kernel import Finding
-from mechanics.kinematics.manifold import settle
 from mechanics.routes.derivation import by_route
 from mechanics.symbolic import Arithmetic, decide
 
@@ -23,7 +22,7 @@ def along(truth: Equations, expressions: list) -> Finding:
     """Whether expressions vanish along the motion."""
 
     def experiment(a: Arithmetic) -> list:
-        settle(truth.scene, a)
+        truth.kinematics.manifold.project(a)
         put_motion(a, truth)
         return [(a.value(expression), a.rational(0)) for expression in expressions]
 

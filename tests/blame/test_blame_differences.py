@@ -16,7 +16,6 @@ from mechanics.blame.rows import generalized_rows
 from mechanics.blame.terms import Terms, terms_of, total, written
 from mechanics.checks.ledger_motion import put_motion
 from mechanics.equations import Equations
-from mechanics.kinematics.manifold import settle
 from mechanics.reading.statement import Statement
 from mechanics.symbolic import Arithmetic, decide
 
@@ -71,7 +70,7 @@ def test_what_is_shown_sums_to_written_less_right(
 
         # What is right vanishes along the motion, so that there the rest is the whole.
         def experiment(a: Arithmetic, row: Expr = row, shown: Expr = shown) -> list:
-            settle(truth.scene, a)
+            truth.kinematics.manifold.project(a)
             put_motion(a, truth)
             return [(a.value(row), a.value(shown))]
 

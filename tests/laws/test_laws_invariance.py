@@ -11,7 +11,6 @@ import systems
 from mechanics.checks.solution import solve
 from mechanics.crosscheck import ROUTES, derive
 from mechanics.equations import Equations
-from mechanics.kinematics.manifold import settle
 from mechanics.scene import Particle, RigidBody, Scene, gravity, parameters, reaction, spring
 from mechanics.symbolic import decide
 
@@ -54,7 +53,7 @@ def assert_same_motion(old: Equations, new: Equations, table: Table) -> None:
     """The rows of `new`, written in the old symbols, hold for the accelerations of `old`."""
 
     def experiment(a: Any) -> list:
-        settle(old.scene, a)
+        old.kinematics.manifold.project(a)
         for symbol, number in zip(old.unknowns, solve(a, old), strict=True):
             a.assign(symbol, number)
         rows = [row.xreplace(dict(table)) for row in new.residual]

@@ -6,7 +6,6 @@ from sympy import Matrix
 import mechanics
 from mechanics.checks.solution import Pairs, solve
 from mechanics.crosscheck import ROUTES, Route
-from mechanics.kinematics.manifold import settle
 from mechanics.routes.derivation import by_route, steps_of
 from mechanics.routes.multipliers import multipliers_of
 from mechanics.scene.system import System
@@ -45,7 +44,7 @@ def test_multipliers_are_given_by_the_motion(system: System) -> None:
     equations = by_route("free_body", scene)
 
     def experiment(a: Arithmetic) -> Pairs:
-        settle(scene, a)
+        equations.kinematics.manifold.project(a)
         for unknown, number in zip(equations.unknowns, solve(a, equations), strict=True):
             a.assign(unknown, number)
         return [(a.value(symbol), a.value(value)) for symbol, value in multipliers_of(equations)]

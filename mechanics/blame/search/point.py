@@ -23,7 +23,6 @@ from mechanics.kernel import Range
 from mechanics.kernel.draws import Draws
 from mechanics.kernel.field import Inadmissible, Residues
 from mechanics.kernel.primes import MODULUS, draw_prime
-from mechanics.kinematics.manifold import settle, settle_accelerations
 from mechanics.kinematics.momenta import momenta_written_out
 from mechanics.kinematics.symbolic import Kinematics
 from mechanics.program import Node
@@ -145,9 +144,9 @@ class Points:
     def dependent(self) -> frozenset[Symbol]:
         """What the constraints determine, once the rest is chosen."""
         if not self._dependent:
-            a = Arithmetic()
-            settle(self.truth.scene, a)
-            settle_accelerations(self.truth.scene, a)
+            a, manifold = Arithmetic(), self.truth.kinematics.manifold
+            manifold.project(a)
+            manifold.project_accelerations(a)
             self._dependent.append(frozenset(a.assigned))
         return self._dependent[0]
 
@@ -186,11 +185,11 @@ class Points:
         return self._motions[key]
 
     def _new_motion(self, free: bool, moving: bool, pressing: bool) -> Motion:
-        a, scene = Arithmetic(), self.truth.scene
+        a, scene, manifold = Arithmetic(), self.truth.scene, self.truth.kinematics.manifold
         if not free:
-            settle(scene, a)
+            manifold.project(a)
             if not moving:
-                settle_accelerations(scene, a)
+                manifold.project_accelerations(a)
         for symbol, expression in ordered(scene.definitions):
             a.assign(symbol, a.value(expression))
         if moving:
