@@ -8,10 +8,12 @@ ROUTES = (
 FOLDERS: dict[str, tuple[str, ...]] = {
     "kernel": ("tests/kernel",),
     "program": ("tests/program", "tests/kernel", "tests/routes"),
-    "checks": ROUTES,
+    "checks": (
+        "tests/scene/test_scene_refusals.py", "tests/scene/test_scene_refusals_loads.py", *ROUTES,
+    ),
     "kinematics": ("tests/kinematics", "tests/laws/test_laws_spatial.py", *ROUTES),
     "routes": ("tests/systems", *ROUTES),
-}
+}  # fmt: skip
 
 
 def tests_of(path: str) -> tuple[str, ...]:

@@ -29,9 +29,6 @@ def momenta_written_out(kinematics: Kinematics, expression: Expr) -> Expr:
             expression = whole.xreplace(functions)
     held = symbols_of([expression])
     used = {p for p in symbols if {p, rate_symbol(p)} & held}
-    if not used:
-        return expression
-    momenta, table = kinematics.momenta, rate_table(scene)
-    values = {p: momenta[p] for p in used}
-    values |= {rate_symbol(p): rate(momenta[p], table) for p in used}
+    values = {p: kinematics.momenta[p] for p in used}
+    values |= {rate_symbol(p): rate(momentum, rate_table(scene)) for p, momentum in values.items()}
     return expression.xreplace(values)

@@ -117,7 +117,6 @@ class SympyModel:
         for opening in self.openings:
             if body.name in opening.bodies:
                 place += opening.distance * self.vector(opening.reaction.along)
-        centre.set_pos(self.point(self.scene.origin), place)
         velocity = place.dt(self.frame)
         centre.set_vel(self.frame, velocity)
         # Accelerations are only projected: in inertial components that takes fewer operations.

@@ -5,12 +5,17 @@ the kernel's verdicts on them are tests of `mechanics.checks`.
 """
 
 import pytest
+from linkages import slider_crank
+from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols, inertia
 
 from benchmarks.faults.scenes import trammel
+from mechanics.checks.admissible import check_scene
 from mechanics.equations import Rows
 from mechanics.kinematics import differentiate
 from mechanics.mechanism import Mechanism, lower
 from mechanics.program import Builder
+from mechanics.program.interpret import interpret
+from mechanics.program.numpy_domain import Arrays
 from mechanics.program.residues import Residues
 from mechanics.program.vectors import dot
 from mechanics.routes import free_body, kane, lagrange, moving_point
@@ -21,7 +26,7 @@ from mechanics.routes.rows import (
     coefficients,
     remainder,
 )
-from mechanics.scene import Scene
+from mechanics.scene import RigidBody, Scene, gravity, parameters, reaction
 from mechanics.scene.system import System
 from systems import ALL, VARIANTS, pendulum_chain
 
@@ -133,3 +138,97 @@ def test_what_bodies_and_loads_contribute_adds_up_to_each_principle(system: Syst
         for _, part in row.loads:
             loads = loads - part
         assert filters[0].is_zero(loads)
+
+
+def door() -> Scene:
+    """A door on two hinges, which hold it by five forces and no couple."""
+    theta = dynamicsymbols("theta")
+    m, J, L, h, g = parameters("m J L h g")
+    ground, origin = ReferenceFrame("N"), Point("O")
+    leaf = ground.orientnew("D", "Axis", (theta, ground.z))
+    upper = origin.locatenew("H", h * ground.z)
+    centre = origin.locatenew("C", L * leaf.x + h / 2 * ground.z)
+    forces = {"X1": (origin, leaf.x), "Y1": (origin, leaf.y), "Z1": (origin, leaf.z),
+              "X2": (upper, leaf.x), "Y2": (upper, leaf.y)}  # fmt: skip
+    return Scene(
+        "door",
+        ground,
+        origin,
+        coordinates=(theta,),
+        bodies=(RigidBody("leaf", centre, leaf, m, inertia(leaf, J, 2 * J, J)),),
+        loads=(gravity(-g * ground.z),),
+        reactions=tuple(
+            reaction(name, at=at, on="leaf", by=None, along=along)
+            for name, (at, along) in forces.items()
+        ),
+    )
+
+
+def test_forces_alone_hold_a_door_against_its_weight() -> None:
+    """X1, X2 = -m L theta'^2/2 +- m g L/h: moments about axes that nothing turns about."""
+    mechanism = check_scene(door())
+    reactions = free_body.derive(mechanism).reactions
+    m, J, L, h, g, rate = 3.0, 0.5, 0.4, 1.8, 9.81, 1.7
+    state = {"theta": 0.3, "theta_dot": rate, "theta_ddot": 0.0}
+    numbers = {"m": m, "J": J, "L": L, "h": h, "g": g, **state}
+    program = mechanism.builder.program({name: [value] for name, value in reactions.items()})
+    given = {name: numbers[name] for name in program.inputs}
+    values = {name: value for name, (value,) in interpret(program, Arrays(), given).items()}
+    outward, couple = -m * L * rate**2 / 2, m * g * L / h
+    expected = {"X1": outward + couple, "X2": outward - couple, "Z1": m * g, "Y1": 0, "Y2": 0}
+    assert values == pytest.approx(expected, abs=1e-12)
+
+
+def telescope(oblique: bool) -> Scene:
+    """A rod that turns about a point and slides through it; guides told in one frame or in two."""
+    one, two, three, s = dynamicsymbols("a b c s")
+    m, J, g = parameters("m J g")
+    ground, origin = ReferenceFrame("N"), Point("O")
+    outer = ground.orientnew("A", "Axis", (one, ground.x))
+    inner = outer.orientnew("B", "Axis", (two, outer.y))
+    rod = inner.orientnew("C", "Axis", (three, inner.z))
+    centre = origin.locatenew("G", s * rod.z)
+    across = (3 * inner.x + 4 * inner.y) / 5 if oblique else rod.y
+    return Scene(
+        "telescope",
+        ground,
+        origin,
+        coordinates=(one, two, three, s),
+        bodies=(RigidBody("rod", centre, rod, m, inertia(rod, J, J, J)),),
+        loads=(gravity(-g * ground.z),),
+        reactions=(
+            reaction("X", at=origin, on="rod", by=None, along=rod.x),
+            reaction("Y", at=origin, on="rod", by=None, along=across),
+        ),
+    )
+
+
+@pytest.mark.parametrize(
+    ("oblique", "words"), [(False, "linear momentum along C.z"), (True, "along oblique in N")]
+)
+def test_principles_are_told_in_the_frame_of_the_guides(oblique: bool, words: str) -> None:
+    """Where they have one; else in the inertial frame, and a long direction is not written out."""
+    mechanism = lower(telescope(oblique), Builder())
+    chosen = moving_point.derive(mechanism).chosen
+    assert chosen[-1].endswith(words)
+    assert len(chosen) == 4 and all("moment about O" in other for other in chosen[:-1])
+
+
+def test_principles_are_the_first_that_do_not_follow_from_others() -> None:
+    """From the leaves inward; told from the ground outward."""
+    mechanism = lower(slider_crank("slider"), Builder())
+    _, closed = mechanism.filters
+    found = moving_point.candidates(mechanism, mechanism.filters)
+    loose = [mechanism.builder.zero] * len(found.let_in)
+    forms = coefficients(acceleration_forms(mechanism), mechanism.ud)
+    rows, expected = [closed.values([*form, *loose]) for form in forms], []
+    for balance in found.balances:
+        (own,) = coefficients([balance.value], mechanism.ud)
+        held = [balance.coefficients.get(j, mechanism.builder.zero) for j in found.let_in]
+        rows.append(closed.values([*own, *(-entry for entry in held)]))
+        if len(closed.eliminate([*map(list, rows)], len(rows[0]))) == len(rows):
+            expected.append(balance.words)
+        else:
+            rows.pop()
+    assert len(expected) < len(found.balances)
+    assert moving_point.derive(mechanism).chosen == tuple(reversed(expected))

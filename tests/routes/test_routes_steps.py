@@ -4,13 +4,14 @@ from dataclasses import replace
 
 import pytest
 from linkages import slider_crank
+from serial_arms import serial_arm
 from sympy import Expr, Symbol, cos, expand, simplify
 
 from mechanics.errors import SingularError
 from mechanics.mechanism import lower
 from mechanics.program import Builder
 from mechanics.routes import free_body, kane
-from mechanics.routes.derivation import ROUTES, by_route, steps_of
+from mechanics.routes.derivation import ROUTES, by_route, is_written_out, steps_of
 from mechanics.scene import Scene, reaction
 from mechanics.scene.rates import rate_table
 from systems import elastic_pendulum, four_bar, rod_pendulum
@@ -85,3 +86,8 @@ def test_a_reaction_that_no_row_determines_is_named() -> None:
     redundant = replace(scene, reactions=(*scene.reactions, twice))
     with pytest.raises(SingularError, match=r"reactions Z: no momentum equation determines them"):
         free_body.derive(lower(redundant, Builder()))
+
+
+@pytest.mark.parametrize(("count", "readable"), [(1, True), (3, True), (4, False)])
+def test_up_to_three_bodies_in_space_are_written_out(count: int, readable: bool) -> None:
+    assert is_written_out(lower(serial_arm(count).scene, Builder())) is readable

@@ -3,15 +3,136 @@
 from collections.abc import Callable
 
 import pytest
+from sympy import Matrix, Symbol, cos, sin
+from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols, inertia
 
+from mechanics.checks.admissible import check_scene
 from mechanics.crosscheck.by_sympy import METHODS, by_sympy
-from mechanics.crosscheck.programs import derive_rows
+from mechanics.crosscheck.programs import derive_rows, same_motion
 from mechanics.kernel import Verdict
 from mechanics.kinematics import chain, motion
 from mechanics.mechanism import lower
 from mechanics.program import Builder
 from mechanics.program.vectors import product, transpose
+from mechanics.scene import (
+    Particle,
+    RigidBody,
+    Scene,
+    condition,
+    coulomb,
+    force,
+    gravity,
+    holonomic,
+    nonholonomic,
+    parameters,
+    reaction,
+    reaction_couple,
+    spring,
+    torque,
+)
+from mechanics.scene.loads import damper, torsion_spring
 from systems import elastic_pendulum
+
+a, b, x, y, z, u1, u2, F, tau = dynamicsymbols("a b x y z u1 u2 F tau")
+m, J, L, k, c, mu, g, w = parameters("m J L k c mu g w")
+
+
+def geared_arm() -> Scene:
+    """An arm with a wheel at its end, every load between the two; speeds that are no rates."""
+    ground, origin = ReferenceFrame("N"), Point("O")
+    arm = ground.orientnew("A", "Axis", (a, ground.z))
+    wheel = arm.orientnew("B", "Axis", (b, arm.z))
+    end, rim = origin.locatenew("E", L * arm.x), origin.locatenew("R", L * arm.x + L * wheel.y)
+    return Scene(
+        "geared arm", ground, origin, coordinates=(a, b), inputs=(F, tau),
+        speeds=((u1, (2 + cos(b)) * a.diff()), (u2, a.diff() + b.diff() - w)),
+        bodies=(RigidBody("arm", origin, arm, m, J), RigidBody("wheel", end, wheel, m, J)),
+        loads=(
+            gravity(-g * ground.y),
+            torque("motor", tau * ground.z, on="wheel", by="arm"),
+            force("push", rim, F * arm.x, on="wheel", by="arm"),
+            torsion_spring("coil", b, ground.z, k, on="wheel", by="arm"),
+            spring("spring", origin, rim, k, length=L, by="arm", on="wheel"),
+            damper("damper", origin.locatenew("W", 2 * L * ground.x), end, c, on="wheel"),
+        ),
+        reactions=tuple(
+            reaction(f"{name}{e}", at=at, on=on, by=by, along=e)
+            for name, at, on, by in (("P", origin, "arm", None), ("Q", end, "wheel", "arm"))
+            for e in (ground.x, ground.y)
+        ),
+    )  # fmt: skip
+
+
+def skate() -> Scene:
+    """A bead on a cylinder that can move across a turning direction only."""
+    ground, origin = ReferenceFrame("N"), Point("O")
+    bead = origin.locatenew("B", x * ground.x + y * ground.y + z * ground.z)
+    normal, across = ground.z * L - ground.x * x, ground.y - x / L * ground.x
+    return Scene(
+        "skate", ground, origin, coordinates=(x, y, z), bodies=(Particle("bead", bead, m),),
+        loads=(gravity(-g * ground.z),),
+        reactions=(
+            reaction("N", at=bead, on="bead", by=None, along=normal),
+            reaction("S", at=bead, on="bead", by=None, along=across),
+        ),
+        constraints=(
+            holonomic("cylinder", L * z - x**2 / 2, "N"),
+            nonholonomic("no slip", y.diff() - x / L * x.diff(), "S"),
+        ),
+    )  # fmt: skip
+
+
+def rubbing_box() -> Scene:
+    """A box that rubs on a track; a bead on a spring bounces on it and presses with it."""
+    ground, origin = ReferenceFrame("N"), Point("O")
+    box = origin.locatenew("A", x * ground.x)
+    bead = box.locatenew("B", y * ground.y + L * ground.y)
+    return Scene(
+        "rubbing box", ground, origin, coordinates=(x, y), inputs=(F,),
+        bodies=(Particle("box", box, m), Particle("bead", bead, m)),
+        loads=(
+            gravity(-g * ground.y),
+            spring("spring", box, bead, k, length=L, along=ground.y, by="box", on="bead"),
+            force("F", box, F * ground.x, on="box"),
+            coulomb("track", "N", along=ground.x, sliding=x.diff(), coefficient=mu),
+        ),
+        reactions=(
+            reaction("N", at=box, on="box", by=None, along=ground.y),
+            reaction("G", at=bead, on="bead", by="box", along=ground.x),
+        ),
+        conditions=(condition("lifted", Symbol("N", real=True) > 0, "the box lifts off"),),
+    )  # fmt: skip
+
+
+def universal_joint() -> Scene:
+    """A box on a cross: both turns declared in one matrix."""
+    ground, origin = ReferenceFrame("N"), Point("O")
+    box = ReferenceFrame("B")
+    one = Matrix([[cos(a), 0, sin(a)], [0, 1, 0], [-sin(a), 0, cos(a)]])
+    two = Matrix([[1, 0, 0], [0, cos(b), -sin(b)], [0, sin(b), cos(b)]])
+    box.orient_explicit(ground, one * two)
+    axes = (ground.x, ground.y, ground.z)
+    arm, centre = origin.locatenew("P", L * box.x), origin.locatenew("C", L * box.z)
+    return Scene(
+        "universal joint", ground, origin, coordinates=(a, b), inputs=(F,),
+        bodies=(RigidBody("box", centre, box, m, inertia(box, J, 2 * J, 3 * J)),),
+        loads=(gravity(-g * ground.z), force("F", arm, F * box.y, on="box")),
+        reactions=(
+            *(reaction(f"X{i}", at=origin, on="box", by=None, along=e) for i, e in enumerate(axes)),
+            reaction_couple("T", "box", None, ground.y.cross(box.x)),
+        ),
+    )  # fmt: skip
+
+
+@pytest.mark.parametrize("make", [geared_arm, skate, rubbing_box, universal_joint])
+def test_sympys_methods_give_the_motion_of_the_routes(make: Callable[[], Scene]) -> None:
+    """Every kind of load, speed, constraint and turn; M is symmetric where rows are conjugate."""
+    scene = make()
+    programs = derive_rows(check_scene(scene), [*METHODS])
+    for route, (name, derive) in METHODS.items():
+        equations = derive(scene)
+        assert same_motion(f"{route} = {name}", programs, route, equations).shown
+        assert equations.conjugate is equations.mass.is_symmetric()
 
 
 def composed_backwards(build, frame, table, right=chain._relative):

@@ -1,12 +1,15 @@
 """Loads, reactions and constraints that cannot be right are refused."""
 
 from collections.abc import Callable
+from dataclasses import replace
 from typing import Any
 
 import pytest
+from linkages import slider_crank
 from sympy import Eq, Symbol, cos, sin, sqrt
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
+from mechanics.checks.admissible import check_scene
 from mechanics.errors import SceneError
 from mechanics.scene import (
     Force,
@@ -237,3 +240,11 @@ def test_loads_of_time_and_inputs_are_right(make: Any) -> None:
     })  # fmt: skip
     assert isinstance(scene.loads[1], Force)
     assert [f.name for f in scene.input_symbols] == ["y"]
+
+
+@pytest.mark.parametrize("forgotten", ["W", "Py"])
+def test_a_reaction_that_is_missing_in_a_loop_is_told(forgotten: str) -> None:
+    scene = slider_crank("slider")
+    others = tuple(one for one in scene.reactions if one.name != forgotten)
+    with pytest.raises(SceneError, match=r"incomplete \(6 of 7\): nothing holds body"):
+        check_scene(replace(scene, reactions=others))
