@@ -2,6 +2,7 @@
 
     python -m benchmarks.mutants                     what has changed since the last run
     python -m benchmarks.mutants --folder kernel     one folder
+    python -m benchmarks.mutants --seed 2 --drawn 100    others than those that tests were made for
     python -m benchmarks.mutants --sample 12         some of the kernel that are known to be noticed
 
 Of all mutants 500 are drawn by their names, so that a change in one file draws no others elsewhere.
@@ -30,14 +31,14 @@ RESULTS, EQUIVALENT = HERE / "results.json", HERE / "equivalent.json"
 DRAWN, SEED = 500, "1"
 
 
-def draw(count: int) -> list[Mutant]:
+def draw(count: int, seed: str = SEED) -> list[Mutant]:
     """Some of the mutants of every file of the folders, by the hashes of their names."""
     found: list[Mutant] = []
     for folder in FOLDERS:
         for path in sorted((ROOT / "mechanics" / folder).glob("*.py")):
             name = str(path.relative_to(ROOT / "mechanics"))
             found += mutants(name, text_of(name))
-    found.sort(key=lambda mutant: sha256(f"{SEED} {mutant.key}".encode()).digest())
+    found.sort(key=lambda mutant: sha256(f"{seed} {mutant.key}".encode()).digest())
     whole = (m for m in found if is_python(m.apply(text_of(m.path))))
     return list(islice(whole, count))
 
@@ -113,12 +114,15 @@ def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--folder", nargs="+", choices=list(FOLDERS), default=list(FOLDERS))
     parser.add_argument("--drawn", type=int, default=DRAWN, help="mutants to draw of all")
+    parser.add_argument("--seed", default=SEED, help="another one draws others")
     parser.add_argument("--strict", action="store_true", help="bounds, signs, comparisons only")
     parser.add_argument("--sample", type=int, help="that many of those known to be noticed")
     options = parser.parse_args()
     results = json.loads(RESULTS.read_text(encoding="utf-8"))
     reasons = json.loads(EQUIVALENT.read_text(encoding="utf-8"))
-    drawn = [m for m in draw(options.drawn) if m.path.rpartition("/")[0] in options.folder]
+    drawn = [
+        m for m in draw(options.drawn, options.seed) if m.path.rpartition("/")[0] in options.folder
+    ]
     if options.strict:
         drawn = [m for m in drawn if m.kind in STRICT]
     if options.sample:

@@ -6,7 +6,7 @@ the kernel's verdicts on them are tests of `mechanics.checks`.
 
 import pytest
 from linkages import slider_crank
-from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols, inertia
+from spatial_joints import door, telescope, universal_joint
 
 from benchmarks.faults.scenes import trammel
 from mechanics.checks.admissible import check_scene
@@ -26,13 +26,14 @@ from mechanics.routes.rows import (
     coefficients,
     remainder,
 )
-from mechanics.scene import RigidBody, Scene, gravity, parameters, reaction
+from mechanics.scene import Scene
 from mechanics.scene.system import System
 from systems import ALL, VARIANTS, pendulum_chain
 
 ROUTES = (free_body, moving_point, kane, lagrange)
 SCENES = [system.scene for system in (*ALL, *VARIANTS)]
-SCENES += [lambda: pendulum_chain.scene(12), trammel]
+SCENES += [lambda: pendulum_chain.scene(12), trammel, door, universal_joint]
+SCENES += [lambda: telescope(oblique=True)]
 
 
 def accelerations(mechanism: Mechanism, rows: Rows, filter_: Residues) -> tuple[int, ...]:
@@ -140,30 +141,6 @@ def test_what_bodies_and_loads_contribute_adds_up_to_each_principle(system: Syst
         assert filters[0].is_zero(loads)
 
 
-def door() -> Scene:
-    """A door on two hinges, which hold it by five forces and no couple."""
-    theta = dynamicsymbols("theta")
-    m, J, L, h, g = parameters("m J L h g")
-    ground, origin = ReferenceFrame("N"), Point("O")
-    leaf = ground.orientnew("D", "Axis", (theta, ground.z))
-    upper = origin.locatenew("H", h * ground.z)
-    centre = origin.locatenew("C", L * leaf.x + h / 2 * ground.z)
-    forces = {"X1": (origin, leaf.x), "Y1": (origin, leaf.y), "Z1": (origin, leaf.z),
-              "X2": (upper, leaf.x), "Y2": (upper, leaf.y)}  # fmt: skip
-    return Scene(
-        "door",
-        ground,
-        origin,
-        coordinates=(theta,),
-        bodies=(RigidBody("leaf", centre, leaf, m, inertia(leaf, J, 2 * J, J)),),
-        loads=(gravity(-g * ground.z),),
-        reactions=tuple(
-            reaction(name, at=at, on="leaf", by=None, along=along)
-            for name, (at, along) in forces.items()
-        ),
-    )
-
-
 def test_forces_alone_hold_a_door_against_its_weight() -> None:
     """X1, X2 = -m L theta'^2/2 +- m g L/h: moments about axes that nothing turns about."""
     mechanism = check_scene(door())
@@ -177,30 +154,6 @@ def test_forces_alone_hold_a_door_against_its_weight() -> None:
     outward, couple = -m * L * rate**2 / 2, m * g * L / h
     expected = {"X1": outward + couple, "X2": outward - couple, "Z1": m * g, "Y1": 0, "Y2": 0}
     assert values == pytest.approx(expected, abs=1e-12)
-
-
-def telescope(oblique: bool) -> Scene:
-    """A rod that turns about a point and slides through it; guides told in one frame or in two."""
-    one, two, three, s = dynamicsymbols("a b c s")
-    m, J, g = parameters("m J g")
-    ground, origin = ReferenceFrame("N"), Point("O")
-    outer = ground.orientnew("A", "Axis", (one, ground.x))
-    inner = outer.orientnew("B", "Axis", (two, outer.y))
-    rod = inner.orientnew("C", "Axis", (three, inner.z))
-    centre = origin.locatenew("G", s * rod.z)
-    across = (3 * inner.x + 4 * inner.y) / 5 if oblique else rod.y
-    return Scene(
-        "telescope",
-        ground,
-        origin,
-        coordinates=(one, two, three, s),
-        bodies=(RigidBody("rod", centre, rod, m, inertia(rod, J, J, J)),),
-        loads=(gravity(-g * ground.z),),
-        reactions=(
-            reaction("X", at=origin, on="rod", by=None, along=rod.x),
-            reaction("Y", at=origin, on="rod", by=None, along=across),
-        ),
-    )
 
 
 @pytest.mark.parametrize(

@@ -3,8 +3,9 @@
 from collections.abc import Callable
 
 import pytest
-from sympy import Matrix, Symbol, cos, sin
-from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols, inertia
+from spatial_joints import universal_joint
+from sympy import Symbol, cos
+from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
 from mechanics.checks.admissible import check_scene
 from mechanics.crosscheck.by_sympy import METHODS, by_sympy
@@ -26,7 +27,6 @@ from mechanics.scene import (
     nonholonomic,
     parameters,
     reaction,
-    reaction_couple,
     spring,
     torque,
 )
@@ -101,26 +101,6 @@ def rubbing_box() -> Scene:
             reaction("G", at=bead, on="bead", by="box", along=ground.x),
         ),
         conditions=(condition("lifted", Symbol("N", real=True) > 0, "the box lifts off"),),
-    )  # fmt: skip
-
-
-def universal_joint() -> Scene:
-    """A box on a cross: both turns declared in one matrix."""
-    ground, origin = ReferenceFrame("N"), Point("O")
-    box = ReferenceFrame("B")
-    one = Matrix([[cos(a), 0, sin(a)], [0, 1, 0], [-sin(a), 0, cos(a)]])
-    two = Matrix([[1, 0, 0], [0, cos(b), -sin(b)], [0, sin(b), cos(b)]])
-    box.orient_explicit(ground, one * two)
-    axes = (ground.x, ground.y, ground.z)
-    arm, centre = origin.locatenew("P", L * box.x), origin.locatenew("C", L * box.z)
-    return Scene(
-        "universal joint", ground, origin, coordinates=(a, b), inputs=(F,),
-        bodies=(RigidBody("box", centre, box, m, inertia(box, J, 2 * J, 3 * J)),),
-        loads=(gravity(-g * ground.z), force("F", arm, F * box.y, on="box")),
-        reactions=(
-            *(reaction(f"X{i}", at=origin, on="box", by=None, along=e) for i, e in enumerate(axes)),
-            reaction_couple("T", "box", None, ground.y.cross(box.x)),
-        ),
     )  # fmt: skip
 
 
