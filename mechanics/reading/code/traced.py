@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable
 from fractions import Fraction
+from functools import partial
 from math import isnan
 from numbers import Real
 from typing import Any
@@ -192,6 +193,17 @@ class Traced:
         own = asked((), self.asked, asked_of(other))
         return self.new(sympy.atan2(self.expr, value), formula, own)
 
+    def __getattr__(self, name: str) -> Callable[[], Traced]:
+        # NumPy's functions call the method of that name on every entry of an array of objects.
+        if name not in ELEMENTARY:
+            raise AttributeError(name)
+        return partial(self._elementary, name)
+
+    def _elementary(self, name: str) -> Traced:
+        known = NAMES.get(name, name)
+        own = asked(of_function(known, [self.expr]), self.asked)
+        return self.new(ELEMENTARY[name](self.expr), called(known, self.formula), own)
+
 
 Real.register(Traced)
 
@@ -289,18 +301,3 @@ NAMES = {
     "arctanh": "atanh", "fabs": "abs",
 }  # fmt: skip
 """Functions that have other names in formulas."""
-
-
-def _method(name: str, function: Callable[[Expr], Expr]) -> None:
-    """NumPy's functions call the method of that name on every entry."""
-
-    def apply(self: Traced) -> Traced:
-        own = asked(of_function(NAMES.get(name, name), [self.expr]), self.asked)
-        return self.new(function(self.expr), called(NAMES.get(name, name), self.formula), own)
-
-    apply.__name__, apply.__doc__ = name, f"{name} of the number."
-    setattr(Traced, name, apply)
-
-
-for _name, _function in ELEMENTARY.items():
-    _method(_name, _function)
