@@ -5,7 +5,7 @@
 A case of a function that is hardly ever entered would not be met by random states.
 """
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
 
 from sympy import (
@@ -110,6 +110,24 @@ def check_cases(truth: Equations, row: Published, demands: Sequence[Demand] = ()
         words += f"; within 1e-9 of the truth at the states that were tried where {near[0]}"
     domain = f"except where {singular[0]}" if singular else ""
     return replace(follows(worst[0].subject, findings), evidence=words, domain=domain)
+
+
+def with_case(truth: Equations, row: Published, finding: Finding) -> Finding:
+    """A refuted row's finding, with the conditions of the case that its witness is in."""
+    if finding.verdict is not Verdict.REFUTED or not finding.witness or not has_parts(truth, row):
+        return finding
+    state = {name: Rational(value) for name, value in finding.witness.state}
+    for conditions, _ in parts_of(row):
+        if conditions and all(_holds(condition, state) for condition in conditions):
+            words = " and ".join(map(in_words, conditions))
+            return replace(finding, evidence=f"{finding.evidence}, where {words}")
+    return finding
+
+
+def _holds(condition: Relational, state: Mapping[str, Rational]) -> bool:
+    """Whether a condition holds at a state; False where nobody can tell."""
+    values = {s: state[s.name] for s in condition.free_symbols if s.name in state}
+    return condition.subs(values) is S.true
 
 
 def in_words(condition: Relational) -> str:

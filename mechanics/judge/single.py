@@ -11,7 +11,7 @@ from mechanics.checks.ledger import check_row
 from mechanics.equations import Equations
 from mechanics.errors import ExpressionError, InputError, SceneError, SingularError
 from mechanics.judge.at_values import Values, judged_at
-from mechanics.judge.cases import check_cases, has_guard
+from mechanics.judge.cases import check_cases, has_guard, with_case
 from mechanics.judge.defined import where_defined
 from mechanics.judge.limits import limited
 from mechanics.judge.principal import on_principal_range
@@ -51,7 +51,7 @@ def identity(truth: Equations, statement: Statement, values: Values) -> Finding:
 
 def _of_row(truth: Equations, demands: tuple[Demand, ...], row: Published) -> Finding:
     """The finding of a row: by cases, of limited inputs, or where its own wraps are principal."""
-    found = check_row(truth.scene, row, truth)
+    found = with_case(truth, row, check_row(truth.scene, row, truth))
     guarded = found.verdict is Verdict.REFUTED and has_guard(row, demands)
     if found.verdict is Verdict.UNDECIDED or guarded:
         by_cases = _first(check_cases(truth, row, demands), found)
