@@ -22,6 +22,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from fractions import Fraction
 from functools import cached_property
 
 from sympy import Expr
@@ -40,7 +41,8 @@ from mechanics.equations import FEW
 from mechanics.equations import Rows as RouteRows
 from mechanics.errors import ExpressionError, SingularError
 from mechanics.kinematics import chain
-from mechanics.kinematics.motion import body_motions, poses
+from mechanics.kinematics.energy import HALF, kinetic_energies
+from mechanics.kinematics.motion import poses
 from mechanics.mechanism import Mechanism, name_of
 from mechanics.program import Program
 from mechanics.program.builder import Builder, Node
@@ -49,7 +51,7 @@ from mechanics.program.differences import with_one_difference
 from mechanics.program.elimination import expand_solves
 from mechanics.program.forward import tangent
 from mechanics.program.residues import Residues
-from mechanics.program.vectors import Vector, add, cross, dot, scale, times, zeros
+from mechanics.program.vectors import Vector, add, cross, scale, times, zeros
 from mechanics.recursions import least_constraint, newton_euler
 from mechanics.recursions.articulated_bodies import forward_dynamics
 from mechanics.recursions.composite_bodies import mass_matrix
@@ -57,7 +59,6 @@ from mechanics.recursions.joints import Link
 from mechanics.recursions.local_equations import jacobian
 from mechanics.recursions.pseudo_inertia import grouped, moments
 from mechanics.routes import free_body, kane
-from mechanics.routes.lagrange import kinetic_energy
 from mechanics.routes.loads import potential
 from mechanics.routes.rows import acceleration_forms, coefficients, remainder, substitute
 
@@ -350,17 +351,13 @@ class Outputs:
         return self._cheapest({"mass_matrix": _flat(mass)} for mass in self._masses)
 
     def _energy(self) -> Program:
-        """T from velocities that are differentiated, or composed along frames and points."""
-        own, kinetic = energies(self.mechanism), composed_energy(self.mechanism)
-        (stored,) = own["potential"]
-        return self._cheapest((own, own | {"kinetic": [kinetic], "total": [kinetic + stored]}))
+        return self._cheapest(energies(self.mechanism))
 
     def _momenta(self) -> Program:
         """dT/du, or M u where this is the same: where nothing moves as prescribed."""
         mechanism, own, filter_ = self.mechanism, momenta(self.mechanism), self.mechanism.filters[0]
-        ways = [gradient([composed_energy(mechanism)], [1], mechanism.u)]
         masses = replace(self, route=None, choose=None)._masses
-        ways += [list(times(mass, mechanism.u)) for mass in masses]
+        ways = [list(times(mass, mechanism.u)) for mass in masses]
         want = filter_.values(own["generalized"])
         same = [own | {"generalized": way} for way in ways if filter_.values(way) == want]
         return self._cheapest((own, *same))
@@ -474,41 +471,32 @@ def jacobians(
     return found
 
 
-def energies(mechanism: Mechanism) -> Outcome:
-    """Kinetic, potential and total energy, in J, in q and u."""
-    kinetic = kinetic_energy(mechanism)
-    if mechanism.u != mechanism.qd:
-        speeds = dict(zip(mechanism.qd, mechanism.q_rates, strict=True))
-        (kinetic,) = substitute(mechanism.builder, [kinetic], speeds)
+def energies(mechanism: Mechanism) -> list[Outcome]:
+    """Kinetic, potential and total energy, in J, in q and u; halved body by body, or at the end."""
     stored = potential(mechanism, poses(mechanism))
-    return {"kinetic": [kinetic], "potential": [stored], "total": [kinetic + stored]}
+    return [
+        {"kinetic": [kinetic], "potential": [stored], "total": [kinetic + stored]}
+        for kinetic in (_kinetic(mechanism, HALF), _kinetic(mechanism, Fraction(1)) / 2)
+    ]
 
 
-def composed_energy(mechanism: Mechanism) -> Node:
-    """Kinetic energy in J, by velocities that are composed along frames and points."""
-    total = mechanism.builder.zero
-    for body, motion in zip(
-        mechanism.bodies, body_motions(mechanism, chain.motions(mechanism)), strict=True
-    ):
-        total = total + body.mass * dot(motion.centre.velocity, motion.centre.velocity)
-        if motion.turning is not None and motion.inertia is not None:
-            omega = motion.turning.omega
-            total = total + dot(omega, times(motion.inertia, omega))
-    return total / 2
+def _kinetic(mechanism: Mechanism, factor: Fraction) -> Node:
+    parts = kinetic_energies(mechanism, mechanism.rates, factor)
+    return sum((part for body in parts for part in body), mechanism.builder.zero)
 
 
 def momenta(mechanism: Mechanism) -> Outcome:
     """Linear momentum, angular momentum about the origin, and dT/du."""
-    none = zeros(mechanism.builder)
-    linear: Vector = none
-    angular: Vector = none
-    motions = chain.motions(mechanism)
-    for body, motion in zip(mechanism.bodies, body_motions(mechanism, motions), strict=True):
-        momentum = scale(body.mass, motion.centre.velocity)
+    linear: Vector = zeros(mechanism.builder)
+    angular = linear
+    motions, turning = chain.motions(mechanism), chain.own_rates(mechanism, mechanism.rates)
+    for body in mechanism.bodies:
+        centre = motions.points[body.centre]
+        momentum = scale(body.mass, centre.velocity)
         linear = add(linear, momentum)
-        angular = add(angular, cross(motion.centre.position, momentum))
-        if motion.turning is not None and motion.inertia is not None:
-            angular = add(angular, times(motion.inertia, motion.turning.omega))
-    (kinetic,) = energies(mechanism)["kinetic"]
-    generalized = gradient([kinetic], [1], mechanism.u)
+        angular = add(angular, cross(centre.position, momentum))
+        if body.frame is not None and body.inertia is not None:
+            spin = times(body.inertia, turning[body.frame])
+            angular = add(angular, times(motions.frames[body.frame].rotation, spin))
+    generalized = gradient([_kinetic(mechanism, HALF)], [1], mechanism.u)
     return {"linear": linear, "angular": angular, "generalized": generalized}

@@ -29,7 +29,7 @@ from mechanics.program.sympy_reader import read
 from mechanics.routes.rows import acceleration_forms, coefficients
 
 OF_BODIES = frozenset({"energy", "momenta"})
-"""Functions that no route has anything to do with."""
+"""Functions that no route has anything to do with; programs give them."""
 OF_EVERY_ROUTE = frozenset({"inverse_dynamics", "jacobians"})
 """Functions that are the same whatever the rows of a route are, and that programs make shorter."""
 OF_ROWS = frozenset({"mass_matrix", "forcing"})
@@ -132,7 +132,7 @@ class Source:
         mechanism, rows = equations.program
         # A form of matrices is no form of programs beside them.
         form = "auto" if equations.textbook is not None else self.named
-        programs = outputs_of(mechanism, self.quantities, _numbers(self.fixed), form)
+        programs = self._outputs(mechanism, form)
         if not (mechanism.constraints or mechanism.frictions):
             return programs
         choose = tried_pivots(self.quantities, _numbers(self.fixed))
@@ -158,12 +158,13 @@ class Source:
 
     def outputs(self, name: str) -> dict[str, ca.SX]:
         """The graphs of the outputs of a function."""
+        if name in OF_BODIES:
+            programs = self.programs or self._outputs(self.equations.kinematics.mechanism, "auto")
+            return graphs_of(programs[name], self.quantities, self.columns, self.constants)
         if self.matrices is None:
             return self._from_programs(name, self.constants)
         own = self.matrices.outputs(name)
-        if name not in OF_BODIES and not (self._tree and name in OF_EVERY_ROUTE | OF_ROWS):
-            return own
-        if self.programs is None:
+        if not (self._tree and name in OF_EVERY_ROUTE | OF_ROWS):
             return own
         if name in OF_ROWS and not self._conjugate:
             return own
@@ -173,6 +174,14 @@ class Source:
             return own
         self.constants.update(constants)
         return other
+
+    def _outputs(self, mechanism: Mechanism, form: str) -> Outputs:
+        """The programs of a mechanism in the arrays of the model."""
+        variables = {
+            name: tuple(mechanism.builder.input(e.name) for e in getattr(self.quantities, name))
+            for name in STATE
+        }
+        return Outputs(mechanism, variables, _numbers(self.fixed), form)
 
     @property
     def _tree(self) -> bool:
@@ -206,17 +215,6 @@ class Source:
         if self.programs is None:
             return {}
         return graphs_of(self.programs[name], self.quantities, self.columns, constants)
-
-
-def outputs_of(
-    mechanism: Mechanism, quantities: Quantities, fixed: Mapping[str, sympy.Expr], form: str
-) -> Outputs:
-    """The programs of a mechanism in the arrays of a model."""
-    variables = {
-        name: tuple(mechanism.builder.input(entry.name) for entry in getattr(quantities, name))
-        for name in STATE
-    }
-    return Outputs(mechanism, variables, fixed, form)
 
 
 def graphs_of(

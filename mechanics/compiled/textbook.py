@@ -20,7 +20,6 @@ import sympy
 from mechanics.compiled.fixed import Fixed
 from mechanics.compiled.forms import Form, System, written
 from mechanics.compiled.forms.order import Order
-from mechanics.compiled.mechanical import Totals, totals
 from mechanics.compiled.quantities import STATE, Quantities
 from mechanics.compiled.translate import Translator
 from mechanics.equations import Equations
@@ -86,8 +85,6 @@ class Textbook:
             "forcing": lambda: {"forcing": self._matrix(self.equations.forcing)},
             "residual": self._residual,
             "inverse_dynamics": self._inverse_dynamics,
-            "energy": self._energy,
-            "momenta": self._momenta,
             "coordinate_rates": self._coordinate_rates,
             "jacobians": self._jacobians,
             "reactions": self._reactions,
@@ -161,25 +158,8 @@ class Textbook:
         if self.system.symmetric:
             left, right = self.system.graphs
             return {"forces": left @ wanted - right}
-        kinetic = self._translate(self._totals.kinetic)
-        inertia = ca.jacobian(ca.jacobian(kinetic, self.columns["u"]).T, self.columns["u"])
+        inertia = self._matrix(self.equations.kinematics.mass_matrix.xreplace(dict(self.fixed)))
         return {"forces": inertia @ (wanted - self._forward_dynamics()["ud"])}
-
-    @cached_property
-    def _totals(self) -> Totals:
-        return totals(self.equations.scene).fixed(self.fixed)
-
-    def _energy(self) -> dict[str, ca.SX]:
-        kinetic, potential = map(self._translate, (self._totals.kinetic, self._totals.potential))
-        return {"kinetic": kinetic, "potential": potential, "total": kinetic + potential}
-
-    def _momenta(self) -> dict[str, ca.SX]:
-        kinetic = self._translate(self._totals.kinetic)
-        return {
-            "linear": self._matrix(self._totals.linear_momentum),
-            "angular": self._matrix(self._totals.angular_momentum),
-            "generalized": ca.jacobian(kinetic, self.columns["u"]).T,
-        }
 
     def _coordinate_rates(self) -> dict[str, ca.SX]:
         scene = self.equations.scene

@@ -8,6 +8,7 @@ omega in the frame of the body, in which its inertia is constant.
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
+from fractions import Fraction
 
 from mechanics.kinematics import chain
 from mechanics.mechanism import Mechanism
@@ -15,9 +16,11 @@ from mechanics.program.builder import Node
 from mechanics.program.derivatives import gradient
 from mechanics.program.vectors import Matrix, Vector, dot, times
 
+HALF = Fraction(1, 2)
+
 
 def kinetic_energies(
-    mechanism: Mechanism, rates: Mapping[Node, Node]
+    mechanism: Mechanism, rates: Mapping[Node, Node], factor: Fraction = HALF
 ) -> tuple[tuple[Node, Node], ...]:
     """Of translation and of rotation of each body, in J.
 
@@ -26,16 +29,18 @@ def kinetic_energies(
     mechanism : Mechanism
     rates : mapping of Node to Node
         Those of the mechanism for energies in q and u; its coordinate rates for q and q'.
+    factor : Fraction
+        1 for twice the energies, whose sum takes fewer operations to be halved.
     """
     points = chain.motions(mechanism, rates).points
     turning = chain.own_rates(mechanism, rates)
-    found, half = [], mechanism.builder.one / 2
+    found, share = [], mechanism.builder.constant(factor)
     for body in mechanism.bodies:
         velocity, rotation = points[body.centre].velocity, mechanism.builder.zero
         if body.frame is not None and body.inertia is not None:
             omega = turning[body.frame]
-            rotation = half * dot(omega, times(body.inertia, omega))
-        found.append((half * body.mass * dot(velocity, velocity), rotation))
+            rotation = share * dot(omega, times(body.inertia, omega))
+        found.append((share * body.mass * dot(velocity, velocity), rotation))
     return tuple(found)
 
 

@@ -166,7 +166,7 @@ def watched(calls: tuple[Counter, Spy], route: str) -> tuple[Counter, Any]:
     equations = derive(elastic_pendulum.scene(), route)
     counts, watch = calls
     watch(outputs, "momenta")
-    watch(outputs, "composed_energy")
+    watch(outputs, "energies")
     watch(ca, "jacobian")
     watch(written, "_matrices")
     watch(written, "_reactions")

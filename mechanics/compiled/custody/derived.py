@@ -15,13 +15,18 @@ from dataclasses import dataclass
 from sympy import Expr, Matrix, Symbol
 
 from mechanics.compiled.graphs import Graphs
-from mechanics.compiled.outputs import energies, every_reaction, momenta
+from mechanics.compiled.outputs import every_reaction
 from mechanics.equations import Equations, Rows
+from mechanics.kinematics import differentiate
+from mechanics.kinematics.motion import body_motions
 from mechanics.mechanism import Mechanism, lower
 from mechanics.program import Builder, Program
 from mechanics.program.builder import Node
+from mechanics.program.derivatives import gradient
 from mechanics.program.sympy_reader import read
+from mechanics.program.vectors import add, cross, dot, scale, times, zeros
 from mechanics.routes import kane
+from mechanics.routes.loads import potential
 from mechanics.routes.rows import acceleration_forms, coefficients, remainder, substitute
 from mechanics.scene.rates import TIME
 
@@ -68,9 +73,8 @@ def derived(graphs: Graphs) -> Derived:
     equations, known = graphs.derived, graphs.quantities
     mechanism = equations.mechanism or lower(equations.scene, Builder())
     route, outputs = equations.route, {
-        "rates": mechanism.q_rates, **energies(mechanism), **momenta(mechanism),
+        "rates": mechanism.q_rates, **_of_bodies(mechanism),
     }  # fmt: skip
-    del outputs["total"]
     if equations.textbook is None:
         route, system = _of_program(*equations.program)
     else:
@@ -84,6 +88,29 @@ def derived(graphs: Graphs) -> Derived:
         equations.scene.name, route, symbols, graphs.fixed, times[0] if times else None,
         mechanism.builder.program(outputs),
     )  # fmt: skip
+
+
+def _of_bodies(mechanism: Mechanism) -> Outputs:
+    """Energies and momenta by positions that are differentiated, which no graph is made from."""
+    build = mechanism.builder
+    kinetic, linear, angular = build.zero, zeros(build), zeros(build)
+    motions = differentiate.motions(mechanism)
+    for body, motion in zip(mechanism.bodies, body_motions(mechanism, motions), strict=True):
+        momentum = scale(body.mass, motion.centre.velocity)
+        kinetic = kinetic + dot(momentum, motion.centre.velocity) / 2
+        linear = add(linear, momentum)
+        angular = add(angular, cross(motion.centre.position, momentum))
+        if motion.turning is not None and motion.inertia is not None:
+            spin = times(motion.inertia, motion.turning.omega)
+            kinetic = kinetic + dot(spin, motion.turning.omega) / 2
+            angular = add(angular, spin)
+    return {
+        "kinetic": [kinetic],
+        "potential": [potential(mechanism, motions.poses)],
+        "linear": linear,
+        "angular": angular,
+        "generalized": gradient([kinetic], [1], mechanism.u),
+    }
 
 
 def _of_matrices(equations: Equations, mechanism: Mechanism) -> Outputs:
