@@ -21,36 +21,10 @@ from dataclasses import dataclass, field
 from fractions import Fraction
 from math import lcm
 
-from mechanics.program import Builder, Node, Program, interpret
-from mechanics.program.interpret import Nodes
-from mechanics.program.operations import (
-    ACOS,
-    ADD,
-    AND,
-    ASIN,
-    ATAN,
-    ATAN2,
-    CONSTANT,
-    COS,
-    COSH,
-    DIVIDE,
-    EXP,
-    FLOOR,
-    INPUT,
-    MULTIPLY,
-    NEGATE,
-    NOT,
-    OPERATIONS,
-    OR,
-    PI,
-    SELECT,
-    SIGN,
-    SIN,
-    SINH,
-    SUBTRACT,
-    TAN,
-    TANH,
-)
+from mechanics.program import Builder, Node, Program
+from mechanics.program import operations as op
+from mechanics.program.interpret import include
+from mechanics.program.program import operands_of
 
 Monomial = tuple[tuple[int, int], ...]
 """Node numbers with their powers, sorted; the empty one is 1."""
@@ -63,14 +37,14 @@ MOST_PRODUCTS = 64
 """Beyond these an argument stays whole, known by its value: the angles of a Runge-Kutta step are
 polynomials of hundreds of terms, and a point for each of them would fill the program."""
 
-_CIRCULAR = frozenset({SIN, COS, TAN})
-_EXPONENTIAL = frozenset({EXP, SINH, COSH, TANH})
-_INVERSE = frozenset({ASIN, ACOS, ATAN, ATAN2})
-_WRITTEN = _INVERSE | {PI}
+_CIRCULAR = frozenset({op.SIN, op.COS, op.TAN})
+_EXPONENTIAL = frozenset({op.EXP, op.SINH, op.COSH, op.TANH})
+_INVERSE = frozenset({op.ASIN, op.ACOS, op.ATAN, op.ATAN2})
+_WRITTEN = _INVERSE | {op.PI}
 """Angles whose sines are written by others."""
 
-_CONDITIONS = frozenset({SELECT, NOT, AND, OR})
-_TRUTH = frozenset(row.code for row in OPERATIONS if row.boolean)
+_CONDITIONS = frozenset({op.SELECT, op.NOT, op.AND, op.OR})
+_TRUTH = frozenset(row.code for row in op.OPERATIONS if row.boolean)
 
 
 @dataclass
@@ -100,7 +74,8 @@ class Forms:
             if number in self.made:
                 stack.pop()
                 continue
-            operands = self._operands(number)
+            polynomial = self.nodes.operations[number] in _POLYNOMIAL
+            operands = operands_of(self.nodes, number) if polynomial else ()
             missing = [operand for operand in operands if operand not in self.made]
             if missing:
                 stack.extend(missing)
@@ -113,29 +88,22 @@ class Forms:
             stack.pop()
         return self.made[root]
 
-    def _operands(self, number: int) -> tuple[int, ...]:
-        code = self.nodes.operations[number]
-        if code not in _POLYNOMIAL:
-            return ()
-        count = 1 if code == NEGATE else 3 if code == SELECT else 2
-        return tuple(self.nodes.operands[k][number] for k in range(count))
-
     def _form(self, number: int, parts: list[Form]) -> Form | None:
         code = self.nodes.operations[number]
-        if code == CONSTANT:
+        if code == op.CONSTANT:
             value = self.nodes.constants[self.nodes.operands[0][number]]
             return {(): value} if value else {}
-        if code == ADD:
+        if code == op.ADD:
             return _added(parts[0], parts[1], 1)
-        if code == SUBTRACT:
+        if code == op.SUBTRACT:
             return _added(parts[0], parts[1], -1)
-        if code == NEGATE:
+        if code == op.NEGATE:
             return _added({}, parts[0], -1)
-        if code == MULTIPLY:
+        if code == op.MULTIPLY:
             return _multiplied(parts[0], parts[1])
-        if code == DIVIDE:
+        if code == op.DIVIDE:
             return _divided(parts[0], parts[1], self.nodes.operands[1][number])
-        if code == SELECT:
+        if code == op.SELECT:
             # h x + (1 - h) y, with the truth value h of the condition.
             chosen = _multiplied(
                 _whole(self.nodes.operands[0][number]), _added(parts[1], parts[2], -1)
@@ -150,8 +118,8 @@ class Forms:
         )
 
 
-_POLYNOMIAL = frozenset({ADD, SUBTRACT, MULTIPLY, NEGATE, DIVIDE, SELECT})
-_INTEGER = _TRUTH | {FLOOR, SIGN}
+_POLYNOMIAL = frozenset({op.ADD, op.SUBTRACT, op.MULTIPLY, op.NEGATE, op.DIVIDE, op.SELECT})
+_INTEGER = _TRUTH | {op.FLOOR, op.SIGN}
 
 
 def _whole(number: int) -> Form:
@@ -230,8 +198,8 @@ def base_angles(program: Program, most: int = MOST_TERMS) -> Program:
         if code not in _CIRCULAR and code not in _EXPONENTIAL:
             continue
         operand = program.operands[0][number]
-        plain = plain and code in (SIN, COS, EXP)
-        if program.operations[operand] == INPUT:
+        plain = plain and code in (op.SIN, op.COS, op.EXP)
+        if program.operations[operand] == op.INPUT:
             continue
         kind = "angle" if code in _CIRCULAR else "exponent"
         form = forms.of(operand)
@@ -245,8 +213,8 @@ def base_angles(program: Program, most: int = MOST_TERMS) -> Program:
         return program
     builder = Builder()
     domain = _Rewriting(builder, common["angle"], common["exponent"], most)
-    inputs = {name: builder.input(name) for name in program.inputs}
-    return builder.program(interpret(program, domain, inputs), inputs=program.inputs)
+    outputs = include(builder, program, operations=domain.operations)
+    return builder.program(outputs, inputs=program.inputs)
 
 
 def is_cut(program: Program) -> bool:
@@ -261,7 +229,7 @@ def is_cut(program: Program) -> bool:
 def is_truth(nodes: Program | Builder, number: int) -> bool:
     """Whether a node is 0 or 1."""
     code = nodes.operations[number]
-    if code == CONSTANT:
+    if code == op.CONSTANT:
         return nodes.constants[nodes.operands[0][number]] in (0, 1)
     return code in _TRUTH
 
@@ -270,14 +238,14 @@ def has_truths(program: Program) -> bool:
     """Whether all that stands for a condition is 0 or 1."""
     for number, code in enumerate(program.operations):
         if code in _CONDITIONS:
-            places = (0,) if code in (SELECT, NOT) else (0, 1)
+            places = (0,) if code in (op.SELECT, op.NOT) else (0, 1)
             if not all(is_truth(program, program.operands[k][number]) for k in places):
                 return False
     return True
 
 
 def _is_pi(nodes: Program | Builder, monomial: Monomial) -> bool:
-    return len(monomial) == 1 and monomial[0][1] == 1 and nodes.operations[monomial[0][0]] == PI
+    return len(monomial) == 1 and monomial[0][1] == 1 and nodes.operations[monomial[0][0]] == op.PI
 
 
 Point = tuple[Node, Node]
@@ -285,13 +253,10 @@ Point = tuple[Node, Node]
 
 
 class _Rewriting:
-    """The domain of nodes, with equations (1) to (3) applied."""
+    """Operations on nodes by equations (1) to (3)."""
 
     def __init__(self, builder: Builder, angle: int, exponent: int, most: int) -> None:
-        nodes = Nodes(builder)
-        self.constant, self.pi, self.solve = nodes.constant, nodes.pi, nodes.solve
         self.operations: Mapping[str, Callable[..., Node]] = {
-            **nodes.operations,
             "sin": lambda x: self._point(x)[1],
             "cos": lambda x: self._point(x)[0],
             "tan": lambda x: self._point(x)[1] / self._point(x)[0],
@@ -374,11 +339,11 @@ class _Rewriting:
         code = b.operations[base.number]
         if code in _INVERSE:
             x = Node(b, b.operands[0][base.number])
-            if code == ASIN:
+            if code == op.ASIN:
                 return (1 - x * x).sqrt(), x
-            if code == ACOS:
+            if code == op.ACOS:
                 return x, (1 - x * x).sqrt()
-            below = Node(b, b.operands[1][base.number]) if code == ATAN2 else b.one
+            below = Node(b, b.operands[1][base.number]) if code == op.ATAN2 else b.one
             radius = (x * x + below * below).sqrt()
             return below / radius, x / radius
         return b.call("cos", base), b.call("sin", base)
@@ -440,12 +405,12 @@ def turns_of(program: Program) -> tuple[Fraction, ...]:
     found: set[Fraction] = set()
     first, second, _ = program.operands
     for number, code in enumerate(program.operations):
-        if code in (SIN, COS) and program.operations[first[number]] == MULTIPLY:
+        if code in (op.SIN, op.COS) and program.operations[first[number]] == op.MULTIPLY:
             product = first[number]
             for one, other in ((first, second), (second, first)):
                 if (
-                    program.operations[one[product]] == CONSTANT
-                    and program.operations[other[product]] == PI
+                    program.operations[one[product]] == op.CONSTANT
+                    and program.operations[other[product]] == op.PI
                 ):
                     found.add(program.constants[first[one[product]]])
     return tuple(sorted(found))

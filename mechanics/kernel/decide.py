@@ -11,7 +11,7 @@ from dataclasses import replace
 from functools import cache
 from math import ceil, inf
 
-from mechanics.kernel.canaries import CANARIES
+from mechanics.kernel.canaries import canaries
 from mechanics.kernel.constraints import on_constraints
 from mechanics.kernel.finding import COMPONENT, Finding, Verdict, undecided
 from mechanics.kernel.normal import proves
@@ -56,8 +56,7 @@ def check_canaries() -> None:
     AssertionError
         If a verdict is not the known one: nothing that this kernel says can be trusted.
     """
-    for build, shown in CANARIES:
-        statement = build()
+    for statement, shown in canaries():
         finding = _decided(statement, try_normal=True)
         right = finding.shown if shown else finding.verdict is Verdict.REFUTED
         if not right:

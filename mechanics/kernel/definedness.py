@@ -37,18 +37,8 @@ from mechanics.kernel.signs import (
     negated,
 )
 from mechanics.kernel.states import State, candidates
+from mechanics.program import operations as op
 from mechanics.program.builder import Builder, Condition, Node, Obligation
-from mechanics.program.operations import (
-    AND,
-    CONSTANT,
-    EQUAL,
-    INPUT,
-    LESS,
-    NOT,
-    NOT_GREATER,
-    OR,
-    Sign,
-)
 from mechanics.program.program import reachable
 
 BITS = 192
@@ -178,7 +168,7 @@ def touching(
     for obligation in written:
         facts = _facts(forms, space.region, obligation.conditions)
         signs = forms.sign_on(forms.forms[obligation.node], closing, facts)
-        if obligation.sign is Sign.NONNEGATIVE and signs & ZERO and not signs & NEGATIVE:
+        if obligation.sign is op.Sign.NONNEGATIVE and signs & ZERO and not signs & NEGATIVE:
             found.append(obligation)
     return tuple(found)
 
@@ -258,14 +248,14 @@ def _follows(forms: Forms, obligation: Obligation, other: Obligation) -> bool:
         return False
     ratio = forms.quotient(one, two)
     signs = ANY if ratio is None else forms.sign_of(ratio)
-    return signs == POSITIVE or (obligation.sign is Sign.NONZERO and not signs & ZERO)
+    return signs == POSITIVE or (obligation.sign is op.Sign.NONZERO and not signs & ZERO)
 
 
-def met(signs: int, demanded: Sign) -> bool:
+def met(signs: int, demanded: op.Sign) -> bool:
     """Whether an expression of these signs has the one that is demanded."""
-    if demanded is Sign.NONZERO:
+    if demanded is op.Sign.NONZERO:
         return not signs & ZERO
-    return signs == POSITIVE if demanded is Sign.POSITIVE else not signs & NEGATIVE
+    return signs == POSITIVE if demanded is op.Sign.POSITIVE else not signs & NEGATIVE
 
 
 def _facts(forms: Forms, region: Sequence[int], conditions: Sequence[Condition]) -> list[Fact]:
@@ -283,10 +273,10 @@ def _of_truth(forms: Forms, obligation: Obligation) -> Iterator[Fact]:
     form = forms.forms[obligation.node]
     if form is None:
         return
-    if obligation.sign is not Sign.NONZERO:
-        signs = POSITIVE if obligation.sign is Sign.POSITIVE else NOT_NEGATIVE
+    if obligation.sign is not op.Sign.NONZERO:
+        signs = POSITIVE if obligation.sign is op.Sign.POSITIVE else NOT_NEGATIVE
         yield from _fact(forms, form, signs)
-    if obligation.sign is not Sign.NONNEGATIVE and len(form.above):
+    if obligation.sign is not op.Sign.NONNEGATIVE and len(form.above):
         for factor in forms.factors(form.above):
             yield Fact(factor, ANY & ~ZERO)
 
@@ -306,14 +296,14 @@ def _fact(forms: Forms, form: Quotient | None, signs: int) -> Iterator[Fact]:
 def _of_condition(forms: Forms, node: int, truth: bool) -> Iterator[Fact]:
     builder, (first, second, _) = forms.builder, forms.builder.operands
     code = builder.operations[node]
-    if code == NOT:
+    if code == op.NOT:
         yield from _of_condition(forms, first[node], not truth)
-    elif (code, truth) in ((AND, True), (OR, False)):
+    elif (code, truth) in ((op.AND, True), (op.OR, False)):
         yield from _of_condition(forms, first[node], truth)
         yield from _of_condition(forms, second[node], truth)
-    elif code in (LESS, NOT_GREATER, EQUAL):
+    elif code in (op.LESS, op.NOT_GREATER, op.EQUAL):
         difference = forms.difference(second[node], first[node])
-        signs = {LESS: POSITIVE, NOT_GREATER: NOT_NEGATIVE, EQUAL: ZERO}[code]
+        signs = {op.LESS: POSITIVE, op.NOT_GREATER: NOT_NEGATIVE, op.EQUAL: ZERO}[code]
         yield from _fact(forms, difference, signs if truth else ANY & ~signs)
 
 
@@ -342,11 +332,11 @@ class _Trial:
     def gap(self, obligation: Obligation, signs: int) -> Gap | None:
         """What an obligation leaves out."""
         sign, form = obligation.sign, self.forms.forms[obligation.node]
-        never = NEGATIVE if sign is Sign.NONNEGATIVE else NOT_POSITIVE
-        if sign is Sign.NONZERO:
+        never = NEGATIVE if sign is op.Sign.NONNEGATIVE else NOT_POSITIVE
+        if sign is op.Sign.NONZERO:
             never = ZERO
         vanishes = form is not None and not len(form.above)
-        if vanishes and sign is Sign.NONNEGATIVE:
+        if vanishes and sign is op.Sign.NONNEGATIVE:
             return None
         region, always = bool(self.space.region), vanishes or not signs & ~never
         if not obligation.conditions and always:
@@ -355,11 +345,11 @@ class _Trial:
         outside, zeros, inside = self._tried(obligation)
         at_rest = zip(self.space.references, places, strict=True)
         outside = next((state for state, place in at_rest if place == -1), outside)
-        if sign is not Sign.NONZERO and outside is not None:
+        if sign is not op.Sign.NONZERO and outside is not None:
             interior = self._interior(obligation, signs) if inside is None else True
             kind = Kind.OPEN if interior else Kind.NOWHERE
             return Gap(obligation, kind, -1 in places, tuple(outside.items()), region, always)
-        if sign is Sign.NONNEGATIVE or (sign is Sign.POSITIVE and signs & NEGATIVE):
+        if sign is op.Sign.NONNEGATIVE or (sign is op.Sign.POSITIVE and signs & NEGATIVE):
             return Gap(obligation, Kind.UNKNOWN)
         # What is left fails where its argument is 0.
         rests = [r for r, place in zip(self.space.references, places, strict=True) if place == 0]
@@ -383,9 +373,9 @@ class _Trial:
         builder, (first, second, _) = self.builder, self.builder.operands
         nodes = [] if vanishes else [Node(builder, obligation.node)]
         for node, truth in obligation.conditions:
-            while builder.operations[node] == NOT:
+            while builder.operations[node] == op.NOT:
                 node, truth = first[node], not truth
-            if truth and builder.operations[node] == EQUAL:
+            if truth and builder.operations[node] == op.EQUAL:
                 nodes.append(Node(builder, first[node]) - Node(builder, second[node]))
         return any(self._vanishes_on_a_thin_set(node, inside) for node in nodes)
 
@@ -424,9 +414,9 @@ class _Trial:
         """A state where it fails, states where its argument is zero, and one where it holds."""
         builder = self.builder
         nodes = [obligation.node, *(node for node, _ in obligation.conditions)]
-        own, first = reachable(builder, nodes), builder.operands[0]
         names = self._names(self._inputs(nodes))
-        constants = [builder.constants[first[n]] for n in own if builder.operations[n] == CONSTANT]
+        values = [builder.constant_at(node) for node in reachable(builder, nodes)]
+        constants = [value for value in values if value is not None]
         positive = self.space.positive.__contains__
         analytic = not has_cases(builder.program({"x": [Node(builder, obligation.node)]}))
         zeros: list[State] = []
@@ -440,7 +430,7 @@ class _Trial:
             elif place == 1 and inside is None:
                 inside = state
             # What is analytic and not zero at one state is zero on a thin set at most.
-            known = outside is not None or (obligation.sign is Sign.NONZERO and analytic)
+            known = outside is not None or (obligation.sign is op.Sign.NONZERO and analytic)
             if known and inside is not None:
                 break
         return outside, zeros, inside
@@ -456,7 +446,7 @@ class _Trial:
         for row in self.space.truth:
             taken = [next(conditions) == int(truth) for _, truth in row.conditions]
             value = next(arguments)
-            there = (0, 1) if bound and row.sign is Sign.NONNEGATIVE else (1,)
+            there = (0, 1) if bound and row.sign is op.Sign.NONNEGATIVE else (1,)
             if all(taken) and _place(value, row.sign) not in there:
                 return False
         return True
@@ -471,7 +461,7 @@ class _Trial:
 
     def _inputs(self, nodes: Sequence[int]) -> list[str]:
         builder = self.builder
-        needed = [n for n in reachable(builder, nodes) if builder.operations[n] == INPUT]
+        needed = [n for n in reachable(builder, nodes) if builder.operations[n] == op.INPUT]
         return sorted(builder.inputs[builder.operands[0][n]] for n in needed)
 
     def _at(self, obligation: Obligation, state: State, bound: bool = False) -> int | None:
@@ -492,7 +482,7 @@ class _Trial:
         return _place(values["left"][place], obligation.sign)
 
 
-def _place(value: arb, sign: Sign) -> int | None:
+def _place(value: arb, sign: op.Sign) -> int | None:
     """Where an argument is of the bound of what is demanded: see `_Trial._at`."""
     if not value.is_finite():
         return None
@@ -500,6 +490,6 @@ def _place(value: arb, sign: Sign) -> int | None:
         return 0
     if value.contains(0):
         return None
-    if sign is Sign.NONZERO:
+    if sign is op.Sign.NONZERO:
         return 1
     return 1 if value > 0 else -1

@@ -25,18 +25,7 @@ from mechanics.kernel.ring import MOST_GENERATORS, TooLarge, content
 from mechanics.kernel.sizes import is_algebraic
 from mechanics.kernel.statement import LEFT, RIGHT, Range, Statement
 from mechanics.program import Program, interpret
-from mechanics.program.operations import (
-    ARITY,
-    CONSTANT,
-    COS,
-    ENTRY,
-    INPUT,
-    PI,
-    SELECT,
-    SIN,
-    SOLVE,
-    TAN,
-)
+from mechanics.program import operations as op
 
 MOST_NODES = 20_000
 MOST_UNKNOWNS = 6
@@ -213,21 +202,21 @@ def _rational(x: Quotient) -> Fraction | None:
     return Fraction(int(value.p), int(value.q))
 
 
-_PLAIN = frozenset({CONSTANT, INPUT, PI, SELECT, SOLVE, ENTRY})
+_PLAIN = frozenset({op.CONSTANT, op.INPUT, op.PI, op.SELECT, op.SOLVE, op.ENTRY})
 
 
 def capacity(program: Program) -> int:
     """Most generators that a program can ask for: two for an angle, some for a root."""
     count = len(program.inputs) + 1
     for code in program.operations:
-        if code in (SIN, COS, TAN):
+        if code in (op.SIN, op.COS, op.TAN):
             count += 2
-        elif ARITY[code] and code not in _PLAIN and code not in _ARITHMETIC:
+        elif op.ARITY[code] and code not in _PLAIN and code not in _ARITHMETIC:
             count += 4
     return count
 
 
-_ARITHMETIC = frozenset(range(CONSTANT, 8))
+_ARITHMETIC = frozenset(range(op.CONSTANT, 8))
 
 
 def proves(statement: Statement) -> bool:

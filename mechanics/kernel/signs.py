@@ -21,29 +21,8 @@ from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx
 
 from mechanics.kernel.numbers import Numbers
 from mechanics.kernel.ring import square_root
+from mechanics.program import operations as op
 from mechanics.program.builder import Builder
-from mechanics.program.operations import (
-    ABS,
-    ADD,
-    CONSTANT,
-    COS,
-    COSH,
-    DIVIDE,
-    EXP,
-    INPUT,
-    MULTIPLY,
-    NEGATE,
-    OPERATIONS,
-    PI,
-    POWER,
-    SELECT,
-    SIGN,
-    SIN,
-    SQRT,
-    SUBTRACT,
-    TAN,
-    TANH,
-)
 from mechanics.program.program import reachable
 
 NEGATIVE, ZERO, POSITIVE = 1, 2, 4
@@ -132,10 +111,9 @@ class Forms:
     ) -> None:
         self.builder, self.positive = builder, positive
         needed = reachable(builder, roots)
-        arithmetic = {CONSTANT, ADD, SUBTRACT, MULTIPLY, DIVIDE, NEGATE}
-        codes = [builder.operations[n] for n in needed]
+        arithmetic = {op.CONSTANT, op.ADD, op.SUBTRACT, op.MULTIPLY, op.DIVIDE, op.NEGATE}
         # A sine needs its cosine, too.
-        count = 1 + sum(1 if code in (INPUT, PI) else 2 for code in codes if code not in arithmetic)
+        count = 1 + 2 * sum(builder.operations[n] not in arithmetic for n in needed)
         # Contexts are kept by their names: few sizes are few contexts.
         count = 1 << count.bit_length()
         names = tuple(f"a{k}" for k in range(count))
@@ -169,31 +147,31 @@ class Forms:
     def _form(self, number: int) -> Quotient | None:
         builder, (first, second, _) = self.builder, self.builder.operands
         code = builder.operations[number]
-        if code == CONSTANT:
+        if code == op.CONSTANT:
             value = builder.constants[first[number]]
             return Quotient(
                 self.context.constant(fmpq(value.numerator, value.denominator)), self.one
             )
-        if code == INPUT:
+        if code == op.INPUT:
             name = builder.inputs[first[number]]
-            return self._atom(INPUT, name, POSITIVE if self.positive(name) else ANY)
-        if code == PI:
-            pi = self._atom(PI, 0, POSITIVE)
-            self.numbers.pi(self._atoms[PI, 0])
+            return self._atom(op.INPUT, name, POSITIVE if self.positive(name) else ANY)
+        if code == op.PI:
+            pi = self._atom(op.PI, 0, POSITIVE)
+            self.numbers.pi(self._atoms[op.PI, 0])
             return pi
-        if code in (ADD, SUBTRACT, MULTIPLY, DIVIDE):
+        if code in (op.ADD, op.SUBTRACT, op.MULTIPLY, op.DIVIDE):
             return self._arithmetic(code, self.forms[first[number]], self.forms[second[number]])
         inner = self.forms.get(first[number])
-        if code == NEGATE:
+        if code == op.NEGATE:
             return None if inner is None else Quotient(-inner.above, inner.below)
         return self._opaque(number, code, inner)
 
     def _arithmetic(self, code: int, a: Quotient | None, b: Quotient | None) -> Quotient | None:
         if a is None or b is None:
             return None
-        if code == MULTIPLY:
+        if code == op.MULTIPLY:
             return self._quotient((a.above, b.above), (a.below, b.below))
-        if code == DIVIDE:
+        if code == op.DIVIDE:
             return None if b.above == 0 else self._quotient((a.above, b.below), (a.below, b.above))
         if a.below == b.below:
             above, below = (a.above, self.one), a.below
@@ -204,7 +182,7 @@ class Forms:
             if crossed[0] is None or crossed[1] is None or under is None:
                 return None
             above, other, below = (crossed[0], self.one), crossed[1], under
-        sum_of = above[0] + other if code == ADD else above[0] - other
+        sum_of = above[0] + other if code == op.ADD else above[0] - other
         return Quotient(sum_of, below) if len(sum_of) <= MOST_TERMS else None
 
     def _quotient(
@@ -251,25 +229,25 @@ class Forms:
         return parts
 
     def _opaque(self, number: int, code: int, inner: Quotient | None) -> Quotient:
-        if code in (SIN, COS, TAN):
+        if code in (op.SIN, op.COS, op.TAN):
             return self._circular(number, code, inner)
-        if code == SQRT:
+        if code == op.SQRT:
             return self._root(number, inner)
-        if code == ABS:
+        if code == op.ABS:
             return self._magnitude(number, inner)
         key: object = number
-        if inner is not None and OPERATIONS[code].arity == 1:
+        if inner is not None and op.OPERATIONS[code].arity == 1:
             key = (str(inner.above), str(inner.below))
-        if code in (EXP, COSH):
+        if code in (op.EXP, op.COSH):
             return self._atom(code, key, POSITIVE)
-        if code in (TANH, SIGN):
+        if code in (op.TANH, op.SIGN):
             return self._atom(code, key, bounded=True)
-        if code == POWER:
+        if code == op.POWER:
             positive = inner is not None and self.sign_of(inner) == POSITIVE
             return self._atom(code, key, POSITIVE if positive else NOT_NEGATIVE)
-        if OPERATIONS[code].boolean:
+        if op.OPERATIONS[code].boolean:
             return self._atom(code, key, NOT_NEGATIVE)
-        if code == SELECT:
+        if code == op.SELECT:
             sides = (self.forms[self.builder.operands[k][number]] for k in (1, 2))
             signs = [ANY if side is None else self.sign_of(side) for side in sides]
             return self._atom(code, key, signs[0] | signs[1])
@@ -286,42 +264,42 @@ class Forms:
             above = inner.above
             turned = len(above) > 0 and above.leading_coefficient() < 0
             key = (str(-above if turned else above), str(inner.below))
-        cosine = self._atom(COS, key, bounded=True)
-        sine = self._atom(SIN, key, bounded=True)
-        self.squares.setdefault(self._atoms[SIN, key], 1 - cosine.above**2)
-        self.angles[self._atoms[SIN, key]] = self._atoms[COS, key]
+        cosine = self._atom(op.COS, key, bounded=True)
+        sine = self._atom(op.SIN, key, bounded=True)
+        self.squares.setdefault(self._atoms[op.SIN, key], 1 - cosine.above**2)
+        self.angles[self._atoms[op.SIN, key]] = self._atoms[op.COS, key]
         if inner is not None and self.numbers.holds(inner.above * inner.below):
-            places = self._atoms[SIN, key], self._atoms[COS, key]
+            places = self._atoms[op.SIN, key], self._atoms[op.COS, key]
             self.numbers.circular(*places, -inner.above if turned else inner.above, inner.below)
         if turned:
             sine = Quotient(-sine.above, self.one)
-        if code == TAN:
+        if code == op.TAN:
             return Quotient(sine.above, cosine.above)
-        return sine if code == SIN else cosine
+        return sine if code == op.SIN else cosine
 
     def _root(self, number: int, inner: Quotient | None) -> Quotient:
         if inner is None:
-            return self._atom(SQRT, number, NOT_NEGATIVE)
+            return self._atom(op.SQRT, number, NOT_NEGATIVE)
         above, below = inner
         if (whole := square_root(above)) and (under := square_root(below)):
             return self._magnitude(number, Quotient(whole, under))
         if not below.is_one():
             if self.sign(below) != POSITIVE:
-                return self._atom(SQRT, (str(above), str(below)), NOT_NEGATIVE)
+                return self._atom(op.SQRT, (str(above), str(below)), NOT_NEGATIVE)
             crossed = self._times(above, below)
             if crossed is None:
-                return self._atom(SQRT, (str(above), str(below)), NOT_NEGATIVE)
+                return self._atom(op.SQRT, (str(above), str(below)), NOT_NEGATIVE)
             above = crossed
         signs = self.sign(above) & NOT_NEGATIVE
-        atom = self._atom(SQRT, str(above), signs or NOT_NEGATIVE)
-        self.squares.setdefault(self._atoms[SQRT, str(above)], above)
+        atom = self._atom(op.SQRT, str(above), signs or NOT_NEGATIVE)
+        self.squares.setdefault(self._atoms[op.SQRT, str(above)], above)
         if signs == POSITIVE and self.numbers.holds(above):
-            self.numbers.root(self._atoms[SQRT, str(above)], above)
+            self.numbers.root(self._atoms[op.SQRT, str(above)], above)
         return Quotient(atom.above, below)
 
     def _magnitude(self, number: int, inner: Quotient | None) -> Quotient:
         if inner is None:
-            return self._atom(ABS, number, NOT_NEGATIVE)
+            return self._atom(op.ABS, number, NOT_NEGATIVE)
         signs = self.sign_of(inner)
         if not signs & NEGATIVE:
             return inner
@@ -329,10 +307,10 @@ class Forms:
             return Quotient(-inner.above, inner.below)
         above, below = inner
         if not below.is_one():
-            return self._atom(ABS, (str(above), str(below)), NOT_NEGATIVE)
+            return self._atom(op.ABS, (str(above), str(below)), NOT_NEGATIVE)
         above = -above if above.leading_coefficient() < 0 else above
-        atom = self._atom(ABS, str(above), NOT_NEGATIVE)
-        place = self._atoms[ABS, str(above)]
+        atom = self._atom(op.ABS, str(above), NOT_NEGATIVE)
+        place = self._atoms[op.ABS, str(above)]
         if place not in self.squares:
             square = self._times(above, above)
             if square is not None:
@@ -366,11 +344,11 @@ class Forms:
 
     def difference(self, left: int, right: int) -> Quotient | None:
         """The form of one node less another; None where it is too large."""
-        return self._arithmetic(SUBTRACT, self.forms[left], self.forms[right])
+        return self._arithmetic(op.SUBTRACT, self.forms[left], self.forms[right])
 
     def quotient(self, left: Quotient, right: Quotient) -> Quotient | None:
         """One form over another, without common factors; None where it is too large."""
-        found = self._arithmetic(DIVIDE, left, right)
+        found = self._arithmetic(op.DIVIDE, left, right)
         if found is None:
             return None
         common = found.above.gcd(found.below)

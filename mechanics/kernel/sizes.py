@@ -20,6 +20,7 @@ Sizes depend on the program alone, never on what is drawn: they say how long a p
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
 from fractions import Fraction
 from math import log2
 from typing import Any
@@ -31,21 +32,16 @@ LARGEST_ROOT = 64
 LARGEST_POWER = 4096
 
 
+@dataclass(slots=True, eq=False)
 class Size:
     """Degrees of numerator and denominator, log2 height, token, the rational where it is one."""
 
-    __slots__ = ("constant", "denominator", "height", "inverse", "numerator", "token")
-
-    def __init__(
-        self, numerator: float, denominator: float, height: float, token: int,
-        constant: Fraction | None = None,
-    ) -> None:  # fmt: skip
-        self.numerator, self.denominator = numerator, denominator
-        self.height, self.token, self.constant = height, token, constant
-        self.inverse: Size | None = None
-
-    def __repr__(self) -> str:
-        return f"Size({self.numerator} / {self.denominator}, 2^{self.height})"
+    numerator: float
+    denominator: float
+    height: float
+    token: int
+    constant: Fraction | None = None
+    inverse: Size | None = None
 
 
 def is_algebraic(exponent: Fraction) -> bool:

@@ -7,7 +7,7 @@ cosines for the squares of sines; factors that are declared positive leave the b
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Mapping
+from collections.abc import Collection, Mapping
 from fractions import Fraction
 from functools import reduce
 
@@ -16,8 +16,8 @@ from flint import fmpq, fmpq_mpoly, fmpq_mpoly_ctx
 from mechanics.kernel.angles import Form, Forms, node_of
 from mechanics.kernel.ring import square_root as polynomial_root
 from mechanics.kernel.statement import Range
-from mechanics.program import Builder, Node, Program, interpret
-from mechanics.program.interpret import Nodes
+from mechanics.program import Builder, Node, Program
+from mechanics.program.interpret import include
 from mechanics.program.operations import COS, INPUT, SIN, SQRT
 
 MOST_UNKNOWNS = 24
@@ -61,19 +61,8 @@ def roots_of_squares(program: Program, signs: Mapping[str, Range]) -> Program:
         factor, inner = found
         return builder.constant(factor).sqrt() * _modulus(builder, inner, signs)
 
-    domain = Nodes(builder)
-    operations = {**domain.operations, "sqrt": root}
-    inputs = {name: builder.input(name) for name in program.inputs}
-    outputs = interpret(program, _Rewriting(domain, operations), inputs)
+    outputs = include(builder, program, operations={"sqrt": root})
     return builder.program(outputs, inputs=program.inputs)
-
-
-class _Rewriting:
-    """The domain of nodes with another meaning of some operations."""
-
-    def __init__(self, nodes: Nodes, operations: Mapping[str, Callable[..., Node]]) -> None:
-        self.constant, self.pi, self.solve = nodes.constant, nodes.pi, nodes.solve
-        self.operations = operations
 
 
 def _root(builder: Builder, form: Form) -> tuple[Fraction, Form] | None:

@@ -210,7 +210,6 @@ class Session:
     not_squares: set[int] = field(default_factory=set)
     _primes: dict[int, int] = field(default_factory=dict)
     _steps: int = 0
-    _first: Point | None = None
 
     def __post_init__(self) -> None:
         self.draws = Draws(self.experiment.seed, "signs" if self.signs else "values")
@@ -280,28 +279,21 @@ class Session:
             tried = tried if first == before else 0
         return roots - first
 
-    def first(self) -> Answer:
-        """What one point says.
+    def outcome(self, is_proved: Callable[[], bool]) -> Trial:
+        """Evaluate a point, and as many as are needed after a first that was zero.
 
         Raises
         ------
         FailedError
-            If no point is admissible.
+            If no point is admissible, or the budget does not suffice.
         """
-        self._first = self.point()
-        return Answer.ZERO if self._first.zero else Answer.NONZERO
-
-    def certify(self) -> Trial:
-        """Evaluate as many points as are needed after a first that was zero.
-
-        Raises
-        ------
-        FailedError
-            If the budget does not suffice.
-        """
-        e = self.experiment
-        assert self._first is not None and self._first.zero
-        unsure = self.unsure(self._first)
+        e, first = self.experiment, self.point()
+        not_zero = Trial(Answer.NONZERO, -inf, f"not zero in a field of {e.bits} bits")
+        if not first.zero:
+            return not_zero
+        if is_proved():
+            return Trial(Answer.PROVED, -inf, "")
+        unsure = self.unsure(first)
         if not unsure:
             words = f"zero at a random point modulo a random {e.bits}-bit prime"
             return Trial(Answer.ZERO, e.log2_bound, words)
@@ -311,7 +303,7 @@ class Session:
             raise FailedError(f"the signs of {unsure} roots or absolute values cannot be told")
         for _ in range(count):
             if not self.point(fresh=True).zero:
-                return Trial(Answer.NONZERO, -inf, f"not zero in a field of {e.bits} bits")
+                return not_zero
         total = log2_sum(e.log2_bound, count * survival)
         words = f"zero at {count} random points modulo random {e.bits}-bit primes"
         where = ", off the boundaries of cases" if self.signs else ""
@@ -354,11 +346,6 @@ def _tried(statement: Statement, terms: int, is_proved: Callable[[], bool]) -> T
 
 def _attempt(experiment: Experiment, signs: bool, is_proved: Callable[[], bool]) -> Trial:
     try:
-        session = Session(experiment, signs)
-        if session.first() is Answer.NONZERO:
-            return Trial(Answer.NONZERO, -inf, f"not zero in a field of {experiment.bits} bits")
-        if is_proved():
-            return Trial(Answer.PROVED, -inf, "")
-        return session.certify()
+        return Session(experiment, signs).outcome(is_proved)
     except FailedError as failure:
         return Trial(Answer.FAILED, inf, str(failure))

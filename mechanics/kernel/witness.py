@@ -8,7 +8,7 @@ something else; then numbers that are drawn, of more digits and other magnitudes
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction
 
 from flint import arb
@@ -97,11 +97,12 @@ def far_states(statement: Statement) -> Iterator[State]:
 
 def find_boundary_witness(statement: Statement) -> Witness | None:
     """A state on a boundary of cases that refutes the statement, or None where none was found."""
-    for state in boundaries(statement):
-        found, _ = _at_state(statement, state, BOUNDARY_PRECISIONS)
-        if found is not None:
-            return found
-    return None
+    return _first(statement, boundaries(statement))
+
+
+def _first(statement: Statement, tried: Iterable[State]) -> Witness | None:
+    found = (_at_state(statement, state, BOUNDARY_PRECISIONS)[0] for state in tried)
+    return next((witness for witness in found if witness is not None), None)
 
 
 def angle_inputs(program: Program) -> frozenset[str]:
@@ -158,11 +159,7 @@ def find_witness(statement: Statement) -> Witness | None:
             defined += here
             if defined == wanted:
                 break
-    for state in far_states(statement):
-        found, _ = _at_state(statement, state, BOUNDARY_PRECISIONS)
-        if found is not None:
-            return found
-    return None
+    return _first(statement, far_states(statement))
 
 
 def _at_state(

@@ -7,7 +7,7 @@ program. Values that no later node needs are dropped as soon as that is known.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from fractions import Fraction
 from typing import Any, Protocol, runtime_checkable
 
@@ -129,9 +129,10 @@ def _last_uses(program: Program) -> dict[int, list[int]]:
 
 @dataclass(frozen=True)
 class Nodes:
-    """The domain of nodes of a builder: to include one program in another."""
+    """The domain of nodes of a builder, some operations having another meaning."""
 
     builder: Builder
+    others: Mapping[str, Callable[..., Node]] = field(default_factory=dict)
 
     @property
     def operations(self) -> Mapping[str, Callable[..., Any]]:
@@ -143,7 +144,7 @@ class Nodes:
 
         return {
             row.name: calling(row.name) for row in OPERATIONS if row.arity and row.code != ENTRY
-        }
+        } | dict(self.others)
 
     def constant(self, value: Fraction) -> Node:
         """The constant as a node."""
@@ -159,14 +160,17 @@ class Nodes:
 
 
 def include(
-    builder: Builder, program: Program, inputs: Mapping[str, Node] | None = None
-) -> dict[str, tuple[Node, ...]]:
+    builder: Builder, program: Program, inputs: Mapping[str, Node] | None = None,
+    operations: Mapping[str, Callable[..., Node]] | None = None,
+) -> dict[str, tuple[Node, ...]]:  # fmt: skip
     """Build a program's outputs in a builder, with nodes in the place of its inputs.
 
     Parameters
     ----------
     inputs : mapping of str to Node, optional
         An input that is left out stays an input of its name.
+    operations : mapping of str to callable, optional
+        What operations become that are not built as they are.
     """
     given = {name: builder.input(name) for name in program.inputs} | dict(inputs or {})
-    return interpret(program, Nodes(builder), given)
+    return interpret(program, Nodes(builder, operations or {}), given)

@@ -9,6 +9,7 @@ from __future__ import annotations
 import hashlib
 import sys
 from array import array
+from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
@@ -72,16 +73,14 @@ class Program:
     @property
     def count(self) -> int:
         """Operations, leaves and the picking of components aside."""
-        return sum(code not in LEAVES and code != ENTRY for code in self.operations)
+        return sum(self.counts().values())
 
     def counts(self) -> dict[str, int]:
         """How often each operation stands in it."""
-        found: dict[str, int] = {}
-        for code in self.operations:
-            if code not in LEAVES and code != ENTRY:
-                name = OPERATIONS[code].name
-                found[name] = found.get(name, 0) + 1
-        return dict(sorted(found.items()))
+        codes = Counter(self.operations)
+        named = ((OPERATIONS[code].name, count) for code, count in codes.items()
+                 if code not in LEAVES and code != ENTRY)  # fmt: skip
+        return dict(sorted(named))
 
     def operands_of(self, number: int) -> tuple[int, ...]:
         """Numbers of the nodes that a node needs."""
@@ -130,7 +129,8 @@ def operands_of(nodes: Program | Builder, number: int) -> tuple[int, ...]:
     code = nodes.operations[number]
     if code == SOLVE:
         return nodes.systems[nodes.operands[0][number]][2:]
-    return tuple(nodes.operands[k][number] for k in range(ARITY[code]))
+    first, second, third = nodes.operands
+    return (first[number], second[number], third[number])[: ARITY[code]]
 
 
 MOST_BITS = 14_000
@@ -206,42 +206,29 @@ def _name_hash(text: str) -> int:
 
 def _operands(builder: Builder, needed: Sequence[int]) -> dict[int, tuple[int, ...]]:
     """Operands of each node, those of commutative operations ordered by structure."""
-    operations, (first, second, third) = builder.operations, builder.operands
+    operations, (first, second, _) = builder.operations, builder.operands
     names = [_name_hash(row.name) for row in OPERATIONS]
     commutative = [row.commutative for row in OPERATIONS]
     hashes: dict[int, int] = {}
     found: dict[int, tuple[int, ...]] = {}
-    one, two, three, four = _MULTIPLIERS
     for n in needed:
-        code = operations[n]
+        code, below = operations[n], operands_of(builder, n)
         mixed = names[code]
         if code == CONSTANT:
             mixed += _name_hash(_digits(builder.constants[first[n]]))
-            found[n] = ()
         elif code == INPUT:
             mixed += _name_hash(builder.inputs[first[n]])
-            found[n] = ()
         elif code == SOLVE:
-            found[n] = builder.systems[first[n]][2:]
-            for entry in found[n]:
-                mixed = (mixed * one + hashes[entry]) % _PRIME
-        elif code == ENTRY:
-            found[n] = (first[n],)
-            mixed += hashes[first[n]] * one + second[n] * four
-        elif ARITY[code] == 2:
-            a, b = first[n], second[n]
-            if commutative[code] and hashes[b] < hashes[a]:
-                a, b = b, a
-            found[n] = (a, b)
-            mixed += hashes[a] * one + hashes[b] * two
-        elif ARITY[code] == 1:
-            found[n] = (first[n],)
-            mixed += hashes[first[n]] * one
-        elif ARITY[code] == 3:
-            found[n] = (first[n], second[n], third[n])
-            mixed += hashes[first[n]] * one + hashes[second[n]] * two + hashes[third[n]] * three
+            for entry in below:
+                mixed = (mixed * _MULTIPLIERS[0] + hashes[entry]) % _PRIME
         else:
-            found[n] = ()
+            if commutative[code] and hashes[below[1]] < hashes[below[0]]:
+                below = below[::-1]
+            for operand, multiplier in zip(below, _MULTIPLIERS, strict=False):
+                mixed += hashes[operand] * multiplier
+            if code == ENTRY:
+                mixed += second[n] * _MULTIPLIERS[-1]
+        found[n] = below
         mixed %= _PRIME
         hashes[n] = mixed * mixed % _PRIME * mixed % _PRIME
     return found

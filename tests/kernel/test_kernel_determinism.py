@@ -71,11 +71,11 @@ def test_the_kernel_knows_no_clock_and_no_chance_of_its_own(path: Path) -> None:
 
 
 def test_a_kernel_that_decides_what_is_known_wrongly_says_so(monkeypatch) -> None:
-    true = tuple((build, True) for build, shown in canaries.CANARIES if shown)
-    monkeypatch.setattr(sys.modules["mechanics.kernel.decide"], "CANARIES", ((true[0][0], False),))
+    true = next(statement for statement, shown in canaries.canaries() if shown)
+    monkeypatch.setattr(sys.modules["mechanics.kernel.decide"], "canaries", lambda: [(true, False)])
     check_canaries.cache_clear()
     with pytest.raises(AssertionError, match="the kernel is broken"):
-        decide(true[0][0]())
+        decide(true)
     monkeypatch.undo()
     check_canaries.cache_clear()
-    assert decide(true[0][0]()).shown
+    assert decide(true).shown
