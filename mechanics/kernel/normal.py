@@ -202,21 +202,15 @@ def _rational(x: Quotient) -> Fraction | None:
     return Fraction(int(value.p), int(value.q))
 
 
-_PLAIN = frozenset({op.CONSTANT, op.INPUT, op.PI, op.SELECT, op.SOLVE, op.ENTRY})
+_FREE = frozenset({*range(8), op.SELECT, op.SOLVE, op.ENTRY})
+"""Leaves, arithmetic, and what is written in it."""
 
 
 def capacity(program: Program) -> int:
     """Most generators that a program can ask for: two for an angle, some for a root."""
-    count = len(program.inputs) + 1
-    for code in program.operations:
-        if code in (op.SIN, op.COS, op.TAN):
-            count += 2
-        elif op.ARITY[code] and code not in _PLAIN and code not in _ARITHMETIC:
-            count += 4
-    return count
-
-
-_ARITHMETIC = frozenset(range(op.CONSTANT, 8))
+    needs = (2 if code in (op.SIN, op.COS) else 4 for code in program.operations
+             if code not in _FREE)  # fmt: skip
+    return len(program.inputs) + 1 + sum(needs)
 
 
 def proves(statement: Statement) -> bool:

@@ -43,6 +43,8 @@ class Ring:
     ----------
     capacity : int
         Number of generators.
+    limited : bool
+        False for a user who has limits of generators, terms and work of its own.
 
     Attributes
     ----------
@@ -55,10 +57,10 @@ class Ring:
         If there are more than MOST_GENERATORS.
     """
 
-    def __init__(self, capacity: int) -> None:
-        if capacity > MOST_GENERATORS:
+    def __init__(self, capacity: int, limited: bool = True) -> None:
+        if limited and capacity > MOST_GENERATORS:
             raise TooLarge(f"{capacity} generators")
-        self.capacity = capacity
+        self.capacity, self.limited = capacity, limited
         self._context = fmpq_mpoly_ctx.get([f"g{i}" for i in range(capacity)], "lex")
         self._gens = self._context.gens()
         self._places: dict[Hashable, int] = {}
@@ -144,7 +146,7 @@ class Ring:
             If the budget is used up.
         """
         self._work += work
-        if self._work > MOST_WORK:
+        if self.limited and self._work > MOST_WORK:
             raise TooLarge(f"more than {MOST_WORK} products of terms")
 
     def reduced(self, x: fmpq_mpoly) -> fmpq_mpoly:
@@ -166,7 +168,7 @@ class Ring:
                     if left != x:
                         x, changed = left, True
                         degrees = x.degrees()
-        if len(x) > MOST_TERMS:
+        if self.limited and len(x) > MOST_TERMS:
             raise TooLarge(f"{len(x)} terms")
         return x
 

@@ -17,10 +17,10 @@ from itertools import combinations
 from math import comb
 from typing import NamedTuple
 
-from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx
+from flint import fmpq, fmpq_mpoly
 
 from mechanics.kernel.numbers import Numbers
-from mechanics.kernel.ring import square_root
+from mechanics.kernel.ring import Ring, TooLarge, square_root
 from mechanics.program import operations as op
 from mechanics.program.builder import Builder
 from mechanics.program.program import reachable
@@ -115,19 +115,15 @@ class Forms:
         # A sine needs its cosine, too.
         count = 1 + 2 * sum(builder.operations[n] not in arithmetic for n in needed)
         # Contexts are kept by their names: few sizes are few contexts.
-        count = 1 << count.bit_length()
-        names = tuple(f"a{k}" for k in range(count))
-        self.context = fmpq_mpoly_ctx.get(names, Ordering.lex)
-        self.generators = self.context.gens()
-        self.one = self.context.constant(1)
-        self.signs: list[int] = []
+        self.ring = Ring(1 << count.bit_length(), limited=False)
+        self.one = self.ring.constant(1)
+        self.signs = [ANY] * self.ring.capacity
         self.numbers = Numbers()
         self.bounded: set[int] = set()
         self.squares: dict[int, fmpq_mpoly] = {}
         self.absolute: list[tuple[fmpq_mpoly, int]] = []
         self.angles: dict[int, int] = {}
         self._crossings: list[fmpq_mpoly] | None = None
-        self._atoms: dict[tuple[int, object], int] = {}
         self.forms: dict[int, Quotient | None] = {}
         self.steps = 0
         for number in needed:
@@ -135,30 +131,35 @@ class Forms:
 
     # ------------------------------------------------------------------ forms
 
-    def _atom(self, code: int, key: object, signs: int = ANY, *, bounded: bool = False) -> Quotient:
+    def _atom(self, code: int, key: object, signs: int = ANY) -> Quotient:
         """The unknown for an operation on something."""
-        place = self._atoms.setdefault((code, key), len(self.signs))
-        if place == len(self.signs):
-            self.signs.append(signs)
-            if bounded:
+        place, new = self.ring.place((code, key))
+        if new:
+            self.signs[place] = signs
+            if code in (op.TANH, op.SIGN):
                 self.bounded.add(place)
-        return Quotient(self.generators[place], self.one)
+        return Quotient(self.ring.gen(place), self.one)
+
+    def _square(self, code: int, square: fmpq_mpoly, key: str, signs: int) -> tuple[Quotient, int]:
+        """The unknown of a known square, and its place."""
+        place, new = self.ring.place((code, key))
+        w = self.ring.gen(place)
+        if new:
+            self.ring.relate(((place, 2),), w**2 - square)
+            self.squares[place], self.signs[place] = square, signs
+        return Quotient(w, self.one), place
 
     def _form(self, number: int) -> Quotient | None:
         builder, (first, second, _) = self.builder, self.builder.operands
         code = builder.operations[number]
         if code == op.CONSTANT:
-            value = builder.constants[first[number]]
-            return Quotient(
-                self.context.constant(fmpq(value.numerator, value.denominator)), self.one
-            )
+            return Quotient(self.ring.constant(builder.constants[first[number]]), self.one)
         if code == op.INPUT:
             name = builder.inputs[first[number]]
             return self._atom(op.INPUT, name, POSITIVE if self.positive(name) else ANY)
         if code == op.PI:
-            pi = self._atom(op.PI, 0, POSITIVE)
-            self.numbers.pi(self._atoms[op.PI, 0])
-            return pi
+            self.numbers.pi(self.ring.place((op.PI, 0))[0])
+            return self._atom(op.PI, 0, POSITIVE)
         if code in (op.ADD, op.SUBTRACT, op.MULTIPLY, op.DIVIDE):
             return self._arithmetic(code, self.forms[first[number]], self.forms[second[number]])
         inner = self.forms.get(first[number])
@@ -167,54 +168,32 @@ class Forms:
         return self._opaque(number, code, inner)
 
     def _arithmetic(self, code: int, a: Quotient | None, b: Quotient | None) -> Quotient | None:
-        if a is None or b is None:
+        """The form of an operation on two forms; None where it is too large."""
+        if a is None or b is None or (code == op.DIVIDE and b.above == 0):
             return None
-        if code == op.MULTIPLY:
-            return self._quotient((a.above, b.above), (a.below, b.below))
-        if code == op.DIVIDE:
-            return None if b.above == 0 else self._quotient((a.above, b.below), (a.below, b.above))
-        if a.below == b.below:
-            above, below = (a.above, self.one), a.below
-            other = b.above
-        else:
-            crossed = self._times(a.above, b.below), self._times(b.above, a.below)
-            under = self._times(a.below, b.below)
-            if crossed[0] is None or crossed[1] is None or under is None:
-                return None
-            above, other, below = (crossed[0], self.one), crossed[1], under
-        sum_of = above[0] + other if code == op.ADD else above[0] - other
-        return Quotient(sum_of, below) if len(sum_of) <= MOST_TERMS else None
-
-    def _quotient(
-        self, above: tuple[fmpq_mpoly, fmpq_mpoly], below: tuple[fmpq_mpoly, fmpq_mpoly]
-    ) -> Quotient | None:
-        top, bottom = self._times(*above), self._times(*below)
-        return None if top is None or bottom is None else Quotient(top, bottom)
-
-    def _times(self, a: fmpq_mpoly, b: fmpq_mpoly) -> fmpq_mpoly | None:
-        if a.is_one():
-            return b
-        if b.is_one():
-            return a
-        if len(a) * len(b) > MOST_PRODUCTS:
+        try:
+            if code == op.MULTIPLY:
+                return Quotient(self._times(a.above, b.above), self._times(a.below, b.below))
+            if code == op.DIVIDE:
+                return Quotient(self._times(a.above, b.below), self._times(a.below, b.above))
+            left, right, below = a.above, b.above, a.below
+            if a.below != b.below:
+                left, right = self._times(left, b.below), self._times(right, below)
+                below = self._times(below, b.below)
+        except TooLarge:
             return None
-        if a.total_degree() + b.total_degree() > LARGEST_DEGREE:
-            return None
-        found = self._reduced(a * b)
-        return found if len(found) <= MOST_TERMS else None
+        total = left + right if code == op.ADD else left - right
+        return Quotient(total, below) if len(total) <= MOST_TERMS else None
 
-    def _reduced(self, polynomial: fmpq_mpoly) -> fmpq_mpoly:
-        """With squares of sines, roots and absolute values written by what they are."""
-        degrees = polynomial.degrees()
-        place = next((k for k in self.squares if degrees[k] > 1), None)
-        while place is not None:
-            square, found = self.squares[place], self.context.constant(0)
-            for exponent, part in self._powers(polynomial, place).items():
-                rest = part * self.generators[place] if exponent % 2 else part
-                found += rest * square ** (exponent // 2)
-            polynomial, degrees = found, found.degrees()
-            place = next((k for k in self.squares if degrees[k] > 1), None)
-        return polynomial
+    def _times(self, a: fmpq_mpoly, b: fmpq_mpoly) -> fmpq_mpoly:
+        """A product, with squares of sines, roots and absolute values written by what they are."""
+        degree = a.total_degree() + b.total_degree()
+        if len(a) * len(b) > MOST_PRODUCTS or degree > LARGEST_DEGREE:
+            raise TooLarge(f"{len(a)} times {len(b)} terms, degree {degree}")
+        found = self.ring.product(a, b)
+        if len(found) > MOST_TERMS:
+            raise TooLarge(f"{len(found)} terms")
+        return found
 
     def _powers(self, polynomial: fmpq_mpoly, place: int) -> dict[int, fmpq_mpoly]:
         """Coefficients of the powers of one unknown."""
@@ -224,24 +203,29 @@ class Forms:
             rest = polynomial.subs({place: 0})
             if len(rest):
                 parts[exponent] = rest
-            polynomial = (polynomial - rest) // self.generators[place]
+            polynomial = (polynomial - rest) // self.ring.gen(place)
             exponent += 1
         return parts
+
+    def _unknowns(self, polynomial: fmpq_mpoly) -> list[tuple[int, int]]:
+        """Places and degrees of what a polynomial holds, in the order in which it was made."""
+        degrees = list(enumerate(polynomial.degrees()))
+        return [(place, degree) for place, degree in reversed(degrees) if degree]
 
     def _opaque(self, number: int, code: int, inner: Quotient | None) -> Quotient:
         if code in (op.SIN, op.COS, op.TAN):
             return self._circular(number, code, inner)
-        if code == op.SQRT:
-            return self._root(number, inner)
-        if code == op.ABS:
-            return self._magnitude(number, inner)
-        key: object = number
-        if inner is not None and op.OPERATIONS[code].arity == 1:
-            key = (str(inner.above), str(inner.below))
+        if code in (op.SQRT, op.ABS):
+            try:
+                known = None if inner is None else (
+                    self._root(inner) if code == op.SQRT else self._magnitude(inner)
+                )  # fmt: skip
+            except TooLarge:
+                known = None
+            return known or self._atom(code, self._key(number, inner), NOT_NEGATIVE)
+        key = self._key(number, inner if op.OPERATIONS[code].arity == 1 else None)
         if code in (op.EXP, op.COSH):
             return self._atom(code, key, POSITIVE)
-        if code in (op.TANH, op.SIGN):
-            return self._atom(code, key, bounded=True)
         if code == op.POWER:
             positive = inner is not None and self.sign_of(inner) == POSITIVE
             return self._atom(code, key, POSITIVE if positive else NOT_NEGATIVE)
@@ -253,53 +237,45 @@ class Forms:
             return self._atom(code, key, signs[0] | signs[1])
         return self._atom(code, key)
 
+    def _key(self, number: int, inner: Quotient | None) -> object:
+        """What is the same for the same operand; a node whose operand is too large is its own."""
+        return number if inner is None else (str(inner.above), str(inner.below))
+
     def _circular(self, number: int, code: int, inner: Quotient | None) -> Quotient:
         """Sine and cosine of what is the same but for its sign are the same but for its sign."""
-        key: object = number
-        turned = False
-        if inner is None:
-            # Of the same operand, whose form is too large.
-            key = ("of", self.builder.operands[0][number])
-        else:
-            above = inner.above
+        above, turned = (inner.above if inner else None), False
+        # Of the same operand, whose form is too large.
+        key: object = ("of", self.builder.operands[0][number])
+        if inner is not None and above is not None:
             turned = len(above) > 0 and above.leading_coefficient() < 0
-            key = (str(-above if turned else above), str(inner.below))
-        cosine = self._atom(op.COS, key, bounded=True)
-        sine = self._atom(op.SIN, key, bounded=True)
-        self.squares.setdefault(self._atoms[op.SIN, key], 1 - cosine.above**2)
-        self.angles[self._atoms[op.SIN, key]] = self._atoms[op.COS, key]
-        if inner is not None and self.numbers.holds(inner.above * inner.below):
-            places = self._atoms[op.SIN, key], self._atoms[op.COS, key]
-            self.numbers.circular(*places, -inner.above if turned else inner.above, inner.below)
-        if turned:
-            sine = Quotient(-sine.above, self.one)
+            above = -above if turned else above
+            key = (str(above), str(inner.below))
+        cosine, sine = self.ring.circle(key)
+        (c, _), (s, _) = self.ring.place(("cos", key)), self.ring.place(("sin", key))
+        self.bounded |= {c, s}
+        self.squares[s], self.angles[s] = 1 - cosine**2, c
+        if inner is not None and above is not None and self.numbers.holds(above * inner.below):
+            self.numbers.circular(s, c, above, inner.below)
+        sine = -sine if turned else sine
         if code == op.TAN:
-            return Quotient(sine.above, cosine.above)
-        return sine if code == op.SIN else cosine
+            return Quotient(sine, cosine)
+        return Quotient(sine if code == op.SIN else cosine, self.one)
 
-    def _root(self, number: int, inner: Quotient | None) -> Quotient:
-        if inner is None:
-            return self._atom(op.SQRT, number, NOT_NEGATIVE)
+    def _root(self, inner: Quotient) -> Quotient | None:
         above, below = inner
         if (whole := square_root(above)) and (under := square_root(below)):
-            return self._magnitude(number, Quotient(whole, under))
+            return self._magnitude(Quotient(whole, under))
         if not below.is_one():
             if self.sign(below) != POSITIVE:
-                return self._atom(op.SQRT, (str(above), str(below)), NOT_NEGATIVE)
-            crossed = self._times(above, below)
-            if crossed is None:
-                return self._atom(op.SQRT, (str(above), str(below)), NOT_NEGATIVE)
-            above = crossed
+                return None
+            above = self._times(above, below)
         signs = self.sign(above) & NOT_NEGATIVE
-        atom = self._atom(op.SQRT, str(above), signs or NOT_NEGATIVE)
-        self.squares.setdefault(self._atoms[op.SQRT, str(above)], above)
+        atom, place = self._square(op.SQRT, above, str(above), signs or NOT_NEGATIVE)
         if signs == POSITIVE and self.numbers.holds(above):
-            self.numbers.root(self._atoms[op.SQRT, str(above)], above)
+            self.numbers.root(place, above)
         return Quotient(atom.above, below)
 
-    def _magnitude(self, number: int, inner: Quotient | None) -> Quotient:
-        if inner is None:
-            return self._atom(op.ABS, number, NOT_NEGATIVE)
+    def _magnitude(self, inner: Quotient) -> Quotient | None:
         signs = self.sign_of(inner)
         if not signs & NEGATIVE:
             return inner
@@ -307,14 +283,11 @@ class Forms:
             return Quotient(-inner.above, inner.below)
         above, below = inner
         if not below.is_one():
-            return self._atom(op.ABS, (str(above), str(below)), NOT_NEGATIVE)
+            return None
         above = -above if above.leading_coefficient() < 0 else above
-        atom = self._atom(op.ABS, str(above), NOT_NEGATIVE)
-        place = self._atoms[op.ABS, str(above)]
-        if place not in self.squares:
-            square = self._times(above, above)
-            if square is not None:
-                self.squares[place] = square
+        square = self._times(above, above)
+        atom, place = self._square(op.ABS, square, str(above), NOT_NEGATIVE)
+        if (above, place) not in self.absolute:
             self.absolute.append((above, place))
         return atom
 
@@ -407,12 +380,12 @@ class Forms:
     def _crossing(self, factor: fmpq_mpoly) -> fmpq | None:
         """c of c sin^2(a +- b) or c cos^2(a +- b), whose sines are written by their cosines."""
         if self._crossings is None:
-            g, self._crossings = self.generators, []
-            for (s, c), (other_s, other_c) in combinations(self.angles.items(), 2):
+            self._crossings, gen = [], self.ring.gen
+            for one, other in combinations(self.angles.items(), 2):
+                (s, c), (t, d) = (map(gen, places) for places in (one, other))
                 for sense in (1, -1):
-                    sine = g[s] * g[other_c] + sense * g[c] * g[other_s]
-                    cosine = g[c] * g[other_c] + sense * g[s] * g[other_s]
-                    self._crossings += [self._reduced(sine**2), self._reduced(cosine**2)]
+                    for root in (s * d + sense * c * t, c * d + sense * s * t):
+                        self._crossings.append(self.ring.reduced(root**2))
         ratios = (_ratio(factor, square) for square in self._crossings)
         return next((ratio for ratio in ratios if ratio is not None), None)
 
@@ -444,7 +417,7 @@ class Forms:
         for factor in self.factors(form.above):
             if not self.sign(factor, facts) & ZERO:
                 continue
-            roots = (k for k in self.squares if _ratio(factor, self.generators[k]) is not None)
+            roots = (k for k in self.squares if _ratio(factor, self.ring.gen(k)) is not None)
             inside = next((self.squares[k] for k in roots), None)
             if inside is None:
                 return False
@@ -456,7 +429,7 @@ class Forms:
         """Polynomials that are p times a power of what has a sign, where others are zero."""
         terms = p.to_dict()
         for h in zero:
-            for place, degree in enumerate(h.degrees()):
+            for place, degree in self._unknowns(h):
                 if degree != 1:
                     continue
                 held = self._in_sines(p, place) if place in self.angles else p
@@ -464,34 +437,33 @@ class Forms:
                 if not most:
                     continue
                 parts = self._powers(h, place)
-                slope, rest = parts[1], parts.get(0, self.context.constant(0))
+                slope, rest = parts[1], parts.get(0, self.ring.constant(0))
                 signs = self.sign(slope)
                 if signs & ZERO or signs == ANY:
                     continue
-                found = self.context.constant(0)
+                found = self.ring.constant(0)
                 for k, part in self._powers(held, place).items():
                     found += part * (-rest) ** k * slope ** (most - k)
                 if len(found) <= MOST_FACTORED:
-                    yield self._reduced(found), power(signs, most) if most % 2 else POSITIVE
+                    yield self.ring.reduced(found), power(signs, most) if most % 2 else POSITIVE
             for monomial, coefficient in h.to_dict().items():
                 if monomial in terms:
                     yield p - h * (terms[monomial] / coefficient), POSITIVE
 
     def _in_sines(self, p: fmpq_mpoly, sine: int) -> fmpq_mpoly:
         """With squares of a cosine written by its sine, which are written the other way else."""
-        found, cosine = self.context.constant(0), self.angles[sine]
+        found, cosine = self.ring.constant(0), self.angles[sine]
         for k, part in self._powers(p, cosine).items():
-            rest = part * self.generators[cosine] if k % 2 else part
-            found += rest * (1 - self.generators[sine] ** 2) ** (k // 2)
+            rest = part * self.ring.gen(cosine) if k % 2 else part
+            found += rest * (1 - self.ring.gen(sine) ** 2) ** (k // 2)
         return found
 
     def _sampled(self, polynomial: fmpq_mpoly) -> int:
         """Signs that may still be shown, the others being met at some values of the unknowns."""
-        used = [place for place, degree in enumerate(polynomial.degrees()) if degree]
-        values = [fmpq(0)] * len(self.generators)
+        values = [fmpq(0)] * self.ring.capacity
         met = 0
         for sample in range(SAMPLES):
-            for k, place in enumerate(used):
+            for k, (place, _) in enumerate(self._unknowns(polynomial)):
                 value = fmpq((sample * (2 * k + 3) + 5 * k) % 17 - 8, 8)
                 value = value or fmpq(1, 8)
                 values[place] = value if self.signs[place] & NEGATIVE else abs(value)
@@ -512,15 +484,15 @@ class Forms:
                     if not more & NEGATIVE:
                         signs = total(more, fact.signs)
                         found &= signs if sense > 0 else negated(signs)
-                square = self._times(factor, factor)
-                if square is not None and len(factor) == 1:
+                if len(factor) == 1:
+                    square = self.ring.product(factor, factor)
                     more = self.sign(square - fact.polynomial, (), depth + 2)
                     if total(more, fact.signs) == POSITIVE:
                         found &= ~ZERO
         if facts and depth < 2:
             for inside, place in self.absolute:
                 if _ratio(factor, inside) is not None and not (
-                    self._by_facts(self.generators[place], facts, depth + 1) & ZERO
+                    self._by_facts(self.ring.gen(place), facts, depth + 1) & ZERO
                 ):
                     found &= ~ZERO
         return found
@@ -534,19 +506,21 @@ class Forms:
         inside, place = held
         found = 0
         for case in (inside, -inside):
-            there = self.context.constant(0)
+            there = self.ring.constant(0)
             for k, part in self._powers(factor, place).items():
                 there += part * case**k
-            found |= self.sign(self._reduced(there), (*facts, Fact(case, NOT_NEGATIVE)), depth + 1)
+            found |= self.sign(
+                self.ring.reduced(there), (*facts, Fact(case, NOT_NEGATIVE)), depth + 1
+            )
         return found
 
     def _by_squares(self, p: fmpq_mpoly, facts: Facts, depth: int) -> int:
         """a x^2 + b x + c, in any unknown whose square alone has a sign."""
-        for place, degree in enumerate(p.degrees()):
+        for place, degree in self._unknowns(p):
             if degree != 2 or self.signs[place] != ANY:
                 continue
             parts = self._powers(p, place)
-            a, b, c = (parts.get(k, self.context.constant(0)) for k in (2, 1, 0))
+            a, b, c = (parts.get(k, self.ring.constant(0)) for k in (2, 1, 0))
             first = self.sign(a, facts, depth + 1)
             if first & NEGATIVE:
                 continue
@@ -559,11 +533,11 @@ class Forms:
 
     def _bernstein(self, p: fmpq_mpoly, facts: Facts, depth: int) -> int:
         """p on [-1, 1] lies between the least and the largest of its Bernstein coefficients."""
-        for place, degree in enumerate(p.degrees()):
-            if not degree or place not in self.bounded:
+        for place, degree in self._unknowns(p):
+            if place not in self.bounded:
                 continue
             parts = self._powers(p, place)
-            zero = self.context.constant(0)
+            zero = self.ring.constant(0)
             # In t of x = 2 t - 1, then by the Bernstein polynomials of degree n.
             inner = [
                 sum(
