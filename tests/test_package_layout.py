@@ -259,7 +259,7 @@ def test_no_module_keeps_what_it_was_asked_for() -> None:
     assert breaches(keeps_objects, others) == []
 
 
-LINES_OF_A_VERDICT = 6661
+LINES_OF_A_VERDICT = 6646
 """The aim is 4,000: whoever makes it less writes the new figure here."""
 
 

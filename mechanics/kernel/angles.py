@@ -131,12 +131,17 @@ def _added(left: Form, right: Form, factor: int) -> Form:
         return right
     result = dict(left)
     for monomial, value in right.items():
-        total = result.get(monomial, 0) + factor * value
-        if total:
-            result[monomial] = total
-        else:
-            result.pop(monomial, None)
+        accumulate(result, monomial, factor * value)
     return result
+
+
+def accumulate(form: Form, monomial: Monomial, value: Fraction) -> None:
+    """Add a term to a form in its place."""
+    total = form.get(monomial, 0) + value
+    if total:
+        form[monomial] = total
+    else:
+        form.pop(monomial, None)
 
 
 def _multiplied(left: Form, right: Form) -> Form | None:
@@ -145,12 +150,7 @@ def _multiplied(left: Form, right: Form) -> Form | None:
     result: Form = {}
     for one, factor in left.items():
         for other, value in right.items():
-            monomial = _product(one, other)
-            total = result.get(monomial, 0) + factor * value
-            if total:
-                result[monomial] = total
-            else:
-                result.pop(monomial, None)
+            accumulate(result, _product(one, other), factor * value)
     return result
 
 
@@ -303,20 +303,21 @@ class _Rewriting:
     def _sum(self, terms: tuple[tuple[Monomial, Fraction], ...]) -> Point:
         """Point of a sum; beginnings are shared with other sums."""
         if terms not in self._points:
-            monomial, factor = terms[-1]
-            multiple = factor * self._angle
-            if multiple.denominator == 1:
-                last = self._multiple(self._base(monomial, 1, self._angle), multiple.numerator)
-            else:
-                base = self._base(monomial, abs(factor.numerator), factor.denominator)
-                last = self._multiple(base, 1 if factor > 0 else -1)
+            last = self._multiple(*self._base(*terms[-1], self._angle))
             before = terms[:-1]
             self._points[terms] = self._rotated(self._sum(before), last) if before else last
         return self._points[terms]
 
-    def _base(self, monomial: Monomial, above: int, below: int) -> Node:
-        """A monomial times a rational, as a node."""
-        return node_of(self._builder, {monomial: Fraction(above, below)})
+    def _base(self, monomial: Monomial, factor: Fraction, common: int) -> tuple[Node, int]:
+        """The base that a term is a multiple of, and the multiple.
+
+        The monomial over the common denominator, or the term itself where that is no multiple.
+        """
+        times = factor * common
+        base, side = Fraction(1, common), times.numerator
+        if times.denominator != 1:
+            base, side = abs(factor), 1 if factor > 0 else -1
+        return node_of(self._builder, {monomial: base}), side
 
     def _multiple(self, base: Node, times: int) -> Point:
         """Point of a multiple, by doubling."""
@@ -379,12 +380,7 @@ class _Rewriting:
         """Equation (3)."""
         result = self._builder.one
         for monomial, factor in sorted(self._forms.of(x.number).items()):
-            multiple = factor * self._exponent
-            if multiple.denominator == 1:
-                base, times = self._base(monomial, 1, self._exponent), multiple.numerator
-            else:
-                base = self._base(monomial, abs(factor.numerator), factor.denominator)
-                times = 1 if factor > 0 else -1
+            base, times = self._base(monomial, factor, self._exponent)
             grown = self._builder.product(self._builder.call("exp", base), abs(times))
             result = result * grown if times > 0 else result / grown
         return result

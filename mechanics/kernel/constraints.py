@@ -27,7 +27,7 @@ from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import partial
 
-from mechanics.kernel.angles import Form, Forms, Monomial, base_angles, node_of
+from mechanics.kernel.angles import Form, Forms, Monomial, accumulate, base_angles, node_of
 from mechanics.kernel.balls import enclose
 from mechanics.kernel.field import Inadmissible
 from mechanics.kernel.independence import zeros
@@ -193,12 +193,7 @@ class _Solver:
                 put(lower, rest, factor)
                 put(tuple(sorted((k, p) for k, p in powers.items() if p)), rest, -factor)
                 return
-            part = found.setdefault(key, {})
-            total = part.get(rest, Fraction(0)) + factor
-            if total:
-                part[rest] = total
-            else:
-                part.pop(rest)
+            accumulate(found.setdefault(key, {}), rest, factor)
 
         for monomial, factor in form.items():
             key = tuple(sorted((places[n], power) for n, power in monomial if n in places))
