@@ -315,7 +315,8 @@ def lines_of_code(source: str) -> int:
 
 
 def test_lines_of_code_are_counted() -> None:
-    source = '"""Of a module.\n\nTwo lines."""\n\nx = (\n    1,  # one\n)\n# nothing\ny = 2\n"""Of y."""\n'
+    above = '"""Of a module.\n\nTwo lines."""\n'
+    source = above + 'x = (\n    1,  # one\n)\n\n# nothing\ny = 2\n"""Of y."""\n'
     assert lines_of_code(source) == 4
 
 
