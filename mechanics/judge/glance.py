@@ -18,6 +18,8 @@ from mechanics.checks.ledger_motion import put_motion
 from mechanics.equations import Equations
 from mechanics.errors import ExpressionError
 from mechanics.kernel.field import Inadmissible
+from mechanics.program import Program
+from mechanics.program.interpret import include
 from mechanics.scene import Scene
 from mechanics.scene import quantities as q
 from mechanics.scene.published import Published
@@ -25,6 +27,8 @@ from mechanics.symbolic import Arithmetic, Number
 from mechanics.symbolic.point import Point
 
 Table = Mapping[Symbol, Expr]
+Typed = tuple[Program, dict[str, Symbol]]
+"""Expressions as a program, and the symbols that its inputs are."""
 
 
 def glance(truth: Equations, rows: Sequence[Published], tables: Sequence[Table]) -> list[bool]:
@@ -69,24 +73,25 @@ def _look(
         else:
             manifold.project_accelerations(a)
         derived = [_derived(a, truth, row) for row in rows]
+        typed = [_read([e for side in _entries(row) for e in side]) for row in rows]
         # What is there before any change is evaluated first: its roots are not the changes'.
         _, point = a.residues([*a.assigned.values(), *(n for some in derived for n in some)])
     except (ExpressionError, ValueError, Inadmissible):
         return  # the full check will say what is wrong
-    pairs = list(zip(rows, derived, strict=True))
+    every = list(zip(rows, typed, derived, strict=True))
     for k, table in enumerate(tables):
-        if possible[k] and any(_differs(a, point, scene, *pair, table) for pair in pairs):
+        if possible[k] and any(_differs(a, point, scene, *one, table) for one in every):
             possible[k] = False
 
 
 def _differs(
-    a: Arithmetic, point: Point, scene: Scene, row: Published, derived: Sequence[Number],
-    table: Table,
+    a: Arithmetic, point: Point, scene: Scene, row: Published, typed: Typed,
+    derived: Sequence[Number], table: Table,
 ) -> bool:  # fmt: skip
     """Whether a row is not right at a point."""
     before = _unsure(point)
     try:
-        sides = _sides(a, scene, row, table)
+        sides = _sides(a, scene, row, typed, table)
         targets, sides = (derived, sides) if derived else (sides[0], sides[1:])
         wrong = any(
             point.value(left - right) != 0
@@ -114,19 +119,27 @@ def _derived(a: Arithmetic, truth: Equations, row: Published) -> list[Number]:
             return [a.value(entry) for entry in truth.kinematics.mass_matrix]
         case q.PotentialEnergy() | q.TotalEnergy() | q.Lagrangian():
             energy = energy_of(truth.kinematics, row.quantity)
-            return [a.value(energy) - _value(a, energy, _elsewhere(truth.scene))]
+            (there,) = _values(a, _read([energy]), _elsewhere(truth.scene))
+            return [a.value(energy) - there]
     return []
 
 
-def _sides(a: Arithmetic, scene: Scene, row: Published, table: Table) -> list[list[Number]]:
+def _entries(row: Published) -> list[list[Expr]]:
+    """The typed sides entry by entry."""
+    return [list(s) if isinstance(s, MatrixBase) else [s] for s in row.sides]
+
+
+def _sides(
+    a: Arithmetic, scene: Scene, row: Published, typed: Typed, table: Table
+) -> list[list[Number]]:  # fmt: skip
     """Values of the typed sides, entry by entry; of an energy less what it is elsewhere."""
-    entries = [list(s) if isinstance(s, MatrixBase) else [s] for s in row.sides]
-    values = [[_value(a, entry, table) for entry in side] for side in entries]
-    if type(row.quantity) not in SHARES:
-        return values
-    there = _elsewhere(scene)
-    moved = there | {s: expr.xreplace(there) for s, expr in table.items()}
-    return [[side[0] - _value(a, e[0], moved)] for side, e in zip(values, entries, strict=True)]
+    values = iter(_values(a, typed, table))
+    if type(row.quantity) in SHARES:
+        there = _elsewhere(scene)
+        moved = there | {s: expr.xreplace(there) for s, expr in table.items()}
+        pairs = zip(values, _values(a, typed, moved), strict=True)
+        values = iter([here - elsewhere for here, elsewhere in pairs])
+    return [[next(values) for _ in side] for side in _entries(row)]
 
 
 def _elsewhere(scene: Scene) -> dict[Symbol, Expr]:
@@ -135,7 +148,15 @@ def _elsewhere(scene: Scene) -> dict[Symbol, Expr]:
     return {s: Symbol(f"{s.name} elsewhere", real=True) for s in moving}
 
 
-def _value(a: Arithmetic, expr: Expr, table: Table) -> Number:
-    """What an expression is worth with its symbols standing for others."""
-    symbols = sorted(expr.free_symbols, key=lambda symbol: symbol.name)
-    return a.value_at(expr, {s: a.value(table.get(s, s)) for s in symbols})
+def _read(expressions: Sequence[Expr]) -> Typed:
+    """Expressions as a program, and its inputs, in the order of their names."""
+    a = Arithmetic()
+    program = a.builder.program({"values": [a.value(expression) for expression in expressions]})
+    return program, {name: s for s, name in sorted(a.inputs.items(), key=lambda item: item[1])}
+
+
+def _values(a: Arithmetic, typed: Typed, table: Table) -> Sequence[Number]:
+    """What expressions are worth with their symbols standing for others."""
+    program, symbols = typed
+    given = {name: a.value(table.get(s, s)) for name, s in symbols.items()}
+    return include(a.builder, program, given)["values"]

@@ -5,10 +5,10 @@
 One change, the same for all statements: those that are right have to stay right.
 """
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
-from functools import lru_cache
 
+from mechanics.checks.admissible import check_admissible
 from mechanics.checks.ledger import check_row
 from mechanics.crosscheck.routes import derive_textbook
 from mechanics.equations import Equations
@@ -16,9 +16,11 @@ from mechanics.errors import ExpressionError, InputError, MechanicsError, SceneE
 from mechanics.judge.glance import glance
 from mechanics.judge.moved import in_plain_symbols, moved, moves_more
 from mechanics.kernel import Finding
-from mechanics.reading.convention import POINT_MASS, Change
+from mechanics.reading.convention import POINT_MASS, Change, Table
 from mechanics.reading.conventions import combined_table, conventions
 from mechanics.reading.statement import Statement
+from mechanics.routes import free_body
+from mechanics.routes.derivation import as_program
 from mechanics.scene import RigidBody, Scene
 from mechanics.scene.published import Published
 
@@ -36,42 +38,68 @@ def right_if(truth: Equations, statements: Sequence[Statement]) -> list[Change]:
         With a row each; at least one of them is refuted as it is written.
     """
     rows = [s.row for s in statements if s.row is not None]
-    few = [row for row in rows if not moves_more(truth.scene, row)]
-    quick = [in_plain_symbols(truth.kinematics, row) for row in few]
-    held = set().union(*(side.free_symbols for row in quick for side in row.sides))
     changes = _changes(truth.scene)
-    if len(quick) == len(rows):
+    if not any(moves_more(truth.scene, row) for row in rows):
+        written = [in_plain_symbols(truth.kinematics, row) for row in rows]
+        held = set().union(*(side.free_symbols for row in written for side in row.sides))
         # What the statements do not hold cannot matter to them.
         trimmed = (
             tuple(c for c in x if c.kind != "size" or held & c.table.keys()) for x in changes
         )
         whole = (x for x in trimmed if all(c is POINT_MASS or held & c.table.keys() for c in x))
         changes = list({tuple(c.name for c in x): x for x in whole if x}.values())
-    right: list[Change] = []
-    for target, some in _by_target(truth, changes):
-        tables = [combined_table(change) for change in some]
-        looked = glance(target, quick, tables) if quick else [True] * len(tables)
-        for change, table, possible in zip(some, tables, looked, strict=True):
-            if not possible or any(all(c in change for c in simpler) for simpler in right):
-                continue
-            findings = [_judged(target, row, table) for row in rows]
-            if all(finding is not None and finding.shown for finding in findings):
-                right.append(change)
+    plain = _likely(truth, rows, [change for change in changes if POINT_MASS not in change])
+    right = _with_shown(truth, rows, plain, [])
+    if (lighter := _without_inertia(truth)) is not None:
+        likely = _likely(lighter, rows, [change for change in changes if POINT_MASS in change])
+        others = [change for change in likely if not _holds_one(change, right)]
+        if others and (target := _point_masses(truth.scene)) is not None:
+            right = _with_shown(target, rows, others, right)
     return right
 
 
-def target_of(truth: Equations, change: Change) -> Equations | None:
-    """What statements are compared with under a change; None where the scene has no such thing."""
-    return _point_masses(truth.scene) if POINT_MASS in change else truth
+def _with_shown(
+    target: Equations, rows: Sequence[Published], changes: Iterable[Change], right: list[Change]
+) -> list[Change]:
+    """What is right, and changes besides under which all rows are shown."""
+    for change in changes:
+        if not _holds_one(change, right):
+            findings = [_judged(target, row, combined_table(change)) for row in rows]
+            if all(finding is not None and finding.shown for finding in findings):
+                right = [*right, change]
+    return right
 
 
-def _by_target(truth: Equations, changes: list[Change]) -> Iterator[tuple[Equations, list[Change]]]:
-    """Changes with what they are compared with: the scene as it is, then with point masses."""
-    yield truth, [change for change in changes if POINT_MASS not in change]
-    lighter = [change for change in changes if POINT_MASS in change]
-    target = _point_masses(truth.scene) if lighter else None
-    if target is not None:
-        yield target, lighter
+def _holds_one(change: Change, simpler: Sequence[Change]) -> bool:
+    """Whether a change is one of others, with more besides."""
+    return any(all(c in change for c in one) for one in simpler)
+
+
+def targets_of(truth: Equations, changes: Sequence[Change]) -> list[Equations | None]:
+    """What statements are compared with under changes; None where the scene has no such thing."""
+    lighter = _point_masses(truth.scene) if any(POINT_MASS in c for c in changes) else None
+    return [lighter if POINT_MASS in change else truth for change in changes]
+
+
+def _likely(truth: Equations, rows: Sequence[Published], changes: list[Change]) -> Iterator[Change]:
+    """Changes under which all rows can be right, at a point of a field."""
+    more = [row for row in rows if moves_more(truth.scene, row)]
+    few = [row for row in rows if not moves_more(truth.scene, row)]
+    quick = [in_plain_symbols(truth.kinematics, row) for row in few]
+    tables = [combined_table(change) for change in changes]
+    looked = glance(truth, quick, tables) if quick else [True] * len(tables)
+    for change, table, possible in zip(changes, tables, looked, strict=True):
+        if possible and all(_possible(truth, row, table) for row in more):
+            yield change
+
+
+def _possible(truth: Equations, row: Published, table: Table) -> bool:
+    """Whether a row of whom more than symbols changes can be right."""
+    try:
+        plain = in_plain_symbols(truth.kinematics, moved(truth.scene, row, table))
+    except (InputError, SceneError, ExpressionError):
+        return False
+    return all(glance(truth, [plain], [{}]))
 
 
 def _changes(scene: Scene) -> list[Change]:
@@ -80,20 +108,35 @@ def _changes(scene: Scene) -> list[Change]:
     return [*plain, (POINT_MASS,), *((POINT_MASS, *change) for change in singles)]
 
 
-def _judged(truth: Equations, row: Published, table: dict) -> Finding | None:
+def _judged(truth: Equations, row: Published, table: Table) -> Finding | None:
     try:
-        there = moved(truth.scene, row, table)
-        if moves_more(truth.scene, row):
-            plain = in_plain_symbols(truth.kinematics, there)
-            if not all(glance(truth, [plain], [{}])):
-                return None
-        return check_row(truth.scene, there, truth)
+        return check_row(truth.scene, moved(truth.scene, row, table), truth)
     except (InputError, SceneError, ExpressionError):
         return None
 
 
-@lru_cache(maxsize=32)
-def _lighter(scene: Scene) -> Equations | None:
+def _without_inertia(truth: Equations) -> Equations | None:
+    """The equations, as a program, of the bodies as point masses; None as for `_point_masses`."""
+    if not _heavy(truth.scene):
+        return None
+    mechanism = truth.kinematics.mechanism
+    none = ((mechanism.builder.zero,) * 3,) * 3
+    bodies = (
+        body if body.inertia is None else replace(body, inertia=none, scalar=True)
+        for body in mechanism.bodies
+    )
+    lighter = replace(mechanism, bodies=tuple(bodies))
+    try:
+        check_admissible(lighter)
+        return as_program(truth.scene, lighter, free_body.derive(lighter))
+    except MechanicsError:
+        return None
+
+
+def _point_masses(scene: Scene) -> Equations | None:
+    """The equations of the scene with point masses for its bodies, where that is another scene."""
+    if not _heavy(scene):
+        return None
     bodies = tuple(
         replace(body, inertia=0) if isinstance(body, RigidBody) else body for body in scene.bodies
     )
@@ -103,9 +146,6 @@ def _lighter(scene: Scene) -> Equations | None:
         return None  # without inertia the scene does not move as it should
 
 
-def _point_masses(scene: Scene) -> Equations | None:
-    """The equations of the scene with point masses for its bodies, where that is another scene."""
-    rigid = [body for body in scene.bodies if isinstance(body, RigidBody)]
-    if not any(body.inertia != 0 for body in rigid):
-        return None
-    return _lighter(scene)
+def _heavy(scene: Scene) -> bool:
+    """Whether a body has a moment of inertia."""
+    return any(isinstance(body, RigidBody) and body.inertia != 0 for body in scene.bodies)

@@ -16,12 +16,13 @@ from sympy import Symbol
 
 from mechanics.equations import Equations
 from mechanics.judge.moved import in_plain_symbols, moved, moves_more
-from mechanics.judge.right_if import target_of
+from mechanics.judge.right_if import targets_of
 from mechanics.judge.single import FAILURES, judge, subject_of
 from mechanics.kernel import Finding, Verdict, undecided
 from mechanics.reading.convention import POINT_MASS, Change
 from mechanics.reading.conventions import combined_table, joints, other_signs
 from mechanics.reading.declared import Declared, readings
+from mechanics.reading.directions import counted
 from mechanics.reading.statement import Statement
 from mechanics.report.answer.judged import Judged
 from mechanics.scene import Scene
@@ -46,10 +47,11 @@ def judge_under(
         For conventions that contradict each other, or of what the scene does not have.
     """
     held = _held(truth, statements)
+    every = readings(truth.scene, declared, held)
     changes = [
         (change, target)
-        for change in readings(truth.scene, declared, held)
-        if (target := target_of(truth, change)) is not None
+        for change, target in zip(every, targets_of(truth, every), strict=True)
+        if target is not None
     ]
     if not changes:
         told = ", ".join(d.told for d in declared)
@@ -82,7 +84,7 @@ def _more(target: Equations, statements: Sequence[Statement], change: Change) ->
     """What else has to be counted otherwise, the signs of inputs for example."""
     claimed = [s for s in statements if s.row is not None and not s.doubt]
     touched = {symbol for convention in change for symbol in convention.table}
-    every = (*other_signs(target.scene), *joints(target.scene))
+    every = (*other_signs(target.scene), *joints(target.scene, counted(target.scene)))
     free = [c for c in every if not touched & c.table.keys()]
     for count in range(1, len(free) + 1):
         for extra in combinations(free, count):

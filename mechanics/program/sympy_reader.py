@@ -107,11 +107,6 @@ class Reader:
         (node,) = self.walk.nodes([expression])
         return node
 
-    def read_with(self, expression: Any, symbols: Mapping[Any, Node]) -> Node:
-        """The node of an expression in which other symbols have nodes."""
-        (node,) = Walk(self.builder, self.expand, symbols).nodes([expression])
-        return node
-
     def define(self, symbol: Any, node: Node) -> bool:
         """Let a symbol be a node; False if it has been read or defined already."""
         known = self.walk.scopes[0]

@@ -22,7 +22,7 @@ from mechanics.reading.convention import (
     negative,
 )
 from mechanics.reading.directed import directed, is_another
-from mechanics.reading.directions import counted
+from mechanics.reading.directions import Counted, counted
 from mechanics.reading.kinds import angular
 from mechanics.scene import Gravity, Scene
 from mechanics.scene.symbols import DOTS, plain_symbol
@@ -35,11 +35,12 @@ __all__ = [
 
 def conventions(scene: Scene) -> list[Change]:
     """Single changes first, then those that people combine."""
-    turned = other_vertical(scene)
+    angles = counted(scene)
+    turned = other_vertical(scene, angles)
     groups = [[turned] if turned else [], *([c] for c in other_signs(scene))]
-    level = [c for _, _, c in directed(scene) if is_another(c)]
+    level = [c for _, _, c in directed(scene, angles) if is_another(c)]
     sizes = lengths(scene)
-    before = joints(scene)
+    before = joints(scene, angles)
     singles = [(c,) for group in groups for c in group]
     singles += [(c,) for c in (*level, *before, *sizes)]
     every = [tuple(sizes[k::2]) for k in (0, 1)] if len(sizes) > 2 else []
@@ -56,16 +57,20 @@ def conventions(scene: Scene) -> list[Change]:
     return [*singles, *every, *combined, *mixed]
 
 
-def other_vertical(scene: Scene, only: str = "") -> Convention | None:
+def other_vertical(
+    scene: Scene, angles: Sequence[Counted], only: str = ""
+) -> Convention | None:  # fmt: skip
     """Angles from a fixed direction counted from the opposite one; in space, from the other pole.
 
     Parameters
     ----------
     scene : Scene
+    angles : sequence of Counted
+        How it counts them.
     only : str
         One angle; all of them when not given.
     """
-    turned = [c for c in counted(scene) if c.fixed and only in ("", c.symbol.name)]
+    turned = [c for c in angles if c.fixed and only in ("", c.symbol.name)]
     table: Table = {}
     for angle in turned:
         q = angle.symbol
@@ -96,12 +101,11 @@ def other_sign(scene: Scene, symbols: Sequence[Symbol], name: str) -> Convention
     return Convention(f"other sign of {name}", about(symbols, f"counted {way}"), table, "sign")
 
 
-def joints(scene: Scene) -> list[Convention]:
+def joints(scene: Scene, known: Sequence[Counted]) -> list[Convention]:
     """Angles of a chain counted from the link before, or from what is fixed.
 
     Only what the scene does not do itself; all of its angles have to grow the same way.
     """
-    known = counted(scene)
     if len(known) < 2 or scene.speeds or len({c.sense for c in known} | {0}) != 2:
         return []
     functions = [f for f in scene.coordinates if plain_symbol(f) in {c.symbol for c in known}]

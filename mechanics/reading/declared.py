@@ -17,7 +17,7 @@ from mechanics.errors import InputError
 from mechanics.reading.convention import POINT_MASS, Change, Convention, combined_table
 from mechanics.reading.conventions import joints, lengths, other_sign, other_signs, other_vertical
 from mechanics.reading.directed import SENSES, directed
-from mechanics.reading.directions import DIRECTIONS
+from mechanics.reading.directions import DIRECTIONS, Counted, counted
 from mechanics.reading.kinds import quantity
 from mechanics.reading.names import Match
 from mechanics.scene import Scene
@@ -110,7 +110,8 @@ def readings(scene: Scene, declared: Sequence[Declared], held: frozenset[Symbol]
         For conventions that contradict each other, too many choices, or a symbol that cannot have
         such a convention.
     """
-    choices = [_choices(scene, one, held) for one in declared]
+    angles = counted(scene)
+    choices = [_choices(scene, one, held, angles) for one in declared]
     count = 1
     for some in choices:
         count *= len(some)
@@ -165,7 +166,9 @@ def _known() -> dict[str, Places | None]:
     }  # fmt: skip
 
 
-def _choices(scene: Scene, one: Declared, held: frozenset[Symbol]) -> list[Change]:
+def _choices(
+    scene: Scene, one: Declared, held: frozenset[Symbol], angles: Sequence[Counted]
+) -> list[Change]:  # fmt: skip
     """What one declared convention can mean.
 
     Raises
@@ -173,10 +176,11 @@ def _choices(scene: Scene, one: Declared, held: frozenset[Symbol]) -> list[Chang
     InputError
         For a symbol that cannot have it.
     """
-    found = _meanings(scene, one, held)
+    found = _meanings(scene, one, held, angles)
     if one.of and not found:
         every = (*scene.q, *scene.input_symbols, *scene.parameters)
-        able = [s.name for s in every if _meanings(scene, replace(one, of=s.name), held)]
+        own = [replace(one, of=s.name) for s in every]
+        able = [other.of for other in own if _meanings(scene, other, held, angles)]
         what = quantity(scene, one.of)
         what = f"{'an' if what[0] in 'ai' else 'a'} {what}" if what else "no name"
         raise InputError(
@@ -186,21 +190,23 @@ def _choices(scene: Scene, one: Declared, held: frozenset[Symbol]) -> list[Chang
     return found
 
 
-def _meanings(scene: Scene, one: Declared, held: frozenset[Symbol]) -> list[Change]:
+def _meanings(
+    scene: Scene, one: Declared, held: frozenset[Symbol], angles: Sequence[Counted]
+) -> list[Change]:  # fmt: skip
     places = _known().get(one.name)
     found: list[Change]
     if places is not None:
-        found = [(c,) for *place, c in directed(scene, one.of) if tuple(place) in places]
+        found = [(c,) for *place, c in directed(scene, angles, one.of) if tuple(place) in places]
     elif one.name in SIZES or one.name == _plain(SIZES[1]):
         found = _sizes(scene, one, held)
     elif one.name == "other sign":
         free = (*scene.q, *scene.input_symbols)
         found = [(other_sign(scene, [s], one.of),) for s in free if s.name == one.of]
     elif one.name == "other vertical":
-        turned = other_vertical(scene, one.of)
+        turned = other_vertical(scene, angles, one.of)
         found = [] if turned is None else [(turned,)]
     else:
-        every = () if one.of else (*other_signs(scene), *joints(scene), POINT_MASS)
+        every = () if one.of else (*other_signs(scene), *joints(scene, angles), POINT_MASS)
         found = [(c,) for c in every if c.name == one.name]
     return found
 

@@ -7,12 +7,13 @@ scene counts, Z and S how the person does. The angle of a joint has no z: phi = 
 settles the sign of gravity, left or right that of what drives the scene sideways.
 """
 
+from collections.abc import Sequence
 from itertools import product
 
 from sympy import Expr, Symbol, pi
 
 from mechanics.reading.convention import Convention, Table, about, negative
-from mechanics.reading.directions import DIRECTIONS, Counted, counted
+from mechanics.reading.directions import DIRECTIONS, Counted
 from mechanics.scene import Scene
 
 SENSES = {1: "counterclockwise", -1: "clockwise"}
@@ -21,7 +22,7 @@ SIDES = {1: "above the horizontal", -1: "below the horizontal"}
 Directed = tuple[int | None, int, Convention]
 
 
-def directed(scene: Scene, only: str = "") -> list[Directed]:
+def directed(scene: Scene, angles: Sequence[Counted], only: str = "") -> list[Directed]:
     """How angles can be counted: place of the direction in `DIRECTIONS`, sense, and convention.
 
     In space there is neither right nor left: the place is None, and the sense 1 above the
@@ -30,10 +31,12 @@ def directed(scene: Scene, only: str = "") -> list[Directed]:
     Parameters
     ----------
     scene : Scene
+    angles : sequence of Counted
+        How it counts them.
     only : str
         One angle; all of them when not given.
     """
-    known = [c for c in counted(scene) if only in ("", c.symbol.name)]
+    known = [c for c in angles if only in ("", c.symbol.name)]
     fixed = [c for c in known if c.fixed]
     if not fixed or any(c.quarter is None for c in fixed):
         return []

@@ -9,7 +9,7 @@ is counted from the vertical, its azimuth from no direction that gravity knows.
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from functools import lru_cache
+from itertools import chain
 
 from sympy import Dummy, Expr, Matrix, S, Symbol
 
@@ -49,14 +49,14 @@ class Counted:
     planar: bool
 
 
-@lru_cache(maxsize=32)
 def counted(scene: Scene) -> tuple[Counted, ...]:
     """How a scene counts its angles, in the order of its coordinates.
 
     Seen with the first axis of the plane to the right and gravity downwards; without gravity in the
     plane, with its second axis upwards.
     """
-    angles = tuple(q for q in scene.q if q in angular(scene))
+    turned = angular(scene)
+    angles = tuple(q for q in scene.q if q in turned)
     places = [scene.position(body.centre) for body in scene.bodies]
     view = _view(scene, places)
     if len(view) == 2:
@@ -96,8 +96,8 @@ def _in_plane(
     zero = _zero(scene, angles)
     senses, quarters, fixed = [], [], False
     for place in places:
-        slope = place.diff(q)
-        arm = -slope.diff(q)
+        slope = _slope(place, q)
+        arm = -_slope(slope, q)
         if arm.xreplace(zero).is_zero_matrix:
             continue
         there, ahead = arm.xreplace(zero), slope.xreplace(zero)
@@ -106,8 +106,8 @@ def _in_plane(
             continue
         fixed = True
         quarters.append(_quarter(there))
-    senses += list(_turns(scene, q, zero, view))
-    sense = next((s for s in senses if s), 0)
+    turns = _turns(scene, q, zero, view)
+    sense = next((s for s in chain(senses, turns) if s), 0)
     return Counted(q, sense, next((k for k in quarters if k is not None), None), fixed, True)
 
 
@@ -119,7 +119,7 @@ def _turns(
     for body in scene.bodies:
         if hasattr(body, "frame"):
             rotation = scene.rotation(body.frame)
-            spin = (rotation.diff(q) * rotation.T).xreplace(zero)
+            spin = _slope(rotation, q).xreplace(zero) * rotation.T.xreplace(zero)
             yield _sign(up.dot(spin * right))
 
 
@@ -140,6 +140,10 @@ def _in_space(scene: Scene, q: Symbol, angles: tuple[Symbol, ...], heights: list
 def _zero(scene: Scene, angles: tuple[Symbol, ...]) -> dict[Symbol, Expr]:
     """All angles zero, and lengths that are coordinates positive, as people mean them."""
     return {q: S.Zero if q in angles else Dummy(positive=True) for q in scene.q}
+
+
+def _slope(matrix: Matrix, q: Symbol) -> Matrix:
+    return matrix.applyfunc(lambda entry: entry.diff(q))
 
 
 def _circular(arm: Matrix, q: Symbol) -> bool:

@@ -78,10 +78,6 @@ class Arithmetic:
         """
         return self._reader.read(sympy.sympify(expression))
 
-    def value_at(self, expression: Any, table: Mapping[sympy.Symbol, Node]) -> Node:
-        """The node of an expression in which symbols stand for others."""
-        return self._reader.read_with(sympy.sympify(expression), self.assigned | dict(table))
-
     def assign(self, symbol: sympy.Symbol, number: Node | int | Fraction) -> None:
         """Let a symbol stand for a number that the experiment has computed.
 

@@ -13,10 +13,11 @@ import mechanics
 from mechanics.blame.rows import generalized_rows
 from mechanics.equations import Equations
 from mechanics.judge.check import derived
-from mechanics.judge.right_if import target_of
+from mechanics.judge.right_if import targets_of
 from mechanics.reading.convention import POINT_MASS, Change, combined_table
 from mechanics.reading.conventions import conventions
 from mechanics.reading.directed import directed
+from mechanics.reading.directions import counted
 from systems import ALL
 
 pytestmark = pytest.mark.campaign
@@ -39,9 +40,9 @@ def truth(name: str) -> Equations:
 def changes(name: str) -> list[Change]:
     """Conventions that may be declared for a system, the first ones alone, and some pairs."""
     scene = truth(name).scene
-    found: list[Change] = [(c,) for _, _, c in directed(scene)]
+    found: list[Change] = [(c,) for _, _, c in directed(scene, counted(scene))]
     found += [change for change in conventions(scene) if len(change) == 1]
-    found += [(POINT_MASS,)] if target_of(truth(name), (POINT_MASS,)) is not None else []
+    found += [(POINT_MASS,)] if targets_of(truth(name), [(POINT_MASS,)]) != [None] else []
     pairs = [change for change in conventions(scene) if len(change) == 2]
     source = Random(name)
     return source.sample(found, min(12, len(found))) + source.sample(pairs, min(4, len(pairs)))
@@ -49,7 +50,7 @@ def changes(name: str) -> list[Change]:
 
 def rows_under(name: str, change: Change) -> list[Expr]:
     """Right rows, expanded, in which the convention can be seen."""
-    target = target_of(truth(name), change)
+    (target,) = targets_of(truth(name), [change])
     assert target is not None
     table = combined_table(change)
     solved = linsolve([table[s] - Symbol(f"{s}_") for s in table], *table) if table else {()}
@@ -78,7 +79,8 @@ def verdict(name: str, row: Expr, *names: str) -> str:
 @pytest.mark.parametrize("name", PENDULUMS)
 def test_each_wrong_sign_is_refuted_under_each_definite_direction(name: str) -> None:
     level = 0
-    for quarter, _, convention in directed(truth(name).scene):
+    scene = truth(name).scene
+    for quarter, _, convention in directed(scene, counted(scene)):
         if quarter not in (0, 2):
             continue  # the verticals: `test_each_convention`
         rows = rows_under(name, (convention,))

@@ -157,7 +157,7 @@ def test_gravity_upwards_turns_the_view_round() -> None:
 def test_gravity_askew_has_no_vertical() -> None:
     scene = pendulum(theta, right=g, up=-g)
     assert not any(angle.fixed for angle in counted(scene))
-    assert directed(scene) == []
+    assert directed(scene, counted(scene)) == []
     declared = "right horizontal ccw"
     found = mechanics.check(scene, "theta'' = 0", convention=declared, blame=False)
     assert found.verdict.name == "UNDECIDED"
@@ -167,7 +167,7 @@ def test_a_direction_between_the_axes_is_no_quarter() -> None:
     scene = pendulum(theta + pi / 3)
     (angle,) = counted(scene)
     assert (angle.quarter, angle.sense, angle.fixed) == (None, 1, True)
-    assert directed(scene) == []
+    assert directed(scene, counted(scene)) == []
 
 
 def test_a_place_that_swings_along_a_line_turns_no_way() -> None:
@@ -180,7 +180,7 @@ def test_a_place_that_swings_along_a_line_turns_no_way() -> None:
     )  # fmt: skip
     (angle,) = counted(scene)
     assert (angle.quarter, angle.sense, angle.fixed) == (0, 0, True)
-    assert directed(scene) == []
+    assert directed(scene, counted(scene)) == []
 
 
 @pytest.mark.parametrize("sense", [1, -1])
@@ -204,7 +204,11 @@ def test_a_wheel_tells_its_sense_by_turning(sense: int) -> None:
 def test_only_quarter_turns_are_looked_for_beside_the_other_changes() -> None:
     """Counted from the upward vertical is the other vertical, which is looked for already."""
     scene = PENDULUM.scene
-    places = {place: is_another(c) for *place, c in directed(scene) for place in [tuple(place)]}
+    places = {
+        place: is_another(c)
+        for *place, c in directed(scene, counted(scene))
+        for place in [tuple(place)]
+    }
     assert places == {(k, s): k in (0, 2) for k in range(4) for s in (1, -1)}
     level = [c for change in conventions(scene) for c in change if c.kind == "direction"]
     assert len(level) == 4
