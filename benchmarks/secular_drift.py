@@ -13,9 +13,9 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from benchmarks.drift import Drift, drift
 from mechanics.clock import timed
 from mechanics.errors import InputError
-from mechanics.simulate.drift import Drift, drift
 from mechanics.simulate.integrators import INTEGRATORS
 from mechanics.simulate.integrators.problem import Integrator, Outcome, Problem, Setting
 from mechanics.simulate.integrators.rate import Rate

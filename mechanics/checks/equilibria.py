@@ -49,7 +49,7 @@ def check_equilibria(scene: Scene, mechanism: Mechanism) -> None:
         if getattr(p, "typical", None) is not None
     }
     for declared in scene.equilibria:
-        state = _state(scene, mechanism, declared)
+        state = _state(mechanism, declared)
         vanish = [*mechanism.q_rates, *(c.expression for c in mechanism.constraints if c.holonomic)]
         words = ", ".join(f"{name} = {value}" for name, value in declared.items())
         for values in (state, {**state, **typical}):
@@ -63,7 +63,7 @@ def check_equilibria(scene: Scene, mechanism: Mechanism) -> None:
             )
 
 
-def _state(scene: Scene, mechanism: Mechanism, declared: Mapping[str, Any]) -> dict[Node, Node]:
+def _state(mechanism: Mechanism, declared: Mapping[str, Any]) -> dict[Node, Node]:
     """What is declared, and 0 for the rest of what moves."""
     builder = mechanism.builder
     still = [*mechanism.q, *mechanism.qd, *mechanism.u, *mechanism.ud]

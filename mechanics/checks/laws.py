@@ -89,7 +89,7 @@ def check_dampers(mechanism: Mechanism) -> Iterator[Finding]:
                 continue
             motions = chain.motions(alone)
             forces = virtual_power(alone, motions, other(alone, motions))
-            distance, _ = elongation(alone, motions.poses, line)
+            distance, _ = elongation(motions.poses, line)
             (rate,) = tangent([distance], alone.rates)
             slopes = gradient([rate], [-(line.coefficient * rate)], alone.u)
             yield equal(f"load {name}: power = -c rate^2", alone, forces, slopes)

@@ -11,8 +11,6 @@ from mechanics.routes.rows import acceleration_forms, coefficients, remainder
 from mechanics.scene import Scene
 from mechanics.symbolic import Arithmetic, Number
 
-Pairs = list[tuple[Number, Number]]
-
 LARGEST_PROOF = 5
 """Number of speeds up to which the normal form is tried: beyond, it outgrows its limit anyway."""
 

@@ -100,14 +100,14 @@ def _decided(
     inside = tuple(
         n.number for n in read(builder, [scene.plain(e).xreplace(fixed) for e in region])
     )
-    space = _space(truth, builder, inside, fixed)
+    space = _space(truth, builder, inside)
     left = unmet(builder, tuple(written.origin), space)
     if not left:
         return finding
     builder.obligations = {}
     space = replace(space, truth=_of_truth(truth, builder, fixed))
     builder.obligations = before
-    space = _space(truth, builder, inside, fixed, space.truth)
+    space = _space(truth, builder, inside, space.truth)
     return _told(finding, gaps(builder, left, space), written, demands.code)
 
 
@@ -119,7 +119,7 @@ def at_the_bound(truth: Equations, statement: Statement, finding: Finding) -> tu
         return ()
     written = _written(truth.scene, replace(demands, of=tuple(near)), {})
     builder = written.builder
-    found = touching(builder, tuple(written.origin), _space(truth, builder, (), {}))
+    found = touching(builder, tuple(written.origin), _space(truth, builder, ()))
     names = dict.fromkeys(_operation(written.origin[obligation]) for obligation in found)
     return tuple(
         f"{name} is defined up to its bound, which it reaches: rounding may step over it"
@@ -190,7 +190,7 @@ def _ask(
 
 
 def _space(
-    truth: Equations, builder: Builder, region: tuple[int, ...], fixed: Mapping[Symbol, Expr],
+    truth: Equations, builder: Builder, region: tuple[int, ...],
     obligations: tuple[Obligation, ...] = (),
 ) -> Space:  # fmt: skip
     scene = truth.scene

@@ -183,13 +183,12 @@ def _at_state(
         if apart:
             with precision(bits):
                 x, y = max(apart, key=lambda pair: float(abs(pair[0] - pair[1]).mid()))
-            return _witness(statement, state, outputs, x, y), True
+            return _witness(state, outputs, x, y), True
     return None, defined
 
 
 def _witness(
-    statement: Statement, state: Mapping[str, Fraction], outputs: Mapping[str, tuple[arb, ...]],
-    x: arb, y: arb,
+    state: Mapping[str, Fraction], outputs: Mapping[str, tuple[arb, ...]], x: arb, y: arb
 ) -> Witness:  # fmt: skip
     solved = [
         (name if len(values) == 1 else f"{name}[{i}]", value.str(DIGITS, radius=False))

@@ -51,8 +51,8 @@ class BodyMotion:
     centre : PointMotion
     rotation : Matrix
         3 x 3, v_inertial = R v_body; the identity for a particle.
-    angular_velocity, angular_acceleration : Matrix
-        3 x 1, inertial components, in rad/s and rad/s^2; zero for a particle.
+    angular_velocity : Matrix
+        3 x 1, inertial components, in rad/s; zero for a particle.
     inertia : Matrix
         3 x 3 about the mass centre, inertial components, in kg m^2; zero for a particle.
     translation, turning : Expr
@@ -63,7 +63,6 @@ class BodyMotion:
     centre: PointMotion
     rotation: Matrix
     angular_velocity: Matrix
-    angular_acceleration: Matrix
     inertia: Matrix
     translation: Expr
     turning: Expr
@@ -124,11 +123,10 @@ class Kinematics:
     def _body(self, index: int) -> BodyMotion:
         own, moving = self.mechanism.bodies[index], self.moving[index]
         energies, centre = self._energies[index], moving.centre
-        rotation, omega, alpha, inertia = eye(3), zeros(3, 1), zeros(3, 1), zeros(3, 3)
+        rotation, omega, inertia = eye(3), zeros(3, 1), zeros(3, 3)
         if own.frame is not None:
             frame = self.motions.frames[own.frame]
-            rotation = self._matrix(frame.rotation)
-            omega, alpha = map(self._matrix, (frame.omega, frame.alpha))
+            rotation, omega = self._matrix(frame.rotation), self._matrix(frame.omega)
         if moving.inertia is not None:
             inertia = self._matrix(moving.inertia)
         return BodyMotion(
@@ -136,7 +134,6 @@ class Kinematics:
             self._point(centre),
             rotation,
             omega,
-            alpha,
             inertia,
             *self.printer(energies),
         )

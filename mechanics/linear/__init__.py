@@ -22,7 +22,6 @@ from mechanics.linear.stability import (
 from mechanics.linear.transfer import (
     characteristic_polynomial,
     close_loop,
-    poles,
     transfer_function,
 )
 
@@ -30,6 +29,6 @@ __all__ = [
     "Convention", "DampedModes", "Dimensionless", "Linear", "Modes", "NumericModes", "Region",
     "Stability", "characteristic", "characteristic_factors", "characteristic_polynomial",
     "close_loop", "conditions", "damped", "damped_modes", "dimensionless", "linearise", "modes",
-    "numeric_modes", "numeric_poles", "poles", "stability", "stability_region", "state_space",
+    "numeric_modes", "numeric_poles", "stability", "stability_region", "state_space",
     "transfer_function",
 ]  # fmt: skip

@@ -1,17 +1,16 @@
-"""Transfer functions, closed loops and poles in s.
+"""Transfer functions and closed loops in s.
 
 D(s) X = E(s) W,   D(s) = M s^2 + C s + K
 X_i / W_j = (adj D E)_ij / det D                               transfer function
 w = - L_0 x - L_1 x' + R r:   K + E L_0,  C + E L_1,  input E R    closed loop
-det D(s) = 0                                                   poles
 """
 
 from collections.abc import Mapping
 from dataclasses import replace
 
-from sympy import Expr, Matrix, Symbol, factor_list, roots, sympify
+from sympy import Expr, Matrix, Symbol
 
-from mechanics.errors import ExpressionError, InputError
+from mechanics.errors import InputError
 from mechanics.linear.algebra import is_zero, reduced
 from mechanics.linear.form import Linear
 
@@ -122,26 +121,3 @@ def _gradient(linear: Linear, name: str, law: Expr, known: tuple[Symbol, ...]) -
             " write it in deviations from the equilibrium"
         )
     return row
-
-
-def poles(linear: Linear, s: Symbol = S_PLANE) -> tuple[tuple[Expr, int], ...]:
-    """Roots of det D(s) = 0 with their multiplicities, symbolic.
-
-    Raises
-    ------
-    ExpressionError
-        If a factor has no roots by formula of degree two (in s, or in s^2): use `numeric_poles`.
-    """
-    found: dict[Expr, int] = {}
-    _, factors = factor_list(characteristic_polynomial(linear, s), s)
-    for factor, multiplicity in factors:
-        polynomial = factor.as_poly(s)
-        even = all(power % 2 == 0 for (power,) in polynomial.monoms())
-        if polynomial.degree() > (4 if even else 2):
-            raise ExpressionError(
-                f"{linear.scene.name}: the poles are roots of {factor}, of degree"
-                f" {polynomial.degree()} in {s}: give values and use numeric_poles"
-            )
-        for root in roots(polynomial, multiple=True):
-            found[sympify(root)] = found.get(root, 0) + multiplicity
-    return tuple(found.items())

@@ -29,7 +29,6 @@ SUM, PRODUCT, POWER, ATOM = range(4)
 
 ACCENTS = ("", r"\dot", r"\ddot", r"\dddot")
 DOTS = ("", "_dot", "_ddot", "_dddot")
-SPLIT = re.compile(r"([A-Za-z]+?)_?(\d*|_.*)$")
 
 
 @dataclass(frozen=True, eq=False)

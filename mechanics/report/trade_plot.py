@@ -76,7 +76,7 @@ def work_precision(found: Trade, size: Size = WIDE) -> str:
     parts += [_front(m, scales) for m in found.front if m.error_largest <= COARSEST]
     parts.append(_picks(found, scales, size))
     if size.named:
-        parts.append(_labels(lines, scales, size))
+        parts.append(_labels(lines, scales))
     title = (
         f"Work-precision plot of {found.title}: time for a second of motion over largest error,"
         f" {len(lines)} integrators"
@@ -249,7 +249,7 @@ def _picks(found: Trade, scales: Scales, size: Size) -> str:
     return "".join(parts)
 
 
-def _labels(lines: Sequence[Curve], scales: Scales, size: Size) -> str:
+def _labels(lines: Sequence[Curve], scales: Scales) -> str:
     """Names beside the plot, in the order of the curves' ends, pushed apart where they meet."""
     ends = sorted(((scales.place(c.points[-1]), c) for c in lines), key=lambda e: e[0][1])
     heights = spaced([b for (_, b), _ in ends], LINE, scales.y.start)

@@ -27,7 +27,6 @@ from mechanics.routes.sympy_model import SympyModel, cramer, plain
 from mechanics.scene import Scene
 from mechanics.scene.actions import frictions
 from mechanics.scene.loads import CONSERVATIVE
-from mechanics.symbolic import canonical
 
 
 def derive(scene: Scene) -> Equations:
@@ -52,12 +51,6 @@ def lagranges_method(scene: Scene) -> LagrangesMethod:
     )
     method.form_lagranges_equations()
     return method
-
-
-def kinetic_energy(scene: Scene) -> Expr:
-    """T of all bodies in q and q', plain symbols, in the normal form."""
-    (energy,) = plain(scene, Matrix([_kinetic_energy(SympyModel(scene))]), {})
-    return canonical(energy)
 
 
 def _kinetic_energy(model: SympyModel) -> Expr:

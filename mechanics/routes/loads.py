@@ -50,7 +50,7 @@ def conservative(mechanism: Mechanism, where: Poses) -> list[Wrench]:
                 found.append(Wrench(load.name, i, at, scale(body.mass, pull), none))
     for line in mechanism.lines:
         if not line.stiffness.is_zero:
-            distance, direction = elongation(mechanism, where, line)
+            distance, direction = elongation(where, line)
             found += _pulls(line, where, line.stiffness * (distance - line.length), direction, none)
     for torsion in mechanism.torsions:
         couple = scale(-(torsion.stiffness * torsion.angle), where.vector(torsion.axis))
@@ -64,7 +64,7 @@ def other(mechanism: Mechanism, motions: Motions) -> list[Wrench]:
     found: list[Wrench] = []
     for line in mechanism.lines:
         if not line.coefficient.is_zero:
-            _, direction = elongation(mechanism, where, line)
+            _, direction = elongation(where, line)
             ends = (motions.points[line.second].velocity, motions.points[line.first].velocity)
             rate = dot(direction, subtract(*ends))
             found += _pulls(line, where, line.coefficient * rate, direction, none)
@@ -128,7 +128,7 @@ def potential(mechanism: Mechanism, where: Poses) -> Node:
             total = total - body.mass * dot(pull, where.positions[body.centre])
     for line in mechanism.lines:
         if not line.stiffness.is_zero:
-            distance, _ = elongation(mechanism, where, line)
+            distance, _ = elongation(where, line)
             stretch = distance - line.length
             total = total + half * line.stiffness * (stretch * stretch)
     for torsion in mechanism.torsions:
@@ -136,7 +136,7 @@ def potential(mechanism: Mechanism, where: Poses) -> Node:
     return total
 
 
-def elongation(mechanism: Mechanism, where: Poses, line: Line) -> tuple[Node, Vector]:
+def elongation(where: Poses, line: Line) -> tuple[Node, Vector]:
     """Distance of the ends of a spring or damper, and the unit direction from first to second."""
     span = subtract(where.positions[line.second], where.positions[line.first])
     if line.along is not None:

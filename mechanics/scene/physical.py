@@ -43,7 +43,7 @@ def check_bodies(scene: Scene) -> None:
         Names the body.
     """
     for body in scene.bodies:
-        if _moves(scene, body.mass):
+        if _moves(body.mass):
             raise SceneError(
                 f"body {body.name}: the mass {body.mass} changes with time or coordinates:"
                 " the mass of a body is constant"
@@ -215,5 +215,5 @@ def _differs(one: Matrix, two: Matrix) -> bool:
     return any(is_zero(entry) is False for entry in one - two)
 
 
-def _moves(scene: Scene, expression: Expr) -> bool:
+def _moves(expression: Expr) -> bool:
     return bool(expression.atoms(AppliedUndef)) or expression.has(dynamicsymbols._t)

@@ -65,7 +65,7 @@ class Case:
     compiler: str | None = "auto"
     grid: tuple[float, ...] | None = None
     linear: Callable[["Case"], Equations] = lambda case: linearised(
-        case.equations, case.parameters, case.inputs, case.suggested
+        case.equations, case.parameters, case.suggested
     )
     _models: dict[Variant, Model] = field(default_factory=dict, repr=False)
 

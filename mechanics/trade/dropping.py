@@ -10,7 +10,6 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 from sympy import sympify
 
 from mechanics.compiled import Model, compile
@@ -26,7 +25,6 @@ from mechanics.trade.measure import integrator
 from mechanics.trade.scaled import SHARE, Part, parts
 from mechanics.trade.truth import from_states
 
-Array = NDArray[np.float64]
 Derive = Callable[[Scene], Equations]
 
 ENOUGH = 0.01

@@ -116,10 +116,10 @@ def _equilibria(case: Case) -> tuple[tuple[Equilibrium, ...], tuple[str, ...]]:
         found = equilibria(case.equations, case.parameters, case.suggested[0])
     except MechanicsError as error:
         return (), (f"No linearised model: {error}.",)
-    return found, tuple(_described(case, at) for at in found)
+    return found, tuple(_described(at) for at in found)
 
 
-def _described(case: Case, at: Equilibrium) -> str:
+def _described(at: Equilibrium) -> str:
     kind = "stable" if at.stable else f"unstable, growing e-fold in {1 / at.growth:.2g} s"
     return (
         f"Linearised about {at.place}, proved to be an equilibrium ({kind}); the example starts"

@@ -9,7 +9,6 @@ the equations are made, by `mechanics.linear`.
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from itertools import product
-from typing import Any
 
 import numpy as np
 from sympy import Expr, Integer, Matrix, Symbol, cos, pi, sin, sympify
@@ -19,8 +18,6 @@ from mechanics.errors import ExpressionError, InputError, SingularError
 from mechanics.linear import Linear, linearise, numeric_poles
 from mechanics.scene import Scene
 from mechanics.simulate.consistent import Suggestion
-
-Array = np.ndarray[Any, np.dtype[np.float64]]
 
 # Candidates are every coordinate at zero or, if it is an angle, at half a turn: 2^n of them, so
 # beyond so many angles only those where all of these are alike are tried.
@@ -108,7 +105,6 @@ def equilibria(
 def linearised(
     equations: Equations,
     parameters: Mapping[str, float],
-    inputs: Mapping[str, Any],
     suggested: tuple[Suggestion, Suggestion],
 ) -> Equations:
     """Linear equations about the equilibrium nearest to the start, if possible a stable one."""

@@ -7,7 +7,6 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from mechanics.equations import Equations
 from mechanics.errors import InputError, wanted
@@ -31,8 +30,6 @@ from mechanics.trade.survey import (
 )
 from mechanics.trade.train import train
 from mechanics.trade.yardstick import Yardstick, yardstick
-
-Array = NDArray[np.float64]
 
 TARGETS = (1e-3, 1e-6, 1e-9)
 """Targets that every trade answers, beside the one that is asked for."""

@@ -7,19 +7,16 @@ longer give the same motion, and the horizon is shortened to that time.
 from dataclasses import dataclass, field
 
 import numpy as np
-from numpy.typing import NDArray
 
 from mechanics.clock import timed
 from mechanics.errors import InputError
 from mechanics.simulate.integrators import INTEGRATORS, Setting
 from mechanics.simulate.reference import reference
-from mechanics.simulate.reference_growth import LOST, ROUNDING, growth
+from mechanics.simulate.reference_growth import LOST, growth
 from mechanics.trade.case import Case
 from mechanics.trade.choice import Choice, Variant
 from mechanics.trade.measure import prepared
 from mechanics.trade.truth import NORM, Truth, from_reference, from_states
-
-Array = NDArray[np.float64]
 
 DIGITS = 30
 # A first look at the motion, for its scales.
@@ -63,11 +60,6 @@ class Yardstick:
     end: tuple[str, ...]
     truth: Truth = field(repr=False)
     norm: str = NORM
-
-    @property
-    def reachable(self) -> float:
-        """What one rounding at the start becomes: doubles cannot do much better."""
-        return self.growth_factor * ROUNDING
 
 
 def yardstick(case: Case, digits: int = DIGITS) -> tuple[Case, Yardstick, tuple[str, ...]]:

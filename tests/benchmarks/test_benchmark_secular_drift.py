@@ -5,13 +5,13 @@ import math
 import numpy as np
 import pytest
 
+from benchmarks.drift import Drift, drift
 from benchmarks.problems import pose
 from benchmarks.secular_drift import SAMPLES, long_runs, natural_period
 from mechanics.compiled.machine.native import find_compiler
 from mechanics.compiled.model import compile
 from mechanics.errors import InputError
 from mechanics.routes.derivation import by_route
-from mechanics.simulate.drift import Drift, drift
 from mechanics.simulate.integrators import Problem, Setting
 from systems import ALL
 

@@ -9,7 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from mechanics.compiled import compile
-from mechanics.compiled.programs.reciprocals import ROUNDING, with_reciprocals
+from mechanics.compiled.programs.reciprocals import with_reciprocals
 from mechanics.program.casadi_reader import read_routine
 from mechanics.program.routine import Routine, run
 
@@ -56,7 +56,7 @@ def test_products_are_off_by_at_most_two_roundings(
     exact = [Fraction(n) / Fraction(given_numbers[2]) for n in given_numbers[:2]]
     for code, roundings in (
         (read(x / d, y / d), 1),
-        (with_reciprocals(read(x / d, y / d)), ROUNDING),
+        (with_reciprocals(read(x / d, y / d)), 2),
     ):
         for found, true in zip(values(code, given_numbers, kind), exact, strict=True):
             assert abs(Fraction(found) - true) <= (1 + Fraction(u)) * roundings * Fraction(u) * abs(

@@ -2,17 +2,16 @@
 
 import numpy as np
 import pytest
-from sympy import I, Symbol, lambdify, sqrt
+from sympy import Symbol, lambdify
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
-from mechanics.errors import ExpressionError, InputError, SingularError, ValueMissingError
+from mechanics.errors import InputError, SingularError, ValueMissingError
 from mechanics.kernel import Verdict
 from mechanics.linear import (
     characteristic_polynomial,
     close_loop,
     linearise,
     numeric_poles,
-    poles,
     state_space,
     transfer_function,
 )
@@ -60,20 +59,6 @@ def assert_same_points(one: np.ndarray, two: np.ndarray) -> None:
     distance = np.abs(one[:, None] - two[None, :])
     assert distance.min(axis=0).max() < 1e-7
     assert distance.min(axis=1).max() < 1e-7
-
-
-def test_symbolic_poles(row, constants) -> None:
-    m, k, c = constants
-    assert dict(poles(row((m,), (k,)), s)) == {I * sqrt(k) / sqrt(m): 1, -I * sqrt(k) / sqrt(m): 1}
-    damped = row((m,), (k,), (c,))
-    exact = np.array([complex(pole.subs(typical(damped))) for pole, _ in poles(damped, s)])
-    assert_same_points(numeric_poles(damped), exact)
-
-
-def test_poles_without_a_formula_are_left_to_numbers(row, constants) -> None:
-    m, k, c = constants
-    with pytest.raises(ExpressionError, match="use numeric_poles"):
-        poles(row((3 * m, 2 * m), (k, k), (c, 0)), s)
 
 
 def test_closed_loop_is_the_feedback_formula(row, constants, gain) -> None:

@@ -3,7 +3,6 @@
 statement with the edits  --check_row-->  PROVED or CERTIFIED,    else it is no repair
 """
 
-import re
 from collections.abc import Sequence
 
 from mechanics.blame.result import Repair
@@ -21,8 +20,6 @@ from mechanics.reading.tree import Name, parts
 from mechanics.reading.written import Trees, row_of
 from mechanics.scene.published import Published
 from mechanics.scene.quantities import EquationOfMotion, Identity
-
-SIGN = re.compile(r"[-+\u2212]\s*$")
 
 
 def edited_row(claim: Claim, chosen: Sequence[Solution]) -> tuple[Published, Trees] | None:

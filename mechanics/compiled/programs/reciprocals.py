@@ -15,9 +15,6 @@ from mechanics.compiled.programs.rewriting import Rewriting
 from mechanics.program.operations import DIVIDE, MULTIPLY
 from mechanics.program.routine import Routine
 
-ROUNDING = 2
-"""Roundings of x (1 / d), at most, in units of u; a quotient has one."""
-
 
 def with_reciprocals(code: Routine, least: int = 2) -> Routine:
     """The program with one division for each divisor that has at least so many quotients."""

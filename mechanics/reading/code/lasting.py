@@ -24,8 +24,6 @@ from mechanics.reading.code.traced import Traced
 MOST, DEEPEST = 20_000, 6
 """Values that are compared, and things in things."""
 
-NO_DATA = (type, types.FunctionType, types.MethodType, types.ModuleType)
-
 Seen = dict[str, Any]
 
 

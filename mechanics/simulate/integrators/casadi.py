@@ -123,7 +123,7 @@ def _prepare(plugin: Plugin, problem: Problem, setting: Setting) -> Callable[[],
             found = solver(x0=problem.start, p=problem.p)["xf"]
         except RuntimeError as error:
             spent = _spent(plugin, solver, counters, before)
-            words = f"{plugin.name} stopped: {_reason(error, problem)}"
+            words = f"{plugin.name} stopped: {_reason(error)}"
             return Outcome(problem.start[None, :], *spent[:1], words, *spent[1:])
         states = np.vstack([problem.start, np.array(found).T])
         spent = _spent(plugin, solver, counters, before)
@@ -187,7 +187,7 @@ def _spent(
     return int(stats["nfevals"]), int(stats["n_call_jacF"])
 
 
-def _reason(error: RuntimeError, problem: Problem) -> str:
+def _reason(error: RuntimeError) -> str:
     """What SUNDIALS says, on one line."""
     text = str(error)
     for code, words in REASONS.items():
