@@ -12,18 +12,17 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
-from sympy import Abs, Derivative, Expr, Function, Pow, Symbol, cos, exp, sign, sin, tan
+from sympy import Abs, Expr, Function, Pow, Symbol, cos, exp, sign, sin, tan
 
 from mechanics.checks.ledger import QUANTITIES, plain_side
 from mechanics.kernel import Finding, refuted, same
 from mechanics.kinematics.symbolic import Kinematics
 from mechanics.scene import Scene
 from mechanics.scene.published import Published
-from mechanics.scene.unit_names import UNITS, Dimension, dimension_of_unit, words
+from mechanics.scene.unit_names import Dimension, dimension_of_unit, words
 from mechanics.scene.units import declared
 
 NONE = dimension_of_unit("1", "")
-SECOND = UNITS["s"]
 PLAIN: tuple[Any, ...] = (sin, cos, tan, exp)
 """Functions of numbers that give numbers."""
 LONGEST = 80
@@ -129,8 +128,6 @@ def _dimension(scene: Scene, e: Expr, known: Mapping[Symbol, Any]) -> Dimension 
         return NONE if base == NONE else None
     if isinstance(e, Abs):
         return _dimension(scene, e.args[0], known)
-    if isinstance(e, Derivative):
-        return _sum([(_dimension(scene, e.expr, known), 1), (SECOND, -e.derivative_count)])
     if isinstance(e, sign):
         return NONE
     if isinstance(e, PLAIN):

@@ -182,8 +182,6 @@ class RunningErrors:
         number = Arrays(self.precision).constant(value)
         nearest = Fraction(*number.as_integer_ratio())
         distance = abs(nearest - value)
-        if not distance:
-            return Near(number)
         if not nearest:
             return self._rounded(number, self.precision(float(distance)), 0)
         return Near(number, None, self.precision(float(distance / abs(nearest))))

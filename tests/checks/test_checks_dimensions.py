@@ -5,7 +5,7 @@ from collections.abc import Mapping
 from dataclasses import replace
 
 import pytest
-from sympy import Symbol, sin
+from sympy import Derivative, Symbol, sin
 from sympy.physics.mechanics import dynamicsymbols
 
 from mechanics.checks.dimensions import check_dimensions
@@ -49,6 +49,7 @@ TYPING_ERRORS = [
     ((M + m) * x.diff(t, 2) + k * x**2, "k*x^2", "kg*m*s^-2", "", ""),
     ((M + m + 1) * x.diff(t, 2) + k * x, "1", "", "M", "kg"),
     (M * g * sin(theta * L) + k * x, "L*theta in sin(L*theta)", "m, not 1", "", ""),
+    (Derivative(M * x, t) + k * x, "k*x", "kg*m*s^-2", "M*x_dot", "kg*m*s^-1"),
 ]  # fmt: skip
 
 

@@ -86,6 +86,16 @@ def test_one_equation_of_motion_of_two_is_not_complete() -> None:
     assert finding.verdict is Verdict.REFUTED
 
 
+def test_squares_of_equations_determine_nothing() -> None:
+    """Their slopes by u' vanish along every motion."""
+    squares = [
+        published(row.tag, q.EquationOfMotion(), (row.sides[0] - row.sides[-1]) ** 2, 0, label="")
+        for row in PENDULUM.published if isinstance(row.quantity, q.EquationOfMotion)
+    ]  # fmt: skip
+    finding = check_complete(equations(PENDULUM).scene, squares, equations(PENDULUM))
+    assert not finding.shown
+
+
 def test_completeness_needs_an_equation_of_motion() -> None:
     with pytest.raises(InputError, match="no equation of motion among"):
         check_complete(equations(PENDULUM).scene, PENDULUM.published[:2], equations(PENDULUM))

@@ -7,9 +7,9 @@ from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 from mechanics.checks.as_declared import Motion
 from mechanics.checks.jets import precision
 from mechanics.checks.states import State
-from mechanics.scene import Particle, Scene, parameters
+from mechanics.scene import Particle, Scene, holonomic, parameters, reaction
 
-x, y = dynamicsymbols("x y")
+x, y, z = dynamicsymbols("x y z")
 
 
 def slider() -> Scene:
@@ -55,3 +55,19 @@ def test_time_runs_along_the_motion_alone() -> None:
         time = dynamicsymbols._t
         assert here.motion([arb(1), arb(1)]).coefficients(time)[1] == 1
         assert all(v.coefficients(time)[1] == 0 for v in here.virtual_motions(1))
+
+
+def test_a_state_comes_to_where_all_constraints_hold() -> None:
+    """A plane is met in one step of Newton's method, a ball in several."""
+    N, O = ReferenceFrame("N"), Point("O")
+    bead = O.locatenew("B", x * N.x + y * N.y + z * N.z)
+    scene = Scene(
+        "bead", N, O, coordinates=(x, y, z), bodies=(Particle("bead", bead, *parameters("m")),),
+        reactions=tuple(reaction(n, bead, "bead", None, e) for n, e in (("P", N.x), ("Q", N.z))),
+        constraints=(holonomic("plane", 2 * x - y, "P"), holonomic("ball", x**2 + z**2 - 1, "Q")),
+    )  # fmt: skip
+    with precision(400):
+        closed = state(scene).on_constraints()
+        a, b, c = closed.q
+        assert (2 * a - b).contains(0) and (a**2 + c**2 - 1).contains(0)
+        assert all(entry.rad() < 1e-50 for entry in closed.q)

@@ -163,5 +163,5 @@ def test_what_has_no_meaning_is_named() -> None:
 
 def test_what_does_not_expand_is_refused() -> None:
     a, x = casadi.MX.sym("a", 2, 2), casadi.MX.sym("x", 2)
-    with pytest.raises(ExpressionError, match="casadi function f does not expand to scalars"):
+    with pytest.raises(ExpressionError, match=r"f does not expand to scalars: .*eval_sx"):
         read(Builder(), casadi.Function("f", [a, x], [casadi.solve(a, x)]))

@@ -5,7 +5,14 @@ from fractions import Fraction
 import pytest
 
 from mechanics.program import Builder, Node
-from mechanics.program.residues import PRIME, Residues, eliminate
+from mechanics.program.residues import (
+    PRIME,
+    Residues,
+    _denominator,
+    _part,
+    _times,
+    eliminate,
+)
 
 B = Builder()
 X, Y, Z = (B.input(name) for name in "xyz")
@@ -189,6 +196,29 @@ def test_some_parts_of_an_angle_may_be_asked_for_later(parts: int) -> None:
     filter_ = Residues(b)
     assert not filter_.is_zero(x.cos())
     assert filter_.is_zero(multiple((x / parts).cos(), parts) - x.cos())
+
+
+@pytest.mark.parametrize("parts", range(1, 13))
+def test_so_many_parts_of_a_point_are_the_point(parts: int) -> None:
+    whole = _times(_point_of_the_circle(3), 840, PRIME)
+    part = _part(whole, parts, PRIME)
+    assert part is not None
+    assert _times(part, parts, PRIME) == whole
+
+
+def _point_of_the_circle(t: int) -> tuple[int, int]:
+    below = pow(1 + t * t, -1, PRIME)
+    return (1 - t * t) * below % PRIME, 2 * t * below % PRIME
+
+
+def test_sums_that_angles_share_are_looked_into_once() -> None:
+    b = Builder()
+    one, two = b.input("x") / 3, b.input("y")
+    for _ in range(60):
+        one, two = one + two, one - two
+    cosine = one.cos()
+    assert len(cosine.builder.operations) < 200
+    assert _denominator(b, {}) == 3
 
 
 def test_numbers_that_have_no_root_are_the_same_each_time() -> None:
