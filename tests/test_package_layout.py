@@ -146,6 +146,10 @@ def keeps_objects(tree: ast.Module) -> Breaches:
             for alias in node.names:
                 if alias.name == "WeakKeyDictionary":
                     yield node.lineno, "WeakKeyDictionary: what is made once is handed on"
+        if isinstance(node, ast.Assign | ast.AnnAssign) and node in tree.body and is_empty(node):
+            names = ast.unparse(node.targets[0] if isinstance(node, ast.Assign) else node.target)
+            if not names.isupper():
+                yield node.lineno, f"{names} is filled by calls: hand on what is made once"
         if not isinstance(node, ast.FunctionDef):
             continue
         decorators = {ast.unparse(one).partition("(")[0] for one in node.decorator_list}
@@ -154,6 +158,14 @@ def keeps_objects(tree: ast.Module) -> Breaches:
         kept = {name for text in annotations for name in re.findall(r"\w+", text)} & OBJECTS
         if kept and {name.rpartition(".")[2] for name in decorators} & {"cache", "lru_cache"}:
             yield node.lineno, f"{node.name} is kept by {', '.join(sorted(kept))}: hand it on"
+
+
+def is_empty(node: ast.Assign | ast.AnnAssign) -> bool:
+    """Whether a name begins as an empty table or list."""
+    value = node.value
+    if isinstance(value, ast.Call):
+        return called_name(value) in {"dict", "list", "set"} and not value.args
+    return isinstance(value, ast.Dict | ast.List) and ast.unparse(value) in {"{}", "[]"}
 
 
 OBJECTS = {
@@ -350,6 +362,8 @@ def test_every_import_is_installed_by_the_package() -> None:
         (makes_verdicts, "replace(finding, verdict=Verdict.PROVED)"),
         (keeps_objects, "from weakref import WeakKeyDictionary"),
         (keeps_objects, "@lru_cache(maxsize=2)\ndef f(truth: Equations | None): return 1"),
+        (keeps_objects, "_made: dict[str, int] = {}"),
+        (keeps_objects, "made = list()"),
         (keeps_objects, "@functools.cache\ndef f(n: int, *, of: Sequence[Scene]): return 1"),
         (asserts_nothing, "class TestA:\n    def test_a(self): print(1)"),
         (undeclared_imports, "import no_such_package.part"),
@@ -369,6 +383,7 @@ def test_laws_find_a_breach(law: Callable[[ast.Module], Breaches], source: str) 
         (swallows_errors, "try: pass\nexcept Exception as e: raise ValueError(e) from None"),
         (makes_verdicts, "def f() -> Finding: return replace(finding, subject='')"),
         (keeps_objects, "@cache\ndef f(text: str): return 1\ndef g(scene: Scene): return 1"),
+        (keeps_objects, "NONE: dict[str, int] = {}\nall = [1]\ndef f():\n    found = {}"),
         (asserts_nothing, "def test_a():\n    with pytest.raises(ValueError): f()"),
         (asserts_nothing, "def test_a():\n    np.testing.assert_allclose(1, 1)"),
         (undeclared_imports, "import flint, sympy.physics\nfrom mechanics.scene import Scene"),

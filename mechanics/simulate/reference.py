@@ -7,7 +7,7 @@ exponential in Arb balls encloses the solution, and the reference has to lie ins
     error of x:   (x - y) - z        reference = y + z,  y the nearest double
 """
 
-from collections.abc import Hashable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from decimal import Context, Decimal
 from fractions import Fraction
@@ -115,7 +115,7 @@ def reference(problem: Problem, digits: int = 30) -> Reference:
             f" {digits} digits can be made: give a number"
         )
     given = exact(problem)
-    solved = _solved(given, tuple(problem.times.tolist()), digits)
+    solved = _compared(given, tuple(problem.times.tolist()), digits)
     values, states = solved.values, _doubles(solved.values)
     rest = np.array([[float(x - Fraction(float(x))) for x in row] for row in values])
     scale = _scale(states)
@@ -136,9 +136,6 @@ def reference(problem: Problem, digits: int = 30) -> Reference:
     )
 
 
-_known: dict[Hashable, "_Solved"] = {}
-
-
 @dataclass(frozen=True)
 class _Solved:
     """The finest run, its difference from the one before, and a sentence about both."""
@@ -146,13 +143,6 @@ class _Solved:
     values: list[list[Fraction]]
     difference: Array
     words: str
-
-
-def _solved(given: Exact, times: tuple[float, ...], digits: int) -> _Solved:
-    key = (*given.key, times, digits)
-    if key not in _known:
-        _known[key] = _compared(given, times, digits)
-    return _known[key]
 
 
 def _compared(given: Exact, times: tuple[float, ...], digits: int) -> _Solved:

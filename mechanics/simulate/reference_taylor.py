@@ -55,11 +55,6 @@ class Exact:
         return recurrences(self.program, tuple(self.start))
 
     @property
-    def key(self) -> tuple[object, ...]:
-        """Everything that the solution depends on."""
-        return self.program.digest, *self.start.items(), *self.held.items()
-
-    @property
     def spread(self) -> int:
         """Binary digits between 1 and the smallest number but zero."""
         numbers = (*self.start.values(), *self.held.values())

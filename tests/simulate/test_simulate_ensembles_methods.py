@@ -33,7 +33,7 @@ from mechanics.simulate.ensembles.library import Library
 from mechanics.simulate.ensembles.run import Control, integrated
 from mechanics.simulate.ensembles.taylor import order, taylor_source
 from mechanics.simulate.integrators import INTEGRATORS, Problem, Setting
-from mechanics.simulate.reference import reference
+from mechanics.simulate.reference import Reference, reference
 from systems import ALL
 
 pytestmark = [
@@ -54,6 +54,11 @@ def model_of(name: str) -> Model:
 @functools.cache
 def posed(name: str) -> Problem:
     return pose(model_of(name), TIMES)
+
+
+@functools.cache
+def referred(name: str) -> Reference:
+    return reference(posed(name))
 
 
 def solved(problem: Problem, count: int = 3, **setting: object) -> Ensemble:
@@ -82,7 +87,7 @@ def solved(problem: Problem, count: int = 3, **setting: object) -> Ensemble:
     ],
 )
 def test_states_are_those_of_the_reference(name: str, setting: dict, bound: float) -> None:
-    known = reference(posed(name))
+    known = referred(name)
     found = solved(posed(name), **setting)
     assert found.complete and np.all(found.reached == len(TIMES))
     for states in found.states:

@@ -1,7 +1,6 @@
 """The reference with thirty digits against exact solutions and values that others computed."""
 
 import dataclasses
-import importlib
 import math
 from fractions import Fraction
 
@@ -187,16 +186,6 @@ def test_a_body_at_rest_has_a_reference() -> None:
     found = reference(problem)
     assert np.array_equal(found.states, np.zeros((3, 4)))
     assert min(found.digits) >= 30
-
-
-def test_a_reference_is_solved_once(monkeypatch: pytest.MonkeyPatch) -> None:
-    problem = posed("rocker", [0.0, 0.2])
-    first = reference(problem)
-    monkeypatch.setattr(importlib.import_module("mechanics.simulate.reference"), "_run", None)
-    assert reference(dataclasses.replace(problem)).exact == first.exact
-    for change in ({"start": problem.start + 1}, {"p": problem.p + 1}, {"times": np.array([0, 1])}):
-        with pytest.raises(TypeError):
-            reference(dataclasses.replace(problem, **change))
 
 
 def test_chaos_is_told_and_until_when_doubles_mean_something() -> None:
