@@ -6,10 +6,11 @@
     python -m benchmarks.mutants --sample 12         some of the kernel that are known to be noticed
 
 Of all mutants 500 are drawn by their names, so that a change in one file draws no others elsewhere.
-Each runs the tests that cover its file, up to the first that fails; running out of time or memory
-counts as noticed. ``results.json`` keeps what became of them, by the hash of the file;
-``equivalent.json`` names those that change nothing, each with the reason. Survivors run again each
-time, since tests may have come. Prints Markdown; exit code 1 if one survives that has no reason.
+Each runs the tests that cover its file, the quickest first, up to the first that fails; running out
+of time or memory counts as noticed. ``results.json`` keeps what became of them, by the hash of the
+file; ``equivalent.json`` names those that change nothing, each with the reason. Survivors run again
+each time, since tests may have come. Prints Markdown; exit code 1 if one survives that has no
+reason.
 """
 
 import argparse

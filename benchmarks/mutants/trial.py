@@ -14,7 +14,7 @@ import sys
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from functools import _lru_cache_wrapper
-from math import inf
+from math import ceil, inf
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from time import process_time
@@ -30,10 +30,10 @@ ROOT = Path(__file__).resolve().parents[2]
 PACKAGE = ROOT / "mechanics"
 COPIED = ("mechanics", "systems", "tests", "benchmarks")
 SECONDS, MEMORY = 20, 4 << 30
-"""Of processor time and bytes that tests of one mutant may take; more counts as noticed. All tests
-of a folder may take ten times as long."""
+"""Of processor time, beside what they take without a mutant, and bytes that tests of one may take;
+more counts as noticed. All tests of a folder may take ten times as long."""
 ENOUGH = 6.0
-"""Seconds of tests that call a function, the quickest first; the others are left out."""
+"""Seconds of tests that call a function, the quickest first; the others only see survivors."""
 FORGOTTEN = tuple(f"mechanics.{part}." for part in
                   ("kernel", "program", "checks", "kinematics", "routes"))  # fmt: skip
 OPTIONS = ["-x", "-q", "-p", "no:cacheprovider", "--import-mode=importlib", "-o", "addopts=",
@@ -59,11 +59,19 @@ class Planting:
             if forked(lambda: self._record(session.items)) != 0:
                 raise RuntimeError("a test fails without a mutant: mend it")
         calls: Calls = json.loads(self.kept.read_text(encoding="utf-8"))
+
+        def times(names: Iterable[str]) -> int:
+            return ceil(sum(calls[name][0] for name in names))
+
         for mutant in self.mutants:
-            chosen = [items[name] for name in callers(calls, mutant, self.enough)]
-            with quiet():
-                status = forked(lambda m=mutant, c=chosen: self._try(m, c))
-            self.report(mutant, status == 0)
+            first, every = (callers(calls, mutant, enough) for enough in (self.enough, inf))
+            # What the quickest do not notice the others may.
+            alive = all(
+                self._survives(mutant, [items[name] for name in names], SECONDS + times(names))
+                for names in (first, every[len(first) :])
+                if names
+            )
+            self.report(mutant, alive)
         return True
 
     def _record(self, items: Sequence[pytest.Item]) -> int:
@@ -89,8 +97,12 @@ class Planting:
         self.kept.write_text(json.dumps(found), encoding="utf-8")
         return 0
 
-    def _try(self, mutant: Mutant, items: Iterable[pytest.Item]) -> int:
-        limit(SECONDS)
+    def _survives(self, mutant: Mutant, items: Iterable[pytest.Item], seconds: int) -> bool:
+        with quiet():
+            return forked(lambda: self._try(mutant, items, seconds)) == 0
+
+    def _try(self, mutant: Mutant, items: Iterable[pytest.Item], seconds: int) -> int:
+        limit(seconds)
         module = "mechanics." + mutant.path.removesuffix(".py").replace("/", ".")
         text = (PACKAGE / mutant.path).read_text(encoding="utf-8")
         function = function_of(module, mutant.function)

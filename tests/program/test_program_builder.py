@@ -1,6 +1,7 @@
 """Equal nodes are one node; what is frozen depends on what is computed alone."""
 
 from fractions import Fraction
+from itertools import product
 
 import pytest
 from hypothesis import given
@@ -114,6 +115,19 @@ def test_demands_are_met_where_an_operation_has_a_value(name: str) -> None:
         values = interpret(program, Arrays(), {"x": float(value)})["demands"]
         met = (SENSES[o.sign](v) for o, v in zip(asked, values, strict=True))
         assert all(met) is defined
+
+
+FOLDED = [row.name for row in OPERATIONS if row.exact]
+
+
+@pytest.mark.parametrize("name", FOLDED)
+def test_constants_are_folded_to_what_numpy_computes(name: str) -> None:
+    arity = next(row.arity for row in OPERATIONS if row.name == name)
+    for values in product((-2, 0, 1, Fraction(3, 2)), repeat=arity):
+        b = Builder()
+        folded = b.call(name, *map(b.constant, values)).constant
+        computed = Arrays().operations[name](*map(float, values))
+        assert folded is not None and float(folded) == float(computed), values
 
 
 def test_a_demand_knows_the_branch_it_stands_in() -> None:
