@@ -130,7 +130,7 @@ def _print(console: Console, found: Verification, remark: str) -> None:
         )
     _tell_files(console, found)
     for sentence in found.chain.not_done:
-        console.print(f"[yellow]not repeated[/]: {escape(sentence)}")
+        console.print(f"[yellow]not checked here[/]: {escape(sentence)}")
     if remark:
         console.print(f"[yellow]UNDECIDED[/] physics: {NO_PHYSICS}: {escape(remark)}")
     bad = [

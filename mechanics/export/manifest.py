@@ -40,12 +40,12 @@ def manifest(
     reciprocals : bool
         Whether divisors are shared.
     """
-    content: dict[str, Any] = {
+    content = {
         **described(contents, prefix),
         "system": system,
         "form": form,
         "reciprocals": reciprocals,
-        "kernels": [_kernel(kernel) for kernel in kernels],
+        "kernels": kernel_records(kernels),
         "chain": chain or {},
         "files": {file: sha256(text.encode("utf-8")).hexdigest() for file, text in files.items()},
         "versions": {tool: version_of(tool) for tool in TOOLS},
@@ -76,9 +76,9 @@ def described(contents: Contents, prefix: str) -> dict[str, Any]:
     }
 
 
-def _kernel(kernel: Kernel) -> dict[str, Any]:
-    found = asdict(kernel)
-    return {name: value for name, value in found.items() if value is not None}
+def kernel_records(kernels: Sequence[Kernel]) -> list[dict[str, Any]]:
+    """What the manifest says of each C function."""
+    return [{k: v for k, v in asdict(one).items() if v is not None} for one in kernels]
 
 
 def version_of(tool: str) -> str:

@@ -52,7 +52,7 @@ def test_codegen_and_verify(run: Any, tmp_path: Path) -> None:
                if f["verdict"] == "CERTIFIED")  # fmt: skip
     ran = run("verify", tmp_path / "c", "--json", tmp_path / "found.json")
     assert ran.code == 0, ran.out + ran.err
-    assert "physics, derived again = graph" in ran.out and "not repeated" not in ran.out
+    assert "physics, derived again = graph" in ran.out and "not compiled" not in ran.out
     found = json.loads((tmp_path / "found.json").read_text(encoding="utf-8"))
     assert found["outcome"] == "SHOWN" and not found["changed"]
 

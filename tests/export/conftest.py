@@ -11,7 +11,7 @@ import pytest
 
 from mechanics.compiled import Model
 from mechanics.compiled import compile as compile_model
-from mechanics.export.evidence.verify import Chain
+from mechanics.export.evidence.chain import Chain
 from mechanics.routes.derivation import by_route
 
 

@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
+from mechanics.compiled.custody.binary import Measured
 from mechanics.compiled.custody.code import Code
 from mechanics.compiled.custody.derived import Derived
 from mechanics.compiled.custody.graph import prove_derived
@@ -22,8 +23,19 @@ from mechanics.compiled.programs.of_model import PARTS, WHOLE
 from mechanics.errors import ExpressionError, InputError
 from mechanics.export.evidence.graphs import RATES
 from mechanics.export.evidence.texts import not_named, sources
-from mechanics.kernel import Finding, undecided
+from mechanics.kernel import Finding, Verdict, undecided
 from mechanics.program.c.parse import Source
+
+PHYSICS = "physics, derived again = graph"
+GRAPH = "derived equations = graph"
+TEXT = "graph = C text"
+NUMBERS = "numbers in headers and self-tests"
+SINES = "inline sine and cosine = sine and cosine"
+BINARY = "C text = binary"
+NO_SINES = "the text of the inline sine and cosine is proved by `mechanics verify`"
+NOT_ASKED = "the code was not compiled: that was not asked for"
+NO_COMPILER = "the code was not compiled: no C compiler was found"
+NOT_SHOWN = "the code was neither compiled nor run: a text is not shown to be its graph"
 
 SMALL = 80
 """Nodes of a graph for which a proof is tried beyond the certificate."""
@@ -58,6 +70,30 @@ class Read:
 
     kernel: Kernel
     text: Text
+
+
+@dataclass(frozen=True)
+class Chain:
+    """What is shown about generated code.
+
+    Attributes
+    ----------
+    steps : tuple of (str, tuple of Finding)
+        Title and findings of each step.
+    measured : tuple of Measured
+        Errors of binaries.
+    not_done : tuple of str
+        What was not looked at, and why: sentences.
+    """
+
+    steps: tuple[tuple[str, tuple[Finding, ...]], ...]
+    measured: tuple[Measured, ...]
+    not_done: tuple[str, ...]
+
+    @property
+    def verdicts(self) -> set[Verdict]:
+        """Every verdict that occurs."""
+        return {finding.verdict for _, findings in self.steps for finding in findings}
 
 
 Report = Callable[[str], None]

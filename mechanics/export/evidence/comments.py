@@ -1,4 +1,4 @@
-"""Comments of headers and sources: who embeds reads the order, unit and meaning of entries there.
+"""Comments and headers: who embeds reads the order, unit and meaning of entries there.
 
     scene derived again, graphs  --printed once more-->  comments  =  comments of the folder
 
@@ -17,13 +17,16 @@ from typing import NamedTuple
 
 from mechanics.errors import ExpressionError
 from mechanics.kernel import Finding, refuted, same, undecided
-from mechanics.program.c.tokens import comments
+from mechanics.program.c.tokens import comments, lines, tokens
 
 ROW = re.compile(r"\w+\[[^\]]*\]:?\s|\d\s|\w+ = ")
 """``p[0] L``, ``ud_q[i + 2 * j]:``, a status, the value of a fixed parameter."""
 ENTRY = re.compile(r"\w\[")
 LONGEST = 100
 """Characters of a line that are repeated."""
+
+
+END = 0, "the end of the file"
 
 
 class Comment(NamedTuple):
@@ -61,6 +64,40 @@ def prove_comments(
             printed = [comment.words for comment in there]
             found = [same(f"{file}: comments", _matching(here, there), printed, words)]
         yield from found
+
+
+def prove_code(wanted: Mapping[str, str], texts: Mapping[str, str]) -> Iterator[Finding]:
+    """Decide whether files hold the printed tokens beside their comments.
+
+    Parameters
+    ----------
+    wanted, texts : mapping of str to str
+        Files as they are printed once more, and as they stand in the folder, by name.
+    """
+    for file, again in wanted.items():
+        try:
+            here, there = _code(texts.get(file, ""), file), _code(again, file)
+        except ExpressionError as error:
+            yield undecided(f"{file}: code", f"refused: {error}")
+            continue
+        ends = zip((*here, END), (*there, END), strict=False)
+        own, other = next((pair for pair in ends if pair[0][1] != pair[1][1]), (END, END))
+        if own is other:
+            words = f"{len(there)} tokens are those printed"
+            yield same(f"{file}: code", [t for _, t in here], [t for _, t in there], words)
+        else:
+            words = f"refused: '{own[1][:LONGEST]}' stands there, printed is '{other[1][:LONGEST]}'"
+            yield undecided(f"{file}: line {own[0]}" if own[0] else f"{file}: end", words)
+
+
+def _code(text: str, file: str) -> list[tuple[int, str]]:
+    """Number of the line and text of each token; a directive, which ends with its line, is one."""
+    found: list[tuple[int, str]] = []
+    for number, line in enumerate(lines(tokens(text, file)), 1):
+        plain = [token for kind, token in line if kind != "space"]
+        directive = plain[:1] == ["#"]
+        found += [(number, " ".join(plain))] if directive else [(number, token) for token in plain]
+    return found
 
 
 def _comments(text: str, file: str) -> list[Comment]:

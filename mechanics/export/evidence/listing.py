@@ -1,8 +1,8 @@
 """The files of a folder: each is looked at by a step, or is what `write_c` writes, or is named.
 
-    functions of the graphs x precisions = kernels of the manifest
+    manifest, equations.json, graphs.json = the same printed again from scene, graphs and findings
     build files, loader, self-tests = their text, made once more from graphs and tables
-    comments, counts and entries of the manifest = those of scene and graphs
+    comments and code of headers = those printed again
 
 What a build may find besides, such as a math.h beside the files, is named.
 """
@@ -10,6 +10,7 @@ What a build may find besides, such as a math.h beside the files, is named.
 from __future__ import annotations
 
 import ast
+import json
 import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import partial
@@ -18,6 +19,7 @@ from typing import Any
 from sympy import Symbol
 
 from mechanics.compiled.c.lanes import SHARED
+from mechanics.compiled.custody.derived import Derived
 from mechanics.compiled.custody.kernel import Kernel
 from mechanics.compiled.graphs import Graphs
 from mechanics.compiled.programs.of_model import PARTS
@@ -26,13 +28,19 @@ from mechanics.errors import ExpressionError
 from mechanics.export.batch import batched
 from mechanics.export.batch_selftest import batch_selftest
 from mechanics.export.contents import Contents, of_quantities
+from mechanics.export.evidence.chain import Chain
 from mechanics.export.evidence.claims import prove_claims
-from mechanics.export.evidence.comments import prove_comments
+from mechanics.export.evidence.comments import prove_code, prove_comments
+from mechanics.export.evidence.equations import FILE as EQUATIONS
+from mechanics.export.evidence.equations import equations_text
+from mechanics.export.evidence.graphs import FILE as GRAPHS
+from mechanics.export.evidence.graphs import graphs_text
 from mechanics.export.evidence.read import NEEDED, Folder
+from mechanics.export.evidence.record import by_subject, once, record_again
 from mechanics.export.folder import MANIFEST
 from mechanics.export.implementation import code_files
 from mechanics.export.loader import loader
-from mechanics.export.manifest import described
+from mechanics.export.manifest import TOOLS, described, kernel_records
 from mechanics.export.package import build_files
 from mechanics.export.precision import Part, named_parts
 from mechanics.export.selftest import selftest
@@ -42,13 +50,16 @@ from mechanics.program.c.literal import literal
 from mechanics.program.routine import Routine
 
 TABLE = r"    static const \w+ {name}\[\d+\]\[\d+\] = \{{\n(.*?)\n    \}};"
-KEYS = ("system", "form", "reciprocals", "kernels", "chain", "files", "versions")
-"""Of a manifest, beside what scene and graphs give again."""
+TOLD = ("system", "form", "reciprocals", "kernels", "chain", "files", "versions")
+"""Of a manifest, beside what scene and graphs give again: other steps look at form, reciprocals and
+hashes, none at versions."""
 ODD = (KeyError, TypeError, ValueError, IndexError, AttributeError, SyntaxError, ExpressionError)
 """What reading a text raises that is not as it was written."""
 
 
-def prove_files(folder: Folder, again: Contents | None) -> Iterator[Finding]:
+def prove_files(
+    folder: Folder, again: Contents | None, found: Chain, derived: Derived | None = None
+) -> Iterator[Finding]:
     """Decide about what stands in a folder, and what the manifest says of it.
 
     Parameters
@@ -56,22 +67,24 @@ def prove_files(folder: Folder, again: Contents | None) -> Iterator[Finding]:
     folder : Folder
     again : Contents or None
         What a scene that was derived again says of the functions; without it, the manifest does.
+    found : Chain
+        What was found about the functions.
+    derived : Derived, optional
+        What was derived again.
     """
     prefix = str(folder.manifest.get("prefix"))
     parts = [one for one in named_parts(prefix, "both") if f"{one.prefix}.c" in folder.texts]
     for name in folder.misread:
         yield _odd(name, "the manifest has it not, and a build may read it")
-    yield from _kernels(folder, parts)
     try:
         contents = again or as_claimed(folder)
     except ODD as error:
         yield _odd("folder", f"what is written cannot be made again: {error}")
         return
     yield from _texts(folder, prefix, parts, contents)
-    yield from prove_claims(folder.manifest, described(contents, prefix), again is not None)
-    for key in folder.manifest:
-        if key not in KEYS and key not in described(contents, prefix):
-            yield _odd(f"{MANIFEST}: {key[:40]}", "no step looks at it")
+    source = ("scene and " if again else "") + "graphs"
+    yield from _manifest(folder, contents, prefix, parts, found, source)
+    yield from _evidence(folder, derived, source)
     for part in parts:
         many = _many(folder, part)
         try:
@@ -80,6 +93,7 @@ def prove_files(folder: Folder, again: Contents | None) -> Iterator[Finding]:
             yield _odd(f"{part.prefix}.c", f"what is written cannot be made again: {error}")
             continue
         yield from prove_comments(folder.texts, wanted, again is not None)
+        yield from prove_code({n: t for n, t in wanted.items() if n.endswith(".h")}, folder.texts)
 
 
 def as_claimed(folder: Folder) -> Contents:
@@ -125,9 +139,9 @@ def _many(folder: Folder, part: Part) -> tuple[str, ...]:
     return batched(tuple(folder.evidence.graphs)) if there else ()
 
 
-def _kernels(folder: Folder, parts: Sequence[Part]) -> Iterator[Finding]:
-    """Whether every function of the graphs is a kernel, and every C file holds some."""
-    names, given = tuple(folder.evidence.graphs), folder.evidence.kernels
+def _wanted_kernels(folder: Folder, parts: Sequence[Part]) -> list[Kernel]:
+    """Every function of the graphs in every file of C that is there."""
+    names = tuple(folder.evidence.graphs)
     wanted: list[Kernel] = []
     for part in parts:
         own, kind = part.prefix, part.kind
@@ -135,14 +149,45 @@ def _kernels(folder: Folder, parts: Sequence[Part]) -> Iterator[Finding]:
         batch = f"{own}_batch.c"
         many = _many(folder, part)
         wanted += [Kernel(n, f"{own}_{n}_batch", batch, kind, SHARED) for n in many]
-    for kernel in wanted:
-        if kernel not in given:
-            yield _odd(f"{kernel.file}: {kernel.symbol}", "the manifest has it not as a kernel")
-    for kernel in given:
-        if kernel not in wanted:
-            yield _odd(f"{kernel.file}: {kernel.symbol}", "it is none of the functions of graphs")
-    if not wanted:
+    return wanted
+
+
+def _manifest(
+    folder: Folder, contents: Contents, prefix: str, parts: Sequence[Part], found: Chain,
+    source: str,
+) -> Iterator[Finding]:  # fmt: skip
+    """Whether the manifest is what is printed again."""
+    stored = dict(folder.manifest)
+    kernels = _wanted_kernels(folder, parts)
+    if not kernels:
         yield _odd(str(folder.path.name), "it holds no function that is known")
+    again = {**described(contents, prefix), **{key: stored.get(key) for key in TOLD}}
+    again["kernels"] = {one["symbol"]: one for one in kernel_records(kernels)}
+    system, versions = stored.get("system"), stored.get("versions")
+    again["system"] = system if isinstance(system, str) else None
+    told = versions if isinstance(versions, dict) else {}
+    again["versions"] = {tool: str(told.get(tool)) for tool in TOOLS}
+    try:
+        stored["kernels"] = once(stored["kernels"], "symbol")
+        # Who proved nothing claims nothing.
+        if stored.get("chain") != {}:
+            stored["chain"] = by_subject(stored["chain"])
+            again["chain"] = record_again(stored["chain"], found, folder.evidence.kernels)
+    except ODD as error:
+        yield _odd(f"{MANIFEST}: chain or kernels", f"no record: {type(error).__name__} {error}")
+        return
+    # As JSON has it: tuples are lists.
+    yield from prove_claims(MANIFEST, stored, json.loads(json.dumps(again)), source)
+
+
+def _evidence(folder: Folder, derived: Derived | None, source: str) -> Iterator[Finding]:
+    """Whether the files of evidence say nothing but what is read in them, or was derived again."""
+    known, graphs = folder.evidence.known, folder.evidence.graphs
+    for file, text in (
+        (EQUATIONS, equations_text(derived or known)),
+        (GRAPHS, graphs_text(graphs, folder.evidence.rates)),
+    ):
+        yield from prove_claims(file, json.loads(folder.texts[file]), json.loads(text), source)
 
 
 def _texts(

@@ -7,6 +7,7 @@ import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from hashlib import sha256
+from math import isfinite
 from pathlib import Path
 from typing import Any
 
@@ -120,6 +121,8 @@ def _beyond(path: Path, listed: set[str]) -> tuple[tuple[str, ...], tuple[str, .
 
 def _bytes(file: Path) -> bytes:
     try:
+        if file.is_symlink():
+            raise InputError(f"{file}: it is a link: put the file itself into the folder")
         if file.stat().st_size > LARGEST_FILE:
             raise InputError(
                 f"{file}: it is larger than {LARGEST_FILE // 1_000_000} MB: no file"
@@ -139,11 +142,30 @@ def _decoded(file: Path, raw: bytes) -> str:
 
 def _json(file: Path, text: str) -> Any:
     try:
-        return json.loads(text)
+        return json.loads(text, object_pairs_hook=_once, parse_constant=_finite, parse_float=_float)
     except RecursionError:
         raise InputError(f"{file}: it is nested too deeply") from None
     except ValueError as error:
         raise InputError(f"{file}: it is no JSON: {error}") from None
+
+
+def _once(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
+    """Who reads a name that stands twice may take the other value."""
+    found = dict(pairs)
+    if len(found) < len(pairs):
+        names = [name for name, _ in pairs]
+        twice = next(name for name in names if names.count(name) > 1)
+        raise ValueError(f"{twice[:40]!r} stands twice in one place")
+    return found
+
+
+def _finite(word: str) -> float:
+    raise ValueError(f"{word} is no number of JSON")
+
+
+def _float(word: str) -> float:
+    value = float(word)
+    return value if isfinite(value) else _finite(word)
 
 
 def _manifest(path: Path) -> dict[str, Any]:

@@ -7,12 +7,11 @@ still shown to be its graph. Files that no step looks at have nothing but their 
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from enum import Enum
 from pathlib import Path
 
-from mechanics.compiled.custody.binary import Measured
 from mechanics.compiled.custody.build import building, compilers
 from mechanics.compiled.custody.derived import Derived, derived
 from mechanics.compiled.fixed import Fixed, read_fixed
@@ -21,6 +20,17 @@ from mechanics.equations import Equations
 from mechanics.errors import InputError
 from mechanics.export.evidence.binaries import third_step
 from mechanics.export.evidence.chain import (
+    BINARY,
+    GRAPH,
+    NO_COMPILER,
+    NO_SINES,
+    NOT_ASKED,
+    NOT_SHOWN,
+    NUMBERS,
+    PHYSICS,
+    SINES,
+    TEXT,
+    Chain,
     Evidence,
     Read,
     Report,
@@ -28,22 +38,24 @@ from mechanics.export.evidence.chain import (
     second_step,
     silent,
 )
-from mechanics.export.evidence.claims import prove_stored
 from mechanics.export.evidence.equations import FILE as EQUATIONS
+from mechanics.export.evidence.form import prove_form, prove_reciprocals
 from mechanics.export.evidence.graphs import FILE as GRAPHS
 from mechanics.export.evidence.headers import prove_headers
-from mechanics.export.evidence.listing import ODD, as_derived, prove_files
+from mechanics.export.evidence.listing import as_derived, prove_files
 from mechanics.export.evidence.read import Folder, read_folder
 from mechanics.export.evidence.sines import prove_sines
 from mechanics.export.evidence.vectors import prove_vectors
 from mechanics.export.folder import MANIFEST
-from mechanics.kernel import Finding, Verdict, undecided
+from mechanics.kernel import Finding, Verdict
 from mechanics.scene import Scene
 
 FRACTION = re.compile(r"-?\d+(/\d+)?")
-BINARY = "C text = binary"
 NO_PHYSICS = "the equations were not derived again"
-NO_SINES = "the text of the inline sine and cosine is proved by `mechanics verify`"
+NO_FORM = "form of forward dynamics in the manifest: it follows from the scene"
+VERSIONS = "versions in the manifest: facts about another installation"
+FIGURES = "figures of binaries in the manifest: facts about the machine that wrote it"
+NOTHING_SHOWN = "the manifest tells no chain: nothing was proved when it was written"
 
 
 class Outcome(Enum):
@@ -52,30 +64,6 @@ class Outcome(Enum):
     SHOWN = 0
     REFUTED = 1
     UNDECIDED = 3
-
-
-@dataclass(frozen=True)
-class Chain:
-    """What is shown about generated code.
-
-    Attributes
-    ----------
-    steps : tuple of (str, tuple of Finding)
-        Title and findings of each step.
-    measured : tuple of Measured
-        Errors of binaries.
-    not_done : tuple of str
-        What was not looked at, and why: sentences.
-    """
-
-    steps: tuple[tuple[str, tuple[Finding, ...]], ...]
-    measured: tuple[Measured, ...]
-    not_done: tuple[str, ...]
-
-    @property
-    def verdicts(self) -> set[Verdict]:
-        """Every verdict that occurs."""
-        return {finding.verdict for _, findings in self.steps for finding in findings}
 
 
 @dataclass(frozen=True)
@@ -133,17 +121,17 @@ def chain(
     steps: list[tuple[str, tuple[Finding, ...]]] = []
     if again is not None:
         found = tuple(first_step(evidence, again, report))
-        steps.append(("physics, derived again = graph", found))
+        steps.append((PHYSICS, found))
     found = tuple(first_step(evidence, evidence.known, report))
-    steps.append(("derived equations = graph", found))
+    steps.append((GRAPH, found))
     read: list[Read] = []
     found = tuple(second_step(evidence, read, report))
-    steps.append(("graph = C text", found))
+    steps.append((TEXT, found))
     found = (*prove_headers(evidence), *prove_vectors(evidence.texts, evidence.graphs))
-    steps.append(("numbers in headers and self-tests", found))
+    steps.append((NUMBERS, found))
     not_done = () if sines else (NO_SINES,)
     if sines and (found := tuple(prove_sines(evidence.texts, report))):
-        steps.append(("inline sine and cosine = sine and cosine", found))
+        steps.append((SINES, found))
     paths = compilers() if measure else ()
     why = _not_compiled(measure, paths, _all_shown(steps))
     if why:
@@ -164,15 +152,11 @@ def _all_shown(steps: Sequence[tuple[str, tuple[Finding, ...]]]) -> bool:
 def _not_compiled(measure: bool, paths: Sequence[str], shown: bool) -> str:
     """Why binaries are not looked at; empty where they are."""
     if not measure:
-        return "the code was not compiled: that was not asked for"
+        return NOT_ASKED
     if not paths:
-        return "the code was not compiled: no C compiler was found"
+        return NO_COMPILER
     # What is not shown may write anywhere.
-    return (
-        ""
-        if shown
-        else "the code was neither compiled nor run: a text is not shown to be its graph"
-    )
+    return "" if shown else NOT_SHOWN
 
 
 def verify(
@@ -207,26 +191,26 @@ def verify(
         _same_entries(folder, again)
     found = chain(folder.evidence, again, measure, report=report)
     contents = None if graphs is None else as_derived(folder, graphs)
-    files = tuple(prove_files(folder, contents))
-    stored, compilers = _stored(folder, found)
-    not_done = (f"{compilers} findings of the manifest are about binaries not made again",)
+    files = tuple(prove_files(folder, contents, found, again))
+    forms = [*prove_reciprocals(folder), *(prove_form(folder, graphs) if graphs else ())]
     found = replace(
         found,
-        steps=(*found.steps, ("files of the folder", (*files, *stored))),
-        not_done=(*found.not_done, *(not_done if compilers else ())),
+        steps=(*found.steps, ("files of the folder", (*files, *forms))),
+        not_done=(*found.not_done, *_not_checked(folder, graphs is not None)),
     )
     physics = equations is not None
     return Verification(folder, found, physics, unvouched(folder, physics))
 
 
-def _stored(folder: Folder, found: Chain) -> tuple[tuple[Finding, ...], int]:
-    """What is found about the verdicts of a manifest, and how many are about other compilers."""
-    try:
-        findings, compilers = prove_stored(folder.manifest.get("chain", {}), found.steps, BINARY)
-    except ODD as error:
-        words = f"refused: it does not hold findings: {type(error).__name__} {error}"
-        return (undecided(f"{MANIFEST}: chain", words),), 0
-    return tuple(findings), compilers
+def _not_checked(folder: Folder, physics: bool) -> Iterator[str]:
+    """What the manifest says and no step decides about."""
+    yield VERSIONS
+    yield from () if physics else (NO_FORM,)
+    told = folder.manifest.get("chain")
+    if told == {}:
+        yield NOTHING_SHOWN
+    elif isinstance(told, dict) and told.get("measured"):
+        yield FIGURES
 
 
 def graphs_again(folder: Folder, equations: Equations) -> Graphs:

@@ -9,16 +9,18 @@ from typing import Any
 import pytest
 
 from mechanics import compile, derive, write_c
+from mechanics.compiled.custody.derived import derived
 from mechanics.compiled.graphs import Graphs
-from mechanics.export.evidence.chain import second_step
-from mechanics.export.evidence.claims import prove_stored
+from mechanics.export.evidence.chain import Chain, second_step
 from mechanics.export.evidence.listing import as_derived, prove_files
 from mechanics.export.evidence.read import read_folder
-from mechanics.kernel import Finding, Verdict, refuted, same, undecided
+from mechanics.kernel import Finding, Verdict
 from systems import elastic_pendulum
 
+NO_CHAIN = Chain((), (), ())
 Judge = Callable[[Path], list[Finding]]
 HEADER = "name.h"
+KERNEL = "kernels.name_forward_dynamics"
 
 
 @pytest.fixture(scope="module")
@@ -45,10 +47,12 @@ def folder(claimed: Path, tmp_path: Path) -> Path:
 @pytest.fixture
 def judge(graphs: Graphs) -> Judge:
     """What is found about the files of a folder that is not shown, with the physics."""
+    known = derived(graphs)
 
     def found(folder: Path) -> list[Finding]:
         read = read_folder(folder)
-        return [f for f in prove_files(read, as_derived(read, graphs)) if not f.shown]
+        every = prove_files(read, as_derived(read, graphs), NO_CHAIN, known)
+        return [f for f in every if not f.shown]
 
     return found
 
@@ -145,6 +149,18 @@ def manifest(folder: Path, change: Callable[[Any], Any]) -> None:
         (lambda m: m["functions"].update(more={}), Verdict.UNDECIDED, "functions.more"),
         (lambda m: m.pop("arrays"), Verdict.UNDECIDED, "arrays"),
         (lambda m: m.update(note="right"), Verdict.UNDECIDED, "note"),
+        (lambda m: m.update(system=3), Verdict.REFUTED, "system"),
+        (lambda m: m["versions"].pop("casadi"), Verdict.UNDECIDED, "versions.casadi"),
+        (lambda m: m["versions"].update(gcc="12"), Verdict.UNDECIDED, "versions.gcc"),
+        (lambda m: m["versions"].update(sympy=1.14), Verdict.REFUTED, "versions.sympy"),
+        (
+            lambda m: m["functions"]["energy"].update(operations="12"),
+            Verdict.REFUTED,
+            "functions.energy.operations",
+        ),
+        (lambda m: m["kernels"][0].update(lanes=8), Verdict.UNDECIDED, f"{KERNEL}.lanes"),
+        (lambda m: m["kernels"].pop(0), Verdict.UNDECIDED, KERNEL),
+        (lambda m: m["kernels"].append(m["kernels"][0]), Verdict.UNDECIDED, "chain or kernels"),
     ],
 )
 def test_a_manifest_says_what_scene_and_graphs_give(
@@ -157,49 +173,10 @@ def test_a_manifest_says_what_scene_and_graphs_give(
 
 def test_without_physics_the_manifest_is_what_headers_are_held_against(folder: Path) -> None:
     read = read_folder(folder)
-    assert all(finding.shown for finding in prove_files(read, None))
+    assert all(finding.shown for finding in prove_files(read, None, NO_CHAIN))
     changed(folder, "acceleration of gravity", "length of the rod")
-    found = [f for f in prove_files(read_folder(folder), None) if not f.shown]
+    found = [f for f in prove_files(read_folder(folder), None, NO_CHAIN) if not f.shown]
     assert found and {f.verdict for f in found} == {Verdict.UNDECIDED}
-
-
-def step(*rows: dict[str, Any], title: str = "graph = C text") -> dict[str, Any]:
-    return {"steps": [{"step": title, "findings": list(rows)}]}
-
-
-PROVED = same("a", 1, 1, "equal")
-CERTIFIED = Finding("a", Verdict.CERTIFIED, "zero", error_bound=2.0**-90)
-
-
-@pytest.mark.parametrize(
-    ("again", "stored", "verdict"),
-    [
-        (PROVED, {"verdict": "PROVED"}, None),
-        (PROVED, {"verdict": "SUPPORTED"}, None),
-        (PROVED, {"verdict": "REFUTED"}, Verdict.UNDECIDED),
-        (CERTIFIED, {"verdict": "CERTIFIED", "error_bound": 2.0**-90}, None),
-        (CERTIFIED, {"verdict": "CERTIFIED", "error_bound": 2.0**-91}, Verdict.REFUTED),
-        (CERTIFIED, {"verdict": "CERTIFIED"}, Verdict.REFUTED),
-        (CERTIFIED, {"verdict": "PROVED"}, Verdict.REFUTED),
-        (undecided("a", "refused"), {"verdict": "CERTIFIED"}, Verdict.REFUTED),
-        (refuted("a", "other", 1, 2), {"verdict": "UNDECIDED"}, Verdict.REFUTED),
-    ],
-)
-def test_a_stored_verdict_is_none_better_than_the_one_found_again(
-    again: Finding, stored: dict[str, Any], verdict: Verdict | None
-) -> None:
-    chain = step({"subject": "a", **stored})
-    found, _ = prove_stored(chain, [("graph = C text", [again])], "C text = binary")
-    assert [f.verdict for f in found if not f.shown] == ([] if verdict is None else [verdict])
-    assert all("manifest.json: " in f.subject for f in found)
-
-
-def test_a_stored_verdict_about_nothing_is_named() -> None:
-    record = {"subject": "everything", "verdict": "PROVED"}
-    (found,), _ = prove_stored(step(record), [("graph = C text", [PROVED])], "C text = binary")
-    assert found.verdict is Verdict.UNDECIDED and "everything" in found.subject
-    binary = step(record, title="C text = binary")
-    assert prove_stored(binary, [], "C text = binary") == ([], 1)
 
 
 def test_what_only_a_run_sees_of_many_states_is_said(tmp_path: Path) -> None:
