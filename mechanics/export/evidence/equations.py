@@ -33,7 +33,7 @@ def equations_text(known: Derived) -> str:
         "route": known.route,
         "groups": groups,
         "time": known.time,
-        "fixed": _pairs(writer, tuple(known.fixed.items())),
+        "fixed": _pairs(writer, sorted(known.fixed.items(), key=lambda pair: pair[0].name)),
     }
     content |= _program(known.program)
     return lines({**content, "symbols": writer.symbols, "nodes": writer.nodes})

@@ -45,7 +45,8 @@ def prove_reciprocals(folder: Folder) -> Iterator[Finding]:
         words = f"{stands} stands there, the program of {others[0]} was written otherwise"
         yield refuted(RECIPROCALS, words, str(stands), str(not stands))
     else:
-        yield same(RECIPROCALS, str(stands), str(stands), "every program was written so")
+        so = [name for name in graphs if name not in others]
+        yield same(RECIPROCALS, list(graphs), so, "every program was written so")
 
 
 def prove_form(folder: Folder, graphs: Graphs) -> Iterator[Finding]:

@@ -15,7 +15,7 @@ from pathlib import Path
 from mechanics.compiled.custody.build import building, compilers
 from mechanics.compiled.custody.derived import Derived, derived
 from mechanics.compiled.fixed import Fixed, read_fixed
-from mechanics.compiled.graphs import STATE, Graphs
+from mechanics.compiled.graphs import STATE, Graphs, function_inputs
 from mechanics.equations import Equations
 from mechanics.errors import InputError
 from mechanics.export.evidence.binaries import third_step
@@ -51,6 +51,7 @@ from mechanics.kernel import Finding, Verdict
 from mechanics.scene import Scene
 
 FRACTION = re.compile(r"-?\d+(/\d+)?")
+REACTIONS = "reactions"
 NO_PHYSICS = "the equations were not derived again"
 NO_FORM = "form of forward dynamics in the manifest: it follows from the scene"
 VERSIONS = "versions in the manifest: facts about another installation"
@@ -225,7 +226,10 @@ def graphs_again(folder: Folder, equations: Equations) -> Graphs:
     here = {symbol.name for group in folder.evidence.known.symbols.values() for symbol in group}
     if not {symbol.name for symbol in (*scene.q, *scene.u)} <= here:
         raise _other(folder, scene.name)
-    return Graphs(equations, fixed=_fixed(folder, scene))
+    # A model of some outputs need not tell reactions.
+    told = folder.evidence.known.symbols[REACTIONS]
+    outputs = None if told else [name for name in function_inputs(equations) if name != REACTIONS]
+    return Graphs(equations, fixed=_fixed(folder, scene), outputs=outputs)
 
 
 def _same_entries(folder: Folder, again: Derived) -> None:
