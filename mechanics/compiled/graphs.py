@@ -11,11 +11,12 @@ from math import inf
 import casadi as ca
 import sympy
 
+from mechanics.compiled.arrays import arrays_of
 from mechanics.compiled.fixed import Fixed
 from mechanics.compiled.forms import FORMS
 from mechanics.compiled.programs.gathered import gathered
 from mechanics.compiled.programs.reciprocals import with_reciprocals
-from mechanics.compiled.quantities import DIGITS, STATE, Quantities, quantities
+from mechanics.compiled.quantities import STATE, Quantities, quantities
 from mechanics.compiled.source import Source, with_fixed
 from mechanics.compiled.step import RK4, runge_kutta
 from mechanics.compiled.textbook import dense_function
@@ -69,18 +70,14 @@ class Graphs(Mapping[str, ca.Function]):
         self._asked = outputs is not None
         every = function_inputs(equations)
         self._inputs = every if outputs is None else self._chosen(every, outputs)
-        self._constants: dict[sympy.Expr, ca.SX] = {}
         self._built: dict[str, ca.Function] = {}
         self._found: dict[str, tuple[str, dict[str, ca.SX]]] = {}
         self._named = form
         put = with_fixed(equations, self.fixed, form)
         self.quantities: Quantities = quantities(put, self.fixed, "reactions" in self._inputs)
-        groups = {name: getattr(self.quantities, name) for name in (*STATE, "ud", "multipliers")}
-        self._columns = {name: ca.SX.sym(name, len(group)) for name, group in groups.items()}
-        self._columns["h"] = ca.SX.sym("h")
-        self.source = Source(
-            put, self.fixed, form, self.quantities, self._columns, self._constants, self._bound
-        )
+        self._arrays = arrays_of(self.quantities)
+        self._columns = self._arrays.columns
+        self.source = Source(put, self.fixed, form, self._arrays)
 
     @property
     def equations(self) -> Equations:
@@ -90,7 +87,7 @@ class Graphs(Mapping[str, ca.Function]):
     def __getitem__(self, name: str) -> ca.Function:
         if name not in self._built:
             inputs, outputs = self._parts(name)
-            graphs = self._bound(list(outputs.values()))
+            graphs = self._arrays.bound(list(outputs.values()))
             self._built[name] = dense_function(
                 name, inputs, dict(zip(outputs, graphs, strict=True))
             )
@@ -102,23 +99,18 @@ class Graphs(Mapping[str, ca.Function]):
     def __len__(self) -> int:
         return len(self._inputs)
 
-    def _bound(self, graphs: list[ca.SX]) -> list[ca.SX]:
-        """Graphs with the nearest doubles in place of named constants."""
-        return bound(graphs, self._constants)
-
     def exact(self, name: str) -> tuple[ca.Function, tuple[sympy.Expr, ...]]:
         """The function with its named constants as one more input, and what these stand for."""
         inputs, outputs = self._parts(name)
-        constants = ca.vertcat(*self._constants.values()) if self._constants else ca.SX(0, 1)
-        function = dense_function(name, {**inputs, "constants": constants}, outputs)
-        return function, tuple(self._constants)
+        function = dense_function(name, {**inputs, "constants": self._arrays.named}, outputs)
+        return function, tuple(self._arrays.constants)
 
     def exact_rates(self) -> tuple[ca.Function, tuple[sympy.Expr, ...]]:
         """``qd``, ``ud`` and the multipliers, which the step is made of, as `exact` gives them."""
         outputs = self._rates()
-        constants = ca.vertcat(*self._constants.values()) if self._constants else ca.SX(0, 1)
-        inputs = {**{group: self._columns[group] for group in STATE}, "constants": constants}
-        return dense_function("rates", inputs, outputs), tuple(self._constants)
+        inputs = {group: self._columns[group] for group in STATE}
+        function = dense_function("rates", {**inputs, "constants": self._arrays.named}, outputs)
+        return function, tuple(self._arrays.constants)
 
     def _parts(self, name: str) -> tuple[dict[str, ca.SX], dict[str, ca.SX]]:
         if name not in self._inputs:
@@ -163,7 +155,9 @@ class Graphs(Mapping[str, ca.Function]):
             self._found[name] = self.source.form if name == "forward_dynamics" else "", found
             if (free := self._free) is not None:
                 other = self._put(name, free)
-                counts = [_operations(self._bound([*each.values()])) for each in (found, other)]
+                counts = [
+                    _operations(self._arrays.bound([*each.values()])) for each in (found, other)
+                ]
                 if counts[1] < counts[0] and self._solved(name, other):
                     self._found[name] = free._shorter(name)[0], other
         return self._found[name]
@@ -185,7 +179,7 @@ class Graphs(Mapping[str, ca.Function]):
     def _put(self, name: str, free: "Graphs") -> dict[str, ca.SX]:
         """Graphs of free parameters with the fixed numbers."""
         own = {entry.symbol: self._columns["p"][i] for i, entry in enumerate(self.quantities.p)}
-        table = Translator({}, self._constants)
+        table = Translator({}, self._arrays.constants)
         entries = [entry.symbol for entry in free.quantities.p]
         values = [table(self.fixed[s]) if s in self.fixed else own[s] for s in entries]
         given = [*(free._columns[g] for g in free._columns if g != "p"), free._columns["p"]]
@@ -194,8 +188,8 @@ class Graphs(Mapping[str, ca.Function]):
         if "ud_p" in outputs:
             kept = [k for k, symbol in enumerate(entries) if symbol not in self.fixed]
             outputs = {**outputs, "ud_p": outputs["ud_p"][:, kept]}
-        given.append(ca.vertcat(*free._constants.values()))
-        taken.append(ca.vertcat(*(table.named(value) for value in free._constants)))
+        given.append(free._arrays.named)
+        taken.append(ca.vertcat(*(table.named(value) for value in free._arrays.constants)))
         return dict(zip(outputs, ca.substitute(list(outputs.values()), given, taken), strict=True))
 
     def _rates(self) -> dict[str, ca.SX]:
@@ -205,7 +199,7 @@ class Graphs(Mapping[str, ca.Function]):
     def _step(self) -> dict[str, ca.SX]:
         q, u, inputs, p = (self._columns[group] for group in STATE)
         found = [self._rates()[name] for name in ("qd", "ud")]
-        constants = ca.vertcat(*self._constants.values()) if self._constants else ca.SX(0, 1)
+        constants = self._arrays.named
         rates = ca.Function("rates", [q, u, inputs, p, constants], [ca.vertcat(*found)])
         times = [i for i, entry in enumerate(self.quantities.inputs) if entry.symbol == TIME]
         n, h = len(self.quantities.q), self._columns["h"]
@@ -218,14 +212,6 @@ class Graphs(Mapping[str, ca.Function]):
 
         y = runge_kutta(RK4, rate, ca.vertcat(q, u), h)
         return {"q_next": y[:n], "u_next": y[n:]}
-
-
-def bound(graphs: list[ca.SX], constants: Mapping[sympy.Expr, ca.SX]) -> list[ca.SX]:
-    """Graphs with the nearest doubles in place of named constants."""
-    if not constants:
-        return graphs
-    values = ca.DM([float(constant.evalf(DIGITS)) for constant in constants])
-    return ca.substitute(graphs, [ca.vertcat(*constants.values())], [ca.SX(values)])
 
 
 def _operations(graphs: list[ca.SX]) -> float:

@@ -5,19 +5,20 @@ from what is shorter. What an output is made from is chosen in `mechanics.compil
 `mechanics.compiled.outputs`; numbers that no double holds stay exact, as named constants.
 """
 
-from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
 
 import casadi as ca
 import sympy
 
+from mechanics.compiled.arrays import GROUPS, Arrays
 from mechanics.compiled.bordered import bind, tried_pivots
 from mechanics.compiled.fixed import Fixed, fix, words
 from mechanics.compiled.forms import FORMS, named_form
 from mechanics.compiled.outputs import Outputs
-from mechanics.compiled.quantities import STATE, Quantities
+from mechanics.compiled.quantities import STATE
 from mechanics.compiled.textbook import Textbook, instructions
+from mechanics.compiled.translate import Translator
 from mechanics.equations import Equations
 from mechanics.errors import ExpressionError, InputError, SingularError
 from mechanics.mechanism import Mechanism
@@ -96,32 +97,20 @@ class Source:
     fixed : mapping of Symbol to Expr
     named : str
         Form of forward dynamics, or ``"auto"``.
-    quantities : Quantities
-    columns : mapping of str to casadi.SX
-        The arrays.
-    constants : dict of Expr to casadi.SX
-        Numbers that no double holds, as they are found.
-    bound : callable
-        Puts the nearest doubles in place of these.
+    arrays : Arrays
     """
 
     equations: Equations
     fixed: Fixed
     named: str
-    quantities: Quantities
-    columns: Mapping[str, ca.SX]
-    constants: dict[sympy.Expr, ca.SX]
-    bound: Callable[[list[ca.SX]], list[ca.SX]]
+    arrays: Arrays
 
     @cached_property
     def matrices(self) -> Textbook | None:
         """Graphs of matrices, where they are written out."""
         if self.equations.textbook is None:
             return None
-        return Textbook(
-            self.equations, self.fixed, self.named, self.quantities, self.columns,
-            self.constants, self.bound, self._from_bodies,
-        )  # fmt: skip
+        return Textbook(self.equations, self.fixed, self.named, self.arrays, self._from_bodies)
 
     @cached_property
     def programs(self) -> Outputs | None:
@@ -135,7 +124,7 @@ class Source:
         programs = self._outputs(mechanism, form)
         if not (mechanism.constraints or mechanism.frictions):
             return programs
-        choose = tried_pivots(self.quantities, _numbers(self.fixed))
+        choose = tried_pivots(self.arrays.quantities, _numbers(self.fixed))
         return replace(programs, route=rows, choose=choose)
 
     def _from_bodies(self, form: str) -> list[ca.SX]:
@@ -145,7 +134,7 @@ class Source:
             return []
         columns = []
         for program in programs.bound_ways(form):
-            graphs = graphs_of(program, self.quantities, self.columns, self.constants)
+            graphs = graphs_of(program, self.arrays)
             columns.append(ca.vertcat(graphs["ud"], graphs["multipliers"]))
         return columns
 
@@ -160,25 +149,26 @@ class Source:
         """The graphs of the outputs of a function."""
         if name in OF_BODIES:
             programs = self.programs or self._outputs(self.equations.kinematics.mechanism, "auto")
-            return graphs_of(programs[name], self.quantities, self.columns, self.constants)
+            return graphs_of(programs[name], self.arrays)
         if self.matrices is None:
-            return self._from_programs(name, self.constants)
+            return self._from_programs(name, self.arrays)
         own = self.matrices.outputs(name)
         if not (self._tree and name in OF_EVERY_ROUTE | OF_ROWS):
             return own
         if name in OF_ROWS and not self._conjugate:
             return own
-        constants = dict(self.constants)
-        other = self._from_programs(name, constants)
+        constants = dict(self.arrays.constants)
+        other = self._from_programs(name, replace(self.arrays, constants=constants))
         if instructions(other) >= instructions(own):
             return own
-        self.constants.update(constants)
+        self.arrays.constants.update(constants)
         return other
 
     def _outputs(self, mechanism: Mechanism, form: str) -> Outputs:
         """The programs of a mechanism in the arrays of the model."""
+        known = self.arrays.quantities
         variables = {
-            name: tuple(mechanism.builder.input(e.name) for e in getattr(self.quantities, name))
+            name: tuple(mechanism.builder.input(entry.name) for entry in getattr(known, name))
             for name in STATE
         }
         return Outputs(mechanism, variables, _numbers(self.fixed), form)
@@ -198,7 +188,7 @@ class Source:
         if self.programs is None or self.equations.textbook is None:
             return False
         build = Builder()
-        known = self.quantities
+        known = self.arrays.quantities
         groups = (known.q, known.u, known.inputs, known.p)
         inputs = {e.symbol: build.input(e.name) for group in groups for e in group}
         textbook = self.equations.textbook
@@ -211,33 +201,15 @@ class Source:
                 return False
         return True
 
-    def _from_programs(self, name: str, constants: dict[sympy.Expr, ca.SX]) -> dict[str, ca.SX]:
-        if self.programs is None:
-            return {}
-        return graphs_of(self.programs[name], self.quantities, self.columns, constants)
+    def _from_programs(self, name: str, arrays: Arrays) -> dict[str, ca.SX]:
+        return {} if self.programs is None else graphs_of(self.programs[name], arrays)
 
 
-def graphs_of(
-    program: Program,
-    quantities: Quantities,
-    columns: Mapping[str, ca.SX],
-    constants: dict[sympy.Expr, ca.SX],
-) -> dict[str, ca.SX]:
+def graphs_of(program: Program, arrays: Arrays) -> dict[str, ca.SX]:
     """The graphs of the outputs of a program; numbers that no double holds join the constants."""
-    groups = {group: getattr(quantities, group) for group in (*STATE, "ud", "multipliers")}
-    entries = {
-        entry.name: columns[group][i]
-        for group, of_group in groups.items()
-        for i, entry in enumerate(of_group)
-    }
-    n = len(quantities.ud)
-    shapes = {f"ud_{group}": (n, len(groups[group])) for group in STATE}
-    shapes |= {"mass_matrix": (n, n), "multipliers": (len(quantities.multipliers), 1)}
-
-    def named(number: sympy.Expr) -> ca.SX:
-        if number not in constants:
-            constants[number] = ca.SX.sym(f"c{len(constants)}")
-        return constants[number]
-
+    entries = {symbol.name: entry for symbol, entry in arrays.table.items()}
+    n, sizes = len(arrays.quantities.ud), {name: arrays.columns[name].numel() for name in GROUPS}
+    shapes = {f"ud_{group}": (n, sizes[group]) for group in STATE}
+    shapes |= {"mass_matrix": (n, n), "multipliers": (sizes["multipliers"], 1)}
     own = {output: shape for output, shape in shapes.items() if output in program.outputs}
-    return print_graphs(program, entries, own, named)
+    return print_graphs(program, entries, own, Translator({}, arrays.constants).named)

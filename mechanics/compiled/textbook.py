@@ -17,14 +17,13 @@ from functools import cached_property
 import casadi as ca
 import sympy
 
+from mechanics.compiled.arrays import Arrays
 from mechanics.compiled.fixed import Fixed
 from mechanics.compiled.forms import Form, System, written
 from mechanics.compiled.forms.order import Order
-from mechanics.compiled.quantities import STATE, Quantities
+from mechanics.compiled.quantities import STATE
 from mechanics.compiled.translate import Translator
 from mechanics.equations import Equations
-
-Table = Mapping[sympy.Symbol, ca.SX]
 
 
 def instructions(outputs: Mapping[str, ca.SX]) -> int:
@@ -53,13 +52,7 @@ class Textbook:
     fixed : mapping of Symbol to Expr
     named : str
         Form of forward dynamics, or ``"auto"``.
-    quantities : Quantities
-    columns : mapping of str to casadi.SX
-        The arrays.
-    constants : dict of Expr to casadi.SX
-        Numbers that no double holds, as they are found.
-    bound : callable
-        Puts the nearest doubles in place of these.
+    arrays : Arrays
     from_bodies : callable
         From the name of a form to graphs of (u', lambda) that start from the bodies.
     """
@@ -67,10 +60,7 @@ class Textbook:
     equations: Equations
     fixed: Fixed
     named: str
-    quantities: Quantities
-    columns: Mapping[str, ca.SX]
-    constants: dict[sympy.Expr, ca.SX]
-    bound: Callable[[list[ca.SX]], list[ca.SX]]
+    arrays: Arrays
     from_bodies: Callable[[str], list[ca.SX]]
 
     def outputs(self, name: str) -> dict[str, ca.SX]:
@@ -91,17 +81,8 @@ class Textbook:
         }
 
     @cached_property
-    def _table(self) -> Table:
-        groups = {name: getattr(self.quantities, name) for name in (*STATE, "ud", "multipliers")}
-        return {
-            entry.symbol: self.columns[name][i]
-            for name, group in groups.items()
-            for i, entry in enumerate(group)
-        }
-
-    @cached_property
     def _translate(self) -> Translator:
-        return Translator(self._table, self.constants)
+        return Translator(self.arrays.table, self.arrays.constants)
 
     def _matrix(self, entries: sympy.Matrix) -> ca.SX:
         return self._translate.matrix(entries)
@@ -109,9 +90,8 @@ class Textbook:
     @cached_property
     def system(self) -> System:
         """What forms of forward dynamics start from."""
-        return System(
-            self.equations, self._translate, self.quantities, self._of_state, self.from_bodies
-        )
+        known = self.arrays.quantities
+        return System(self.equations, self._translate, known, self._of_state, self.from_bodies)
 
     @property
     def form(self) -> str:
@@ -137,24 +117,24 @@ class Textbook:
         return tuple(self.system.pivots)
 
     def _of_state(self, *graphs: ca.SX, x: ca.SX | None = None) -> ca.Function:
-        inputs = {group: self.columns[group] for group in STATE}
-        bound = self.bound(list(graphs))
+        inputs = {group: self.arrays.columns[group] for group in STATE}
+        bound = self.arrays.bound(list(graphs))
         if x is None:
             return dense_function("system", inputs, dict(zip("yz", bound, strict=False)))
         # Of what is evaluated a few times nothing is shared: that takes longer.
         return ca.Function("residual", [*inputs.values(), x], [ca.densify(bound[0])])
 
     def _forward_dynamics(self) -> dict[str, ca.SX]:
-        n = len(self.quantities.ud)
+        n = len(self.arrays.quantities.ud)
         return {"ud": self._solution[:n, 0], "multipliers": self._solution[n:, 0]}
 
     def _residual(self) -> dict[str, ca.SX]:
         left, right = self.system.graphs
-        unknowns = ca.vertcat(self.columns["ud"], self.columns["multipliers"])
+        unknowns = ca.vertcat(self.arrays.columns["ud"], self.arrays.columns["multipliers"])
         return {"residual": left @ unknowns - right}
 
     def _inverse_dynamics(self) -> dict[str, ca.SX]:
-        wanted = self.columns["ud"]
+        wanted = self.arrays.columns["ud"]
         if self.system.symmetric:
             left, right = self.system.graphs
             return {"forces": left @ wanted - right}
@@ -169,19 +149,19 @@ class Textbook:
     def _reactions(self) -> dict[str, ca.SX]:
         # u' and lambda stand for the solution here, not for inputs.
         solved = dict(zip(self.equations.unknowns, ca.vertsplit(self._solution), strict=True))
-        translate = Translator({**self._table, **solved}, self.constants)
+        translate = Translator({**self.arrays.table, **solved}, self.arrays.constants)
         return {"reactions": translate.column([value for _, value in self.equations.reactions])}
 
     def _jacobians(self) -> dict[str, ca.SX]:
         """The factors of K serve every column; differentiating through them costs twice as much."""
         left, right = self.system.graphs
         held, solution = ca.SX.sym("x", left.shape[1]), self.system.solve(right)
-        state = ca.vertcat(*(self.columns[group] for group in STATE))
+        state = ca.vertcat(*(self.arrays.columns[group] for group in STATE))
         slopes = ca.jacobian(right - left @ held, state)
         columns = self.system.solve(ca.substitute(slopes, held, solution))
         found, start = {}, 0
         for group in STATE:
-            end = start + len(getattr(self.quantities, group))
-            found[f"ud_{group}"] = columns[: len(self.quantities.ud), start:end]
+            end = start + len(getattr(self.arrays.quantities, group))
+            found[f"ud_{group}"] = columns[: len(self.arrays.quantities.ud), start:end]
             start = end
         return found
