@@ -68,7 +68,7 @@ LARGE = {
     "a product": (lambda w, y, z: w, lambda A, B, y, z: -A),
     "a sum": (lambda w, y, z: y * w + z, lambda A, B, y, z: -z / (y * B) - A),
     "a difference": (lambda w, y, z: z - (y - w * 3), lambda A, B, y, z: (y - z) / (3 * B) - A),
-    "signs": (lambda w, y, z: -(-(w * y) - z), lambda A, B, y, z: -z / (y * B) - A),
+    "signs": (lambda w, y, z: -(w * y + z), lambda A, B, y, z: -z / (y * B) - A),
     "a quotient": (lambda w, y, z: (y - w) / (z * z), lambda A, B, y, z: y / B - A),
 }
 """Constraints on x by w = (A + x) B, and what they give for x."""

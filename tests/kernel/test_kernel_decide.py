@@ -240,6 +240,20 @@ def test_a_witness_shows_the_terms_of_the_statement() -> None:
     assert [Fraction(value) for _, value in witness.solved] == [Fraction(state[n]) for n in "xy"]
 
 
+@pytest.mark.parametrize(
+    ("known", "side"), [(Range.POSITIVE, 1), (Range.NONNEGATIVE, 1), (Range.NEGATIVE, -1)]
+)
+def test_a_far_limit_is_passed_on_the_side_that_is_admissible(known: Range, side: int) -> None:
+    b = Builder()
+    x = b.input("x")
+    limited = side * smaller(side * x, b.constant(5 * 10**6))
+    program = b.program({"left": [limited], "right": [x]})
+    finding = decide(Statement("a limit", program, {"x": known}))
+    assert finding.verdict is Verdict.REFUTED
+    assert finding.witness is not None
+    assert side * Fraction(dict(finding.witness.state)["x"]) > 5 * 10**6
+
+
 def test_typical_values_lead_to_states_that_meet_the_conditions() -> None:
     """No simple number lies between 1000 and 1001."""
     b = Builder()

@@ -134,6 +134,19 @@ def test_large_radicands_are_not_factored() -> None:
         assert shown(2 * root, b.constant(4 * number).sqrt() + 2 * b.input("x")) is factored
 
 
+def test_logarithms_of_rationals_are_sums_of_those_of_primes() -> None:
+    b = Builder()
+    x, half = b.input("x"), b.constant(Fraction(1, 2)).log()
+    assert shown(x * b.constant(Fraction(50, 9)).log(),
+                 x * (2 * b.constant(5).log() - half - 2 * b.constant(3).log()))  # fmt: skip
+    assert not shown(b.constant(-8).log() * x, 3 * b.constant(2).log() * x)
+    assert not shown(b.constant(0).log() * x, b.zero)
+    for number, factored in ((2 * (LARGEST_CONTENT // 2), True), (LARGEST_CONTENT + 2, False)):
+        for side in (1, -1):
+            one, other = (b.constant(Fraction(n) ** side).log() for n in (number, number // 2))
+            assert shown(one * x, (other - side * half) * x) is factored
+
+
 def test_truth_values() -> None:
     b = Builder()
     x, y = b.input("x"), b.input("y")
