@@ -70,6 +70,7 @@ def test_a_guard_of_what_has_values_is_never_taken(asked: str) -> None:
         ("return RIGHT + 0*(1e200*1e200);", "output 1 is nan"),
         ("if (0.1 + 0.2 == 0.3) return RIGHT; return 0;", "output 1 is 0"),
         ("return RIGHT + 1e15*(1.0471975511965981 - M_PI/3);", "1.047197551196598 is read as pi/3"),
+        ("return RIGHT + 1e7*(1.0471975511965981 - M_PI/3);", "1.047197551196598 is read as pi/3"),
         ("return RIGHT*(1.0471975511965981 > M_PI/3 ? 2 : 1);", "1.047197551196598 is read as"),
     ],
 )
@@ -86,6 +87,7 @@ def test_what_a_machine_computes_otherwise_is_not_shown(body: str, words: str) -
         "return 1.0471975511965981/M_PI*3*(RIGHT);",
         "if (isinf(exp(8.0))) return 0; return RIGHT;",
         "if (theta < -5 ? 0 : 1e100 < 1e90) return 0; return RIGHT;",
+        "return floor(fabs(theta/900)) > 0 ? RIGHT*1 : RIGHT + 0/(1 + fabs(u));",
     ],
 )
 def test_what_a_machine_computes_alike_is_shown(body: str) -> None:

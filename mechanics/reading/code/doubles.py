@@ -77,8 +77,7 @@ def computed(nodes: Sequence[Instruction], inputs: Sequence[Sequence[float]]) ->
         operands = [found[k] for k in node.operands]
         apply = casadi.DM.unary if len(operands) == 1 else casadi.DM.binary
         value = float(apply(node.op, *map(casadi.DM, operands)))
-        divided = node.op in (casadi.OP_DIV, casadi.OP_INV) and operands[-1] == 0
-        if divided or (value != value and all(map(isfinite, operands))):
+        if value != value and all(map(isfinite, operands)):
             return None
         found.append(value)
     return found
