@@ -9,8 +9,13 @@ from benchmarks.detection.rows import UNKNOWN_UP_TO_A_CONSTANT, Row, Subject
 from benchmarks.detection.tree import Tree, written
 from mechanics.checks.ledger_compare import ordered
 from mechanics.checks.solution import solve
+from mechanics.errors import ZeroDivisorError
+from mechanics.kernel.field import Inadmissible
+from mechanics.kernel.normal import proves
+from mechanics.kernel.statement import TARGET
+from mechanics.kernel.trial import Answer, trial
 from mechanics.symbolic import Arithmetic
-from mechanics.symbolic.decide import proved
+from mechanics.symbolic.arithmetic import statement
 
 
 def same(about: Subject, row: Row, trees: tuple[Tree, ...]) -> bool:
@@ -38,4 +43,8 @@ def same(about: Subject, row: Row, trees: tuple[Tree, ...]) -> bool:
                 a.assign(symbol, a.value(expression))
         return [(a.value(x), a.value(y)) for x, y in zip(left, right, strict=True)]
 
-    return proved(experiment)
+    try:
+        claim = statement("", experiment, TARGET)
+    except (Inadmissible, ZeroDivisorError):
+        return False
+    return trial(claim, lambda: proves(claim)).answer is Answer.PROVED
