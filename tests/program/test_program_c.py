@@ -100,6 +100,7 @@ def test_text_keeps_apart_what_rounds_differently() -> None:
     texts = {
         "x - (y - z)": x - (y - z), "x - (y + z)": x - (y + z),
         "x / (y / z)": x / (y / z), "x / y / z": x / y / z,
+        "x * (y / z)": x * (y / z), "x * y / z": x * y / z,
         "-(x / 3.0)": x * -1 / 3, "y / z - x": y / z - x, "(x - y) / 3.0": (x - y) / 3,
         "x < y ? -x : x": b.less(x, y).choose(-x, x),
     }  # fmt: skip

@@ -198,6 +198,15 @@ def test_some_parts_of_an_angle_may_be_asked_for_later(parts: int) -> None:
     assert filter_.is_zero(multiple((x / parts).cos(), parts) - x.cos())
 
 
+@pytest.mark.parametrize("parts", [1, 2, 3, 5])
+def test_parts_of_the_angle_of_two_numbers_are_parts(parts: int) -> None:
+    b = Builder()
+    x, y = b.input("x"), b.input("y")
+    part = b.call("atan2", y, x) / parts
+    distance = (x * x + y * y).sqrt()
+    assert Residues(b).is_zero(distance * multiple(part.cos(), parts) - x)
+
+
 @pytest.mark.parametrize("parts", range(1, 13))
 def test_so_many_parts_of_a_point_are_the_point(parts: int) -> None:
     whole = _times(_point_of_the_circle(3), 840, PRIME)
