@@ -6,11 +6,12 @@ r"""What became of a person's equations, as JSON, stable.
 | --- | --- |
 | verdict | the worst of all |
 | statements | list of `tag`, `source`, `place`, `about`, `verdict`, `evidence`, `error_bound`,
-  `witness`, `domain`, `right_if`, `blame`, `notes` |
+  `witness`, `terms`, `domain`, `right_if`, `blame`, `notes` |
 | names | by the person's name: `meaning` in the scene, and `why` |
 
 `domain` says where the verdict holds, or what was written is undefined; empty for everywhere.
-`witness` is as in `mechanics.report.json_report`; `about` is null where a line could not be read.
+`witness` is as in `mechanics.report.json_report`, `terms` has each `term` of both sides with its
+`value` there; `about` is null where a line could not be read.
 `blame` is null where a statement is not refuted or that was not asked for; else
 
     {"differences": [...], "repairs": [...], "explanations": [sentence], "searched": sentence}
@@ -34,6 +35,7 @@ from mechanics.blame.result import Blame, Edit, Repair
 from mechanics.errors import wanted
 from mechanics.report.answer.check import Check
 from mechanics.report.answer.judged import Judged
+from mechanics.report.answer.term_values import term_values
 from mechanics.report.json_report import verdict_json
 
 
@@ -58,6 +60,10 @@ def _statement(entry: Judged) -> dict[str, Any]:
         "place": statement.place,
         "about": None if statement.row is None else type(statement.row.quantity).__name__,
         **verdict_json(entry.finding),
+        "terms": [
+            {"term": term, "value": value}
+            for term, value in term_values(statement, entry.finding.witness)
+        ],
         "domain": entry.finding.domain,
         "right_if": list(entry.right_if),
         "blame": None if entry.blame is None else _blame(entry.blame),

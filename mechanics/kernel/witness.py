@@ -116,12 +116,15 @@ def angle_inputs(program: Program) -> frozenset[str]:
 
 
 def _simple(known: Range, is_angle: bool, place: int, k: int) -> Fraction:
-    """Each input another number, and others in each state; both signs for what is free."""
+    """Each input another number, and others in each state; both signs for what is free.
+
+    Signs are Walsh's functions, so that any two inputs meet with equal and with opposite signs.
+    """
     table = ANGLES if is_angle else SIMPLE
     size = table[(place * (1 + k % 3) + k) % len(table)]
     if known is Range.NEGATIVE:
         return -size
-    minus = known is Range.FREE and (place * (k + 3) + k) % 4 > 1 and k > 0
+    minus = known is Range.FREE and (k & (place % 31 + 1)).bit_count() % 2 == 1
     return -size if minus else size
 
 

@@ -2,6 +2,7 @@
 
 from collections.abc import Callable
 from fractions import Fraction
+from itertools import combinations, islice
 
 import mpmath
 import pytest
@@ -11,7 +12,12 @@ from hypothesis import strategies as st
 from mechanics.kernel import Finding, Range, Statement, Verdict, decide
 from mechanics.kernel.normal import proves
 from mechanics.kernel.trial import Answer, trial
-from mechanics.kernel.witness import find_boundary_witness, find_witness
+from mechanics.kernel.witness import (
+    SIMPLE_STATES,
+    find_boundary_witness,
+    find_witness,
+    states,
+)
 from mechanics.program import Builder, Node, interpret
 from mechanics.program.interpret import include
 
@@ -226,6 +232,17 @@ def test_witnesses_are_simple_numbers() -> None:
     assert finding.witness is not None
     assert all(Fraction(value).denominator <= 4 for _, value in finding.witness.state)
     assert [abs(Fraction(value)) <= 5 for _, value in finding.witness.state] == [True] * 3
+
+
+def test_any_two_inputs_meet_with_equal_and_opposite_signs_among_simple_states() -> None:
+    b = Builder()
+    names = [f"x{i}" for i in range(12)]
+    program = b.program({"left": [b.input(name) for name in names], "right": [b.constant(0)] * 12})
+    simple = list(islice(states(Statement("signs", program)), SIMPLE_STATES))
+    assert all(value.denominator <= 4 for state in simple for value in state.values())
+    for one, other in combinations(names, 2):
+        signs = {(state[one] > 0, state[other] > 0) for state in simple}
+        assert len(signs) == 4, (one, other)
 
 
 def test_a_witness_shows_the_terms_of_the_statement() -> None:

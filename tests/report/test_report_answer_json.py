@@ -9,8 +9,8 @@ from mechanics.report.answer.check import Check
 
 STATEMENT = {
     "tag": str, "source": str, "place": str, "about": str, "verdict": str, "evidence": str,
-    "error_bound": float, "witness": dict, "domain": str, "right_if": list, "blame": dict,
-    "notes": list,
+    "error_bound": float, "witness": dict, "terms": list, "domain": str, "right_if": list,
+    "blame": dict, "notes": list,
 }  # fmt: skip
 BLAME = {"differences": list, "repairs": list, "explanations": list, "searched": str}
 DIFFERENCE = {"group": str, "written": str, "right": str, "origin": list}

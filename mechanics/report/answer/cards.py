@@ -11,6 +11,7 @@ from mechanics.report.answer.judged import Judged
 from mechanics.report.answer.meaning import difference, headline, meaning
 from mechanics.report.answer.sentences import about, place, sides, solved
 from mechanics.report.answer.sheets import names_of, sheets
+from mechanics.report.answer.term_values import term_values
 from mechanics.report.answer.witness import short_state, short_value, short_values
 from mechanics.scene import Scene
 
@@ -42,6 +43,7 @@ class Card:
     differ: str
     state: list[tuple[str, str]]
     solved: list[tuple[str, str]]
+    terms: list[tuple[str, str]]
 
 
 @dataclass(frozen=True)
@@ -98,4 +100,5 @@ def _card(number: int, entry: Judged, scene: Scene) -> Card:
         solved=[(n, short_value(v)) for n, v in solved(statement, witness.solved, scene)]
         if witness
         else [],
+        terms=term_values(statement, witness),
     )

@@ -37,6 +37,7 @@ from mechanics.report.answer.sentences import (
 )
 from mechanics.report.answer.sheets import shared_notes, sheets
 from mechanics.report.answer.source import Source
+from mechanics.report.answer.term_values import term_values
 from mechanics.report.answer.typed import Hand, hand_of
 from mechanics.report.answer.witness import short_state, short_value, short_values
 from mechanics.scene import Scene
@@ -183,6 +184,8 @@ def _state(entry: Judged, scene: Scene | None) -> Iterator[RenderableType]:
     witness = finding.witness
     values = short_values(witness.left, witness.right)
     yield below(line(difference(sides(entry.statement), values)))
+    if terms := term_values(entry.statement, witness):
+        yield below(line(f"term by term: {_listed(terms, ' = ')}", "dim"))
     state = [(name, short_state(value)) for name, value in witness.state]
     yield below(line(f"the state: {_listed(state)}", "dim"))
     if held := solved(entry.statement, witness.solved, scene):
@@ -191,8 +194,8 @@ def _state(entry: Judged, scene: Scene | None) -> Iterator[RenderableType]:
     yield below(line(finding.evidence, "dim", "(how it is known: ").append(")", "dim"))
 
 
-def _listed(values: Iterable[tuple[str, str]]) -> str:
-    return ", ".join(f"{name}={value}" for name, value in values)
+def _listed(values: Iterable[tuple[str, str]], sign: str = "=") -> str:
+    return ", ".join(f"{name}{sign}{value}" for name, value in values)
 
 
 def _names(names: Sequence[Match]) -> Iterator[RenderableType]:
