@@ -116,10 +116,7 @@ def angle_inputs(program: Program) -> frozenset[str]:
 
 
 def _simple(known: Range, is_angle: bool, place: int, k: int) -> Fraction:
-    """Each input another number, and others in each state; both signs for what is free.
-
-    Signs are Walsh's functions, so that any two inputs meet with equal and with opposite signs.
-    """
+    """Each input another number in each state; signs by Walsh: any two inputs meet both ways."""
     table = ANGLES if is_angle else SIMPLE
     size = table[(place * (1 + k % 3) + k) % len(table)]
     if known is Range.NEGATIVE:
