@@ -17,6 +17,7 @@ from sympy import Matrix
 
 from benchmarks.detection.states import BITS, Numbers, States, states, value, vanishes
 from benchmarks.detection.tree import Tree, read, symbol, symbols
+from mechanics.blame.reference import Reference
 from mechanics.checks.ledger import plain_side
 from mechanics.crosscheck.routes import derive
 from mechanics.equations import Equations
@@ -69,9 +70,14 @@ class Subject:
 
     system: System
     scene: Scene
-    free_body: Equations
+    reference: Reference
     kane: Equations
     states: States
+
+    @property
+    def free_body(self) -> Equations:
+        """The truth."""
+        return self.reference.truth
 
     @cached_property
     def rows(self) -> tuple[Row, ...]:
@@ -101,7 +107,7 @@ def subject(name: str) -> Subject:
     (system,) = (system for system in ALL if system.name == name)
     scene = system.scene()
     kane, free_body = derive(scene, "kane"), derive(scene, "free_body")
-    return Subject(system, scene, free_body, kane, states(scene, kane, free_body))
+    return Subject(system, scene, Reference(free_body), kane, states(scene, kane, free_body))
 
 
 def holds(about: Subject, row: Row, trees: tuple[Tree, ...]) -> bool | None:

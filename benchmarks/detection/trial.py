@@ -99,7 +99,7 @@ def _others(drawn: Case, found: Check, verdict: str, words: str) -> tuple[str, s
 
 def _checked(drawn: Case, blame: bool) -> Check:
     options: dict[str, Any] = drawn.written.options
-    return mechanics.check(drawn.about.free_body, drawn.written.thing, blame=blame, **options)
+    return mechanics.check(drawn.about.reference, drawn.written.thing, blame=blame, **options)
 
 
 def _blamed(drawn: Case, without: float) -> Undone:

@@ -10,12 +10,12 @@ from itertools import islice, product
 from sympy import Expr
 
 from mechanics.blame.difference import differences
-from mechanics.blame.result import Blame, Difference, Repair
+from mechanics.blame.reference import Reference
+from mechanics.blame.result import Blame, Repair
 from mechanics.blame.search.budget import Budget
 from mechanics.blame.search.claim import Claim, as_motion, at_once, claim_of, problems
 from mechanics.blame.search.find import EQUALLY, Solution, solutions
 from mechanics.blame.search.judge import Problem
-from mechanics.blame.search.point import Points
 from mechanics.blame.search.repair import edited_row, proved, spelling_of
 from mechanics.errors import ExpressionError, MechanicsError
 from mechanics.reading.from_sympy import Untreeable
@@ -37,7 +37,7 @@ STEPS = 10_000
 
 
 def blame(
-    points: Points,
+    reference: Reference,
     statement: Statement,
     kept: frozenset[int | str] = frozenset(),
     budget: Budget | None = None,
@@ -46,8 +46,8 @@ def blame(
 
     Parameters
     ----------
-    points : Points
-        Of the equations that were derived from the scene, with their reactions.
+    reference : Reference
+        What the statements of a text are compared with.
     statement : Statement
         Refuted.
     kept : frozenset of int or str
@@ -61,7 +61,7 @@ def blame(
         With the smallest repairs, each of them proved; `searched` says what was tried in vain.
     """
     try:
-        claim = claim_of(points, statement)
+        claim = claim_of(reference, statement)
     except (Untreeable, Refused) as reason:
         return Blame((), (), searched=f"not searched: it holds what has no tree: {reason}")
     if claim is None:
@@ -78,28 +78,47 @@ def _searched(
     claim: Claim, statement: Statement, kept: frozenset[int | str], budget: Budget
 ) -> Blame:
     """What the search finds within a budget."""
+    row, repairs, words = None, tuple[Repair, ...](), ""
     try:
-        asked = (claim, *as_motion(claim))
-        found: list[tuple[Repair, Published]] = []
-        # What spoils another statement has to be a smaller change than any that does not.
-        for places in (kept, frozenset[int | str]())[not kept :]:
-            searches = (
-                list(islice(_repairs(each, replace(statement, row=each.row), budget), SHOWN))
-                for each in (replace(claim, kept=places) for claim in asked)
-            )
-            more = next((repairs for repairs in searches if repairs), [])
-            if more and (not found or len(more[0][0].edits) < len(found[0][0].edits)):
-                found = more
-            if found and len(found[0][0].edits) == 1:
-                break
+        mended = _mended(claim, statement, kept, budget)
+        if mended:
+            row, repairs = mended[0][1], tuple(repair for repair, _ in mended)
+        else:
+            words = STOPPED if budget.spent else SEARCHED
     except (MechanicsError, Refused) as reason:
-        told, doubt = _differences(claim, statement, None)
-        return Blame(told, (), searched="; ".join((f"not searched to the end: {reason}", *doubt)))
-    row = found[0][1] if found else None
-    told, doubt = _differences(claim, statement, row)
-    words = () if found else (STOPPED if budget.spent else SEARCHED,)
-    repairs = tuple(repair for repair, _ in found)
-    return Blame(told, repairs, searched="; ".join((*words, *doubt)))
+        words = f"not searched to the end: {reason}"
+    spelling = spelling_of(claim)
+
+    def spell(expression: Expr) -> str:
+        try:
+            return spelling(claim.written.tree(expression))
+        except Untreeable:
+            return str(expression)
+
+    try:
+        terms, doubt = differences(claim.reference, statement, repaired=row, spell=spell), ""
+    except MechanicsError as reason:
+        terms, doubt = (), f"the difference is not told term by term: {reason}"
+    return Blame(terms, repairs, searched="; ".join(filter(None, (words, doubt))))
+
+
+def _mended(
+    claim: Claim, statement: Statement, kept: frozenset[int | str], budget: Budget
+) -> list[tuple[Repair, Published]]:
+    """Proved repairs; what spoils another statement is a smaller change than any that does not."""
+    asked = (claim, *as_motion(claim))
+    smallest: list[tuple[Repair, Published]] = []
+    for places in (kept, frozenset[int | str]())[not kept :]:
+        searches = (
+            list(islice(_repairs(each, replace(statement, row=each.row), budget), SHOWN))
+            for each in (replace(claim, kept=places) for claim in asked)
+        )
+        more = next((repairs for repairs in searches if repairs), [])
+        if more and (not smallest or len(more[0][0].edits) < len(smallest[0][0].edits)):
+            smallest = more
+        if smallest and len(smallest[0][0].edits) == 1:
+            break
+    return smallest
 
 
 BESIDE = 2
@@ -187,21 +206,3 @@ def _cheapest(
     """The cheapest solutions of one equality among several."""
     found = next((stage for stage in _stages(claim, problem, statement, budget) if stage), [])
     return found[:BESIDE]
-
-
-def _differences(
-    claim: Claim, statement: Statement, row: Published | None
-) -> tuple[tuple[Difference, ...], tuple[str, ...]]:
-    """What differs, term by term; or why that is not told."""
-    spelling = spelling_of(claim)
-
-    def spell(expression: Expr) -> str:
-        try:
-            return spelling(claim.written.tree(expression))
-        except Untreeable:
-            return str(expression)
-
-    try:
-        return differences(claim.truth, statement, repaired=row, spell=spell), ()
-    except MechanicsError as reason:
-        return (), (f"the difference is not told term by term: {reason}",)

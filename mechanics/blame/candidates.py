@@ -3,19 +3,18 @@
 adj(M) (M u' - f) = det(M) u' - adj(M) f        where one acceleration stands alone
 """
 
-from collections.abc import Iterable, Iterator
-from dataclasses import replace
-from functools import lru_cache
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass, field, replace
+from functools import cached_property
 
-from sympy import Matrix, Symbol
+from sympy import Expr, Matrix, Symbol
 
 from mechanics.blame.nearest import Candidate
 from mechanics.blame.pieces import Kind, Origin, Piece, merged
-from mechanics.blame.reduced import reduced_rows, tied_speeds, view_rows
-from mechanics.blame.rows import Row, free_rows, moving_rows
+from mechanics.blame.reduced import reduced_rows, tied_speeds
+from mechanics.blame.rows import Row
 from mechanics.blame.terms import terms_of
 from mechanics.blame.view import View
-from mechanics.equations import Equations
 from mechanics.kernel.ring import TooLarge
 from mechanics.symbolic import collect_linear
 
@@ -26,86 +25,131 @@ LARGEST_SUMMED = 4
 """Number of speeds up to which sums and differences of two equations are looked at."""
 
 
-def implicit(view: View) -> Iterator[Candidate]:
-    """Equations of the routes, in several accelerations and without eliminated reactions."""
-    for make in (_of_speeds, _of_parts, _of_sums):
-        yield from make(view)
+@dataclass(frozen=True, eq=False, repr=False)
+class Candidates:
+    """Right equations in the speeds of a view; each is made once, when it is first asked for.
 
-
-@lru_cache(maxsize=16)
-def _of_speeds(view: View) -> tuple[Candidate, ...]:
-    return _candidates(_free(row, view.truth) for row in view_rows(view))
-
-
-@lru_cache(maxsize=16)
-def _of_parts(view: View) -> tuple[Candidate, ...]:
-    rows = (_seen(moment.row, view) for moment in moving_rows(view.truth))
-    return _candidates(_free(row, view.truth) for row in rows)
-
-
-@lru_cache(maxsize=16)
-def _of_sums(view: View) -> tuple[Candidate, ...]:
-    if len(view.speeds) > LARGEST_SUMMED:
-        return ()
-    return _candidates(_free(row, view.truth) for row in _sums(view_rows(view)))
-
-
-def constrained(view: View, wanted: frozenset[Symbol]) -> tuple[Candidate, ...]:
-    """Equations with the constraints put in; none in a scene without constraints."""
-    tied = tied_speeds(view, wanted) if view.scene.constraints else None
-    return () if tied is None else _with_constraints(view, tied)
-
-
-@lru_cache(maxsize=32)
-def _with_constraints(view: View, tied: tuple[int, ...]) -> tuple[Candidate, ...]:
-    return _candidates(_free(row, view.truth) for row in reduced_rows(view, tied))
-
-
-@lru_cache(maxsize=16)
-def with_reactions(view: View) -> tuple[Candidate, ...]:
-    """Free-body equations, where reactions stand as symbols."""
-    return _candidates(_seen(row, view) for row in free_rows(view.scene))
-
-
-@lru_cache(maxsize=64)
-def solved(view: View, acceleration: Symbol) -> tuple[Candidate, ...]:
-    """The equation solved for one acceleration; nothing where there are too many, or constraints.
-
-    A body of one freedom needs no solving.
+    Attributes
+    ----------
+    view : View
     """
-    size = len(view.speeds)
-    if view.scene.constraints or not 1 < size <= LARGEST_SOLVED:
-        return ()
-    rows = [_free(row, view.truth) for row in view_rows(view)]
-    mass = Matrix([collect_linear(row.value, view.accelerations)[0] for row in rows])
-    index = view.accelerations.index(acceleration)
-    cofactors = [mass.cofactor(i, index) for i in range(size)]
-    pieces = merged((cofactors[i], piece) for i, row in enumerate(rows) for piece in row.pieces)
-    return _candidates([Row(f"solved for {acceleration.name}", pieces)])
+
+    view: View
+    _tied: dict[tuple[int, ...], tuple[Candidate, ...]] = field(default_factory=dict)
+    _solved: dict[Symbol, tuple[Candidate, ...]] = field(default_factory=dict)
+
+    def implicit(self) -> Iterator[Candidate]:
+        """Equations of the routes, in several accelerations and without eliminated reactions."""
+        yield from self._of_speeds
+        yield from self._of_parts
+        yield from self._of_sums
+
+    @cached_property
+    def _rows(self) -> tuple[Row, ...]:
+        """Lagrange's equation of each speed."""
+        return tuple(map(self._free, self.view.rows))
+
+    @cached_property
+    def _of_speeds(self) -> tuple[Candidate, ...]:
+        return _candidates(self._rows)
+
+    @cached_property
+    def _of_parts(self) -> tuple[Candidate, ...]:
+        moments = self.view.derivation.moving_rows
+        return _candidates(self._free(self._seen(moment.row)) for moment in moments)
+
+    @cached_property
+    def _of_sums(self) -> tuple[Candidate, ...]:
+        few = len(self.view.speeds) <= LARGEST_SUMMED
+        return _candidates(map(self._free, _sums(self.view.rows))) if few else ()
+
+    @cached_property
+    def with_reactions(self) -> tuple[Candidate, ...]:
+        """Free-body equations, where reactions stand as symbols."""
+        return _candidates(map(self._seen, self.view.derivation.free_rows))
+
+    def constrained(self, wanted: frozenset[Symbol]) -> tuple[Candidate, ...]:
+        """Equations with the constraints put in; none in a scene without constraints."""
+        tied = tied_speeds(self.view, wanted) if self.view.scene.constraints else None
+        if tied is None:
+            return ()
+        if tied not in self._tied:
+            self._tied[tied] = _candidates(map(self._free, reduced_rows(self.view, tied)))
+        return self._tied[tied]
+
+    def solved(self, unknown: Symbol) -> tuple[Candidate, ...]:
+        """The equation solved for one acceleration or reaction.
+
+        Nothing where there are too many, or constraints. A body of one freedom needs no solving
+        for its acceleration.
+        """
+        if self.view.scene.constraints or len(self.view.speeds) > LARGEST_SOLVED:
+            return ()
+        if unknown not in self._solved:
+            of_motion = unknown in self.view.accelerations
+            make = self._for_acceleration if of_motion else self._for_reaction
+            self._solved[unknown] = make(unknown)
+        return self._solved[unknown]
+
+    @cached_property
+    def _linear(self) -> list[tuple[list[Expr], Expr]]:
+        """M and h of M u' + h = 0, row by row."""
+        return [collect_linear(row.value, self.view.accelerations) for row in self._rows]
+
+    @cached_property
+    def _mass(self) -> Matrix:
+        return Matrix([factors for factors, _ in self._linear])
+
+    def _for_acceleration(self, acceleration: Symbol) -> tuple[Candidate, ...]:
+        if len(self._rows) == 1:
+            return ()
+        index = self.view.accelerations.index(acceleration)
+        pieces = merged(
+            (cofactor, piece)
+            for i, row in enumerate(self._rows)
+            for cofactor in [self._mass.cofactor(i, index)]
+            for piece in row.pieces
+        )
+        return _candidates([Row(f"solved for {acceleration.name}", pieces)])
+
+    def _for_reaction(self, reaction: Symbol) -> tuple[Candidate, ...]:
+        """A reaction without accelerations: det(M) (R - value), the accelerations put in.
+
+        M u' + h = 0,   R = c u' + d      ->      det(M) (R - d) + c adj(M) h = 0
+        """
+        table = dict(self.view.derivation.truth.reactions)
+        if reaction not in table:
+            return ()
+        factors, rest = collect_linear(self.view.seen(table[reaction]), self.view.accelerations)
+        value = self._mass.det(method="berkowitz") * (reaction - rest)
+        for k, factor in enumerate(factors):
+            adjugate = (self._mass.cofactor(i, k) * h for i, (_, h) in enumerate(self._linear))
+            value += factor * sum(adjugate)
+        origin = Origin(Kind.REACTION, "", reaction.name)
+        rows = [Row(f"solved for {reaction.name}", (Piece(origin, value),))]
+        return tuple(replace(each, known=False) for each in _candidates(rows))
+
+    def _free(self, row: Row) -> Row:
+        """A row with the reactions that its friction depends on written out."""
+        truth = self.view.derivation.truth
+        pressing = {
+            symbol
+            for piece in row.pieces
+            if piece.origin.kind is Kind.LOAD
+            for symbol in piece.value.free_symbols
+        }
+        if not pressing & {reaction.symbol for reaction in truth.scene.reactions}:
+            return row
+        table = dict(truth.reactions)
+        return Row(row.words, tuple(Piece(p.origin, p.value.xreplace(table)) for p in row.pieces))
+
+    def _seen(self, row: Row) -> Row:
+        """A row in the speeds of the view."""
+        pieces = (Piece(p.origin, self.view.seen(p.value)) for p in row.pieces)
+        return Row(row.words, tuple(pieces))
 
 
-@lru_cache(maxsize=64)
-def solved_reaction(view: View, reaction: Symbol) -> tuple[Candidate, ...]:
-    """A reaction without accelerations: det(M) (R - value), the accelerations put in.
-
-    M u' + h = 0,   R = c u' + d      ->      det(M) (R - d) + c adj(M) h = 0
-    """
-    size, table = len(view.speeds), dict(view.truth.reactions)
-    if view.scene.constraints or size > LARGEST_SOLVED or reaction not in table:
-        return ()
-    rows = [_free(row, view.truth).value for row in view_rows(view)]
-    split = [collect_linear(row, view.accelerations) for row in rows]
-    mass = Matrix([factors for factors, _ in split])
-    factors, rest = collect_linear(view.seen(table[reaction]), view.accelerations)
-    value = mass.det(method="berkowitz") * (reaction - rest)
-    for k, factor in enumerate(factors):
-        value += factor * sum(mass.cofactor(i, k) * h for i, (_, h) in enumerate(split))
-    origin = Origin(Kind.REACTION, "", reaction.name)
-    found = _candidates([Row(f"solved for {reaction.name}", (Piece(origin, value),))])
-    return tuple(replace(each, known=False) for each in found)
-
-
-def _sums(rows: tuple[Row, ...]) -> Iterator[Row]:
+def _sums(rows: Sequence[Row]) -> Iterator[Row]:
     """Sums and differences of two equations: those of angles counted otherwise."""
     for i, one in enumerate(rows):
         for two in rows[i + 1 :]:
@@ -115,27 +159,8 @@ def _sums(rows: tuple[Row, ...]) -> Iterator[Row]:
                 yield Row(f"{one.words} {word} {two.words}", merged(weighted))
 
 
-def _free(row: Row, truth: Equations) -> Row:
-    """A row with the reactions that its friction depends on written out."""
-    pressing = {
-        symbol
-        for piece in row.pieces
-        if piece.origin.kind is Kind.LOAD
-        for symbol in piece.value.free_symbols
-    }
-    if not pressing & {reaction.symbol for reaction in truth.scene.reactions}:
-        return row
-    table = dict(truth.reactions)
-    return Row(row.words, tuple(Piece(p.origin, p.value.xreplace(table)) for p in row.pieces))
-
-
-def _seen(row: Row, view: View) -> Row:
-    """A row in the speeds of a view."""
-    return Row(row.words, tuple(Piece(p.origin, view.seen(p.value)) for p in row.pieces))
-
-
 def _candidates(rows: Iterable[Row]) -> tuple[Candidate, ...]:
-    return tuple(found for row in rows if (found := _candidate(row)) is not None)
+    return tuple(each for row in rows if (each := _candidate(row)) is not None)
 
 
 def _candidate(row: Row) -> Candidate | None:

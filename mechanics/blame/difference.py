@@ -10,24 +10,17 @@ from fractions import Fraction
 
 from sympy import Add, Expr, S, Symbol, cos, sin
 
-from mechanics.blame.candidates import (
-    constrained,
-    implicit,
-    solved,
-    solved_reaction,
-    with_reactions,
-)
+from mechanics.blame.candidates import Candidates
 from mechanics.blame.entries import entries_of
-from mechanics.blame.folded import folded
-from mechanics.blame.groups import COEFFICIENT, grouped, meanings
+from mechanics.blame.groups import COEFFICIENT
+from mechanics.blame.motion import holds
 from mechanics.blame.nearest import Candidate, Meant, nearest
-from mechanics.blame.origin import holds, origins_in_field, origins_of
+from mechanics.blame.origin import origins_in_field, origins_of
 from mechanics.blame.pieces import Kind, Origin
+from mechanics.blame.reference import Reference
 from mechanics.blame.result import Difference
 from mechanics.blame.shape import apart, shortest
 from mechanics.blame.terms import Terms, difference, terms_of, written
-from mechanics.blame.view import View, view_of
-from mechanics.equations import Equations
 from mechanics.errors import ExpressionError
 from mechanics.kernel.ring import TooLarge
 from mechanics.kinematics.momenta import momenta_written_out
@@ -75,7 +68,7 @@ class Group:
 
 
 def differences(
-    truth: Equations,
+    reference: Reference,
     statement: Statement,
     *,
     repaired: Published | None = None,
@@ -85,8 +78,7 @@ def differences(
 
     Parameters
     ----------
-    truth : Equations
-        Derived, with reactions.
+    reference : Reference
     statement : Statement
         Refuted.
     repaired : Published, optional
@@ -100,64 +92,67 @@ def differences(
         Empty where no right equation shares a term with the statement, or where it has no normal
         form. Denominators are multiplied out, in what is written and in what is right.
     """
-    return tuple(_shown(group, spell) for group in groups(truth, statement, repaired))
+    return tuple(_shown(group, spell) for group in groups(reference, statement, repaired))
 
 
 def groups(
-    truth: Equations, statement: Statement, repaired: Published | None = None
+    reference: Reference, statement: Statement, repaired: Published | None = None
 ) -> tuple[Group, ...]:
     """The same as data."""
     row = statement.row
     if row is None:
         return ()
+    kinematics = reference.truth.kinematics
     try:
         if isinstance(row.quantity, EquationOfMotion | ReactionValue):
-            return _of_equation(truth, row, repaired)
+            return _of_equation(reference, row, repaired)
         return tuple(
             Group(name, left, right, origins_of(pieces, apart(right, left)), about)
             for side in row.sides
-            for other, own in [folded(truth, momenta_written_out(truth.kinematics, side))]
+            for other, own in [reference.folded(momenta_written_out(kinematics, side))]
             for name, about, left, right, pieces in entries_of(
-                other.scene, replace(row, sides=(own,))
+                other.derivation, replace(row, sides=(own,))
             )
         )
     except (ExpressionError, TooLarge):
         return ()
 
 
-def _of_equation(truth: Equations, row: Published, repaired: Published | None) -> tuple[Group, ...]:
+def _of_equation(
+    reference: Reference, row: Published, repaired: Published | None
+) -> tuple[Group, ...]:
     own = residual(row)
-    plain = momenta_written_out(truth.kinematics, own)
+    plain = momenta_written_out(reference.truth.kinematics, own)
     if repaired is not None:
         # Both are in the person's symbols, momenta among them.
-        truth, expression = folded(truth, own)
-        found = meant(truth, expression, folded(truth, residual(repaired))[1])
+        other, expression = reference.folded(own)
+        near = meant(other, expression, other.folded(residual(repaired))[1])
     else:
-        truth, expression = folded(truth, plain)
-        found = meant(truth, expression)
-        if found is not None and found.multiplied and plain != own:
+        other, expression = reference.folded(plain)
+        near = meant(other, expression)
+        if near is not None and near.multiplied and plain != own:
             return ()  # momenta over sums, written out in speeds: nothing that one could read
-    return () if found is None else tuple(_by_group(truth, expression, found))
+    return () if near is None else tuple(_by_group(other, expression, near))
 
 
-def _by_group(truth: Equations, expression: Expr, found: Meant) -> Iterator[Group]:
-    scene = truth.scene
+def _by_group(reference: Reference, expression: Expr, near: Meant) -> Iterator[Group]:
+    derivation, meanings = reference.derivation, reference.derivation.meanings
     by_field: dict[str, tuple[str, ...]] = {}
-    if not found.pieces:
-        right = momenta_written_out(truth.kinematics, written(found.right))
-        by_field = origins_in_field(truth, right)
-    left, other = grouped(scene, found.written), grouped(scene, found.right)
-    symbols = {f"{COEFFICIENT}{s.name}": s for s in meanings(scene).accelerations}
+    if not near.pieces:
+        right = momenta_written_out(reference.truth.kinematics, written(near.right))
+        by_field = origins_in_field(derivation, right)
+    left, other = meanings.grouped(near.written), meanings.grouped(near.right)
+    symbols = {f"{COEFFICIENT}{s.name}": s for s in meanings.accelerations}
     summed = any(not node.args[0].is_Symbol for node in expression.atoms(sin, cos))
-    for name in dict.fromkeys((*grouped(scene, found.different), *left, *other)):
+    for name in dict.fromkeys((*meanings.grouped(near.different), *left, *other)):
         one, two = left.get(name, {}), other.get(name, {})
         if one == two:
             continue
         origin = by_field.get(name, ())
-        if found.pieces:
-            parts = [(o, grouped(scene, terms).get(name, {})) for o, terms in found.pieces]
+        if near.pieces:
+            parts = [(o, meanings.grouped(terms).get(name, {})) for o, terms in near.pieces]
             origin = origins_of(parts, apart(two, one))
-        yield Group(name, one, two, origin, symbols.get(name), summed, found.multiplied)
+        yield Group(name, one, two, origin, symbols.get(name), summed, near.multiplied)
 
 
 def residual(row: Published) -> Expr:
@@ -167,55 +162,55 @@ def residual(row: Published) -> Expr:
     return row.sides[0] - row.sides[-1]
 
 
-def meant(truth: Equations, expression: Expr, right: Expr | None = None) -> Meant | None:
+def meant(reference: Reference, expression: Expr, right: Expr | None = None) -> Meant | None:
     """The right equation that a residual is nearest to, with its pieces.
 
     Parameters
     ----------
-    truth : Equations
+    reference : Reference
     expression : Expr
         What is written, as a residual.
     right : Expr, optional
         The residual of what is meant, where that is known.
     """
     if right is None:
-        return next(iter(nearly(truth, expression, 1)), None)
-    view, moving = _view(truth, expression)
-    left = _cleared(expression, moving, view.accelerations)
+        return next(iter(nearly(reference, expression, 1)), None)
+    candidates = reference.candidates(expression)
+    accelerations, moving = candidates.view.accelerations, _moving(candidates)
+    left = _cleared(expression, moving, accelerations)
     multiplied = terms_of([expression]) != [left]
-    target = Candidate(
-        "the repaired statement", ((GIVEN, _cleared(right, moving, view.accelerations)),)
-    )
-    aimed = next(iter(nearest(left, [target], moving, view.accelerations)), None)
+    target = Candidate("the repaired statement", ((GIVEN, _cleared(right, moving, accelerations)),))
+    aimed = next(iter(nearest(left, [target], moving, accelerations)), None)
     as_written = _as_written(expression, right)
     if aimed is None or (multiplied and len(as_written.different) <= len(aimed.different)):
         return as_written
     if not multiplied:
         aimed = as_written  # of the same scale, for a repair is an edit of what is written
-    known = nearest(aimed.right, _candidates(view, expression), moving, view.accelerations)
+    known = nearest(aimed.right, _alike(candidates, expression), moving, accelerations)
     pieces = known[0].pieces if known and not known[0].different else ()
     return replace(aimed, pieces=pieces, multiplied=multiplied)
 
 
-def nearly(truth: Equations, expression: Expr, count: int) -> list[Meant]:
+def nearly(reference: Reference, expression: Expr, count: int) -> list[Meant]:
     """The right equations that a residual is nearest to, as many as are wanted."""
-    view, moving = _view(truth, expression)
-    left = _cleared(expression, moving, view.accelerations)
+    candidates = reference.candidates(expression)
+    accelerations, moving = candidates.view.accelerations, _moving(candidates)
+    left = _cleared(expression, moving, accelerations)
     multiplied = terms_of([expression]) != [left]
     return [
-        replace(found, multiplied=multiplied)
-        for found in nearest(left, _candidates(view, expression), moving, view.accelerations, count)
-        if holds(truth, written(found.right))
+        replace(near, multiplied=multiplied)
+        for near in nearest(left, _alike(candidates, expression), moving, accelerations, count)
+        if holds(reference.truth, written(near.right))
     ]
 
 
-def _view(truth: Equations, expression: Expr) -> tuple[View, set[Symbol]]:
-    """The speeds that a residual is written in, and all that no factor of an equation holds."""
-    view = view_of(truth, expression)
-    moving = {*view.speeds, *view.accelerations, *truth.scene.input_symbols}
-    moving |= {reaction.symbol for reaction in truth.scene.reactions}
-    momenta = momentum_symbols(truth.scene)
-    return view, moving | {*momenta, *map(rate_symbol, momenta)}
+def _moving(candidates: Candidates) -> set[Symbol]:
+    """All that no factor of an equation holds."""
+    view = candidates.view
+    moving = {*view.speeds, *view.accelerations, *view.scene.input_symbols}
+    moving |= {reaction.symbol for reaction in view.scene.reactions}
+    momenta = momentum_symbols(view.scene)
+    return moving | {*momenta, *map(rate_symbol, momenta)}
 
 
 def _as_written(expression: Expr, right: Expr) -> Meant:
@@ -244,19 +239,19 @@ def _sign(terms: Terms, leading: Sequence[Symbol]) -> Fraction:
     return Fraction(0)
 
 
-def _candidates(view: View, expression: Expr) -> Iterator[Candidate]:
+def _alike(candidates: Candidates, expression: Expr) -> Iterator[Candidate]:
     """Right equations in the same unknowns, those with few terms first."""
-    held = expression.free_symbols
+    view, held = candidates.view, expression.free_symbols
     reactions = [r.symbol for r in view.scene.reactions if r.symbol in held]
     accelerations = [symbol for symbol in view.accelerations if symbol in held]
     if reactions:
-        yield from with_reactions(view)
+        yield from candidates.with_reactions
     if len(reactions) == 1 and not accelerations:
-        yield from solved_reaction(view, reactions[0])
+        yield from candidates.solved(reactions[0])
     if len(accelerations) == 1:
-        yield from solved(view, accelerations[0])
-    yield from constrained(view, frozenset(held & {*view.speeds, *view.accelerations}))
-    yield from implicit(view)
+        yield from candidates.solved(accelerations[0])
+    yield from candidates.constrained(frozenset(held & {*view.speeds, *view.accelerations}))
+    yield from candidates.implicit()
 
 
 def _shown(group: Group, spell: Spell) -> Difference:

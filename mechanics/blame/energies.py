@@ -9,18 +9,19 @@ from dataclasses import dataclass
 
 from sympy import Add, Expr, S
 
-from mechanics.blame.entries import SIGNS, kinetic_pieces, potential_pieces
-from mechanics.blame.folded import folded
+from mechanics.blame.derivation import Derivation
+from mechanics.blame.entries import SIGNS
 from mechanics.blame.mistakes.slip import Right, Slip
+from mechanics.blame.motion import keeps
 from mechanics.blame.pieces import Kind, Origin, Piece
-from mechanics.blame.power import keeps
+from mechanics.blame.reference import Reference
 from mechanics.blame.shape import shortest
 from mechanics.blame.terms import terms_of
-from mechanics.equations import Equations
 from mechanics.kernel import Finding, Verdict
 from mechanics.kinematics.momenta import momenta_written_out
 from mechanics.reading.statement import Statement
 from mechanics.scene import Scene
+from mechanics.scene.published import Published
 from mechanics.scene.quantities import EquationOfMotion
 from mechanics.scene.rates import coordinate_rate_table, rate, speeds_in_rates
 
@@ -33,6 +34,7 @@ class WrongEnergy:
     ----------
     index : int
         Of its statement.
+    row : Published
     kinetic, potential : Expr
         How much of each is too much, in the scene's symbols.
     mixed : bool
@@ -40,13 +42,14 @@ class WrongEnergy:
     """
 
     index: int
+    row: Published
     kinetic: Expr
     potential: Expr
     mixed: bool = False
 
 
 def wrong_energies(
-    truth: Equations, statements: Sequence[Statement], findings: Sequence[Finding]
+    derivation: Derivation, statements: Sequence[Statement], findings: Sequence[Finding]
 ) -> list[WrongEnergy]:
     """The refuted energies among statements, and how far they are off."""
     found = []
@@ -54,22 +57,21 @@ def wrong_energies(
         row = statement.row
         if row is None or finding.verdict is not Verdict.REFUTED or type(row.quantity) not in SIGNS:
             continue
-        side = momenta_written_out(truth.kinematics, row.sides[-1])
-        found.append(_off(truth.scene, index, side, SIGNS[type(row.quantity)]))
+        side = momenta_written_out(derivation.truth.kinematics, row.sides[-1])
+        found.append(_off(derivation, index, row, side))
     return found
 
 
-def _off(scene: Scene, index: int, side: Expr, signs: tuple[int, int]) -> WrongEnergy:
+def _off(derivation: Derivation, index: int, row: Published, side: Expr) -> WrongEnergy:
     """What is too much: of an energy of both kinds, terms with speeds are kinetic."""
-    kinetic, potential = signs
-    right = kinetic * Add(*(value for _, value in kinetic_pieces(scene)))
-    right += potential * Add(*(value for _, value in potential_pieces(scene)))
+    scene, (kinetic, potential) = derivation.scene, SIGNS[type(row.quantity)]
+    right = kinetic * Add(*(piece.value for piece in derivation.kinetic))
+    right += potential * Add(*(piece.value for piece in derivation.potential))
     excess = side - right
     still = dict.fromkeys((*scene.u, *scene.qd), S.Zero)
     resting = excess.xreplace(still) if potential else S.Zero
-    return WrongEnergy(
-        index, excess - resting, resting * (potential or 1), bool(kinetic and potential)
-    )
+    mixed = bool(kinetic and potential)
+    return WrongEnergy(index, row, excess - resting, resting * (potential or 1), mixed)
 
 
 def wrong_rows(scene: Scene, energies: Sequence[WrongEnergy]) -> tuple[Expr, ...]:
@@ -102,7 +104,7 @@ def energy_slip(right: Right, energies: Sequence[WrongEnergy]) -> Slip | None:
 
 
 def blamed(
-    truth: Equations,
+    reference: Reference,
     statements: Sequence[Statement],
     findings: Sequence[Finding],
     energies: Sequence[WrongEnergy],
@@ -117,19 +119,17 @@ def blamed(
     found = {}
     for energy in energies:
         words = "the equations are right, this energy is not: " if fine else ""
-        rows = ", ".join(str(entry) for entry in _shown(truth, statements, energy))
+        rows = ", ".join(str(entry) for entry in _shown(reference, energy))
         words += f"derived from it, the equations would differ by ({rows})"
-        if not keeps(truth, energy.kinetic + energy.potential):
+        if not keeps(reference.truth, energy.kinetic + energy.potential):
             words += "; along the motion its rate is not the power of the loads"
         found[energy.index] = words
     return found
 
 
-def _shown(truth: Equations, statements: Sequence[Statement], energy: WrongEnergy) -> list[Expr]:
+def _shown(reference: Reference, energy: WrongEnergy) -> list[Expr]:
     """The rows in the symbols of the statement, written out and shortest."""
-    row = statements[energy.index].row
-    if row is None:
-        return []
-    other, side = folded(truth, momenta_written_out(truth.kinematics, row.sides[-1]))
-    off = _off(other.scene, energy.index, side, SIGNS[type(row.quantity)])
-    return [shortest(terms, {})[0] for terms in terms_of(wrong_rows(other.scene, [off]))]
+    plain = momenta_written_out(reference.truth.kinematics, energy.row.sides[-1])
+    other, side = reference.folded(plain)
+    off = _off(other.derivation, energy.index, energy.row, side)
+    return [shortest(terms, {})[0] for terms in terms_of(wrong_rows(other.truth.scene, [off]))]

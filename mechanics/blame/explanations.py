@@ -7,18 +7,15 @@ A glance at one point of a field sorts out nearly all of them; the proof is that
 
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
-from functools import lru_cache
 
 from mechanics.blame.difference import residual
 from mechanics.blame.energies import WrongEnergy, blamed, energy_slip, wrong_energies
-from mechanics.blame.folded import folded
 from mechanics.blame.glance import Stated, glances, stated
 from mechanics.blame.mistakes import loads
-from mechanics.blame.mistakes.known import KNOWN
-from mechanics.blame.mistakes.slip import Slip, equations, right
-from mechanics.blame.mistakes.turning import wrong_rows
+from mechanics.blame.mistakes.slip import Right, Slip, equations
 from mechanics.blame.nearest import nearest
 from mechanics.blame.power import unbalanced
+from mechanics.blame.reference import Reference
 from mechanics.blame.terms import terms_of
 from mechanics.checks.ledger import check_row
 from mechanics.equations import Equations
@@ -26,7 +23,6 @@ from mechanics.errors import ExpressionError, MechanicsError
 from mechanics.kernel import Finding, Verdict
 from mechanics.kernel.ring import TooLarge
 from mechanics.reading.statement import Statement
-from mechanics.scene import Scene
 from mechanics.scene.quantities import EquationOfMotion, ReactionValue
 
 MOST = 3
@@ -42,14 +38,13 @@ UNBALANCED = (
 
 
 def explanations(
-    truth: Equations, statements: Sequence[Statement], findings: Sequence[Finding]
+    reference: Reference, statements: Sequence[Statement], findings: Sequence[Finding]
 ) -> tuple[tuple[str, ...], ...]:
     """Known mistakes that were proved to be the reason, for each statement.
 
     Parameters
     ----------
-    truth : Equations
-        Derived, with reactions.
+    reference : Reference
     statements : sequence of Statement
     findings : sequence of Finding
         Their verdicts; only what is REFUTED is explained.
@@ -61,22 +56,23 @@ def explanations(
         preferred to those that explain a single equation; two at once are tried where no single
         one explains all.
     """
+    truth = reference.truth
     found: list[list[str]] = [[] for _ in statements]
-    energies = wrong_energies(truth, statements, findings)
-    for index, words in blamed(truth, statements, findings, energies).items():
+    energies = wrong_energies(reference.derivation, statements, findings)
+    for index, words in blamed(reference, statements, findings, energies).items():
         found[index].append(words)
     along = list(_along(truth, statements, findings))
     refuted = [one for one in along if one.refuted]
     for one in refuted:
-        found[one.index] += _of_one_equation(truth, one)
+        found[one.index] += _of_one_equation(reference, one)
     if refuted:
-        for slip, indices in _of_derivation(truth, along, energies):
+        for slip, indices in _of_derivation(reference, along, energies):
             waiting = [s for s in refuted if s.index in indices and len(found[s.index]) < MOST]
             wrong = equations(truth, slip) if waiting else truth
             for one in waiting:
                 if _proved(wrong, one):
                     found[one.index].append(slip.words)
-        if unbalanced(truth, statements, findings, along):
+        if unbalanced(reference.derivation, statements, findings, along):
             for one in refuted:
                 found[one.index].append(UNBALANCED)
     return tuple(tuple(dict.fromkeys(words)) for words in found)
@@ -98,14 +94,14 @@ def _along(
                 continue  # not linear in the accelerations: no derivation gives such an equation
 
 
-def _of_one_equation(truth: Equations, one: Stated) -> list[str]:
+def _of_one_equation(reference: Reference, one: Stated) -> list[str]:
     """Mistakes that make a moment equation exactly the one that is written."""
-    other, expression = folded(truth, one.residual)
-    scene = other.scene
+    other, expression = reference.folded(one.residual)
+    scene = other.truth.scene
     moving = {*scene.u, *scene.qd, *scene.ud, *scene.input_symbols}
     try:
         (written,) = terms_of([expression], cleared=True, moving=moving)
-        candidates = wrong_rows(other)
+        candidates = other.wrong_moments
     except (ExpressionError, TooLarge):
         return []
     found = []
@@ -117,37 +113,30 @@ def _of_one_equation(truth: Equations, one: Stated) -> list[str]:
 
 
 def _of_derivation(
-    truth: Equations, along: Sequence[Stated], energies: Sequence[WrongEnergy]
+    reference: Reference, along: Sequence[Stated], energies: Sequence[WrongEnergy]
 ) -> list[tuple[Slip, frozenset[int]]]:
     """Mistakes of the whole derivation with what they explain: all statements, or else some."""
-    scene = truth.scene
+    truth, scene = reference.truth, reference.truth.scene
     reactions = {reaction.symbol for reaction in scene.reactions}
     asked = any(symbol in reactions for one in along for symbol, _ in one.factors)
-    slips = _slips(scene, asked)
-    if (from_energy := energy_slip(right(scene, asked), energies)) is not None:
+    mistakes = reference.mistakes_of_free_bodies if asked else reference.mistakes
+    slips = mistakes.slips
+    if (from_energy := energy_slip(mistakes.right, energies)) is not None:
         slips = (from_energy, *slips)
     single = glances(truth, along, slips)
     whole = [pair for pair in single if len(pair[1]) == len(along)]
     if not whole and len(scene.u) <= LARGEST_PAIRED:
-        double = glances(truth, along, _pairs(scene, slips, asked))
+        double = glances(truth, along, _pairs(mistakes.right, slips))
         whole = [pair for pair in double if len(pair[1]) == len(along)]
     return whole or single
 
 
-@lru_cache(maxsize=16)
-def _slips(scene: Scene, with_reactions: bool) -> tuple[Slip, ...]:
-    """Every known mistake that this scene lets one make."""
-    derivation = right(scene, with_reactions)
-    return tuple(slip for known in KNOWN for slip in known(derivation))
-
-
-def _pairs(scene: Scene, slips: Sequence[Slip], with_reactions: bool) -> Iterator[Slip]:
+def _pairs(right: Right, slips: Sequence[Slip]) -> Iterator[Slip]:
     """A mistake of another kind, and one of a load besides."""
-    derivation = right(scene, with_reactions)
-    own = {slip.words for slip in loads.slips(derivation)}
+    own = {slip.words for slip in loads.slips(right)}
     for slip in slips:
         if slip.words not in own:
-            wrong = replace(derivation, rows=slip.rows)
+            wrong = replace(right, rows=slip.rows)
             for more in loads.slips(wrong):
                 yield replace(slip, words=f"{slip.words}; {more.words}", rows=more.rows)
 

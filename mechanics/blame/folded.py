@@ -4,7 +4,6 @@ A definition that is the mass or inertia of a body stands for it; any other is w
 """
 
 from dataclasses import replace
-from functools import lru_cache
 from typing import TypeGuard
 
 from sympy import Expr, Symbol, sympify
@@ -18,19 +17,19 @@ from mechanics.scene.bodies import Body
 from mechanics.symbolic import canonical
 
 
-def folded(truth: Equations, expression: Expr) -> tuple[Equations, Expr]:
-    """Equations and an expression in the same symbols, as few of them written out as possible."""
-    definitions = truth.scene.definitions
-    if not definitions:
-        return truth, expression
+def kept_symbols(scene: Scene, expression: Expr) -> frozenset[Symbol]:
+    """Definitions that need not be written out beside an expression."""
     held = expression.free_symbols
-    kept = frozenset(s for s in definitions if s in held or _unasked(truth.scene, s, held))
-    other, found = _with(truth, kept)
+    return frozenset(s for s in scene.definitions if s in held or _unasked(scene, s, held))
+
+
+def written_out(scene: Scene, kept: frozenset[Symbol]) -> dict[Symbol, Expr]:
+    """What stands for the other definitions."""
     table: dict[Symbol, Expr] = {}
-    for symbol, value in ordered(definitions):
-        if symbol not in found:
+    for symbol, value in ordered(scene.definitions):
+        if symbol not in kept:
             table[symbol] = value.xreplace(table)
-    return other, expression.xreplace(table)
+    return table
 
 
 def _unasked(scene: Scene, symbol: Symbol, held: set[Symbol]) -> bool:
@@ -44,16 +43,15 @@ def _massive(body: Body) -> set[Symbol]:
     return set(body.mass.free_symbols | inertia)
 
 
-@lru_cache(maxsize=16)
-def _with(truth: Equations, kept: frozenset[Symbol]) -> tuple[Equations, frozenset[Symbol]]:
+def folded(truth: Equations, kept: frozenset[Symbol]) -> tuple[Equations, frozenset[Symbol]]:
     """Equations of the scene whose bodies have these symbols, and those that are in use."""
     scene = truth.scene
     table = {s: v for s, v in ordered(scene.definitions) if s not in kept}
     bodies = tuple(_named(scene, body, kept, table) for body in scene.bodies)
-    found = kept & set().union(*(_massive(body) for body in bodies))
+    used = kept & set().union(*(_massive(body) for body in bodies))
     if bodies == scene.bodies:
-        return truth, found
-    return by_route("free_body", replace(scene, bodies=bodies)), found
+        return truth, used
+    return by_route("free_body", replace(scene, bodies=bodies)), used
 
 
 def _named(scene: Scene, body: Body, kept: frozenset[Symbol], table: dict[Symbol, Expr]) -> Body:

@@ -6,16 +6,15 @@ M L/2 th'^2 sin th    products of speeds        M g sin th    gravity: g is of i
 
 from collections.abc import Iterable
 from dataclasses import dataclass
-from functools import lru_cache
 
 from sympy import Expr, Symbol, sympify
 
 from mechanics.blame.terms import Monomial, Terms, symbols_in
-from mechanics.blame.view import second_rates
 from mechanics.scene import Gravity, RigidBody, Scene, Spring, TorsionSpring
 from mechanics.scene.geometry import components
 from mechanics.scene.loads import Coulomb, Damper, Load
 from mechanics.scene.rates import TIME, rate_table
+from mechanics.scene.symbols import plain_symbol
 from mechanics.scene.wellformed import inertia_entries
 
 COEFFICIENT = "coefficient of "
@@ -50,8 +49,28 @@ class Meanings:
             return "products of speeds"
         return "other terms"
 
+    def grouped(self, terms: Terms) -> dict[str, Terms]:
+        """Terms by group: accelerations first, in the scene's order, then as they are met.
 
-@lru_cache(maxsize=16)
+        The symbol of an acceleration is left out of its coefficient.
+        """
+        names = [f"{COEFFICIENT}{symbol.name}" for symbol in self.accelerations]
+        names += ["products of speeds", *(name for name, _ in self.groups), "other terms"]
+        parts: dict[str, Terms] = {name: {} for name in dict.fromkeys(names)}
+        for monomial, value in terms.items():
+            name = self.group(monomial)
+            bare = monomial
+            if name.startswith(COEFFICIENT):
+                bare = frozenset(pair for pair in monomial if pair[0] not in self.accelerations)
+            parts[name][bare] = value
+        return {name: part for name, part in parts.items() if part}
+
+
+def second_rates(scene: Scene) -> tuple[Symbol, ...]:
+    """q'' as plain symbols."""
+    return tuple(plain_symbol(q, 2) for q in scene.coordinates)
+
+
 def meanings(scene: Scene) -> Meanings:
     """What the parameters and inputs of a scene mean, from the loads that they stand in."""
     changing = {*scene.q, *scene.qd, *scene.u, *scene.ud, *second_rates(scene), TIME}
@@ -110,21 +129,3 @@ def _geometry(scene: Scene) -> set[Symbol]:
         for entry in (body.mass, *entries, *scene.position(body.centre)):
             found |= sympify(entry).free_symbols
     return found
-
-
-def grouped(scene: Scene, terms: Terms) -> dict[str, Terms]:
-    """Terms by group: accelerations first, in the scene's order, then as they are met.
-
-    The symbol of an acceleration is left out of its coefficient.
-    """
-    known = meanings(scene)
-    names = [f"{COEFFICIENT}{symbol.name}" for symbol in known.accelerations]
-    names += ["products of speeds", *(name for name, _ in known.groups), "other terms"]
-    found: dict[str, Terms] = {name: {} for name in dict.fromkeys(names)}
-    for monomial, value in terms.items():
-        name = known.group(monomial)
-        bare = monomial
-        if name.startswith(COEFFICIENT):
-            bare = frozenset(pair for pair in monomial if pair[0] not in known.accelerations)
-        found[name][bare] = value
-    return {name: part for name, part in found.items() if part}

@@ -9,7 +9,6 @@ Every right equation of motion is a combination of these, so that its terms come
 from collections.abc import Iterable
 from dataclasses import dataclass
 from enum import Enum
-from functools import lru_cache
 
 from sympy import Add, Expr, Matrix
 
@@ -19,7 +18,6 @@ from mechanics.program.builder import Node
 from mechanics.program.derivatives import gradient
 from mechanics.program.residues import Residues
 from mechanics.routes.free_body import FreeBodyRow, free_body_rows
-from mechanics.scene import Scene
 
 
 class Kind(Enum):
@@ -106,16 +104,8 @@ class Momentum:
     pieces: tuple[Piece, ...]
 
 
-@lru_cache(maxsize=16)
-def motions_of(scene: Scene) -> Kinematics:
-    """How the bodies of a scene move."""
-    return Kinematics(scene)
-
-
-@lru_cache(maxsize=16)
-def momenta(scene: Scene) -> tuple[Momentum, ...]:
+def momenta(kinematics: Kinematics) -> tuple[Momentum, ...]:
     """Every free-body equation of a scene in pieces, printed from procedure (i)."""
-    kinematics = motions_of(scene)
     filter_, _ = kinematics.mechanism.filters
     rows = free_body_rows(kinematics.mechanism, filter_, kinematics.motions)
     return tuple(_momentum(kinematics, filter_, row) for row in rows)

@@ -4,37 +4,18 @@ A u = a    u_tied = T u_free + t        row_free + T^T row_tied: what the constr
 """
 
 from collections.abc import Sequence
-from functools import lru_cache
 from itertools import combinations
 
 from sympy import Expr, S, Symbol
 
 from mechanics.blame.pieces import Piece, merged
-from mechanics.blame.rows import Row, generalized_rows
+from mechanics.blame.rows import Row
 from mechanics.blame.view import View
 from mechanics.scene.rates import rate
 from mechanics.symbolic import collect_linear, independent_rows
 from mechanics.symbolic.cramer import cramer
 
 
-def view_rows(view: View) -> tuple[Row, ...]:
-    """Lagrange's equation of each speed of a view."""
-    rows = generalized_rows(view.scene)
-    if not view.in_rates:
-        return rows
-    found = []
-    for speed in view.speeds:
-        weighted = [
-            (slope, Piece(piece.origin, view.seen(piece.value)))
-            for index, row in enumerate(rows)
-            if (slope := view.slope(speed, index)) != 0
-            for piece in row.pieces
-        ]
-        found.append(Row(f"Lagrange's equation of {speed.name}", merged(weighted)))
-    return tuple(found)
-
-
-@lru_cache(maxsize=16)
 def reduced_rows(view: View, tied: tuple[int, ...]) -> tuple[Row, ...]:
     """Equations of the free speeds, with the tied ones put in.
 
@@ -44,7 +25,7 @@ def reduced_rows(view: View, tied: tuple[int, ...]) -> tuple[Row, ...]:
     tied : tuple of int
         Indices of speeds that the constraints determine, as `tied_speeds` finds them.
     """
-    solution = _solved(view.forms(), [view.speeds[i] for i in tied])
+    solution = _solved(view.forms, [view.speeds[i] for i in tied])
     table: dict[Symbol, Expr] = {
         view.speeds[i]: value for i, value in zip(tied, solution, strict=True)
     }
@@ -52,8 +33,7 @@ def reduced_rows(view: View, tied: tuple[int, ...]) -> tuple[Row, ...]:
         view.accelerations[i]: rate(value, view.clock).xreplace(table)
         for i, value in zip(tied, solution, strict=True)
     }
-    rows = view_rows(view)
-    found = []
+    rows, reduced = view.rows, []
     for i, speed in enumerate(view.speeds):
         if i in tied:
             continue
@@ -64,14 +44,13 @@ def reduced_rows(view: View, tied: tuple[int, ...]) -> tuple[Row, ...]:
             Piece(p.origin, p.value.xreplace(lifted).xreplace(lifted).xreplace(table))
             for p in pieces
         )
-        found.append(Row(f"equation of {speed.name} with the constraints put in", tuple(values)))
-    return tuple(found)
+        reduced.append(Row(f"equation of {speed.name} with the constraints put in", tuple(values)))
+    return tuple(reduced)
 
 
-@lru_cache(maxsize=64)
 def tied_speeds(view: View, wanted: frozenset[Symbol]) -> tuple[int, ...] | None:
     """Indices of speeds that the constraints determine; the wanted ones stay free if they can."""
-    forms = view.forms()
+    forms = view.forms
     pairs = list(zip(view.speeds, view.accelerations, strict=True))
     order = sorted(range(len(pairs)), key=lambda i: (len(wanted & set(pairs[i])), -i))
     for chosen in combinations(order, len(forms)):

@@ -5,21 +5,19 @@ moving point       dH_B/dt + v_B x P - sum tau_B
 free body          row_k itself, or summed over an outboard part of the tree along one direction
 """
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from functools import lru_cache
 
 from sympy import Add, Expr, S
 
-from mechanics.blame.origin import holds
+from mechanics.blame.motion import holds
 from mechanics.blame.pieces import (
     Kind,
+    Momentum,
     Origin,
     Piece,
     load_origin,
     merged,
-    momenta,
-    motions_of,
     printed,
 )
 from mechanics.equations import Equations
@@ -52,18 +50,13 @@ class Row:
         return Add(*(piece.value for piece in self.pieces))
 
 
-@lru_cache(maxsize=16)
-def generalized_rows(scene: Scene) -> tuple[Row, ...]:
+def generalized_rows(scene: Scene, momenta: Sequence[Momentum]) -> tuple[Row, ...]:
     """Kane's and Lagrange's equation of each speed, with the reactions of constraints in it."""
-    found = []
+    rows = []
     for index, u in enumerate(scene.u):
-        weighted = [
-            (momentum.partials[index], piece)
-            for momentum in momenta(scene)
-            for piece in momentum.pieces
-        ]
-        found.append(Row(f"Lagrange's equation of {u.name}", merged(weighted)))
-    return tuple(found)
+        weighted = ((m.partials[index], piece) for m in momenta for piece in m.pieces)
+        rows.append(Row(f"Lagrange's equation of {u.name}", merged(weighted)))
+    return tuple(rows)
 
 
 @dataclass(frozen=True)
@@ -84,31 +77,30 @@ class Moment:
     carried: Expr
 
 
-@lru_cache(maxsize=16)
 def moving_rows(truth: Equations) -> tuple[Moment, ...]:
     """Momentum principles of outboard parts of the tree in which no reaction of a joint enters.
 
     One that the route has no use for may not hold: the moment of a body that cannot turn has a
     reaction in it that nobody declared.
     """
-    kinematics = motions_of(truth.scene)
+    kinematics = truth.kinematics
     filters = kinematics.mechanism.filters
-    found = candidates(kinematics.mechanism, filters)
-    rows = (_balanced(kinematics, filters[0], found, balance) for balance in found.balances)
-    return tuple(moment for moment in rows if holds(truth, moment.row.value))
+    principles = candidates(kinematics.mechanism, filters)
+    moments = (_balanced(kinematics, filters[0], principles, each) for each in principles.balances)
+    return tuple(moment for moment in moments if holds(truth, moment.row.value))
 
 
 def _balanced(
-    kinematics: Kinematics, filter_: Residues, found: Candidates, balance: Balance
+    kinematics: Kinematics, filter_: Residues, principles: Candidates, balance: Balance
 ) -> Moment:
     """dH_B/dt and v_B x P of each body, less the loads, along the principle's directions."""
     mechanism, build = kinematics.mechanism, kinematics.mechanism.builder
     about = ""
     if not balance.principle.linear:
-        about = mechanism.points[found.subtrees[balance.principle.root].point].name
+        about = mechanism.points[principles.subtrees[balance.principle.root].point].name
     parts: list[tuple[Origin, Node]] = []
     carried = build.zero
-    for terms in body_terms(mechanism, found, balance):
+    for terms in body_terms(mechanism, principles, balance):
         body = mechanism.bodies[terms.body].name
         carried = carried + terms.carried
         parts += [
@@ -116,30 +108,29 @@ def _balanced(
             (Origin(Kind.MOVING, body, about=about), terms.moving),
             (Origin(Kind.LINEAR, body), terms.linear),
         ]
-    for name, index, value in load_terms(mechanism, found, balance):
+    for name, index, value in load_terms(mechanism, principles, balance):
         parts.append((load_origin(mechanism, name, mechanism.bodies[index].name), -value))
     for reaction, factor in balance.coefficients.items():
         name = mechanism.reactions[reaction].name
-        parts.append((Origin(Kind.REACTION, "", name), -factor * found.let_in[reaction]))
+        parts.append((Origin(Kind.REACTION, "", name), -factor * principles.let_in[reaction]))
     pieces = merged((S.One, piece) for piece in printed(kinematics, filter_, parts))
     return Moment(about, Row(balance.words, pieces), *kinematics.printer([carried]))
 
 
-@lru_cache(maxsize=16)
-def free_rows(scene: Scene) -> tuple[Row, ...]:
+def free_rows(scene: Scene, momenta: Sequence[Momentum]) -> tuple[Row, ...]:
     """Free-body equations, and linear momentum of outboard parts; reactions stand in them."""
-    found = [Row(f"{m.body}: {m.kind} momentum along {m.axis}", m.pieces) for m in momenta(scene)]
+    rows = [Row(f"{m.body}: {m.kind} momentum along {m.axis}", m.pieces) for m in momenta]
     bodies = tree(scene)
     for name in bodies.order:
         inside = bodies.subtree(name)
         if len(inside) > 1:
-            found += _together(scene, inside)
-    return tuple(found)
+            rows += _together(momenta, inside)
+    return tuple(rows)
 
 
-def _together(scene: Scene, inside: tuple[str, ...]) -> Iterator[Row]:
+def _together(momenta: Sequence[Momentum], inside: tuple[str, ...]) -> Iterator[Row]:
     """Linear momentum of several bodies along each direction that all of them use."""
-    own = [m for m in momenta(scene) if m.body in inside and m.kind == "linear"]
+    own = [m for m in momenta if m.body in inside and m.kind == "linear"]
     for axis in dict.fromkeys(m.axis for m in own):
         group = [m for m in own if m.axis == axis]
         if len(group) == len(inside):

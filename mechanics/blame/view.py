@@ -3,36 +3,39 @@
 u = U(q, q'),    u' = dU/dt        where a person writes q' though the scene declares u
 """
 
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
 from sympy import Expr, Symbol
 
-from mechanics.equations import Equations
+from mechanics.blame.derivation import Derivation
+from mechanics.blame.groups import second_rates
+from mechanics.blame.pieces import Piece, merged
+from mechanics.blame.rows import Row
 from mechanics.kinematics.constraints import velocity_forms
 from mechanics.scene import Scene
 from mechanics.scene.rates import coordinate_rate_table, rate, rate_table, speeds_in_rates
-from mechanics.scene.symbols import plain_symbol
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False, repr=False)
 class View:
-    """A way to write the equations of a scene.
+    """A way to write the equations of a derivation.
 
     Attributes
     ----------
-    truth : Equations
+    derivation : Derivation
     in_rates : bool
         Whether in q' and q''; else in u and u'.
     """
 
-    truth: Equations
+    derivation: Derivation
     in_rates: bool
 
     @property
     def scene(self) -> Scene:
         """The scene."""
-        return self.truth.scene
+        return self.derivation.scene
 
     @cached_property
     def speeds(self) -> tuple[Symbol, ...]:
@@ -61,22 +64,26 @@ class View:
         """An expression in these speeds."""
         return expression.xreplace(self._table) if self._table else expression
 
-    def slope(self, speed: Symbol, index: int) -> Expr:
-        """du/dspeed of one of the scene's speeds: how often its equation is in that of `speed`."""
-        return self.seen(self.scene.u[index]).diff(speed)
-
+    @cached_property
     def forms(self) -> list[Expr]:
         """Constraints, linear in the speeds."""
         return [self.seen(form) for form in velocity_forms(self.scene)]
 
+    @cached_property
+    def rows(self) -> tuple[Row, ...]:
+        """Lagrange's equation of each speed."""
+        rows = self.derivation.generalized_rows
+        if not self.in_rates:
+            return rows
+        return tuple(
+            Row(f"Lagrange's equation of {speed.name}", merged(self._weighted(speed, rows)))
+            for speed in self.speeds
+        )
 
-def second_rates(scene: Scene) -> tuple[Symbol, ...]:
-    """q'' as plain symbols."""
-    return tuple(plain_symbol(q, 2) for q in scene.coordinates)
-
-
-def view_of(truth: Equations, expression: Expr) -> View:
-    """The view in which an expression is written."""
-    scene = truth.scene
-    rates = {*scene.qd, *second_rates(scene)} - {*scene.u, *scene.ud}
-    return View(truth, bool(expression.free_symbols & rates))
+    def _weighted(self, speed: Symbol, rows: Sequence[Row]) -> Iterator[tuple[Expr, Piece]]:
+        """Pieces of the equation of a speed, from those of the scene's speeds."""
+        for u, row in zip(self.scene.u, rows, strict=True):
+            slope = self.seen(u).diff(speed)  # how often the equation of u is in that of the speed
+            if slope != 0:
+                for piece in row.pieces:
+                    yield slope, Piece(piece.origin, self.seen(piece.value))

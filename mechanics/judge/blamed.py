@@ -10,11 +10,10 @@ from sympy import preorder_traversal
 
 from mechanics.blame.blame import blame as blame_of
 from mechanics.blame.explanations import explanations
+from mechanics.blame.reference import Reference
 from mechanics.blame.result import Blame, Edit
 from mechanics.blame.search.budget import Budget
 from mechanics.blame.search.claim import claim_of, used
-from mechanics.blame.search.point import Points
-from mechanics.equations import Equations
 from mechanics.errors import MechanicsError
 from mechanics.judge.branches import blame_by_branch
 from mechanics.kernel import Verdict
@@ -35,12 +34,12 @@ STEPS = 25_000
 """Of the search, for all statements of a text."""
 
 
-def blamed(truth: Equations, judged: Sequence[Judged]) -> tuple[Judged, ...]:
+def blamed(reference: Reference, judged: Sequence[Judged]) -> tuple[Judged, ...]:
     """The same with what is wrong, where something is refuted.
 
     Parameters
     ----------
-    truth : Equations
+    reference : Reference
     judged : sequence of Judged
     """
     wrong = [
@@ -52,15 +51,15 @@ def blamed(truth: Equations, judged: Sequence[Judged]) -> tuple[Judged, ...]:
     small = [k for k, entry in enumerate(judged) if nodes(entry.statement) <= LARGEST]
     searched = [k for k in wrong if k in small][:MOST]
     beside = [k for k in small if k not in wrong][:MOST]
-    told = _explained(truth, [judged[k] for k in (*searched, *beside)])
+    told = _explained(reference, [judged[k] for k in (*searched, *beside)])
     found = list(judged)
     for k in wrong:
         words = "it is too large" if k not in small else f"{MOST} statements before it are wrong"
         found[k] = replace(found[k], blame=Blame((), (), searched=f"not searched: {words}"))
-    budget, points = Budget(STEPS), Points(truth)
+    budget = Budget(STEPS)
     for k, reasons in zip(searched, told[: len(searched)], strict=True):
         late = Blame((), (), searched=f"not searched: those before it took {STEPS} steps")
-        blame = late if budget.spent else _search(points, judged, k, budget)
+        blame = late if budget.spent else _search(reference, judged, k, budget)
         found[k] = replace(found[k], blame=replace(blame, explanations=reasons))
     return named_once(found)
 
@@ -120,7 +119,7 @@ def walked(node: Node) -> Iterator[Node]:
         yield from walked(part)
 
 
-def shown_with(points: Points, judged: Sequence[Judged], k: int) -> frozenset[int | str]:
+def shown_with(reference: Reference, judged: Sequence[Judged], k: int) -> frozenset[int | str]:
     """What a refuted statement has in common with those that are shown: an edit there spoils them.
 
     Definitions, and of an equation of matrices the line itself.
@@ -135,32 +134,32 @@ def shown_with(points: Points, judged: Sequence[Judged], k: int) -> frozenset[in
             found |= set(range(len(own.written.sides)))
         if own.written.definitions:
             try:
-                claim = claim_of(points, other)
+                claim = claim_of(reference, other)
             except (Untreeable, Refused):
                 continue  # no edit of it was told, either
             found |= used(claim) if claim is not None else set()
     return frozenset(found)
 
 
-def _search(points: Points, judged: Sequence[Judged], k: int, budget: Budget) -> Blame:
+def _search(reference: Reference, judged: Sequence[Judged], k: int, budget: Budget) -> Blame:
     """The blame; the verdict stands whatever the search meets."""
     statement = judged[k].statement
 
     def search(one: Statement) -> Blame:
-        return blame_of(points, one, shown_with(points, judged, k), budget)
+        return blame_of(reference, one, shown_with(reference, judged, k), budget)
 
     try:
-        blame = blame_by_branch(points.truth, statement, judged[k].finding, search)
+        blame = blame_by_branch(reference.truth, statement, judged[k].finding, search)
         return blame or search(statement)
     except (MechanicsError, Refused, RecursionError) as error:
         words = str(error) if not isinstance(error, RecursionError) else "it is nested too deeply"
         return Blame((), (), searched=f"not searched: {words}")
 
 
-def _explained(truth: Equations, judged: Sequence[Judged]) -> Sequence[tuple[str, ...]]:
+def _explained(reference: Reference, judged: Sequence[Judged]) -> Sequence[tuple[str, ...]]:
     """Known mistakes that explain what is refuted; or why they were not looked for."""
     try:
-        return explanations(truth, [e.statement for e in judged], [e.finding for e in judged])
+        return explanations(reference, [e.statement for e in judged], [e.finding for e in judged])
     except (MechanicsError, Refused, RecursionError) as error:
         words = str(error) if not isinstance(error, RecursionError) else "it is nested too deeply"
         return [(f"known mistakes were not looked for: {words}",)] * len(judged)

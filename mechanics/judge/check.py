@@ -6,6 +6,7 @@ statements  --ledger-->  PROVED, CERTIFIED, REFUTED with a witness, UNDECIDED
 from collections.abc import Mapping, Sequence
 from typing import Any
 
+from mechanics.blame.reference import Reference
 from mechanics.crosscheck.routes import derive
 from mechanics.equations import Equations
 from mechanics.errors import InputError, wanted
@@ -40,7 +41,7 @@ def derived(scene: Scene) -> Equations:
 
 
 def check(
-    scene: Scene | System | Equations,
+    scene: Scene | System | Equations | Reference,
     equations: Any,
     *,
     names: Mapping[str, str] | None = None,
@@ -56,9 +57,10 @@ def check(
 
     Parameters
     ----------
-    scene : Scene, System or Equations
-        What they are about; equations that were derived already save that time. Where they stay a
-        program, statements are judged as they stand: nothing is said of what would mend them.
+    scene : Scene, System, Equations or Reference
+        What they are about; equations that were derived already save that time, a
+        `mechanics.blame.reference.Reference` to them what blame makes of them, too. Where they stay
+        a program, statements are judged as they stand: nothing is said of what would mend them.
     equations : str, Path, SymPy object, function, or a sequence of them
         LaTeX, or text in SymPy's or MATLAB's notation, or the path of a file with such a text, or
         with C (``.c``); an expression, equation, matrix, `KanesMethod`, `LagrangesMethod` or
@@ -98,13 +100,8 @@ def check(
     InputError
         When nothing can be read, by line and column.
     """
-    kinds = (Scene, System, Equations)
-    wanted(scene, kinds, "check", "pass a scene, or one of systems.ALL")
-    if isinstance(scene, Equations):
-        truth = scene
-    else:
-        truth = derived(scene.scene() if isinstance(scene, System) else scene)
-    things = spread(equations)
+    reference = _reference(scene)
+    truth, things = reference.truth, spread(equations)
     if truth.textbook is None:
         _plain(things, convention=convention, values=values, where=where)
         return _check_program(truth, things, names, notation, about, function)
@@ -122,8 +119,10 @@ def check(
     texts = [where] if isinstance(where, str) else where
     region = read_where(truth, texts, known, names or {})
     judged, told = _judged(truth, statements, counted, held, region)
-    if blame:
-        judged = declared_only(judged) if counted or held or region else blamed(truth, judged)
+    if blame and (counted or held or region):
+        judged = declared_only(judged)
+    elif blame:
+        judged = blamed(reference, judged)
     judged = tuple(read_otherwise(truth, energy_instead(truth, entry)) for entry in judged)
     judged = (*judged, *(Judged(s, f) for entries, _ in boxed for s, f in entries))
     told_of = (*(reading.names for reading in readings), *(known for _, known in boxed))
@@ -135,6 +134,17 @@ def check(
     bounds = (r for e in judged for r in at_the_bound(truth, e.statement, e.finding))
     remarks = (*remarks, *told, *([twice] if twice else []), *dict.fromkeys(bounds))
     return Check(truth.scene, judged, tuple(matches.values()), remarks, truth)
+
+
+def _reference(scene: Scene | System | Equations | Reference) -> Reference:
+    """What statements are compared with."""
+    if isinstance(scene, Reference):
+        return scene
+    kinds = (Scene, System, Equations)
+    wanted(scene, kinds, "check", "pass a scene, or one of systems.ALL")
+    if isinstance(scene, Equations):
+        return Reference(scene)
+    return Reference(derived(scene.scene() if isinstance(scene, System) else scene))
 
 
 def _plain(things: Sequence[Any], **asked: Any) -> None:

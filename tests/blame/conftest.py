@@ -7,6 +7,7 @@ import pytest
 from sympy import Expr, S
 
 import systems
+from mechanics.blame.reference import Reference
 from mechanics.equations import Equations
 from mechanics.judge.check import derived
 from mechanics.reading.statement import Statement
@@ -19,15 +20,25 @@ NAMES = tuple(member.name for member in MEMBERS)
 
 
 @cache
-def _truth(name: str) -> Equations:
+def _reference(name: str) -> Reference:
     (member,) = (member for member in MEMBERS if member.name == name)
-    return derived(member.scene())
+    return Reference(derived(member.scene()))
+
+
+def _truth(name: str) -> Equations:
+    return _reference(name).truth
 
 
 @pytest.fixture(params=NAMES)
-def truth(request: pytest.FixtureRequest) -> Equations:
-    """Each built-in system in turn, as it is derived for a check."""
-    return _truth(request.param)
+def reference(request: pytest.FixtureRequest) -> Reference:
+    """What statements about a system are compared with, for each built-in one in turn."""
+    return _reference(request.param)
+
+
+@pytest.fixture
+def truth(reference: Reference) -> Equations:
+    """That system, as it is derived for a check."""
+    return reference.truth
 
 
 @pytest.fixture(scope="session")

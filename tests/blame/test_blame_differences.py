@@ -11,8 +11,8 @@ from sympy import Expr, S, Symbol, sympify
 import mechanics
 from mechanics.blame.difference import differences, groups
 from mechanics.blame.explanations import explanations
+from mechanics.blame.reference import Reference
 from mechanics.blame.result import Difference
-from mechanics.blame.rows import generalized_rows
 from mechanics.blame.terms import Terms, terms_of, total, written
 from mechanics.checks.ledger_motion import put_motion
 from mechanics.equations import Equations
@@ -23,11 +23,11 @@ Stated = Callable[..., Statement]
 ONLY = "only their difference is shown"
 
 
-def wrong_rows(truth: Equations, seed: str, count: int = 1) -> list[Expr]:
+def wrong_rows(reference: Reference, seed: str, count: int = 1) -> list[Expr]:
     """Each generalized row with the factor of some terms changed."""
     source = random.Random(seed)
     found = []
-    for row in generalized_rows(truth.scene):
+    for row in reference.derivation.generalized_rows:
         terms = total(terms_of([piece.value for piece in row.pieces]))
         changed: Terms = dict(terms)
         ordered = sorted(terms, key=lambda monomial: str(written({monomial: Fraction(1)})))
@@ -61,17 +61,17 @@ def summed(truth: Equations, found: tuple[Difference, ...]) -> Expr:
 @pytest.mark.sample(6)
 @pytest.mark.parametrize("count", [1, 2])
 def test_what_is_shown_sums_to_written_less_right(
-    truth: Equations, stated: Stated, count: int
+    reference: Reference, stated: Stated, count: int
 ) -> None:
-    for row in wrong_rows(truth, f"sum {count}", count):
-        found = differences(truth, stated(row))
+    for row in wrong_rows(reference, f"sum {count}", count):
+        found = differences(reference, stated(row))
         assert 1 <= len(found) <= count
-        shown = summed(truth, found)
+        shown = summed(reference.truth, found)
 
         # What is right vanishes along the motion, so that there the rest is the whole.
         def experiment(a: Arithmetic, row: Expr = row, shown: Expr = shown) -> list:
-            truth.kinematics.manifold.project(a)
-            put_motion(a, truth)
+            reference.truth.kinematics.manifold.project(a)
+            put_motion(a, reference.truth)
             return [(a.value(row), a.value(shown))]
 
         assert decide("differences", experiment, try_normal=False).shown
@@ -79,50 +79,54 @@ def test_what_is_shown_sums_to_written_less_right(
 
 @pytest.mark.sample(2)
 def test_a_changed_term_is_all_that_differs_and_has_an_origin(
-    truth: Equations, stated: Stated
+    reference: Reference, stated: Stated
 ) -> None:
-    for row in wrong_rows(truth, "one"):
-        (found,) = groups(truth, stated(row))
+    for row in wrong_rows(reference, "one"):
+        (found,) = groups(reference, stated(row))
         assert len(found.written) + len(found.right) >= 2
         assert found.origin
 
 
 @pytest.mark.sample(2)
 def test_scaled_swapped_and_divided_statements_have_the_same_origin(
-    truth: Equations, stated: Stated
+    reference: Reference, stated: Stated
 ) -> None:
-    scene = truth.scene
+    scene = reference.truth.scene
     (mass, *_) = [p for p in scene.parameters if p.is_positive]
-    for row in wrong_rows(truth, "scaled"):
-        plain = groups(truth, stated(row))
+    for row in wrong_rows(reference, "scaled"):
+        plain = groups(reference, stated(row))
         for other in (stated(3 * row / mass), stated(S.Zero, right=row)):
-            assert [g.origin for g in groups(truth, other)] == [g.origin for g in plain]
+            assert [g.origin for g in groups(reference, other)] == [g.origin for g in plain]
 
 
 @pytest.mark.sample(2)
-def test_a_right_equation_has_no_differences(truth: Equations, stated: Stated) -> None:
-    for row in generalized_rows(truth.scene):
-        assert differences(truth, stated(row.value)) == ()
+def test_a_right_equation_has_no_differences(reference: Reference, stated: Stated) -> None:
+    for row in reference.derivation.generalized_rows:
+        assert differences(reference, stated(row.value)) == ()
 
 
 def test_one_changed_term_says_what_is_meant_without_the_repair(
-    truth: Equations, stated: Stated
+    reference: Reference, stated: Stated
 ) -> None:
-    rows = wrong_rows(truth, "repaired")
-    for row, right in zip(rows, generalized_rows(truth.scene), strict=True):
+    rows = wrong_rows(reference, "repaired")
+    for row, right in zip(rows, reference.derivation.generalized_rows, strict=True):
         statement = stated(row)
         repaired = replace(statement.row, sides=(right.value, S.Zero))
-        found = differences(truth, statement, repaired=repaired)
-        assert found == differences(truth, statement)
+        found = differences(reference, statement, repaired=repaired)
+        assert found == differences(reference, statement)
 
 
-def test_the_repaired_statement_is_what_is_meant(truth: Equations, stated: Stated) -> None:
+def test_the_repaired_statement_is_what_is_meant(reference: Reference, stated: Stated) -> None:
     """With two changed terms another right equation may be as near; the repair decides."""
-    rows = wrong_rows(truth, "repaired", 2)
-    for row, right in zip(rows, generalized_rows(truth.scene), strict=True):
+    rows = wrong_rows(reference, "repaired", 2)
+    for row, right in zip(rows, reference.derivation.generalized_rows, strict=True):
         statement = stated(row)
         repaired = replace(statement.row, sides=(right.value, S.Zero))
-        rest = row - right.value - summed(truth, differences(truth, statement, repaired=repaired))
+        rest = (
+            row
+            - right.value
+            - summed(reference.truth, differences(reference, statement, repaired=repaired))
+        )
         assert decide("repaired", lambda a, rest=rest: [(a.value(rest), a.value(S.Zero))]).shown
 
 
@@ -180,7 +184,7 @@ def test_of_the_pendulum_on_an_elastic_support(
 ) -> None:
     truth = truth_of("elastic_pendulum")
     (entry,) = mechanics.check(truth, text, blame=False).judged
-    found = differences(truth, entry.statement)
+    found = differences(Reference(truth), entry.statement)
     assert [(d.group, d.written, d.right, d.origin) for d in found] == expected
 
 
@@ -188,7 +192,7 @@ def test_a_mass_matrix_is_compared_entry_by_entry(truth_of: Callable[[str], Equa
     truth = truth_of("elastic_pendulum")
     text = "Matrix([[M+m, M*L/2*cos(theta)], [M*L/2*sin(theta), M*L**2/3]])"
     (entry,) = mechanics.check(truth, text, about="mass matrix", blame=False).judged
-    (found,) = differences(truth, entry.statement)
+    (found,) = differences(Reference(truth), entry.statement)
     assert (found.group, found.written, found.right) == (
         "entry (2, 1)", "L*M*sin(theta)/2", "L*M*cos(theta)/2",
     )  # fmt: skip
@@ -204,7 +208,7 @@ def test_an_equation_solved_for_its_acceleration_has_its_denominators_multiplied
         "/(l*(7/3 - mp*cos(theta)**2/(mc+mp)))"
     )
     (entry,) = mechanics.check(truth, text, blame=False).judged
-    (found,) = differences(truth, entry.statement)
+    (found,) = differences(Reference(truth), entry.statement)
     assert found.group == "coefficient of theta_ddot, denominators multiplied out"
     assert (found.written, found.right) == ("7*(mc + mp)", "4*(mc + mp)")
     assert found.origin == ("pole: rate of linear momentum", "pole: rate of angular momentum")
@@ -215,7 +219,7 @@ def test_what_shares_no_term_with_a_right_equation_has_no_differences(
 ) -> None:
     truth = truth_of("rocker")
     strange = truth.scene.ud[0] ** 3 - 7
-    assert differences(truth, stated(strange)) == ()
+    assert differences(Reference(truth), stated(strange)) == ()
 
 
 def test_beside_a_repair_terms_keep_the_denominators_that_were_written(
@@ -228,7 +232,7 @@ def test_beside_a_repair_terms_keep_the_denominators_that_were_written(
     )
     wrong = right.replace("(g*sin", "(-g*sin")
     one, two = mechanics.check(truth, f"{wrong}\n{right}", blame=False).judged
-    (found,) = differences(truth, one.statement, repaired=two.statement.row)
+    (found,) = differences(Reference(truth), one.statement, repaired=two.statement.row)
     assert (found.group, found.origin) == ("gravity", ("gravity on pole",))
     assert sympify(found.written) == -sympify(found.right)
 
@@ -239,7 +243,7 @@ def test_a_generalized_momentum_is_compared_rate_by_rate(
     truth = truth_of("double_pendulum")
     text = "p1 = (m1 + m2)*l1*phi1_dot + m2*l1*l2*cos(phi1 - phi2)*phi2_dot"
     (entry,) = mechanics.check(truth, text, names={"p1": "p_phi1"}, blame=False).judged
-    (found,) = differences(truth, entry.statement)
+    (found,) = differences(Reference(truth), entry.statement)
     assert found.group == "coefficient of phi1_dot"
     assert (found.written, found.right) == ("l1*(m1 + m2)", "l1**2*(m1 + m2)")
     assert len(found.origin) == 2
@@ -260,8 +264,10 @@ def test_hamiltons_equations_are_compared_in_their_momenta(
     names = {"p1": "p_phi1", "p2": "p_phi2"}
     (one,) = mechanics.check(truth, wrong, names=names, blame=False).judged
     (two,) = mechanics.check(truth, right, names=names, blame=False).judged
-    (found,) = differences(truth, one.statement, repaired=two.statement.row)
+    (found,) = differences(Reference(truth), one.statement, repaired=two.statement.row)
     assert (found.group, found.written, found.right, found.origin) == (
         "gravity", "-g*l2*m2*sin(phi2)", "g*l2*m2*sin(phi2)", ("gravity on lower",),
     )  # fmt: skip
-    assert explanations(truth, [one.statement], [one.finding]) == (("gravity reversed",),)
+    assert explanations(Reference(truth), [one.statement], [one.finding]) == (
+        ("gravity reversed",),
+    )

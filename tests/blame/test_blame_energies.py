@@ -7,8 +7,8 @@ import pytest
 import mechanics
 from mechanics.blame.difference import differences
 from mechanics.blame.energies import wrong_energies, wrong_rows
-from mechanics.blame.entries import kinetic_pieces, potential_pieces
 from mechanics.blame.explanations import UNBALANCED, explanations
+from mechanics.blame.reference import Reference
 from mechanics.checks.ledger import check_row
 from mechanics.equations import Equations
 from mechanics.kernel import Verdict
@@ -45,7 +45,9 @@ ENERGY = (
 
 def told(truth: Equations, text: str) -> list[tuple[str, tuple[str, ...]]]:
     judged = mechanics.check(truth, text, blame=False).judged
-    words = explanations(truth, [e.statement for e in judged], [e.finding for e in judged])
+    words = explanations(
+        Reference(truth), [e.statement for e in judged], [e.finding for e in judged]
+    )
     return [(e.finding.verdict.name, own) for e, own in zip(judged, words, strict=True)]
 
 
@@ -66,7 +68,7 @@ def test_double_inverted_pendulum_whose_energy_has_the_wrong_rate(truth_of: Trut
 def test_its_differences_name_the_rotation_of_the_second_rod(truth_of: TruthOf) -> None:
     truth = truth_of("double_inverted_pendulum")
     (entry,) = mechanics.check(truth, ENERGY, blame=False).judged
-    found = differences(truth, entry.statement)
+    found = differences(Reference(truth), entry.statement)
     assert sorted((d.group, d.written, d.right, d.origin) for d in found) == [
         ("coefficient of theta1_dot**2", "J2/2", "", ()),
         ("coefficient of theta2_dot**2", "", "J2/2", ("rod2: kinetic energy of rotation",)),
@@ -133,14 +135,16 @@ def test_a_wrong_potential_energy(truth_of: TruthOf) -> None:
 
 @pytest.mark.sample(6)
 @pytest.mark.parametrize("kind", [KineticEnergy, PotentialEnergy])
-def test_rows_of_a_wrong_energy_are_those_of_lagrange_from_it(truth: Equations, kind: type) -> None:
+def test_rows_of_a_wrong_energy_are_those_of_lagrange_from_it(
+    reference: Reference, kind: type
+) -> None:
     """Twice the energy: the rows that are too much are the rates, or the loads, themselves."""
-    scene = truth.scene
-    pieces = kinetic_pieces(scene) if kind is KineticEnergy else potential_pieces(scene)
-    value = sum(part for _, part in pieces)
+    truth, derivation, scene = reference.truth, reference.derivation, reference.truth.scene
+    pieces = derivation.kinetic if kind is KineticEnergy else derivation.potential
+    value = sum(piece.value for piece in pieces)
     row = published("1", kind(), 2 * value, label="energy")
     finding = check_row(scene, row, truth)
-    energies = wrong_energies(truth, [Statement(row, "energy", "1")], [finding])
+    energies = wrong_energies(derivation, [Statement(row, "energy", "1")], [finding])
     if finding.verdict is not Verdict.REFUTED:
         assert not value.free_symbols & {*scene.q, *scene.u}
         return

@@ -5,7 +5,7 @@ from dataclasses import replace
 import pytest
 from sympy import Expr, Symbol, sign, sympify
 
-from mechanics.blame.groups import grouped
+from mechanics.blame.groups import meanings
 from mechanics.blame.terms import terms_of
 from mechanics.scene import Scene, damper, force, parameters, torsion_spring
 from systems import cartpole_friction, elastic_pendulum
@@ -50,13 +50,13 @@ def test_groups(group: str, text: str) -> None:
     known = {symbol.name: symbol for symbol in (*own.q, *own.u, *own.ud, *own.parameters)}
     known |= {reaction.name: reaction.symbol for reaction in own.reactions}
     (terms,) = terms_of([parsed(text, known)])
-    assert list(grouped(own, terms)) == [group]
+    assert list(meanings(own).grouped(terms)) == [group]
 
 
 def test_friction_is_a_group_of_its_own() -> None:
     own = cartpole_friction.scene()
     x_dot, normal = own.u[0], Symbol("N_c", real=True)
     (terms,) = terms_of([cartpole_friction.mu_c * 3 * own.q[0] * sign(x_dot)])
-    assert list(grouped(own, terms)) == ["friction"]
+    assert list(meanings(own).grouped(terms)) == ["friction"]
     (pressing,) = terms_of([cartpole_friction.mu_c * normal])
-    assert list(grouped(own, pressing)) == ["reactions"]
+    assert list(meanings(own).grouped(pressing)) == ["reactions"]

@@ -17,11 +17,12 @@ from sympy.physics.mechanics import (
 )
 
 import mechanics
+from mechanics.blame.derivation import Derivation
 from mechanics.blame.explanations import MOST, explanations
 from mechanics.blame.mistakes import held, substituted
 from mechanics.blame.mistakes.known import KNOWN
 from mechanics.blame.mistakes.slip import Slip, equations, right
-from mechanics.blame.rows import generalized_rows, moving_rows
+from mechanics.blame.reference import Reference
 from mechanics.checks.ledger import check_row
 from mechanics.equations import Equations
 from mechanics.kernel import Finding, Verdict
@@ -40,7 +41,7 @@ def judged(truth: Equations, statements: list[Statement]) -> list[Finding]:
 
 def slips(truth: Equations) -> Iterator[Slip]:
     """Mistakes that leave the motion determined; with constraints, one of each that is new then."""
-    derivation = right(truth.scene, with_reactions=False)
+    derivation = right(Derivation(truth), with_reactions=False)
     tied = bool(truth.scene.constraints)
     for known in (held.slips, substituted.slips) if tied else KNOWN:
         found = (slip for slip in known(derivation) if determined(truth, slip))
@@ -60,13 +61,13 @@ def made_wrong(slip: Slip, stated: Stated) -> list[Statement]:
 
 
 @pytest.mark.sample(3)
-def test_every_mistake_is_named_where_it_was_made(truth: Equations, stated: Stated) -> None:
-    fired = 0
+def test_every_mistake_is_named_where_it_was_made(reference: Reference, stated: Stated) -> None:
+    truth, fired = reference.truth, 0
     # Friction keeps the reactions in the equations: they are rows of free bodies, tried below.
     for slip in () if frictions(truth.scene) else slips(truth):
         statements = made_wrong(slip, stated)
         findings = judged(truth, statements)
-        told = explanations(truth, statements, findings)
+        told = explanations(reference, statements, findings)
         for finding, words in zip(findings, told, strict=True):
             if finding.verdict is Verdict.REFUTED:
                 assert slip.words in words or len(words) == MOST
@@ -90,7 +91,7 @@ MAKERS = ("elastic_pendulum", "acrobot", "cartpole_friction", "rolling_disc", "f
 
 
 def test_every_kind_of_mistake_can_be_made(truth_of: Callable[[str], Equations]) -> None:
-    derivations = [right(truth_of(name).scene, with_reactions=False) for name in MAKERS]
+    derivations = [right(Derivation(truth_of(name)), with_reactions=False) for name in MAKERS]
     found = [slip.words for one in derivations for known in KNOWN for slip in known(one)]
     assert [made for made in MADE if not any(words.startswith(made) for words in found)] == []
 
@@ -103,24 +104,25 @@ def test_friction_with_the_wrong_sign(truth_of: Callable[[str], Equations]) -> N
 
 
 @pytest.mark.sample(3)
-def test_nothing_is_explained_where_all_is_right(truth: Equations, stated: Stated) -> None:
-    rows = [*generalized_rows(truth.scene), *(moment.row for moment in moving_rows(truth))]
+def test_nothing_is_explained_where_all_is_right(reference: Reference, stated: Stated) -> None:
+    truth, derivation = reference.truth, reference.derivation
+    rows = [*derivation.generalized_rows, *(moment.row for moment in derivation.moving_rows)]
     values = [row.value for row in rows if row.value.free_symbols & set(truth.scene.ud)]
     statements = [stated(value, str(tag)) for tag, value in zip(count(1), values, strict=False)]
     findings = judged(truth, statements)
     assert all(finding.shown for finding in findings)
-    assert explanations(truth, statements, findings) == ((),) * len(statements)
+    assert explanations(Reference(truth), statements, findings) == ((),) * len(statements)
 
 
 def test_a_mere_slip_of_the_pen_is_not_explained(
     truth_of: Callable[[str], Equations], stated: Stated
 ) -> None:
     truth = truth_of("elastic_pendulum")
-    first, second = (row.value for row in generalized_rows(truth.scene))
+    first, second = (row.value for row in Derivation(truth).generalized_rows)
     statements = [stated(first), stated(second + 5 * truth.scene.q[0])]
     findings = judged(truth, statements)
     assert [finding.verdict for finding in findings] == [Verdict.PROVED, Verdict.REFUTED]
-    assert explanations(truth, statements, findings) == ((), ())
+    assert explanations(Reference(truth), statements, findings) == ((), ())
 
 
 PENDULUM = "(M+m)*x_ddot + 2*k*x + M*L/2*(theta_ddot*cos(theta) - theta_dot**2*sin(theta)) = 0"
@@ -150,7 +152,7 @@ def test_of_the_moment_about_the_moving_pivot(
     truth = truth_of("elastic_pendulum")
     found = mechanics.check(truth, f"{PENDULUM}\n{moment} = 0", blame=False)
     told = explanations(
-        truth, [e.statement for e in found.judged], [e.finding for e in found.judged]
+        Reference(truth), [e.statement for e in found.judged], [e.finding for e in found.judged]
     )
     assert told == ((), (words,))
 
@@ -160,7 +162,9 @@ def test_a_reaction_explains_itself_too(truth_of: Callable[[str], Equations]) ->
     text = "N1 = -(M+m)*g + M*L/2*(theta_ddot*sin(theta) + theta_dot**2*cos(theta))"
     (entry,) = mechanics.check(truth, text, blame=False).judged
     assert entry.finding.verdict is Verdict.REFUTED
-    assert explanations(truth, [entry.statement], [entry.finding]) == (("gravity reversed",),)
+    assert explanations(Reference(truth), [entry.statement], [entry.finding]) == (
+        ("gravity reversed",),
+    )
 
 
 def test_cart_pole_with_the_parallel_axis_counted_twice(
@@ -172,7 +176,7 @@ def test_cart_pole_with_the_parallel_axis_counted_twice(
         "/(l*(7/3 - mp*cos(theta)**2/(mc+mp)))"
     )
     (entry,) = mechanics.check(truth, text, blame=False).judged
-    told = explanations(truth, [entry.statement], [entry.finding])
+    told = explanations(Reference(truth), [entry.statement], [entry.finding])
     assert told == (("parallel axis counted twice: pole",),)
 
 
@@ -212,7 +216,7 @@ def test_rolling_disc_whose_constraints_were_put_into_the_lagrangian(
         for tag, value in zip(count(1), lagrangian_of_the_disc(height_sign), strict=False)
     ]
     findings = judged(truth, statements)
-    told = explanations(truth, statements, findings)
+    told = explanations(Reference(truth), statements, findings)
     for finding, found in zip(findings, told, strict=True):
         assert found == ((words,) if finding.verdict is Verdict.REFUTED else ())
     assert findings[0].verdict is findings[2].verdict is Verdict.REFUTED
@@ -224,7 +228,9 @@ def test_loads_without_potential_follow_the_constraints_that_were_put_in() -> No
     push = Symbol("push", real=True)
     centre = plain.bodies[0].centre
     scene = replace(plain, loads=(*plain.loads, force("push", centre, push * plain.frame.x)))
-    (slip, *_) = substituted.slips(right(scene, with_reactions=False))
+    (slip, *_) = substituted.slips(
+        right(Derivation(mechanics.derive(scene, "free_body")), with_reactions=False)
+    )
     pushed = [
         Add(*(times * piece.value for times, piece in row if piece.origin.name == "push"))
         for row in slip.rows

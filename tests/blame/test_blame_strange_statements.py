@@ -29,7 +29,7 @@ from sympy import (
 
 from mechanics.blame.difference import LARGE, differences
 from mechanics.blame.explanations import explanations
-from mechanics.blame.rows import generalized_rows
+from mechanics.blame.reference import Reference
 from mechanics.equations import Equations
 from mechanics.kernel import Finding, Verdict
 from mechanics.reading.statement import Statement
@@ -77,7 +77,8 @@ def test_strange_statements_are_survived(truth_of: Callable[[str], Equations], n
     truth = truth_of(name)
     scene = truth.scene
     q, u, ud, p = scene.q[0], scene.u[0], scene.ud[0], scene.parameters[0]
-    row = generalized_rows(scene)[0].value
+    reference = Reference(truth)
+    row = reference.derivation.generalized_rows[0].value
     rows = [
         published("1", EquationOfMotion(), value, S.Zero, label="strange")
         for value in residuals(row, q, u, ud, p)
@@ -88,15 +89,15 @@ def test_strange_statements_are_survived(truth_of: Callable[[str], Equations], n
     ]
     for one in rows:
         statement = Statement(one, "strange", "1")
-        for difference in differences(truth, statement):
+        for difference in differences(reference, statement):
             assert difference.written or difference.right
             assert difference.written.count(" + ") + difference.right.count(" + ") < 10 * LARGE
-        (words,) = explanations(truth, [statement], [REFUTED])
+        (words,) = explanations(reference, [statement], [REFUTED])
         assert all(isinstance(word, str) and word for word in words)
 
 
 def test_what_could_not_be_read_has_nothing(truth_of: Callable[[str], Equations]) -> None:
-    truth = truth_of("rocker")
+    reference = Reference(truth_of("rocker"))
     unread = Statement(None, "strange", "1", doubt="it could not be read")
-    assert differences(truth, unread) == ()
-    assert explanations(truth, [unread], [REFUTED]) == ((),)
+    assert differences(reference, unread) == ()
+    assert explanations(reference, [unread], [REFUTED]) == ((),)

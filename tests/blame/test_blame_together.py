@@ -1,7 +1,7 @@
 r"""An edit that would spoil what is shown is not the one that is told."""
 
 import mechanics
-from mechanics.blame.search.point import Points
+from mechanics.blame.reference import Reference
 from mechanics.judge.blamed import shown_with
 from mechanics.judge.check import derived
 from systems import cartpole
@@ -19,7 +19,7 @@ def test_a_definition_that_others_are_shown_with_is_left_as_it_is() -> None:
     found = mechanics.check(CART, f"{STATE} {RATES.replace('x_4^2', 'x_4')}", notation="latex")
     verdicts = [entry.finding.verdict.name for entry in found.judged]
     assert verdicts == ["PROVED", "REFUTED", "PROVED"]
-    assert {"x_2", "x_4"} <= shown_with(Points(CART), found.judged, 1)
+    assert {"x_2", "x_4"} <= shown_with(Reference(CART), found.judged, 1)
     blame = found.judged[1].blame
     assert blame is not None
     for repair in blame.repairs:

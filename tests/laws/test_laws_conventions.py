@@ -10,7 +10,7 @@ import pytest
 from sympy import Add, Eq, Expr, Rational, Symbol, expand, linsolve
 
 import mechanics
-from mechanics.blame.rows import generalized_rows
+from mechanics.blame.derivation import Derivation
 from mechanics.equations import Equations
 from mechanics.judge.check import derived
 from mechanics.judge.right_if import targets_of
@@ -57,7 +57,7 @@ def rows_under(name: str, change: Change) -> list[Expr]:
     (back,) = solved
     own = {s: e.xreplace({Symbol(f"{t}_"): t for t in table})
            for s, e in zip(table, back, strict=True)}  # fmt: skip
-    plain = [target.scene.plain(row.value) for row in generalized_rows(target.scene)]
+    plain = [target.scene.plain(row.value) for row in Derivation(target).generalized_rows]
     seen = [row for row in plain if not table or row.free_symbols & table.keys()]
     rows = [expand(row.xreplace(own), trig=False) for row in seen]
     return [row for row in rows if 1 < len(Add.make_args(row)) <= LARGEST]

@@ -6,7 +6,7 @@ import pytest
 from sympy import Eq
 
 import mechanics
-from mechanics.blame.rows import generalized_rows
+from mechanics.blame.derivation import Derivation
 from mechanics.errors import InputError
 from mechanics.judge.check import derived
 from mechanics.reading.conventions import conventions
@@ -91,7 +91,7 @@ def test_joint_angles(system, sign: int, declared: str, words: str) -> None:
     counted = {
         plain_symbol(two, k): plain_symbol(two, k) + sign * plain_symbol(one, k) for k in range(3)
     }
-    rows = [Eq(row.value.xreplace(counted), 0) for row in generalized_rows(truth.scene)]
+    rows = [Eq(row.value.xreplace(counted), 0) for row in Derivation(truth).generalized_rows]
     found = mechanics.check(truth, rows, blame=False)
     assert [entry.finding.verdict.name for entry in found.judged] == ["REFUTED"] * 2
     assert all(len(e.right_if) == 1 and words in e.right_if[0] for e in found.judged)

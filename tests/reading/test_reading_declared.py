@@ -7,7 +7,7 @@ from sympy import Eq, Expr, S, cos, pi
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
 import mechanics
-from mechanics.blame.rows import generalized_rows
+from mechanics.blame.derivation import Derivation
 from mechanics.errors import InputError
 from mechanics.judge.check import derived
 from mechanics.judge.other_reading import read_otherwise
@@ -137,7 +137,10 @@ def pendulum(angle: Expr, *, right: Expr = S.Zero, up: Expr = -g, wind: Expr = S
 )
 def test_left_and_right_above_and_below_are_what_they_say(declared: str, angle: Expr) -> None:
     """A wind tells left from right."""
-    rows = [Eq(row.value, 0) for row in generalized_rows(pendulum(angle, wind=m * g))]
+    rows = [
+        Eq(row.value, 0)
+        for row in Derivation(derived(pendulum(angle, wind=m * g))).generalized_rows
+    ]
     hanging = derived(pendulum(theta - pi / 2, wind=m * g))
     for side in ("above", "below"):
         for way in ("right", "left"):

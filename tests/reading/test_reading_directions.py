@@ -7,7 +7,7 @@ from sympy import Eq, Expr, Matrix, S, Symbol, cos, pi, sin
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
 import mechanics
-from mechanics.blame.rows import generalized_rows
+from mechanics.blame.derivation import Derivation
 from mechanics.errors import InputError
 from mechanics.judge.check import derived
 from mechanics.reading.declared import DEFINITE
@@ -168,7 +168,9 @@ def pointing(quarter: int, sense: int) -> Scene:
 def test_a_direction_is_what_it_says(place: int) -> None:
     """Equations of a scene that is built so are right under that name, and under no other."""
     built = [(quarter, sense) for quarter in range(4) for sense in (1, -1)]
-    rows = [Eq(row.value, 0) for row in generalized_rows(pointing(*built[place]))]
+    rows = [
+        Eq(row.value, 0) for row in Derivation(derived(pointing(*built[place]))).generalized_rows
+    ]
     for other in (place, place ^ 1, (place + 2) % 8, (place + 4) % 8):
         found = mechanics.check(PENDULUM, rows, convention=DEFINITE[other], blame=False)
         assert found.verdict.name == ("PROVED" if other == place else "REFUTED"), DEFINITE[other]
@@ -227,7 +229,7 @@ AZIMUTH, POLAR = dynamicsymbols("phi theta")
 )
 def test_in_space_the_height_tells(name: str, height: Expr, reach: Expr) -> None:
     hanging = derived(sphere(-cos(POLAR), sin(POLAR)))
-    rows = [Eq(row.value, 0) for row in generalized_rows(sphere(height, reach))]
+    rows = [Eq(row.value, 0) for row in Derivation(derived(sphere(height, reach))).generalized_rows]
     for other in ("above the horizontal", "below the horizontal", "other vertical"):
         found = mechanics.check(hanging, rows, convention=other, blame=False)
         assert found.ok == (other == name), other

@@ -5,13 +5,12 @@ I_C -> I_C - m d^2        parallel axis forgotten: I_C taken for that about the 
 I_C -> 0                  a point mass
 """
 
-from collections.abc import Iterator, Sequence
-from functools import lru_cache
+from collections.abc import Iterator, Mapping, Sequence
 
 from sympy import Expr, Matrix, Rational, S, eye
 
 from mechanics.blame.mistakes.slip import Change, Part, Right, Slip
-from mechanics.blame.pieces import Kind, Origin, Piece, inner, momenta, motions_of
+from mechanics.blame.pieces import Kind, Origin, Piece, inner
 from mechanics.kinematics.symbolic import BodyMotion
 from mechanics.scene import RigidBody, Scene
 from mechanics.scene.rates import rate_table, rates
@@ -23,18 +22,19 @@ def slips(right: Right) -> Iterator[Slip]:
     """Every body that turns and has an inertia, and then all of them."""
     turning = [
         name
-        for name, motion in motions_of(right.scene).bodies.items()
+        for name, motion in right.derivation.bodies.items()
         if motion.turns and isinstance(motion.body, RigidBody) and motion.body.inertia != 0
     ]
+    growth = {name: _transfer(right, name) for name in turning}
     several = [(name,) for name in turning] + ([tuple(turning)] if len(turning) > 1 else [])
     for names in several:
-        title = ", ".join(names)
+        title, grown = ", ".join(names), {name: growth[name] for name in names}
         for factor, words in (
             (S.One, f"parallel axis counted twice: {title}"),
             (-S.One, f"parallel axis forgotten: {title}"),
         ):
             rows = tuple(
-                (*row, *_added(right, index, names, factor)) for index, row in enumerate(right.rows)
+                (*row, *_added(right, index, grown, factor)) for index, row in enumerate(right.rows)
             )
             if rows != right.rows:
                 yield Slip(words, rows, right.unknowns)
@@ -49,10 +49,11 @@ def _without(names: tuple[str, ...]) -> Change:
     return change
 
 
-def _added(right: Right, index: int, names: tuple[str, ...], factor: Rational) -> Iterator[Part]:
+def _added(
+    right: Right, index: int, grown: Mapping[str, Matrix | None], factor: Rational
+) -> Iterator[Part]:
     """What m d^2 more (or less) in the inertia of bodies adds to a row."""
-    for name in names:
-        growth = _transfer(right.scene, name)
+    for name, growth in grown.items():
         value = S.Zero if growth is None else _in_row(right, index, name, growth)
         if value != 0:
             yield factor, Piece(Origin(Kind.ANGULAR, name), value)
@@ -61,17 +62,16 @@ def _added(right: Right, index: int, names: tuple[str, ...], factor: Rational) -
 def _in_row(right: Right, index: int, name: str, growth: Matrix) -> Expr:
     """The rate of an angular momentum along the direction of a row, or times w_r."""
     if not right.free:
-        turning = motions_of(right.scene).bodies[name].angular_velocity
+        turning = right.derivation.bodies[name].angular_velocity
         return inner(growth, turning.diff(right.scene.u[index]))
-    row = momenta(right.scene)[index]
+    row = right.derivation.momenta[index]
     own = row.body == name and row.kind == "angular"
     return inner(growth, row.direction) if own else S.Zero
 
 
-@lru_cache(maxsize=64)
-def _transfer(scene: Scene, name: str) -> Matrix | None:
+def _transfer(right: Right, name: str) -> Matrix | None:
     """d/dt of (m d^2 - m d d^T) w, d from the inboard joint to the mass centre, 3 x 1, in N m."""
-    motion = motions_of(scene).bodies[name]
+    scene, motion = right.scene, right.derivation.bodies[name]
     arm = _arm(scene, name, motion)
     if arm is None:
         return None

@@ -1,6 +1,8 @@
 """The known mistakes, one entry each."""
 
 from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from functools import cached_property
 
 from mechanics.blame.mistakes import friction, held, inertia, loads, speeds, substituted
 from mechanics.blame.mistakes.slip import Right, Slip
@@ -14,3 +16,20 @@ KNOWN: tuple[Callable[[Right], Iterator[Slip]], ...] = (
     substituted.slips,
 )
 """Mistakes of a whole derivation; those of one equation are in `turning`."""
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Mistakes:
+    """The known mistakes of one derivation.
+
+    Attributes
+    ----------
+    right : Right
+    """
+
+    right: Right
+
+    @cached_property
+    def slips(self) -> tuple[Slip, ...]:
+        """Every known mistake that its scene lets one make."""
+        return tuple(slip for known in KNOWN for slip in known(self.right))

@@ -11,8 +11,8 @@ from functools import lru_cache
 
 from sympy import Add, Expr, Matrix, Rational, S, Symbol, zeros
 
-from mechanics.blame.pieces import Kind, Piece, momenta
-from mechanics.blame.rows import generalized_rows
+from mechanics.blame.derivation import Derivation
+from mechanics.blame.pieces import Kind, Piece
 from mechanics.equations import Equations, Matrices
 from mechanics.scene import Scene
 from mechanics.scene.actions import frictions
@@ -55,7 +55,7 @@ class Right:
 
     Attributes
     ----------
-    scene : Scene
+    derivation : Derivation
     rows : tuple
         Lagrange's equations, or all free-body equations.
     unknowns : tuple of Symbol
@@ -63,10 +63,15 @@ class Right:
         Whether the rows are free-body equations.
     """
 
-    scene: Scene
+    derivation: Derivation
     rows: Rows
     unknowns: tuple[Symbol, ...]
     free: bool
+
+    @property
+    def scene(self) -> Scene:
+        """The scene."""
+        return self.derivation.scene
 
     def slip(self, words: str, change: Change) -> Iterator[Slip]:
         """The derivation with a mistake in every piece that it concerns; none if there is none."""
@@ -85,19 +90,14 @@ def split(expression: Expr, unknowns: tuple[Symbol, ...]) -> tuple[tuple[Expr, .
     return tuple(factors), rest
 
 
-@lru_cache(maxsize=16)
-def right(scene: Scene, with_reactions: bool) -> Right:
+def right(derivation: Derivation, with_reactions: bool) -> Right:
     """Lagrange's equations, or where reactions are asked for, or friction is, all free bodies."""
+    scene = derivation.scene
     if with_reactions or frictions(scene):
-        reactions = tuple(reaction.symbol for reaction in scene.reactions)
-        return Right(
-            scene,
-            once(momentum.pieces for momentum in momenta(scene)),
-            (*scene.ud, *reactions),
-            True,
-        )
-    rows = _constrained(scene, [row.pieces for row in generalized_rows(scene)])
-    return Right(scene, once(rows), (*scene.ud, *multipliers(scene)), False)
+        rows = once(momentum.pieces for momentum in derivation.momenta)
+        return Right(derivation, rows, derivation.unknowns, True)
+    rows = once(_constrained(scene, [row.pieces for row in derivation.generalized_rows]))
+    return Right(derivation, rows, (*scene.ud, *multipliers(scene)), False)
 
 
 def _constrained(scene: Scene, rows: Iterable[Sequence[Piece]]) -> Iterator[list[Piece]]:

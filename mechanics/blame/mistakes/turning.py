@@ -6,31 +6,28 @@
 One equation is wrong, not the whole derivation: what is compared is that equation itself.
 """
 
-from collections.abc import Iterator
-from functools import lru_cache
+from collections.abc import Iterator, Sequence
 
 from mechanics.blame.nearest import Candidate
 from mechanics.blame.pieces import Kind, Origin, Piece
-from mechanics.blame.rows import moving_rows
+from mechanics.blame.rows import Moment
 from mechanics.blame.terms import terms_of
-from mechanics.equations import Equations
 from mechanics.kernel.ring import TooLarge
 
 
-@lru_cache(maxsize=16)
-def wrong_rows(truth: Equations) -> tuple[Candidate, ...]:
+def wrong_rows(moments: Sequence[Moment]) -> tuple[Candidate, ...]:
     """Each moment equation about a point that moves, with each term forgotten in turn."""
-    found: list[Candidate] = []
-    for moment in moving_rows(truth):
+    candidates: list[Candidate] = []
+    for moment in moments:
         about = moment.about
         if not about:
             continue
         moved = tuple(piece for piece in moment.row.pieces if piece.origin.kind is not Kind.MOVING)
-        found += _candidate(f"v_B x P is missing in the moment about B = {about}", moved)
+        candidates += _candidate(f"v_B x P is missing in the moment about B = {about}", moved)
         carried = Piece(Origin(Kind.MOVING, ""), -moment.carried)
         words = f"BC x m a_B is missing in the moment about B = {about}, which accelerates"
-        found += _candidate(words, (*moment.row.pieces, carried))
-    return tuple(found)
+        candidates += _candidate(words, (*moment.row.pieces, carried))
+    return tuple(candidates)
 
 
 def _candidate(words: str, pieces: tuple[Piece, ...]) -> Iterator[Candidate]:

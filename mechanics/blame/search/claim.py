@@ -11,10 +11,11 @@ from dataclasses import dataclass, replace
 from sympy import Expr, Symbol
 from sympy.matrices import MatrixBase
 
+from mechanics.blame.reference import Reference
 from mechanics.blame.search.change import Change
 from mechanics.blame.search.forest import Forest, Step, Way, edited
 from mechanics.blame.search.judge import Problem
-from mechanics.blame.search.point import Family, Point, Points
+from mechanics.blame.search.point import Family, Point
 from mechanics.blame.search.sheet import Sheet, sheet_of
 from mechanics.checks.ledger_energy import ENERGIES, energy_of
 from mechanics.checks.ledger_momenta import derived
@@ -39,8 +40,8 @@ class Claim:
 
     Attributes
     ----------
-    points : Points
-        Of the derivation.
+    reference : Reference
+        What it is compared with.
     row : Published
     written : Written
     entries : tuple of Node
@@ -49,7 +50,7 @@ class Claim:
         Entries and definitions that are not edited: others are shown with them.
     """
 
-    points: Points
+    reference: Reference
     row: Published
     written: Written
     entries: Trees
@@ -58,7 +59,7 @@ class Claim:
     @property
     def truth(self) -> Equations:
         """The derivation."""
-        return self.points.truth
+        return self.reference.truth
 
     @property
     def definitions(self) -> dict[str, Node]:
@@ -80,8 +81,8 @@ def edited_claim(claim: Claim, changes: Sequence[tuple[Forest, Change]]) -> Clai
     return replace(claim, entries=entries, written=written)
 
 
-def claim_of(points: Points, statement: Statement) -> Claim | None:
-    """The claim of a statement that could be read, about a derivation.
+def claim_of(reference: Reference, statement: Statement) -> Claim | None:
+    """The claim of a statement that could be read.
 
     Raises
     ------
@@ -93,9 +94,9 @@ def claim_of(points: Points, statement: Statement) -> Claim | None:
         return None
     written = statement.written
     if written is None:
-        written = Written((), (), Naming(Vocabulary(points.truth.scene)), "code", "")
+        written = Written((), (), Naming(Vocabulary(reference.truth.scene)), "code", "")
     written = entrywise(written)
-    return Claim(points, row, written, row_trees(row, written))
+    return Claim(reference, row, written, row_trees(row, written))
 
 
 def used(claim: Claim) -> frozenset[str]:
@@ -197,7 +198,7 @@ def _at_rest(claim: Claim, number: int, wanted: Target) -> Target:
     written = claim.written.builder()(claim.entries[number])
 
     def target(point: Point) -> int:
-        rest = claim.points.like(point, replace(point.family, still=True))
+        rest = claim.reference.points.like(point, replace(point.family, still=True))
         return wanted(point) - wanted(rest) + rest.value(written)
 
     return target
@@ -213,4 +214,4 @@ def posed(
     def sheets(points: list[Point]) -> tuple[Sheet, ...]:
         return tuple(sheet_of(forest, point, builder, target(point)) for point in points)
 
-    return Problem(forest, numbers, claim.points.together(families, sheets), target)
+    return Problem(forest, numbers, claim.reference.points.together(families, sheets), target)

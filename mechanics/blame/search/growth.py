@@ -60,7 +60,7 @@ class Growth:
             before = sheet.point.family
             family = replace(before, doubled=(*before.doubled, symbol))
             try:
-                point = self.claim.points.like(sheet.point, family)
+                point = self.claim.reference.points.like(sheet.point, family)
                 sheets.append(sheet_of(forest, point, sheet.builder, target(point)))
             except Inadmissible:
                 return None
@@ -75,7 +75,7 @@ class Growth:
     def _following(self) -> set[Symbol]:
         """What cannot be doubled, as it follows from the rest: definitions, accelerations, ..."""
         scene, family = self.claim.truth.scene, self.problem.sheets[0].point.family
-        held = () if family.free else self.claim.points.dependent
+        held = () if family.free else self.claim.reference.points.dependent
         return {*scene.definitions, *held, *(scene.ud if self._moving else ())}
 
     @cached_property

@@ -78,7 +78,7 @@ def _says_nothing(claim: Claim, row: Published) -> bool:
         (point,) = points
         return all(point.value(first) == point.value(side) for side in others)
 
-    return claim.points.together([Family(moving=False)], vanish)
+    return claim.reference.points.together([Family(moving=False)], vanish)
 
 
 def spelling_of(claim: Claim) -> Spelling:

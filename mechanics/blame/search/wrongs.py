@@ -11,12 +11,11 @@ from dataclasses import dataclass, replace
 from sympy import Expr, Symbol
 
 from mechanics.blame.difference import nearly
-from mechanics.blame.folded import folded
+from mechanics.blame.groups import second_rates
 from mechanics.blame.nearest import Meant
 from mechanics.blame.search.claim import ALONG, CONSTANT_FREE, Claim, targets
 from mechanics.blame.search.judge import Problem
 from mechanics.blame.terms import Terms, difference, terms_of, written
-from mechanics.blame.view import second_rates
 from mechanics.kinematics.momenta import momenta_written_out
 from mechanics.scene.quantities import Identity
 
@@ -119,14 +118,16 @@ def _meant(claim: Claim, problem: Problem) -> list[Meant]:
     sides = [builder(claim.entries[number]) for number in problem.numbers]
     other = sides[1] if len(sides) > 1 else targets(claim.truth, claim.row)[0]
     plain = momenta_written_out(claim.truth.kinematics, sides[0] - other)
-    return nearly(*folded(claim.truth, plain), MEANT)
+    return nearly(*claim.reference.folded(plain), MEANT)
 
 
 def _sides(claim: Claim, problem: Problem) -> tuple[Terms, Terms]:
     """An energy, a momentum, an entry of a mass matrix: what is written, and what is right."""
     (number,) = problem.numbers
     own = claim.written.builder()(claim.entries[number])
-    truth, expression = folded(claim.truth, momenta_written_out(claim.truth.kinematics, own))
-    right = targets(truth, claim.row)[number]
-    left, other = terms_of([truth.scene.plain(side) for side in (expression, right)])
-    return left, other
+    plain = momenta_written_out(claim.truth.kinematics, own)
+    other, expression = claim.reference.folded(plain)
+    right = targets(other.truth, claim.row)[number]
+    scene = other.truth.scene
+    one, two = terms_of([scene.plain(side) for side in (expression, right)])
+    return one, two
