@@ -1,4 +1,4 @@
-r"""A factor in brackets that is too many goes with its brackets; edits beside what is declared."""
+r"""What is too many in brackets goes with its brackets; edits beside what is declared."""
 
 import pytest
 
@@ -25,6 +25,19 @@ def test_a_bracket_is_left_out_whole(wrong: str, right: str) -> None:
     assert entry.blame is not None
     repaired = [repair.repaired.replace(" ", "") for repair in entry.blame.repairs]
     assert right.replace(" ", "") in repaired
+
+
+@pytest.mark.parametrize("term", ["+ (x)", "- ((x - Abs(theta)))", "+ (mc)"])
+@pytest.mark.parametrize("place", [" = F", " + mp*l*", "(mc+mp)"])
+def test_a_term_in_brackets_goes_with_them_and_with_its_sign(term: str, place: str) -> None:
+    right = "(mc+mp)*x'' + mp*l*(theta''*cos(theta) - theta'^2*sin(theta)) = F"
+    before, after = right.split(place, 1)
+    wrong = f"{before} {term}{place}{after}" if before else f"{term} + {right}"
+    (entry,) = mechanics.check(CART, wrong).judged
+    assert entry.blame is not None
+    repaired = [repair.repaired for repair in entry.blame.repairs]
+    assert right.replace(" ", "") in [text.replace(" ", "") for text in repaired]
+    assert mechanics.check(CART, repaired[0]).ok
 
 
 @pytest.mark.parametrize("declared", [{"values": {"g": 9.81}}, {"where": "cos(theta) > 0"}])

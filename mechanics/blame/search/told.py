@@ -58,9 +58,13 @@ def told(claim: Claim, spelling: Spelling, forest: Forest, change: Change) -> Ed
         return _edit(claim, change, spelling(node), "0", span)
     if span is None or (sign is None and hidden_minus(node)):
         return _edit(claim, change, spelling(node), _fitting(forest, change, spelling), None)
+    if new is None and isinstance(around, Sum):
+        # A bracket of its own goes with a term, and the sign before it.
+        span = _with_brackets(claim.written.text, span)
+        sign = _sign_before(claim, span)
     written = " ".join(claim.written.text[slice(*span)].split())
     if new is None:
-        if sign is not None and isinstance(forest.nodes[forest.parent[change.index]], Sum):
+        if sign is not None and isinstance(around, Sum):
             written, span = f"{claim.written.text[sign[0]]} {written}", (sign[0], span[1])
             return _edit(claim, change, written, "", span)
         if isinstance(around, Sum) and (plus := PLUS.match(claim.written.text, span[1])):
@@ -80,16 +84,21 @@ def told(claim: Claim, spelling: Spelling, forest: Forest, change: Change) -> Ed
 
 def _left_out(text: str, span: Span) -> tuple[Span, str]:
     """Where a factor is left out, with the sign of multiplication; what has to stand there."""
-    start, end = span
-    opens, closes = OPENS.search(text, 0, start), CLOSES.match(text, end)
-    if opens and closes:  # a whole bracket goes with its brackets
-        span = start, end = opens.start(), closes.end()
+    span = start, end = _with_brackets(text, span)
     if after := TIMES_AFTER.match(text, end):
         return (start, after.end()), ""
     if before := TIMES_BEFORE.search(text, 0, start):
         return (before.start(), end), ""
     alone = text[:start].rstrip()[-1:] in ("{", "/") and text[end:].lstrip()[:1] in ("}", "")
     return span, "1" if alone or text[:start].rstrip()[-1:] == "/" else ""
+
+
+def _with_brackets(text: str, span: Span) -> Span:
+    """The place of a part with all brackets that hold nothing else."""
+    start, end = span
+    while (opens := OPENS.search(text, 0, start)) and (closes := CLOSES.match(text, end)):
+        start, end = opens.start(), closes.end()
+    return start, end
 
 
 def _edit(claim: Claim, change: Change, written: str, right: str, span: Span | None) -> Edit:
