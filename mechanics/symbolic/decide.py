@@ -11,6 +11,7 @@ from mechanics.errors import ZeroDivisorError
 from mechanics.kernel import Finding, Verdict, undecided
 from mechanics.kernel import decide as decide_statement
 from mechanics.kernel.field import Inadmissible
+from mechanics.kernel.normal import proves
 from mechanics.kernel.statement import TARGET
 from mechanics.kernel.trial import Answer, trial
 from mechanics.symbolic.arithmetic import Arithmetic, Experiment, statement
@@ -59,6 +60,15 @@ def answer(experiment: Experiment, target: float) -> Answer:
     except (Inadmissible, ZeroDivisorError):
         return Answer.FAILED
     return trial(claim, lambda: False).answer
+
+
+def proved(experiment: Experiment) -> bool:
+    """Whether all pairs of an experiment have the same normal form; False says nothing."""
+    try:
+        claim = statement("", experiment, TARGET)
+    except (Inadmissible, ZeroDivisorError):
+        return False
+    return trial(claim, lambda: proves(claim)).answer is Answer.PROVED
 
 
 def prove_equal(

@@ -4,12 +4,12 @@ import pytest
 from sympy import Matrix
 
 import mechanics
-from mechanics.checks.solution import Pairs, solve
+from mechanics.checks.solution import solve
 from mechanics.crosscheck import ROUTES, Route
 from mechanics.routes.derivation import by_route, steps_of
 from mechanics.routes.multipliers import multipliers_of
 from mechanics.scene.system import System
-from mechanics.symbolic import Arithmetic, decide
+from mechanics.symbolic import Arithmetic, Number, decide
 from systems import ALL, SEED
 
 CONSTRAINED = [system for system in ALL if system.scene().constraints]
@@ -27,7 +27,7 @@ def test_the_last_step_states_all_equations(system: System, route: Route) -> Non
     # Each line is a row of the system for (u', lambda), constraints included.
     assert len(step.lines) == left.rows
 
-    def experiment(a: Arithmetic) -> Pairs:
+    def experiment(a: Arithmetic) -> list[tuple[Number, Number]]:
         pairs = zip(step.lines, whole, strict=True)
         return [(a.value(line.left - line.right), a.value(row)) for line, row in pairs]
 
@@ -43,7 +43,7 @@ def test_multipliers_are_given_by_the_motion(system: System) -> None:
     scene = system.scene()
     equations = by_route("free_body", scene)
 
-    def experiment(a: Arithmetic) -> Pairs:
+    def experiment(a: Arithmetic) -> list[tuple[Number, Number]]:
         equations.kinematics.manifold.project(a)
         for unknown, number in zip(equations.unknowns, solve(a, equations), strict=True):
             a.assign(unknown, number)
