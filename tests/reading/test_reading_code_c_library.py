@@ -130,3 +130,24 @@ def test_a_function_of_the_file_is_its_own() -> None:
     own = "static double fdim(double x, double y) { return 0*x*y; }" + CODE
     text = own.replace("BODY", f"return {RIGHT} + fdim(theta, u);")
     assert mechanics.check(ROD, text, notation="c", blame=False).verdict in SHOWN
+
+
+UNREAD = "static double even(double x)\n{\n    return rint(x);\n}\n" + CODE.lstrip()
+
+
+def test_what_is_not_called_is_named_and_need_not_be_exact() -> None:
+    text = UNREAD.replace("BODY", f"return {RIGHT};")
+    found = mechanics.check(ROD, text, notation="c", blame=False)
+    assert found.verdict in SHOWN
+    assert "even is not read" in str(found)
+
+
+@pytest.mark.parametrize("body", ["return even(u);", "double even = 1.0; return even;"])
+def test_a_name_that_occurs_is_read(body: str) -> None:
+    """Whatever stands around it, and by way of a macro, too."""
+    text = UNREAD.replace("BODY", body)
+    for code in (text, text.replace("return even", "return CALL").replace(
+        "double theta_ddot", "#define CALL even\ndouble theta_ddot"
+    )):  # fmt: skip
+        with pytest.raises(InputError, match=r"rint\(\) rounds|macro"):
+            mechanics.check(ROD, code, notation="c", blame=False)

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
-from mechanics.compiled.machine.process import started
+from mechanics.compiled.machine.process import started, write_source
 
 COMPILERS = ("gcc", "clang")
 STRICT = ("-std=c99", "-fPIC", "-shared", "-ffp-contract=off", "-w")
@@ -81,7 +81,7 @@ def building(
     with TemporaryDirectory(prefix="mechanics-") as folder, ExitStack() as processes:
         at = Path(folder)
         for name, text in texts.items():
-            (at / name).write_bytes(text.encode("utf-8"))
+            write_source(at / name, text)
         long = sum(len(texts.get(file, "")) for file in files) > LONGEST
         running = []
         for number, path in enumerate(paths):

@@ -13,7 +13,7 @@ from collections.abc import Sequence
 from hashlib import sha256
 from pathlib import Path
 
-from mechanics.compiled.machine.process import run
+from mechanics.compiled.machine.process import run, write_source
 from mechanics.errors import CompilerError
 
 # No contraction into fused operations and no reassociation: results are the same everywhere.
@@ -73,9 +73,9 @@ def build(source: str, compiler: str, flags: Sequence[str], linked: Sequence[str
     file, object_file, library = (stem.with_suffix(suffix) for suffix in (".c", ".o", ".so"))
     with _BUILDING.setdefault(name, threading.Lock()):
         if not library.exists():
-            file.write_text(source, encoding="ascii")
+            write_source(file, source)
             remarks = _run([compiler, *flags, "-c", str(file), "-o", str(object_file)], stem.parent)
-            stem.with_suffix(REMARKS).write_text(remarks, encoding="utf-8")
+            write_source(stem.with_suffix(REMARKS), remarks)
             _run([compiler, "-shared", str(object_file), "-o", str(library), *linked], stem.parent)
     return library
 

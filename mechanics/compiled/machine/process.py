@@ -53,6 +53,20 @@ def started(command: Sequence[str], folder: Path) -> Iterator[subprocess.Popen[s
                 pipe.close()
 
 
+def write_source(file: Path, text: str) -> None:
+    """Write a file for a compiler, the same bytes everywhere.
+
+    Raises
+    ------
+    OSError
+        With the name of the file: where a disk is full, Python's own has none.
+    """
+    try:
+        file.write_bytes(text.encode("utf-8"))
+    except OSError as error:
+        raise OSError(error.errno, error.strerror, str(file)) from error
+
+
 def _kill(process: subprocess.Popen[str]) -> None:
     if os.name == "posix":
         os.killpg(process.pid, signal.SIGKILL)

@@ -10,7 +10,7 @@ from mechanics.compiled.custody.kernel import Kernel
 from mechanics.errors import ExpressionError
 from mechanics.program.c.conditionals import asked_names
 from mechanics.program.c.library import FAR, FUNCTIONS, FUSED, SINCOS
-from mechanics.program.c.parse import Source, linked, parse
+from mechanics.program.c.parse import Source, linked, parse, reached
 from mechanics.program.c.text import preprocess
 
 FMA = frozenset({"__FMA__", "__ARM_FEATURE_FMA", "FP_FAST_FMA", "FP_FAST_FMAF"})
@@ -168,10 +168,11 @@ def _alike(one: Any, two: Any) -> bool:
 
 
 def not_named(kernels: Sequence[Kernel], texts: Mapping[str, Source]) -> Iterable[str]:
-    """Functions that other files can call and that are no kernel."""
+    """Functions that are no kernel: what other files can call, and what no function calls."""
     known = {kernel.symbol for kernel in kernels}
     for file, source in texts.items():
+        called = reached(source, known)
         for name, node in source.functions.items():
-            own = str(node.coord.file) == file and "static" not in (node.decl.storage or ())
-            if own and name not in known:
+            static = "static" in (node.decl.storage or ()) and name in called
+            if str(node.coord.file) == file and not static and name not in known:
                 yield f"{file}: {name}"

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
-from mechanics.compiled.machine.process import run
+from mechanics.compiled.machine.process import run, write_source
 from mechanics.errors import CompilerError, InputError
 
 OPTIONS = ("-std=c99", "-fPIC", "-fvisibility=hidden", "-ffp-contract=off",
@@ -80,7 +80,7 @@ def compiled_library(sources: Mapping[str, str], compiler: str, flags: str) -> b
     """
     with tempfile.TemporaryDirectory(prefix="mechanics-") as folder:
         for name, text in sources.items():
-            (Path(folder) / name).write_text(text, encoding="utf-8")
+            write_source(Path(folder) / name, text)
         files = [f"{folder}/{name}" for name in sorted(sources) if name.endswith(".c")]
         command = [compiler, *OPTIONS, *flags.split(), "-shared", *files, "-o", f"{folder}/unit"]
         done = run([*command, "-lm"], Path(folder))

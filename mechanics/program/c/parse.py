@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property, lru_cache
 from typing import Any
@@ -61,6 +61,20 @@ def _has_unsigned(node: Any) -> bool:
             return True
         waiting += [child for _, child in at.children()]
     return False
+
+
+def reached(source: Source, names: Iterable[str]) -> frozenset[str]:
+    """Functions whose names occur in some, and in what these reach: no other is ever called."""
+    found: set[str] = set()
+    waiting: list[Any] = [source.functions[name] for name in names if name in source.functions]
+    found |= {node.decl.name for node in waiting}
+    while waiting:
+        at = waiting.pop()
+        if isinstance(at, c_ast.ID) and at.name in source.functions and at.name not in found:
+            found.add(at.name)
+            waiting.append(source.functions[at.name])
+        waiting += [child for _, child in at.children()]
+    return frozenset(found)
 
 
 def linked(first: Source, *others: Source) -> Source:

@@ -10,7 +10,7 @@ from typing import Any
 from pycparser import c_ast
 
 from mechanics.errors import ExpressionError
-from mechanics.program.c.parse import Source, parse
+from mechanics.program.c.parse import Source, parse, reached
 
 WRITTEN = """
 double fdim(double x, double y) { return fmax(x - y, 0.0); }
@@ -51,26 +51,52 @@ REFUSED = {
 """Names of the library that are refused, and what to do."""
 
 
-def with_library(source: Source) -> Source:
-    """The source with those functions of math.h that others say as well.
+def with_library(source: Source, judged: str) -> tuple[Source, tuple[str, ...]]:
+    """What a function reaches, with those functions of math.h that others say as well.
+
+    Parameters
+    ----------
+    source : Source
+    judged : str
+        Name of the function.
+
+    Returns
+    -------
+    Source
+    tuple of str
+        What is told of functions that have no exact meaning, and that it does not reach.
 
     Raises
     ------
     ExpressionError
         For what has no exact meaning, by line and column.
     """
-    for function in source.functions.values():
-        for node in _below(function.body):
-            name = _of_the_library(node)
-            if name in REFUSED and name not in source.functions:
-                call = "" if name.isupper() else "()"
-                raise ExpressionError(f"{node.coord}: {name}{call} {REFUSED[name]}")
-            if _is_negative_zero(node):
-                raise ExpressionError(
-                    f"{node.coord}: -0.0 differs from 0.0 in copysign, signbit and atan2 only, and"
-                    " is the same real number: write 0.0, or the case that is meant"
-                )
-    return replace(source, functions={**parse(WRITTEN, "math.h").functions, **source.functions})
+    inside = reached(source, (judged,))
+    notes = []
+    for title, function in source.functions.items():
+        try:
+            _exact(function, source)
+        except ExpressionError:
+            if title in inside:
+                raise
+            notes.append(f"{title} is not read: what is judged does not call it")
+    own = {name: node for name, node in source.functions.items() if name in inside}
+    written = {**parse(WRITTEN, "math.h").functions, **own}
+    return replace(source, functions=written), tuple(notes)
+
+
+def _exact(function: Any, source: Source) -> None:
+    """Refuse a function that has no exact meaning."""
+    for node in _below(function.body):
+        name = _of_the_library(node)
+        if name in REFUSED and name not in source.functions:
+            call = "" if name.isupper() else "()"
+            raise ExpressionError(f"{node.coord}: {name}{call} {REFUSED[name]}")
+        if _is_negative_zero(node):
+            raise ExpressionError(
+                f"{node.coord}: -0.0 differs from 0.0 in copysign, signbit and atan2 only, and"
+                " is the same real number: write 0.0, or the case that is meant"
+            )
 
 
 def _of_the_library(node: Any) -> str:

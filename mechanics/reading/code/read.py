@@ -188,7 +188,8 @@ def read_c(
 def _c_outputs(
     text: str, origin: str, wanted: Sequence[str], given: Arguments, size: int
 ) -> Outputs:
-    source = flat(with_library(parse(text, origin)))
+    exact, unread = with_library(parse(text, origin), WRAPPER)
+    source = flat(exact)
     entries = [_entries(given.values[name]) for name in wanted]
     parameters = [
         *(
@@ -218,7 +219,10 @@ def _c_outputs(
     known = {numbers[node]: formulas[node] for node in last}
     asked = [(numbers[node], demands_of(nodes, numbers, node)) for node in last]
     outputs = Outputs(
-        (Matrix(found),), tuple(constants.notes), formulas=_known(known), demands=_demanded(asked)
+        (Matrix(found),),
+        (*constants.notes, *unread),
+        formulas=_known(known),
+        demands=_demanded(asked),
     )
     return replace(outputs, doubt=doubt_as_doubles(nodes, last, entries, outputs))
 

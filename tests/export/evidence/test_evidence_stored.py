@@ -3,6 +3,7 @@
 import json
 import shutil
 from collections.abc import Callable, Iterator, Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -13,7 +14,7 @@ from mechanics.compiled.custody.derived import Derived, derived
 from mechanics.compiled.graphs import Graphs
 from mechanics.errors import InputError
 from mechanics.export.contents import Contents
-from mechanics.export.evidence.chain import BINARY, NO_SINES, NOT_ASKED, Chain
+from mechanics.export.evidence.chain import BINARY, NO_SINES, NOT_ASKED, Chain, second_step
 from mechanics.export.evidence.form import prove_form, prove_reciprocals
 from mechanics.export.evidence.listing import as_derived, prove_files
 from mechanics.export.evidence.read import Folder, read_folder
@@ -248,3 +249,10 @@ def test_a_link_is_not_followed(folder: Path, tmp_path: Path, file: str) -> None
     (folder / file).symlink_to(tmp_path / "elsewhere")
     with pytest.raises(InputError, match=f"{file}: it is a link"):
         read_folder(folder)
+
+
+def test_a_function_that_nothing_calls_is_named(made: Made) -> None:
+    evidence = read_folder(made.path).evidence
+    text = evidence.texts["name.c"] + "static int more(void)\n{\n    return 1;\n}\n"
+    one = replace(evidence, texts={**evidence.texts, "name.c": text}, kernels=evidence.kernels[:1])
+    assert "name.c: more" in [f.subject for f in second_step(one, []) if not f.shown]
