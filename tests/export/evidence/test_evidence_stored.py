@@ -161,6 +161,7 @@ EVIDENCE: Sequence[tuple[str, Change, str]] = [
     ("equations.json", lambda c: c.update(route="kane"), "route"),
     ("equations.json", lambda c: c.update(note="right"), "note"),
     ("equations.json", lambda c: c["symbols"][-1].__setitem__(1, "real"), "symbols[14][1]"),
+    ("equations.json", lambda c: c["outputs"].update(kinetic=c["outputs"]["potential"]), "program"),
     ("graphs.json", lambda c: c.update(note="right"), "note"),
     ("graphs.json", lambda c: c["functions"][0][2].update(operations=3), "functions[0][2].ope"),
 ]
