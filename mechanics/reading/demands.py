@@ -123,6 +123,8 @@ def of_function(name: str, operands: Sequence[Any]) -> Iterator[Demand]:
     """What a function asks for, by any of its names."""
     if name in DIVISORS:
         yield Demand("divide", (S.One, DIVISORS[name](operands[0])))
+    elif name in MODULI:
+        yield Demand("divide", (S.One, operands[1]))
     elif name in NAMES:
         yield Demand(NAMES[name], tuple(operands))
 
@@ -168,6 +170,9 @@ NAMES = {
     "arctan2": "atan2",
 }  # fmt: skip
 """Functions that have no value everywhere."""
+
+MODULI = ("mod", "Mod", "rem", "fmod")
+"""Functions that have no value where the second operand is zero."""
 
 DIVISORS = {
     "cot": sin, "ctg": sin, "csc": sin, "cosec": sin, "sec": cos, "coth": sinh, "csch": sinh,

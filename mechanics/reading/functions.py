@@ -23,6 +23,26 @@ def magnitude(of: Any) -> Any:
     return Abs(of, evaluate=of.is_Atom or of.is_number)
 
 
+def modulo(a: Any, b: Any) -> Any:
+    """a - b floor(a/b), of the sign of b."""
+    return a - b * sympy.floor(quotient(a, b))
+
+
+def remainder(a: Any, b: Any) -> Any:
+    """a - b times the whole part of a/b, of the sign of a."""
+    ratio = quotient(a, b)
+    return a - b * sympy.sign(ratio) * sympy.floor(sympy.Abs(ratio))
+
+
+def quotient(a: Any, b: Any) -> Any:
+    """a / b; by 0 it has no value, which is what it asks for, and any number may stand for it."""
+    return a / b if b != 0 else sympy.S.Zero
+
+
+def _length(a: Any, b: Any) -> Any:
+    return sympy.sqrt(a**2 + b**2)
+
+
 _ALIASES: dict[Any, str] = {
     sympy.sin: "sin", sympy.cos: "cos", sympy.tan: "tan tg", sympy.cot: "cot ctg",
     sympy.sec: "sec", sympy.csc: "csc cosec",
@@ -38,6 +58,9 @@ FUNCTIONS: dict[str, tuple[int, int, Made]] = {
     **{name: _one(f) for f, names in _ALIASES.items() for name in names.split()},
     "atan2": (2, 2, sympy.atan2),
     "arctan2": (2, 2, sympy.atan2),
+    "hypot": (2, 2, _length),
+    **{name: (2, 2, modulo) for name in ("mod", "Mod")},
+    **{name: (2, 2, remainder) for name in ("rem", "fmod")},
     **{name: (1, 6, _extreme(Max)) for name in ("max", "Max")},
     **{name: (1, 6, _extreme(Min)) for name in ("min", "Min")},
     **{name: (2, 2, _extreme(Max)) for name in ("maximum", "fmax")},

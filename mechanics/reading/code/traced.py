@@ -43,6 +43,7 @@ from mechanics.reading.demands import (
     of_function,
     of_power,
 )
+from mechanics.reading.functions import modulo, quotient, remainder
 
 Operation = tuple[
     Callable[[Expr, Expr], Any],
@@ -208,11 +209,6 @@ class Traced:
 Real.register(Traced)
 
 
-def _quotient(a: Expr, b: Expr) -> Expr:
-    # By 0 it has no value, which is what it asks for; any number may stand for it.
-    return a / b if b != 0 else sympy.S.Zero
-
-
 def _power(a: Expr, b: Expr) -> Expr:
     if b.is_number and abs(b.n(5)) > 64:
         raise InputError(f"the exponent {b} is too large: 64 is the limit")
@@ -226,7 +222,7 @@ def _everywhere(_: Expr, __: Expr) -> tuple[Demand, ...]:
 ADD: Operation = (lambda a, b: a + b, added, _everywhere)
 SUBTRACT: Operation = (lambda a, b: a - b, subtracted, _everywhere)
 MULTIPLY: Operation = (lambda a, b: a * b, multiplied, _everywhere)
-DIVIDE: Operation = (_quotient, divided, lambda a, b: _divided(a, b))
+DIVIDE: Operation = (quotient, divided, lambda a, b: _divided(a, b))
 POWER: Operation = (_power, raised, of_power)
 
 
@@ -234,19 +230,8 @@ def _divided(_: Expr, b: Expr) -> Iterable[Demand]:
     return of_power(b, sympy.S.NegativeOne)
 
 
-def _modulo(a: Expr, b: Expr) -> Expr:
-    """a - b floor(a/b), of the sign of b."""
-    return a - b * sympy.floor(_quotient(a, b))
-
-
-def _remainder(a: Expr, b: Expr) -> Expr:
-    """a - b times the whole part of a/b, of the sign of a."""
-    ratio = _quotient(a, b)
-    return a - b * sympy.sign(ratio) * sympy.floor(sympy.Abs(ratio))
-
-
-MODULO: Operation = (_modulo, lambda a, b: None, _divided)
-REMAINDER: Operation = (_remainder, lambda a, b: None, _divided)
+MODULO: Operation = (modulo, lambda a, b: None, _divided)
+REMAINDER: Operation = (remainder, lambda a, b: None, _divided)
 
 
 def asked_of(value: Any) -> Asked:
