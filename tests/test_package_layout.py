@@ -169,8 +169,9 @@ def is_empty(node: ast.Assign | ast.AnnAssign) -> bool:
 
 
 OBJECTS = {
-    "Case", "ConstraintManifold", "Derived", "Equations", "Graphs", "Kinematics", "Mechanism",
-    "Model", "Physics", "Problem", "Scene", "System", "View",
+    "Candidate", "Case", "ConstraintManifold", "Derivation", "Derived", "Equations", "Graphs",
+    "Kinematics", "Mechanism", "Model", "Physics", "Problem", "Reference", "Scene", "System",
+    "View",
 }  # fmt: skip
 """Data of mechanics with an identity; texts, numbers and programs are compared by value."""
 

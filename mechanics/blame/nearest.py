@@ -8,9 +8,9 @@ that makes them equal; the factors with most votes are tried.
 
 from collections import Counter
 from collections.abc import Collection, Iterable, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from fractions import Fraction
-from functools import cached_property, lru_cache
+from functools import cached_property
 
 from sympy import Expr, Symbol, sin
 
@@ -24,6 +24,9 @@ TRIED = 4
 """Factors that are tried of those with votes."""
 
 ONE: Monomial = frozenset()
+
+ByMotion = dict[Monomial, list[tuple[Monomial, Fraction]]]
+"""Terms of an equation by the speeds and accelerations that they hold."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -41,11 +44,21 @@ class Candidate:
     words: str
     pieces: tuple[tuple[Origin, Terms], ...]
     known: bool = True
+    _by_motion: dict[frozenset[Symbol], ByMotion] = field(default_factory=dict)
 
     @cached_property
     def terms(self) -> Terms:
         """Sum of the pieces."""
         return total(terms for _, terms in self.pieces)
+
+    def by_motion(self, moving: frozenset[Symbol]) -> ByMotion:
+        """Terms by the speeds and accelerations that they hold."""
+        if moving not in self._by_motion:
+            terms: ByMotion = {}
+            for monomial, value in self.terms.items():
+                terms.setdefault(_motion(monomial, moving), []).append((monomial, value))
+            self._by_motion[moving] = terms
+        return self._by_motion[moving]
 
 
 @dataclass(frozen=True)
@@ -179,21 +192,10 @@ def _odd(monomial: Monomial, factor: Fraction) -> int:
     return sum(abs(power) for _, power in monomial) + (abs(factor) != 1)
 
 
-@lru_cache(maxsize=1024)
-def _by_motion(
-    candidate: Candidate, moving: frozenset[Symbol]
-) -> dict[Monomial, list[tuple[Monomial, Fraction]]]:
-    """Terms of a candidate by the speeds and accelerations that they hold."""
-    found: dict[Monomial, list[tuple[Monomial, Fraction]]] = {}
-    for monomial, value in candidate.terms.items():
-        found.setdefault(_motion(monomial, moving), []).append((monomial, value))
-    return found
-
-
 def _fewest(written: Terms, candidate: Candidate, moving: frozenset[Symbol]) -> int:
     """A bound of the terms that are left: only those with the same motion can agree."""
     motions = Counter(_motion(monomial, moving) for monomial in written)
-    of_right = _by_motion(candidate, moving)
+    of_right = candidate.by_motion(moving)
     agreeing = sum(min(n, len(of_right.get(motion, ()))) for motion, n in motions.items())
     return max(len(written), len(candidate.terms)) - agreeing
 
@@ -204,7 +206,7 @@ def _factors(
     """Factors with most votes, and how many."""
     if len(written) * len(candidate.terms) > MOST_PAIRS:
         return []
-    by_motion = _by_motion(candidate, moving)
+    by_motion = candidate.by_motion(moving)
     votes: Counter[tuple[Monomial, Fraction]] = Counter()
     for monomial, value in written.items():
         for other, of_right in by_motion.get(_motion(monomial, moving), ()):
