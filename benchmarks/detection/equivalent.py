@@ -9,13 +9,8 @@ from benchmarks.detection.rows import UNKNOWN_UP_TO_A_CONSTANT, Row, Subject
 from benchmarks.detection.tree import Tree, written
 from mechanics.checks.ledger_compare import ordered
 from mechanics.checks.solution import solve
-from mechanics.errors import ZeroDivisorError
-from mechanics.kernel.field import Inadmissible
-from mechanics.kernel.normal import proves
-from mechanics.kernel.statement import TARGET
-from mechanics.kernel.trial import Answer, trial
 from mechanics.symbolic import Arithmetic
-from mechanics.symbolic.arithmetic import statement
+from mechanics.symbolic.decide import proved
 
 
 def same(about: Subject, row: Row, trees: tuple[Tree, ...]) -> bool:
@@ -43,8 +38,4 @@ def same(about: Subject, row: Row, trees: tuple[Tree, ...]) -> bool:
                 a.assign(symbol, a.value(expression))
         return [(a.value(x), a.value(y)) for x, y in zip(left, right, strict=True)]
 
-    try:
-        claim = statement("", experiment, TARGET)
-    except (Inadmissible, ZeroDivisorError):
-        return False
-    return trial(claim, lambda: proves(claim)).answer is Answer.PROVED
+    return proved(experiment)
