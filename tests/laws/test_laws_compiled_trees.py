@@ -90,8 +90,18 @@ def of_torques(book: Textbook, model: Model, p: Array) -> None:
 
 
 def of_accelerations(book: Textbook, model: Model, p: Array) -> None:
+    """|M u' - f| within 64 roundings of the terms, in whatever frame these are written.
+
+    Along the axes of a body a term may be zero that is m sin(b) cos(b) - m cos(b) sin(b) along
+    others: the terms of a joint are as large as the force or couple that it transmits.
+    """
     ud = model.forward_dynamics(book.q, book.u, p)
-    assert np.all(np.abs(book.torques(ud)) <= ROUNDINGS * book.torques(ud, sizes=True))
+    pairs = loads(book.links, book.q, book.u, ud, book.g, sizes=True)
+    turning = [link.turning for link in book.links]
+    room = [
+        np.sum(pair[1] if turns else pair[0]) for pair, turns in zip(pairs, turning, strict=True)
+    ]
+    assert np.all(np.abs(book.torques(ud)) <= ROUNDINGS * np.array(room))
 
 
 def of_energy(book: Textbook, model: Model, p: Array) -> None:
