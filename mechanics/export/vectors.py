@@ -14,7 +14,6 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from math import ceil, isfinite, log2
 
-import casadi as ca
 import numpy as np
 from flint import arb
 
@@ -25,7 +24,9 @@ from mechanics.compiled.sampling import sample
 from mechanics.errors import SingularError
 from mechanics.export.roundings import first_order
 from mechanics.kernel import enclose
+from mechanics.program import Program
 from mechanics.program.casadi_reader import read_routine
+from mechanics.program.routine import Routine
 
 COUNT = 5
 DRAWN = 60
@@ -74,11 +75,12 @@ def vectors(
     SingularError
         If the function is finite, and not all cancellation, at none of the states.
     """
-    function = model.casadi[name]
+    written = read_routine(model.casadi[name])
+    exact = as_written(written)
     found: list[Vector] = []
-    groups = [function.name_in(i) for i in range(function.n_in())]
+    groups = [group for group, _ in written.inputs]
     for inputs in _states(model.quantities, groups, shared):
-        vector = _vector(function, inputs, digits)
+        vector = _vector(written, exact, inputs, digits)
         if vector is not None:
             found.append(vector)
         if len(found) == COUNT:
@@ -107,13 +109,13 @@ def _states(quantities: Quantities, groups: Sequence[str], shared: Sequence[str]
     ]
 
 
-def _vector(function: ca.Function, inputs: Inputs, digits: int) -> Vector | None:
+def _vector(written: Routine, exact: Program, inputs: Inputs, digits: int) -> Vector | None:
     """The test vector at a state; None where the function is singular or all cancellation."""
-    radii = _radii(enclosed(function, inputs, digits))
+    radii = _radii(enclosed(written, exact, inputs, digits))
     for bits in BITS:
-        fine = enclosed(function, inputs, bits)
+        fine = enclosed(written, exact, inputs, bits)
         if not _clear(radii, fine, digits):
-            radii = first_order(read_routine(function), inputs, digits)
+            radii = first_order(written, inputs, digits)
         if _clear(radii, fine, digits) and _narrow(fine, radii):
             return Vector(
                 inputs,
@@ -142,15 +144,14 @@ def _narrow(fine: Sequence[Sequence[arb]], radii: Sequence[Sequence[float]]) -> 
     return all(f <= 2.0**-20 * r for pair in pairs for f, r in zip(*pair, strict=True))
 
 
-def enclosed(function: ca.Function, inputs: Inputs, bits: int) -> list[list[arb]]:
+def enclosed(written: Routine, exact: Program, inputs: Inputs, bits: int) -> list[list[arb]]:
     """Every output as balls."""
-    written = read_routine(function)
     state = {
         f"{name}[{k}]": arb(value)
         for (name, _), values in zip(written.inputs, inputs, strict=True)
         for k, value in enumerate(values)
     }
-    found = enclose(as_written(written), state, bits)
+    found = enclose(exact, state, bits)
     return [list(found[name]) for name, _ in written.shapes]
 
 

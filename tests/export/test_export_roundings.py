@@ -8,6 +8,7 @@ import pytest
 
 from mechanics.cli.load import load
 from mechanics.compiled import compile as compile_model
+from mechanics.compiled.custody.code import as_written
 from mechanics.crosscheck import derive
 from mechanics.export.roundings import first_order
 from mechanics.export.vectors import ROOM, enclosed, vectors
@@ -33,9 +34,10 @@ def test_between_what_happens_and_what_intervals_say(modelled, system: str, digi
     kind = np.float64 if digits == 53 else np.float32
     happened = 0.0
     for vector in vectors(model, "forward_dynamics", digits):
-        bounds = first_order(read_routine(function), vector.inputs, digits)
-        found = run(read_routine(function), vector.inputs, kind)
-        balls = enclosed(function, vector.inputs, digits)
+        written = read_routine(function)
+        bounds = first_order(written, vector.inputs, digits)
+        found = run(written, vector.inputs, kind)
+        balls = enclosed(written, as_written(written), vector.inputs, digits)
         for values, exact, limits, wide in zip(found, vector.expected, bounds, balls, strict=True):
             for value, expected, limit, enclosure in zip(values, exact, limits, wide, strict=True):
                 error = abs(Fraction(float(value)) - Fraction(expected))
@@ -50,7 +52,8 @@ def test_a_long_chain_has_vectors() -> None:
     """Intervals say nothing about twenty links in single precision; what is expected is told."""
     model = compile_model(derive(load("pendulum_chain(20)").scene(), "free_body"), compiler=None)
     (vector, *_) = vectors(model, "forward_dynamics", 24)
-    balls = enclosed(model.casadi["forward_dynamics"], vector.inputs, 24)
+    written = read_routine(model.casadi["forward_dynamics"])
+    balls = enclosed(written, as_written(written), vector.inputs, 24)
     sizes = [max(map(abs, expected), default=0.0) for expected in vector.expected]
     wide = [float(b.rad()) for b in balls[0]]
     assert not max(wide) <= 2.0**-12 * sizes[0]
