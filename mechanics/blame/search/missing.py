@@ -90,7 +90,10 @@ class Missing:
                 kind = any(isinstance(part, Call) and part.function == "sign" for part in held)
                 if kind not in likeliest or cost < likeliest[kind][1]:
                     likeliest[kind] = term, cost
-        far = 0.0 if isinstance(self.problem.forest.nodes[index], Sum) else 5 * HINT
+        forest = self.problem.forest
+        side = forest.term(index) and not forest.place[index][1]
+        # Beside a side is plainer than in a bracket around a factor: + c x', not k (x + c x'/k).
+        far = 0.0 if isinstance(forest.nodes[index], Sum) else (5 if side else 10) * HINT
         for term, cost in likeliest.values():
             yield from self._added(index, term, ADDED + far + cost)
 
