@@ -309,15 +309,10 @@ class _Rewriting:
         return self._points[terms]
 
     def _base(self, monomial: Monomial, factor: Fraction, common: int) -> tuple[Node, int]:
-        """The base that a term is a multiple of, and the multiple.
-
-        The monomial over the common denominator, or the term itself where that is no multiple.
-        """
+        """The base that a term is a multiple of, and the multiple: over the common denominator."""
         times = factor * common
-        base, side = Fraction(1, common), times.numerator
-        if times.denominator != 1:
-            base, side = abs(factor), 1 if factor > 0 else -1
-        return node_of(self._builder, {monomial: base}), side
+        base = Fraction(1, common * times.denominator)
+        return node_of(self._builder, {monomial: base}), times.numerator
 
     def _multiple(self, base: Node, times: int) -> Point:
         """Point of a multiple, by doubling."""

@@ -68,3 +68,9 @@ def test_what_is_refuted_is_one_line_and_no_folder(
     assert ran.err.startswith("error: REFUTED rocker.c: rocker_energy = graph: kinetic[0]")
     assert ran.err.endswith("c is not written\n") and ran.err.count("\n") == 1
     assert not list(tmp_path.iterdir())
+
+
+def test_decimals_that_are_folded_into_other_constants_are_shown(run: Any, tmp_path: Path) -> None:
+    """-1/2 times 9.81 is no constant of the exact graph, and -4.905 not its own value either."""
+    words = ("--fix", "g=9.81", "--outputs", "jacobians", "--no-batch")
+    assert run("codegen", "elastic_pendulum", *words, "-o", tmp_path / "out").code == 0

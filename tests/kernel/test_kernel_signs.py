@@ -116,6 +116,7 @@ WHERE = {
     "a form of both": (M**2 * X**2 - K**2 * Y**2 + K, [M * X - K * Y], POSITIVE),
     "a square that is known": (X * X - 1, [X * X - K - 1], POSITIVE),
     "a cosine by its sine": (1 - 2 * THETA.cos() ** 2, [THETA.sin() - 1 - K], POSITIVE),
+    "a cosine and its sine": (THETA.cos() ** 2 - 1 + X * X, [THETA.sin() - X], ZERO),
     "one after the other": (X, [X - Y, Y - K], POSITIVE),
     "a divisor without a sign": (X, [Y * X - K], ANY),
     "another unknown": (X, [Y - K], ANY),

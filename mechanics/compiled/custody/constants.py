@@ -3,13 +3,16 @@
     0x1.5555555555555p-2   bit for bit the nearest double to 1/3   ->   1/3
 
 A literal counts as an exact constant only where it is, bit for bit, the nearest number of its type
-to a constant of the graph, or what the graph's own operations on such doubles give (2 * fl(pi)).
+to a constant of the graph, or what the graph's own operations on such doubles give (2 * fl(pi)),
+or what CasADi made of two of them while the graph with doubles was built (-1/2 times fl(9.81)).
 Every other literal is the dyadic rational that it is, so a change of its last digit is seen.
 """
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Iterator
 from fractions import Fraction
+from itertools import product
 
 import numpy as np
 
@@ -20,14 +23,28 @@ from mechanics.program.numpy_domain import Arrays
 from mechanics.program.operations import INPUT, OPERATIONS
 
 DIGITS = 40
+FOLDED = ("multiply", "add", "subtract", "divide")
 
 
-def literals(builder: Builder, code: Code, kind: str) -> dict[Fraction, Node]:
-    """What literals of a type stand for, where that is not their own value, as nodes."""
+def literals(
+    builder: Builder, code: Code, kind: str, written: Iterable[Fraction] = ()
+) -> dict[Fraction, Node]:
+    """What literals of a type stand for, where that is not their own value, as nodes.
+
+    Parameters
+    ----------
+    builder : Builder
+    code : Code
+        The exact graph.
+    kind : str
+        ``"double"`` or ``"float"``.
+    written : iterable of Fraction
+        Constants of the graph with doubles.
+    """
     doubles = _doubles(code)
-    nodes = code.build(builder, {}, list(doubles))
+    known = list(zip(code.build(builder, {}, list(doubles)), doubles.values(), strict=True))
     table: dict[Fraction, Node] = {}
-    for node, double in zip(nodes, doubles.values(), strict=True):
+    for node, double in (*known, *_folded(known, map(float, written))):
         value = node.constant
         seen = {Fraction(double)} if kind == "double" else {rounded(Fraction(double), "float")}
         if value is not None:
@@ -37,6 +54,25 @@ def literals(builder: Builder, code: Code, kind: str) -> dict[Fraction, Node]:
                 table.setdefault(literal, node)
                 table.setdefault(-literal, -node)
     return table
+
+
+def _folded(
+    known: Iterable[tuple[Node, float]], written: Iterable[float]
+) -> Iterator[tuple[Node, float]]:
+    """Constants that are none of the known doubles, but one operation away from two of them."""
+    nodes = {sign * double: sign * node for node, double in known for sign in (1, -1)}
+    functions = Arrays().operations
+    for wanted in written:
+        if wanted in nodes:
+            continue
+        for name, (x, one), (y, other) in product(FOLDED, nodes.items(), nodes.items()):
+            if name == "divide" and y == 0:
+                continue
+            with np.errstate(all="ignore"):
+                hit = float(functions[name](x, y)) == wanted
+            if hit:
+                yield one.builder.call(name, one, other), wanted
+                break
 
 
 def _doubles(code: Code) -> dict[int, float]:

@@ -55,7 +55,7 @@ def read_beside(
     given: Mapping[str, Sequence[Node]],
 ) -> Reading:  # fmt: skip
     """Read a C function into the builder of the physics, with literals as what they stand for."""
-    table = literals(physics.builder, graph.code, kernel.kind)
+    table = literals(physics.builder, graph.code, kernel.kind, graph.written.program.constants)
     return read_into(
         physics.builder, kernel, source, graph.written.inputs, outputs_of(graph), given, table
     )
@@ -134,7 +134,7 @@ def written_nodes(
     physics: Physics, graph: Graph, given: Mapping[str, Sequence[Node]], wanted: Sequence[int]
 ) -> tuple[Node, ...]:
     """Values of the program that the C was printed from, its doubles as what they stand for."""
-    table = literals(physics.builder, graph.code, "double")
+    table = literals(physics.builder, graph.code, "double", graph.written.program.constants)
     return nodes_of(physics.builder, graph.written, given, wanted, table)
 
 

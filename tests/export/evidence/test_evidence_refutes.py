@@ -136,3 +136,13 @@ def test_a_literal_is_a_constant_only_to_its_last_digit() -> None:
     assert third + unit not in table and third - unit not in table and Fraction(5) not in table
     single = literals(b, code(Integer(3)), "float")
     assert single[Fraction(11184811, 2**25)].constant == Fraction(1, 3) and third not in single
+
+
+def test_a_literal_that_casadi_made_of_two_constants_is_what_they_make() -> None:
+    b = Builder()
+    made = Fraction(5 * (1 / 3))
+    other = Fraction(1.6666)
+    assert made not in literals(b, code(pi), "double")
+    table = literals(b, code(pi), "double", [made, other, Fraction(5)])
+    assert table[made].constant == Fraction(5, 3) and table[-made].constant == Fraction(-5, 3)
+    assert other not in table and Fraction(5) not in table
