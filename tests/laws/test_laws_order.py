@@ -6,7 +6,7 @@ import pytest
 from sympy import Add, Eq, Expr, expand
 
 import mechanics
-from mechanics.blame.rows import generalized_rows
+from mechanics.blame.derivation import Derivation
 from mechanics.compiled import compile
 from mechanics.equations import Equations
 from mechanics.judge.check import derived
@@ -17,7 +17,8 @@ SYSTEMS = [elastic_pendulum, rod_pendulum]
 
 def statements(truth: Equations) -> list[tuple[Expr, str | None]]:
     """A right row, rows with a wrong sign, energies and mass matrices, with what they are."""
-    rows = [expand(truth.scene.plain(row.value)) for row in generalized_rows(truth.scene)]
+    pieces = Derivation(truth)
+    rows = [expand(truth.scene.plain(row.value)) for row in pieces.generalized_rows]
     wrong = [row - 2 * Add.make_args(row)[0] for row in rows]
     motion = [(Eq(row, 0, evaluate=False), None) for row in (rows[0], *wrong)]
     kinematics = truth.kinematics
