@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     from mechanics.judge.check import check
     from mechanics.judge.check_json import to_json as check_json
     from mechanics.kernel import Finding, Verdict, Witness
-    from mechanics.linear import damped_modes, linearise, modes
+    from mechanics.linear import damped_modes, linearize, modes
     from mechanics.reading.code.black_box import BlackBox
     from mechanics.report.answer.page import check_html
     from mechanics.report.html import to_html
@@ -82,7 +82,7 @@ __all__ = [
     "force",
     "gravity",
     "holonomic",
-    "linearise",
+    "linearize",
     "modes",
     "nonholonomic",
     "parameters",
@@ -118,7 +118,7 @@ _MODULES = {
     "check": ("mechanics.judge.check", "check"),
     "check_json": ("mechanics.judge.check_json", "to_json"),
     "damped_modes": ("mechanics.linear", "damped_modes"),
-    "linearise": ("mechanics.linear", "linearise"),
+    "linearize": ("mechanics.linear", "linearize"),
     "modes": ("mechanics.linear", "modes"),
     "BlackBox": ("mechanics.reading.code.black_box", "BlackBox"),
     "check_html": ("mechanics.report.answer.page", "check_html"),

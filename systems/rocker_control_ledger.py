@@ -11,7 +11,7 @@ from mechanics.scene.linear_quantities import (
     FeedbackLaw,
     InertiaAbout,
     Laplace,
-    LinearisedEquation,
+    LinearizedEquation,
     PoleEquation,
     ProportionalFeedback,
     StabilityBoundary,
@@ -46,10 +46,10 @@ PUBLISHED: tuple[Published, ...] = (
     ),
     published(
         "(8)",
-        LinearisedEquation(UPRIGHT),
+        LinearizedEquation(UPRIGHT),
         (I_C + Rational(9, 4) * M * R**2) * theta.diff(t, 2) - M * g * R / 2 * theta,
         3 * R / 2 * f,
-        label="linearised equation of motion",
+        label="linearized equation of motion",
     ),
     published(
         "I_A'",

@@ -1,6 +1,6 @@
 """The equations of the seed document's problem 2, part (c), typed by hand: the rolling rocker.
 
-Part (a), the shapes, is in `systems.rocker_shapes_ledger`; parts (d) and (e), the linearised rocker
+Part (a), the shapes, is in `systems.rocker_shapes_ledger`; parts (d) and (e), the linearized rocker
 and its control, are in `systems.rocker_control_ledger`.
 """
 

@@ -11,7 +11,7 @@ from mechanics.scene.linear_quantities import (
     DimensionlessProblem,
     Eigenvalue,
     EigenvalueProblem,
-    LinearisedEquation,
+    LinearizedEquation,
     ModalMatrix,
     ModeShape,
     PrintedEigenvalues,
@@ -70,7 +70,7 @@ MOMENTUM: tuple[Published, ...] = (
 MODES: tuple[Published, ...] = (
     published(
         "(1)",
-        LinearisedEquation(AT_REST),
+        LinearizedEquation(AT_REST),
         -K * x,
         M * x.diff(t, 2),
         label="equations of motion in matrix form",

@@ -32,10 +32,10 @@ SCENE = rocker.scene()
             "extremes: Equations wanted, Scene found",
         ),
         (
-            lambda: mechanics.linearise(SCENE, {}),
-            "linearise: Equations wanted, Scene found",
+            lambda: mechanics.linearize(SCENE, {}),
+            "linearize: Equations wanted, Scene found",
         ),
-        (lambda: mechanics.modes(SCENE), "modes: Linear wanted, Scene found: pass linearise("),
+        (lambda: mechanics.modes(SCENE), "modes: Linear wanted, Scene found: pass linearize("),
         (lambda: mechanics.write_c(SCENE, "c"), "write_c: Model wanted, Scene found"),
         (lambda: mechanics.write_fmu(SCENE, "a.fmu"), "write_fmu: Model wanted, Scene found"),
         (lambda: mechanics.Feedback(30.0), "Feedback: a function of t, q and u wanted, float"),

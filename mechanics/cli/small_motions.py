@@ -9,7 +9,8 @@ from mechanics.cli.load import load
 from mechanics.cli.values import points
 from mechanics.crosscheck import derive
 from mechanics.errors import ExpressionError, InputError
-from mechanics.linear import Linear, damped, damped_modes, linearise, numeric_modes, stability
+from mechanics.linear import Linear, damped, damped_modes, numeric_modes, stability
+from mechanics.linear import linearize as about
 from mechanics.linear import modes as exact_modes
 from mechanics.linear.values import with_numbers
 
@@ -103,8 +104,8 @@ def _linear(name: str, settings: list[str]) -> Linear:
         # Formulas of these are no reading for a person.
         numbers = {symbol: with_numbers(scene, symbol) for symbol in scene.parameters}
         typer.echo("typical values: the equations are too long for formulas")
-        return linearise(equations, coordinates, inputs, numbers)
-    return linearise(equations, coordinates, inputs)
+        return about(equations, coordinates, inputs, numbers)
+    return about(equations, coordinates, inputs)
 
 
 def _rows(matrix: Matrix) -> str:

@@ -22,7 +22,7 @@ from mechanics.report.trade_plot import standalone
 from mechanics.simulate.files import writable
 from mechanics.trade import Trade
 from mechanics.trade import trade as measure
-from mechanics.trade.choice import LINEARISED
+from mechanics.trade.choice import LINEARIZED
 from mechanics.trade.least import DECLARED, LeastModel
 from mechanics.trade.recommend import milliseconds
 from mechanics.trade.record import to_record
@@ -123,7 +123,7 @@ def _print(console: Console, found: Trade) -> None:
 def _print_least(console: Console, least: LeastModel) -> None:
     console.print(_models(least))
     for row in least.fidelities:
-        if row.words and row.name != LINEARISED:
+        if row.words and row.name != LINEARIZED:
             console.print(f"  {escape(row.words)}")
     console.print()
     groups = groupby(least.amplitudes, key=lambda row: row.place)
@@ -162,7 +162,7 @@ def _models(least: LeastModel) -> Table:
     for name in ("operations", "time for 1 s", "error"):
         table.add_column(name, justify="right")
     for row in least.fidelities:
-        declared = row.name in (LINEARISED, DECLARED)
+        declared = row.name in (LINEARIZED, DECLARED)
         table.add_row(
             row.name if declared else f"without {row.name}",
             str(row.operations or ""),

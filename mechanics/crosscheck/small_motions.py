@@ -5,7 +5,7 @@ from typing import Any
 
 from mechanics.equations import Equations
 from mechanics.errors import MechanicsError
-from mechanics.linear import Linear, damped, damped_modes, linearise, modes, numeric_modes
+from mechanics.linear import Linear, damped, damped_modes, linearize, modes, numeric_modes
 from mechanics.report.result import Modes
 
 LARGEST_EXACT = 3
@@ -22,7 +22,7 @@ def small_motions(
         return (), ("Small motions are not shown for scenes with constraints.",)
     try:
         rest = {q.name: 0 for q in scene.q}
-        linear = linearise(equations, rest, {f.name: 0 for f in scene.input_symbols})
+        linear = linearize(equations, rest, {f.name: 0 for f in scene.input_symbols})
     except MechanicsError as error:
         return (), (f"No small motions about q = 0: {error}",)
     if len(linear.coordinates) > LARGEST_EXACT:

@@ -3,7 +3,7 @@
 r(e theta, e theta', a(e))  =  r0 + e r1 + ...    r0 = 0 and r1 = 0 at all states
 M0 a0 = f0,    M0 a1 = f1 - M1 a0                 with M(e), f(e) expanded in the same way
 
-An equation counts as linearised only where an angle stands by itself, or no angle stands in a sine
+An equation counts as linearized only where an angle stands by itself, or no angle stands in a sine
 or cosine, and where no two of angles, rates, sines and cosines are multiplied: else a wrong term of
 higher order would be called right.
 """
@@ -50,7 +50,7 @@ def right_for_small_angles(
     orders = [{plain_symbol(q, k) for q in angles} for k in range(3)]
     try:
         residuals = [_residual(scene, s) for s in wrong]
-        if not all(r is not None and _linearised(r, *orders) for r in residuals):
+        if not all(r is not None and _linearized(r, *orders) for r in residuals):
             return ()
         small = orders[0] | orders[1]
         motion = _motion(truth, small)
@@ -58,7 +58,7 @@ def right_for_small_angles(
     except (MechanicsError, ValueError):
         return ()  # nothing to expand at angles of zero
     names = ", ".join(f"{plain_symbol(q).name} = 0" for q in angles)
-    return (f"linearised about {names} (to first order, for small angles)",) if shown else ()
+    return (f"linearized about {names} (to first order, for small angles)",) if shown else ()
 
 
 def _residual(scene: Scene, statement: Statement) -> Expr | None:
@@ -72,7 +72,7 @@ def _residual(scene: Scene, statement: Statement) -> Expr | None:
     return residual if residual.free_symbols <= known else None
 
 
-def _linearised(residual: Expr, q: set[Symbol], qd: set[Symbol], qdd: set[Symbol]) -> bool:
+def _linearized(residual: Expr, q: set[Symbol], qd: set[Symbol], qdd: set[Symbol]) -> bool:
     """Whether an angle stands by itself, and no product of two that vanish with the angles."""
     small = q | qd | qdd
     circular = {f for f in residual.atoms(TrigonometricFunction) if f.free_symbols & small}

@@ -3,7 +3,7 @@
 from mechanics.linear.damped import DampedModes, damped_modes
 from mechanics.linear.dimensionless import Dimensionless, dimensionless
 from mechanics.linear.form import Linear
-from mechanics.linear.linearise import linearise
+from mechanics.linear.linearize import linearize
 from mechanics.linear.modes import (
     Convention,
     Modes,
@@ -28,7 +28,7 @@ from mechanics.linear.transfer import (
 __all__ = [
     "Convention", "DampedModes", "Dimensionless", "Linear", "Modes", "NumericModes", "Region",
     "Stability", "characteristic", "characteristic_factors", "characteristic_polynomial",
-    "close_loop", "conditions", "damped", "damped_modes", "dimensionless", "linearise", "modes",
+    "close_loop", "conditions", "damped", "damped_modes", "dimensionless", "linearize", "modes",
     "numeric_modes", "numeric_poles", "stability", "stability_region", "state_space",
     "transfer_function",
 ]  # fmt: skip

@@ -16,7 +16,7 @@ from mechanics.errors import ExpressionError, InputError
 from mechanics.kernel import Finding, undecided
 from mechanics.linear.algebra import coefficients
 from mechanics.linear.form import Linear
-from mechanics.linear.linearise import linearise
+from mechanics.linear.linearize import linearize
 from mechanics.linear.transfer import close_loop
 from mechanics.linear.values import expand_definitions
 from mechanics.scene import Scene
@@ -30,7 +30,7 @@ Experiment = Callable[[Arithmetic], Pairs]
 
 @dataclass(frozen=True, eq=False)
 class Case:
-    """One row to be checked: its sides in plain symbols, and the equations linearised.
+    """One row to be checked: its sides in plain symbols, and the equations linearized.
 
     Attributes
     ----------
@@ -191,8 +191,8 @@ def entries(side: Expr | Matrix) -> list[Expr]:
 
 
 def linear_at(equations: Equations, point: OperatingPoint) -> Linear:
-    """The equations linearised about an operating point."""
-    return linearise(equations, dict(point.coordinates), dict(point.inputs))
+    """The equations linearized about an operating point."""
+    return linearize(equations, dict(point.coordinates), dict(point.inputs))
 
 
 def closed_loop(linear: Linear, feedback: ProportionalFeedback) -> Linear:

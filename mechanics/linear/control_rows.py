@@ -27,7 +27,7 @@ from mechanics.scene.linear_quantities import (
     EquilibriumStability,
     FeedbackLaw,
     InertiaAbout,
-    LinearisedEquation,
+    LinearizedEquation,
     LinearQuantity,
     PoleEquation,
     StabilityBoundary,
@@ -42,7 +42,7 @@ from mechanics.symbolic import Arithmetic, decide
 Check = Callable[[Case], Finding]
 
 
-def linearised(case: Case) -> Finding:
+def linearized(case: Case) -> Finding:
     """The typed equation at the accelerations of the linear equations."""
     linear = case.linear
     left, right = case.equation()
@@ -208,7 +208,7 @@ def _borderline(case: Case, quantity: StabilityBoundary | StabilityRegion) -> tu
 
 
 CHECKS: dict[type[LinearQuantity], Check] = {
-    LinearisedEquation: linearised,
+    LinearizedEquation: linearized,
     InertiaAbout: inertia_about,
     TransformedEquation: transformed,
     TransferFunction: transfer,

@@ -75,7 +75,7 @@ def damped_modes(linear: Linear, values: Numbers | None = None) -> DampedModes:
     SingularError
         If M is singular at these values.
     """
-    wanted(linear, Linear, "damped_modes", "pass linearise(derive(scene, route), at)")
+    wanted(linear, Linear, "damped_modes", "pass linearize(derive(scene, route), at)")
     a, _ = state_space(linear, values)
     poles, vectors = np.linalg.eig(a)
     upper = np.flatnonzero(poles.imag >= 0)

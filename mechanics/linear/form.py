@@ -16,7 +16,7 @@ from mechanics.scene import Scene
 
 @dataclass(frozen=True, eq=False)
 class Linear:
-    """Linearised equations of motion; rows as the route wrote them.
+    """Linearized equations of motion; rows as the route wrote them.
 
     Attributes
     ----------

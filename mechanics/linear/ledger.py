@@ -30,7 +30,7 @@ Linears = Mapping[OperatingPoint, Linear]
 
 
 def linear_equations(rows: Iterable[Published], equations: Equations) -> Linears:
-    """The equations linearised about each operating point of some rows, once for all about it."""
+    """The equations linearized about each operating point of some rows, once for all about it."""
     points = [row.quantity.point for row in rows if isinstance(row.quantity, LinearQuantity)]
     return {point: linear_at(equations, point) for point in dict.fromkeys(points)}
 
@@ -49,7 +49,7 @@ def check_linear_row(
         Of one route for this scene; its rows have to be power-conjugate (`lagrange`, `kane`) for
         inertias and determinants.
     linears : mapping of OperatingPoint to Linear, optional
-        These equations, linearised by `linear_equations`, where several rows are about a point.
+        These equations, linearized by `linear_equations`, where several rows are about a point.
 
     Returns
     -------

@@ -74,7 +74,7 @@ def modes(linear: Linear, convention: Convention = Convention.ENGINEERING) -> Mo
     ExpressionError
         If the characteristic polynomial has a factor that is not linear: use `numeric_modes`.
     """
-    wanted(linear, Linear, "modes", "pass linearise(derive(scene, route), at)")
+    wanted(linear, Linear, "modes", "pass linearize(derive(scene, route), at)")
     found: list[tuple[Expr, Matrix]] = []
     for factor, _ in characteristic_factors(linear):
         roots = coefficients(factor, EIGENVALUE)

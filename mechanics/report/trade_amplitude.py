@@ -1,4 +1,4 @@
-"""Error of the linearised model over amplitude, both logarithmic, as inline SVG."""
+"""Error of the linearized model over amplitude, both logarithmic, as inline SVG."""
 
 from collections.abc import Sequence
 from html import escape
@@ -42,7 +42,7 @@ def amplitude_chart(rows: Sequence[Amplitude]) -> str:
             f'<polyline class="curve s{n % COLOURS}" points="{line}"/>'
             f'<circle class="limit" cx="{limit:.1f}" cy="{at:.1f}" r="4"/>'
         )
-    title = f"Error of the linearised model over amplitude, {len(drawn)} coordinates"
+    title = f"Error of the linearized model over amplitude, {len(drawn)} coordinates"
     return (
         f'<svg class="chart" viewBox="0 0 {WIDTH:.0f} {HEIGHT:.0f}" role="img"'
         f' aria-label="{escape(title)}">{"".join(parts)}</svg>'

@@ -72,7 +72,7 @@ class EquilibriumStability(LinearQuantity):
 
 
 @dataclass(frozen=True)
-class LinearisedEquation(LinearQuantity):
+class LinearizedEquation(LinearQuantity):
     """Equation of small motions; several at once as n x 1 matrices."""
 
 

@@ -1,4 +1,4 @@
-"""How far the linearised model is enough.
+"""How far the linearized model is enough.
 
     error(a) = largest |y_linear - y| / scale along the motion that starts at rest, displaced by a
 
@@ -17,7 +17,7 @@ from mechanics.errors import MechanicsError
 from mechanics.trade.case import Case
 from mechanics.trade.choice import Choice
 from mechanics.trade.dropping import ENOUGH
-from mechanics.trade.linearised import Equilibrium, as_equations, is_linear
+from mechanics.trade.linearized import Equilibrium, as_equations, is_linear
 from mechanics.trade.measure import prepared
 from mechanics.trade.truth import Truth, from_states
 

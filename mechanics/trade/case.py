@@ -24,8 +24,8 @@ from mechanics.simulate.values import (
     read_inputs,
     read_parameters,
 )
-from mechanics.trade.choice import LINEARISED, Variant
-from mechanics.trade.linearised import linearised
+from mechanics.trade.choice import LINEARIZED, Variant
+from mechanics.trade.linearized import linearized
 
 Array = NDArray[np.float64]
 
@@ -54,7 +54,7 @@ class Case:
         Times at which the motion is looked at, from 0 to the horizon; by default some of them at
         equal distances.
     linear : callable
-        Makes the linearised equations; refuses where there are none.
+        Makes the linearized equations; refuses where there are none.
     """
 
     equations: Equations
@@ -64,7 +64,7 @@ class Case:
     inputs: Mapping[str, Any] = field(default_factory=dict)
     compiler: str | None = "auto"
     grid: tuple[float, ...] | None = None
-    linear: Callable[["Case"], Equations] = lambda case: linearised(
+    linear: Callable[["Case"], Equations] = lambda case: linearized(
         case.equations, case.parameters, case.suggested
     )
     _models: dict[Variant, Model] = field(default_factory=dict, repr=False)
@@ -78,7 +78,7 @@ class Case:
     def model(self, variant: Variant = Variant()) -> Model:  # noqa: B008 - frozen
         """The model of a variant, compiled once."""
         if variant not in self._models:
-            equations = self.linear(self) if variant.model == LINEARISED else self.equations
+            equations = self.linear(self) if variant.model == LINEARIZED else self.equations
             self._models[variant] = compile(
                 equations, compiler=self.compiler, flags=variant.flags, form=variant.form
             )

@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 from mechanics.compiled.machine.evaluator import FLAGS
 from mechanics.simulate.integrators import Setting
 
-NONLINEAR, LINEARISED = "nonlinear", "linearised"
+NONLINEAR, LINEARIZED = "nonlinear", "linearized"
 
 
 @dataclass(frozen=True)
@@ -23,7 +23,7 @@ class Variant:
     flags : str
         Settings of the C compiler.
     model : str
-        ``"nonlinear"`` or ``"linearised"``.
+        ``"nonlinear"`` or ``"linearized"``.
     """
 
     form: str = "auto"

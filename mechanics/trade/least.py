@@ -1,6 +1,6 @@
 """The least model that is enough: what each step of fidelity costs, and what it is good for.
 
-linearised <-- without a damper, without an inertia, ... <-- as declared
+linearized <-- without a damper, without an inertia, ... <-- as declared
 """
 
 from collections.abc import Callable
@@ -10,9 +10,9 @@ from mechanics.errors import MechanicsError
 from mechanics.simulate.integrators import Outcome
 from mechanics.trade.amplitude import Amplitude, amplitudes
 from mechanics.trade.case import Case
-from mechanics.trade.choice import LINEARISED, Choice, Variant
+from mechanics.trade.choice import LINEARIZED, Choice, Variant
 from mechanics.trade.dropping import ENOUGH, Derive, Dropped, dropped, operations
-from mechanics.trade.linearised import Equilibrium, equilibria
+from mechanics.trade.linearized import Equilibrium, equilibria
 from mechanics.trade.measure import Measurement, prepared, times_side_by_side
 from mechanics.trade.train import error_of
 from mechanics.trade.truth import Truth
@@ -87,7 +87,7 @@ def least_model(
     found, notes = _equilibria(case)
     rows = [row for at in found for row in amplitudes(case, at, choice)]
     left_out = dropped(case, derive, choice)
-    linear = _linearised(case, truth, choice, rows)
+    linear = _linearized(case, truth, choice, rows)
     runs = [prepared(case, choice)]
     models = [*linear, *((d, d.run) for d in left_out)]
     runs += [run for _, run in models if run is not None]
@@ -115,27 +115,27 @@ def _equilibria(case: Case) -> tuple[tuple[Equilibrium, ...], tuple[str, ...]]:
     try:
         found = equilibria(case.equations, case.parameters, case.suggested[0])
     except MechanicsError as error:
-        return (), (f"No linearised model: {error}.",)
+        return (), (f"No linearized model: {error}.",)
     return found, tuple(_described(at) for at in found)
 
 
 def _described(at: Equilibrium) -> str:
     kind = "stable" if at.stable else f"unstable, growing e-fold in {1 / at.growth:.2g} s"
     return (
-        f"Linearised about {at.place}, proved to be an equilibrium ({kind}); the example starts"
+        f"Linearized about {at.place}, proved to be an equilibrium ({kind}); the example starts"
         f" {at.distance:.2g} away from it."
     )
 
 
-def _linearised(
+def _linearized(
     case: Case, truth: Truth, choice: Choice, rows: list[Amplitude]
 ) -> list[tuple[Dropped, Callable[[], Outcome]]]:
     if not rows:
         return []
-    variant = choice.with_variant(Variant(model=LINEARISED))
+    variant = choice.with_variant(Variant(model=LINEARIZED))
     error = error_of(case, variant, case.start, truth)
     words = "; ".join(row.words for row in rows)
     run = prepared(case, variant)
     size = operations(case.model(variant.variant))
-    found = Dropped(LINEARISED, error, size, run, 1.0, words)
+    found = Dropped(LINEARIZED, error, size, run, 1.0, words)
     return [(found, run)]

@@ -19,7 +19,7 @@ from mechanics.simulate.integrators import INTEGRATORS, Integrator, Outcome, Set
 from mechanics.simulate.integrators.loop import plan
 from mechanics.simulate.integrators.rate import Rate
 from mechanics.trade.case import Case
-from mechanics.trade.choice import LINEARISED, Choice, Variant
+from mechanics.trade.choice import LINEARIZED, Choice, Variant
 from mechanics.trade.measure import (
     Measurement,
     measured,
@@ -194,7 +194,7 @@ def variants(case: Case) -> list[Variant]:
     names = form_names(case.equations)
     forms = [replace(plain, form=name) for name in names if name != case.model().form]
     settings = [replace(plain, flags=f) for f in FLAGS[1:] if case.model().compiler is not None]
-    return [*forms, *settings, replace(plain, model=LINEARISED)]
+    return [*forms, *settings, replace(plain, model=LINEARIZED)]
 
 
 def best_for(measurements: Sequence[Measurement], target: float) -> Choice:

@@ -119,7 +119,7 @@ def test_angles_may_be_multiples_of_pi(run: Any) -> None:
 def test_a_defect_of_the_program_has_an_exit_code_of_its_own(
     run: Any, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("mechanics.cli.small_motions.linearise", None)
+    monkeypatch.setattr("mechanics.cli.small_motions.about", None)
     ran = run("linearize", "elastic_pendulum")
     assert ran.code == 70
     assert "TypeError" in ran.err

@@ -3,7 +3,7 @@
     y' = A y + B f,   y = (theta, theta')        minimise  integral of y^T Q y + r f^2
     A^T P + P A - P B B^T P / r + Q = 0          f = -K y,   K = B^T P / r
 
-A and B come from `mechanics.linearise` at theta = 0, exactly, and are made numbers by
+A and B come from `mechanics.linearize` at theta = 0, exactly, and are made numbers by
 `state_space`; SciPy solves Riccati's equation. The law then holds the nonlinear rocker, with the
 force as state feedback, while the simulation watches that it neither lifts off nor slips nor leaves
 its half discs. Run it with ``python tests/examples/rocker_lqr.py``.
@@ -45,7 +45,7 @@ class Regulator:
 
 def design(equations: mechanics.Equations) -> Regulator:
     """The regulator for the upright rocker."""
-    linear = mechanics.linearise(equations, at={"theta": 0}, inputs={"f": 0})
+    linear = mechanics.linearize(equations, at={"theta": 0}, inputs={"f": 0})
     A, B = state_space(linear)
     *states, force = (1 / deviation**2 for deviation in LARGEST)
     P = solve_continuous_are(A, B, np.diag(states), [[force]])

@@ -11,7 +11,7 @@ import pytest
 from scipy.linalg import expm
 
 import mechanics
-from mechanics.linear import linearise, numeric_poles
+from mechanics.linear import linearize, numeric_poles
 from mechanics.simulate import Ending, simulate
 from systems import rocker
 
@@ -88,7 +88,7 @@ def test_the_gains_hold_what_falls(
     lqr: SimpleNamespace, equations: mechanics.Equations, model: mechanics.Model
 ) -> None:
     """Without control a pole is in the right half plane; the published critical gain is M g / 3."""
-    linear = linearise(equations, {"theta": 0}, {"f": 0})
+    linear = linearize(equations, {"theta": 0}, {"f": 0})
     assert numeric_poles(linear)[0].real > 0
     regulator = lqr.design(equations)
     assert np.max(regulator.poles.real) < 0

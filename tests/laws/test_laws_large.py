@@ -1,4 +1,4 @@
-"""What is said of scenes that stay programs: printed, linearised, measured."""
+"""What is said of scenes that stay programs: printed, linearized, measured."""
 
 import types
 from collections.abc import Callable
@@ -19,7 +19,7 @@ from mechanics.cli.program_listing import program_python
 from mechanics.crosscheck import ROUTES, crosscheck, derive
 from mechanics.extremes.truth import truth
 from mechanics.kernel import Verdict
-from mechanics.linear import linearise, state_space
+from mechanics.linear import linearize, state_space
 from mechanics.linear.values import with_numbers
 from mechanics.program import Builder
 from mechanics.program.listing import LONGEST, listing
@@ -136,7 +136,7 @@ def test_linear_equations_are_those_of_what_is_written_out(make, at, name: str) 
     (route,) = (route for route in ROUTES if route.name == name)
     rows = route.rows(mechanism)
     both = as_program(scene, mechanism, rows), route.equations(scene, mechanism, rows)
-    one, two = (linearise(equations, rest, inputs) for equations in both)
+    one, two = (linearize(equations, rest, inputs) for equations in both)
     assert one.coordinates == two.coordinates
     # Rows of procedure (i) may be combined otherwise where they are written out.
     n = len(one.coordinates)
@@ -151,7 +151,7 @@ def test_a_hanging_arm_swings_as_its_jacobians_say(run) -> None:
     scene = hanging_arm()
     equations = derive(scene, "lagrange")
     numbers = {symbol: with_numbers(scene, symbol) for symbol in scene.parameters}
-    linear = linearise(equations, {q.name: 0 for q in scene.q}, {}, numbers)
+    linear = linearize(equations, {q.name: 0 for q in scene.q}, {}, numbers)
     a, _ = state_space(linear)
     model = mechanics.compile(equations, compiler=None)
     n = len(scene.q)

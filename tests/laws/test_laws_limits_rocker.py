@@ -10,7 +10,7 @@ from functools import cache
 import numpy as np
 import pytest
 
-from mechanics import compile, derive, linearise, simulate
+from mechanics import compile, derive, linearize, simulate
 from mechanics.compiled import Model
 from mechanics.linear.numeric import numeric_poles
 from mechanics.scene import condition
@@ -36,7 +36,7 @@ def critical() -> float:
 
 def pole(gain: float) -> complex:
     """The pole with the largest real part, or with a positive imaginary one."""
-    linear = linearise(model().equations, {"theta": 0})
+    linear = linearize(model().equations, {"theta": 0})
     found = numeric_poles(linear, {K: gain})
     return complex(max(found, key=lambda s: (round(s.real, 9), s.imag)))
 

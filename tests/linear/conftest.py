@@ -8,7 +8,7 @@ from sympy import symbols
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
 from mechanics.equations import Equations
-from mechanics.linear import Linear, linearise
+from mechanics.linear import Linear, linearize
 from mechanics.routes.derivation import by_route
 from mechanics.scene import Particle, Scene, damper, force, parameters, spring
 
@@ -53,7 +53,7 @@ def row() -> Callable[..., Linear]:
 
     def make(masses: tuple, stiffnesses: tuple, dampings: tuple = ()) -> Linear:
         equations = oscillators(tuple(masses), tuple(stiffnesses), tuple(dampings))
-        return linearise(equations, {q.name: 0 for q in equations.scene.q}, {"F": 0})
+        return linearize(equations, {q.name: 0 for q in equations.scene.q}, {"F": 0})
 
     return make
 

@@ -8,7 +8,7 @@ import pytest
 from sympy import Matrix
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
-from mechanics import crosscheck, damped_modes, derive, linearise
+from mechanics import crosscheck, damped_modes, derive, linearize
 from mechanics.crosscheck import CrossCheck
 from mechanics.errors import InputError
 from mechanics.linear import DampedModes, Linear, damped, numeric_modes, numeric_poles
@@ -39,7 +39,7 @@ def chain(first: object = c, second: object = c) -> Linear:
             for i, at, on in ((1, one, "one"), (2, two, "two"))
         ),
     )
-    return linearise(derive(scene, "lagrange"), {"x1": 0, "x2": 0})
+    return linearize(derive(scene, "lagrange"), {"x1": 0, "x2": 0})
 
 
 def test_proportional_damping_by_formula() -> None:
@@ -83,7 +83,7 @@ def test_without_damping_at_the_values_modes_are_natural() -> None:
     np.testing.assert_allclose(found.frequencies**2, natural.eigenvalues, rtol=1e-12)
     with pytest.raises(InputError, match="use damped_modes"):
         numeric_modes(linear)
-    with pytest.raises(TypeError, match="pass linearise"):
+    with pytest.raises(TypeError, match="pass linearize"):
         damped_modes(linear.scene)
 
 

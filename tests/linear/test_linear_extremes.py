@@ -10,7 +10,7 @@ from sympy import Poly, Rational
 from mechanics.compiled import compile
 from mechanics.errors import InputError
 from mechanics.extremes.points import walks
-from mechanics.linear import Linear, characteristic, linearise, numeric_modes, numeric_poles
+from mechanics.linear import Linear, characteristic, linearize, numeric_modes, numeric_poles
 from mechanics.linear.modes import EIGENVALUE
 from mechanics.routes.derivation import by_route
 from systems import rocker, two_mass_chain
@@ -30,7 +30,7 @@ def case(name: str) -> tuple[Linear, list[dict[str, float]]]:
     known = compile(equations, compiler=None).quantities
     (walk,) = (w for w in walks(known, (path,), 1) if w.kind == "path")
     names = [entry.name for entry in known.p]
-    return linearise(equations, AT[name]), [
+    return linearize(equations, AT[name]), [
         dict(zip(names, row[-len(names) :], strict=True)) for row in walk.points.tolist()
     ]
 

@@ -15,7 +15,7 @@ from mechanics.scene import Particle, RigidBody
 from mechanics.scene.linear_quantities import (
     Eigenvalue,
     Laplace,
-    LinearisedEquation,
+    LinearizedEquation,
     ModeShape,
     operating_point,
 )
@@ -76,7 +76,7 @@ def test_definitions_are_expanded_where_a_side_needs_them() -> None:
 
 
 def test_equation_may_be_scaled_and_turned_round() -> None:
-    row = CONTROL["linearised equation of motion"]
+    row = CONTROL["linearized equation of motion"]
     left, right = row.sides
     assert check(of_rocker(), row, sides=(-2 * right, -2 * left)).verdict is Verdict.PROVED
     rows = MODES["equations of motion in matrix form"]
@@ -110,15 +110,15 @@ def test_wrong_side_of_the_borderline_is_refuted() -> None:
 @pytest.mark.parametrize(
     ("label", "changes", "message"),
     [
-        ("linearised equation of motion", {"sides": (0,)}, "1 sides typed: an equation has two"),
+        ("linearized equation of motion", {"sides": (0,)}, "1 sides typed: an equation has two"),
         (
-            "linearised equation of motion",
+            "linearized equation of motion",
             {"sides": (ImmutableMatrix([0, 0]), 0)},
             "2 entries on the left, 1 on the right",
         ),
         (
-            "linearised equation of motion",
-            {"quantity": LinearisedEquation(operating_point({"theta": 1}, {"f": 0}))},
+            "linearized equation of motion",
+            {"quantity": LinearizedEquation(operating_point({"theta": 1}, {"f": 0}))},
             "theta = 1 rad, f = 0 is no equilibrium",
         ),
         (

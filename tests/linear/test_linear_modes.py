@@ -11,7 +11,7 @@ from mechanics.linear import (
     characteristic,
     characteristic_factors,
     dimensionless,
-    linearise,
+    linearize,
     modes,
     numeric_modes,
 )
@@ -93,7 +93,7 @@ def test_conventions_differ_in_order_and_scaling(linear) -> None:
 
 def test_seed_modes() -> None:
     equations = by_route("lagrange", two_mass_chain.scene())
-    linear = linearise(equations, {"x1": 0, "x2": 0})
+    linear = linearize(equations, {"x1": 0, "x2": 0})
     k, m = two_mass_chain.k, two_mass_chain.m
     found = modes(linear)
     assert found.eigenvalues == (k / (6 * m), k / m)
@@ -104,7 +104,7 @@ def test_seed_modes() -> None:
 
 @pytest.mark.parametrize("route", ["kane", "moving_point"])
 def test_modes_do_not_depend_on_the_route(route: str) -> None:
-    linear = linearise(by_route(route, two_mass_chain.scene()), {"x1": 0, "x2": 0})
+    linear = linearize(by_route(route, two_mass_chain.scene()), {"x1": 0, "x2": 0})
     k, m = two_mass_chain.k, two_mass_chain.m
     assert modes(linear).eigenvalues == (k / (6 * m), k / m)
     assert dimensionless(linear).group == m / k

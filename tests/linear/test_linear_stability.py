@@ -11,7 +11,7 @@ from mechanics.linear import (
     Stability,
     close_loop,
     conditions,
-    linearise,
+    linearize,
     numeric_poles,
     stability,
     stability_region,
@@ -23,7 +23,7 @@ from systems import rocker, two_mass_chain
 
 @pytest.fixture(scope="module")
 def upright():
-    return linearise(by_route("lagrange", rocker.scene()), {"theta": 0}, {"f": 0})
+    return linearize(by_route("lagrange", rocker.scene()), {"theta": 0}, {"f": 0})
 
 
 def test_rocker_without_control_falls(upright) -> None:
@@ -46,7 +46,7 @@ def test_rocker_needs_a_gain_above_the_borderline(upright, gain) -> None:
 
 
 def test_two_mass_chain_oscillates() -> None:
-    linear = linearise(by_route("lagrange", two_mass_chain.scene()), {"x1": 0, "x2": 0})
+    linear = linearize(by_route("lagrange", two_mass_chain.scene()), {"x1": 0, "x2": 0})
     assert stability(linear) is Stability.BOUNDED
 
 
@@ -112,7 +112,7 @@ def test_gain_that_changes_nothing_is_refused(upright, gain) -> None:
     K, _ = gain
     with pytest.raises(InputError, match="which K does not change"):
         stability_region(upright, K)
-    linear = linearise(by_route("lagrange", two_mass_chain.scene()), {"x1": 0, "x2": 0})
+    linear = linearize(by_route("lagrange", two_mass_chain.scene()), {"x1": 0, "x2": 0})
     with pytest.raises(InputError, match="K changes nothing about stability"):
         stability_region(linear, K)
 

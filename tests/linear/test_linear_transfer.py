@@ -10,7 +10,7 @@ from mechanics.kernel import Verdict
 from mechanics.linear import (
     characteristic_polynomial,
     close_loop,
-    linearise,
+    linearize,
     numeric_poles,
     state_space,
     transfer_function,
@@ -87,7 +87,7 @@ def test_rate_feedback_adds_damping(row, constants) -> None:
 
 def test_other_inputs_stay(constants, gain) -> None:
     K, r = gain
-    linear = linearise(by_route("lagrange", rocker.scene()), {"theta": 0}, {"f": 0})
+    linear = linearize(by_route("lagrange", rocker.scene()), {"theta": 0}, {"f": 0})
     loop = close_loop(linear, {rocker.f: K * (r - rocker.theta)}, (r,))
     assert [symbol.name for symbol in loop.inputs] == ["r"]
     with pytest.raises(InputError, match="'f' is no input of the linear equations: there are r"):
@@ -136,7 +136,7 @@ def test_prescribed_motion_enters_by_its_second_derivative(constants) -> None:
         loads=(spring("k", base, mass, k, along=ground.x),),
         inputs=(y,),
     )
-    linear = linearise(by_route("lagrange", scene), {"z": 0}, {"y": 0})
+    linear = linearize(by_route("lagrange", scene), {"z": 0}, {"y": 0})
     assert transfer_function(linear, "z", "y", s) == -m * s**2 / (m * s**2 + k)
     with pytest.raises(InputError, match="derivatives of the inputs drive the system"):
         state_space(linear)

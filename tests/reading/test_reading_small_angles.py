@@ -27,8 +27,8 @@ def told(text: str) -> tuple[str, ...]:
         "(M + m)*x'' + M*L/2*theta'' + 2*k*x = 0\n" + SECOND.format("", "theta"),
     ],
 )
-def test_linearised_equations_are_right_to_first_order(text: str) -> None:
-    assert told(text) == ("linearised about theta = 0 (to first order, for small angles)",)
+def test_linearized_equations_are_right_to_first_order(text: str) -> None:
+    assert told(text) == ("linearized about theta = 0 (to first order, for small angles)",)
 
 
 @pytest.mark.parametrize(

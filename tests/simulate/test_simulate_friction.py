@@ -11,7 +11,7 @@ import pytest
 from sympy import Symbol
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
-from mechanics import compile, derive, ensemble, linearise, simulate, write_fmu
+from mechanics import compile, derive, ensemble, linearize, simulate, write_fmu
 from mechanics.compiled import Model
 from mechanics.errors import ExpressionError, InputError
 from mechanics.scene import (
@@ -100,7 +100,7 @@ def test_what_does_not_watch_sliding_refuses(rolling: Model, tmp_path: Path) -> 
     with pytest.raises(InputError, match=r"load floor is friction .* a unit does not watch"):
         write_fmu(rolling, tmp_path / "hoop.fmu", initial={"x_dot": 1.0})
     with pytest.raises(InputError, match=r"no slope at the operating point"):
-        linearise(rolling.equations, {"x": 0, "phi": 0}, {"f": 0})
+        linearize(rolling.equations, {"x": 0, "phi": 0}, {"f": 0})
     with pytest.raises(ExpressionError, match="operation sign has no Taylor series"):
         simulate(rolling, 0.1, initial={"x_dot": 2.0}, accuracy=1e-6)
 

@@ -14,9 +14,9 @@ from mechanics.simulate.integrators import Setting
 from mechanics.trade import Trade
 from mechanics.trade.amplitude import amplitudes
 from mechanics.trade.case import Case
-from mechanics.trade.choice import LINEARISED, Choice, Variant
+from mechanics.trade.choice import LINEARIZED, Choice, Variant
 from mechanics.trade.dropping import ENOUGH, dropped
-from mechanics.trade.linearised import equilibria, is_linear
+from mechanics.trade.linearized import equilibria, is_linear
 
 RK8 = Choice(Variant(), Setting("C RK8", step=0.02))
 KANE = partial(derive, route="kane")
@@ -117,7 +117,7 @@ def test_leaving_out_saves_operations(pendulum: Trade) -> None:
     assert pendulum.least is not None
     models = {f.name: f for f in pendulum.least.fidelities}
     whole = models["as declared"]
-    assert models[LINEARISED].operations < whole.operations
+    assert models[LINEARIZED].operations < whole.operations
     assert models["gravity"].operations < whole.operations
     assert all(f.operations <= whole.operations for f in models.values())
     assert all(len(f.seconds) >= 3 for f in models.values())

@@ -75,7 +75,7 @@ def test_every_axis_is_measured(pendulum: Trade) -> None:
     choices = [m.choice for m in pendulum.measurements]
     assert {"SciPy DOP853", "C RK5", "C RK8"} <= {c.setting.integrator for c in choices}
     assert {c.setting.arithmetic for c in choices} == {"double", "single"}
-    assert {c.variant.model for c in choices} == {"nonlinear", "linearised"}
+    assert {c.variant.model for c in choices} == {"nonlinear", "linearized"}
     assert len({c.variant.form for c in choices}) >= 3
     if "C (" in pendulum.backend:
         assert any("-ffast-math" in c.variant.flags for c in choices)

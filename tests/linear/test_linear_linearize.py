@@ -1,4 +1,4 @@
-"""Linearisation: the same by all routes, refused away from an equilibrium."""
+"""Linearization: the same by all routes, refused away from an equilibrium."""
 
 from functools import cache
 from types import ModuleType
@@ -9,7 +9,7 @@ from sympy import Matrix, Symbol, pi, sqrt
 from mechanics.equations import Equations
 from mechanics.errors import InputError
 from mechanics.kernel import Verdict
-from mechanics.linear import linearise
+from mechanics.linear import linearize
 from mechanics.routes.derivation import by_route
 from mechanics.symbolic import prove_equal
 from systems import elastic_pendulum, four_bar, rocker, rolling_disc, two_mass_chain
@@ -49,8 +49,8 @@ def accelerations(linear) -> list:
 @pytest.mark.parametrize("system", POINTS, ids=lambda system: system.__name__)
 def test_routes_agree_on_the_linear_equations(system: ModuleType, route: ModuleType) -> None:
     point = POINTS[system]
-    reference = linearise(derived(system, "lagrange"), *point)
-    other = linearise(derived(system, route), *point)
+    reference = linearize(derived(system, "lagrange"), *point)
+    other = linearize(derived(system, route), *point)
     assert other.coordinates == reference.coordinates
     finding = prove_equal("linear", accelerations(other), accelerations(reference))
     assert finding.verdict is Verdict.PROVED
@@ -58,7 +58,7 @@ def test_routes_agree_on_the_linear_equations(system: ModuleType, route: ModuleT
 
 @pytest.mark.parametrize("system", POINTS, ids=lambda system: system.__name__)
 def test_conjugate_rows_are_symmetric(system: ModuleType) -> None:
-    linear = linearise(derived(system, "lagrange"), *POINTS[system])
+    linear = linearize(derived(system, "lagrange"), *POINTS[system])
     assert linear.conjugate
     assert linear.mass == linear.mass.T
     if system != rolling_disc:
@@ -67,14 +67,14 @@ def test_conjugate_rows_are_symmetric(system: ModuleType) -> None:
 
 def test_pendulum_upside_down_has_the_textbook_stiffness() -> None:
     M, m, L, k, g = (getattr(elastic_pendulum, name) for name in "MmLkg")
-    linear = linearise(derived(elastic_pendulum, "lagrange"), *POINTS[elastic_pendulum])
+    linear = linearize(derived(elastic_pendulum, "lagrange"), *POINTS[elastic_pendulum])
     assert linear.mass == Matrix([[M + m, -M * L / 2], [-M * L / 2, M * L**2 / 3]])
     assert linear.stiffness == Matrix([[2 * k, 0], [0, -M * g * L / 2]])
 
 
 def test_parallelogram_linkage_is_reduced_to_one_coordinate() -> None:
     l1, m1, m2, m3, g = (getattr(four_bar, name) for name in ("l1", "m1", "m2", "m3", "g"))
-    linear = linearise(derived(four_bar, "lagrange"), *POINTS[four_bar])
+    linear = linearize(derived(four_bar, "lagrange"), *POINTS[four_bar])
     (q3,) = linear.coordinates
     assert q3.name == "q3"
     assert linear.reach == Matrix([1, 0, 1])
@@ -87,23 +87,23 @@ def test_tilted_equilibrium_under_a_constant_force() -> None:
     # f (R + R/2 cos theta) + M g R/2 sin theta = 0 at 30 degrees.
     M, R, g = rocker.M, rocker.R, rocker.g
     held = -M * g / (4 + sqrt(3))
-    linear = linearise(derived(rocker, "lagrange"), {"theta": pi / 6}, {"f": held})
+    linear = linearize(derived(rocker, "lagrange"), {"theta": pi / 6}, {"f": held})
     moment = M * g * R / 2 * sqrt(3) / 2 - held * R / 4
     assert prove_equal("K", linear.stiffness[0], -moment).verdict is Verdict.PROVED
 
 
 def test_point_out_of_balance_is_refused_with_the_force_that_is_left() -> None:
     with pytest.raises(InputError, match=r"theta = pi/2 rad, f = 0 is no equilibrium.*M\*R\*g"):
-        linearise(derived(rocker, "lagrange"), {"theta": pi / 2}, {"f": 0})
+        linearize(derived(rocker, "lagrange"), {"theta": pi / 2}, {"f": 0})
     with pytest.raises(
         InputError, match=r"x1 = 1 m, x2 = 0 m is no equilibrium.*x1 at rest is -2\*k N"
     ):
-        linearise(derived(two_mass_chain, "lagrange"), {"x1": 1, "x2": 0})
+        linearize(derived(two_mass_chain, "lagrange"), {"x1": 1, "x2": 0})
 
 
 def test_broken_constraint_is_refused() -> None:
     with pytest.raises(InputError, match=r"closure along x is .* at the operating point"):
-        linearise(derived(four_bar, "lagrange"), {"q1": 0, "q2": 0, "q3": 0}, {"tau": 0})
+        linearize(derived(four_bar, "lagrange"), {"q1": 0, "q2": 0, "q3": 0}, {"tau": 0})
 
 
 @pytest.mark.parametrize(
@@ -117,13 +117,13 @@ def test_broken_constraint_is_refused() -> None:
 )
 def test_incomplete_operating_point_is_refused(at: dict, inputs: dict, message: str) -> None:
     with pytest.raises(InputError, match=message):
-        linearise(derived(rocker, "lagrange"), at, inputs)
+        linearize(derived(rocker, "lagrange"), at, inputs)
 
 
 def test_operating_point_by_symbols_and_by_names_is_the_same() -> None:
     equations = derived(rocker, "lagrange")
-    by_name = linearise(equations, {"theta": 0}, {"f": 0})
-    dynamic = linearise(equations, {rocker.theta: 0}, {rocker.f: 0})
-    plain = linearise(equations, {Symbol("theta", real=True): 0}, {Symbol("f", real=True): 0})
+    by_name = linearize(equations, {"theta": 0}, {"f": 0})
+    dynamic = linearize(equations, {rocker.theta: 0}, {rocker.f: 0})
+    plain = linearize(equations, {Symbol("theta", real=True): 0}, {Symbol("f", real=True): 0})
     assert by_name.stiffness == dynamic.stiffness == plain.stiffness
     assert by_name.point == dynamic.point == plain.point

@@ -1,4 +1,4 @@
-"""Linearisation about an operating point that is first proved to be an equilibrium.
+"""Linearization about an operating point that is first proved to be an equilibrium.
 
     M u' = f + B lambda,  A u' = b,  q' = N u         at rest: u = u' = 0,  f + B lambda_0 = 0
 
@@ -53,13 +53,13 @@ class Rest:
         )
 
 
-def linearise(
+def linearize(
     equations: Equations,
     at: Values,
     inputs: Values | None = None,
     parameters: Mapping[Symbol, Expr] | None = None,
 ) -> Linear:
-    """Linearise equations of motion about an equilibrium.
+    """Linearize equations of motion about an equilibrium.
 
     Parameters
     ----------
@@ -84,7 +84,7 @@ def linearise(
     ExpressionError
         If it cannot be told whether the point is an equilibrium.
     """
-    wanted(equations, Equations, "linearise", "pass derive(scene, route)")
+    wanted(equations, Equations, "linearize", "pass derive(scene, route)")
     scene = equations.scene
     rest = _rest(scene, at, inputs or {}, parameters or {})
     _placed(scene, rest)
@@ -209,7 +209,7 @@ def _derived(equations: Equations, rest: Rest) -> Slopes:
     for friction in mechanism.frictions:
         raise InputError(
             f"{scene.name}: load {friction.name} has no slope at the operating point: nothing"
-            " is linear there; linearise a scene without this friction"
+            " is linear there; linearize a scene without this friction"
         )
     build, rows = mechanism.builder, route.values
     orders = [
@@ -307,7 +307,7 @@ def _smooth(equations: Equations, rest: Rest) -> None:
             if is_zero(rest.of(kink.args[0])) is not False:
                 raise InputError(
                     f"{equations.scene.name}: {kink} has no slope at the operating point: nothing"
-                    " is linear there; linearise a scene without the friction that it comes from"
+                    " is linear there; linearize a scene without the friction that it comes from"
                 )
 
 

@@ -1,4 +1,4 @@
-"""The linearised model as equations of motion, in the coordinates of the scene.
+"""The linearized model as equations of motion, in the coordinates of the scene.
 
     M x'' = -C x' - K x + E_0 w,    x = q - q_0
 
@@ -15,7 +15,7 @@ from sympy import Expr, Integer, Matrix, Symbol, cos, pi, sin, sympify
 
 from mechanics.equations import Equations, Matrices
 from mechanics.errors import ExpressionError, InputError, SingularError
-from mechanics.linear import Linear, linearise, numeric_poles
+from mechanics.linear import Linear, linearize, numeric_poles
 from mechanics.scene import Scene
 from mechanics.simulate.consistent import Suggestion
 
@@ -85,7 +85,7 @@ def equilibria(
     places = (place for place in _places(equations, near) if _inside(equations.scene, place))
     for place in sorted(places, key=lambda p: _distance(p, near)):
         try:
-            linear = linearise(equations, place, dict.fromkeys(_inputs(equations), Integer(0)))
+            linear = linearize(equations, place, dict.fromkeys(_inputs(equations), Integer(0)))
             at = Equilibrium(linear, _growth(linear, parameters), _distance(place, near))
         except (InputError, ExpressionError, SingularError) as error:
             why = str(error)
@@ -102,7 +102,7 @@ def equilibria(
     return tuple(found)
 
 
-def linearised(
+def linearized(
     equations: Equations,
     parameters: Mapping[str, float],
     suggested: tuple[Suggestion, Suggestion],
@@ -131,7 +131,7 @@ def as_equations(linear: Linear) -> Equations:
     matrices = Matrices(
         linear.mass, forcing, Matrix.zeros(rows, 0), Matrix.zeros(0, n), Matrix.zeros(0, 1)
     )
-    route = f"{linear.route}, linearised"
+    route = f"{linear.route}, linearized"
     return Equations(scene, route, (), linear.conjugate, textbook=matrices)
 
 
