@@ -347,7 +347,7 @@ def _generator(order: int, p: int, draws: Draws) -> tuple[int, int]:
 def _principal(point: tuple[int, int], order: int, p: int) -> tuple[int, int]:
     """The first power of it that agrees with the principal roots.
 
-    2 cos(pi/4) = sqrt 2,  2 cos(pi/6) = sqrt 3,  4 cos(pi/5) - 1 = sqrt 5,
+    sin(pi/2) = 1,  2 cos(pi/4) = sqrt 2,  2 cos(pi/6) = sqrt 3,  4 cos(pi/5) - 1 = sqrt 5,
     8 sin(pi/7) sin(2 pi/7) sin(3 pi/7) = sqrt 7.
     """
     half = (p - 1) // 2
@@ -362,6 +362,6 @@ def _principal(point: tuple[int, int], order: int, p: int) -> tuple[int, int]:
             4 * _power(here, order // 10, p)[0] - 1,
             8 * sines[0] * sines[1] * sines[2],
         )
-        if all(pow(root, half, p) == 1 for root in roots):
+        if _power(here, order // 4, p)[1] == 1 and all(pow(root, half, p) == 1 for root in roots):
             return here
     raise AssertionError(f"order {order}: no point agrees with the roots")  # Galois theory

@@ -3,6 +3,7 @@
 from collections.abc import Callable
 from fractions import Fraction
 from itertools import combinations, islice
+from typing import Any
 
 import mpmath
 import pytest
@@ -269,6 +270,30 @@ def test_a_far_limit_is_passed_on_the_side_that_is_admissible(known: Range, side
     assert finding.verdict is Verdict.REFUTED
     assert finding.witness is not None
     assert side * Fraction(dict(finding.witness.state)["x"]) > 5 * 10**6
+
+
+PRODUCTS = (
+    (4, (Fraction(1, 10), "sin"), (Fraction(1, 5), "cos")),
+    (8, (Fraction(1, 14), "sin"), (Fraction(1, 7), "cos"), (Fraction(2, 7), "cos")),
+    (8, (Fraction(1, 18), "sin"), (Fraction(5, 18), "sin"), (Fraction(7, 18), "sin")),
+)
+"""Products of sines and cosines that are one: Morrie's law and its kin."""
+
+
+@pytest.mark.parametrize("n", range(4))
+@pytest.mark.parametrize("product", PRODUCTS, ids=lambda product: str(product[1][0].denominator))
+def test_products_of_sines_are_one_and_not_minus_one(product: Any, n: int) -> None:
+    """Another `n` draws another point of the field, in half of which sin(pi/2) was -1 once."""
+    b = Builder()
+    factor, *turns = product
+    value = (b.input("x") + n) * factor
+    for turn, name in turns:
+        value = value * getattr(b.pi * turn, name)()
+    sides = {"left": [value], "right": [b.input("x") + n]}
+    shown = (Verdict.PROVED, Verdict.CERTIFIED)
+    assert decide(Statement("one", b.program(sides))).verdict in shown
+    minus = sides | {"right": [-b.input("x") - n]}
+    assert decide(Statement("minus one", b.program(minus))).verdict is Verdict.REFUTED
 
 
 def test_typical_values_lead_to_states_that_meet_the_conditions() -> None:

@@ -536,7 +536,8 @@ def test_multiples_of_pi_have_their_order_and_go_with_the_roots(n: int, modulus:
 
 @pytest.mark.parametrize("seed", range(8))
 def test_multiples_of_pi_go_with_all_roots_at_any_prime(seed: int) -> None:
-    turns = [Fraction(*turn) for turn in ((1, 4), (1, 6), (1, 5), (1, 7), (2, 7), (3, 7))]
+    pairs = (1, 2), (1, 4), (1, 6), (1, 5), (1, 7), (2, 7), (3, 7), (1, 10), (1, 14)
+    turns = [Fraction(*turn) for turn in pairs]
     p = prime(127, seed=str(seed))
     f = Residues(p, MODULUS, Draws(str(seed)), turns)
     root = {n: f.operations["sqrt"](f.constant(Fraction(n))) for n in (2, 3, 5, 7)}
@@ -549,6 +550,11 @@ def test_multiples_of_pi_go_with_all_roots_at_any_prime(seed: int) -> None:
     assert (4 * at("cos", 1, 5) - 1 - root[5]) % p == 0
     sines = at("sin", 1, 7) * at("sin", 2, 7) * at("sin", 3, 7)
     assert (8 * sines - root[7]) % p == 0
+    # The sine of an angle is the cosine of what is missing to a quarter turn.
+    assert at("sin", 1, 2) == 1
+    assert (2 * at("sin", 1, 6) - 1) % p == 0
+    assert (4 * at("sin", 1, 10) * at("cos", 1, 5) - 1) % p == 0
+    assert (8 * at("sin", 1, 14) * at("cos", 1, 7) * at("cos", 2, 7) - 1) % p == 0
 
 
 def test_roots_are_squares_and_radicands_that_are_none_ask_for_another_point() -> None:
