@@ -99,7 +99,7 @@ DECISIONS = (
     ),
     *faults_in(
         "mechanics.kernel.ring",
-        ("sin**2 + cos**2 - 1)", "sin**2 - cos**2 + 1)", "s^2 = c^2 - 1 in the normal form"),
+        ("2, 1 - cos**2)", "2, cos**2 - 1)", "s^2 = c^2 - 1 in the normal form"),
     ),
     *faults_in(
         "mechanics.kernel.balls",

@@ -78,7 +78,7 @@ def _without(
         by_power.setdefault(int(exponents[place]), {})[rest] = value
     total = ring.constant(0)
     for power, part in by_power.items():
-        total += ring.product(ring.from_terms(part), powers[highest - power])
+        total += ring.product(polynomial.context().from_dict(part), powers[highest - power])
     return ring.reduced(total)
 
 
@@ -92,7 +92,7 @@ def _primitive(work: Reader, polynomial: fmpq_mpoly, moving: set[Symbol]) -> fmp
         split.setdefault(tuple(int(exponents[p]) for p in places), {})[rest] = value
     common = ring.constant(0 if len(split) > 1 else 1)
     for part in split.values():
-        common = common.gcd(ring.from_terms(part))
+        common = common.gcd(polynomial.context().from_dict(part))
         if common.is_constant():
             return polynomial
     return polynomial if len(common) <= 1 else polynomial / common

@@ -21,14 +21,13 @@ from mechanics.compiled.quantities import angles
 from mechanics.equations import Equations
 from mechanics.kernel import Statement
 from mechanics.kernel.balls import Balls, precision
-from mechanics.kernel.independence import generic_rank
 from mechanics.kernel.normal import proves
 from mechanics.program import Builder, Node, Program, interpret
 from mechanics.program.interpret import include
 from mechanics.program.operations import ADD, NEGATE, SUBTRACT
 from mechanics.program.sympy_reader import read
 from mechanics.routes.rows import acceleration_forms, coefficients, remainder
-from mechanics.symbolic import canonical
+from mechanics.symbolic import Arithmetic, canonical
 
 BITS = 192
 LAST_BITS = 192 * 2**6
@@ -165,10 +164,9 @@ class Truth:
         )
 
     def _singular(self, values: Sequence[float]) -> bool:
-        builder, n = Builder(), self.size
-        rows = self._exactly(builder, values)
-        left = builder.program({"left": [entry for row in rows for entry in row[:n]]})
-        return generic_rank(left, "left", n, {}) < n
+        field, n = Arithmetic(), self.size
+        rows = self._exactly(field.builder, values)
+        return field.rank([row[:n] for row in rows]) < n
 
 
 def truth(equations: Equations, symbols: Sequence[sympy.Symbol]) -> Truth:

@@ -40,8 +40,6 @@ polynomials of hundreds of terms, and a point for each of them would fill the pr
 _CIRCULAR = frozenset({op.SIN, op.COS, op.TAN})
 _EXPONENTIAL = frozenset({op.EXP, op.SINH, op.COSH, op.TANH})
 _INVERSE = frozenset({op.ASIN, op.ACOS, op.ATAN, op.ATAN2})
-_WRITTEN = _INVERSE | {op.PI}
-"""Angles whose sines are written by others."""
 
 _CONDITIONS = frozenset({op.SELECT, op.NOT, op.AND, op.OR})
 _TRUTH = frozenset(row.code for row in op.OPERATIONS if row.boolean)
@@ -188,12 +186,11 @@ def node_of(builder: Builder, form: Form) -> Node:
 def base_angles(program: Program, most: int = MOST_TERMS) -> Program:
     """The same program, with sines, cosines and exponentials of base angles only.
 
-    A program that has no others is returned as it is. Arguments of more than `most` terms stay
-    whole.
+    A program that has no others comes out equal. Arguments of more than `most` terms stay whole.
     """
     forms = Forms(program, most=most)
     common = {"angle": 1, "exponent": 1}
-    plain = has_truths(program)
+    plain = _CONDITIONS.isdisjoint(program.operations)
     for number, code in enumerate(program.operations):
         if code not in _CIRCULAR and code not in _EXPONENTIAL:
             continue
@@ -201,14 +198,12 @@ def base_angles(program: Program, most: int = MOST_TERMS) -> Program:
         plain = plain and code in (op.SIN, op.COS, op.EXP)
         if program.operations[operand] == op.INPUT:
             continue
+        plain = False
         kind = "angle" if code in _CIRCULAR else "exponent"
         form = forms.of(operand)
         for monomial, factor in form.items():
             if kind == "exponent" or not _is_pi(program, monomial):
                 common[kind] = lcm(common[kind], factor.denominator)
-        plain = plain and form == _whole(operand) and not (
-            code in _CIRCULAR and program.operations[operand] in _WRITTEN
-        )  # fmt: skip
     if plain:
         return program
     builder = Builder()
@@ -232,16 +227,6 @@ def is_truth(nodes: Program | Builder, number: int) -> bool:
     if code == op.CONSTANT:
         return nodes.constants[nodes.operands[0][number]] in (0, 1)
     return code in _TRUTH
-
-
-def has_truths(program: Program) -> bool:
-    """Whether all that stands for a condition is 0 or 1."""
-    for number, code in enumerate(program.operations):
-        if code in _CONDITIONS:
-            places = (0,) if code in (op.SELECT, op.NOT) else (0, 1)
-            if not all(is_truth(program, program.operands[k][number]) for k in places):
-                return False
-    return True
 
 
 def _is_pi(nodes: Program | Builder, monomial: Monomial) -> bool:
@@ -272,7 +257,6 @@ class _Rewriting:
         self._builder, self._forms = builder, Forms(builder, most=most)
         self._angle, self._exponent = angle, exponent
         self._points: dict[tuple[tuple[Monomial, Fraction], ...], Point] = {}
-        self._multiples: dict[tuple[Node, int], Point] = {}
 
     def _point(self, x: Node) -> Point:
         """Cosine and sine of a node, by equation (1)."""
@@ -321,13 +305,9 @@ class _Rewriting:
             return c, -s
         if times == 1:
             return self._of_base(base)
-        if (base, times) not in self._multiples:
-            half = self._multiple(base, times // 2)
-            whole = self._rotated(half, half)
-            self._multiples[base, times] = (
-                self._rotated(whole, self._of_base(base)) if times % 2 else whole
-            )
-        return self._multiples[base, times]
+        half = self._multiple(base, times // 2)
+        whole = self._rotated(half, half)
+        return self._rotated(whole, self._of_base(base)) if times % 2 else whole
 
     def _of_base(self, base: Node) -> Point:
         """Point of a base angle; in roots where it is an inverse function."""

@@ -55,11 +55,8 @@ def _equal(x: arb, y: arb) -> arb:
     return _truth(bool(difference.is_zero()), not difference.contains(0))
 
 
-def _either(x: arb, y: arb) -> arb:
-    if x.is_nan() or y.is_nan():
-        one = y if x.is_nan() else x
-        return arb(1) if one.is_finite() and not one.contains(0) else arb.nan()
-    return _truth(not (x.contains(0) and y.contains(0)), bool(x.is_zero() and y.is_zero()))
+def _not(x: arb) -> arb:
+    return _truth(bool(x.is_zero()), x.is_finite() and not x.contains(0))
 
 
 def _both(x: arb, y: arb) -> arb:
@@ -107,8 +104,8 @@ class Balls:
         **{name: _of_finite(getattr(arb, name)) for name in ARB_FUNCTIONS},
         "less": lambda x, y: _truth(x < y, x >= y),
         "not_greater": lambda x, y: _truth(x <= y, x > y),
-        "equal": _equal, "and": _both, "or": _either,
-        "not": lambda x: _truth(bool(x.is_zero()), x.is_finite() and not x.contains(0)),
+        "equal": _equal, "and": _both, "not": _not,
+        "or": lambda x, y: _not(_both(_not(x), _not(y))),
         "select": _select,
     }  # fmt: skip
 

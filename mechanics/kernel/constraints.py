@@ -24,8 +24,8 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
-from fractions import Fraction
 from functools import partial
+from math import comb
 
 from mechanics.kernel.angles import Form, Forms, Monomial, accumulate, base_angles, node_of
 from mechanics.kernel.balls import enclose
@@ -35,7 +35,7 @@ from mechanics.kernel.squares import square_root
 from mechanics.kernel.statement import POSITIVE, RATES, ZERO, Range, Statement
 from mechanics.program import Builder, Node
 from mechanics.program.interpret import include
-from mechanics.program.operations import ADD, ATAN2, DIVIDE, MULTIPLY, NEGATE, SUBTRACT
+from mechanics.program.operations import ATAN2, OPERATIONS
 from mechanics.program.program import operands_of, reachable
 
 MOST_STEPS = 256
@@ -146,58 +146,55 @@ class _Solver:
     forms: Forms
     branch: str
 
-    def split(self, node: Node, atoms: Sequence[Node], name: str) -> dict[Monomial, Node] | None:
-        """Coefficients by powers of the atoms, or None where the rest holds the input too."""
+    def split(
+        self, node: Node, atoms: Sequence[Node], name: str, *keys: Monomial
+    ) -> list[Node] | None:
+        """Coefficients of these powers of the atoms and the rest, none of which holds the input.
+
+        None where there are others, or none of these.
+        """
         powers = self.powers(self.forms.of(node.number), atoms)
-        coefficients: dict[Monomial, Node] = {}
-        for key, form in powers.items():
+        if not powers.keys() <= {*keys, ()} or powers.keys().isdisjoint(keys):
+            return None
+        for form in powers.values():
             if any(self.depends(number, name) for monomial in form for number, _ in monomial):
                 return None
-            coefficients[key] = node_of(self.builder, form)
-        return coefficients
+        return [node_of(self.builder, powers.get(key, {})) for key in (*keys, ())]
 
-    def line(self, node: Node, name: str) -> dict[Monomial, Node] | None:
-        """The same for a node that is too large to be expanded: a p + d, operation by operation."""
+    def line(self, node: Node, name: str) -> list[Node] | None:
+        """The same for a node that is too large to be expanded: a p + d, by its derivative."""
         builder = self.builder
-        p, lines = builder.input(name).number, dict[int, tuple[Node, Node]]()
+        slopes = {builder.input(name).number: builder.one}
         for number in reachable(builder, [node.number]):
-            code, operands = builder.operations[number], operands_of(builder, number)
-            bent = [k for k in operands if not lines[k][0].is_zero]
-            if number == p:
-                lines[number] = builder.one, builder.zero
-            elif not bent:
-                lines[number] = builder.zero, Node(builder, number)
-            elif (
-                code not in _EXPANDED
-                or (code == MULTIPLY and len(bent) > 1)
-                or (code == DIVIDE and bent != [operands[0]])
-            ):
+            below = operands_of(builder, number)
+            partials = OPERATIONS[builder.operations[number]].partials
+            if all(slopes[k].is_zero for k in below):
+                slopes.setdefault(number, builder.zero)
+            elif partials is None:
                 return None
             else:
-                lines[number] = _line(code, *(lines[k] for k in operands))
-        slope, rest = lines[node.number]
-        return {(): rest, _FIRST: slope}
+                nodes = [Node(builder, k) for k in (*below, number)]
+                parts = (slopes[k] * part for k, part in zip(below, partials(*nodes), strict=True))
+                slopes[number] = sum(parts, builder.zero)
+        slope = slopes[node.number]
+        if self.depends(slope.number, name):
+            return None
+        (rest,) = include(builder, builder.program({"x": [node]}), {name: builder.zero})["x"]
+        return [slope, rest]
 
     def powers(self, form: Form, atoms: Sequence[Node]) -> dict[Monomial, Form]:
         """A form sorted by powers of atoms; of cosine and sine, the sine at most once."""
         places = {atom.number: k for k, atom in enumerate(atoms)}
         found: dict[Monomial, Form] = {}
-
-        def put(key: Monomial, rest: Monomial, factor: Fraction) -> None:
-            powers = dict(key)
-            if len(atoms) == 2 and powers.get(1, 0) >= 2:
-                # sin^2 = 1 - cos^2
-                powers[1] -= 2
-                lower = tuple(sorted((k, p) for k, p in powers.items() if p))
-                powers[0] = powers.get(0, 0) + 2
-                put(lower, rest, factor)
-                put(tuple(sorted((k, p) for k, p in powers.items() if p)), rest, -factor)
-                return
-            accumulate(found.setdefault(key, {}), rest, factor)
-
         for monomial, factor in form.items():
-            key = tuple(sorted((places[n], power) for n, power in monomial if n in places))
-            put(key, tuple(pair for pair in monomial if pair[0] not in places), factor)
+            powers = {places[n]: power for n, power in monomial if n in places}
+            rest = tuple(pair for pair in monomial if pair[0] not in places)
+            first, second = powers.get(0, 0), powers.get(1, 0)
+            # sin^2 = 1 - cos^2
+            squares = max(second, 0) // 2
+            for j in range(squares + 1):
+                key = tuple((k, p) for k, p in ((0, first + 2 * j), (1, second - 2 * squares)) if p)
+                accumulate(found.setdefault(key, {}), rest, factor * comb(squares, j) * (-1) ** j)
         return {key: part for key, part in found.items() if part}
 
     def depends(self, number: int, name: str) -> bool:
@@ -254,28 +251,10 @@ class _Solver:
         found = self.at_start(apart)
         return None if found is None else abs(found)
 
-    def angle(self, name: str) -> tuple[Node, Node]:
-        """Cosine and sine of an input."""
-        angle = self.builder.input(name)
-        return angle.cos(), angle.sin()
 
-
-_EXPANDED = frozenset({ADD, SUBTRACT, NEGATE, MULTIPLY, DIVIDE})
 _FIRST: Monomial = ((0, 1),)
 _SECOND: Monomial = ((1, 1),)
 _SQUARE: Monomial = ((0, 2),)
-
-
-def _line(code: int, one: tuple[Node, Node], *other: tuple[Node, Node]) -> tuple[Node, Node]:
-    """Slope and rest of a result, by those of its operands."""
-    (a, d), (b, e) = one, other[0] if other else one
-    if code == NEGATE:
-        return -a, -d
-    if code == ADD:
-        return a + b, d + e
-    if code == SUBTRACT:
-        return a - b, d - e
-    return (a / e, d / e) if code == DIVIDE else (a * e + d * b, d * e)
 
 
 def _others(held: Sequence[Node], *used: Node) -> tuple[Node, ...]:
@@ -285,25 +264,20 @@ def _others(held: Sequence[Node], *used: Node) -> tuple[Node, ...]:
 def _linear(solver: _Solver, name: str, held: Sequence[Node]) -> Replacement | None:
     """Equation (1)."""
     for node in held:
-        split = solver.split(node, [solver.builder.input(name)], name)
-        if split is None:
-            split = solver.line(node, name)
-        if split is None or not split.keys() <= {(), _FIRST} or _FIRST not in split:
-            continue
-        if not solver.vanishes(split[_FIRST]):
-            value = -split.get((), solver.builder.zero) / split[_FIRST]
-            return Replacement(name, value, _others(held, node))
+        line = solver.split(node, [solver.builder.input(name)], name, _FIRST)
+        line = line or solver.line(node, name)
+        if line is not None and not solver.vanishes(line[0]):
+            return Replacement(name, -line[1] / line[0], _others(held, node))
     return None
 
 
 def _quadratic(solver: _Solver, name: str, held: Sequence[Node]) -> Replacement | None:
     """Equation (2)."""
     for node in held:
-        split = solver.split(node, [solver.builder.input(name)], name)
-        if split is None or not split.keys() <= {(), _FIRST, _SQUARE} or _SQUARE not in split:
+        parts = solver.split(node, [solver.builder.input(name)], name, _SQUARE, _FIRST)
+        if parts is None:
             continue
-        zero = solver.builder.zero
-        a, b, d = split[_SQUARE], split.get(_FIRST, zero), split.get((), zero)
+        a, b, d = parts
         if not solver.vanishes(a):
             radicand = b * b - 4 * a * d
             if solver.statement.range_of(name) is Range.POSITIVE and b.is_zero:
@@ -322,13 +296,10 @@ def _of_quadratic(a: Node, b: Node, root: Node) -> Node:
     return (root - b) / (2 * a)
 
 
-def _angle_parts(solver: _Solver, name: str, node: Node) -> tuple[Node, Node, Node] | None:
+def _angle_parts(solver: _Solver, name: str, node: Node) -> list[Node] | None:
     """(a, b, d) of a cos t + b sin t + d."""
-    split = solver.split(node, solver.angle(name), name)
-    if split is None or not split.keys() <= {(), _FIRST, _SECOND} or len(split.keys() - {()}) == 0:
-        return None
-    zero = solver.builder.zero
-    return split.get(_FIRST, zero), split.get(_SECOND, zero), split.get((), zero)
+    angle = solver.builder.input(name)
+    return solver.split(node, [angle.cos(), angle.sin()], name, _FIRST, _SECOND)
 
 
 def _of_one_angle(solver: _Solver, name: str, held: Sequence[Node]) -> Replacement | None:
@@ -373,9 +344,9 @@ def _two_circles(solver: _Solver, name: str, held: Sequence[Node]) -> Replacemen
     point = solver.builder.input(name)
     squares = []
     for node in held:
-        split = solver.split(node, [point], name)
-        if split is not None and _SQUARE in split and split.keys() <= {(), _FIRST, _SQUARE}:
-            squares.append((node, split[_SQUARE]))
+        parts = solver.split(node, [point], name, _SQUARE, _FIRST)
+        if parts is not None and not parts[0].is_zero:
+            squares.append((node, parts[0]))
     for place, (one, a) in enumerate(squares):
         for two, b in squares[:place]:
             axis = one * b - two * a

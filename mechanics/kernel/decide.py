@@ -70,14 +70,17 @@ def _decided(statement: Statement, try_normal: bool) -> Finding:
     subject, outputs = statement.subject, statement.program.outputs
     if outputs[LEFT] == outputs[RIGHT]:
         return Finding(subject, Verdict.PROVED, SAME)
-    if outputs.get(ZERO) or outputs.get(RATES):
-        return _decided_on_constraints(statement, try_normal)
+    # First at unconstrained points, on every component at once.
+    constrained = outputs.get(ZERO) or outputs.get(RATES)
+    where = ", also where the constraints do not hold" if constrained else ""
     is_proved = cache(lambda: try_normal and proves(statement))
     outcome = trial(statement, is_proved)
     if outcome.answer is Answer.PROVED:
-        return Finding(subject, Verdict.PROVED, PROOF)
+        return Finding(subject, Verdict.PROVED, PROOF + where)
     if outcome.answer is Answer.ZERO and not outcome.off_boundaries:
-        return _certified(subject, outcome)
+        return _certified(subject, outcome, where)
+    if constrained:
+        return _decided_on_constraints(statement, try_normal)
     # Where cases meet, sides may differ that are equal everywhere else.
     find = find_boundary_witness if outcome.answer is Answer.ZERO else find_witness
     witness = find(statement)
@@ -93,14 +96,7 @@ def _decided(statement: Statement, try_normal: bool) -> Finding:
 
 
 def _decided_on_constraints(statement: Statement, try_normal: bool) -> Finding:
-    """First at unconstrained points, on every component at once; then on the constraints."""
-    outcome = trial(statement, lambda: try_normal and proves(statement))
-    where = "also where the constraints do not hold"
-    if outcome.answer is Answer.PROVED:
-        return Finding(statement.subject, Verdict.PROVED, f"{PROOF}, {where}")
-    everywhere = outcome.answer is Answer.ZERO and not outcome.off_boundaries
-    if everywhere:
-        return _certified(statement.subject, replace(outcome, words=f"{outcome.words}, {where}"))
+    """On the component of the start."""
     constrained = on_constraints(statement)
     if constrained is None:
         words = "not equal off the constraints, and no exact point on them is known"
@@ -116,9 +112,9 @@ def _decided_on_constraints(statement: Statement, try_normal: bool) -> Finding:
     return replace(finding, evidence=f"{words} (at the start {here})" if here else words)
 
 
-def _certified(subject: str, outcome: Trial) -> Finding:
+def _certified(subject: str, outcome: Trial, where: str = "") -> Finding:
     exponent = min(outcome.log2_bound, 0.0)
-    words = f"{outcome.words}; chance of error below 2^{ceil(exponent)}"
+    words = f"{outcome.words}{where}; chance of error below 2^{ceil(exponent)}"
     return Finding(subject, Verdict.CERTIFIED, words, error_bound=2.0 ** max(exponent, -1000.0))
 
 

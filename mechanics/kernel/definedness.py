@@ -315,7 +315,7 @@ class _Trial:
     ) -> None:
         self.builder, self.forms, self.space = builder, forms, space
         self.left = left
-        self.text = builder.program({"left": self._nodes(o.node for o in left)}).text
+        self.text = builder.program({"left": self._nodes(o.node for o in left)}).digest
         outputs: dict[str, Sequence[int]] = {
             "left": [o.node for o in left],
             "region": space.region,
@@ -346,7 +346,8 @@ class _Trial:
         at_rest = zip(self.space.references, places, strict=True)
         outside = next((state for state, place in at_rest if place == -1), outside)
         if sign is not op.Sign.NONZERO and outside is not None:
-            interior = self._interior(obligation, signs) if inside is None else True
+            # States may be left where it is met, unless its sign is known.
+            interior = inside is not None or signs & POSITIVE or obligation.conditions
             kind = Kind.OPEN if interior else Kind.NOWHERE
             return Gap(obligation, kind, -1 in places, tuple(outside.items()), region, always)
         if sign is op.Sign.NONNEGATIVE or (sign is op.Sign.POSITIVE and signs & NEGATIVE):
@@ -363,10 +364,6 @@ class _Trial:
         return Gap(
             obligation, Kind.OPEN, any(wide is r for r in rests), tuple(wide.items()), region
         )
-
-    def _interior(self, obligation: Obligation, signs: int) -> bool:
-        """Whether states may be left where it is met: none where its sign is known."""
-        return bool(signs & POSITIVE) or bool(obligation.conditions)
 
     def _is_thin(self, obligation: Obligation, vanishes: bool, inside: State | None) -> bool:
         """Whether what must not be 0 is so on a thin set, or stands in a branch of one."""
@@ -385,7 +382,7 @@ class _Trial:
             return True
         drawn = list(
             candidates(
-                program.text, self._names(program.inputs), self.space.positive.__contains__,
+                program.digest, self._names(program.inputs), self.space.positive.__contains__,
                 self._base(), (),
             )
         )  # fmt: skip

@@ -21,10 +21,10 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
-from math import gcd, isqrt
+from math import gcd, isqrt, prod
 from operator import add, neg, sub
 
-from flint import fmpz, fmpz_mod_ctx, fmpz_mod_mat
+from flint import fmpz, fmpz_mod_ctx, fmpz_mod_mat, fmpz_mod_poly_ctx, fq_default, fq_default_ctx
 
 from mechanics.errors import MechanicsError
 from mechanics.kernel.draws import Draws
@@ -181,7 +181,7 @@ class Residues:
         root = _principal(_generator(modulus, p, self._draws), modulus, p)
         for r in exact:
             residue = r.numerator * pow(r.denominator, -1, p) * self._pi % p
-            c, s = _power(root, int(r * modulus / 2), p)
+            c, s = _coordinates(root ** int(r * modulus / 2))
             self._points[residue], self._points[p - residue] = (c, s), (c, -s % p)
 
     # ------------------------------------------------------------------ roots
@@ -193,12 +193,15 @@ class Residues:
         """The k-th root for k = 2, 3, 5 or 7; equal radicands have one root."""
         if x in (0, 1):
             return x
-        if (k, x) not in self._roots:
-            ratio = self._ratios.get(x) if k == 2 else None
-            self._roots[k, x] = self._joined(x, k) if ratio is None else self._surd(ratio)
-        return self._roots[k, x]
+        ratio = self._ratios.get(x) if k == 2 else None
+        return self._joined(x, k) if ratio is None else self._surd(ratio)
 
     def _joined(self, x: int, k: int) -> int:
+        if (k, x) not in self._roots:
+            self._roots[k, x] = self._new_root(x, k)
+        return self._roots[k, x]
+
+    def _new_root(self, x: int, k: int) -> int:
         p, half = self.prime, (self.prime - 1) // 2
         square = self._is_square(x)
         if k == 2:
@@ -226,12 +229,7 @@ class Residues:
         whole = isqrt(rest)
         if whole * whole == rest:
             return result * whole % p
-        return result * self._root_of_rest(rest % p) % p
-
-    def _root_of_rest(self, rest: int) -> int:
-        if (2, rest) not in self._roots:
-            self._roots[2, rest] = self._joined(rest, 2)
-        return self._roots[2, rest]
+        return result * self._joined(rest % p, 2) % p
 
     def _power(self, x: int, y: int) -> int:
         p = self.prime
@@ -320,31 +318,24 @@ class Residues:
 # ---------------------------------------------------------------------- points of finite order
 
 
-def _rotated(one: tuple[int, int], two: tuple[int, int], p: int) -> tuple[int, int]:
-    return (one[0] * two[0] - one[1] * two[1]) % p, (one[1] * two[0] + one[0] * two[1]) % p
+def _coordinates(point: fq_default) -> tuple[int, int]:
+    """c and s of c + i s."""
+    c, s = point.to_list()
+    return int(c), int(s)
 
 
-def _power(point: tuple[int, int], times: int, p: int) -> tuple[int, int]:
-    result = (1, 0)
-    while times:
-        if times & 1:
-            result = _rotated(result, point, p)
-        point, times = _rotated(point, point, p), times >> 1
-    return result
-
-
-def _generator(order: int, p: int, draws: Draws) -> tuple[int, int]:
-    """A point of the circle of exactly that order, which divides p + 1."""
+def _generator(order: int, p: int, draws: Draws) -> fq_default:
+    """c + i s of a point of the circle of exactly that order, which divides p + 1."""
+    plane = fq_default_ctx(modulus=fmpz_mod_poly_ctx(p)([1, 0, 1]))
     primes = [int(q) for q, _ in fmpz(order).factor()]
     while True:
         t = draws.below(p)
-        scale = pow(1 + t * t, -1, p)
-        point = _power(((1 - t * t) * scale % p, 2 * t * scale % p), (p + 1) // order, p)
-        if all(_power(point, order // q, p) != (1, 0) for q in primes):
+        point = (plane([1, t]) / plane([1, -t])) ** ((p + 1) // order)
+        if all(point ** (order // q) != 1 for q in primes):
             return point
 
 
-def _principal(point: tuple[int, int], order: int, p: int) -> tuple[int, int]:
+def _principal(point: fq_default, order: int, p: int) -> fq_default:
     """The first power of it that agrees with the principal roots.
 
     sin(pi/2) = 1,  2 cos(pi/4) = sqrt 2,  2 cos(pi/6) = sqrt 3,  4 cos(pi/5) - 1 = sqrt 5,
@@ -354,14 +345,11 @@ def _principal(point: tuple[int, int], order: int, p: int) -> tuple[int, int]:
     for k in range(1, order):
         if gcd(k, order) > 1:
             continue
-        here = _power(point, k, p)
-        sines = [_power(here, j * order // 14, p)[1] for j in (1, 2, 3)]
-        roots = (
-            2 * _power(here, order // 8, p)[0],
-            2 * _power(here, order // 12, p)[0],
-            4 * _power(here, order // 10, p)[0] - 1,
-            8 * sines[0] * sines[1] * sines[2],
-        )
-        if _power(here, order // 4, p)[1] == 1 and all(pow(root, half, p) == 1 for root in roots):
+        here = point**k
+        cosines = [_coordinates(here ** (order // n))[0] for n in (8, 12, 10)]
+        sines = [_coordinates(here ** (j * order // 14))[1] for j in (1, 2, 3)]
+        roots = 2 * cosines[0], 2 * cosines[1], 4 * cosines[2] - 1, 8 * prod(sines)
+        sine = _coordinates(here ** (order // 4))[1]
+        if sine == 1 and all(pow(root, half, p) == 1 for root in roots):
             return here
     raise AssertionError(f"order {order}: no point agrees with the roots")  # Galois theory

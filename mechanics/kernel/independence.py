@@ -59,35 +59,6 @@ def at_a_point(program: Program, signs: Mapping[str, Range]) -> tuple[int, Value
     raise Inadmissible(f"no admissible point among {MOST_DRAWS} for {program!r}")
 
 
-def independent_rows(program: Program, output: str, columns: int,
-                     signs: Mapping[str, Range]) -> list[int]:  # fmt: skip
-    """Indices of the first maximal set of independent rows, in order.
-
-    Parameters
-    ----------
-    program : Program
-    output : str
-        Name of the output that is the matrix, row by row.
-    columns : int
-    signs : mapping of str to Range
-
-    Raises
-    ------
-    Inadmissible
-        If none of some points is admissible.
-    """
-    prime, outputs = at_a_point(program, signs)
-    entries = outputs[output]
-    rows = [list(entries[i : i + columns]) for i in range(0, len(entries), columns)]
-    return pivot_columns([list(column) for column in zip(*rows, strict=True)], prime)
-
-
-def generic_rank(program: Program, output: str, columns: int,
-                 signs: Mapping[str, Range]) -> int:  # fmt: skip
-    """Rank of a matrix at almost every state."""
-    return len(independent_rows(program, output, columns, signs))
-
-
 def zeros(program: Program, output: str, signs: Mapping[str, Range]) -> tuple[bool, ...]:
     """Which entries of an output are zero at the point."""
     _, outputs = at_a_point(program, signs)

@@ -137,11 +137,8 @@ class Fractions:
         if numerator != 0:
             unit = content(numerator)
             x = Quotient(numerator / fmpq(unit.numerator, unit.denominator), x.powers)
-        place, new = self._ring.place((name, self._key(x)))
-        h = self._ring.gen(place)
-        if new:
-            self._ring.relate(((place, 2),), h**2 - h)
-        return Quotient(h, {})
+        key = (name, self._key(x))
+        return Quotient(self._ring.root(key, 2, self._ring.generator(key)), {})
 
     def _equal(self, x: Quotient, y: Quotient) -> Quotient:
         difference = self.quotients.subtract(x, y)
@@ -224,7 +221,7 @@ def proves(statement: Statement) -> bool:
     if len(program) > MOST_NODES or unknowns > MOST_UNKNOWNS:
         return False
     whole, expanded = base_angles(program, 0), base_angles(program)
-    return _attempt(statement, whole) or (expanded is not whole and _attempt(statement, expanded))
+    return _attempt(statement, whole) or (expanded != whole and _attempt(statement, expanded))
 
 
 def _attempt(statement: Statement, program: Program) -> bool:

@@ -73,9 +73,5 @@ def log2_count(bits: int, modulus: int = MODULUS) -> float:
     From (1): theta(2**b) - theta(2**(b-1)), over the largest logarithm, b log 2.
     """
     upper, lower = bits * math.log(2), (bits - 1) * math.log(2)
-    share = 0.5 / _totient(modulus) - 1 / (160 * upper) - 0.5 / (160 * lower)
+    share = 0.5 / int(fmpz(modulus).euler_phi()) - 1 / (160 * upper) - 0.5 / (160 * lower)
     return bits + math.log2(share / upper)
-
-
-def _totient(number: int) -> int:
-    return int(fmpz(number).euler_phi())

@@ -81,11 +81,7 @@ def _of_rest(a: Quotients, rest: fmpq_mpoly, k: int, positive: bool) -> fmpq_mpo
 
 def _generator(a: Quotients, radicand: fmpq_mpoly, k: int, positive: bool = True) -> fmpq_mpoly:
     """The generator w with w**k = radicand, not negative unless it is said to be free."""
-    place, new = a.ring.place(("root", k, positive, str(radicand)), positive)
-    w = a.ring.gen(place)
-    if new:
-        a.ring.relate(((place, k),), w**k - radicand)
-    return w
+    return a.ring.root(("root", k, positive, str(radicand)), k, radicand, positive)
 
 
 def absolute(a: Quotients, x: Quotient) -> Quotient:
@@ -111,12 +107,10 @@ def _sign(a: Quotients, x: fmpq_mpoly) -> fmpq_mpoly:
     unit = content(x) * side
     x = x / fmpq(unit.numerator, unit.denominator)
     size = _size(a, x)
-    place, new = a.ring.place(("sign", str(x)))
-    g = a.ring.gen(place)
-    if new:
-        a.ring.relate(((place, 3),), g**3 - g)
-        for one, other in ((x, size), (size, x)):
-            a.ring.relate(((place, 1), *leading_powers(one)), g * one - other)
+    key = ("sign", str(x))
+    g = a.ring.root(key, 3, a.ring.generator(key))
+    for one, other in ((x, size), (size, x)):
+        a.ring.relate(((a.ring.place(key), 1), *leading_powers(one)), g * one - other)
     return side * g
 
 
@@ -142,11 +136,7 @@ def _size(a: Quotients, x: fmpq_mpoly) -> fmpq_mpoly:
 
 def _modulus(a: Quotients, x: fmpq_mpoly) -> fmpq_mpoly:
     """The generator w >= 0 with w**2 = x**2."""
-    place, new = a.ring.place(("modulus", str(x)), positive=True)
-    w = a.ring.gen(place)
-    if new:
-        a.ring.relate(((place, 2),), w**2 - a.ring.product(x, x))
-    return w
+    return a.ring.root(("modulus", str(x)), 2, a.ring.product(x, x), positive=True)
 
 
 def _nonnegative(a: Quotients, x: fmpq_mpoly) -> bool:

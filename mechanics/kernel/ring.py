@@ -10,7 +10,7 @@ terms, never in time.
 
 from __future__ import annotations
 
-from collections.abc import Hashable, Mapping
+from collections.abc import Hashable
 from fractions import Fraction
 from math import gcd, lcm
 
@@ -65,7 +65,7 @@ class Ring:
         self._gens = self._context.gens()
         self._places: dict[Hashable, int] = {}
         self.keys: dict[int, Hashable] = {}
-        self._relations: list[tuple[Lead, fmpq_mpoly]] = []
+        self._relations: dict[Lead, fmpq_mpoly] = {}
         self.positive: set[int] = set()
         self._work = 0
 
@@ -74,12 +74,8 @@ class Ring:
         ratio = Fraction(number)
         return self._context.constant(fmpq(ratio.numerator, ratio.denominator))
 
-    def from_terms(self, terms: Mapping[tuple[int, ...], fmpq]) -> fmpq_mpoly:
-        """The polynomial with these coefficients by powers of all generators."""
-        return self._context.from_dict(dict(terms))
-
-    def place(self, key: Hashable, positive: bool = False) -> tuple[int, bool]:
-        """The place of a generator, and whether it is new.
+    def place(self, key: Hashable, positive: bool = False) -> int:
+        """The place of a generator, which is made when it is first asked for.
 
         Raises
         ------
@@ -87,7 +83,7 @@ class Ring:
             If the ring is.
         """
         if key in self._places:
-            return self._places[key], False
+            return self._places[key]
         place = self.capacity - 1 - len(self._places)
         if place < 0:
             raise Full(f"ring of {self.capacity} generators is full")
@@ -95,7 +91,7 @@ class Ring:
         self.keys[place] = key
         if positive:
             self.positive.add(place)
-        return place, True
+        return place
 
     def gen(self, place: int) -> fmpq_mpoly:
         """The generator at a place."""
@@ -103,19 +99,25 @@ class Ring:
 
     def generator(self, key: Hashable, positive: bool = False) -> fmpq_mpoly:
         """The generator of a key."""
-        return self._gens[self.place(key, positive)[0]]
+        return self._gens[self.place(key, positive)]
+
+    def root(
+        self, key: Hashable, degree: int, radicand: fmpq_mpoly, positive: bool = False
+    ) -> fmpq_mpoly:
+        """The generator w of a key, with w**degree = radicand."""
+        place = self.place(key, positive)
+        w = self._gens[place]
+        self.relate(((place, degree),), w**degree - radicand)
+        return w
 
     def circle(self, key: Hashable) -> tuple[fmpq_mpoly, fmpq_mpoly]:
         """Cosine and sine of an angle."""
-        (c, _), (s, new) = self.place(("cos", key)), self.place(("sin", key))
-        cos, sin = self._gens[c], self._gens[s]
-        if new:
-            self.relate(((s, 2),), sin**2 + cos**2 - 1)
-        return cos, sin
+        cos = self.generator(("cos", key))
+        return cos, self.root(("sin", key), 2, 1 - cos**2)
 
     def relate(self, lead: Lead, polynomial: fmpq_mpoly) -> None:
-        """Add ``polynomial = 0``; `lead` must be the power product that leads it."""
-        self._relations.append((lead, polynomial))
+        """Let ``polynomial = 0``; `lead` must be the power product that leads it."""
+        self._relations[lead] = polynomial
 
     def product(self, x: fmpq_mpoly, y: fmpq_mpoly) -> fmpq_mpoly:
         """x y, reduced.
@@ -136,6 +138,12 @@ class Ring:
         for _ in range(exponent):
             result = self.product(result, x)
         return result
+
+    def put(self, x: fmpq_mpoly, place: int, value: fmpq_mpoly) -> fmpq_mpoly:
+        """x with a polynomial in the place of a generator."""
+        values = [*self._gens]
+        values[place] = value
+        return x.compose(*values)
 
     def spend(self, work: int) -> None:
         """Count products of terms.
@@ -161,7 +169,7 @@ class Ring:
         while changed:
             changed = False
             degrees = x.degrees()
-            for lead, polynomial in reversed(self._relations):
+            for lead, polynomial in reversed(self._relations.items()):
                 if all(degrees[place] >= power for place, power in lead):
                     left = x % polynomial
                     self.spend(len(x) + len(left))

@@ -133,21 +133,18 @@ class Forms:
 
     def _atom(self, code: int, key: object, signs: int = ANY) -> Quotient:
         """The unknown for an operation on something."""
-        place, new = self.ring.place((code, key))
-        if new:
-            self.signs[place] = signs
-            if code in (op.TANH, op.SIGN):
-                self.bounded.add(place)
+        place = self.ring.place((code, key))
+        self.signs[place] = signs
+        if code in (op.TANH, op.SIGN):
+            self.bounded.add(place)
         return Quotient(self.ring.gen(place), self.one)
 
     def _square(self, code: int, square: fmpq_mpoly, key: str, signs: int) -> tuple[Quotient, int]:
         """The unknown of a known square, and its place."""
-        place, new = self.ring.place((code, key))
-        w = self.ring.gen(place)
-        if new:
-            self.ring.relate(((place, 2),), w**2 - square)
-            self.squares[place], self.signs[place] = square, signs
-        return Quotient(w, self.one), place
+        atom = Quotient(self.ring.root((code, key), 2, square), self.one)
+        place = self.ring.place((code, key))
+        self.squares[place], self.signs[place] = square, signs
+        return atom, place
 
     def _form(self, number: int) -> Quotient | None:
         builder, (first, second, _) = self.builder, self.builder.operands
@@ -158,7 +155,7 @@ class Forms:
             name = builder.inputs[first[number]]
             return self._atom(op.INPUT, name, POSITIVE if self.positive(name) else ANY)
         if code == op.PI:
-            self.numbers.pi(self.ring.place((op.PI, 0))[0])
+            self.numbers.pi(self.ring.place((op.PI, 0)))
             return self._atom(op.PI, 0, POSITIVE)
         if code in (op.ADD, op.SUBTRACT, op.MULTIPLY, op.DIVIDE):
             return self._arithmetic(code, self.forms[first[number]], self.forms[second[number]])
@@ -251,7 +248,7 @@ class Forms:
             above = -above if turned else above
             key = (str(above), str(inner.below))
         cosine, sine = self.ring.circle(key)
-        (c, _), (s, _) = self.ring.place(("cos", key)), self.ring.place(("sin", key))
+        c, s = self.ring.place(("cos", key)), self.ring.place(("sin", key))
         self.bounded |= {c, s}
         self.squares[s], self.angles[s] = 1 - cosine**2, c
         if inner is not None and above is not None and self.numbers.holds(above * inner.below):
@@ -506,12 +503,8 @@ class Forms:
         inside, place = held
         found = 0
         for case in (inside, -inside):
-            there = self.ring.constant(0)
-            for k, part in self._powers(factor, place).items():
-                there += part * case**k
-            found |= self.sign(
-                self.ring.reduced(there), (*facts, Fact(case, NOT_NEGATIVE)), depth + 1
-            )
+            there = self.ring.reduced(self.ring.put(factor, place, case))
+            found |= self.sign(there, (*facts, Fact(case, NOT_NEGATIVE)), depth + 1)
         return found
 
     def _by_squares(self, p: fmpq_mpoly, facts: Facts, depth: int) -> int:

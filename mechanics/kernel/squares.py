@@ -10,8 +10,9 @@ from __future__ import annotations
 from collections.abc import Collection, Mapping
 from fractions import Fraction
 from functools import reduce
+from operator import mod
 
-from flint import fmpq, fmpq_mpoly, fmpq_mpoly_ctx
+from flint import fmpq, fmpq_mpoly_ctx
 
 from mechanics.kernel.angles import Form, Forms, node_of
 from mechanics.kernel.ring import square_root as polynomial_root
@@ -72,45 +73,32 @@ def _root(builder: Builder, form: Form) -> tuple[Fraction, Form] | None:
         return None
     circles = _circles(builder, unknowns)
     numbers = sorted(unknowns.union(*circles))
-    context = fmpq_mpoly_ctx.get([f"x{k}" for k in range(len(numbers))])
-    unknown = dict(zip(numbers, context.gens(), strict=True))
     # Even powers of what stands below leave no negative powers.
     below = {n: (1 - min(0, *(dict(m).get(n, 0) for m in form))) // 2 for n in numbers}
-    radicand = context.constant(0)
-    for monomial, factor in form.items():
-        powers = dict(monomial)
-        term = context.constant(fmpq(factor.numerator, factor.denominator))
-        for number, x in unknown.items():
-            term *= x ** (powers.get(number, 0) + 2 * below[number])
-        radicand += term
-    places = [(numbers.index(s), numbers.index(c)) for s, c in circles]
-    for polynomial in (
-        radicand,
-        reduce(_without_squares, places, radicand),
-        reduce(_without_squares, [(c, s) for s, c in places], radicand),
-    ):
-        unit = polynomial.leading_coefficient() if polynomial else fmpq(0)
-        root = polynomial_root(polynomial / unit) if unit > 0 else None
-        if root is not None:
-            inner: Form = {}
-            for monomial, value in root.to_dict().items():
-                powers = {n: int(k) - below[n] for n, k in zip(numbers, monomial, strict=True)}
-                key = tuple((n, k) for n, k in powers.items() if k)
-                inner[key] = Fraction(int(value.p), int(value.q))
-            return Fraction(int(unit.p), int(unit.q)), inner
+    for leading in zip(*circles, strict=True) if circles else ((),):
+        # Division replaces squares of what leads: of sines first, then of cosines.
+        numbers.sort(key=lambda n: (n not in leading, n))
+        context = fmpq_mpoly_ctx.get([f"x{k}" for k in range(len(numbers))], "lex")
+        unknown = dict(zip(numbers, context.gens(), strict=True))
+        radicand = context.constant(0)
+        for monomial, factor in form.items():
+            powers = dict(monomial)
+            term = context.constant(fmpq(factor.numerator, factor.denominator))
+            for number, x in unknown.items():
+                term *= x ** (powers.get(number, 0) + 2 * below[number])
+            radicand += term
+        ones = (unknown[s] ** 2 + unknown[c] ** 2 - 1 for s, c in circles)
+        for polynomial in (radicand, reduce(mod, ones, radicand)):
+            unit = polynomial.leading_coefficient() if polynomial else fmpq(0)
+            root = polynomial_root(polynomial / unit) if unit > 0 else None
+            if root is not None:
+                inner: Form = {}
+                for monomial, value in root.to_dict().items():
+                    powers = {n: int(k) - below[n] for n, k in zip(numbers, monomial, strict=True)}
+                    key = tuple((n, k) for n, k in sorted(powers.items()) if k)
+                    inner[key] = Fraction(int(value.p), int(value.q))
+                return Fraction(int(unit.p), int(unit.q)), inner
     return None
-
-
-def _without_squares(polynomial: fmpq_mpoly, places: tuple[int, int]) -> fmpq_mpoly:
-    """With s^2 = 1 - c^2 for the unknowns at two places."""
-    context = polynomial.context()
-    s, c = (context.gen(place) for place in places)
-    found = context.constant(0)
-    for monomial, value in polynomial.to_dict().items():
-        squares, rest = divmod(int(monomial[places[0]]), 2)
-        others = (*monomial[: places[0]], 0, *monomial[places[0] + 1 :])
-        found += context.from_dict({others: value}) * s**rest * (1 - c * c) ** squares
-    return found
 
 
 def _circles(builder: Builder, unknowns: Collection[int]) -> list[tuple[int, int]]:

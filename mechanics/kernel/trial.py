@@ -191,15 +191,6 @@ def log2_sum(one: float, two: float) -> float:
     return high + log2(1 + 2.0 ** max(low - high, -1000.0))
 
 
-@dataclass(frozen=True)
-class Point:
-    """One evaluated point."""
-
-    zero: bool
-    square_roots: int
-    kinks: int
-
-
 @dataclass
 class Session:
     """The points of one experiment, one after the other, within its budget."""
@@ -214,13 +205,11 @@ class Session:
     def __post_init__(self) -> None:
         self.draws = Draws(self.experiment.seed, "signs" if self.signs else "values")
 
-    def _prime(self, index: int) -> int:
-        if index not in self._primes:
-            self._primes[index] = self._fresh_prime()
+    def _prime(self, index: int, fresh: bool = False) -> int:
+        if fresh or index not in self._primes:
+            e = self.experiment
+            self._primes[index] = draw_prime(e.bits, e.modulus, self.draws)
         return self._primes[index]
-
-    def _fresh_prime(self) -> int:
-        return draw_prime(self.experiment.bits, self.experiment.modulus, self.draws)
 
     def _evaluated(self, domain: Residues) -> dict[str, tuple[Any, ...]]:
         statement, program = self.experiment.statement, self.experiment.program
@@ -230,12 +219,12 @@ class Session:
         inputs = {name: domain.input(statement.range_of(name)) for name in program.inputs}
         return interpret(program, domain, inputs, release=False)
 
-    def point(self, fresh: bool = False) -> Point:
-        """The first admissible point of at most MOST_DRAWS."""
+    def point(self, fresh: bool = False) -> tuple[bool, Residues]:
+        """Whether both sides are equal at the first admissible point of at most MOST_DRAWS."""
         e = self.experiment
         failures: dict[str, int] = {}
         for index in range(MOST_DRAWS):
-            prime = self._fresh_prime() if fresh else self._prime(index % PRIMES)
+            prime = self._prime(index % PRIMES, fresh)
             domain = Residues(prime, e.modulus, self.draws, e.turns, signs=self.signs)
             try:
                 outputs = self._evaluated(domain)
@@ -253,15 +242,15 @@ class Session:
             zero = all(
                 (x - y) % prime == 0 for x, y in zip(outputs[LEFT], outputs[RIGHT], strict=True)
             )
-            return Point(zero, domain.square_roots, len(domain.kinks))
+            return zero, domain
         worst = max(failures, key=lambda reason: failures[reason])
         raise FailedError(f"no admissible point among {MOST_DRAWS}: {worst}")
 
-    def unsure(self, point: Point) -> int:
+    def unsure(self, point: Residues) -> int:
         """s of (2), after probing; what comes after an unsure sign is unsure itself."""
         e, roots = self.experiment, point.square_roots
         if point.kinks:
-            return point.kinks + roots
+            return len(point.kinks) + roots
         first = tried = 0
         for index in range(2 * MOST_DRAWS):
             # The first that is left is reached at one probe of 2**first.
@@ -287,9 +276,9 @@ class Session:
         FailedError
             If no point is admissible, or the budget does not suffice.
         """
-        e, first = self.experiment, self.point()
+        e, (zero, first) = self.experiment, self.point()
         not_zero = Trial(Answer.NONZERO, -inf, f"not zero in a field of {e.bits} bits")
-        if not first.zero:
+        if not zero:
             return not_zero
         if is_proved():
             return Trial(Answer.PROVED, -inf, "")
@@ -302,7 +291,7 @@ class Session:
         if count > MOST_POINTS:
             raise FailedError(f"the signs of {unsure} roots or absolute values cannot be told")
         for _ in range(count):
-            if not self.point(fresh=True).zero:
+            if not self.point(fresh=True)[0]:
                 return not_zero
         total = log2_sum(e.log2_bound, count * survival)
         words = f"zero at {count} random points modulo random {e.bits}-bit primes"

@@ -1,6 +1,6 @@
 """A frozen program: nodes in an order in which each stands behind its operands.
 
-Its text depends on what it computes alone: nodes are numbered from the outputs, and the operands of
+It depends on what it computes alone: nodes are numbered from the outputs, and the operands of
 commutative operations are ordered by what they are, never by when they were built.
 """
 
@@ -65,10 +65,10 @@ class Program:
         return f"<program of {self.count} operations: {names}>"
 
     def __eq__(self, other: object) -> bool:
-        return isinstance(other, Program) and self.text == other.text
+        return isinstance(other, Program) and self.digest == other.digest
 
     def __hash__(self) -> int:
-        return hash(self.text)
+        return hash(self.digest)
 
     @property
     def count(self) -> int:
@@ -93,26 +93,8 @@ class Program:
             yield from numbers
 
     @property
-    def text(self) -> str:
-        """The program line by line: the same text for the same program, on every machine."""
-        lines = [f"input {name}" for name in self.inputs]
-        first, second, _ = self.operands
-        for number, code in enumerate(self.operations):
-            name = OPERATIONS[code].name
-            if code == CONSTANT:
-                lines.append(f"{number} {_digits(self.constants[first[number]])}")
-            elif code == INPUT:
-                lines.append(f"{number} {self.inputs[first[number]]}")
-            elif code == ENTRY:
-                lines.append(f"{number} {name} {first[number]} [{second[number]}]")
-            else:
-                lines.append(f"{number} {name} {' '.join(map(str, self.operands_of(number)))}")
-        lines += [f"{name}: {' '.join(map(str, ns))}" for name, ns in self.outputs.items()]
-        return "\n".join(lines)
-
-    @property
     def digest(self) -> str:
-        """SHA-256 of what its text says, in hexadecimal: the same on every machine."""
+        """SHA-256 of all of it, in hexadecimal: the same for the same program, on every machine."""
         found = hashlib.sha256(self.operations)
         for column in self.operands:
             words = array("i", column)
@@ -146,28 +128,14 @@ def _digits(value: Fraction) -> str:
 
 def reachable(builder: Builder, roots: Sequence[int]) -> list[int]:
     """Numbers of the nodes that the roots need, operands before results."""
-    operations, (first, second, third) = builder.operations, builder.operands
-    if not roots:
-        return []
-    needed = bytearray(max(roots) + 1)
+    needed = bytearray(max(roots, default=-1) + 1)
     for root in roots:
         needed[root] = 1
     # Operands have smaller numbers: one walk down meets every node after all that need it.
     for number in range(len(needed) - 1, -1, -1):
-        if not needed[number]:
-            continue
-        code = operations[number]
-        if code == SOLVE:
-            for entry in builder.systems[first[number]][2:]:
-                needed[entry] = 1
-            continue
-        arity = ARITY[code]
-        if arity:
-            needed[first[number]] = 1
-            if arity > 1:
-                needed[second[number]] = 1
-                if arity > 2:
-                    needed[third[number]] = 1
+        if needed[number]:
+            for operand in operands_of(builder, number):
+                needed[operand] = 1
     return [number for number, wanted in enumerate(needed) if wanted]
 
 

@@ -87,7 +87,7 @@ def _split(
     ring = result.ring
     rest = ring.reduced(polynomial)
     known = set(ring.keys.values())
-    places = {symbol: ring.place(symbol)[0] for symbol in symbols if symbol in known}
+    places = {symbol: ring.place(symbol) for symbol in symbols if symbol in known}
     parts = {symbol: rest.derivative(place) for symbol, place in places.items()}
     hidden = _hiding(result, set(symbols), set(places.values()))
     free = hidden.union(places.values())
@@ -110,7 +110,7 @@ def _not_linear(
 ) -> fmpq_mpoly:
     """Return the first term that is not linear, or hides a symbol in a function."""
     return next(
-        ring.from_terms({powers: value})
+        polynomial.context().from_dict({powers: value})
         for powers, value in polynomial.terms()
         if sum(powers[place] for place in places) > 1 or any(powers[place] for place in hidden)
     )

@@ -82,10 +82,7 @@ class Reader:
         root = sympy.Pow(self.write(base), sympy.Rational(1, k))
         if not (isinstance(root, sympy.Pow) and root.exp == sympy.Rational(1, k)):
             return self.read(root)  # SymPy took something out: sqrt(4*x) = 2*sqrt(x)
-        place, new = self.ring.place(root)
-        if new:
-            self.ring.relate(((place, k),), self.ring.gen(place) ** k - base)
-        return self.ring.gen(place)
+        return self.ring.root(root, k, base)
 
     def _inverse(self, base: fmpq_mpoly) -> fmpq_mpoly:
         """Return 1/base: of a monomial factor by factor, of a sum as one generator."""
@@ -104,15 +101,15 @@ class Reader:
     def _reciprocal(self, base: fmpq_mpoly) -> fmpq_mpoly:
         ring = self.ring
         inverse = sympy.Pow(self.write(base), -1)
-        place, new = ring.place(inverse)
+        place = ring.place(inverse)
         r = ring.gen(place)
-        if new and len(base) == 1:
+        if len(base) == 1:
             of = base.degrees().index(1)
             key = ring.keys[of]
             ring.relate(((place, 1), (of, 1)), r * base - 1)
             if isinstance(key, tuple) and key[0] == "sin":
                 # Completes the rewriting: c**2/s = 1/s - s, because s**2 is what is replaced.
-                c, _ = ring.place(("cos", key[1]))
+                c = ring.place(("cos", key[1]))
                 ring.relate(((place, 1), (c, 2)), r * ring.gen(c) ** 2 - r + base)
         return r
 
@@ -134,11 +131,9 @@ class Reader:
 
     def _modulus(self, node: sympy.Abs) -> fmpq_mpoly:
         """Return the generator |x|, bound by |x|**2 = x**2 where x is real."""
-        place, new = self.ring.place(node)
-        if new and node.args[0].is_extended_real:
-            square = self.ring.power(self.read(node.args[0]), 2)
-            self.ring.relate(((place, 2),), self.ring.gen(place) ** 2 - square)
-        return self.ring.gen(place)
+        if not node.args[0].is_extended_real:
+            return self.ring.generator(node)
+        return self.ring.root(node, 2, self.ring.power(self.read(node.args[0]), 2))
 
     def _argument(self, arg: sympy.Basic) -> sympy.Basic:
         return self.write(self.read(arg)) if isinstance(arg, sympy.Expr) else arg

@@ -82,6 +82,8 @@ TRUTH = {
     "a logarithm beside a root": (POSITIVE, X, [asked(NONNEGATIVE, X)], (THIN, True)),
     "a root beyond the border of the truth": (
         NONNEGATIVE, X - 1, [asked(NONNEGATIVE, X)], (OPEN, True)),
+    "a root within the truth's": (
+        NONNEGATIVE, X - 1, [asked(NONNEGATIVE, X + 1)], (OPEN, True)),
     "a root of more than a root": (NONNEGATIVE, X + M, [asked(NONNEGATIVE, X)], None),
     "a root of a factor of a divisor": (POSITIVE, X * X, [asked(NONZERO, X * Y)], None),
     "a root of a logarithm's argument": (NONNEGATIVE, X, [asked(POSITIVE, X)], None),

@@ -54,7 +54,7 @@ def test_the_text_does_not_depend_on_what_was_built_before() -> None:
         x, y = b.input("x"), b.input("y")
         if first == "y":
             _ = y * x, y.cos() + x
-        return b.program({"value": [(x * y + y.cos()) * (x + y.cos())]}).text
+        return b.program({"value": [(x * y + y.cos()) * (x + y.cos())]}).digest
 
     assert text("x") == text("y") == text("z")
 
