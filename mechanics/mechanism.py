@@ -71,6 +71,25 @@ class Turn:
 
 
 @dataclass(frozen=True)
+class Spin:
+    """A rotation by a quaternion.
+
+    Attributes
+    ----------
+    coordinates : four Nodes
+        The scalar part first.
+    rates : four Nodes
+        In the coordinates and the speeds.
+    omega : Vector
+        The speeds: angular velocity relative to the parent, in the frame itself.
+    """
+
+    coordinates: tuple[Node, ...]
+    rates: tuple[Node, ...]
+    omega: Vector
+
+
+@dataclass(frozen=True)
 class Frame:
     """One step in the tree of frames.
 
@@ -83,12 +102,15 @@ class Frame:
         R with v_parent = R v_frame.
     turn : Turn or None
         Where it turns about a coordinate axis; None for other and for fixed rotations.
+    spin : Spin or None
+        Where a quaternion turns it.
     """
 
     name: str
     parent: int
     rotation: Matrix
     turn: Turn | None
+    spin: Spin | None = None
 
 
 @dataclass(frozen=True)
@@ -415,9 +437,10 @@ class _Lowering:
     def closure(self, mechanism: Mechanism) -> Closure:
         """Where the constraints hold, on the component of the example and the typical values."""
         scene = self.scene
-        if not scene.constraints:
+        if not scene.constraints and not scene.norms:
             return Closure()
         configuration = [c.expression for c in mechanism.constraints if c.holonomic]
+        configuration += map(self.read, scene.norms)
         motion = [c.expression for c in mechanism.constraints if not c.holonomic]
         suggested = {name: Fraction(str(value)) for name, value in scene.example.items()}
         suggested |= {
@@ -464,10 +487,17 @@ class _Lowering:
                 )
                 rotation = tuple(tuple(map(self.read, step[i, :])) for i in range(3))
                 self.of_frame[child] = len(self.frames)
-                self.frames.append(
-                    Frame(child.name, self.of_frame[parent], rotation, self.turn(step))
-                )
+                parts = self.turn(step), self.spin(parent, child)
+                self.frames.append(Frame(child.name, self.of_frame[parent], rotation, *parts))
         return self.of_frame[frame]
+
+    def spin(self, parent: SympyFrame, child: SympyFrame) -> Spin | None:
+        for rotation in self.scene.rotations:
+            if parent.dcm(child) == rotation.matrix:
+                groups = (rotation.coordinates, rotation.rates, rotation.speeds)
+                where = f"frame {child.name}"
+                return Spin(*(tuple(self.expression(e, where) for e in group) for group in groups))
+        return None
 
     def turn(self, step: sympy.Matrix) -> Turn | None:
         recognised = axis_angle(step)

@@ -5,17 +5,19 @@
     v = v_parent + R c' + omega x R c
     a = a_parent + R c'' + 2 omega x R c' + alpha x R c + omega x (omega x R c)
 
-where c are the components of one step in the frame in which it is given, and e the axis of a turn.
+where c are the components of one step in the frame in which it is given, and e the axis of a turn;
+for a quaternion e angle' is the speeds, for any other rotation what [omega]x = R^T dR/dt says.
 The other way is `differentiate`.
 """
 
 from __future__ import annotations
 
+import operator
 from collections.abc import Mapping, Sequence
 
 from mechanics.kinematics.motion import FrameMotion, Motions, PointMotion, poses
 from mechanics.mechanism import GROUND, Frame, Mechanism
-from mechanics.program.builder import Builder, Node
+from mechanics.program.builder import Node
 from mechanics.program.forward import tangent
 from mechanics.program.vectors import Vector, add, cross, dot, scale, times, transpose, zeros
 
@@ -37,7 +39,7 @@ def motions(mechanism: Mechanism, rates: Mapping[Node, Node] | None = None) -> M
             frames.append(FrameMotion(rotation, zeros(build), zeros(build)))
             continue
         outer = frames[frame.parent]
-        own, gain = (times(rotation, v) for v in _relative(build, frame, table))
+        own, gain = (times(rotation, v) for v in relative_velocity(frame, table))
         if all(entry.is_zero for entry in (*own, *gain)):
             frames.append(FrameMotion(rotation, outer.omega, outer.alpha))
             continue
@@ -66,7 +68,7 @@ def own_rates(mechanism: Mechanism, rates: Mapping[Node, Node]) -> list[Vector]:
     """Angular velocity of each frame in its own components: R^T omega_parent + what it turns by."""
     found: list[Vector] = []
     for frame in mechanism.frames:
-        turning, _ = _relative(mechanism.builder, frame, rates)
+        turning, _ = relative_velocity(frame, rates)
         if frame.parent != GROUND:
             outer = found[frame.parent]
             turning = add(times(transpose(frame.rotation), outer), turning)
@@ -74,16 +76,16 @@ def own_rates(mechanism: Mechanism, rates: Mapping[Node, Node]) -> list[Vector]:
     return found
 
 
-def _relative(build: Builder, frame: Frame, table: Mapping[Node, Node]) -> tuple[Vector, Vector]:
-    """Angular velocity and its rate relative to the parent, in the frame."""
+def relative_velocity(frame: Frame, rates: Mapping[Node, Node]) -> tuple[Vector, Vector]:
+    """Angular velocity relative to the parent and its rate, in the frame itself, 1/s and 1/s^2."""
     if frame.turn is not None:
-        (rate,) = tangent([frame.turn.angle], table)
-        (gain,) = tangent([rate], table)
+        (rate,) = tangent([frame.turn.angle], rates)
+        (gain,) = tangent([rate], rates)
         return scale(rate, frame.turn.axis), scale(gain, frame.turn.axis)
-    entries = [entry for row in frame.rotation for entry in row]
-    flat = tangent(entries, table)
-    if all(entry.is_zero for entry in flat):
-        return zeros(build), zeros(build)
+    spin = frame.spin
+    if spin is not None and all(map(operator.eq, spin.rates, map(rates.get, spin.coordinates))):
+        return spin.omega, tuple(tangent(spin.omega, rates))
+    flat = tangent([entry for row in frame.rotation for entry in row], rates)
     # [omega]x = R^T dR/dt in the frame itself.
     columns = transpose(frame.rotation)
     turning = transpose([flat[3 * k : 3 * k + 3] for k in range(3)])
@@ -92,7 +94,7 @@ def _relative(build: Builder, frame: Frame, table: Mapping[Node, Node]) -> tuple
         dot(columns[0], turning[2]),
         dot(columns[1], turning[0]),
     )
-    return omega, tuple(tangent(omega, table))
+    return omega, tuple(tangent(omega, rates))
 
 
 def _step(

@@ -5,13 +5,12 @@ v_parent = R v_frame        one frame at a time, so that zeros of R and v spare 
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import replace
 
 from mechanics.mechanism import GROUND, Frame, Mechanism, Mixed, inputs_of
 from mechanics.program.builder import Node
-from mechanics.program.forward import tangent
-from mechanics.program.vectors import Matrix, Vector, add, dot, scale, times, transpose, zeros
+from mechanics.program.vectors import Matrix, Vector, add, times, transpose, zeros
 
 
 def lineage(mechanism: Mechanism, frame: int) -> tuple[int, ...]:
@@ -47,24 +46,6 @@ def collect(mechanism: Mechanism, mixed: Mixed, target: int) -> Vector:
     """A vector that is given in several frames, in one."""
     parts = [express(mechanism, column, frame, target) for frame, column in mixed]
     return add(zeros(mechanism.builder), *parts)
-
-
-def relative_velocity(frame: Frame, rates: Mapping[Node, Node]) -> tuple[Vector, Vector]:
-    """Angular velocity relative to the parent and its rate, in the frame itself, 1/s and 1/s^2."""
-    if frame.turn is not None:
-        (rate,) = tangent([frame.turn.angle], rates)
-        (gain,) = tangent([rate], rates)
-        return scale(rate, frame.turn.axis), scale(gain, frame.turn.axis)
-    flat = tangent([entry for row in frame.rotation for entry in row], rates)
-    # [omega]x = R^T dR/dt.
-    columns = transpose(frame.rotation)
-    turning = transpose([flat[3 * k : 3 * k + 3] for k in range(3)])
-    omega = (
-        dot(columns[2], turning[1]),
-        dot(columns[0], turning[2]),
-        dot(columns[1], turning[0]),
-    )
-    return omega, tuple(tangent(omega, rates))
 
 
 def acceleration_matrix(omega: Vector, alpha: Vector) -> Matrix:

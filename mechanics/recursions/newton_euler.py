@@ -21,6 +21,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from mechanics.kinematics.chain import relative_velocity
 from mechanics.mechanism import GROUND, Mechanism
 from mechanics.program.builder import Node
 from mechanics.program.derivatives import gradient
@@ -33,7 +34,6 @@ from mechanics.recursions.frames import (
     express,
     lineage,
     negated,
-    relative_velocity,
     rigid_steps,
 )
 from mechanics.recursions.loads import loads

@@ -28,6 +28,7 @@ from mechanics.scene.reactions import (
     reaction,
     reaction_couple,
 )
+from mechanics.scene.rotations import Rotation, quaternion
 from mechanics.scene.scene import Scene
 
 __all__ = [
@@ -43,6 +44,7 @@ __all__ = [
     "Particle",
     "Reaction",
     "RigidBody",
+    "Rotation",
     "Scene",
     "Spring",
     "Torque",
@@ -55,6 +57,7 @@ __all__ = [
     "holonomic",
     "nonholonomic",
     "parameters",
+    "quaternion",
     "reaction",
     "reaction_couple",
     "spring",

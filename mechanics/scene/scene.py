@@ -24,6 +24,7 @@ from mechanics.scene.geometry import (
 )
 from mechanics.scene.loads import Coulomb, Load
 from mechanics.scene.reactions import Constraint, Reaction
+from mechanics.scene.rotations import Rotation, with_rotations
 from mechanics.scene.symbols import TIME, by_name, plain_symbol, plain_table, to_plain
 from mechanics.scene.validate import validate
 from mechanics.scene.wellformed import typed_expressions
@@ -59,6 +60,9 @@ class Scene:
         States of rest beside that where all coordinates are 0, by plain name
         (``{"theta": pi}``): what a person writes has to have a value there, too. Each has to be
         shown to be an equilibrium, for all values of the parameters or for their typical ones.
+    rotations : tuple of Rotation
+        Each brings four coordinates and three speeds; what was declared stands before them. Speeds
+        of the other coordinates that are not declared are their rates.
 
     Raises
     ------
@@ -80,8 +84,11 @@ class Scene:
     example: Mapping[str, float] = field(default_factory=dict)
     conditions: tuple[Condition, ...] = ()
     equilibria: tuple[Mapping[str, Any], ...] = ()
+    rotations: tuple[Rotation, ...] = ()
 
     def __post_init__(self) -> None:
+        for name, value in with_rotations(self).items():
+            object.__setattr__(self, name, value)
         validate(self)
 
     def __repr__(self) -> str:
@@ -120,10 +127,26 @@ class Scene:
         if not self.speeds:
             return {rate: rate for rate in self.qd}
         table = self._table
-        pairs = zip(self.u, self.speeds, strict=True)
-        rows = [u - to_plain(definition, table, f"speed {u}") for u, (_, definition) in pairs]
-        (solution,) = linsolve(rows, *self.qd)
-        return dict(zip(self.qd, solution, strict=True))
+        known = {plain_symbol(q, 1): to_plain(rate, table, f"rate of {q}")
+                 for rotation in self.rotations
+                 for q, rate in zip(rotation.coordinates, rotation.rates, strict=True)}  # fmt: skip
+        turning = {u for rotation in self.rotations for u in rotation.speeds}
+        # A speed may have the name of a rate.
+        unknown = {rate: Dummy(rate.name) for rate in self.qd if rate not in known}
+        rows = [
+            symbol - to_plain(definition, table, f"speed {u}").xreplace(unknown)
+            for symbol, (u, definition) in zip(self.u, self.speeds, strict=True)
+            if u not in turning
+        ]
+        (solution,) = linsolve(rows, *unknown.values()) if unknown else [()]
+        known |= zip(unknown, solution, strict=True)
+        return {rate: known[rate] for rate in self.qd}
+
+    @cached_property
+    def norms(self) -> tuple[Expr, ...]:
+        """The square of the norm of each quaternion, less 1; 0 at every state."""
+        table = self._table
+        return tuple(to_plain(r.square - 1, table, f"rotation {r.name}") for r in self.rotations)
 
     @cached_property
     def parameters(self) -> tuple[Symbol, ...]:

@@ -36,8 +36,18 @@ def by_name(symbol: Symbol) -> tuple[tuple[str | int, ...], str]:
 
 
 def plain_symbol(function: Expr, order: int = 0) -> Symbol:
-    """Symbol that stands for the derivative of that order of a dynamic symbol."""
-    return Symbol(name_of(function) + DOTS[order], real=True)
+    """Symbol that stands for the derivative of that order of a dynamic symbol.
+
+    That of a speed x_dot is x_ddot.
+    """
+    return Symbol(dotted(name_of(function), order), real=True)
+
+
+def dotted(name: str, order: int) -> str:
+    """``"x_ddot"`` for ``"x"`` and 2, or for ``"x_dot"`` and 1."""
+    if order and name.endswith(DOTS[1]):
+        return f"{name.removesuffix(DOTS[1])}_{'d' * (order + 1)}ot"
+    return name + DOTS[order]
 
 
 def plain_table(functions: Iterable[Expr]) -> dict[Expr, Symbol]:

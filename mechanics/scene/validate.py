@@ -98,13 +98,18 @@ def _speeds(scene: Scene) -> None:
     """Speeds determine the rates of the coordinates, linearly."""
     if not scene.speeds:
         return
-    if len(scene.speeds) != len(scene.coordinates):
+    turning = {u for rotation in scene.rotations for u in rotation.speeds}
+    wanted = len(scene.coordinates) - len(scene.rotations)
+    if len(scene.speeds) != wanted:
         raise SceneError(
             f"{scene.name}: {len(scene.speeds)} speeds for {len(scene.coordinates)} coordinates:"
-            " declare as many speeds as coordinates (constraints make some of them dependent)"
+            f" declare as many speeds as coordinates{', less one a quaternion' if turning else ''}"
+            " (constraints make some of them dependent)"
         )
     rows = []
     for speed, definition in scene.speeds:
+        if speed in turning:
+            continue  # A rotation has its own rates.
         what = f"speed {name_of(speed)}"
         plain = scene.rates(definition)
         row = [plain.diff(rate) for rate in scene.qd]

@@ -22,6 +22,7 @@ from mechanics.scene.declared import kind_of, scalar
 from mechanics.scene.geometry import Placed, dyadic_matrix
 from mechanics.scene.loads import Load
 from mechanics.scene.reactions import Constraint, Reaction
+from mechanics.scene.rotations import Rotation
 from mechanics.scene.symbols import DOTS, name_of
 
 if TYPE_CHECKING:
@@ -33,6 +34,7 @@ PARTS: tuple[tuple[str, str, tuple[Any, ...]], ...] = (
     ("reactions", "reaction", (Reaction,)),
     ("constraints", "constraint", (Constraint,)),
     ("conditions", "condition", (Condition,)),
+    ("rotations", "rotation", (Rotation,)),
 )
 
 

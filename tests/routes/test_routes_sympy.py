@@ -115,9 +115,9 @@ def test_sympys_methods_give_the_motion_of_the_routes(make: Callable[[], Scene])
         assert equations.conjugate is equations.mass.is_symmetric()
 
 
-def composed_backwards(build, frame, table, right=chain._relative):
+def composed_backwards(frame, table, right=chain.relative_velocity):
     """Angular velocities of the steps, with the wrong sign: an error of Kane's route alone."""
-    return tuple(tuple(-entry for entry in vector) for vector in right(build, frame, table))
+    return tuple(tuple(-entry for entry in vector) for vector in right(frame, table))
 
 
 def turned_backwards(outer, step):
@@ -128,7 +128,7 @@ def turned_backwards(outer, step):
 @pytest.mark.parametrize(
     ("module", "name", "wrong", "differ"),
     [
-        (chain, "_relative", composed_backwards, {"kane"}),
+        (chain, "relative_velocity", composed_backwards, {"kane"}),
         (motion, "product", turned_backwards, {"kane", "lagrange"}),
     ],
 )

@@ -16,6 +16,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 from itertools import pairwise
 
+from mechanics.kinematics.chain import relative_velocity
 from mechanics.mechanism import GROUND, Mechanism, inputs_of, name_of
 from mechanics.program.builder import Node
 from mechanics.program.derivatives import gradient
@@ -34,7 +35,7 @@ from mechanics.program.vectors import (
     transpose,
     zeros,
 )
-from mechanics.recursions.frames import collect, common, lineage, negated, relative_velocity
+from mechanics.recursions.frames import collect, common, lineage, negated
 from mechanics.recursions.least_constraint.affine import (
     PLANES,
     Affine,

@@ -1,0 +1,51 @@
+"""Bodies that turn freely, by a unit quaternion: one in the air, one on a ball joint."""
+
+from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols, inertia
+
+from mechanics.scene import RigidBody, Scene, gravity, parameters, quaternion, reaction
+
+VALUES = {"m": 2, "g": 9.81, "l": 0.3, "A": 0.4, "B": 0.5, "C": 0.2}
+
+
+def thrown_body() -> Scene:
+    """A rigid body in the air, three moments of inertia."""
+    x, y, z = dynamicsymbols("x y z")
+    m, g, A, B, C = parameters("m g A B C")
+    ground, origin = ReferenceFrame("N"), Point("O")
+    turning = quaternion("e0 e1 e2 e3", "wx wy wz")
+    frame = turning.orient("F", ground)
+    centre = origin.locatenew("P", x * ground.x + y * ground.y + z * ground.z)
+    return Scene(
+        "thrown_body",
+        ground,
+        origin,
+        coordinates=(x, y, z),
+        rotations=(turning,),
+        bodies=(RigidBody("body", centre, frame, m, inertia(frame, A, B, C)),),
+        loads=(gravity(-g * ground.z),),
+        example={"wx": 0.1, "wy": 2, "wz": 0.1, "x_dot": 1},
+    )
+
+
+def ball_top() -> Scene:
+    """A heavy top on a ball joint, A its moment of inertia about the mass centre."""
+    m, g, l, A, C = parameters("m g l A C")
+    ground, origin = ReferenceFrame("N"), Point("O")
+    turning = quaternion("e0 e1 e2 e3", "wx wy wz")
+    frame = turning.orient("F", ground)
+    axes = zip("xyz", (ground.x, ground.y, ground.z), strict=True)
+    return Scene(
+        "ball_top",
+        ground,
+        origin,
+        coordinates=(),
+        rotations=(turning,),
+        bodies=(
+            RigidBody("top", origin.locatenew("P", l * frame.z), frame, m, inertia(frame, A, A, C)),
+        ),
+        loads=(gravity(-g * ground.z),),
+        reactions=tuple(
+            reaction(f"R{name}", at=origin, on="top", by=None, along=axis) for name, axis in axes
+        ),
+        example={"e0": 0.95, "e1": 0.3, "wz": 20},
+    )

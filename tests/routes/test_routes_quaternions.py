@@ -1,0 +1,57 @@
+"""All routes for bodies that a quaternion turns, and the equations of Euler."""
+
+from collections.abc import Callable
+
+import pytest
+from quaternions import ball_top, thrown_body
+
+from mechanics.checks.admissible import check_scene
+from mechanics.checks.agreement import compare_pairs
+from mechanics.checks.statements import equal
+from mechanics.crosscheck.programs import check_laws, derive_rows
+from mechanics.program.vectors import add, cross, dot, scale, subtract
+from mechanics.routes.derivation import ROUTES
+from mechanics.scene import Scene
+
+
+@pytest.mark.parametrize("make", [thrown_body, ball_top])
+def test_all_routes_agree_and_all_laws_hold(make: Callable[[], Scene]) -> None:
+    programs = derive_rows(check_scene(make()), [route.name for route in ROUTES])
+    pairs = compare_pairs(programs.routes)
+    assert len(pairs) == 6
+    assert all(finding.shown for finding in pairs.values())
+    assert all(finding.shown for finding in check_laws(programs))
+
+
+def test_kanes_rows_of_the_top_are_eulers_equations_about_its_point() -> None:
+    mechanism = check_scene(ball_top())
+    rows = derive_rows(mechanism, ["kane"]).routes["kane"].rows.values
+    build = mechanism.builder
+    m, g, l, A, C = map(build.input, "mglAC")
+    inertia = (A + m * l * l, A + m * l * l, C)
+    omega, alpha = mechanism.u, mechanism.ud
+    spin = tuple(i * w for i, w in zip(inertia, omega, strict=True))
+    up = scaled_vertical(mechanism.q)
+    arm = (build.zero, build.zero, l)
+    weight = scale(-(m * g), up)
+    right = subtract(
+        add(tuple(i * a for i, a in zip(inertia, alpha, strict=True)), cross(omega, spin)),
+        cross(arm, weight),
+    )
+    assert equal("Euler", mechanism, rows, right).shown
+
+
+def scaled_vertical(q):
+    """Components of the vertical in the body, on the unit sphere: the third row of R."""
+    e0, e1, e2, e3 = q
+    return (2 * (e1 * e3 - e0 * e2), 2 * (e2 * e3 + e0 * e1), 1 - 2 * (e1 * e1 + e2 * e2))
+
+
+def test_what_is_true_on_the_unit_sphere_only_is_found_there() -> None:
+    mechanism = check_scene(ball_top())
+    e0, e1, e2, e3 = mechanism.q
+    up = scaled_vertical(mechanism.q)
+    unit = mechanism.builder.one
+    finding = equal("vertical", mechanism, [dot(up, up)], [unit])
+    assert finding.shown
+    assert not equal("not", mechanism, [e0 * e0 + e1 * e1], [e2 * e2 + e3 * e3]).shown
