@@ -5,15 +5,37 @@ A G = 0,  G with the identity on the free columns
 
 from collections.abc import Sequence
 
-from sympy import Expr, Matrix, S, Symbol, cancel, factor, fraction, sympify, together, zeros
+from sympy import (
+    Expr,
+    Matrix,
+    S,
+    Symbol,
+    cancel,
+    cos,
+    factor,
+    fraction,
+    sin,
+    sympify,
+    together,
+    zeros,
+)  # fmt: skip
 
 from mechanics.errors import ExpressionError
 from mechanics.symbolic import is_zero as decide_zero
+from mechanics.symbolic import tidy
 
 
 def reduced(expr: Expr) -> Expr:
     """A rational function with common factors cancelled."""
     return cancel(sympify(expr))
+
+
+def written(expr: Expr) -> Expr:
+    """`reduced`, or the same with products of sines and cosines cancelled where that is shorter."""
+    plain = reduced(expr)
+    if not plain.has(sin, cos):
+        return plain
+    return min(plain, reduced(tidy(plain)), key=lambda side: side.count_ops())
 
 
 def is_zero(expr: Expr) -> bool:

@@ -1,22 +1,39 @@
-"""Linear equations of motion about an equilibrium, in deviations x of independent coordinates.
+"""Linear equations of motion in deviations x of independent coordinates.
 
 M x'' + C x' + K x = E(w),    E(w) = E_0 w + E_1 w' + E_2 w'' + ...
-q - q_0 = G x
+q - q_0 - q_0' t = G x
+
+y = (x, x') without what is cyclic:   y' = A y + B w,   outputs C y + D w
 """
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+from typing import Any
 
-from sympy import Expr, Matrix, Symbol, zeros
+import numpy as np
+from sympy import Expr, Float, Matrix, Symbol, eye, zeros
 
 from mechanics.errors import InputError
-from mechanics.linear.algebra import is_zero
+from mechanics.kernel import enclose
+from mechanics.linear.algebra import inverse, is_zero, reduced, written
+from mechanics.linear.first_order import Array, first_order
+from mechanics.linear.values import Numbers, evaluate
+from mechanics.program import Builder, Program
+from mechanics.program.interpret import include
+from mechanics.program.sympy_printer import expressions, written_size
+from mechanics.program.sympy_reader import read
 from mechanics.scene import Scene
 
+LARGEST = 200_000
+"""Operations of a matrix that is written out; beyond it, give values."""
+BITS = 192
+"""Of the numbers that stand in its place."""
 
-@dataclass(frozen=True, eq=False)
+
+@dataclass(frozen=True, eq=False, repr=False)
 class Linear:
-    """Linearized equations of motion; rows as the route wrote them.
+    """Linear equations of motion; rows as the route wrote them.
 
     Attributes
     ----------
@@ -24,20 +41,24 @@ class Linear:
     route : str
         The route that derived the nonlinear equations.
     point : mapping of Symbol to Expr
-        The equilibrium: a value for every coordinate and input.
+        The operating point: a value for every coordinate and input.
     coordinates : tuple of Symbol
         The independent coordinates whose deviations are x, n of them.
     inputs : tuple of Symbol
         Their deviations are w, p of them.
-    mass, damping, stiffness : Matrix
-        M, C and K, n x n.
-    input_matrices : tuple of Matrix
-        E_0, E_1, ..., n x p each: one for every order of derivative of the inputs.
-    reach : Matrix
-        G, (number of all coordinates) x n.
+    program : Program
+        Its outputs, row by row: ``"mass"``, ``"damping"``, ``"stiffness"`` (n x n), ``"reach"``
+        (number of all coordinates x n), and ``"inputs 0"``, ``"inputs 1"``, ... (n x p), of
+        parameters and of symbols of the operating point.
+    names : mapping of str to Symbol
+        The symbol of each input of the program.
     conjugate : bool
-        Whether the rows are power-conjugate to x', so that M and K are the second derivatives of
-        kinetic and potential energy.
+        Whether the rows are power-conjugate to x', so that M and K at rest are the second
+        derivatives of kinetic and potential energy.
+    speeds : mapping of Symbol to Expr
+        All speeds at the operating point; they are zero at rest.
+    cyclic : tuple of Symbol
+        Of the coordinates, those that drift along a steady motion and have no effect.
     """
 
     scene: Scene
@@ -45,12 +66,65 @@ class Linear:
     point: Mapping[Symbol, Expr]
     coordinates: tuple[Symbol, ...]
     inputs: tuple[Symbol, ...]
-    mass: Matrix
-    damping: Matrix
-    stiffness: Matrix
-    input_matrices: tuple[Matrix, ...]
-    reach: Matrix
+    program: Program
+    names: Mapping[str, Symbol]
     conjugate: bool
+    speeds: Mapping[Symbol, Expr] = field(default_factory=dict)
+    cyclic: tuple[Symbol, ...] = ()
+
+    def __repr__(self) -> str:
+        names = ", ".join(map(str, self.coordinates))
+        return f"<linear equations of {self.scene.name} by {self.route}: {names}>"
+
+    @cached_property
+    def mass(self) -> Matrix:
+        """M, n x n."""
+        return self._matrix("mass", len(self.coordinates))
+
+    @cached_property
+    def damping(self) -> Matrix:
+        """C, n x n."""
+        return self._matrix("damping", len(self.coordinates))
+
+    @cached_property
+    def stiffness(self) -> Matrix:
+        """K, n x n."""
+        return self._matrix("stiffness", len(self.coordinates))
+
+    @cached_property
+    def reach(self) -> Matrix:
+        """G, (number of all coordinates) x n; no row of a coordinate that has no effect."""
+        return self._matrix("reach", len(self.scene.q))
+
+    @cached_property
+    def input_matrices(self) -> tuple[Matrix, ...]:
+        """E_0, E_1, ..., n x p each: one for every order of derivative of the inputs."""
+        orders = sum(name.startswith("inputs ") for name in self.program.outputs)
+        return tuple(self._matrix(f"inputs {k}", len(self.coordinates)) for k in range(orders))
+
+    def _matrix(self, name: str, rows: int) -> Matrix:
+        builder = Builder()
+        program = builder.program({name: include(builder, self.program)[name]})
+        columns = len(program.outputs[name]) // rows if rows else 0
+        if program.inputs or written_size(program) <= LARGEST:
+            entries = expressions(program, self.names, limit=LARGEST)[name]
+            return Matrix(rows, columns, [written(entry) for entry in entries])
+        return Matrix(rows, columns, [number(ball) for ball in enclose(program, {}, BITS)[name]])
+
+    def with_matrices(self, inputs: tuple[Symbol, ...], **changed: Matrix) -> "Linear":
+        """The same with other matrices, by the names of the program's outputs; no G."""
+        builder = Builder()
+        kept = include(builder, self.program)
+        names = {s.name: s for m in changed.values() for entry in m for s in entry.free_symbols}
+        outputs = {name: nodes for name, nodes in kept.items() if not name.startswith("inputs ")}
+        outputs |= {name: read(builder, tuple(matrix)) for name, matrix in changed.items()}
+        return replace(
+            self,
+            inputs=inputs,
+            program=builder.program(outputs),
+            names={**self.names, **names},
+            conjugate=False,
+        )
 
     def dynamic_stiffness(self, s: Expr) -> Matrix:
         """D(s) = M s^2 + C s + K, n x n."""
@@ -71,8 +145,106 @@ class Linear:
     @property
     def state_symbols(self) -> tuple[Symbol, ...]:
         """(x, x') as plain symbols."""
+        return (*self.coordinates, *self._rates)
+
+    @property
+    def states(self) -> tuple[Symbol, ...]:
+        """y: the same without coordinates that are cyclic."""
+        return (*(q for q in self.coordinates if q not in self.cyclic), *self._rates)
+
+    @property
+    def _rates(self) -> tuple[Symbol, ...]:
         rates = dict(zip(self.scene.q, self.scene.qd, strict=True))
-        return (*self.coordinates, *(rates[q] for q in self.coordinates))
+        return tuple(rates[q] for q in self.coordinates)
+
+    @cached_property
+    def A(self) -> Matrix:
+        """Of y' = A y + B w, s x s with s states."""
+        n, kept = len(self.coordinates), len(self.coordinates) - len(self.cyclic)
+        solved = inverse(self.mass) * Matrix.hstack(-self.stiffness[:, :kept], -self.damping)
+        upper = Matrix.hstack(zeros(kept, kept), eye(n)[:kept, :])
+        return Matrix.vstack(upper, solved).applyfunc(reduced)
+
+    @cached_property
+    def B(self) -> Matrix:
+        """Of y' = A y + B w, s x p.
+
+        Raises
+        ------
+        InputError
+            If derivatives of inputs drive the system.
+        """
+        self.require_direct_inputs()
+        solved = (inverse(self.mass) * self.input_matrices[0]).applyfunc(reduced)
+        return zeros(len(self.coordinates) - len(self.cyclic), len(self.inputs)).col_join(solved)
+
+    @property
+    def C(self) -> Matrix:
+        """Of the outputs C y + D w, which are the states: the unit matrix, s x s."""
+        return eye(len(self.states))
+
+    @property
+    def D(self) -> Matrix:
+        """Of the outputs C y + D w: zero, s x p."""
+        return zeros(len(self.states), len(self.inputs))
+
+    def require_direct_inputs(self) -> None:
+        """Refuse derivatives of inputs."""
+        if "inputs 1" in self.program.outputs:
+            raise InputError(
+                f"{self.scene.name}: derivatives of the inputs drive the system, which y' = A y +"
+                " B w cannot say: declare the highest derivative as the input"
+            )
+
+    def to_control(self, values: Numbers | None = None) -> Any:
+        """y' = A y + B w as a `StateSpace` of the package `control`, in numbers.
+
+        Parameters
+        ----------
+        values : mapping, optional
+            Parameter values by name or symbol; typical values stand for those that are missing.
+
+        Raises
+        ------
+        InputError
+            If the package is missing, or derivatives of inputs drive the system.
+        ValueMissingError
+            If a parameter has neither a value nor a typical one.
+        """
+        try:
+            import control
+        except ImportError:
+            raise InputError(
+                "the package control is not installed: pip install 'mechanics[control]'"
+            ) from None
+        a, b = self.state_space(values)
+        names = [symbol.name for symbol in self.states]
+        return control.ss(
+            a, b, np.eye(len(a)), np.zeros(b.shape), name=self.scene.name,
+            states=names, outputs=names, inputs=[symbol.name for symbol in self.inputs],
+        )  # fmt: skip
+
+    def state_space(self, values: Numbers | None = None) -> tuple[Array, Array]:
+        """A and B in numbers; see `mechanics.linear.state_space`."""
+        self.require_direct_inputs()
+        names = "mass", "damping", "stiffness", "inputs 0"
+        kept = len(self.coordinates) - len(self.cyclic)
+        mass, damping, stiffness, drive = self.numbers(values, *names)
+        return first_order(mass, damping, stiffness, drive, kept, self.scene.name)
+
+    def numbers(self, values: Numbers | None, *names: str) -> list[Array]:
+        """Matrices of the program, by name, each entry the double nearest to the exact one.
+
+        Raises
+        ------
+        ValueMissingError
+            If a parameter has neither a value nor a typical one.
+        SingularError
+            If an entry has no value.
+        """
+        found = evaluate(self.scene, self.program, self.names, values, names)
+        n = len(self.coordinates)
+        return [np.array(found[name]).reshape(n, len(found[name]) // n) for name in names]
 
     def coordinate_index(self, name: str) -> int:
         """Place of a coordinate among `coordinates`."""
@@ -81,6 +253,12 @@ class Linear:
     def input_index(self, name: str) -> int:
         """Place of an input among `inputs`."""
         return _index("input", name, self.inputs, self)
+
+
+def number(ball: Any) -> Float:
+    """The middle of an enclosure, with the digits that it has."""
+    digits = max(ball.rel_accuracy_bits() * 3 // 10, 15) if ball != 0 else 15
+    return Float(ball.mid().str(digits, radius=False), digits)
 
 
 def _index(kind: str, name: str, symbols: tuple[Symbol, ...], linear: Linear) -> int:

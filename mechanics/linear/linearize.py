@@ -1,56 +1,55 @@
-"""Linearization about an operating point that is first proved to be an equilibrium.
+"""Linearization about a state of rest or a steady motion, which is first proved to be one.
 
-    M u' = f + B lambda,  A u' = b,  q' = N u         at rest: u = u' = 0,  f + B lambda_0 = 0
+    F(q, v, v', w) = 0,   q' = f(q, v),   phi(q) = 0          independent speeds v           (1)
+    v' = 0,  q_e' = 0,  F = 0,  phi = 0     there; what drifts has no effect                 (2)
 
-    Y^T B = 0,  A N^-1 G = 0,  q - q_0 = G x,  u = N^-1 G x'
+    q_e - q_e0 = G x,     x' = X x + Y dv                     phi and q' to first order      (3)
+    (z_1, z_2)' = (X x, 0) + Y dv             z_1 = x, z_2 drifts by itself: Y is square     (4)
+    F_v' dv' + F_v dv + F_q G x + F_w dw = 0                  dv = Y^-1 (z' - X x)           (5)
 
-    (Y^T M N^-1 G) x'' - (Y^T df/du N^-1 G) x' - (Y^T d(f + B lambda_0)/dq G) x = Y^T df/dw w
-
-Y is N^-1 G where the rows are power-conjugate to u: the result is then conjugate to x'.
-Terms of second order (u times x, changes of M, N, A and G) are left out. With constraints, G spans
-the deviations that they admit to first order.
+(5) in z is M z'' + C z' + K z = E(w). Rows that are power-conjugate to v are taken times Y^-T and
+are then conjugate to z'. At rest every coordinate stays; about a steady motion those without effect
+leave, but as many as the speeds need: z_2, of which K has zero columns.
 """
 
 import sys
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 
-from sympy import Abs, Expr, Matrix, Symbol, eye, sign, sympify
+from sympy import Expr, Integer, Symbol, sympify
 
-from mechanics.compiled.bordered import bind
 from mechanics.equations import Equations
-from mechanics.errors import InputError, wanted
+from mechanics.errors import ExpressionError, InputError, SingularError, wanted
+from mechanics.kernel import Finding, Statement, Verdict, decide
 from mechanics.kinematics.printer import symbols
-from mechanics.linear.algebra import independent_rows, inverse, is_zero, null_space, reduced
+from mechanics.linear.algebra import written
+from mechanics.linear.effect import accelerations, depends, effective
 from mechanics.linear.form import Linear
-from mechanics.mechanism import name_of
+from mechanics.linear.operating_point import (
+    OperatingPoint,
+    Place,
+    Values,
+    missing,
+    operating_point,
+    pivots,
+)
+from mechanics.linear.reduction import Reduction, as_rows, reduction
+from mechanics.mechanism import name_of, ranges
+from mechanics.program.builder import Builder, Node
+from mechanics.program.elimination import solve_with_pivots
+from mechanics.program.operations import ABS, FLOOR, SIGN
+from mechanics.program.program import reachable
 from mechanics.program.sympy_printer import expressions
+from mechanics.program.vectors import dot
 from mechanics.reading.kinds import angular
-from mechanics.routes.rows import acceleration_forms, coefficients
+from mechanics.routes.rows import coefficients
 from mechanics.scene import Scene
 from mechanics.scene.rates import TIME
 from mechanics.scene.symbols import DOTS
+from mechanics.symbolic.arithmetic import range_of
 
-Values = Mapping[str | Expr, Expr | int]
-
-
-@dataclass(frozen=True)
-class Rest:
-    """What the symbols are at the operating point: q_0, w_0, and zero for every rate."""
-
-    point: dict[Symbol, Expr]
-    table: dict[Symbol, Expr]
-
-    def of(self, expression: Expr) -> Expr:
-        """Value of an expression there."""
-        return reduced(sympify(expression).xreplace(self.table))
-
-    def gradient(self, column: Sequence[Expr], symbols: Sequence[Symbol]) -> Matrix:
-        """Derivatives of the entries by the symbols, there."""
-        rows = list(column)
-        return Matrix(
-            len(rows), len(symbols), lambda i, j: self.of(sympify(rows[i]).diff(symbols[j]))
-        )
+Rows = list[list[Node]]
 
 
 def linearize(
@@ -58,19 +57,25 @@ def linearize(
     at: Values,
     inputs: Values | None = None,
     parameters: Mapping[Symbol, Expr] | None = None,
+    speeds: Values | None = None,
 ) -> Linear:
-    """Linearize equations of motion about an equilibrium.
+    """Linearize equations of motion about a state of rest or a steady motion.
 
     Parameters
     ----------
     equations : Equations
         By any route.
     at : mapping
-        A value for every coordinate, by name, dynamic symbol or plain symbol.
+        Values of coordinates, by name, dynamic symbol or plain symbol: of all of them at rest; of a
+        steady motion those that have no effect, as the angle of a wheel, may be left out.
     inputs : mapping, optional
         A value for every input of the scene.
     parameters : mapping of Symbol to Expr, optional
         Relations between parameters that hold there, ``{l3: l1}`` for a parallelogram.
+    speeds : mapping, optional
+        Speeds of a steady motion, or rates of inputs that move something: numbers, or expressions
+        in parameters and in symbols of their own, ``{"u2": v / R}``. Speeds that the constraints
+        give may be left out; others that are left out are zero.
 
     Returns
     -------
@@ -79,267 +84,334 @@ def linearize(
     Raises
     ------
     InputError
-        If a value is missing, a name unknown, a constraint broken, or the point is no equilibrium:
-        the message gives the force that is left over.
+        If a value is missing, a name unknown, a constraint broken, or the point neither an
+        equilibrium nor a steady motion: the message gives the force or the rate that is left over.
     ExpressionError
-        If it cannot be told whether the point is an equilibrium.
+        If it cannot be told whether it is one.
+    SingularError
+        If M is singular there: Euler angles of a top that is upright.
     """
     wanted(equations, Equations, "linearize", "pass derive(scene, route)")
     scene = equations.scene
-    rest = _rest(scene, at, inputs or {}, parameters or {})
-    _placed(scene, rest)
-    return _expand(equations, rest)
+    related = {**equations.fixed, **(parameters or {})}
+    point = operating_point(scene, at, inputs or {}, speeds or {}, related)
+    derived = as_rows(equations)
+    builder = derived[0].builder
+    table = {s.name: value for s, value in {**related, **point.point}.items()}
+    still = [w.name + dots for w in scene.input_symbols for dots in DOTS[1:]]
+    table |= dict.fromkeys(still, Integer(0))
+    table |= {s.name: value for s, value in point.speeds.items() if s.name in table}
+    place = Place(builder, table)
+    given = {s.name for s, value in point.speeds.items() if value != 0}
+    moving = reduction(equations, derived, place, given)
+    table = dict(table) | {name_of(node): Integer(0) for node in (*moving.v, *moving.vd)}
+    table |= {symbol.name: value for symbol, value in point.speeds.items()}
+    kept = tuple(sorted(effective(moving, related))) if point.moves else tuple(range(len(scene.q)))
+    # What has no effect may have any value.
+    table = {q.name: Integer(0) for i, q in enumerate(scene.q) if i not in kept} | table
+    whole = Place(builder, table, place.builder)
+    expansion = Expansion(equations, point, moving, whole, kept)
+    expansion.verify()
+    return expansion.linear()
 
 
-def _rest(scene: Scene, at: Values, inputs: Values, parameters: Mapping[Symbol, Expr]) -> Rest:
-    point = _complete(scene, "coordinate", scene.q, at)
-    point |= _complete(scene, "input", scene.input_symbols, inputs)
-    still: tuple[Symbol, ...] = (*scene.u, *scene.ud, *scene.qd)
-    table = {symbol: sympify(0) for symbol in still}
-    for symbol in scene.input_symbols:
-        table.update({rate: sympify(0) for rate in _rates(symbol)})
-    known = dict(parameters)
-    values = {symbol: value.subs(known) for symbol, value in point.items()}
-    return Rest(values, {**known, **table, **values})
-
-
-def _complete(
-    scene: Scene, kind: str, symbols: Sequence[Symbol], given: Values
-) -> dict[Symbol, Expr]:
-    """The given values by plain symbol: one for every symbol, and for no other."""
-    values: dict[Symbol, Expr] = {}
-    names = {symbol.name: symbol for symbol in symbols}
-    for key, value in given.items():
-        name = key if isinstance(key, str) else str(scene.plain(key, "operating point"))
-        if name not in names:
-            raise InputError(
-                f"{scene.name}: {name!r} is no {kind}: there are {', '.join(names) or 'none'}"
-            )
-        values[names[name]] = sympify(value, rational=True)
-    for symbol in symbols:
-        if symbol not in values:
-            raise InputError(
-                f"{scene.name}: the operating point gives no value for {kind} {symbol}:"
-                " give one for each, zero if that is meant"
-            )
-    return values
-
-
-def _rates(symbol: Symbol) -> list[Symbol]:
-    return [Symbol(symbol.name + dots, real=True) for dots in DOTS[1:]]
-
-
-def _placed(scene: Scene, rest: Rest) -> None:
-    """The point satisfies the constraints, and nothing moves or changes with time there."""
-    for name, expression in (
-        *((f"the rate {qd}", scene.coordinate_rates[qd]) for qd in scene.qd),
-        *((f"constraint {c.name}", scene.plain(c.expression)) for c in scene.constraints),
-    ):
-        left = rest.of(expression)
-        if not is_zero(left):
-            raise InputError(
-                f"{scene.name}: {name} is {left} at the operating point, not zero: give"
-                " coordinates that satisfy the constraints, exactly"
-            )
-
-
-@dataclass(frozen=True)
-class Slopes:
-    """The equations at the operating point, to first order.
+@dataclass(frozen=True, eq=False)
+class Expansion:
+    """Equations at an operating point, to first order.
 
     Attributes
     ----------
-    mass, reactions, constraints : Matrix
-        M, B and A there.
-    forcing : Matrix
-        f there, which the reactions balance.
-    by_speeds : Matrix
-        df/du.
-    by_coordinates : callable
-        d(f + B lambda)/dq at given multipliers.
-    by_inputs : list of Matrix
-        df/dw, df/dw', ...
-    kinematic : Matrix
-        N: of the rates of the coordinates by the speeds.
+    equations : Equations
+    point : OperatingPoint
+    reduction : Reduction
+    place : Place
+        Where all values are put in.
+    kept : tuple of int
+        Coordinates whose deviations count.
     """
 
-    mass: Matrix
-    reactions: Matrix
-    constraints: Matrix
-    forcing: Matrix
-    by_speeds: Matrix
-    by_coordinates: Callable[[Matrix], Matrix]
-    by_inputs: list[Matrix]
-    kinematic: Matrix
+    equations: Equations
+    point: OperatingPoint
+    reduction: Reduction
+    place: Place
+    kept: tuple[int, ...]
 
+    @property
+    def scene(self) -> Scene:
+        """The scene of the equations."""
+        return self.equations.scene
 
-def _written(equations: Equations, rest: Rest) -> Slopes:
-    """Slopes of matrices in SymPy."""
-    scene, forcing = equations.scene, equations.forcing
-    if any(sympify(entry).has(TIME) for entry in forcing):
-        raise _timed(scene)
-    _smooth(equations, rest)
-    orders = [scene.input_symbols]
-    orders += [tuple(_rates(w)[k] for w in scene.input_symbols) for k in range(len(DOTS) - 1)]
-    rates = [scene.coordinate_rates[qd] for qd in scene.qd]
+    @cached_property
+    def names(self) -> dict[str, Symbol]:
+        """The symbol of each name, those of the given values among them."""
+        values = (*self.point.point.values(), *self.point.speeds.values())
+        values = (*values, *self.point.parameters.values())
+        own = {s.name: s for value in values for s in sympify(value).free_symbols}
+        return {**own, **symbols(self.scene)}
 
-    def by_coordinates(multipliers: Matrix) -> Matrix:
-        whole = forcing
-        if equations.multipliers:
-            whole = forcing + equations.reaction_matrix * multipliers
-        return rest.gradient(whole, scene.q)
+    # ------------------------------------------------------------------ the operating point
 
-    return Slopes(
-        mass=equations.mass.applyfunc(rest.of),
-        reactions=equations.reaction_matrix.applyfunc(rest.of),
-        constraints=equations.constraint_matrix.applyfunc(rest.of),
-        forcing=forcing.applyfunc(rest.of),
-        by_speeds=rest.gradient(forcing, scene.u),
-        by_coordinates=by_coordinates,
-        by_inputs=[rest.gradient(forcing, symbols) for symbols in orders],
-        kinematic=rest.gradient(rates, scene.u),
-    )
+    def verify(self) -> None:
+        """Refuse what is neither a state of rest nor a steady motion."""
+        scene, moving = self.scene, self.reduction
+        for i in self.kept:
+            if scene.q[i] not in self.point.coordinates:
+                raise missing(scene, "coordinate", scene.q[i])
+        self._steady()
+        self._smooth()
+        words = "give coordinates that satisfy the constraints, exactly"
+        holonomic = [c.name for c in self.reduction.mechanism.constraints if c.holonomic]
+        broken = [(f"constraint {name}", words) for name in holonomic]
+        broken += [("a redundant constraint", words)] * len(moving.redundant)
+        nodes = [*moving.configuration, *moving.redundant]
+        for i, (u, value) in enumerate(zip(moving.mechanism.u, moving.speeds, strict=True)):
+            if i not in moving.free and name_of(u) in self.place.values:
+                broken.append((f"the speed {name_of(u)} less its given value", "leave it out"))
+                nodes.append(value - u)
+        why = "it has an effect, and what has one rests in a steady motion"
+        for i in self.kept:
+            broken.append((f"the rate {scene.qd[i]}", why if self.point.moves else words))
+            nodes.append(moving.rates[i])
+        self._regular(moving.configuration, broken[: len(holonomic)])
+        for k, (subject, cure) in self._left(nodes, broken):
+            raise InputError(
+                f"{scene.name}: {subject} is {k} at the operating point, not zero: {cure}"
+            )
+        kind = "steady motion" if self.point.moves else "equilibrium"
+        turning = angular(scene)
+        where = self.point.words({q: q in turning for q in scene.q})
+        for left, (subject, unit) in self._left([-row for row in moving.rows], self._forces()):
+            raise InputError(
+                f"{scene.name}: {where} is no {kind}: {subject} {left}{unit}, not zero"
+                f" ({self.equations.route})"
+            )
 
+    def _regular(self, holding: Sequence[Node], words: Sequence[tuple[str, str]]) -> None:
+        """Refuse a place where fewer constraints are independent than around it."""
+        here, nearby = self.reduction.ranks
+        if here < nearby and not list(self._left(holding, words)):
+            raise InputError(
+                f"{self.scene.name}: at the operating point {here} of {nearby} constraints are"
+                " independent: a singular configuration, at which nothing is linear"
+            )
 
-def _derived(equations: Equations, rest: Rest) -> Slopes:
-    """Slopes of a program, by its exact derivatives."""
-    scene, (mechanism, route) = equations.scene, equations.program
-    if scene.explicit_time:
-        raise _timed(scene)
-    for friction in mechanism.frictions:
-        raise InputError(
-            f"{scene.name}: load {friction.name} has no slope at the operating point: nothing"
-            " is linear there; linearize a scene without this friction"
-        )
-    build, rows = mechanism.builder, route.values
-    orders = [
-        [build.input(w.name + dots) for w in scene.input_symbols] for dots in DOTS
-    ]  # fmt: skip
-    groups = {
-        "mass": (rows, mechanism.ud),
-        "reactions": (rows, route.multipliers),
-        "speeds": (rows, mechanism.u),
-        "coordinates": (rows, mechanism.q),
-        "constraints": (acceleration_forms(mechanism), mechanism.ud),
-        "kinematic": (mechanism.q_rates, mechanism.u),
-        **{f"inputs {k}": (rows, order) for k, order in enumerate(orders)},
-    }
-    nodes = {name: coefficients(*pair) for name, pair in groups.items()}
-    outputs = {name: [entry for row in matrix for entry in row] for name, matrix in nodes.items()}
-    outputs["rows"] = list(rows)
-    program = build.program(outputs)
-    values = {s.name: v for s, v in rest.table.items() if not sympify(v).free_symbols}
-    other, bound = bind(program, {n: v for n, v in values.items() if n in program.inputs})
-    names = {**symbols(scene), **{s.name: v for s, v in rest.table.items()}}
-    found = expressions(other.program(bound), names, limit=sys.maxsize)
-    matrices = {
-        name: Matrix(len(pair[0]), len(pair[1]), found[name]) for name, pair in groups.items()
-    }
-    multipliers = [names[name_of(node)] for node in route.multipliers]
-    still = dict.fromkeys(multipliers, sympify(0))
+    def _forces(self) -> list[tuple[str, str]]:
+        """What each row leaves, and its unit."""
+        scene, moving = self.scene, self.reduction
+        turning = angular(scene)
+        when = "" if self.point.moves else " at rest"
+        if moving.conjugate and not scene.speeds:
+            along = [scene.q[i] for i in moving.free]
+            kinds = [("torque", " N m") if q in turning else ("force", " N") for q in along]
+            return [
+                (f"the {kind} on {q}{when} is", unit)
+                for q, (kind, unit) in zip(along, kinds, strict=True)
+            ]
+        count = range(1, len(moving.rows) + 1)
+        return [(f"row {k} of the equations{when} leaves", "") for k in count]
 
-    def by_coordinates(static: Matrix) -> Matrix:
-        at = dict(zip(multipliers, static, strict=True))
-        return -matrices["coordinates"].xreplace(at)
+    def _left(
+        self, nodes: Sequence[Node], words: Sequence[tuple[str, str]]
+    ) -> Iterator[tuple[Expr, tuple[str, str]]]:
+        """What is not zero there, with its words; nothing where the kernel shows that all is."""
+        there = self.place(nodes)
+        if not there or self._zero(there).shown:
+            return
+        for node, own in zip(there, words, strict=True):
+            finding = self._zero([node])
+            if not finding.shown:
+                (value,) = self._written([node])
+                if finding.verdict is not Verdict.REFUTED:
+                    raise ExpressionError(f"it cannot be told whether {str(value)[:80]} is zero")
+                yield value, own
 
-    return Slopes(
-        mass=matrices["mass"],
-        reactions=-matrices["reactions"],
-        constraints=matrices["constraints"],
-        forcing=-Matrix(len(rows), 1, found["rows"]).xreplace(still),
-        by_speeds=-matrices["speeds"],
-        by_coordinates=by_coordinates,
-        by_inputs=[-matrices[f"inputs {k}"] for k in range(len(orders))],
-        kinematic=matrices["kinematic"],
-    )
+    def _zero(self, nodes: Sequence[Node]) -> Finding:
+        signs = ranges(self.reduction.mechanism)
+        signs |= {name: range_of(symbol) for name, symbol in self.names.items()}
+        program = self.place.builder.program({"left": nodes, "right": [0] * len(nodes)})
+        known = {name: sign for name, sign in signs.items() if name in program.inputs}
+        return decide(Statement("operating point", program, known))
 
+    def _written(self, nodes: Sequence[Node]) -> tuple[Expr, ...]:
+        program = self.place.builder.program({"nodes": nodes})
+        return tuple(map(written, expressions(program, self.names, limit=sys.maxsize)["nodes"]))
 
-def _timed(scene: Scene) -> InputError:
-    return InputError(
-        f"{scene.name}: the forces depend on time itself, so that nothing is an equilibrium:"
-        " declare what changes as an input"
-    )
-
-
-def _expand(equations: Equations, rest: Rest) -> Linear:
-    scene = equations.scene
-    if equations.textbook is None:
-        slopes = _derived(equations, rest)
-    else:
-        slopes = _written(equations, rest)
-    kinematic, constraint = inverse(slopes.kinematic), slopes.constraints
-    if constraint.rows:
-        reach, free = null_space((constraint * kinematic).applyfunc(reduced))
-    else:
-        reach, free = eye(len(scene.q)), tuple(range(len(scene.q)))
-    speeds = kinematic * reach
-    conjugate = equations.conjugate and slopes.mass.rows == len(scene.u)
-    still = slopes.reactions
-    # Rows conjugate to u, projected on the admitted speeds, are conjugate to x'.
-    left = speeds.T if conjugate else null_space(still.T)[0].T
-    static = _static(equations, rest, left, slopes, free if conjugate else ())
-
-    def projected(matrix: Matrix) -> Matrix:
-        return (left * matrix).applyfunc(reduced)
-
-    drives = [projected(matrix) for matrix in slopes.by_inputs]
-    while len(drives) > 1 and drives[-1].is_zero_matrix:
-        drives.pop()
-    return Linear(
-        scene=scene,
-        route=equations.route,
-        point=rest.point,
-        coordinates=tuple(scene.q[j] for j in free),
-        inputs=scene.input_symbols,
-        mass=projected(slopes.mass * speeds),
-        damping=projected(-slopes.by_speeds * speeds),
-        stiffness=projected(-slopes.by_coordinates(static) * reach),
-        input_matrices=tuple(drives),
-        reach=reach,
-        conjugate=conjugate,
-    )
-
-
-def _smooth(equations: Equations, rest: Rest) -> None:
-    """Refuse a point at which a load jumps, as friction does at rest."""
-    for entry in equations.forcing:
-        for kink in sorted(sympify(entry).atoms(sign, Abs), key=str):
-            if is_zero(rest.of(kink.args[0])) is not False:
+    def _steady(self) -> None:
+        """Nothing depends on time, nor on an input that drifts."""
+        scene, moving = self.scene, self.reduction
+        builder, signs = moving.mechanism.builder, ranges(moving.mechanism)
+        plain = Place(builder, {s.name: value for s, value in self.point.parameters.items()})
+        laws = plain([*moving.rows, *moving.configuration, *(moving.rates[i] for i in self.kept)])
+        solved = accelerations(plain, moving)
+        time = plain.builder.input(TIME.name)
+        if scene.explicit_time and depends(plain, laws, time, signs, solved):
+            raise InputError(
+                f"{scene.name}: the forces depend on time itself, so that nothing is an equilibrium"
+                " or a steady motion: declare what changes as an input"
+            )
+        for w in scene.input_symbols:
+            rate = self.place.values[w.name + DOTS[1]]
+            if rate != 0 and depends(plain, laws, plain.builder.input(w.name), signs, solved):
                 raise InputError(
-                    f"{equations.scene.name}: {kink} has no slope at the operating point: nothing"
+                    f"{scene.name}: input {w} moves on by {rate} a second, and the equations depend"
+                    " on it: this is no steady motion"
+                )
+
+    def _smooth(self) -> None:
+        """Refuse a point at which a load jumps, as friction does at rest."""
+        builder, rows = self.reduction.mechanism.builder, self.reduction.rows
+        kinks = [
+            Node(builder, number) for number in reachable(builder, [row.number for row in rows])
+            if builder.operations[number] in (ABS, SIGN, FLOOR)
+        ]  # fmt: skip
+        inside = [Node(builder, builder.operands[0][kink.number]) for kink in kinks]
+        for kink, node in zip(kinks, self.place(inside), strict=True):
+            if node.is_zero or self._zero([node]).verdict is not Verdict.REFUTED:
+                program = builder.program({"nodes": [kink]})
+                (text,) = expressions(program, self.names, limit=sys.maxsize)["nodes"]
+                raise InputError(
+                    f"{self.scene.name}: {text} has no slope at the operating point: nothing"
                     " is linear there; linearize a scene without the friction that it comes from"
                 )
 
+    # ------------------------------------------------------------------ to first order
 
-def _static(
-    equations: Equations, rest: Rest, left: Matrix, slopes: Slopes, moved: Sequence[int]
-) -> Matrix:
-    """Return the static reactions lambda_0; refuse a point out of balance.
-
-    Rows are the forces on the coordinates that are `moved`, where these are given.
-    """
-    scene, turning = equations.scene, angular(equations.scene)
-    out_of_balance = (left * slopes.forcing).applyfunc(reduced)
-    for row, entry in enumerate(out_of_balance, 1):
-        if not is_zero(entry):
-            units = {q: " rad" if q in turning else " m" for q in scene.q}
-            place = ", ".join(f"{s} = {value}{units.get(s, '')}" for s, value in rest.point.items())
-            left_over = f"row {row} of the equations at rest leaves {entry}"
-            if moved:
-                q = scene.q[moved[row - 1]]
-                torque = q in turning
-                left_over = (
-                    f"the {'torque' if torque else 'force'} on {q} at rest is"
-                    f" {entry} {'N m' if torque else 'N'}"
-                )
-            raise InputError(
-                f"{scene.name}: {place} is no equilibrium: {left_over}, not zero"
-                f" ({equations.route})"
+    def linear(self) -> Linear:
+        """Equation (5)."""
+        scene, moving, place = self.scene, self.reduction, self.place
+        build, mechanism = place.builder, moving.mechanism
+        coordinates = [mechanism.q[i] for i in self.kept]
+        holding = coefficients(moving.configuration, coordinates) if moving.configuration else ()
+        rates = place.matrix(coefficients(moving.rates, moving.v))
+        chosen, drifting, reach = self._independent(place.matrix(holding), rates)
+        own = [*chosen, *drifting]
+        turn = inverse(build, [rates[i] for i in own])
+        # X x, and nothing for what drifts.
+        bends = place.matrix(coefficients([moving.rates[i] for i in own], coordinates))
+        carried = product(turn, padded(build, product(bends, reach), len(own)))
+        by_rates = place.matrix(coefficients(moving.rows, moving.vd))
+        if len(pivots(build, by_rates)) < len(own):
+            raise SingularError(
+                f"{scene.name}: the mass matrix is singular at the operating point: use coordinates"
+                " that are regular there, as other Euler angles"
             )
-    still = slopes.reactions
-    if not still.cols:
-        return Matrix(0, 1, [])
-    rows = list(independent_rows(still))
-    return -inverse(still.extract(rows, list(range(still.cols)))) * slopes.forcing.extract(
-        rows, [0]
-    )
+        by_speeds = place.matrix(coefficients(moving.rows, moving.v))
+        by_place = place.matrix(coefficients(moving.rows, coordinates))
+        mass = product(by_rates, turn)
+        damping = difference(product(by_speeds, turn), product(by_rates, carried))
+        stiffness = difference(
+            padded(build, product(by_place, reach), len(own)), product(by_speeds, carried)
+        )
+        given = [
+            [mechanism.builder.input(w.name + dots) for w in scene.input_symbols] for dots in DOTS
+        ]
+        self._forced(moving, given)
+        drives = [
+            [[-entry for entry in row] for row in place.matrix(coefficients(moving.rows, order))]
+            for order in given
+        ]
+        while len(drives) > 1 and all(entry.is_zero for row in drives[-1] for entry in row):
+            drives.pop()
+        matrices = {"mass": mass, "damping": damping, "stiffness": stiffness}
+        matrices |= {f"inputs {k}": drive for k, drive in enumerate(drives)}
+        if moving.conjugate:
+            across = [list(column) for column in zip(*turn, strict=True)]
+            matrices = {name: product(across, matrix) for name, matrix in matrices.items()}
+        whole = [[build.zero] * len(own) for _ in scene.q]
+        for row, i in enumerate(self.kept):
+            whole[i][: len(chosen)] = reach[row]
+        for column, i in enumerate(drifting, len(chosen)):
+            whole[i][column] = build.one
+        matrices["reach"] = whole
+        speeds = place(moving.speeds)
+        return Linear(
+            scene=scene,
+            route=self.equations.route,
+            point=self.point.point,
+            speeds=dict(zip(scene.u, self._written(speeds), strict=True)),
+            coordinates=tuple(scene.q[i] for i in own),
+            cyclic=tuple(scene.q[i] for i in drifting),
+            inputs=scene.input_symbols,
+            program=build.program({n: [e for row in m for e in row] for n, m in matrices.items()}),
+            names=self.names,
+            conjugate=moving.conjugate,
+        )
+
+    def _independent(self, holding: Rows, rates: Rows) -> tuple[list[int], list[int], Rows]:
+        """z_1 and z_2, by the places of the coordinates, and G: equations (3) and (4)."""
+        place, count = self.place, len(self.scene.q)
+        drifts = [i for i in range(count) if i not in self.kept]
+        order = [*reversed(self.kept), *reversed(drifts)]
+        picked = [order[row] for row, _ in pivots(place.builder, [rates[i] for i in order])]
+        chosen = sorted(i for i in picked if i in self.kept)
+        drifting = sorted(set(picked) - set(chosen))
+        if len(chosen) == len(self.kept) - len(pivots(place.builder, holding)):
+            return chosen, drifting, self._dependent(holding, chosen)
+        if self.point.moves:
+            names = ", ".join(self.scene.q[i].name for i in self.kept)
+            raise InputError(
+                f"{self.scene.name}: {names} have an effect, and their rates are not independent to"
+                " first order: the linear equations are not of second order"
+            )
+        # At rest, conditions of no slip hold back the deviations, too.
+        turn = inverse(place.builder, [rates[i] for i in chosen])
+        return chosen, drifting, product([rates[i] for i in self.kept], turn)
+
+    def _dependent(self, holding: Rows, chosen: Sequence[int]) -> Rows:
+        """G of J G = 0, the identity for the chosen coordinates."""
+        build = self.place.builder
+        columns = [column for column, i in enumerate(self.kept) if i in chosen]
+        others = [column for column, i in enumerate(self.kept) if i not in chosen]
+        reach = [[build.zero] * len(columns) for _ in self.kept]
+        for place, column in enumerate(columns):
+            reach[column][place] = build.one
+        square = [[row[column] for column in others] for row in holding]
+        order = pivots(build, square)
+        rows = [holding[row] for row, _ in order]
+        held = [[row[others[column]] for _, column in order] for row in rows]
+        diagonal = [(k, k) for k in range(len(order))]
+        for place, column in enumerate(columns):
+            side = [-row[column] for row in rows]
+            solved = solve_with_pivots(held, side, diagonal) if order else []
+            for (_, other), value in zip(order, solved, strict=True):
+                reach[others[other]][place] = value
+        return reach
+
+    def _forced(self, moving: Reduction, given: Sequence[Sequence[Node]]) -> None:
+        """Refuse inputs that change the constraints or the rates: E(w) has no place for that."""
+        inputs = [node for order in given for node in order]
+        laws = [*moving.configuration, *(moving.rates[i] for i in self.kept)]
+        slopes = coefficients(laws, inputs) if laws and inputs else ()
+        for row in self.place.matrix(slopes):
+            for node, entry in zip(inputs, row, strict=True):
+                if not entry.is_zero:
+                    raise InputError(
+                        f"{self.scene.name}: input {name_of(node)} moves a constraint or a rate of"
+                        " the coordinates: linearize a scene in coordinates that it does not hold"
+                    )
+
+
+def product(left: Rows, right: Rows) -> Rows:
+    """Of two matrices of nodes; entries that are 0 cost nothing."""
+    columns = list(zip(*right, strict=True))
+    return [[dot(row, column) for column in columns] for row in left]
+
+
+def difference(left: Rows, right: Rows) -> Rows:
+    """Of two matrices of nodes."""
+    pairs = zip(left, right, strict=True)
+    return [[a - b for a, b in zip(one, two, strict=True)] for one, two in pairs]
+
+
+def padded(builder: Builder, matrix: Rows, columns: int) -> Rows:
+    """A matrix with columns of 0 appended."""
+    return [[*row, *[builder.zero] * (columns - len(row))] for row in matrix]
+
+
+def inverse(builder: Builder, matrix: Rows) -> Rows:
+    """Of a matrix of nodes that is regular, its pivots chosen at one point of a field."""
+    size = range(len(matrix))
+    order = pivots(builder, matrix)
+    sides = [[builder.node(int(i == j)) for i in size] for j in size]
+    columns = [solve_with_pivots(matrix, side, order) for side in sides]
+    return [list(row) for row in zip(*columns, strict=True)]

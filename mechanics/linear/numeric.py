@@ -1,20 +1,17 @@
 """Numbers: state space, natural modes and poles by SciPy.
 
-y = (x, x'),   y' = A y + B w,   A = [[0, I], [-M^-1 K, -M^-1 C]],   B = [[0], [M^-1 E_0]]
+y' = A y + B w,    y = (x, x') without what is cyclic
 """
 
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
-from sympy import Matrix
 
-from mechanics.errors import InputError, SingularError
+from mechanics.errors import InputError
+from mechanics.linear.first_order import Array
 from mechanics.linear.form import Linear
 from mechanics.linear.modes import Convention
-from mechanics.linear.values import Numbers, with_numbers
-
-Array = np.ndarray[Any, np.dtype[Any]]
+from mechanics.linear.values import Numbers
 
 
 @dataclass(frozen=True, eq=False)
@@ -36,7 +33,7 @@ class NumericModes:
 
 
 def state_space(linear: Linear, values: Numbers | None = None) -> tuple[Array, Array]:
-    """A, 2n x 2n, and B, 2n x p, for the deviations y = (x, x').
+    """A, s x s, and B, s x p, for the deviations y = (x, x') without coordinates that are cyclic.
 
     Parameters
     ----------
@@ -53,28 +50,14 @@ def state_space(linear: Linear, values: Numbers | None = None) -> tuple[Array, A
     SingularError
         If M is singular at these values.
     """
-    if len(linear.input_matrices) > 1:
-        raise InputError(
-            f"{linear.scene.name}: derivatives of the inputs drive the system, which y' = A y + B w"
-            " cannot say: declare the highest derivative as the input"
-        )
-    mass, damping, stiffness, drive = _numbers(
-        linear, values, linear.mass, linear.damping, linear.stiffness, linear.input_matrices[0]
-    )
-    n = mass.shape[0]
-    if np.linalg.matrix_rank(mass) < n:
-        raise SingularError(f"{linear.scene.name}: the mass matrix is singular at these values")
-    solved = np.linalg.solve(mass, np.hstack([-stiffness, -damping, drive]))
-    upper = np.hstack([np.zeros((n, n)), np.eye(n)])
-    a = np.vstack([upper, solved[:, : 2 * n]])
-    return a, np.vstack([np.zeros_like(drive), solved[:, 2 * n :]])
+    return linear.state_space(values)
 
 
 def damped(linear: Linear, values: Numbers | None = None) -> bool:
     """Whether a speed enters the equations at these values: C is not zero there."""
     if linear.undamped:
         return False
-    _, damping, _ = _numbers(linear, values, linear.mass, linear.damping, linear.stiffness)
+    (damping,) = linear.numbers(values, "damping")
     return bool(damping.any())
 
 
@@ -92,8 +75,7 @@ def numeric_modes(
     """
     import scipy.linalg  # a tenth of the time that all else takes to import
 
-    matrices = (linear.mass, linear.damping, linear.stiffness)
-    mass, damping, stiffness = _numbers(linear, values, *matrices)
+    mass, damping, stiffness = linear.numbers(values, "mass", "damping", "stiffness")
     if damping.any():
         raise InputError(f"{linear.scene.name}: the linear equations are damped: use damped_modes")
     if np.array_equal(mass, mass.T) and np.array_equal(stiffness, stiffness.T):
@@ -121,14 +103,7 @@ def largest(shapes: Array) -> Array:
 
 
 def numeric_poles(linear: Linear, values: Numbers | None = None) -> Array:
-    """Eigenvalues of A in 1/s, shape (2n,), by falling real part."""
+    """Eigenvalues of A in 1/s, shape (s,), by falling real part."""
     a, _ = state_space(linear, values)
     found: Array = np.linalg.eigvals(a)
     return found[np.lexsort((found.imag, -found.real))]
-
-
-def _numbers(linear: Linear, values: Numbers | None, *matrices: Matrix) -> list[Array]:
-    side_by_side = Matrix.hstack(*matrices)
-    numbers = with_numbers(linear.scene, side_by_side, values).evalf(17)
-    array = np.array(numbers.tolist(), dtype=float).reshape(side_by_side.shape)
-    return np.split(array, np.cumsum([matrix.cols for matrix in matrices])[:-1], axis=1)

@@ -6,7 +6,6 @@ w = - L_0 x - L_1 x' + R r:   K + E L_0,  C + E L_1,  input E R    closed loop
 """
 
 from collections.abc import Mapping
-from dataclasses import replace
 
 from sympy import Expr, Matrix, Symbol
 
@@ -85,19 +84,15 @@ def close_loop(
     for j, row in closed.items():
         referred += drive.col(j) * row
     kept = [j for j in range(len(linear.inputs)) if j not in closed]
-    return replace(
-        linear,
-        inputs=(*references, *(linear.inputs[j] for j in kept)),
+    drives = {"inputs 0": referred.row_join(drive.extract(list(range(size)), kept))}
+    for order, matrix in enumerate(linear.input_matrices[1:], 1):
+        zero = Matrix.zeros(size, len(references))
+        drives[f"inputs {order}"] = zero.row_join(matrix.extract(list(range(size)), kept))
+    return linear.with_matrices(
+        (*references, *(linear.inputs[j] for j in kept)),
         stiffness=stiffness.applyfunc(reduced),
         damping=damping.applyfunc(reduced),
-        input_matrices=(
-            referred.row_join(drive.extract(list(range(size)), kept)),
-            *(
-                Matrix.zeros(size, len(references)).row_join(m.extract(list(range(size)), kept))
-                for m in linear.input_matrices[1:]
-            ),
-        ),
-        conjugate=False,
+        **drives,
     )
 
 

@@ -1,16 +1,24 @@
 """Typical values: a number for every parameter, by the scene's definitions where it has none."""
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from math import isfinite
 from typing import Any
 
 from sympy import Expr, Rational, Symbol, sympify
 
-from mechanics.errors import InputError, ValueMissingError
+from mechanics.errors import InputError, SingularError, ValueMissingError
+from mechanics.kernel import enclose
+from mechanics.program import Builder, Program
+from mechanics.program.interpret import include
+from mechanics.program.sympy_reader import read
 from mechanics.scene import Scene
 from mechanics.scene.parameters import Parameter
 
 Numbers = Mapping[str | Symbol, float]
+
+PRECISIONS = (128, 256, 512)
+"""Bits of enclosures, the first that tells an entry to double precision."""
+DOUBLE = 60
 
 
 def expand_definitions(scene: Scene, expr: Expr) -> Expr:
@@ -34,12 +42,53 @@ def with_numbers(scene: Scene, expr: Expr, values: Numbers | None = None) -> Exp
         If a given name is no parameter.
     """
     given = {str(key): value for key, value in (values or {}).items()}
-    _refuse_unknown(scene, expr, given)
+    _refuse_unknown(scene, expr.free_symbols, given)
+    return _substituted(scene, expr, given)
+
+
+def _substituted(scene: Scene, expr: Expr, given: Mapping[str, Any]) -> Expr:
     # A definition brings in symbols of its own, so once around for each.
     for _ in range(len(scene.definitions) + 1):
         table = {symbol: _number(scene, symbol, given) for symbol in expr.free_symbols}
         expr = expr.xreplace(table)
     return expr
+
+
+def evaluate(
+    scene: Scene,
+    program: Program,
+    symbols: Mapping[str, Symbol],
+    values: Numbers | None,
+    names: Sequence[str],
+) -> dict[str, list[float]]:
+    """Outputs of a program in double precision, each the double nearest to the exact value.
+
+    Raises
+    ------
+    ValueMissingError
+        If a symbol has neither a value nor a typical one.
+    SingularError
+        If an output has no value.
+    """
+    own = [symbols.get(name, Symbol(name)) for name in program.inputs]
+    given = {str(key): value for key, value in (values or {}).items()}
+    _refuse_unknown(scene, symbols.values(), given)
+    builder = Builder()
+    numbers = [_substituted(scene, symbol, given) for symbol in own]
+    table = dict(zip(program.inputs, read(builder, numbers), strict=True))
+    bound = builder.program(include(builder, program, table))
+    for bits in PRECISIONS:
+        outputs = enclose(bound, {}, bits)
+        balls = [ball for name in names for ball in outputs[name]]
+        if all(ball == 0 or ball.rel_accuracy_bits() >= DOUBLE for ball in balls):
+            break
+    if not all(ball.is_finite() for ball in balls):
+        raise SingularError(f"{scene.name}: the linear equations have no value at these values")
+    # What cannot be told from 0 at the last precision is below 1e-100 of what it is made of.
+    return {
+        name: [0.0 if ball.contains(0) else float(ball.mid()) for ball in outputs[name]]
+        for name in names
+    }
 
 
 def _number(scene: Scene, symbol: Symbol, given: Mapping[str, Any]) -> Expr:
@@ -66,8 +115,8 @@ def _exact(name: str, value: Any) -> Expr:
     return Rational(*value.as_integer_ratio())
 
 
-def _refuse_unknown(scene: Scene, expr: Expr, given: Mapping[str, Any]) -> None:
-    known = {*scene.parameters, *expr.free_symbols, *scene.definitions}
+def _refuse_unknown(scene: Scene, own: Iterable[Symbol], given: Mapping[str, Any]) -> None:
+    known = {*scene.parameters, *own, *scene.definitions}
     known |= {s for value in scene.definitions.values() for s in sympify(value).free_symbols}
     names = {symbol.name for symbol in known}
     for name in given:

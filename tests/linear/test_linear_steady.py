@@ -1,0 +1,181 @@
+"""Linearization about steady motions, against what textbooks say of them."""
+
+from functools import cache
+
+import numpy as np
+import pytest
+from steady_scenes import OMEGA, A, C, L, bead, d, foucault, g, k, m, psi, r, rotor, top
+from sympy import Expr, Rational, Symbol, cos, factor, pi, sin, symbols
+
+from mechanics.equations import Equations
+from mechanics.errors import InputError, SingularError
+from mechanics.linear import Linear, linearize, numeric_poles, state_space
+from mechanics.routes.derivation import by_route
+from mechanics.symbolic import prove_equal
+from systems import rolling_disc
+
+ROUTES = ("free_body", "moving_point", "kane", "lagrange")
+SPEED = Symbol("v", positive=True)
+s = Symbol("s")
+
+
+@cache
+def derived(name: str, route: str = "lagrange") -> Equations:
+    scenes = {
+        "disc": rolling_disc.scene,
+        "upright": lambda: top("xyz"),
+        "euler": lambda: top("zxz"),
+        "rotor": rotor,
+        "table": foucault,
+        "bead": lambda: bead(psi, (psi,)),
+        "timed bead": lambda: bead(OMEGA * Symbol("t")),
+    }
+    return by_route(route, scenes[name]())
+
+
+def polynomial(linear: Linear) -> Expr:
+    """det(s - A), factored."""
+    return factor(linear.A.charpoly(s).as_expr())
+
+
+def same(one: Expr, two: Expr) -> bool:
+    return prove_equal("", [one], [two]).shown
+
+
+@pytest.mark.parametrize("route", ROUTES)
+def test_upright_disc_is_stable_above_its_critical_speed(route: str) -> None:
+    # v^2 > g R / 3 for a thin uniform disc.
+    linear = linearize(derived("disc", route), {"lean": 0}, speeds={"u2": SPEED / rolling_disc.R})
+    R, weight = rolling_disc.R, rolling_disc.g
+    assert [q.name for q in linear.coordinates] == ["lean", "yaw", "spin"]
+    assert [q.name for q in linear.cyclic] == ["yaw", "spin"]
+    assert [y.name for y in linear.states] == ["lean", "lean_dot", "yaw_dot", "spin_dot"]
+    assert linear.speeds[Symbol("u4", real=True)] == SPEED
+    expected = s**2 * (s**2 + Rational(12, 5) * (SPEED**2 - weight * R / 3) / R**2)
+    assert same(polynomial(linear), expected)
+
+
+def test_disc_in_a_circle_goes_on_and_its_heading_has_no_effect() -> None:
+    # Steady where 4 g sin + 6 R u2 u3 - R u3^2 tan = 0; its speeds u4, u5 turn with the heading.
+    R, weight = rolling_disc.R, rolling_disc.g
+    lean, turn = Rational(1, 4), Symbol("w", real=True)
+    tilt = sin(lean) / cos(lean)
+    roll = (R * turn**2 * tilt - 4 * weight * sin(lean)) / (6 * R * turn)
+    equations = derived("disc")
+    linear = linearize(equations, {"lean": lean}, speeds={"u2": roll, "u3": turn})
+    values = {"w": -1.2}
+    matrix, _ = state_space(linear, values)
+    assert np.allclose(matrix, _by_differences(equations.scene, values["w"]), atol=1e-7)
+    with pytest.raises(InputError, match=r"is no steady motion: row . of the equations leaves"):
+        linearize(equations, {"lean": lean}, speeds={"u2": 2 * roll, "u3": turn})
+
+
+def _by_differences(scene, turn: float) -> np.ndarray:
+    """d(lean', lean'', yaw'', spin'')/d(lean, lean', yaw', spin') of the published equations."""
+    R, weight = 0.5, 9.81
+    lean = 0.25
+    roll = (R * turn**2 * np.tan(lean) - 4 * weight * np.sin(lean)) / (6 * R * turn)
+
+    def rates(state: np.ndarray) -> np.ndarray:
+        q, u1, yaw, spin = state
+        u3, tan = yaw * np.cos(q), np.tan(q)
+        u2 = spin + yaw * np.sin(q)
+        u1_dot = (4 * weight * np.sin(q) + 6 * R * u2 * u3 - R * u3**2 * tan) / (5 * R)
+        u2_dot, u3_dot = -2 * u1 * u3 / 3, (-2 * u2 + u3 * tan) * u1
+        yaw_dot = (u3_dot + u3 * tan * u1) / np.cos(q)
+        return np.array([u1, u1_dot, yaw_dot, u2_dot - yaw_dot * np.sin(q) - u3 * u1])
+
+    yaw = turn / np.cos(lean)
+    start = np.array([lean, 0.0, yaw, roll - yaw * np.sin(lean)])
+    step = 1e-5
+    columns = [(rates(start + e) - rates(start - e)) / (2 * step) for e in step * np.eye(4)]
+    return np.array(columns).T
+
+
+@pytest.mark.parametrize("route", ROUTES)
+def test_sleeping_top_needs_the_textbook_spin(route: str) -> None:
+    linear = linearize(derived("upright", route), {"a": 0, "b": 0}, speeds={"c_dot": OMEGA})
+    assert [q.name for q in linear.cyclic] == ["c"]
+    square = (C**2 * OMEGA**2 - 2 * A * m * g * L) / A**2
+    assert same(polynomial(linear), s * (s**4 + square * s**2 + (m * g * L / A) ** 2))
+
+
+def test_steady_precession_nutates_with_the_textbook_frequency() -> None:
+    tilt, turn = symbols("theta0 p", real=True)
+    spin = (m * g * L + A * turn**2 * cos(tilt)) / (C * turn) - turn * cos(tilt)
+    speeds = {"a_dot": turn, "c_dot": spin}
+    linear = linearize(derived("euler"), {"b": tilt}, speeds=speeds)
+    weight = m * g * L
+    square = turn**2 - 2 * weight * cos(tilt) / A + (weight / (A * turn)) ** 2
+    assert same(polynomial(linear), s**2 * (s**2 + square))
+    with pytest.raises(InputError, match=r"the torque on b is -C\*p\*sin\(theta0\) N m, not zero"):
+        linearize(derived("euler"), {"b": tilt}, speeds={**speeds, "c_dot": spin + 1})
+
+
+def test_upright_euler_angles_are_refused() -> None:
+    with pytest.raises(SingularError, match="singular at the operating point"):
+        linearize(derived("euler"), {"b": 0}, speeds={"c_dot": OMEGA})
+
+
+def test_rotor_whirls_forward_and_backward() -> None:
+    linear = linearize(
+        derived("rotor"), {q: 0 for q in ("x", "y", "a", "b")}, speeds={"c_dot": OMEGA}
+    )
+    jeffcott = (s**2 + 2 * k / m) ** 2
+    tilting = (s**2 + 2 * k * L**2 / d) ** 2 + (C * OMEGA * s / d) ** 2
+    assert same(polynomial(linear), s * jeffcott * tilting)
+    values = {"Omega": 300.0}
+    matrix, _ = state_space(linear, values)
+    poles, shapes = np.linalg.eig(matrix)
+    faster, slower = sorted((p.imag for p in poles if p.imag > 1), reverse=True)[::3]
+    for speed, sense in ((faster, 1), (slower, -1)):
+        shape = shapes[:, np.argmin(abs(poles - 1j * speed))]
+        tilt_a, tilt_b = shape[[y.name for y in linear.states].index("a")], shape[3]
+        # Tilts that turn with the spin: b lags a by a quarter of a turn.
+        assert np.isclose(tilt_b / tilt_a, -1j * sense)
+
+
+def test_bead_on_a_turned_hoop_rests_where_the_textbook_says() -> None:
+    tilt = Symbol("beta", real=True)
+    relation = {g: r * OMEGA**2 * cos(tilt)}
+    linear = linearize(derived("bead"), {"b": tilt}, {"psi": 0}, relation, {"psi_dot": OMEGA})
+    assert same(linear.stiffness[0] / linear.mass[0], (OMEGA * sin(tilt)) ** 2)
+    for held in ({"b": 0}, {"b": pi}):
+        above = linearize(derived("bead"), held, {"psi": 0}, speeds={"psi_dot": OMEGA})
+        weight = g / r * cos(held["b"])
+        assert same(above.stiffness[0] / above.mass[0], weight - OMEGA**2)
+    with pytest.raises(InputError, match="b = 1/2 rad, psi = 0, psi_dot = Omega is no steady"):
+        linearize(derived("bead"), {"b": 0.5}, {"psi": 0}, speeds={"psi_dot": OMEGA})
+
+
+def test_mass_on_a_turning_table_has_the_frequencies_of_foucault() -> None:
+    linear = linearize(derived("table"), {"x": 0, "y": 0}, {"psi": 0}, speeds={"psi_dot": OMEGA})
+    expected = (s**2 + k / m - OMEGA**2) ** 2 + (2 * OMEGA * s) ** 2
+    assert same(polynomial(linear), expected)
+
+
+def test_what_drifts_and_has_an_effect_is_refused() -> None:
+    with pytest.raises(InputError, match=r"the rate a_dot is Omega at the operating point"):
+        linearize(derived("upright"), {"a": 0, "b": 0}, speeds={"a_dot": OMEGA})
+    with pytest.raises(InputError, match="gives no value for coordinate b"):
+        linearize(derived("upright"), {"a": 0}, speeds={"c_dot": OMEGA})
+
+
+def test_speeds_that_the_constraints_give_are_checked() -> None:
+    R = rolling_disc.R
+    fitting = {"u2": SPEED / R, "u4": SPEED}
+    linear = linearize(derived("disc"), {"lean": 0, "yaw": 0}, speeds=fitting)
+    assert linear.speeds[Symbol("u4", real=True)] == SPEED
+    with pytest.raises(InputError, match=r"speed u\d less its given value is"):
+        linearize(derived("disc"), {"lean": 0, "yaw": 0}, speeds={**fitting, "u5": 1})
+
+
+def test_state_space_leaves_out_what_has_no_effect() -> None:
+    linear = linearize(derived("disc"), {"lean": 0}, speeds={"u2": SPEED / rolling_disc.R})
+    matrix, drive = state_space(linear, {"v": 2.0})
+    numbers = {rolling_disc.R: 0.5, rolling_disc.g: 9.81, SPEED: 2.0}
+    exact = np.array(linear.A.subs(numbers).tolist(), dtype=float)
+    assert np.allclose(matrix, exact, rtol=1e-14)
+    assert linear.B.shape == drive.shape == (4, 0)
+    poles = numeric_poles(linear, {"v": 2.0})
+    assert np.isclose(max(poles.imag), np.sqrt(12 / 5 * (4 / 0.25 - 9.81 / 1.5)))
