@@ -162,6 +162,7 @@ class Expansion:
         words = "give coordinates that satisfy the constraints, exactly"
         holonomic = [c.name for c in self.reduction.mechanism.constraints if c.holonomic]
         broken = [(f"constraint {name}", words) for name in holonomic]
+        broken += [(f"the norm of quaternion {r.name}, less 1,", words) for r in scene.rotations]
         broken += [("a redundant constraint", words)] * len(moving.redundant)
         nodes = [*moving.configuration, *moving.redundant]
         for i, (u, value) in enumerate(zip(moving.mechanism.u, moving.speeds, strict=True)):
@@ -172,7 +173,7 @@ class Expansion:
         for i in self.kept:
             broken.append((f"the rate {scene.qd[i]}", why if self.point.moves else words))
             nodes.append(moving.rates[i])
-        self._regular(moving.configuration, broken[: len(holonomic)])
+        self._regular(moving.configuration, broken[: len(moving.configuration)])
         for k, (subject, cure) in self._left(nodes, broken):
             raise InputError(
                 f"{scene.name}: {subject} is {k} at the operating point, not zero: {cure}"

@@ -40,7 +40,7 @@ class Reduction:
     speeds : tuple of Node
         u in q and v.
     configuration : tuple of Node
-        Holonomic constraints.
+        Holonomic constraints, then norms of quaternions.
     redundant : tuple of Node
         Constraints of the speeds that the others imply, in q and v.
     conjugate : bool
@@ -116,6 +116,7 @@ def reduction(equations: Equations, derived: Derived, place: Place, given: set[s
     rates = substitute(mechanism.builder, mechanism.q_rates, table)
     moved = {mechanism.ud[i]: node for i, node in accelerations.items()}
     plain = substitute(mechanism.builder, rows, {**table, **moved})
+    holonomic = [c.expression for c in mechanism.constraints if c.holonomic]
     conjugate = equations.conjugate and len(rows) == len(mechanism.u)
     if conjugate:
         reduced = _projected(mechanism, plain, multipliers, speeds, free)
@@ -127,7 +128,7 @@ def reduction(equations: Equations, derived: Derived, place: Place, given: set[s
         tuple(reduced),
         rates,
         tuple(speeds.get(i, u) for i, u in enumerate(mechanism.u)),
-        tuple(c.expression for c in mechanism.constraints if c.holonomic),
+        (*holonomic, *read(mechanism.builder, equations.scene.norms)),
         substitute(mechanism.builder, implied, table) if implied else (),
         conjugate,
         (len(found), _generic_rank(mechanism, matrix)),

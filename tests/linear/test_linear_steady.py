@@ -4,6 +4,7 @@ from functools import cache
 
 import numpy as np
 import pytest
+from quaternions import ball_top
 from steady_scenes import OMEGA, A, C, L, bead, d, foucault, g, k, m, psi, r, rotor, top
 from sympy import Expr, Rational, Symbol, cos, factor, pi, sin, symbols
 
@@ -168,6 +169,18 @@ def test_speeds_that_the_constraints_give_are_checked() -> None:
     assert linear.speeds[Symbol("u4", real=True)] == SPEED
     with pytest.raises(InputError, match=r"speed u\d less its given value is"):
         linearize(derived("disc"), {"lean": 0, "yaw": 0}, speeds={**fitting, "u5": 1})
+
+
+def test_a_top_that_a_quaternion_turns_is_held_by_its_norm() -> None:
+    equations = by_route("lagrange", ball_top())
+    hanging = dict.fromkeys(("e0", "e2", "e3"), 0) | {"e1": 1}
+    linear = linearize(equations, hanging)
+    assert [q.name for q in linear.coordinates] == ["e0", "e2", "e3"]
+    ratio = linear.stiffness[0, 0] / linear.mass[0, 0]
+    m_, g_, l_, A_ = (linear.names[name] for name in "mglA")
+    assert same(ratio, m_ * g_ * l_ / (A_ + m_ * l_**2))
+    with pytest.raises(InputError, match="norm of quaternion e0 e1 e2 e3, less 1, is 1 at the"):
+        linearize(equations, {**hanging, "e0": 1})
 
 
 def test_state_space_leaves_out_what_has_no_effect() -> None:
