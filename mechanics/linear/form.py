@@ -143,6 +143,11 @@ class Linear:
         return all(is_zero(entry) for entry in self.damping)
 
     @property
+    def moves(self) -> bool:
+        """Whether it is about a steady motion."""
+        return any(value != 0 for value in self.speeds.values())
+
+    @property
     def state_symbols(self) -> tuple[Symbol, ...]:
         """(x, x') as plain symbols."""
         return (*self.coordinates, *self._rates)

@@ -94,6 +94,7 @@ def linearize(
     wanted(equations, Equations, "linearize", "pass derive(scene, route)")
     scene = equations.scene
     related = {**equations.fixed, **(parameters or {})}
+    related = {symbol: sympify(value) for symbol, value in related.items()}
     point = operating_point(scene, at, inputs or {}, speeds or {}, related)
     derived = as_rows(equations)
     builder = derived[0].builder

@@ -1,11 +1,15 @@
 """Stability from the signs of coefficients, exactly.
 
-    damped:    p(s) = det(M s^2 + C s + K) = a_n s^n + ... + a_0; with a_n = 1 every pole has a
-               negative real part if and only if all coefficients and every other Hurwitz
-               determinant are positive (Lienard and Chipart)
-    undamped:  p = det(M S + K), S = s^2; motions stay bounded if all S are real, negative and
-               distinct or semisimple: for symmetric M > 0 and K the roots are real and semisimple,
-               so they are all negative if and only if all coefficients of p have one sign
+    p(s) = det(M s^2 + C s + K) = a_n s^n + ... + a_0,  a_n = 1; every pole has a negative real
+           part if and only if all coefficients and every other Hurwitz determinant are positive
+           (Lienard and Chipart)                                                             (1)
+    even:  p(s) = P(S), S = s^2; motions stay bounded if all S are real, negative and distinct or
+           semisimple: for C = 0, symmetric M > 0 and K the roots are real and semisimple, so they
+           are all negative if and only if all coefficients of P have one sign;              (2)
+           else they are real, negative and distinct if and only if P(s^2) + s P'(s^2) has all its
+           roots on the left (Hermite and Biehler), by (1)                                   (3)
+    steady motions: p(s) = s^k r(s), and r decides if 0 is semisimple in y' = A y: such deviations
+           lead to neighbouring steady motions                                               (4)
 
 A negative coefficient a_i / a_n means a pole with a positive real part: unstable. The borderline in
 a gain is where a condition, linear in the gain, vanishes.
@@ -18,11 +22,9 @@ from sympy import And, Expr, Gt, Lt, Matrix, S, Symbol, factor_list, fraction
 from sympy.logic.boolalg import Boolean
 
 from mechanics.errors import ExpressionError, InputError
-from mechanics.linear.algebra import coefficients, is_zero, reduced, sign
+from mechanics.linear.algebra import coefficients, independent_rows, is_zero, reduced, sign
 from mechanics.linear.form import Linear
 from mechanics.linear.transfer import characteristic_polynomial
-
-SQUARE = Symbol("S")
 
 
 class Stability(Enum):
@@ -30,6 +32,7 @@ class Stability(Enum):
 
     ASYMPTOTIC = "every pole has a negative real part: deviations die out"
     BOUNDED = "all poles are on the imaginary axis and semisimple: deviations oscillate, bounded"
+    NEIGHBOUR = "poles are 0, semisimple, or on the left: deviations end in a neighbouring motion"
     UNSTABLE = "a pole has a positive real part: a deviation grows exponentially"
     OPEN = "the signs depend on the parameters, or a pole lies on the borderline"
 
@@ -62,23 +65,33 @@ class Region:
 
 
 def conditions(linear: Linear) -> tuple[Expr, ...]:
-    """Expressions all of which are positive if and only if the equilibrium is stable.
+    """Expressions all of which are positive if and only if the operating point is stable."""
+    return _conditions(linear, _monic(linear))
 
-    Raises
-    ------
-    ExpressionError
-        If the system is undamped with unsymmetric matrices and more than two coordinates.
-    """
-    return _undamped(linear) if linear.undamped else _lienard_chipart(linear)
+
+def _conditions(linear: Linear, ratios: list[Expr]) -> tuple[Expr, ...]:
+    if not _even(ratios):
+        return _lienard_chipart(ratios)
+    squares = ratios[::2]
+    if linear.undamped and (linear.conjugate or len(squares) == 1 or _symmetric(linear)):
+        return tuple(squares)
+    slopes = [(k + 1) * entry for k, entry in enumerate([*squares[1:], S.One])]
+    mixed = [entry for pair in zip(squares, slopes, strict=True) for entry in pair]
+    found = dict.fromkeys(_lienard_chipart(mixed))
+    return tuple(entry for entry in found if not entry.is_Number or entry <= 0)
 
 
 def stability(linear: Linear) -> Stability:
-    """Stability of the equilibrium for all admissible parameters, if they settle it."""
-    if any(sign(ratio) == -1 for ratio in coefficient_ratios(linear)):
+    """Stability of the operating point for all admissible parameters, if they settle it."""
+    ratios = _monic(linear)
+    if any(sign(ratio) == -1 for ratio in ratios):
         return Stability.UNSTABLE
-    signs = [sign(condition) for condition in conditions(linear)]
+    signs = [sign(condition) for condition in _conditions(linear, ratios)]
     if all(value == 1 for value in signs):
-        return Stability.BOUNDED if linear.undamped else Stability.ASYMPTOTIC
+        if _even(ratios):
+            return Stability.BOUNDED
+        whole = 2 * len(linear.coordinates) - len(linear.cyclic)
+        return Stability.ASYMPTOTIC if len(ratios) == whole else Stability.NEIGHBOUR
     # A negative discriminant makes S complex; Hurwitz determinants that are negative, poles too.
     return Stability.UNSTABLE if -1 in signs else Stability.OPEN
 
@@ -107,27 +120,29 @@ def stability_region(linear: Linear, gain: Symbol) -> Region:
 
 
 def coefficient_ratios(linear: Linear) -> list[Expr]:
-    """a_i / a_n, without the leading one: in S = s^2 where there is no damping."""
+    """a_i / a_n, without the leading one."""
+    s = Symbol("s")
     if linear.undamped:
-        polynomial = (linear.mass * SQUARE + linear.stiffness).det(method="berkowitz")
-        found = coefficients(polynomial, SQUARE)
+        squares = coefficients((linear.mass * s + linear.stiffness).det(method="berkowitz"), s)
+        found = [entry for pair in ((square, S.Zero) for square in squares) for entry in pair][:-1]
     else:
-        s = Symbol("s")
         found = coefficients(characteristic_polynomial(linear, s), s)
     return [reduced(entry / found[-1]) for entry in found[:-1]]
 
 
-def _undamped(linear: Linear) -> tuple[Expr, ...]:
-    ratios = coefficient_ratios(linear)
-    if linear.conjugate or len(ratios) == 1 or _symmetric(linear):
-        return tuple(ratios)
-    if len(ratios) > 2:
-        raise ExpressionError(
-            f"{linear.scene.name}: the undamped equations by {linear.route} are not symmetric:"
-            " use a route with power-conjugate rows (lagrange), or numeric_poles"
-        )
-    constant, middle = ratios
-    return constant, middle, reduced(middle**2 - 4 * constant)
+def _monic(linear: Linear) -> list[Expr]:
+    """The same without zeros that do not matter, equation (4)."""
+    ratios = coefficient_ratios(linear)[len(linear.cyclic) :]
+    zeros = next((k for k, entry in enumerate(ratios) if not is_zero(entry)), len(ratios))
+    if not linear.moves or not zeros:
+        return ratios
+    rank = len(independent_rows(linear.A))
+    return ratios[zeros:] if rank == linear.A.rows - zeros else ratios
+
+
+def _even(ratios: list[Expr]) -> bool:
+    """Whether a monic polynomial is one in s^2."""
+    return len(ratios) % 2 == 0 and all(is_zero(entry) for entry in ratios[1::2])
 
 
 def _symmetric(linear: Linear) -> bool:
@@ -138,14 +153,13 @@ def _symmetric(linear: Linear) -> bool:
     )
 
 
-def _lienard_chipart(linear: Linear) -> tuple[Expr, ...]:
+def _lienard_chipart(ratios: list[Expr]) -> tuple[Expr, ...]:
     """Coefficients of the monic polynomial, and Hurwitz determinants of every other order.
 
     Entry (i, j) of the Hurwitz matrix is a_(n - 2j + i), counted from 1. The determinant of order
     n is a_0 times the one of order n - 1, so that n - 1, n - 3, ... are the ones to take; that of
     order 1 is a coefficient again.
     """
-    ratios = coefficient_ratios(linear)
     from_top = [S.One, *reversed(ratios)]
     degree = len(ratios)
 

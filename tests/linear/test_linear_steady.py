@@ -6,12 +6,24 @@ import numpy as np
 import pytest
 from quaternions import ball_top
 from steady_scenes import OMEGA, A, C, L, bead, d, foucault, g, k, m, psi, r, rotor, top
-from sympy import Expr, Rational, Symbol, cos, factor, pi, sin, symbols
+from sympy import Expr, Rational, Symbol, cos, factor, pi, sin, sqrt, symbols
 
 from mechanics.equations import Equations
 from mechanics.errors import InputError, SingularError
-from mechanics.linear import Linear, linearize, numeric_poles, state_space
-from mechanics.routes.derivation import by_route
+from mechanics.linear import (
+    Linear,
+    Stability,
+    linearize,
+    numeric_poles,
+    stability,
+    stability_region,
+    state_space,
+)
+from mechanics.mechanism import lower
+from mechanics.program import Builder
+from mechanics.routes.derivation import ROUTES as TABLE
+from mechanics.routes.derivation import as_program
+from mechanics.scene import Scene
 from mechanics.symbolic import prove_equal
 from systems import rolling_disc
 
@@ -31,7 +43,14 @@ def derived(name: str, route: str = "lagrange") -> Equations:
         "bead": lambda: bead(psi, (psi,)),
         "timed bead": lambda: bead(OMEGA * Symbol("t")),
     }
-    return by_route(route, scenes[name]())
+    return unwritten(route, scenes[name]())
+
+
+def unwritten(route: str, scene: Scene) -> Equations:
+    """Equations as a program: nothing here reads their matrices."""
+    mechanism = lower(scene, Builder())
+    (rows,) = (one.rows(mechanism) for one in TABLE if one.name == route)
+    return as_program(scene, mechanism, rows)
 
 
 def polynomial(linear: Linear) -> Expr:
@@ -172,7 +191,7 @@ def test_speeds_that_the_constraints_give_are_checked() -> None:
 
 
 def test_a_top_that_a_quaternion_turns_is_held_by_its_norm() -> None:
-    equations = by_route("lagrange", ball_top())
+    equations = unwritten("lagrange", ball_top())
     hanging = dict.fromkeys(("e0", "e2", "e3"), 0) | {"e1": 1}
     linear = linearize(equations, hanging)
     assert [q.name for q in linear.coordinates] == ["e0", "e2", "e3"]
@@ -192,3 +211,24 @@ def test_state_space_leaves_out_what_has_no_effect() -> None:
     assert linear.B.shape == drive.shape == (4, 0)
     poles = numeric_poles(linear, {"v": 2.0})
     assert np.isclose(max(poles.imag), np.sqrt(12 / 5 * (4 / 0.25 - 9.81 / 1.5)))
+
+
+def test_stability_of_steady_motions_follows_from_the_matrices() -> None:
+    square = Symbol("W", positive=True)
+    sleeping = {"a": 0, "b": 0}
+    region = stability_region(
+        linearize(derived("upright"), sleeping, speeds={"c_dot": sqrt(square)}), square
+    )
+    borders = [2 * A * m * g * L / C**2, 4 * A * m * g * L / C**2]
+    assert len(region.lower) == 2 and not region.upper
+    assert all(same(one, two) for one, two in zip(region.lower, borders, strict=True))
+    numbers = {A: Rational(3, 10), C: Rational(1, 10), m: 2, L: Rational(1, 5), g: 10}
+    # 4 A m g L / C^2 = 480 rad^2/s^2.
+    fast = linearize(derived("upright"), sleeping, None, numbers, {"c_dot": 22})
+    assert stability(fast) is Stability.BOUNDED
+    slow = linearize(derived("upright"), sleeping, None, numbers, {"c_dot": 21})
+    assert stability(slow) is Stability.UNSTABLE
+    R, weight = rolling_disc.R, rolling_disc.g
+    rolling = linearize(derived("disc"), {"lean": 0}, speeds={"u2": sqrt(square) / R})
+    (border,) = stability_region(rolling, square).lower
+    assert same(border, weight * R / 3)
