@@ -139,10 +139,8 @@ def with_rotations(scene: "Scene") -> dict[str, Any]:
 
     A rotation of which the example says nothing starts where frame and parent coincide.
     """
-    if not isinstance(scene.rotations, tuple | list) or not scene.rotations:
+    if not scene.rotations:
         return {}
-    if not all(isinstance(rotation, Rotation) for rotation in scene.rotations):
-        return {}  # `check_types` says what is wrong.
     coordinates = list(scene.coordinates)
     speeds, example = list(scene.speeds), dict(scene.example)
     turning = {u for rotation in scene.rotations for u in rotation.speeds}

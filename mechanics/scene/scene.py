@@ -22,12 +22,13 @@ from mechanics.scene.geometry import (
     relative_rotation,
     step_vector,
 )
+from mechanics.scene.joints import Joint
 from mechanics.scene.loads import Coulomb, Load
 from mechanics.scene.reactions import Constraint, Reaction
 from mechanics.scene.rotations import Rotation, with_rotations
 from mechanics.scene.symbols import TIME, by_name, plain_symbol, plain_table, to_plain
 from mechanics.scene.validate import validate
-from mechanics.scene.wellformed import typed_expressions
+from mechanics.scene.wellformed import check_types, typed_expressions
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -63,6 +64,8 @@ class Scene:
     rotations : tuple of Rotation
         Each brings four coordinates and three speeds; what was declared stands before them. Speeds
         of the other coordinates that are not declared are their rates.
+    joints : tuple of Joint
+        Their coordinates, reactions, constraints and rotations are added to those above.
 
     Raises
     ------
@@ -73,8 +76,8 @@ class Scene:
     name: str
     frame: ReferenceFrame
     origin: Point
-    coordinates: tuple[Expr, ...]
-    bodies: tuple[Body, ...]
+    coordinates: tuple[Expr, ...] = ()
+    bodies: tuple[Body, ...] = ()
     loads: tuple[Load, ...] = ()
     reactions: tuple[Reaction, ...] = ()
     constraints: tuple[Constraint, ...] = ()
@@ -85,8 +88,16 @@ class Scene:
     conditions: tuple[Condition, ...] = ()
     equilibria: tuple[Mapping[str, Any], ...] = ()
     rotations: tuple[Rotation, ...] = ()
+    joints: tuple[Joint, ...] = ()
 
     def __post_init__(self) -> None:
+        check_types(self)
+        for title in ("coordinates", "reactions", "constraints", "rotations"):
+            own = getattr(self, title)
+            declared = (part for joint in self.joints for part in getattr(joint, title))
+            # A copy of a scene has them already.
+            added = [part for part in declared if part not in own]
+            object.__setattr__(self, title, (*own, *added))
         for name, value in with_rotations(self).items():
             object.__setattr__(self, name, value)
         validate(self)

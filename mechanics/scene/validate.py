@@ -21,10 +21,11 @@ from mechanics.scene.declared import scalar
 from mechanics.scene.geometry import Movers, frame_path, point_path
 from mechanics.scene.loads import Force, Load
 from mechanics.scene.physical import check_bodies, check_loads
+from mechanics.scene.placement import check_joints
 from mechanics.scene.reactions import Reaction
 from mechanics.scene.symbols import name_of, plain_symbol
 from mechanics.scene.units import check_units
-from mechanics.scene.wellformed import check_names, check_symbols, check_types
+from mechanics.scene.wellformed import check_names, check_symbols
 from mechanics.symbolic import independent_rows
 
 if TYPE_CHECKING:
@@ -32,20 +33,20 @@ if TYPE_CHECKING:
 
 
 def validate(scene: Scene) -> None:
-    """Refuse a scene that cannot be right.
+    """Refuse a scene that cannot be right; its fields have the right types.
 
     Raises
     ------
     SceneError
         Names the object, what was found, and what to do.
     """
-    check_types(scene)
     if not scene.coordinates:
         raise SceneError(f"{scene.name}: there are no coordinates, so nothing can move")
     if not scene.bodies:
         raise SceneError(f"{scene.name}: there are no bodies, so there is nothing to move")
     check_names(scene)
     _bodies(scene)
+    check_joints(scene)
     _coordinates(scene)
     _attachments(scene)
     _constraints(scene)

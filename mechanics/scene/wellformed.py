@@ -20,6 +20,7 @@ from mechanics.scene.bodies import Particle, RigidBody
 from mechanics.scene.conditions import Condition
 from mechanics.scene.declared import kind_of, scalar
 from mechanics.scene.geometry import Placed, dyadic_matrix
+from mechanics.scene.joints import Joint
 from mechanics.scene.loads import Load
 from mechanics.scene.reactions import Constraint, Reaction
 from mechanics.scene.rotations import Rotation
@@ -35,6 +36,7 @@ PARTS: tuple[tuple[str, str, tuple[Any, ...]], ...] = (
     ("constraints", "constraint", (Constraint,)),
     ("conditions", "condition", (Condition,)),
     ("rotations", "rotation", (Rotation,)),
+    ("joints", "joint", (Joint,)),
 )
 
 
@@ -100,6 +102,7 @@ def check_names(scene: Scene) -> None:
         ("load", [load.name for load in scene.loads]),
         ("constraint", [constraint.name for constraint in scene.constraints]),
         ("condition", [condition.name for condition in scene.conditions]),
+        ("joint", [joint.name for joint in scene.joints]),
         ("coordinate, speed, input or reaction", [*given, *(r.name for r in scene.reactions)]),
     ):
         for name, count in Counter(names).items():
