@@ -67,27 +67,22 @@ def check_joints(scene: Scene) -> None:
 def _placed(joint: Joint, body: Body) -> None:
     """The body does not move against what the joint carries."""
     what = f"joint {joint.name} carries {body.name}"
-    try:
-        if isinstance(body, RigidBody):
-            moving = _turning(joint.frame, body.frame)
+    if isinstance(body, RigidBody):
+        moving = _turning(joint.frame, body.frame)
+        if moving:
+            raise SceneError(
+                f"{what}, but the frame {body.frame.name} of {body.name} turns against that of"
+                f" the joint by {moving}: use {joint.name}.frame"
+            )
+    for parent, point in pairwise(point_path(joint.point, body.centre)):
+        for frame, column in components(step_vector(parent, point)):
+            moving = ", ".join(sorted(name_of(f) for f in column.atoms(AppliedUndef)))
+            moving = moving or _turning(joint.frame, frame)
             if moving:
                 raise SceneError(
-                    f"{what}, but the frame {body.frame.name} of {body.name} turns against that of"
-                    f" the joint by {moving}: use {joint.name}.frame"
+                    f"{what}, but the centre of {body.name} moves against the joint by {moving}:"
+                    f" place it from {joint.name}.point along {joint.name}.frame"
                 )
-        for parent, point in pairwise(point_path(joint.point, body.centre)):
-            # The way may lead up and down the tree of points.
-            step = step_vector(parent, point)
-            for frame, column in components(step):
-                moving = ", ".join(sorted(name_of(f) for f in column.atoms(AppliedUndef)))
-                moving = moving or _turning(joint.frame, frame)
-                if moving:
-                    raise SceneError(
-                        f"{what}, but the centre of {body.name} moves against the joint by"
-                        f" {moving}: place it from {joint.name}.point along {joint.name}.frame"
-                    )
-    except ValueError as error:
-        raise SceneError(f"{what}: {error}") from None
 
 
 def _turning(first: ReferenceFrame, second: ReferenceFrame) -> str:

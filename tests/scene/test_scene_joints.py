@@ -1,0 +1,147 @@
+"""Joints that cannot be right are refused in one line that says what to write."""
+
+from collections.abc import Callable
+from dataclasses import replace
+
+import pytest
+from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols, inertia
+
+from mechanics.errors import SceneError
+from mechanics.scene import (
+    Joint,
+    Particle,
+    RigidBody,
+    Scene,
+    ball,
+    euler,
+    free,
+    holonomic,
+    parameters,
+    pin,
+    slide,
+    universal,
+)
+
+N, O = ReferenceFrame("N"), Point("O")
+q1, q2, q3 = dynamicsymbols("q1:4")
+L, m, J = parameters("L m J", units="m kg kg*m^2", typical="1 1 1")
+
+
+def arm() -> Scene:
+    """Two links."""
+    first = pin("A", None, "one", at=O, axis=N.z, angle=q1)
+    elbow = O.locatenew("E", L * first.frame.x)
+    second = pin("B", "one", "two", at=elbow, axis=first.frame.z, angle=q2)
+    bodies = tuple(
+        RigidBody(name, at.locatenew(f"C{name}", L / 2 * joint.frame.x), joint.frame, m,
+                  inertia(joint.frame, J, J, J))
+        for name, at, joint in (("one", O, first), ("two", elbow, second))
+    )  # fmt: skip
+    return Scene("arm", N, O, bodies=bodies, joints=(first, second))
+
+
+def test_a_scene_has_what_its_joints_declare_once() -> None:
+    scene = arm()
+    assert scene.coordinates == (q1, q2)
+    names = [reaction.name for reaction in scene.reactions]
+    assert names == [f"{j}_{word}" for j in "AB" for word in ("x", "y", "z", "mx", "my")]
+    copy = replace(scene, name="copy")
+    assert copy.coordinates == scene.coordinates
+    assert copy.reactions == scene.reactions
+
+
+def test_a_body_that_no_joint_carries_is_named() -> None:
+    scene = arm()
+    loose = Particle("bob", O.locatenew("P", q3 * N.y), m)
+    with pytest.raises(SceneError, match=r"body bob: no joint carries it: add one, as in free"):
+        replace(scene, bodies=(*scene.bodies, loose), coordinates=(q3,))
+
+
+def test_a_joint_of_no_body_is_named() -> None:
+    scene = arm()
+    with pytest.raises(SceneError, match="joint B: there is no body 'two': the bodies are one"):
+        replace(scene, bodies=scene.bodies[:1])
+
+
+def test_two_joints_that_carry_one_body_are_named() -> None:
+    scene = arm()
+    again = pin("D", None, "two", at=O, axis=N.z, angle=q3)
+    with pytest.raises(SceneError, match=r"joints B and D both carry two: .* onto=P"):
+        replace(scene, joints=(*scene.joints, again))
+
+
+def test_a_body_in_the_frame_of_another_is_named() -> None:
+    scene = arm()
+    one, two = scene.bodies
+    wrong = RigidBody("two", two.centre, one.frame, m, inertia(one.frame, J, J, J))
+    with pytest.raises(SceneError, match=r"joint B carries two, .* turns .* by q2: use B.frame"):
+        replace(scene, bodies=(one, wrong))
+
+
+def test_a_centre_along_the_frame_of_another_is_named() -> None:
+    scene = arm()
+    one, two = scene.bodies
+    aside = scene.joints[1].point.locatenew("W", L * one.frame.x)
+    wrong = RigidBody("two", aside, two.frame, m, inertia(two.frame, J, J, J))
+    with pytest.raises(SceneError, match=r"centre of two moves against the joint by q2: place it"):
+        replace(scene, bodies=(one, wrong))
+
+
+WRONG: dict[str, tuple[Callable[[], Joint], str]] = {
+    "no length": (
+        lambda: pin("A", None, "one", at=O, axis=0 * N.x, angle=q1), "joint A: the axis has no len",
+    ),
+    "no vector": (lambda: pin("A", None, "one", at=O, axis="z", angle=q1), "give a vector"),
+    "two frames": (
+        lambda: pin("A", None, "one", at=O, angle=q1,
+                    axis=N.x + N.orientnew("B", "Axis", (q2, N.z)).x),
+        r"stands in several frames \(",
+    ),
+    "no angle": (lambda: pin("A", None, "one", at=O, axis=N.z), "joint A: angle is None"),
+    "a number": (
+        lambda: slide("A", None, "one", at=O, axis=N.z, distance=2), "joint A: distance is 2",
+    ),
+    "one axis twice": (
+        lambda: universal("A", None, "one", at=O, frame=N, axes="xx", angles=(q1, q2)),
+        "give two different axes",
+    ),
+    "two positions": (
+        lambda: free("A", "one", at=O, frame=N, coordinates=(q1, q2),
+                     rotation=euler("zxz", *dynamicsymbols("a b c"))),
+        "joint A: 2 coordinates: give three",
+    ),
+    "no rotation": (
+        lambda: ball("A", None, "one", at=O, frame=N, rotation=(q1, q2, q3)),
+        r"give euler\(.*\) or quaternion\(",
+    ),
+    "neighbours": (lambda: euler("zzx", q1, q2, q3), "let neighbours differ"),
+    "two angles": (lambda: euler("zxz", q1, q2), "give three axes and three angles"),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("case", WRONG)
+def test_what_is_no_joint_is_refused(case: str) -> None:
+    make, message = WRONG[case]
+    with pytest.raises(SceneError, match=message) as refusal:
+        make()
+    assert "\n" not in str(refusal.value)
+
+
+def test_a_loop_is_closed_onto_a_point() -> None:
+    """Three links and the ground: two conditions, each with the force that maintains it."""
+    scene = arm()
+    second = scene.joints[1]
+    end = second.point.locatenew("T", L * second.frame.x)
+    post = O.locatenew("G", 2 * L * N.x)
+    third = pin("C", None, "three", at=post, axis=N.z, angle=q3)
+    rod = RigidBody("three", post.locatenew("C3", L / 2 * third.frame.x), third.frame, m,
+                    inertia(third.frame, J, J, J))  # fmt: skip
+    tip = post.locatenew("U", L * third.frame.x)
+    closing = pin("D", "two", "three", at=end, axis=second.frame.z, onto=tip)
+    loop = replace(scene, bodies=(*scene.bodies, rod), joints=(*scene.joints, third, closing))
+    assert loop.degrees_of_freedom == 1
+    gap = tip.pos_from(end)
+    assert loop.constraints == tuple(
+        holonomic(f"D_{word}_closes", gap.dot(axis), f"D_{word}")
+        for word, axis in (("x", second.frame.x), ("y", second.frame.y))
+    )
