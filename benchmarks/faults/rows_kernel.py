@@ -103,7 +103,7 @@ DECISIONS = (
     ),
     *faults_in(
         "mechanics.kernel.balls",
-        ("if x < 0 else x.sqrt()", "if x > 0 else x.sqrt()", "balls: no root of positives"),
+        ('"sqrt": arb.sqrt', '"sqrt": arb.rsqrt', "balls: a root is one over it"),
     ),
     *faults_in(
         "mechanics.kernel.witness",

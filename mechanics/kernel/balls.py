@@ -60,8 +60,6 @@ def _not(x: arb) -> arb:
 
 
 def _both(x: arb, y: arb) -> arb:
-    if x.is_nan() or y.is_nan():
-        return arb(0) if x.is_zero() or y.is_zero() else arb.nan()
     return _truth(not x.contains(0) and not y.contains(0), bool(x.is_zero() or y.is_zero()))
 
 
@@ -69,10 +67,6 @@ def _select(condition: arb, x: arb, y: arb) -> arb:
     if condition.is_zero():
         return y
     return x if condition.is_finite() and not condition.contains(0) else arb.nan()
-
-
-def _sqrt(x: arb) -> arb:
-    return arb.nan() if x < 0 else x.sqrt()
 
 
 def _of_finite(function: Callable[..., arb]) -> Callable[..., arb]:
@@ -86,20 +80,13 @@ def _of_finite(function: Callable[..., arb]) -> Callable[..., arb]:
     return of_finite
 
 
-def _power(x: arb, y: arb) -> arb:
-    """x**y as programs have it: x must not be negative where y is no integer."""
-    if y.is_integer():
-        return x**y
-    return arb.nan() if x < 0 else x**y
-
-
 class Balls:
     """The domain of Arb balls, at the precision that is set when it is used."""
 
     operations: Mapping[str, Callable[..., arb]] = {
         "add": arb.__add__, "subtract": arb.__sub__, "multiply": arb.__mul__,
         "divide": _of_finite(arb.__truediv__), "negate": arb.__neg__,
-        "sqrt": _sqrt, "power": _of_finite(_power),
+        "sqrt": arb.sqrt, "power": _of_finite(arb.__pow__),
         "abs": arb.__abs__, "sign": _of_finite(arb.sgn),
         **{name: _of_finite(getattr(arb, name)) for name in ARB_FUNCTIONS},
         "less": lambda x, y: _truth(x < y, x >= y),

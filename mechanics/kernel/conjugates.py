@@ -25,8 +25,6 @@ MOST_CASES = 512
 BITS = 128
 
 ENTIRE = ("exp", "sin", "cos", "sinh", "cosh", "erf")
-SHEETED = {"log": True, "atan": False, "asinh": False}
-"""Analytic where they are real, with other sheets beyond; whether their argument is positive."""
 
 
 class Case:
@@ -49,8 +47,9 @@ class Case:
             "abs": lambda x: chosen(x, -x),
             "sign": lambda x: chosen(acb(1), acb(-1)),
             "select": lambda c, x, y: chosen(x, y),
-            "power": _power, "tan": acb.tan, "tanh": acb.tanh,
-            **{name: _on_the_real_sheet(name) for name in SHEETED},
+            "tan": acb.tan, "tanh": acb.tanh,
+            "power": _on_the_real_sheet(acb.pow, True), "log": _on_the_real_sheet(acb.log, True),
+            "atan": _on_the_real_sheet(acb.atan), "asinh": _on_the_real_sheet(acb.asinh),
             **{name: getattr(acb, name) for name in ENTIRE},
             # What a choice is made by.
             **{row.name: lambda *operands: acb(0) for row in OPERATIONS if row.boolean},
@@ -65,15 +64,12 @@ class Case:
         return acb.pi()
 
 
-def _power(x: acb, y: acb) -> acb:
-    """Of what is positive."""
-    return x.pow(y) if x.imag.is_zero() and x.real > 0 else _NOWHERE
+def _on_the_real_sheet(function: Callable[..., acb], positive: bool = False) -> Callable[..., acb]:
+    """Analytic where it is real, with other sheets beyond; of what is positive, if that is said."""
 
-
-def _on_the_real_sheet(name: str) -> Callable[[acb], acb]:
-    def apply(x: acb) -> acb:
-        real = x.imag.is_zero() and (x.real > 0 or not SHEETED[name])
-        return getattr(acb, name)(x) if real else _NOWHERE
+    def apply(x: acb, *others: acb) -> acb:
+        real = x.imag.is_zero() and (x.real > 0 or not positive)
+        return function(x, *others) if real else _NOWHERE
 
     return apply
 

@@ -17,7 +17,7 @@ from mechanics.kernel.finding import COMPONENT, Finding, Verdict, undecided
 from mechanics.kernel.normal import proves
 from mechanics.kernel.statement import LEFT, RATES, RIGHT, ZERO, Statement
 from mechanics.kernel.trial import Answer, Trial, trial
-from mechanics.kernel.witness import find_boundary_witness, find_witness
+from mechanics.kernel.witness import boundaries, find_witness, first_witness
 
 PROOF = "both sides have the same normal form"
 SAME = "both sides are the same expression"
@@ -82,8 +82,10 @@ def _decided(statement: Statement, try_normal: bool) -> Finding:
     if constrained:
         return _decided_on_constraints(statement, try_normal)
     # Where cases meet, sides may differ that are equal everywhere else.
-    find = find_boundary_witness if outcome.answer is Answer.ZERO else find_witness
-    witness = find(statement)
+    if outcome.answer is Answer.ZERO:
+        witness = first_witness(statement, boundaries(statement))
+    else:
+        witness = find_witness(statement)
     if witness is not None:
         words = "the enclosures at a real state are disjoint"
         return Finding(subject, Verdict.REFUTED, words, witness=witness)

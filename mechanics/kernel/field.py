@@ -24,11 +24,11 @@ from fractions import Fraction
 from math import gcd, isqrt, prod
 from operator import add, neg, sub
 
-from flint import fmpz, fmpz_mod_ctx, fmpz_mod_mat, fmpz_mod_poly_ctx, fq_default, fq_default_ctx
+from flint import fmpz_mod_ctx, fmpz_mod_mat, fmpz_mod_poly_ctx, fq_default, fq_default_ctx
 
 from mechanics.errors import MechanicsError
 from mechanics.kernel.draws import Draws
-from mechanics.kernel.sizes import ROOTS, is_algebraic
+from mechanics.kernel.sizes import ROOTS, is_algebraic, prime_factors
 from mechanics.kernel.statement import Range
 
 
@@ -236,10 +236,9 @@ class Residues:
         exponent = self._ratios.get(y % p)
         if exponent is None or not is_algebraic(exponent):
             return self._value("power", x, y)
-        result, degree = x % p, exponent.denominator
-        for k in ROOTS:
-            while degree % k == 0:
-                result, degree = self._root(result, k), degree // k
+        result = x % p
+        for k in prime_factors(exponent.denominator):
+            result = self._root(result, k)
         if exponent < 0 and not result:
             raise DivisionHere("division by zero")
         return pow(result, exponent.numerator, p)
@@ -327,11 +326,10 @@ def _coordinates(point: fq_default) -> tuple[int, int]:
 def _generator(order: int, p: int, draws: Draws) -> fq_default:
     """c + i s of a point of the circle of exactly that order, which divides p + 1."""
     plane = fq_default_ctx(modulus=fmpz_mod_poly_ctx(p)([1, 0, 1]))
-    primes = [int(q) for q, _ in fmpz(order).factor()]
     while True:
         t = draws.below(p)
         point = (plane([1, t]) / plane([1, -t])) ** ((p + 1) // order)
-        if all(point ** (order // q) != 1 for q in primes):
+        if all(point ** (order // q) != 1 for q in prime_factors(order)):
             return point
 
 

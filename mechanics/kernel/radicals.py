@@ -13,16 +13,15 @@ from flint import fmpq, fmpq_mpoly, fmpz
 
 from mechanics.kernel.quotients import Quotient, Quotients
 from mechanics.kernel.ring import TooLarge, content, leading_powers, square_root
-from mechanics.kernel.sizes import ROOTS
+from mechanics.kernel.sizes import prime_factors
 
 LARGEST_CONTENT = 10**18
 
 
 def root(a: Quotients, x: Quotient, degree: int) -> Quotient:
     """The root of a number that is not negative, prime degree by prime degree."""
-    for k in ROOTS:
-        while degree % k == 0:
-            x, degree = _prime_root(a, x, k), degree // k
+    for k in prime_factors(degree):
+        x = _prime_root(a, x, k)
     return x
 
 

@@ -42,7 +42,6 @@ MOST_PUT = 2
 """Constraints that are put in, one after the other."""
 MOST_STEPS = 400
 """Polynomials that are looked at for one that is asked for."""
-SAMPLES = 12
 RAISED = (0, 2, 6)
 """By how much the degree of a Bernstein form is raised, one after the other."""
 
@@ -121,7 +120,7 @@ class Forms:
         self.numbers = Numbers()
         self.bounded: set[int] = set()
         self.squares: dict[int, fmpq_mpoly] = {}
-        self.absolute: list[tuple[fmpq_mpoly, int]] = []
+        self.absolute: dict[int, fmpq_mpoly] = {}
         self.angles: dict[int, int] = {}
         self._crossings: list[fmpq_mpoly] | None = None
         self.forms: dict[int, Quotient | None] = {}
@@ -194,15 +193,11 @@ class Forms:
 
     def _powers(self, polynomial: fmpq_mpoly, place: int) -> dict[int, fmpq_mpoly]:
         """Coefficients of the powers of one unknown."""
-        parts: dict[int, fmpq_mpoly] = {}
-        exponent = 0
-        while len(polynomial):
-            rest = polynomial.subs({place: 0})
-            if len(rest):
-                parts[exponent] = rest
-            polynomial = (polynomial - rest) // self.ring.gen(place)
-            exponent += 1
-        return parts
+        parts: dict[int, dict[tuple[int, ...], fmpq]] = {}
+        for powers, value in polynomial.to_dict().items():
+            rest = (*powers[:place], 0, *powers[place + 1 :])
+            parts.setdefault(int(powers[place]), {})[rest] = value
+        return {k: polynomial.context().from_dict(part) for k, part in sorted(parts.items())}
 
     def _unknowns(self, polynomial: fmpq_mpoly) -> list[tuple[int, int]]:
         """Places and degrees of what a polynomial holds, in the order in which it was made."""
@@ -284,8 +279,7 @@ class Forms:
         above = -above if above.leading_coefficient() < 0 else above
         square = self._times(above, above)
         atom, place = self._square(op.ABS, square, str(above), NOT_NEGATIVE)
-        if (above, place) not in self.absolute:
-            self.absolute.append((above, place))
+        self.absolute[place] = above
         return atom
 
     # ------------------------------------------------------------------ signs
@@ -363,10 +357,7 @@ class Forms:
             return cases
         if (ratio := self._crossing(factor)) is not None:
             return NOT_NEGATIVE if ratio > 0 else NOT_POSITIVE
-        sampled = ANY if facts else self._sampled(factor)
         for sense, polynomial in ((POSITIVE, factor), (NEGATIVE, -factor)):
-            if not sampled & sense:
-                continue
             found = self._by_squares(polynomial, facts, depth)
             if found == ANY:
                 found = self._bernstein(polynomial, facts, depth)
@@ -455,19 +446,6 @@ class Forms:
             found += rest * (1 - self.ring.gen(sine) ** 2) ** (k // 2)
         return found
 
-    def _sampled(self, polynomial: fmpq_mpoly) -> int:
-        """Signs that may still be shown, the others being met at some values of the unknowns."""
-        values = [fmpq(0)] * self.ring.capacity
-        met = 0
-        for sample in range(SAMPLES):
-            for k, (place, _) in enumerate(self._unknowns(polynomial)):
-                value = fmpq((sample * (2 * k + 3) + 5 * k) % 17 - 8, 8)
-                value = value or fmpq(1, 8)
-                values[place] = value if self.signs[place] & NEGATIVE else abs(value)
-            found = polynomial(*values)
-            met |= POSITIVE if found > 0 else NEGATIVE if found < 0 else 0
-        return POSITIVE if met == POSITIVE else NEGATIVE if met == NEGATIVE else 0 if met else ANY
-
     def _by_facts(self, factor: fmpq_mpoly, facts: Facts, depth: int) -> int:
         """What is known: the fact itself, a fact and more, |x| > 0, x^2 > 0."""
         found = ANY
@@ -487,7 +465,7 @@ class Forms:
                     if total(more, fact.signs) == POSITIVE:
                         found &= ~ZERO
         if facts and depth < 2:
-            for inside, place in self.absolute:
+            for place, inside in self.absolute.items():
                 if _ratio(factor, inside) is not None and not (
                     self._by_facts(self.ring.gen(place), facts, depth + 1) & ZERO
                 ):
@@ -497,7 +475,7 @@ class Forms:
     def _by_cases(self, factor: fmpq_mpoly, facts: Facts, depth: int) -> int:
         """|x| is x where x is not negative, and -x where it is not positive."""
         degrees = factor.degrees()
-        held = next(((e, k) for e, k in self.absolute if degrees[k]), None)
+        held = next(((e, k) for k, e in self.absolute.items() if degrees[k]), None)
         if held is None or depth > MOST_CASES:
             return ANY
         inside, place = held
@@ -529,28 +507,17 @@ class Forms:
         for place, degree in self._unknowns(p):
             if place not in self.bounded:
                 continue
-            parts = self._powers(p, place)
-            zero = self.ring.constant(0)
             # In t of x = 2 t - 1, then by the Bernstein polynomials of degree n.
-            inner = [
-                sum(
-                    (parts[k] * (comb(k, j) * 2**j * (-1) ** (k - j)) for k in parts if k >= j),
-                    zero,
-                )
-                for j in range(degree + 1)
-            ]
+            inner = self._powers(self.ring.put(p, place, 2 * self.ring.gen(place) - 1), place)
             for raised in RAISED:
                 n = degree + raised
                 found = 0
                 # The outer ones are values of p: where these have no sign, none is shown.
                 for i in (0, n, *range(1, n)):
-                    entry = sum(
-                        (
-                            inner[j] * fmpq(comb(i, j), comb(n, j))
-                            for j in range(min(i, degree) + 1)
-                        ),
-                        zero,
+                    parts = (
+                        part * fmpq(comb(i, j), comb(n, j)) for j, part in inner.items() if j <= i
                     )
+                    entry = sum(parts, self.ring.constant(0))
                     found |= self.sign(entry, facts, depth + 1)
                     if found & NEGATIVE:
                         break

@@ -25,6 +25,8 @@ from fractions import Fraction
 from math import log2
 from typing import Any
 
+from flint import fmpz
+
 ROOTS = (2, 3, 5, 7)
 """Prime degrees of roots that exist in the fields of `primes`."""
 
@@ -48,11 +50,12 @@ def is_algebraic(exponent: Fraction) -> bool:
     """Whether a power with that exponent is made of roots of degree 2, 3, 5 and 7."""
     if abs(exponent.numerator) > LARGEST_POWER or exponent.denominator > LARGEST_ROOT:
         return False
-    rest = exponent.denominator
-    for k in ROOTS:
-        while rest % k == 0:
-            rest //= k
-    return rest == 1
+    return all(k in ROOTS for k in prime_factors(exponent.denominator))
+
+
+def prime_factors(number: int) -> list[int]:
+    """The primes whose product it is, in order."""
+    return [int(prime) for prime, times in fmpz(number).factor() for _ in range(int(times))]
 
 
 class Sizes:
@@ -120,10 +123,6 @@ class Sizes:
         height = x.height + y.height + 1
         if x.token == y.token:
             return Size(n1 if n1 > n2 else n2, d1, height, x.token)
-        if not y.token:
-            return Size(max(n1, n2 + d1), d1, height, x.token)
-        if not x.token:
-            return Size(max(n1 + d2, n2), d2, height, y.token)
         return Size(max(n1 + d2, n2 + d1), d1 + d2, height, self._common(x.token, y.token))
 
     def _product(self, x: Size, y: Size) -> Size:
@@ -188,10 +187,9 @@ class Sizes:
         exponent = y.constant
         if exponent is None or not is_algebraic(exponent):
             return self._variable(x, y)
-        result, degree = x, exponent.denominator
-        for k in ROOTS:
-            while degree % k == 0:
-                result, degree = self._root(result, k), degree // k
+        result = x
+        for k in prime_factors(exponent.denominator):
+            result = self._root(result, k)
         if exponent < 0:
             result = self._quotient(_ONE, result)
         times = abs(exponent.numerator)

@@ -54,8 +54,7 @@ from mechanics.kernel.primes import SIZES, common_modulus, draw_prime, log2_coun
 from mechanics.kernel.sizes import Sizes
 from mechanics.kernel.squares import roots_of_squares
 from mechanics.kernel.statement import LEFT, POSITIVE, RIGHT, Statement
-from mechanics.program import OPERATIONS, Program, interpret
-from mechanics.program.operations import ABS, EQUAL, LESS, NOT_GREATER, SIGN
+from mechanics.program import Program, interpret
 
 MOST_DRAWS = 4096
 """Most points that may be drawn until one is admissible: R of the bound."""
@@ -76,9 +75,9 @@ PRIMES = 64
 WEIL = 40
 """Bits by which the root of the prime exceeds the degree, so that (2) holds with its 2**-30."""
 
-KINKS = (ABS, SIGN, LESS, NOT_GREATER, EQUAL)
-UNKNOWN = ("log", "asin", "acos", "atan", "atan2", "asinh", "acosh", "atanh", "floor", "erf",
-           "power")  # fmt: skip
+KINKS = {"abs", "sign", "less", "not_greater", "equal"}
+UNKNOWN = {"log", "asin", "acos", "atan", "atan2", "asinh", "acosh", "atanh", "floor", "erf",
+           "power"}  # fmt: skip
 
 
 class Answer(Enum):
@@ -131,14 +130,12 @@ class Experiment:
     @property
     def unknown(self) -> tuple[str, ...]:
         """Operations that are known by congruence only."""
-        found = {OPERATIONS[code].name for code in self.program.operations}
-        kinks = {OPERATIONS[code].name for code in KINKS}
-        return tuple(sorted(found & (kinks | set(UNKNOWN))))
+        return tuple(sorted((KINKS | UNKNOWN).intersection(self.program.counts())))
 
     @property
     def has_kinks(self) -> bool:
         """Whether |x| or a comparison stands in it."""
-        return any(code in self.program.operations for code in KINKS)
+        return not KINKS.isdisjoint(self.program.counts())
 
 
 def prepare(
@@ -167,7 +164,7 @@ def prepare(
     conjugates = domain.log2_conjugates
     if turns:
         conjugates += log2(int(fmpz(modulus).euler_phi()))
-    kinks = any(code in program.operations for code in KINKS)
+    kinks = not KINKS.isdisjoint(program.counts())
     for bits in sizes:
         bound = log2_bound(bits, modulus, degree, height, conjugates)
         short = (conjugates or kinks) and log2(degree) + WEIL > bits / 2

@@ -95,12 +95,8 @@ def far_states(statement: Statement) -> Iterator[State]:
                 yield base | {name: -constant - 1}
 
 
-def find_boundary_witness(statement: Statement) -> Witness | None:
-    """A state on a boundary of cases that refutes the statement, or None where none was found."""
-    return _first(statement, boundaries(statement))
-
-
-def _first(statement: Statement, tried: Iterable[State]) -> Witness | None:
+def first_witness(statement: Statement, tried: Iterable[State]) -> Witness | None:
+    """The first of some states that refutes the statement, or None where none does."""
     found = (_at_state(statement, state, BOUNDARY_PRECISIONS)[0] for state in tried)
     return next((witness for witness in found if witness is not None), None)
 
@@ -159,7 +155,7 @@ def find_witness(statement: Statement) -> Witness | None:
             defined += here
             if defined == wanted:
                 break
-    return _first(statement, far_states(statement))
+    return first_witness(statement, far_states(statement))
 
 
 def _at_state(

@@ -140,15 +140,14 @@ class Node:
     def __neg__(self) -> Node:
         return Node(self.builder, self.builder.negate(self.number))
 
-    def __pow__(self, exponent: Node | Number) -> Node:
-        return self.power(exponent)
-
     def __abs__(self) -> Node:
         return self.builder.call("abs", self)
 
     def power(self, exponent: Node | Number) -> Node:
         """self ** exponent, for a positive base where the exponent is no integer."""
         return self.builder.power(self, exponent)
+
+    __pow__ = power
 
     def sqrt(self) -> Node:
         """Its principal square root."""

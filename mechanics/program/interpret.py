@@ -115,10 +115,7 @@ def _solved(program: Program, domain: Solver, values: list[Any], place: int) -> 
 
 def _last_uses(program: Program) -> dict[int, list[int]]:
     """Nodes whose values are used for the last time, by the node that uses them."""
-    last: dict[int, int] = {}
-    for number in range(len(program)):
-        for operand in program.operands_of(number):
-            last[operand] = number
+    last = {operand: n for n in range(len(program)) for operand in program.operands_of(n)}
     kept = set(program.roots)
     found: dict[int, list[int]] = {}
     for operand, number in last.items():

@@ -15,8 +15,9 @@ from mechanics.kernel.normal import proves
 from mechanics.kernel.trial import Answer, trial
 from mechanics.kernel.witness import (
     SIMPLE_STATES,
-    find_boundary_witness,
+    boundaries,
     find_witness,
+    first_witness,
     states,
 )
 from mechanics.program import Builder, Node, interpret
@@ -220,7 +221,7 @@ def test_no_part_of_the_kernel_shows_what_is_false(name: str) -> None:
 def test_no_part_of_the_kernel_refutes_what_is_true(name: str) -> None:
     claim = statement(TRUE[name])
     assert find_witness(claim) is None
-    assert find_boundary_witness(claim) is None
+    assert first_witness(claim, boundaries(claim)) is None
 
 
 def test_findings_and_witnesses_are_the_same_in_each_run() -> None:
