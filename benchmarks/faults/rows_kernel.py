@@ -53,7 +53,7 @@ DECISIONS = (
     *faults_in(
         "mechanics.kernel.trial",
         ("(x - y) % prime == 0 for", "(x - x) % prime == 0 for", "a side is compared with itself"),
-        ("zero = all(", "zero = any(", "one equal pair is enough"),
+        ("if not all(equal)", "if not any(equal)", "one equal pair is enough"),
         ("if is_proved():", "if True:", "what is zero at a point is proved"),
     ),
     *faults_in(

@@ -29,10 +29,9 @@ from math import comb
 
 from mechanics.kernel.angles import Form, Forms, Monomial, accumulate, base_angles, node_of
 from mechanics.kernel.balls import enclose
-from mechanics.kernel.field import Inadmissible
-from mechanics.kernel.independence import zeros
 from mechanics.kernel.squares import square_root
 from mechanics.kernel.statement import POSITIVE, RATES, ZERO, Range, Statement
+from mechanics.kernel.trial import FailedError, zeros
 from mechanics.program import Builder, Node
 from mechanics.program.interpret import include
 from mechanics.program.operations import ATAN2, OPERATIONS
@@ -98,8 +97,8 @@ def _held(builder: Builder, constraints: Sequence[Node], statement: Statement) -
     if not constraints:
         return []
     try:
-        known = zeros(builder.program({ZERO: constraints}), ZERO, statement.signs)
-    except Inadmissible:
+        known = zeros(builder, constraints, statement.signs)
+    except FailedError:
         return list(constraints)
     return [node for node, holds in zip(constraints, known, strict=True) if not holds]
 
@@ -218,8 +217,8 @@ class _Solver:
         if value is not None and abs(value) < NEGLIGIBLE:
             return True
         try:
-            return zeros(self.builder.program({"x": [node]}), "x", self.statement.signs)[0]
-        except Inadmissible:
+            return zeros(self.builder, [node], self.statement.signs)[0]
+        except FailedError:
             return True
 
     def roots(self, radicand: Node, solution: Callable[[Node], Node], name: str) -> Node | None:

@@ -119,12 +119,9 @@ class Residues:
 
     def constant(self, value: Fraction) -> int:
         """A rational."""
-        if value.denominator == 1:
-            residue = value.numerator % self.prime
-        elif value.denominator % self.prime == 0:
+        if value.denominator % self.prime == 0:
             raise DivisionHere("the prime divides a denominator")
-        else:
-            residue = value.numerator * pow(value.denominator, -1, self.prime) % self.prime
+        residue = value.numerator * pow(value.denominator, -1, self.prime) % self.prime
         self._ratios[residue] = value
         return residue
 

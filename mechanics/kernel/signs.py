@@ -138,12 +138,14 @@ class Forms:
             self.bounded.add(place)
         return Quotient(self.ring.gen(place), self.one)
 
-    def _square(self, code: int, square: fmpq_mpoly, key: str, signs: int) -> tuple[Quotient, int]:
-        """The unknown of a known square, and its place."""
-        atom = Quotient(self.ring.root((code, key), 2, square), self.one)
-        place = self.ring.place((code, key))
-        self.squares[place], self.signs[place] = square, signs
-        return atom, place
+    def _square(self, square: fmpq_mpoly, signs: int) -> int:
+        """The place of the unknown of a known square."""
+        key = (op.SQRT, str(square))
+        self.ring.root(key, 2, square)
+        place = self.ring.place(key)
+        self.squares[place] = square
+        self.signs[place] &= signs
+        return place
 
     def _form(self, number: int) -> Quotient | None:
         builder, (first, second, _) = self.builder, self.builder.operands
@@ -262,10 +264,10 @@ class Forms:
                 return None
             above = self._times(above, below)
         signs = self.sign(above) & NOT_NEGATIVE
-        atom, place = self._square(op.SQRT, above, str(above), signs or NOT_NEGATIVE)
+        place = self._square(above, signs or NOT_NEGATIVE)
         if signs == POSITIVE and self.numbers.holds(above):
             self.numbers.root(place, above)
-        return Quotient(atom.above, below)
+        return Quotient(self.ring.gen(place), below)
 
     def _magnitude(self, inner: Quotient) -> Quotient | None:
         signs = self.sign_of(inner)
@@ -276,11 +278,9 @@ class Forms:
         above, below = inner
         if not below.is_one():
             return None
-        above = -above if above.leading_coefficient() < 0 else above
-        square = self._times(above, above)
-        atom, place = self._square(op.ABS, square, str(above), NOT_NEGATIVE)
+        place = self._square(self._times(above, above), NOT_NEGATIVE)
         self.absolute[place] = above
-        return atom
+        return Quotient(self.ring.gen(place), self.one)
 
     # ------------------------------------------------------------------ signs
 

@@ -38,7 +38,7 @@ looked at then.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from enum import Enum
 from fractions import Fraction
@@ -53,8 +53,8 @@ from mechanics.kernel.field import DivisionHere, Inadmissible, Residues
 from mechanics.kernel.primes import SIZES, common_modulus, draw_prime, log2_count
 from mechanics.kernel.sizes import Sizes
 from mechanics.kernel.squares import roots_of_squares
-from mechanics.kernel.statement import LEFT, POSITIVE, RIGHT, Statement
-from mechanics.program import Program, interpret
+from mechanics.kernel.statement import LEFT, POSITIVE, RIGHT, Range, Statement
+from mechanics.program import Builder, Node, Program, interpret
 
 MOST_DRAWS = 4096
 """Most points that may be drawn until one is admissible: R of the bound."""
@@ -147,7 +147,7 @@ def prepare(
 
     Raises
     ------
-    OverflowError
+    FailedError
         If the degree bound is beyond the longest primes.
     """
     program = roots_of_squares(base_angles(statement.program, terms), statement.signs)
@@ -170,7 +170,7 @@ def prepare(
         short = (conjugates or kinks) and log2(degree) + WEIL > bits / 2
         if isfinite(bound) and bound <= log2(statement.target) - 1 and not short:
             return Experiment(statement, program, statement.seed, turns, modulus, bits, bound)
-    raise OverflowError("the degree bound is beyond the longest primes in use")
+    raise FailedError("the degree bound is beyond the longest primes in use")
 
 
 def log2_bound(
@@ -216,8 +216,14 @@ class Session:
         inputs = {name: domain.input(statement.range_of(name)) for name in program.inputs}
         return interpret(program, domain, inputs, release=False)
 
-    def point(self, fresh: bool = False) -> tuple[bool, Residues]:
-        """Whether both sides are equal at the first admissible point of at most MOST_DRAWS."""
+    def point(self, fresh: bool = False) -> tuple[list[bool], Residues]:
+        """Which entries of both sides are equal at the first admissible point.
+
+        Raises
+        ------
+        FailedError
+            If none of MOST_DRAWS is admissible.
+        """
         e = self.experiment
         failures: dict[str, int] = {}
         for index in range(MOST_DRAWS):
@@ -236,10 +242,8 @@ class Session:
                 if isinstance(reason, DivisionHere) and failures[str(reason)] >= HOPELESS:
                     raise FailedError(f"{reason} at every one of {HOPELESS} points") from reason
                 continue
-            zero = all(
-                (x - y) % prime == 0 for x, y in zip(outputs[LEFT], outputs[RIGHT], strict=True)
-            )
-            return zero, domain
+            sides = zip(outputs[LEFT], outputs[RIGHT], strict=True)
+            return [(x - y) % prime == 0 for x, y in sides], domain
         worst = max(failures, key=lambda reason: failures[reason])
         raise FailedError(f"no admissible point among {MOST_DRAWS}: {worst}")
 
@@ -273,9 +277,9 @@ class Session:
         FailedError
             If no point is admissible, or the budget does not suffice.
         """
-        e, (zero, first) = self.experiment, self.point()
+        e, (equal, first) = self.experiment, self.point()
         not_zero = Trial(Answer.NONZERO, -inf, f"not zero in a field of {e.bits} bits")
-        if not zero:
+        if not all(equal):
             return not_zero
         if is_proved():
             return Trial(Answer.PROVED, -inf, "")
@@ -288,12 +292,24 @@ class Session:
         if count > MOST_POINTS:
             raise FailedError(f"the signs of {unsure} roots or absolute values cannot be told")
         for _ in range(count):
-            if not self.point(fresh=True)[0]:
+            if not all(self.point(fresh=True)[0]):
                 return not_zero
         total = log2_sum(e.log2_bound, count * survival)
         words = f"zero at {count} random points modulo random {e.bits}-bit primes"
         where = ", off the boundaries of cases" if self.signs else ""
         return Trial(Answer.ZERO, total, words + where, off_boundaries=self.signs)
+
+
+def zeros(builder: Builder, nodes: Sequence[Node], signs: Mapping[str, Range]) -> list[bool]:
+    """Which nodes are zero at a random point: chooses constraints and pivots, makes no verdict.
+
+    Raises
+    ------
+    FailedError
+        If no point is admissible.
+    """
+    sides = builder.program({LEFT: nodes, RIGHT: [0] * len(nodes)})
+    return Session(prepare(Statement("some are zero", sides, signs))).point()[0]
 
 
 def trial(statement: Statement, is_proved: Callable[[], bool]) -> Trial:
@@ -321,7 +337,7 @@ def trial(statement: Statement, is_proved: Callable[[], bool]) -> Trial:
 def _tried(statement: Statement, terms: int, is_proved: Callable[[], bool]) -> Trial:
     try:
         experiment = prepare(statement, terms=terms)
-    except OverflowError as reason:
+    except FailedError as reason:
         return Trial(Answer.FAILED, inf, str(reason))
     outcome = _attempt(experiment, False, is_proved)
     if outcome.answer is Answer.NONZERO and experiment.has_kinks:

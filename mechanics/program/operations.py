@@ -96,11 +96,6 @@ SOLVE, ENTRY = 35, 36
 ERF = 37
 
 
-def _power_demands(x: Any, y: Any) -> tuple[tuple[Sign, Any], ...]:
-    exponent = y.constant
-    return ((Sign.NONNEGATIVE if exponent is not None and exponent > 0 else Sign.POSITIVE, x),)
-
-
 def _function(
     name: str, code: int, partials: Callable[[Any, Any], tuple[Any]], *, numpy: str | None = None,
     demands: Demands = _none, exact: Exact | None = None, ulp: float = 0.0,
@@ -159,7 +154,7 @@ OPERATIONS: tuple[Operation, ...] = (
     Operation(
         "power", POWER, 2,
         partials=lambda x, y, r: (y * x.power(y - 1), r * x.log()),
-        demands=_power_demands,
+        demands=lambda x, y: ((Sign.NONNEGATIVE if (y.constant or 0) > 0 else Sign.POSITIVE, x),),
         numpy="power", casadi="OP_POW", c="pow({}, {})", sympy="Pow", ulp=1.0,
     ),
     _function("exp", EXP, lambda x, r: (r,), ulp=1.0),
