@@ -2,21 +2,21 @@
 
 Statement --> decide --> Finding
 
-A verdict runs at most 4,000 lines of code, what it runs of `program` counted too: 4,085
-of 6,469, the rest being docstrings, comments and blank. A test keeps them from growing:
+A verdict runs at most 4,000 lines of code, what it runs of `program` counted too: 3,990
+of 6,357, the rest being docstrings, comments and blank. A test keeps them from growing:
 
-    statements, findings, decisions, errors     statement, finding, decide, canaries         610
-    the field and its error bound               trial, sizes, field, primes, draws         1,062
+    statements, findings, decisions, errors     statement, finding, decide, canaries         612
+    the field and its error bound               trial, sizes, field, primes, draws         1,068
     sines and roots, rewritten                  angles, squares                              518
-    the normal form                             ring, quotients, radicals, normal            744
-    balls and witnesses                         balls, witness                               356
-    points on constraints                       constraints                                  429
+    the normal form                             ring, quotients, radicals, normal            743
+    balls and witnesses                         balls, witness                               339
+    points on constraints                       constraints                                  355
     where it is defined                         definedness, signs, numbers, conjugates,
-                                                states                                     1,387
+                                                states                                     1,350
     the language                                program: its builder, programs, table of
-                                                operations, interpreter                    1,307
+                                                operations, interpreter                    1,298
 
-Equality takes 2,680 lines, constraints 430, being defined 1,390, the language 1,310. One way to
+Equality takes 2,670 lines, constraints 360, being defined 1,350, the language 1,300. One way to
 show equality would be enough, and each of the three knows what the others do not: the field takes
 statements of any size, the normal form needs no chance, balls refute. The normal form and signs
 share a ring; their fractions are two: `quotients` keeps denominators in factors and looks for no
