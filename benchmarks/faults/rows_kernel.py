@@ -103,7 +103,11 @@ DECISIONS = (
     ),
     *faults_in(
         "mechanics.kernel.balls",
-        ('"sqrt": arb.sqrt', '"sqrt": arb.rsqrt', "balls: a root is one over it"),
+        (
+            "if all(operand.is_finite() for operand in operands):",
+            "if not all(operand.is_finite() for operand in operands):",
+            "balls: no function has a value",
+        ),
     ),
     *faults_in(
         "mechanics.kernel.witness",
