@@ -69,18 +69,22 @@ LOWERING = (
             "return {rate: -rate for rate in self.qd}",
             "q' = -u",
         ),
-        ("rows = [u - to_plain(", "rows = [2 * u - to_plain(", "declared speeds count twice"),
         (
-            "(solution,) = linsolve(rows, *self.qd)",
-            "(solution,) = linsolve(rows[::-1], *self.qd[::-1])",
+            "symbol - to_plain(definition, table",
+            "2 * symbol - to_plain(definition, table",
+            "declared speeds count twice",
+        ),
+        (
+            "(solution,) = linsolve(rows, *unknown.values())",
+            "(solution,) = linsolve(rows, *[*unknown.values()][::-1])",
             "rates of the coordinates come in reverse order",
         ),
     ),
     *faults_in(
         "mechanics.scene.symbols",
         (
-            "name_of(function) + DOTS[order]",
-            "name_of(function) + DOTS[min(order, 1)]",
+            "return name + DOTS[order]",
+            "return name + DOTS[min(order, 1)]",
             "q'' is called q'",
         ),
         (
