@@ -60,11 +60,11 @@ COMMANDS = {
     ),
     "linearize": (
         "small_motions",
-        "Print the linear equations about an equilibrium, which is proved to be one first.",
+        "Print the linear equations about rest or a steady motion, which is proved first.",
     ),
     "modes": (
         "small_motions",
-        "Print natural frequencies and shapes about an equilibrium, exact where they factor.",
+        "Print frequencies and shapes about rest or a steady motion, or poles over a parameter.",
     ),
 }
 """Module of each command, and the first line of its help: what is not called is not imported."""

@@ -1,19 +1,36 @@
-"""`mechanics linearize` and `mechanics modes`: motions near an equilibrium."""
+"""`mechanics linearize` and `mechanics modes`: motions near a state of rest or a steady motion."""
 
-from typing import Annotated
+import json
+from pathlib import Path
+from typing import Annotated, Any
 
+import numpy as np
 import typer
-from sympy import Expr, Matrix, Rational
+from sympy import Expr, Matrix, Rational, Symbol
 
+from mechanics.cli.files import refuse_unwritable, write, write_file
 from mechanics.cli.load import load
-from mechanics.cli.values import points
+from mechanics.cli.values import points, products
 from mechanics.crosscheck import derive
 from mechanics.errors import ExpressionError, InputError
-from mechanics.linear import Linear, damped, damped_modes, numeric_modes, stability
+from mechanics.linear import (
+    Linear,
+    Sweep,
+    damped,
+    damped_modes,
+    numeric_modes,
+    stability,
+    sweep,
+)
 from mechanics.linear import linearize as about
 from mechanics.linear import modes as exact_modes
+from mechanics.linear.sweep import AXIS
 from mechanics.linear.values import with_numbers
+from mechanics.report.modes_plot import modes_plot
+from mechanics.simulate.files import writable
 
+ROWS = 10
+"""Lines of a table over a parameter."""
 LONGEST = 16
 """Characters of a number that is printed as it is."""
 
@@ -21,20 +38,35 @@ SystemArgument = Annotated[str, typer.Argument(metavar="SYSTEM", help="A name or
 AtOption = Annotated[
     list[str] | None,
     typer.Option(
-        "--at", metavar="NAME=VALUE", help="Coordinate or input at the equilibrium; zero if not."
+        "--at", metavar="NAME=VALUE", help="Coordinate or input there; zero if not given."
+    ),
+]
+SpeedsOption = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--speeds", metavar="NAME=VALUE", help="Speed of a steady motion: 3, pi/2, v/R; else zero."
     ),
 ]
 
 
-def linearize(system: SystemArgument, at: AtOption = None) -> None:
-    """Print the linear equations about an equilibrium, which is proved to be one first.
+def linearize(system: SystemArgument, at: AtOption = None, speeds: SpeedsOption = None) -> None:
+    """Print the linear equations about rest or a steady motion, which is proved first.
 
-    Example: `mechanics linearize rocker --at theta=0`
+    Examples
+    --------
+    `mechanics linearize rocker --at theta=0`
+
+    `mechanics linearize rolling_disc --speeds u2=v/R`
     """
-    linear = _linear(system, at or [])
+    linear = _linear(system, at or [], speeds or [])
     typer.echo(
         f"M x'' + C x' + K x = B f, x = deviations of {', '.join(map(str, linear.coordinates))}"
     )
+    if linear.moves:
+        moving = ", ".join(f"{u} = {value}" for u, value in linear.speeds.items() if value != 0)
+        typer.echo(f"about the steady motion {moving}")
+        if linear.cyclic:
+            typer.echo(f"of no effect: {', '.join(map(str, linear.cyclic))}")
     for title, matrix in (("M", linear.mass), ("C", linear.damping), ("K", linear.stiffness)):
         typer.echo(f"{title} = {_rows(matrix)}")
     for order, matrix in enumerate(linear.input_matrices):
@@ -42,23 +74,107 @@ def linearize(system: SystemArgument, at: AtOption = None) -> None:
             names = ", ".join(str(name) + "'" * order for name in linear.inputs)
             typer.echo(f"B = {_rows(matrix)}, for {names}")
     try:
-        typer.echo(f"equilibrium: {stability(linear).value}")
+        kind = "steady motion" if linear.moves else "equilibrium"
+        typer.echo(f"{kind}: {stability(linear).value}")
     except ExpressionError as error:
         typer.echo(f"stability: {error}")
 
 
-def modes(system: SystemArgument, at: AtOption = None) -> None:
-    """Print natural frequencies and shapes about an equilibrium, exact where they factor.
+def modes(
+    system: SystemArgument,
+    at: AtOption = None,
+    speeds: SpeedsOption = None,
+    over: Annotated[
+        str | None,
+        typer.Option(metavar="NAME", help="A parameter or a speed over which poles are shown."),
+    ] = None,
+    start: Annotated[float | None, typer.Option("--from", help="Its first value.")] = None,
+    end: Annotated[float | None, typer.Option("--to", help="Its last value.")] = None,
+    count: Annotated[int, typer.Option("--points", help="Of how many values.")] = 201,
+    plot: Annotated[
+        Path | None, typer.Option(metavar="FILE.svg", help="Draw the poles over it.")
+    ] = None,
+    json_file: Annotated[
+        str | None, typer.Option("--json", metavar="FILE|-", help="Write JSON; - for the screen.")
+    ] = None,
+) -> None:
+    """Print frequencies and shapes about rest or a steady motion, or poles over a parameter.
 
-    With damping: poles, frequencies, damping ratios and shapes at the typical values. A shape has a
-    size and a phase for each coordinate.
+    Natural frequencies are exact where they factor. With damping, or in motion: poles, frequencies,
+    damping ratios and shapes at the typical values. A shape has a size and a phase for each
+    coordinate. With --over: the poles over a parameter or a speed, and where stability changes.
 
-    Example: `mechanics modes two_mass_chain`
+    Examples
+    --------
+    `mechanics modes two_mass_chain`
+
+    `mechanics modes rolling_disc --over u2 --from 0 --to 8 --plot poles.svg`
     """
-    linear = _linear(system, at or [])
-    typer.echo(f"shapes are of {', '.join(map(str, linear.coordinates))}")
-    if damped(linear):
-        typer.echo("damped: typical values")
+    if over is None:
+        if (start, end, plot, json_file) != (None,) * 4:
+            raise InputError("--from, --to, --plot and --json belong to --over NAME: add it")
+        _print_modes(_linear(system, at or [], speeds or []))
+        return
+    if start is None or end is None or not start < end or count < 2:
+        raise InputError(
+            f"--over {over}: give its range, for example --over {over} --from 0 --to 10"
+        )
+    if plot is not None:
+        writable(plot, (".svg",))
+    refuse_unwritable(plot, json_file)
+    linear = _linear(system, at or [], speeds or [], over)
+    found = sweep(linear, over, np.linspace(start, end, count).tolist())
+    if plot is not None:
+        write_file(modes_plot(found), plot)
+    if json_file is not None:
+        write(json.dumps(_record(found), allow_nan=False), json_file)
+    if json_file != "-":
+        _print_sweep(found)
+
+
+def _record(found: Sweep) -> dict[str, Any]:
+    return {
+        "system": found.linear.scene.name,
+        "over": found.over,
+        "states": [symbol.name for symbol in found.linear.states],
+        "values": found.values.tolist(),
+        "poles": [[[pole.real, pole.imag] for pole in row] for row in found.poles.tolist()],
+        "unstable": found.unstable.tolist(),
+        "borders": list(found.borders),
+    }
+
+
+def _print_sweep(found: Sweep) -> None:
+    """Some values, and the borders between them."""
+    typer.echo(f"poles in 1/s over {found.over}")
+    for k in range(0, len(found.values), max(1, (len(found.values) - 1) // ROWS)):
+        small = AXIS * max(abs(found.poles[k]).max(initial=0.0), 1.0)
+        poles = [_without_noise(complex(pole), small) for pole in found.poles[k]]
+        # Of a pair of conjugate poles one, with both signs.
+        shown = sorted((p for p in poles if p.imag >= 0), key=lambda p: (-p.real, p.imag))
+        mark = "unstable" if found.unstable[k] else "stable"
+        text = ", ".join(map(_pole, shown))
+        typer.echo(f"{found.over} = {found.values[k]:<8.5g} {mark:<8}  {text}")
+    for border in found.borders:
+        typer.echo(f"stability changes at {found.over} = {border:.10g}")
+
+
+def _without_noise(pole: complex, small: float) -> complex:
+    real, imag = (0.0 if abs(part) < small else part for part in (pole.real, pole.imag))
+    return complex(real, imag)
+
+
+def _pole(pole: complex) -> str:
+    if not pole.imag:
+        return f"{pole.real:.5g}"
+    return f"{pole.real:.5g} ± {pole.imag:.5g}i" if pole.real else f"± {pole.imag:.5g}i"
+
+
+def _print_modes(linear: Linear) -> None:
+    counted = [str(q) for q in linear.coordinates if q not in linear.cyclic]
+    typer.echo(f"shapes are of {', '.join(counted)}")
+    if linear.moves or damped(linear):
+        typer.echo("in motion: typical values" if linear.moves else "damped: typical values")
         for line in damped_modes(linear).words:
             typer.echo(line)
     elif not linear.undamped:
@@ -87,7 +203,7 @@ def _numeric(linear: Linear) -> None:
         typer.echo(f"omega_{i + 1}^2 = {value + 0.0:.10g}   shape ({shape})")
 
 
-def _linear(name: str, settings: list[str]) -> Linear:
+def _linear(name: str, settings: list[str], moving: list[str], over: str | None = None) -> Linear:
     scene = load(name).scene()
     coordinates: dict[str, Expr] = {symbol.name: Rational(0) for symbol in scene.q}
     inputs: dict[str, Expr] = {symbol.name: Rational(0) for symbol in scene.input_symbols}
@@ -99,13 +215,16 @@ def _linear(name: str, settings: list[str]) -> Linear:
         else:
             known = ", ".join((*coordinates, *inputs))
             raise InputError(f"{scene.name}: there is no coordinate or input {key!r}: {known}")
+    speeds = products(moving, "--speeds", {symbol.name: symbol for symbol in scene.parameters})
+    if over is not None and over in {u.name for u in scene.u} - set(speeds):
+        speeds[over] = Symbol(over, real=True)
     equations = derive(scene, "lagrange")
     if equations.textbook is None:
         # Formulas of these are no reading for a person.
-        numbers = {symbol: with_numbers(scene, symbol) for symbol in scene.parameters}
+        numbers = {s: with_numbers(scene, s) for s in scene.parameters if s.name != over}
         typer.echo("typical values: the equations are too long for formulas")
-        return about(equations, coordinates, inputs, numbers)
-    return about(equations, coordinates, inputs)
+        return about(equations, coordinates, inputs, numbers, speeds)
+    return about(equations, coordinates, inputs, None, speeds)
 
 
 def _rows(matrix: Matrix) -> str:

@@ -1,10 +1,10 @@
 """Values on the command line: ``--set M=2 --set theta=1/2 --at theta=pi``."""
 
 import re
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from fractions import Fraction
 
-from sympy import Expr, Rational, pi
+from sympy import Expr, Rational, Symbol, pi
 
 from mechanics.errors import InputError, RangeError
 from mechanics.program.constants import rational
@@ -13,6 +13,10 @@ from mechanics.scene.conditions import condition_parameters
 
 TURN = re.compile(r"([+-]?)(?:([\d.eE+-]+|\d+/\d+) *\*? *)?pi(?: */ *([\d.]+))?")
 """A multiple of pi: its sign, factor and divisor."""
+LETTER = re.compile(r"[A-Za-z]")
+FACTOR = re.compile(r"([*/]?) *([A-Za-z]\w*|[\d.]+)")
+PRODUCT = re.compile(r"[+-]? *([A-Za-z]\w*|[\d.]+)( *[*/] *([A-Za-z]\w*|[\d.]+))*")
+"""Names and numbers multiplied and divided."""
 
 
 def assignments(entries: Sequence[str], option: str) -> dict[str, Fraction]:
@@ -31,6 +35,35 @@ def assignments(entries: Sequence[str], option: str) -> dict[str, Fraction]:
             raise InputError(f"{option} {name}: {error}") from None
         except (ValueError, ZeroDivisionError):
             raise _no_number(option, entry, text, "") from None
+    return found
+
+
+def products(entries: Sequence[str], option: str, known: Mapping[str, Symbol]) -> dict[str, Expr]:
+    """Read ``name=value`` entries; numbers as for `points`, or products: ``-v/R``, ``2*v``.
+
+    A name that is not known is a symbol of its own.
+
+    Raises
+    ------
+    InputError
+        As `assignments`.
+    """
+    found: dict[str, Expr] = {}
+    for name, text, entry in _named(entries, option):
+        if not PRODUCT.fullmatch(text) or not LETTER.search(text.replace("pi", "")):
+            found |= points([entry], option)
+            continue
+        value = Rational(-1 if text.startswith("-") else 1)
+        for operator, factor in FACTOR.findall(text.lstrip("+-")):
+            number = pi if factor == "pi" else known.get(factor, Symbol(factor, real=True))
+            if not LETTER.match(factor):
+                try:
+                    exact = rational(factor) if operator != "/" else 1 / rational(factor)
+                    number, operator = Rational(exact.numerator, exact.denominator), "*"
+                except (ValueError, ZeroDivisionError):
+                    raise _no_number(option, entry, factor, "") from None
+            value = value / number if operator == "/" else value * number
+        found[name] = value
     return found
 
 

@@ -19,6 +19,7 @@ from mechanics.linear.stability import (
     stability,
     stability_region,
 )
+from mechanics.linear.sweep import Sweep, sweep
 from mechanics.linear.transfer import (
     characteristic_polynomial,
     close_loop,
@@ -27,8 +28,8 @@ from mechanics.linear.transfer import (
 
 __all__ = [
     "Convention", "DampedModes", "Dimensionless", "Linear", "Modes", "NumericModes", "Region",
-    "Stability", "characteristic", "characteristic_factors", "characteristic_polynomial",
+    "Stability", "Sweep", "characteristic", "characteristic_factors", "characteristic_polynomial",
     "close_loop", "conditions", "damped", "damped_modes", "dimensionless", "linearize", "modes",
-    "numeric_modes", "numeric_poles", "stability", "stability_region", "state_space",
+    "numeric_modes", "numeric_poles", "stability", "stability_region", "state_space", "sweep",
     "transfer_function",
 ]  # fmt: skip

@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 from mechanics.errors import wanted
 from mechanics.linear.form import Linear
 from mechanics.linear.numeric import largest, state_space
+from mechanics.linear.sweep import AXIS
 from mechanics.linear.values import Numbers
 
 
@@ -27,7 +28,8 @@ class DampedModes:
     poles : array, shape (k,)
         s in 1/s, of a pair the one with Im s > 0.
     shapes : array, shape (n, k)
-        a as columns, complex; the largest element of each is one.
+        a as columns, complex, of the n coordinates that have an effect; the largest element of each
+        is one. All are 0 where a pole at 0 leads to a neighbouring steady motion.
     """
 
     poles: NDArray[np.complex128]
@@ -51,6 +53,8 @@ class DampedModes:
         return tuple(
             f"{_motion(complex(s), float(omega), float(zeta))}, shape"
             f" ({', '.join(_element(complex(a)) for a in shape)})"
+            if shape.any()
+            else "s = 0, a neighbouring steady motion"
             for s, omega, zeta, shape in rows
         )
 
@@ -78,16 +82,23 @@ def damped_modes(linear: Linear, values: Numbers | None = None) -> DampedModes:
     wanted(linear, Linear, "damped_modes", "pass linearize(derive(scene, route), at)")
     a, _ = state_space(linear, values)
     poles, vectors = np.linalg.eig(a)
+    if linear.moves:
+        poles = np.where(np.abs(poles) > AXIS * np.abs(poles).max(initial=0.0), poles, 0.0)
     upper = np.flatnonzero(poles.imag >= 0)
     order = upper[np.lexsort((poles[upper].real, np.abs(poles[upper])))]
-    shapes = vectors[: len(linear.coordinates), order].astype(complex)
-    return DampedModes(poles[order].astype(complex), (shapes / largest(shapes)).astype(complex))
+    shapes = vectors[: len(linear.coordinates) - len(linear.cyclic), order].astype(complex)
+    if linear.moves:
+        shapes[:, poles[order] == 0] = 0.0
+    scales = largest(np.where(shapes.any(axis=0), shapes, 1.0)) if len(shapes) else 1.0
+    return DampedModes(poles[order].astype(complex), (shapes / scales).astype(complex))
 
 
 def _motion(s: complex, omega: float, zeta: float) -> str:
     if s.imag == 0:
         return f"s = {s.real + 0.0:.6g} 1/s, no oscillation"
-    return f"s = {s.real + 0.0:.6g} ± {s.imag:.6g}i 1/s, frequency {omega:.6g} rad/s" + (
+    # What the eigenvalues of a gyroscopic system leave of a real part is their rounding error.
+    real, zeta = (s.real, zeta) if abs(zeta) > 1e-14 else (0.0, 0.0)
+    return f"s = {real + 0.0:.6g} ± {s.imag:.6g}i 1/s, frequency {omega:.6g} rad/s" + (
         f" ({omega / (2 * pi):.4g} Hz), damping ratio {zeta:.4g}"
     )
 

@@ -105,7 +105,8 @@ def reduction(equations: Equations, derived: Derived, place: Place, given: set[s
     forms = velocity_forms(mechanism)
     matrix = coefficients(forms, mechanism.u) if forms else ()
     known = [name_of(u) in given for u in mechanism.u]
-    order = sorted(range(len(mechanism.u)), key=known.__getitem__)
+    # The last ones that are not given become dependent, as in Kane's equations.
+    order = sorted(range(len(mechanism.u) - 1, -1, -1), key=known.__getitem__)
     there = place.matrix([[row[i] for i in order] for row in matrix])
     found = [(row, order[column]) for row, column in pivots(place.builder, there)]
     implied = [form for row, form in enumerate(forms) if row not in {r for r, _ in found}]

@@ -1,6 +1,7 @@
 """Typical values: a number for every parameter, by the scene's definitions where it has none."""
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from fractions import Fraction
 from math import isfinite
 from typing import Any
 
@@ -61,34 +62,54 @@ def evaluate(
     values: Numbers | None,
     names: Sequence[str],
 ) -> dict[str, list[float]]:
-    """Outputs of a program in double precision, each the double nearest to the exact value.
+    """Outputs of a program in double precision; see `evaluation`."""
+    return evaluation(scene, program, symbols, values, names)({})
+
+
+def evaluation(
+    scene: Scene,
+    program: Program,
+    symbols: Mapping[str, Symbol],
+    values: Numbers | None,
+    names: Sequence[str],
+    *left: str,
+) -> Callable[[Mapping[str, Fraction]], dict[str, list[float]]]:
+    """Some outputs of a program as a function of inputs that are left.
+
+    Each number is the double nearest to the exact value.
 
     Raises
     ------
     ValueMissingError
-        If a symbol has neither a value nor a typical one.
+        If another symbol has neither a value nor a typical one.
     SingularError
-        If an output has no value.
+        By the function, if an output has no value.
     """
-    own = [symbols.get(name, Symbol(name)) for name in program.inputs]
+    own = {name: symbols.get(name, Symbol(name)) for name in program.inputs if name not in left}
     given = {str(key): value for key, value in (values or {}).items()}
     _refuse_unknown(scene, symbols.values(), given)
     builder = Builder()
-    numbers = [_substituted(scene, symbol, given) for symbol in own]
-    table = dict(zip(program.inputs, read(builder, numbers), strict=True))
-    bound = builder.program(include(builder, program, table))
-    for bits in PRECISIONS:
-        outputs = enclose(bound, {}, bits)
-        balls = [ball for name in names for ball in outputs[name]]
-        if all(ball == 0 or ball.rel_accuracy_bits() >= DOUBLE for ball in balls):
-            break
-    if not all(ball.is_finite() for ball in balls):
-        raise SingularError(f"{scene.name}: the linear equations have no value at these values")
-    # What cannot be told from 0 at the last precision is below 1e-100 of what it is made of.
-    return {
-        name: [0.0 if ball.contains(0) else float(ball.mid()) for ball in outputs[name]]
-        for name in names
-    }
+    numbers = [_substituted(scene, symbol, given) for symbol in own.values()]
+    table = dict(zip(own, read(builder, numbers), strict=True))
+    outputs = include(builder, program, table)
+    bound = builder.program({name: outputs[name] for name in names})
+
+    def at(state: Mapping[str, Fraction]) -> dict[str, list[float]]:
+        known = {name: state[name] for name in bound.inputs}
+        for bits in PRECISIONS:
+            found = enclose(bound, known, bits)
+            balls = [ball for name in names for ball in found[name]]
+            if all(ball == 0 or ball.rel_accuracy_bits() >= DOUBLE for ball in balls):
+                break
+        if not all(ball.is_finite() for ball in balls):
+            raise SingularError(f"{scene.name}: the linear equations have no value at these values")
+        # What cannot be told from 0 at the last precision is below 1e-100 of what it is made of.
+        return {
+            name: [0.0 if ball.contains(0) else float(ball.mid()) for ball in found[name]]
+            for name in names
+        }
+
+    return at
 
 
 def _number(scene: Scene, symbol: Symbol, given: Mapping[str, Any]) -> Expr:

@@ -1,6 +1,7 @@
 """`derive`, `simulate`, `codegen`, `linearize`, `modes`, `--help`: what they write is usable."""
 
 import csv
+import json
 import subprocess
 import sys
 from importlib.metadata import version
@@ -109,6 +110,35 @@ def test_linearize_and_modes(run: Any) -> None:
     ran = run("linearize", "rocker")
     assert ran.code == 0
     assert "K = " in ran.out
+
+
+def test_linearize_and_modes_about_a_steady_motion(run: Any) -> None:
+    ran = run("linearize", "rolling_disc", "--speeds", "u2=v/R")
+    assert ran.code == 0
+    assert "about the steady motion u2 = v/R, u4 = v\nof no effect: yaw, spin" in ran.out
+    ran = run("modes", "rolling_disc", "--speeds", "u2=5")
+    assert ran.code == 0
+    assert ran.out.count("s = 0, a neighbouring steady motion") == 2
+    assert "frequency 6.65612 rad/s" in ran.out
+
+
+def test_modes_over_a_speed_are_a_table_a_plot_and_json(run: Any, tmp_path: Path) -> None:
+    over = ("--over", "u2", "--from", 0, "--to", 8, "--points", 17)
+    ran = run("modes", "rolling_disc", *over, "--plot", tmp_path / "a.svg")
+    assert ran.code == 0
+    # Critical: v^2 = g R / 3, R = 1/2 m.
+    critical = (9.81 * 0.5 / 3) ** 0.5 / 0.5
+    place = ran.out.rpartition("stability changes at u2 = ")[2]
+    assert abs(float(place) / critical - 1) < 1e-8
+    assert "</svg>" in (tmp_path / "a.svg").read_text(encoding="utf-8")
+    record = json.loads(run("modes", "rolling_disc", *over, "--json", "-").out)
+    assert record["states"] == ["lean", "lean_dot", "yaw_dot", "spin_dot"]
+    assert len(record["values"]) == len(record["poles"]) == len(record["unstable"]) == 17
+    assert record["unstable"][0] and not record["unstable"][-1]
+    (border,) = record["borders"]
+    assert abs(border / critical - 1) < 1e-8
+    fastest = max(imaginary for _, imaginary in record["poles"][-1])
+    assert abs(fastest**2 - 12 / 5 * (16 - 9.81 / 1.5)) < 1e-9
 
 
 def test_damped_modes_have_frequencies_ratios_and_shapes(run: Any, pendulum: Any) -> None:

@@ -50,6 +50,14 @@ ROWS = [
     ("modes rocker --at theta=2", "theta = 2 no equilibrium"),
     ("linearize rocker --at theta=pi/0", "--at 'pi/0' no number pi/2"),
     ("linearize rocker --at theta=pie", "--at 'pie' no number"),
+    ("linearize rolling_disc --speeds u9=2", "'u9' no speed u1, u2"),
+    ("linearize rolling_disc --speeds u2=v/0", "--speeds 'u2=v/0' '0' no number"),
+    ("linearize rolling_disc --speeds u2=2 --at lean=1", "lean = 1 u2 = 2 no steady motion"),
+    ("modes rolling_disc --over u2", "--over u2 range --from 0 --to 10"),
+    ("modes rolling_disc --over u2 --from 5 --to 1", "--over u2 range"),
+    ("modes rolling_disc --over zz --from 0 --to 1", "do not depend on 'zz' R, g, m"),
+    ("modes rolling_disc --plot {tmp}/a.svg", "--plot --over NAME"),
+    ("modes rolling_disc --over u2 --from 0 --to 1 --plot {tmp}/a.png", ".png use .svg"),
     ("bogus", "'bogus'"),
 ]
 

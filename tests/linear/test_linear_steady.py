@@ -232,3 +232,14 @@ def test_stability_of_steady_motions_follows_from_the_matrices() -> None:
     rolling = linearize(derived("disc"), {"lean": 0}, speeds={"u2": sqrt(square) / R})
     (border,) = stability_region(rolling, square).lower
     assert same(border, weight * R / 3)
+
+
+def test_to_control_is_the_same_state_space() -> None:
+    linear = linearize(derived("table"), {"x": 0, "y": 0}, {"psi": 0}, speeds={"psi_dot": OMEGA})
+    found = linear.to_control({"Omega": 3.0})
+    matrix, _ = state_space(linear, {"Omega": 3.0})
+    assert np.array_equal(found.A, matrix)
+    assert found.state_labels == found.output_labels == ["x", "y", "x_dot", "y_dot"]
+    assert np.array_equal(found.C, np.eye(4)) and not found.D.any()
+    poles = np.sort(np.abs(found.poles().imag))
+    assert np.allclose(poles, np.sqrt(250) + np.array([-3, -3, 3, 3]))
