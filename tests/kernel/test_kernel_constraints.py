@@ -1,6 +1,7 @@
 """Statements that hold on constraints only, and that are false there, too."""
 
 from collections.abc import Callable
+from dataclasses import replace
 from fractions import Fraction
 
 import pytest
@@ -127,6 +128,24 @@ def test_a_quadratic_constraint_with_a_linear_term() -> None:
     assert decide(right, try_normal=False).shown
     wrong = statement(b, (x + y).power(4), 1 + y * y, zero, dependent=("x",))
     assert decide(wrong, try_normal=False).verdict is Verdict.REFUTED
+
+
+def test_a_quadratic_constraint_is_divided_by_twice_its_square() -> None:
+    b = Builder()
+    x = b.input("x")
+    claim = statement(b, x, -2 * b.one, [3 * x * x + 3 * x - 6], dependent=("x",))
+    assert decide(replace(claim, typical={"x": Fraction(-2)})).verdict is Verdict.PROVED
+    assert decide(replace(claim, typical={"x": Fraction(1)})).verdict is Verdict.REFUTED
+
+
+@pytest.mark.parametrize("start", [Fraction(n) for n in ("2", "-2", "1e-9", "-1e-9")])
+def test_a_slope_of_either_sign_leads_to_a_point(start: Fraction) -> None:
+    b = Builder()
+    x, y = b.input("x"), b.input("y")
+    claim = statement(b, x * y, b.one, [x * y - 1], dependent=("y",))
+    found = on_constraints(replace(claim, typical={"x": start, "y": 1 / start}))
+    assert found is not None
+    assert found.program.inputs == ("x",)
 
 
 def test_solutions_keep_their_range() -> None:

@@ -474,6 +474,19 @@ def test_powers_that_are_made_of_roots() -> None:
     ] * 4
 
 
+def test_two_that_are_looked_up_meet_with_the_size_of_their_difference() -> None:
+    """N1 D2 - N2 D1 of two operands of one height, and as often as it is looked up."""
+    domain = Sizes()
+    total = domain.operations["add"](domain.variable(), domain.variable())
+    assert (total.numerator, total.denominator, total.height) == (1, 0, 1)
+    for count in (1, 2, 3):
+        domain.operations["exp"](total)
+        degree, height = domain.total([])
+        assert degree == pytest.approx(count, rel=0.002)
+        assert height == pytest.approx(count * (2 * 1 + 1), rel=0.002)
+        assert height >= count * (2 * 1 + 1)
+
+
 # ---------------------------------------------------------------------- residues
 
 
