@@ -53,6 +53,7 @@ from mechanics.scene.geometry import (
     step_vector,
 )
 from mechanics.scene.rates import TIME
+from mechanics.scene.rotations import rotation_between
 from mechanics.scene.symbols import DOTS, plain_symbol
 from mechanics.scene.topology import tree
 
@@ -492,12 +493,11 @@ class _Lowering:
         return self.of_frame[frame]
 
     def spin(self, parent: SympyFrame, child: SympyFrame) -> Spin | None:
-        for rotation in self.scene.rotations:
-            if parent.dcm(child) == rotation.matrix:
-                groups = (rotation.coordinates, rotation.rates, rotation.speeds)
-                where = f"frame {child.name}"
-                return Spin(*(tuple(self.expression(e, where) for e in group) for group in groups))
-        return None
+        rotation = rotation_between(self.scene.rotations, parent, child)
+        if rotation is None:
+            return None
+        groups, where = (rotation.coordinates, rotation.rates, rotation.speeds), rotation.name
+        return Spin(*(tuple(self.expression(e, where) for e in group) for group in groups))
 
     def turn(self, step: sympy.Matrix) -> Turn | None:
         recognised = axis_angle(step)

@@ -20,6 +20,7 @@ from sympy.physics.vector import dynamicsymbols
 
 from mechanics.checks.jets import Instant, OutsideDomain
 from mechanics.scene import Scene
+from mechanics.scene.symbols import dotted
 
 DRAWS = 40
 """Draws before it is given up to find states on the constraints."""
@@ -61,9 +62,7 @@ class State:
         names = [name_of(q) for q in self.scene.coordinates]
         table = dict(zip(names, self.q, strict=True))
         speeds = [name_of(u) for u, _ in self.scene.speeds] or [f"{name}_dot" for name in names]
-        rates = [f"{name}_dot" for name in speeds] if self.scene.speeds else [
-            f"{name}_ddot" for name in names
-        ]  # fmt: skip
+        rates = [dotted(name, 1) for name in speeds]
         table |= dict(zip(speeds, self.u, strict=True))
         table |= dict(zip(rates, changes, strict=False))
         for function in self.scene.inputs:
@@ -84,9 +83,11 @@ class State:
 
         def change(bends: Numbers) -> list[arb]:
             here = self._instant(rates, bends, self.u, changes)
-            return [here.coefficients(rate)[1] for _, rate in self.scene.speeds]
+            bent = [here.coefficients(rate)[1] for _, rate in self.scene.speeds]
+            return [*bent, *(here.coefficients(r.square)[2] for r in self.scene.rotations)]
 
-        return self._instant(rates, _solve_affine(change, changes), self.u, changes)
+        bends = _solve_affine(change, [*changes, *self._kept])
+        return self._instant(rates, bends, self.u, changes)
 
     def virtual_motions(self, count: int) -> Iterator[Instant]:
         """Motions along drawn virtual velocities that the constraints admit."""
@@ -104,9 +105,15 @@ class State:
 
         def speeds(rates: Numbers) -> list[arb]:
             here = self._instant(rates)
-            return [here.coefficients(rate)[0] for _, rate in self.scene.speeds]
+            told = [here.coefficients(rate)[0] for _, rate in self.scene.speeds]
+            return [*told, *(here.coefficients(r.square)[1] for r in self.scene.rotations)]
 
-        return _solve_affine(speeds, u)
+        return _solve_affine(speeds, [*u, *self._kept])
+
+    @property
+    def _kept(self) -> Numbers:
+        """Rates of the norms of quaternions."""
+        return [arb(0)] * len(self.scene.rotations)
 
     def on_constraints(self) -> "State":
         """The state moved to where the constraints hold, the coordinates first.
@@ -121,6 +128,7 @@ class State:
 
     def _closed(self) -> Numbers:
         closing = [c.expression for c in self.scene.constraints if c.holonomic]
+        closing += [rotation.square - 1 for rotation in self.scene.rotations]
         if not closing:
             return self.q
         q = _column(self.q)
@@ -197,7 +205,7 @@ def draw_states(scene: Scene, count: int) -> tuple[State, ...]:
     found: list[State] = []
     for index in range(DRAWS):
         q = [drawn(name_of(function), index, -40, 40) for function in scene.coordinates]
-        u = [drawn(f"u{i}", index, -40, 40) for i in range(len(q))]
+        u = [drawn(f"u{i}", index, -40, 40) for i in range(len(scene.u))]
         try:
             found.append(State(scene, index, q, u).on_constraints())
         except (OutsideDomain, ArithmeticError, ValueError):

@@ -24,7 +24,7 @@ from sympy import Expr, Symbol
 
 from mechanics.checks.as_declared import NONE, Motion, Wrench, cross
 from mechanics.checks.jets import Instant, OutsideDomain, precision
-from mechanics.checks.states import State, draw_states, name_of
+from mechanics.checks.states import State, draw_states
 from mechanics.equations import Equations
 from mechanics.errors import ExpressionError
 from mechanics.kernel import Finding, enclose, refuted, supported, undecided
@@ -155,8 +155,7 @@ def solved(equations: Equations, telling: Equations, state: State) -> Solved:
     sides = arb_mat(right.rows, 1, [here(entry) for entry in right])
     unknowns = [symbol.name for symbol in equations.unknowns]
     solution = dict(zip(unknowns, matrix.solve(sides).entries(), strict=True))
-    names = [f"{name_of(u)}_dot" for u, _ in scene.speeds]
-    changes = [solution[n] for n in names or [f"{name_of(q)}_ddot" for q in scene.coordinates]]
+    changes = [solution[symbol.name] for symbol in scene.ud]
     there = plain_values(state.plain(changes) | solution, state)
     told = {symbol.name: there(value) for symbol, value in telling.reactions}
     return changes, solution | told

@@ -48,7 +48,11 @@ def kanes_method(scene: Scene) -> KanesMethod:
     definitions = [model.scalar(value) for _, value in scene.speeds] or [
         q.diff(dynamicsymbols._t) for q in scene.coordinates
     ]
-    kinematic = [value - u for u, value in zip(speeds, definitions, strict=True)]
+    turning = {u for rotation in scene.rotations for u in rotation.speeds}
+    kinematic = [v - u for u, v in zip(speeds, definitions, strict=True) if u not in turning]
+    for rotation in scene.rotations:
+        rates = zip(rotation.coordinates, rotation.rates, strict=True)
+        kinematic += [q.diff(dynamicsymbols._t) - rate for q, rate in rates]
     coordinates = list(scene.coordinates)
     options: dict[str, list[Expr]] = {}
     if scene.constraints:

@@ -89,13 +89,19 @@ def _in_speeds(
     scene: Scene, mass: Matrix, forcing: Matrix, reactions: Matrix, matrix: Matrix, bias: Matrix
 ) -> tuple[Matrix, ...]:
     """The equations in q' carried over to the declared speeds."""
-    t = dynamicsymbols._t
+    t, model = dynamicsymbols._t, SympyModel(scene)
+    table = {q.diff(t): rate for rotation in scene.rotations
+             for q, rate in zip(rotation.coordinates, rotation.rates, strict=True)}  # fmt: skip
+    turning = {u for rotation in scene.rotations for u in rotation.speeds}
+    others = [(u, model.scalar(value)) for u, value in scene.speeds if u not in turning]
+    qd = [q.diff(t) for q in scene.coordinates]
+    if unknown := [rate for rate in qd if rate not in table]:
+        definitions = Matrix([value for _, value in others])
+        rest = definitions.xreplace(dict.fromkeys(unknown, 0))
+        solved = cramer(definitions.jacobian(unknown), Matrix([u for u, _ in others]) - rest)
+        table |= zip(unknown, solved, strict=True)
+    rates = Matrix([table[rate] for rate in qd])
     speeds = Matrix([u for u, _ in scene.speeds])
-    definitions = Matrix([SympyModel(scene).scalar(value) for _, value in scene.speeds])
-    qd = Matrix([q.diff(t) for q in scene.coordinates])
-    rest = definitions.xreplace(dict.fromkeys(qd, 0))
-    rates = cramer(definitions.jacobian(qd), speeds - rest)
-    table = dict(zip(qd, rates, strict=True))
     change = rates.jacobian(speeds)
     drift = rates.diff(t).xreplace(dict.fromkeys(speeds.diff(t), 0)).xreplace(table)
     mass, forcing, reactions, matrix, bias = (

@@ -32,6 +32,7 @@ from mechanics.scene.loads import (
     TorsionSpring,
 )
 from mechanics.scene.reactions import Reaction
+from mechanics.scene.rotations import rotation_between
 from mechanics.scene.symbols import plain_table
 
 
@@ -86,9 +87,20 @@ class SympyModel:
             path = root._dict_list(frame, 0)
             for parent, child in pairwise(path if path[0] is root else path[::-1]):
                 if child not in known:
-                    known[child] = ReferenceFrame(child.name)
-                    known[child].orient_dcm(known[parent], child.dcm(parent).applyfunc(self.scalar))
+                    known[child] = self._step(parent, child)
         return known[frame]
+
+    def _step(self, parent: ReferenceFrame, child: ReferenceFrame) -> ReferenceFrame:
+        rotation = rotation_between(self.scene.rotations, parent, child)
+        if rotation is not None:
+            # From the derivative of its matrix SymPy needs a minute for a heavy top.
+            frame = rotation.orient(child.name, self._frames[parent])
+            omega = [self.scalar(speed) for speed in rotation.speeds]
+            frame.set_ang_vel(self._frames[parent], Vector([(Matrix(omega), frame)]))
+            return frame
+        frame = ReferenceFrame(child.name)
+        frame.orient_dcm(self._frames[parent], child.dcm(parent).applyfunc(self.scalar))
+        return frame
 
     def point(self, point: Point) -> Point:
         """The point that stands for one of the scene, each step placed as it was declared."""

@@ -134,6 +134,14 @@ def quaternion(coordinates: str | Sequence[Expr], speeds: str | Sequence[Expr]) 
     return Rotation(*found)
 
 
+def rotation_between(
+    rotations: Sequence[Rotation], parent: ReferenceFrame, frame: ReferenceFrame
+) -> Rotation | None:
+    """The rotation that turns a frame in its parent; None where none of them does."""
+    step = parent.dcm(frame)
+    return next((rotation for rotation in rotations if rotation.matrix == step), None)
+
+
 def with_rotations(scene: "Scene") -> dict[str, Any]:
     """Coordinates, speeds and example of a scene with what its rotations bring, once.
 
