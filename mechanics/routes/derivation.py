@@ -73,8 +73,10 @@ def by_route(name: str, scene: Scene) -> Equations:
 def is_written_out(mechanism: Mechanism) -> bool:
     """Whether a scene is small enough for its equations to be read, by any route.
 
-    Decided by counts alone, before anything is written.
+    Decided by counts alone, before anything is written. Quaternions leave quotients all over them.
     """
+    if any(frame.spin is not None for frame in mechanism.frames):
+        return False
     in_space = sum(body.inertia is not None and not body.scalar for body in mechanism.bodies)
     if in_space > MOST_IN_SPACE:
         return False
