@@ -12,6 +12,7 @@ from mechanics.linear.modes import (
     modes,
 )
 from mechanics.linear.numeric import NumericModes, damped, numeric_modes, numeric_poles, state_space
+from mechanics.linear.speed_form import SpeedForm, speed_form
 from mechanics.linear.stability import (
     Region,
     Stability,
@@ -28,8 +29,8 @@ from mechanics.linear.transfer import (
 
 __all__ = [
     "Convention", "DampedModes", "Dimensionless", "Linear", "Modes", "NumericModes", "Region",
-    "Stability", "Sweep", "characteristic", "characteristic_factors", "characteristic_polynomial",
-    "close_loop", "conditions", "damped", "damped_modes", "dimensionless", "linearize", "modes",
-    "numeric_modes", "numeric_poles", "stability", "stability_region", "state_space", "sweep",
-    "transfer_function",
+    "SpeedForm", "Stability", "Sweep", "characteristic", "characteristic_factors",
+    "characteristic_polynomial", "close_loop", "conditions", "damped", "damped_modes",
+    "dimensionless", "linearize", "modes", "numeric_modes", "numeric_poles", "speed_form",
+    "stability", "stability_region", "state_space", "sweep", "transfer_function",
 ]  # fmt: skip

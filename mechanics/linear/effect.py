@@ -15,7 +15,7 @@ from sympy import Expr, Symbol
 from mechanics.kernel import Range, Statement, decide
 from mechanics.linear.operating_point import Place
 from mechanics.linear.reduction import Reduction
-from mechanics.mechanism import name_of, ranges
+from mechanics.mechanism import ranges
 from mechanics.program.builder import Node
 from mechanics.program.forward import tangent
 from mechanics.program.residues import Residues
@@ -34,23 +34,50 @@ def effective(reduction: Reduction, parameters: Mapping[Symbol, Expr]) -> frozen
         Relations under which it is asked.
     """
     mechanism = reduction.mechanism
-    held = {s.name: value for s, value in parameters.items()}
-    place = Place(mechanism.builder, held)
+    place = Place(mechanism.builder, {s.name: value for s, value in parameters.items()})
     laws = place([*reduction.configuration, *reduction.rows])
     solved = accelerations(place, reduction)
-    rates = place(reduction.rates)
-    coordinates = place(mechanism.q)
-    signs = ranges(mechanism)
-    places = range(len(coordinates))
-    found = {i for i in places if depends(place, laws, coordinates[i], signs, solved)}
-    waiting = sorted(found)
-    while waiting:
-        k = waiting.pop()
-        more = [i for i in places if i not in found]
-        more = [i for i in more if depends(place, [rates[k]], coordinates[i], signs, solved)]
-        found.update(more)
-        waiting += more
-    return frozenset(found)
+    rates, signs = place(reduction.rates), ranges(mechanism)
+    slopes = [_slopes(laws, q, solved) for q in place(mechanism.q)]
+    of_rates = [[_slopes([rate], q, solved) for q in place(mechanism.q)] for rate in rates]
+    residues = Residues(place.builder)
+
+    def differ(nodes: Sequence[Node]) -> bool:
+        return any(residues.values(nodes))
+
+    found = {i for i, nodes in enumerate(slopes) if differ(nodes)}
+    while True:
+        waiting = sorted(found)
+        while waiting:
+            row = of_rates[waiting.pop()]
+            more = {i for i, nodes in enumerate(row) if i not in found and differ(nodes)}
+            found |= more
+            waiting += sorted(more)
+        others = [i for i in range(len(rates)) if i not in found]
+        left = {i: [*slopes[i], *(n for k in found for n in of_rates[k][i])] for i in others}
+        together = [node for nodes in left.values() for node in nodes]
+        open_ones: set[int] = set()
+        if not _zero(place, together, signs):
+            open_ones = {i for i, nodes in left.items() if not _zero(place, nodes, signs)}
+        if not open_ones:
+            return frozenset(found)
+        found |= open_ones
+
+
+def _slopes(nodes: Sequence[Node], on: Node, solved: Mapping[Node, Node]) -> list[Node]:
+    """Derivatives by an input that are not structurally 0, v' put in."""
+    build = on.builder
+    slopes = [node for node in tangent(nodes, {on: build.one}) if not node.is_zero]
+    return list(substitute(build, slopes, solved)) if slopes else []
+
+
+def _zero(place: Place, nodes: Sequence[Node], signs: Mapping[str, Range]) -> bool:
+    """Whether the kernel shows that all of them are 0."""
+    if not nodes:
+        return True
+    program = place.builder.program({"left": nodes, "right": [0] * len(nodes)})
+    known = {name: sign for name, sign in signs.items() if name in program.inputs}
+    return decide(Statement("no effect", program, known), try_normal=False).shown
 
 
 def accelerations(place: Place, reduction: Reduction) -> dict[Node, Node]:
@@ -81,14 +108,5 @@ def depends(
     solved : mapping of Node to Node
         What takes the place of other inputs in the derivatives.
     """
-    build = place.builder
-    slopes = [node for node in tangent(nodes, {on: build.one}) if not node.is_zero]
-    if not slopes:
-        return False
-    slopes = list(substitute(build, slopes, solved))
-    if any(Residues(build).values(slopes)):
-        return True
-    program = build.program({"left": slopes, "right": [0] * len(slopes)})
-    subject = f"{name_of(on)} has no effect"
-    known = {name: sign for name, sign in signs.items() if name in program.inputs}
-    return not decide(Statement(subject, program, known), try_normal=False).shown
+    slopes = _slopes(nodes, on, solved)
+    return any(Residues(place.builder).values(slopes)) or not _zero(place, slopes, signs)

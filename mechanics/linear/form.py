@@ -103,13 +103,7 @@ class Linear:
         return tuple(self._matrix(f"inputs {k}", len(self.coordinates)) for k in range(orders))
 
     def _matrix(self, name: str, rows: int) -> Matrix:
-        builder = Builder()
-        program = builder.program({name: include(builder, self.program)[name]})
-        columns = len(program.outputs[name]) // rows if rows else 0
-        if program.inputs or written_size(program) <= LARGEST:
-            entries = expressions(program, self.names, limit=LARGEST)[name]
-            return Matrix(rows, columns, [written(entry) for entry in entries])
-        return Matrix(rows, columns, [number(ball) for ball in enclose(program, {}, BITS)[name]])
+        return matrix_of(self.program, name, self.names, rows)
 
     def with_matrices(self, inputs: tuple[Symbol, ...], **changed: Matrix) -> "Linear":
         """The same with other matrices, by the names of the program's outputs; no G."""
@@ -258,6 +252,23 @@ class Linear:
     def input_index(self, name: str) -> int:
         """Place of an input among `inputs`."""
         return _index("input", name, self.inputs, self)
+
+
+def matrix_of(program: Program, name: str, names: Mapping[str, Symbol], rows: int) -> Matrix:
+    """An output of a program as a matrix of so many rows.
+
+    Raises
+    ------
+    ExpressionError
+        If it is too long to be written out.
+    """
+    builder = Builder()
+    part = builder.program({name: include(builder, program)[name]})
+    columns = len(part.outputs[name]) // rows if rows else 0
+    if part.inputs or written_size(part) <= LARGEST:
+        entries = expressions(part, names, limit=LARGEST)[name]
+        return Matrix(rows, columns, [written(entry) for entry in entries])
+    return Matrix(rows, columns, [number(ball) for ball in enclose(part, {}, BITS)[name]])
 
 
 def number(ball: Any) -> Float:

@@ -26,6 +26,7 @@ from mechanics.kinematics.printer import symbols
 from mechanics.linear.algebra import written
 from mechanics.linear.effect import accelerations, depends, effective
 from mechanics.linear.form import Linear
+from mechanics.linear.nodes import Rows, difference, inverse, padded, product
 from mechanics.linear.operating_point import (
     OperatingPoint,
     Place,
@@ -36,20 +37,17 @@ from mechanics.linear.operating_point import (
 )
 from mechanics.linear.reduction import Reduction, as_rows, reduction
 from mechanics.mechanism import name_of, ranges
-from mechanics.program.builder import Builder, Node
+from mechanics.program.builder import Node
 from mechanics.program.elimination import solve_with_pivots
 from mechanics.program.operations import ABS, FLOOR, SIGN
 from mechanics.program.program import reachable
 from mechanics.program.sympy_printer import expressions
-from mechanics.program.vectors import dot
 from mechanics.reading.kinds import angular
 from mechanics.routes.rows import coefficients
 from mechanics.scene import Scene
 from mechanics.scene.rates import TIME
 from mechanics.scene.symbols import DOTS
 from mechanics.symbolic.arithmetic import range_of
-
-Rows = list[list[Node]]
 
 
 def linearize(
@@ -98,7 +96,9 @@ def linearize(
     point = operating_point(scene, at, inputs or {}, speeds or {}, related)
     derived = as_rows(equations)
     builder = derived[0].builder
-    table = {s.name: value for s, value in {**related, **point.point}.items()}
+    # What is not given has no effect, or is refused below: it may have any value.
+    table = {q.name: Integer(0) for q in scene.q}
+    table |= {s.name: value for s, value in {**related, **point.point}.items()}
     still = [w.name + dots for w in scene.input_symbols for dots in DOTS[1:]]
     table |= dict.fromkeys(still, Integer(0))
     table |= {s.name: value for s, value in point.speeds.items() if s.name in table}
@@ -108,8 +108,6 @@ def linearize(
     table = dict(table) | {name_of(node): Integer(0) for node in (*moving.v, *moving.vd)}
     table |= {symbol.name: value for symbol, value in point.speeds.items()}
     kept = tuple(sorted(effective(moving, related))) if point.moves else tuple(range(len(scene.q)))
-    # What has no effect may have any value.
-    table = {q.name: Integer(0) for i, q in enumerate(scene.q) if i not in kept} | table
     whole = Place(builder, table, place.builder)
     expansion = Expansion(equations, point, moving, whole, kept)
     expansion.verify()
@@ -391,29 +389,3 @@ class Expansion:
                         f"{self.scene.name}: input {name_of(node)} moves a constraint or a rate of"
                         " the coordinates: linearize a scene in coordinates that it does not hold"
                     )
-
-
-def product(left: Rows, right: Rows) -> Rows:
-    """Of two matrices of nodes; entries that are 0 cost nothing."""
-    columns = list(zip(*right, strict=True))
-    return [[dot(row, column) for column in columns] for row in left]
-
-
-def difference(left: Rows, right: Rows) -> Rows:
-    """Of two matrices of nodes."""
-    pairs = zip(left, right, strict=True)
-    return [[a - b for a, b in zip(one, two, strict=True)] for one, two in pairs]
-
-
-def padded(builder: Builder, matrix: Rows, columns: int) -> Rows:
-    """A matrix with columns of 0 appended."""
-    return [[*row, *[builder.zero] * (columns - len(row))] for row in matrix]
-
-
-def inverse(builder: Builder, matrix: Rows) -> Rows:
-    """Of a matrix of nodes that is regular, its pivots chosen at one point of a field."""
-    size = range(len(matrix))
-    order = pivots(builder, matrix)
-    sides = [[builder.node(int(i == j)) for i in size] for j in size]
-    columns = [solve_with_pivots(matrix, side, order) for side in sides]
-    return [list(row) for row in zip(*columns, strict=True)]

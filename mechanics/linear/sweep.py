@@ -19,6 +19,8 @@ from mechanics.linear.values import Numbers, evaluation
 
 AXIS = 1e-7
 """Beside the largest pole, a real part that counts as zero: double poles at 0 err so much."""
+ROUNDING = 1e-13
+"""The same of poles that are single."""
 BISECTIONS = 48
 
 
@@ -121,12 +123,16 @@ def _paired(
 
 
 def _border(
-    poles: Callable[[float], NDArray[np.complex128]], low: float, high: float, left: bool
+    poles: Callable[[float], NDArray[np.complex128]], low: float, high: float, grows_low: bool
 ) -> float:
-    """Where a pole crosses the axis, by bisection."""
+    """Where a pole crosses the axis, by bisection; poles that stay at 0 are left out."""
+    stable = poles(high if grows_low else low)
+    zeros = int(np.sum(np.abs(stable) <= AXIS * np.abs(stable).max()))
     for _ in range(BISECTIONS):
         middle = (low + high) / 2
-        if grows(poles(middle)) is left:
+        found = poles(middle)
+        others = found[np.argsort(np.abs(found))[zeros:]]
+        if bool(others.real.max() > ROUNDING * np.abs(found).max()) is grows_low:
             low = middle
         else:
             high = middle

@@ -7,6 +7,7 @@ import pytest
 from quaternions import ball_top
 from steady_scenes import OMEGA, A, C, L, bead, d, foucault, g, k, m, psi, r, rotor, top
 from sympy import Expr, Rational, Symbol, cos, factor, pi, sin, sqrt, symbols
+from whipple_bicycle import whipple_bicycle
 
 from mechanics.equations import Equations
 from mechanics.errors import InputError, SingularError
@@ -15,9 +16,11 @@ from mechanics.linear import (
     Stability,
     linearize,
     numeric_poles,
+    speed_form,
     stability,
     stability_region,
     state_space,
+    sweep,
 )
 from mechanics.mechanism import lower
 from mechanics.program import Builder
@@ -62,6 +65,7 @@ def same(one: Expr, two: Expr) -> bool:
     return prove_equal("", [one], [two]).shown
 
 
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("route", ROUTES)
 def test_upright_disc_is_stable_above_its_critical_speed(route: str) -> None:
     # v^2 > g R / 3 for a thin uniform disc.
@@ -112,6 +116,7 @@ def _by_differences(scene, turn: float) -> np.ndarray:
     return np.array(columns).T
 
 
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("route", ROUTES)
 def test_sleeping_top_needs_the_textbook_spin(route: str) -> None:
     linear = linearize(derived("upright", route), {"a": 0, "b": 0}, speeds={"c_dot": OMEGA})
@@ -234,6 +239,7 @@ def test_stability_of_steady_motions_follows_from_the_matrices() -> None:
     assert same(border, weight * R / 3)
 
 
+@pytest.mark.campaign  # the package takes seconds to be imported
 def test_to_control_is_the_same_state_space() -> None:
     linear = linearize(derived("table"), {"x": 0, "y": 0}, {"psi": 0}, speeds={"psi_dot": OMEGA})
     found = linear.to_control({"Omega": 3.0})
@@ -243,3 +249,42 @@ def test_to_control_is_the_same_state_space() -> None:
     assert np.array_equal(found.C, np.eye(4)) and not found.D.any()
     poles = np.sort(np.abs(found.poles().imag))
     assert np.allclose(poles, np.sqrt(250) + np.array([-3, -3, 3, 3]))
+
+
+def test_a_disc_has_the_form_of_a_bicycle_in_its_speed() -> None:
+    R, mass = rolling_disc.R, rolling_disc.m
+    linear = linearize(derived("disc"), {"lean": 0}, speeds={"u2": SPEED / R})
+    form = speed_form(linear, "v")
+    assert form.finding.shown
+    matrices = (form.M, form.C1, form.K0, form.K2)
+    # Its yaw momentum is kept: 3 m v yaw' goes with it into K_2.
+    expected = (5 * mass * R**2 / 4, 0, -mass * R, 3 * mass)
+    assert all(same(one[0], two) for one, two in zip(matrices, expected, strict=True))
+    with pytest.raises(InputError, match="not of the form M x"):
+        speed_form(linearize(derived("disc"), {"lean": 0}, speeds={"u2": 1 + SPEED}), "v")
+    with pytest.raises(InputError, match="rows by moving_point are no momenta"):
+        there = derived("disc", "moving_point")
+        speed_form(linearize(there, {"lean": 0}, speeds={"u2": SPEED / R}), "v")
+
+
+@pytest.mark.campaign
+@pytest.mark.parametrize("route", ["kane", "lagrange"])
+def test_bicycle_has_the_published_matrices(route: str) -> None:
+    # Meijaard, Papadopoulos, Ruina and Schwab 2007, equations (6.1) to (6.5) and (7.1).
+    scene = whipple_bicycle()
+    radius = next(p for p in scene.parameters if p.name == "rR")
+    upright = {"lean": 0, "pitch": 0, "steer": 0}
+    linear = linearize(unwritten(route, scene), upright, speeds={"tR_dot": -SPEED / radius})
+    assert [q.name for q in linear.coordinates] == ["lean", "steer", "tF"]
+    found = speed_form(linear, "v").numbers()
+    published = (
+        [[80.81722, 2.31941332208709], [2.31941332208709, 0.29784188199686]],
+        [[0, 33.86641391492494], [-0.85035641456978, 1.68540397397560]],
+        [[-80.95, -2.59951685249872], [-2.59951685249872, -0.80329488458618]],
+        [[0, 76.59734589573222], [0, 2.65431523794604]],
+    )
+    for one, two in zip(found, published, strict=True):
+        assert np.allclose(one, two, rtol=0, atol=1e-13)
+    weave, capsize = sweep(linear, "v", np.linspace(0.1, 10, 100).tolist()).borders
+    assert abs(weave - 4.292382536341) < 1e-11
+    assert abs(capsize - 6.024262015388) < 1e-10
