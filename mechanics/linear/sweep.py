@@ -19,8 +19,8 @@ from mechanics.linear.values import Numbers, evaluation
 
 AXIS = 1e-7
 """Beside the largest pole, a real part that counts as zero: double poles at 0 err so much."""
-ROUNDING = 1e-13
-"""The same of poles that are single."""
+NEAR = 1e-3
+"""Of a step of the values: how far from a border one looks for the kind of it."""
 BISECTIONS = 48
 
 
@@ -125,15 +125,30 @@ def _paired(
 def _border(
     poles: Callable[[float], NDArray[np.complex128]], low: float, high: float, grows_low: bool
 ) -> float:
-    """Where a pole crosses the axis, by bisection; poles that stay at 0 are left out."""
-    stable = poles(high if grows_low else low)
-    zeros = int(np.sum(np.abs(stable) <= AXIS * np.abs(stable).max()))
+    """Where a pole crosses the axis, by bisection; poles that stay at 0 are left out.
+
+    Where two poles meet on the axis, their real parts leave 0 as a square root, and what they are
+    before is rounding errors; a pole that crosses the axis alone is found by its sign.
+    """
+    stable = np.abs(poles(high if grows_low else low))
+    scale = AXIS * float(stable.max())
+    zeros = int(np.sum(stable <= scale))
+
+    def largest(value: float) -> float:
+        found = poles(value)
+        return float(found[np.argsort(np.abs(found))[zeros:]].real.max())
+
+    border = _bisected(lambda value: (largest(value) > scale) is grows_low, low, high)
+    near = NEAR * (high - low)
+    ends = max(border - near, low), min(border + near, high)
+    left, right = map(largest, ends)
+    if min(left, right) < -scale and max(left, right) > scale:
+        return _bisected(lambda value: (largest(value) > 0) is grows_low, *ends)
+    return border
+
+
+def _bisected(before: Callable[[float], bool], low: float, high: float) -> float:
     for _ in range(BISECTIONS):
         middle = (low + high) / 2
-        found = poles(middle)
-        others = found[np.argsort(np.abs(found))[zeros:]]
-        if bool(others.real.max() > ROUNDING * np.abs(found).max()) is grows_low:
-            low = middle
-        else:
-            high = middle
+        low, high = (middle, high) if before(middle) else (low, middle)
     return (low + high) / 2
