@@ -2,12 +2,11 @@
 
 from mechanics.scene.bodies import Body, Particle, RigidBody
 from mechanics.scene.conditions import Condition, condition
+from mechanics.scene.euler import Euler, euler
 from mechanics.scene.joints import (
-    Euler,
     Joint,
     ball,
     cylindrical,
-    euler,
     free,
     pin,
     planar,

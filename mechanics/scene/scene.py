@@ -22,7 +22,8 @@ from mechanics.scene.geometry import (
     relative_rotation,
     step_vector,
 )
-from mechanics.scene.joints import Joint
+from mechanics.scene.joints.assembly import with_joints
+from mechanics.scene.joints.joint import Joint
 from mechanics.scene.loads import Coulomb, Load
 from mechanics.scene.reactions import Constraint, Reaction
 from mechanics.scene.rotations import Rotation, with_rotations
@@ -66,6 +67,9 @@ class Scene:
         of the other coordinates that are not declared are their rates.
     joints : tuple of Joint
         Their coordinates, reactions, constraints and rotations are added to those above.
+    plane : Vector or None
+        Normal of the plane that a scene of joints keeps: a pin then has two reactions, and not the
+        three that hold it in the plane. None: joints hold in space.
 
     Raises
     ------
@@ -89,17 +93,13 @@ class Scene:
     equilibria: tuple[Mapping[str, Any], ...] = ()
     rotations: tuple[Rotation, ...] = ()
     joints: tuple[Joint, ...] = ()
+    plane: Vector | None = None
 
     def __post_init__(self) -> None:
         check_types(self)
-        for title in ("coordinates", "reactions", "constraints", "rotations"):
-            own = getattr(self, title)
-            declared = (part for joint in self.joints for part in getattr(joint, title))
-            # A copy of a scene has them already.
-            added = [part for part in declared if part not in own]
-            object.__setattr__(self, title, (*own, *added))
-        for name, value in with_rotations(self).items():
-            object.__setattr__(self, name, value)
+        for complete in (with_joints, with_rotations):
+            for name, value in complete(self).items():
+                object.__setattr__(self, name, value)
         validate(self)
 
     def __repr__(self) -> str:

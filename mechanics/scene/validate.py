@@ -19,9 +19,9 @@ from mechanics.scene.conditions import check_conditions
 from mechanics.scene.contacts import check_contacts
 from mechanics.scene.declared import scalar
 from mechanics.scene.geometry import Movers, frame_path, point_path
+from mechanics.scene.joints.placement import check_joints
 from mechanics.scene.loads import Force, Load
 from mechanics.scene.physical import check_bodies, check_loads
-from mechanics.scene.placement import check_joints
 from mechanics.scene.reactions import Reaction
 from mechanics.scene.symbols import name_of, plain_symbol
 from mechanics.scene.units import check_units

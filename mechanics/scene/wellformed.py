@@ -20,7 +20,7 @@ from mechanics.scene.bodies import Particle, RigidBody
 from mechanics.scene.conditions import Condition
 from mechanics.scene.declared import kind_of, scalar
 from mechanics.scene.geometry import Placed, dyadic_matrix
-from mechanics.scene.joints import Joint
+from mechanics.scene.joints.joint import Joint
 from mechanics.scene.loads import Load
 from mechanics.scene.reactions import Constraint, Reaction
 from mechanics.scene.rotations import Rotation
@@ -74,6 +74,7 @@ def check_types(scene: Scene) -> None:
                 f"{scene.name}: speeds holds {kind_of(pair)}: it has to be a pair"
                 " (dynamic symbol, definition)"
             )
+    _expect(f"{scene.name}: plane", scene.plane, Vector | None)
     for title in ("definitions", "example"):
         _expect(f"{scene.name}: {title}", getattr(scene, title), Mapping)
 

@@ -59,7 +59,7 @@ JOINTS: Mapping[str, tuple[int, Callable[[str | None], Joint]]] = {
     ),
 }  # fmt: skip
 
-LONG = {"pin", "universal", "ball", "ball, quaternion", "free"}
+LONG = {"pin", "pin about any axis", "universal", "ball", "ball, quaternion", "free"}
 QUICK = [pytest.param(kind, marks=[pytest.mark.campaign] * (kind in LONG)) for kind in JOINTS]
 
 
@@ -99,7 +99,7 @@ def test_what_a_joint_does_not_move_it_holds(kind: str) -> None:
         assert sum(entry**2 for entry in along) == 1
 
 
-@pytest.mark.parametrize("kind", [k for k in JOINTS if "quaternion" not in k and "any" not in k])
+@pytest.mark.parametrize("kind", [k for k in JOINTS if "quaternion" not in k])
 def test_the_recursions_know_it_as_a_tree_of_single_joints(kind: str) -> None:
     mechanism = lower(two_bodies(JOINTS[kind][1](None)), Builder())
     tree = joint_tree(mechanism, moments(mechanism))
@@ -130,6 +130,39 @@ def test_euler_angles_turn_about_the_axes_that_are_turned(order: str) -> None:
         step = N.orientnew(f"S{axis}", "Axis", (angle, getattr(N, axis)))
         product = product * relative_rotation(N, step)
     assert N.dcm(joint.frame) == product
+
+
+CLOSING: Mapping[str, tuple[int, Callable[[Point, ReferenceFrame], Joint]]] = {
+    "ball": (3, lambda P, own: ball("J", None, "one", at=O, frame=N, onto=P)),
+    "pin": (1, lambda P, own: pin("J", None, "one", at=O, axis=N.z, onto=(P, own.z))),
+    "cylindrical": (
+        2, lambda P, own: cylindrical("J", None, "one", at=O, axis=N.x, onto=(P, own.x)),
+    ),
+    "slide": (1, lambda P, own: slide("J", None, "one", at=O, axis=N.x + N.y, onto=(P, own))),
+}  # fmt: skip
+
+
+def free_and_closed(kind: str) -> Scene:
+    """A body in the air that a joint holds by its constraints alone."""
+    air = free("A", "one", at=O, frame=N, coordinates=(x, y, z), rotation=euler("xyz", a, b, c))
+    hung = air.point.locatenew("P", L * air.frame.y)
+    body = RigidBody("one", air.point, air.frame, m, inertia(air.frame, A, B, C))
+    return Scene("closed", N, O, bodies=(body,), joints=(air, CLOSING[kind][1](hung, air.frame)),
+                 loads=(gravity(-g * N.y),), example={"y": -0.5})  # fmt: skip
+
+
+@pytest.mark.parametrize("kind", CLOSING)
+def test_a_joint_that_closes_a_loop_leaves_its_freedoms(kind: str) -> None:
+    """Its reactions are complete, do no work, and each maintains its constraint."""
+    scene = free_and_closed(kind)
+    assert len(check_scene(scene).reactions) == len(scene.constraints)
+    assert scene.degrees_of_freedom == CLOSING[kind][0]
+
+
+@pytest.mark.campaign
+@pytest.mark.parametrize("kind", CLOSING)
+def test_everything_is_shown_of_what_a_closed_loop_holds(kind: str) -> None:
+    assert crosscheck(free_and_closed(kind)).ok
 
 
 @pytest.mark.campaign

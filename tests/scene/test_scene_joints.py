@@ -5,7 +5,9 @@ from dataclasses import replace
 
 import pytest
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols, inertia
+from sympy.physics.vector import Vector
 
+from mechanics.checks.admissible import check_scene
 from mechanics.errors import SceneError
 from mechanics.scene import (
     Joint,
@@ -24,6 +26,7 @@ from mechanics.scene import (
 
 N, O = ReferenceFrame("N"), Point("O")
 q1, q2, q3 = dynamicsymbols("q1:4")
+s = parameters("s", positive=False)[0]
 L, m, J = parameters("L m J", units="m kg kg*m^2", typical="1 1 1")
 
 
@@ -87,6 +90,59 @@ def test_a_centre_along_the_frame_of_another_is_named() -> None:
         replace(scene, bodies=(one, wrong))
 
 
+def test_a_point_of_another_body_is_named() -> None:
+    scene = arm()
+    first, second = scene.joints
+    tip = second.point.locatenew("T", L * second.frame.x)
+    third = pin("D", "one", "three", at=tip, axis=N.z, angle=q3)
+    rod = RigidBody("three", tip, third.frame, m, inertia(third.frame, J, J, J))
+    with pytest.raises(SceneError, match=r"D: its point T moves against one by q2: take a point"):
+        replace(scene, bodies=(*scene.bodies, rod), joints=(first, second, third))
+
+
+def test_a_loop_that_is_closed_twice_is_named() -> None:
+    scene = arm()
+    twice = [ball(name, None, "two", at=O, frame=N, onto=scene.joints[1].point) for name in "DE"]
+    with pytest.raises(SceneError, match="joints D and E close one loop twice"):
+        replace(scene, joints=(*scene.joints, *twice))
+
+
+def test_a_particle_on_a_pin_is_named() -> None:
+    scene = arm()
+    bob = Particle("two", scene.bodies[1].centre, m)
+    with pytest.raises(SceneError, match=r"inertia\(B.frame, 0, 0, 0\)"):
+        replace(scene, bodies=(scene.bodies[0], bob))
+
+
+def flat_arm(plane: Vector | None) -> Scene:
+    """Two links with scalar inertias."""
+    scene = arm()
+    flat = tuple(replace(body, inertia=J) for body in scene.bodies)
+    return Scene("flat", N, O, bodies=flat, joints=scene.joints, plane=plane)
+
+
+def test_in_a_plane_joints_hold_what_the_plane_does_not() -> None:
+    scene = flat_arm(3 * N.z)
+    assert [reaction.name for reaction in scene.reactions] == ["A_x", "A_y", "B_x", "B_y"]
+    assert len(check_scene(scene).u) == 2
+    assert replace(scene, name="copy").reactions == scene.reactions
+
+
+@pytest.mark.parametrize(
+    ("plane", "message"),
+    [
+        (None, r"body one: its inertia is a scalar, .* plane=N\.z"),
+        (N.x, r"joint B: A turns out of the plane normal to N\.x"),
+        (N.y + N.z, "joint A: A_y along N.y is oblique"),
+        ("z", "plane is 'z', a str"),
+    ],
+)
+def test_another_plane_is_refused(plane: Vector | None, message: str) -> None:
+    with pytest.raises(SceneError, match=message) as refusal:
+        flat_arm(plane)
+    assert "\n" not in str(refusal.value)
+
+
 WRONG: dict[str, tuple[Callable[[], Joint], str]] = {
     "no length": (
         lambda: pin("A", None, "one", at=O, axis=0 * N.x, angle=q1), "joint A: the axis has no len",
@@ -96,6 +152,26 @@ WRONG: dict[str, tuple[Callable[[], Joint], str]] = {
         lambda: pin("A", None, "one", at=O, angle=q1,
                     axis=N.x + N.orientnew("B", "Axis", (q2, N.z)).x),
         r"stands in several frames \(",
+    ),
+    "moving axis": (lambda: pin("A", None, "one", at=O, axis=q1 * N.x, angle=q2), "moves in N"),
+    "no sign": (
+        lambda: pin("A", None, "one", at=O, axis=s * N.x, angle=q1),
+        r"leave the length out, as in axis=N\.x",
+    ),
+    "a body": (lambda: pin("A", O, "one", at=O, axis=N.x, angle=q1), "None for the ground"),
+    "no child": (lambda: pin("A", "one", None, at=O, axis=N.x, angle=q1), "its child is None"),
+    "no point": (lambda: pin("A", None, "one", at=N, axis=N.x, angle=q1), "at is N"),
+    "no frame": (lambda: ball("A", None, "one", at=O, frame=O), "frame is O"),
+    "half an end": (
+        lambda: slide("A", None, "one", at=O, axis=N.x, onto=O),
+        "give the child's point and frame",
+    ),
+    "two ways": (
+        lambda: pin("A", None, "one", at=O, axis=N.x, angle=q1, onto=(O, N.x)),
+        "has no coordinate, leave it out",
+    ),
+    "nowhere": (
+        lambda: ball("A", None, "one", at=O, frame=N, onto=Point("Q")), "nothing places Q",
     ),
     "no angle": (lambda: pin("A", None, "one", at=O, axis=N.z), "joint A: angle is None"),
     "a number": (

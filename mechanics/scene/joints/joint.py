@@ -1,0 +1,60 @@
+"""A joint: what places a body, moves it, and transmits forces to it."""
+
+from dataclasses import dataclass
+
+from sympy import Expr
+from sympy.physics.vector import Point, ReferenceFrame, Vector
+
+from mechanics.scene.reactions import Constraint, Reaction
+from mechanics.scene.rotations import Rotation
+
+
+@dataclass(frozen=True, eq=False)
+class Joint:
+    """A joint between a parent and a child: made by `pin`, `slide` and the others.
+
+    Attributes
+    ----------
+    name : str
+    parent : str or None
+        Body that carries the joint; None for the ground.
+    child : str
+        Body that it carries.
+    at : Point
+        Of the parent.
+    frame : ReferenceFrame
+        Turns with the child.
+    point : Point
+        Moves with the child.
+    coordinates : tuple of dynamic symbols
+    reactions : tuple of Reaction
+        Of the parent on the child.
+    directions : tuple of Vector
+        Of the reactions, where the joint is assembled.
+    constraints : tuple of Constraint
+        Of a joint that closes a loop, one a reaction.
+    rotations : tuple of Rotation
+        Quaternions, with their coordinates and speeds.
+    """
+
+    name: str
+    parent: str | None
+    child: str
+    at: Point
+    frame: ReferenceFrame
+    point: Point
+    coordinates: tuple[Expr, ...]
+    reactions: tuple[Reaction, ...]
+    directions: tuple[Vector, ...]
+    constraints: tuple[Constraint, ...] = ()
+    rotations: tuple[Rotation, ...] = ()
+
+    @property
+    def closes(self) -> bool:
+        """Whether it closes a loop of bodies that other joints carry."""
+        return bool(self.constraints)
+
+    @property
+    def speeds(self) -> tuple[tuple[Expr, Expr], ...]:
+        """Generalized speeds with their definitions; empty where they are rates."""
+        return tuple(pair for rotation in self.rotations for pair in rotation.definitions)

@@ -1,0 +1,155 @@
+"""Whether joints carry the bodies that they name, each body once."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence, Set
+from itertools import pairwise
+from typing import TYPE_CHECKING
+
+from sympy import Expr
+from sympy.core.function import AppliedUndef
+from sympy.physics.vector import Dyadic, Point, ReferenceFrame
+
+from mechanics.errors import SceneError
+from mechanics.scene.bodies import Body, Particle, RigidBody
+from mechanics.scene.geometry import (
+    components,
+    frame_path,
+    point_path,
+    relative_rotation,
+    step_vector,
+)
+from mechanics.scene.joints.joint import Joint
+from mechanics.scene.symbols import name_of
+
+if TYPE_CHECKING:
+    from mechanics.scene.scene import Scene
+
+
+def check_joints(scene: Scene) -> None:
+    """Bodies of joints exist; each is placed on the joint that carries it, and on no other.
+
+    Raises
+    ------
+    SceneError
+        Names the joint and the body.
+    """
+    if not scene.joints:
+        return
+    bodies = {body.name: body for body in scene.bodies}
+    carrier: dict[str, Joint] = {}
+    closing: list[Joint] = []
+    for joint in scene.joints:
+        for name in (joint.parent, joint.child):
+            if name is not None and name not in bodies:
+                raise SceneError(
+                    f"joint {joint.name}: there is no body {name!r}: the bodies are"
+                    f" {', '.join(sorted(bodies))}"
+                )
+        if joint.parent == joint.child:
+            raise SceneError(f"joint {joint.name}: body {joint.child!r} is tied to itself")
+        if joint.closes:
+            _closed_once(joint, closing)
+            closing.append(joint)
+            continue
+        other = carrier.setdefault(joint.child, joint)
+        if other is not joint:
+            raise SceneError(
+                f"joints {other.name} and {joint.name} both carry {joint.child}: the one that"
+                f" closes a loop says onto which point of it, as in pin({joint.name!r}, ...,"
+                " onto=P) without an angle"
+            )
+        _placed(joint, bodies[joint.child])
+    for joint in scene.joints:
+        _attached(scene, carrier, joint, joint.at, joint.parent)
+        if joint.closes:
+            _attached(scene, carrier, joint, joint.point, joint.child)
+    tied = {name for reaction in scene.reactions for name in (reaction.on, reaction.by)}
+    for name, body in bodies.items():
+        flat = isinstance(body, RigidBody) and not isinstance(body.inertia, Dyadic)
+        if flat and scene.plane is None and any(joint.reactions for joint in scene.joints):
+            raise SceneError(
+                f"body {name}: its inertia is a scalar, but joints hold in space: give the scene"
+                f" the normal of its plane, plane={scene.frame.name}.z, or the body a Dyadic"
+            )
+        if name not in carrier and name not in tied:
+            raise SceneError(
+                f"body {name}: no joint carries it: add one, as in"
+                f' free("{name}", {name!r}, ...) where nothing holds it'
+            )
+
+
+def _closed_once(joint: Joint, others: Sequence[Joint]) -> None:
+    ends = {(joint.parent, joint.at), (joint.child, joint.point)}
+    for other in others:
+        if ends == {(other.parent, other.at), (other.child, other.point)}:
+            raise SceneError(
+                f"joints {other.name} and {joint.name} close one loop twice, at the same points:"
+                " leave one of them out"
+            )
+
+
+def _attached(
+    scene: Scene, carrier: Mapping[str, Joint], joint: Joint, point: Point, body: str | None
+) -> None:
+    """A point does not move against the body of which the joint says that it is."""
+    if body is not None and body not in carrier:
+        return  # Its reactions were typed by hand: nothing says what moves it.
+    start, frame, name = scene.origin, scene.frame, "the ground"
+    if body is not None:
+        start, frame, name = carrier[body].point, carrier[body].frame, body
+    moving = _moving(frame, start, point, set(scene.coordinates))
+    if moving:
+        raise SceneError(
+            f"joint {joint.name}: its point {point.name} moves against {name} by {moving}: take a"
+            f" point of {name}, or name the body that carries {point.name}"
+        )
+
+
+def _placed(joint: Joint, body: Body) -> None:
+    """The body does not move against what the joint carries."""
+    what = f"joint {joint.name} carries {body.name}"
+    if isinstance(body, Particle) and joint.reactions:
+        raise SceneError(
+            f"{what}, a particle, which no couple holds: declare RigidBody({body.name!r}, centre,"
+            f" {joint.name}.frame, m, inertia({joint.name}.frame, 0, 0, 0))"
+        )
+    if isinstance(body, RigidBody):
+        moving = _turning(joint.frame, body.frame)
+        if moving:
+            raise SceneError(
+                f"{what}, but the frame {body.frame.name} of {body.name} turns against that of"
+                f" the joint by {moving}: use {joint.name}.frame"
+            )
+    moving = _moving(joint.frame, joint.point, body.centre)
+    if moving:
+        raise SceneError(
+            f"{what}, but the centre of {body.name} moves against the joint by {moving}: place it"
+            f" from {joint.name}.point along {joint.name}.frame"
+        )
+
+
+def _moving(
+    frame: ReferenceFrame, start: Point, end: Point, counted: Set[Expr] | None = None
+) -> str:
+    """The first functions that move a point against another in a frame; empty if none does."""
+    for parent, point in pairwise(point_path(start, end)):
+        for own, column in components(step_vector(parent, point)):
+            moving = column.atoms(AppliedUndef) | _turns(frame, own)
+            moving = moving if counted is None else moving & counted
+            if moving:
+                return ", ".join(sorted(map(name_of, moving)))
+    return ""
+
+
+def _turning(first: ReferenceFrame, second: ReferenceFrame) -> str:
+    """What turns one frame against another; empty if nothing does."""
+    return ", ".join(sorted(map(name_of, _turns(first, second))))
+
+
+def _turns(first: ReferenceFrame, second: ReferenceFrame) -> set[Expr]:
+    return {
+        function
+        for parent, child in pairwise(frame_path(first, second))
+        for function in relative_rotation(parent, child).atoms(AppliedUndef)
+    }
