@@ -128,12 +128,13 @@ def _ideal(
     filter_: Residues,
 ) -> None:
     """The power of a unit is a combination of the constraints' rows: zero where they hold."""
-    for reaction, power in zip(mechanism.reactions, powers, strict=True):
-        if len(_rank(filter_, [*table, power], len(mechanism.u))) > len(table):
-            raise SceneError(
-                f"reaction {reaction.name}: it does work on velocities that the scene admits:"
-                " correct its point, its direction or its bodies, or declare it as a load"
-            )
+    independent = _rank(filter_, [*table, *powers], len(mechanism.u))
+    if len(independent) > len(table):
+        reaction = mechanism.reactions[independent[len(table)] - len(table)]
+        raise SceneError(
+            f"reaction {reaction.name}: it does work on velocities that the scene admits:"
+            " correct its point, its direction or its bodies, or declare it as a load"
+        )
 
 
 def _maintained(mechanism: Mechanism, powers: Sequence[Sequence[int]], filter_: Residues) -> None:

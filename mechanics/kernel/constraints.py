@@ -22,11 +22,14 @@ input of its own: what holds on one branch only is not shown.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from fractions import Fraction
 from functools import partial
+from graphlib import TopologicalSorter
 from math import comb
 
+from mechanics.errors import ZeroDivisorError
 from mechanics.kernel.angles import Form, Forms, Monomial, accumulate, base_angles, node_of
 from mechanics.kernel.balls import enclose
 from mechanics.kernel.squares import square_root
@@ -34,11 +37,8 @@ from mechanics.kernel.statement import POSITIVE, RATES, ZERO, Range, Statement
 from mechanics.kernel.trial import FailedError, zeros
 from mechanics.program import Builder, Node
 from mechanics.program.interpret import include
-from mechanics.program.operations import ATAN2, OPERATIONS
+from mechanics.program.operations import ATAN2, INPUT, OPERATIONS
 from mechanics.program.program import operands_of, reachable
-
-MOST_STEPS = 256
-"""Inputs that are taken out of one statement."""
 
 BITS = 256
 NEGLIGIBLE = 2.0**-64
@@ -50,11 +50,12 @@ COARSE = 1000
 
 @dataclass(frozen=True)
 class Replacement:
-    """What takes the place of an input, and the constraints that take the place of others."""
+    """What takes the place of an input: the constraints it comes from, and what is left of them."""
 
     name: str
     value: Node
-    left: tuple[Node, ...]
+    used: tuple[Node, ...]
+    left: tuple[Node, ...] = ()
 
 
 def on_constraints(statement: Statement) -> Statement | None:
@@ -71,79 +72,155 @@ def on_constraints(statement: Statement) -> Statement | None:
     Statement
         Without constraints; the inputs that were replaced are outputs of their names.
     """
-    start = statement.typical
-    for step in range(MOST_STEPS):
-        program = base_angles(statement.program)
-        builder = Builder()
-        outputs = include(builder, program)
-        stage, held = ZERO, _held(builder, outputs.pop(ZERO, ()), statement)
-        if not held:
-            stage, held = RATES, _held(builder, outputs.pop(RATES, ()), statement)
-        if not held:
-            program = builder.program(outputs)
-            # What a person reads of a witness: the state on the constraints has all its digits.
-            near = {name: start[name].limit_denominator(COARSE)
-                    for name in program.inputs if name in start}  # fmt: skip
-            return replace(statement, program=program, typical=near)
-        found = _step(builder, held, statement, step)
-        if found is None:
-            return None
-        statement = _replaced(builder, {**outputs, stage: found.left}, found, statement)
-    return None
-
-
-def _held(builder: Builder, constraints: Sequence[Node], statement: Statement) -> list[Node]:
-    """Constraints that do not hold everywhere."""
-    if not constraints:
-        return []
-    try:
-        known = zeros(builder, constraints, statement.signs)
-    except FailedError:
-        return list(constraints)
-    return [node for node, holds in zip(constraints, known, strict=True) if not holds]
-
-
-def _replaced(
-    builder: Builder, outputs: dict[str, tuple[Node, ...]], found: Replacement, statement: Statement
-) -> Statement:
-    """The statement with one input less."""
-    conditions = list(outputs.get(POSITIVE, ()))
-    known = statement.range_of(found.name)
-    if known is not Range.FREE:
-        conditions.append(-found.value if known is Range.NEGATIVE else found.value)
-    program = builder.program({**outputs, POSITIVE: conditions})
-    value = builder.program({found.name: [found.value]})
+    builder = Builder()
+    outputs = include(builder, base_angles(statement.program))
+    stages = [list(outputs.pop(stage, ())) for stage in (ZERO, RATES)]
+    solver = _Solver(builder, statement, Forms(builder))
+    solver.start = statement.typical if solver.closed(stages[0]) else {}
+    if not all(map(solver.solve, stages)):
+        return None
+    solved = solver.values
+    conditions = [-value if statement.range_of(name) is Range.NEGATIVE else value
+                  for name, value in solved.items()
+                  if statement.range_of(name) is not Range.FREE]  # fmt: skip
+    conditions = [*outputs.pop(POSITIVE, ()), *conditions]
     target = Builder()
-    (node,) = include(target, value)[found.name]
-    names = {found.name: node}
-    return replace(
-        statement,
-        program=target.program({**include(target, program, names), found.name: [node]}),
-        dependent=tuple(name for name in statement.dependent if name != found.name),
-    )
+    names = solver.resolved(target, solved)
+    program = builder.program({**outputs, POSITIVE: conditions} if conditions else outputs)
+    held = {name: [names[name]] for name in solved}
+    program = target.program({**include(target, program, names), **held})
+    # What a person reads of a witness: the state on the constraints has all its digits.
+    near = {name: statement.typical[name].limit_denominator(COARSE)
+            for name in program.inputs if name in statement.typical}  # fmt: skip
+    rest = tuple(name for name in statement.dependent if name not in solved)
+    return replace(statement, program=program, typical=near, dependent=rest)
 
 
-def _step(
-    builder: Builder, held: list[Node], statement: Statement, step: int
-) -> Replacement | None:
-    """The first way to take an input out."""
-    solver = _Solver(builder, statement, Forms(builder), f"branch {step + 1}")
-    for way in (_linear, _of_one_angle, _two_circles, _of_two_angles, _quadratic):
-        for name in statement.dependent:
-            found = way(solver, name, held)
-            if found is not None:
-                return found
-    return None
-
-
-@dataclass(frozen=True)
+@dataclass
 class _Solver:
-    """What the ways share."""
+    """Constraints solved one by one, loop by loop.
+
+    Constraints are taken as they stand, with inputs that were replaced as if they were given, so
+    that a loop stays as short as it is; only where a value holds an input that is asked for, it is
+    put in. `below` has the inputs that each value is computed from, through others.
+    """
 
     builder: Builder
     statement: Statement
     forms: Forms
-    branch: str
+    start: Mapping[str, Fraction] = field(default_factory=dict)
+    values: dict[str, Node] = field(default_factory=dict)
+    below: dict[str, frozenset[str]] = field(default_factory=dict)
+    _held: dict[int, frozenset[str]] = field(default_factory=dict)
+    _failed: set[tuple[object, ...]] = field(default_factory=set)
+
+    @property
+    def branch(self) -> str:
+        return f"branch {len(self.values) + 1}"
+
+    def closed(self, constraints: Sequence[Node]) -> bool:
+        """Whether the typical values are a state on the constraints."""
+        self.start = self.statement.typical
+        values = map(self.at_start, constraints)
+        return all(value is not None and abs(value) < NEGLIGIBLE for value in values)
+
+    def solve(self, constraints: Sequence[Node]) -> bool:
+        """Take an input out for each constraint; False where no way applies."""
+        left = list(constraints)
+        while left:
+            found = self._step(left)
+            if found is not None:
+                self._take(found)
+                left = [*_others(left, *found.used), *found.left]
+            elif (put := [self._put_in(node) for node in left]) != left:
+                left = put
+            elif (doubtful := [node for node in left if not self._holds(node)]) != left:
+                left = doubtful
+            else:
+                return False
+        return True
+
+    def _take(self, found: Replacement) -> None:
+        held = frozenset[str]().union(*(self.held(node.number) for node in found.used))
+        own = (held | self._below(held)) - {found.name, *self.values}
+        self.values[found.name], self.below[found.name] = found.value, own
+        for name, names in self.below.items():
+            if found.name in names:
+                self.below[name] = names - {found.name} | own
+
+    def _below(self, names: frozenset[str]) -> frozenset[str]:
+        """The inputs that the values of some names are computed from."""
+        return frozenset[str]().union(*(self.below[name] for name in names & self.below.keys()))
+
+    def _step(self, left: Sequence[Node]) -> Replacement | None:
+        """The first way to take an input out, inputs of few constraints first."""
+        holding: dict[str, list[Node]] = {name: [] for name in self.statement.dependent}
+        twice = set(self.values)
+        for node in left:
+            held = self.held(node.number)
+            for name in held & holding.keys():
+                holding[name].append(node)
+            # What a value in it holds, too, is asked for when that value is put in.
+            twice |= held & self._below(held)
+        names = [name for name, nodes in holding.items() if nodes and name not in twice]
+        names.sort(key=lambda name: len(holding[name]))
+        for way in (_linear, _of_one_angle, _two_circles, _of_two_angles, _quadratic):
+            for name in names:
+                key = way, name, *(node.number for node in holding[name])
+                found = None if key in self._failed else way(self, name, holding[name])
+                if found is not None:
+                    return found
+                self._failed.add(key)
+        return None
+
+    def _put_in(self, node: Node) -> Node:
+        """A constraint with the values that hold inputs which are still asked for."""
+        asked = set(self.statement.dependent)
+        held = sorted(self.held(node.number) & self.values.keys())
+        names = {name: self.values[name] for name in held if self.below[name] & asked}
+        if not names:
+            return node
+        (put,) = include(self.builder, self.builder.program({"x": [node]}), names)["x"]
+        (result,) = include(self.builder, base_angles(self.builder.program({"x": [put]})))["x"]
+        return result
+
+    def resolved(self, target: Builder, names: Iterable[str]) -> dict[str, Node]:
+        """Values in the inputs that are left, of these names and of all that they hold."""
+        graph: dict[str, list[str]] = {}
+        waiting = sorted(names)
+        while waiting:
+            name = waiting.pop()
+            if name not in graph:
+                graph[name] = sorted(self.held(self.values[name].number) & self.values.keys())
+                waiting += graph[name]
+        nodes: dict[str, Node] = {}
+        for name in TopologicalSorter(graph).static_order():
+            program = self.builder.program({"x": [self.values[name]]})
+            (nodes[name],) = include(target, program, {n: nodes[n] for n in graph[name]})["x"]
+        return nodes
+
+    def _holds(self, node: Node) -> bool:
+        """Whether a node is zero at all points that are known so far; False where none is found."""
+        target = Builder()
+        names = self.resolved(target, self.held(node.number) & self.values.keys())
+        outputs = include(target, self.builder.program({"x": [node]}), names)
+        return zeros(target, outputs["x"], self.statement.signs)[0]
+
+    def held(self, root: int) -> frozenset[str]:
+        """Names of the inputs that a node is computed from."""
+        builder, waiting = self.builder, [root]
+        while waiting:
+            number = waiting[-1]
+            below = operands_of(builder, number)
+            missing = [n for n in below if n not in self._held]
+            waiting += missing
+            if not missing:
+                waiting.pop()
+                names = frozenset[str]().union(*(self._held[n] for n in below))
+                if builder.operations[number] == INPUT:
+                    names = frozenset([builder.inputs[builder.operands[0][number]]])
+                self._held[number] = names
+        return self._held[root]
 
     def split(
         self, node: Node, atoms: Sequence[Node], name: str, *keys: Monomial
@@ -178,7 +255,10 @@ class _Solver:
         slope = slopes[node.number]
         if self.depends(slope.number, name):
             return None
-        (rest,) = include(builder, builder.program({"x": [node]}), {name: builder.zero})["x"]
+        try:
+            (rest,) = include(builder, builder.program({"x": [node]}), {name: builder.zero})["x"]
+        except ZeroDivisorError:
+            return None
         return [slope, rest]
 
     def powers(self, form: Form, atoms: Sequence[Node]) -> dict[Monomial, Form]:
@@ -198,15 +278,14 @@ class _Solver:
 
     def depends(self, number: int, name: str) -> bool:
         """Whether a node is computed from an input."""
-        return self.builder.input(name).number in reachable(self.builder, [number])
+        return name in self.held(number)
 
     def at_start(self, node: Node) -> float | None:
         """The value at the state on the constraints, or None where that does not give it."""
         program = self.builder.program({"x": [node]})
-        start = self.statement.typical
-        if not start.keys() >= set(program.inputs):
+        if not self.start.keys() >= set(program.inputs):
             return None
-        (value,) = enclose(program, start, BITS)["x"]
+        (value,) = enclose(program, self.start, BITS)["x"]
         return float(value.mid()) if value.is_finite() else None
 
     def vanishes(self, node: Node) -> bool:
@@ -214,10 +293,10 @@ class _Solver:
         if node.constant is not None:
             return node.is_zero
         value = self.at_start(node)
-        if value is not None and abs(value) < NEGLIGIBLE:
-            return True
+        if value is not None:
+            return abs(value) < NEGLIGIBLE
         try:
-            return zeros(self.builder, [node], self.statement.signs)[0]
+            return self._holds(node)
         except FailedError:
             return True
 
@@ -226,10 +305,8 @@ class _Solver:
 
         None where both roots meet at the start: there the branch cannot be told.
         """
-        value, root = (
-            self.at_start(radicand),
-            square_root(self.builder, self.forms.of(radicand.number)),
-        )
+        value = self.at_start(radicand)
+        root = square_root(self.builder, self.forms.of(radicand.number))
         root = radicand.sqrt() if root is None else root
         if value is not None and abs(value) < NEGLIGIBLE:
             return None
@@ -242,9 +319,9 @@ class _Solver:
 
     def from_start(self, node: Node, name: str) -> float | None:
         """How far a value for an input is from the start; angles by the chord between them."""
-        if name not in self.statement.typical:
+        if name not in self.start:
             return None
-        apart = node - self.statement.typical[name]
+        apart = node - self.start[name]
         if self.builder.operations[node.number] == ATAN2:
             apart = (apart / 2).sin()
         found = self.at_start(apart)
@@ -260,19 +337,19 @@ def _others(held: Sequence[Node], *used: Node) -> tuple[Node, ...]:
     return tuple(node for node in held if node not in used)
 
 
-def _linear(solver: _Solver, name: str, held: Sequence[Node]) -> Replacement | None:
+def _linear(solver: _Solver, name: str, holding: Sequence[Node]) -> Replacement | None:
     """Equation (1)."""
-    for node in held:
+    for node in holding:
         line = solver.split(node, [solver.builder.input(name)], name, _FIRST)
         line = line or solver.line(node, name)
         if line is not None and not solver.vanishes(line[0]):
-            return Replacement(name, -line[1] / line[0], _others(held, node))
+            return Replacement(name, -line[1] / line[0], (node,))
     return None
 
 
-def _quadratic(solver: _Solver, name: str, held: Sequence[Node]) -> Replacement | None:
+def _quadratic(solver: _Solver, name: str, holding: Sequence[Node]) -> Replacement | None:
     """Equation (2)."""
-    for node in held:
+    for node in holding:
         parts = solver.split(node, [solver.builder.input(name)], name, _SQUARE, _FIRST)
         if parts is None:
             continue
@@ -287,7 +364,7 @@ def _quadratic(solver: _Solver, name: str, held: Sequence[Node]) -> Replacement 
             else:
                 value = solver.roots(radicand, partial(_of_quadratic, a, b), name)
             if value is not None:
-                return Replacement(name, value, _others(held, node))
+                return Replacement(name, value, (node,))
     return None
 
 
@@ -301,9 +378,8 @@ def _angle_parts(solver: _Solver, name: str, node: Node) -> list[Node] | None:
     return solver.split(node, [angle.cos(), angle.sin()], name, _FIRST, _SECOND)
 
 
-def _of_one_angle(solver: _Solver, name: str, held: Sequence[Node]) -> Replacement | None:
+def _of_one_angle(solver: _Solver, name: str, holding: Sequence[Node]) -> Replacement | None:
     """Equation (3), of an angle that one constraint alone holds."""
-    holding = [node for node in held if solver.depends(node.number, name)]
     parts = _angle_parts(solver, name, holding[0]) if len(holding) == 1 else None
     if parts is None:
         return None
@@ -317,12 +393,11 @@ def _of_one_angle(solver: _Solver, name: str, held: Sequence[Node]) -> Replaceme
         return solver.builder.call("atan2", s, c)
 
     value = solver.roots(square - d * d, solution, name)
-    return None if value is None else Replacement(name, value, _others(held, holding[0]))
+    return None if value is None else Replacement(name, value, (holding[0],))
 
 
-def _of_two_angles(solver: _Solver, name: str, held: Sequence[Node]) -> Replacement | None:
+def _of_two_angles(solver: _Solver, name: str, holding: Sequence[Node]) -> Replacement | None:
     """Equation (4), of an angle that two constraints hold."""
-    holding = [node for node in held if solver.depends(node.number, name)]
     if len(holding) != 2:
         return None
     one, two = (_angle_parts(solver, name, node) for node in holding)
@@ -335,14 +410,14 @@ def _of_two_angles(solver: _Solver, name: str, held: Sequence[Node]) -> Replacem
     c, s = b * g - d * f, d * e - a * g
     circle = c * c + s * s - determinant * determinant
     value = solver.builder.call("atan2", s / determinant, c / determinant)
-    return Replacement(name, value, (*_others(held, *holding), circle))
+    return Replacement(name, value, tuple(holding), (circle,))
 
 
-def _two_circles(solver: _Solver, name: str, held: Sequence[Node]) -> Replacement | None:
+def _two_circles(solver: _Solver, name: str, holding: Sequence[Node]) -> Replacement | None:
     """Equation (5): the radical axis of two circles takes the place of one of them."""
     point = solver.builder.input(name)
     squares = []
-    for node in held:
+    for node in holding:
         parts = solver.split(node, [point], name, _SQUARE, _FIRST)
         if parts is not None and not parts[0].is_zero:
             squares.append((node, parts[0]))
@@ -351,5 +426,5 @@ def _two_circles(solver: _Solver, name: str, held: Sequence[Node]) -> Replacemen
             axis = one * b - two * a
             found = _linear(solver, name, [axis])
             if found is not None:
-                return Replacement(name, found.value, _others(held, one))
+                return Replacement(name, found.value, (one, two), (two,))
     return None
