@@ -22,7 +22,7 @@ input of its own: what holds on one branch only is not shown.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from functools import partial
@@ -37,7 +37,7 @@ from mechanics.kernel.statement import POSITIVE, RATES, ZERO, Range, Statement
 from mechanics.kernel.trial import FailedError, zeros
 from mechanics.program import Builder, Node
 from mechanics.program.interpret import include
-from mechanics.program.operations import ATAN2, INPUT, OPERATIONS
+from mechanics.program.operations import ATAN2, OPERATIONS
 from mechanics.program.program import operands_of, reachable
 
 BITS = 256
@@ -85,7 +85,7 @@ def on_constraints(statement: Statement) -> Statement | None:
                   if statement.range_of(name) is not Range.FREE]  # fmt: skip
     conditions = [*outputs.pop(POSITIVE, ()), *conditions]
     target = Builder()
-    names = solver.resolved(target, solved)
+    names = solver.resolved(target)
     program = builder.program({**outputs, POSITIVE: conditions} if conditions else outputs)
     held = {name: [names[name]] for name in solved}
     program = target.program({**include(target, program, names), **held})
@@ -132,11 +132,11 @@ class _Solver:
             if found is not None:
                 self._take(found)
                 left = [*_others(left, *found.used), *found.left]
-            elif (put := [self._put_in(node) for node in left]) != left:
-                left = put
-            elif (doubtful := [node for node in left if not self._holds(node)]) != left:
-                left = doubtful
-            else:
+                continue
+            before, left = left, list(map(self._put_in, left))
+            if left == before:
+                left = [node for node in left if not self._holds(node, False)]
+            if left == before:
                 return False
         return True
 
@@ -184,43 +184,33 @@ class _Solver:
         (result,) = include(self.builder, base_angles(self.builder.program({"x": [put]})))["x"]
         return result
 
-    def resolved(self, target: Builder, names: Iterable[str]) -> dict[str, Node]:
-        """Values in the inputs that are left, of these names and of all that they hold."""
-        graph: dict[str, list[str]] = {}
-        waiting = sorted(names)
-        while waiting:
-            name = waiting.pop()
-            if name not in graph:
-                graph[name] = sorted(self.held(self.values[name].number) & self.values.keys())
-                waiting += graph[name]
+    def resolved(self, target: Builder) -> dict[str, Node]:
+        """The values in the inputs that are left."""
+        graph = {name: sorted(self.held(value.number) & self.values.keys())
+                 for name, value in self.values.items()}  # fmt: skip
         nodes: dict[str, Node] = {}
         for name in TopologicalSorter(graph).static_order():
             program = self.builder.program({"x": [self.values[name]]})
             (nodes[name],) = include(target, program, {n: nodes[n] for n in graph[name]})["x"]
         return nodes
 
-    def _holds(self, node: Node) -> bool:
-        """Whether a node is zero at all points that are known so far; False where none is found."""
+    def _holds(self, node: Node, unknown: bool) -> bool:
+        """Whether a node is zero wherever it is known by now; `unknown` where no point is found."""
         target = Builder()
-        names = self.resolved(target, self.held(node.number) & self.values.keys())
-        outputs = include(target, self.builder.program({"x": [node]}), names)
-        return zeros(target, outputs["x"], self.statement.signs)[0]
+        program = self.builder.program({"x": [node]})
+        names = self.resolved(target)
+        outputs = include(target, program, {n: names[n] for n in program.inputs if n in names})
+        try:
+            return zeros(target, outputs["x"], self.statement.signs)[0]
+        except FailedError:
+            return unknown
 
-    def held(self, root: int) -> frozenset[str]:
+    def held(self, number: int) -> frozenset[str]:
         """Names of the inputs that a node is computed from."""
-        builder, waiting = self.builder, [root]
-        while waiting:
-            number = waiting[-1]
-            below = operands_of(builder, number)
-            missing = [n for n in below if n not in self._held]
-            waiting += missing
-            if not missing:
-                waiting.pop()
-                names = frozenset[str]().union(*(self._held[n] for n in below))
-                if builder.operations[number] == INPUT:
-                    names = frozenset([builder.inputs[builder.operands[0][number]]])
-                self._held[number] = names
-        return self._held[root]
+        if number not in self._held:
+            program = self.builder.program({"x": [Node(self.builder, number)]})
+            self._held[number] = frozenset(program.inputs)
+        return self._held[number]
 
     def split(
         self, node: Node, atoms: Sequence[Node], name: str, *keys: Monomial
@@ -293,12 +283,7 @@ class _Solver:
         if node.constant is not None:
             return node.is_zero
         value = self.at_start(node)
-        if value is not None:
-            return abs(value) < NEGLIGIBLE
-        try:
-            return self._holds(node)
-        except FailedError:
-            return True
+        return self._holds(node, True) if value is None else abs(value) < NEGLIGIBLE
 
     def roots(self, radicand: Node, solution: Callable[[Node], Node], name: str) -> Node | None:
         """The solution for the root that leads to the start, or for either by a sign that is free.
