@@ -10,13 +10,13 @@ of 6,417, the rest being docstrings, comments and blank. A test keeps them from 
     sines and roots, rewritten                  angles, squares                              518
     the normal form                             ring, quotients, radicals, normal            743
     balls and witnesses                         balls, witness                               339
-    points on constraints                       constraints                                  355
+    points on constraints                       constraints                                  415
     where it is defined                         definedness, signs, numbers, conjugates,
                                                 states                                     1,350
     the language                                program: its builder, programs, table of
                                                 operations, interpreter                    1,298
 
-Equality takes 2,670 lines, constraints 360, being defined 1,350, the language 1,300. One way to
+Equality takes 2,670 lines, constraints 420, being defined 1,350, the language 1,300. One way to
 show equality would be enough, and each of the three knows what the others do not: the field takes
 statements of any size, the normal form needs no chance, balls refute. The normal form and signs
 share a ring; their fractions are two: `quotients` keeps denominators in factors and looks for no
