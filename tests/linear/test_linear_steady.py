@@ -1,5 +1,6 @@
 """Linearization about steady motions, against what textbooks say of them."""
 
+from dataclasses import replace
 from functools import cache
 
 import numpy as np
@@ -7,6 +8,7 @@ import pytest
 from quaternions import ball_top
 from steady_scenes import OMEGA, A, C, L, bead, d, foucault, g, k, m, psi, r, rotor, top
 from sympy import Expr, Rational, Symbol, cos, factor, pi, sin, sqrt, symbols
+from sympy.physics.mechanics import inertia
 from whipple_bicycle import whipple_bicycle
 
 from mechanics.equations import Equations
@@ -26,9 +28,9 @@ from mechanics.mechanism import lower
 from mechanics.program import Builder
 from mechanics.routes.derivation import ROUTES as TABLE
 from mechanics.routes.derivation import as_program
-from mechanics.scene import Scene
+from mechanics.scene import RigidBody, Scene
 from mechanics.symbolic import prove_equal
-from systems import rolling_disc
+from systems import cartpole_friction, rolling_disc
 
 ROUTES = ("free_body", "moving_point", "kane", "lagrange")
 SPEED = Symbol("v", positive=True)
@@ -76,6 +78,19 @@ def test_upright_disc_is_stable_above_its_critical_speed(route: str) -> None:
     assert [y.name for y in linear.states] == ["lean", "lean_dot", "yaw_dot", "spin_dot"]
     assert linear.speeds[Symbol("u4", real=True)] == SPEED
     expected = s**2 * (s**2 + Rational(12, 5) * (SPEED**2 - weight * R / 3) / R**2)
+    assert same(polynomial(linear), expected)
+
+
+def test_upright_ring_is_stable_above_its_critical_speed() -> None:
+    # v^2 > g R / 4: all of the mass is at the rim.
+    R, mass = rolling_disc.R, rolling_disc.m
+    scene = rolling_disc.scene()
+    (body,) = scene.bodies
+    moments = (mass * R**2 / 2, mass * R**2, mass * R**2 / 2)
+    ring = RigidBody("disc", body.centre, body.frame, mass, inertia(body.frame, *moments))
+    equations = unwritten("lagrange", replace(scene, bodies=(ring,)))
+    linear = linearize(equations, {"lean": 0}, speeds={"u2": SPEED / R})
+    expected = s**2 * (s**2 + Rational(8, 3) * (SPEED**2 - rolling_disc.g * R / 4) / R**2)
     assert same(polynomial(linear), expected)
 
 
@@ -184,6 +199,19 @@ def test_what_drifts_and_has_an_effect_is_refused() -> None:
         linearize(derived("upright"), {"a": 0, "b": 0}, speeds={"a_dot": OMEGA})
     with pytest.raises(InputError, match="gives no value for coordinate b"):
         linearize(derived("upright"), {"a": 0}, speeds={"c_dot": OMEGA})
+
+
+def test_friction_is_linear_where_it_slides() -> None:
+    scene = cartpole_friction.scene()
+    equations = unwritten("lagrange", scene)
+    upright, weight = {"x": 0, "theta": 0}, cartpole_friction.m_c + cartpole_friction.m_p
+    pull = {"F": cartpole_friction.mu_c * weight * cartpole_friction.g}
+    linear = linearize(equations, upright, pull, speeds={"x_dot": SPEED})
+    assert [q.name for q in linear.cyclic] == ["x"]
+    # The cart goes on at any speed, and the pivot is viscous.
+    assert same(linear.damping[1, 0], cartpole_friction.mu_p)
+    with pytest.raises(InputError, match=r"sign\(x_dot\) has no slope"):
+        linearize(equations, upright, pull)
 
 
 def test_speeds_that_the_constraints_give_are_checked() -> None:
