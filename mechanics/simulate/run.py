@@ -16,6 +16,7 @@ from mechanics.simulate.conservative import conservative
 from mechanics.simulate.consistent import consistent_coordinates, consistent_speeds
 from mechanics.simulate.constraints import periodic
 from mechanics.simulate.domain import Domain, domain
+from mechanics.simulate.euler_angles import singular_angles
 from mechanics.simulate.exits import at_the_start
 from mechanics.simulate.flow import flow
 from mechanics.simulate.march import METHODS, Flow, Tolerance
@@ -132,7 +133,9 @@ def _why_none(start: Begin, ending: Ending) -> str:
     zeros = [entry.name for entry, value in named if value == 0 and entry.name in masses]
     if zeros:
         return f"{', '.join(zeros)} = 0, so that nothing resists: give it another value"
-    return f"{ending.value}: start from others"
+    values = zip((q.name for q in start.model.quantities.q), start.state, strict=False)
+    angles = singular_angles(start.model.equations.scene, dict(values))
+    return angles or f"{ending.value}: start from others"
 
 
 def trajectory(start: Begin, times: Array, found: Samples) -> Trajectory:
@@ -167,7 +170,7 @@ def trajectory(start: Begin, times: Array, found: Samples) -> Trajectory:
         drift=dict(zip(names, found.drift.tolist(), strict=True)),
         branch=start.branch,
         ending=found.ending,
-        reason=_reason(found, float(times[-1])),
+        reason=_reason(found, float(times[-1]), _singular_at_end(start, reached, found)),
         crossings=found.crossings,
     )
 
@@ -186,11 +189,21 @@ def _units(quantities: Quantities) -> dict[str, str]:
     }
 
 
-def _reason(found: Samples, duration: float) -> str:
+def _singular_at_end(start: Begin, times: Array, found: Samples) -> str:
+    """Euler angles that are singular where a motion ends."""
+    if found.ending is not Ending.SINGULAR:
+        return ""
+    names = [q.name for q in start.model.quantities.q]
+    at = {name: float(np.interp(found.time, times, found.states[:, i]))
+          for i, name in enumerate(names)}  # fmt: skip
+    return singular_angles(start.model.equations.scene, at)
+
+
+def _reason(found: Samples, duration: float, angles: str) -> str:
     if found.ending is Ending.COMPLETE:
         return found.ending.value
     said = [one.sentence for one in found.crossings if found.ending is Ending.LEFT_DOMAIN]
-    words = ": ".join([found.ending.value, *said])
+    words = angles or ": ".join([found.ending.value, *said])
     return f"ended at t = {found.time:.6g} s of {duration:g} s: {words}"
 
 
