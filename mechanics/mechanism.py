@@ -595,12 +595,12 @@ class _Lowering:
             stiffness, length = (self.expression(e, where) for e in (load.stiffness, load.length))
         else:
             coefficient = self.expression(load.coefficient, where)
-        by = self.carrier(load.first, load.by, where)
-        on = self.carrier(load.second, load.on, where)
+        by = self.carrier(load.first, load.first_on, where, "first_on")
+        on = self.carrier(load.second, load.second_on, where, "second_on")
         if by == on == GROUND:
             raise SceneError(
                 f"{where}: both ends are on the ground, where it does nothing: name the bodies with"
-                " on= and by="
+                " first_on= and second_on="
             )
         along = None if load.along is None else self.vector(load.along, where)
         first, second = self.point(load.first), self.point(load.second)
@@ -611,12 +611,12 @@ class _Lowering:
         if isinstance(load, Torque):
             return Push(load.name, self.of_body[load.on], self.named(load.by), None, vector)
         at = self.point(load.at)
-        on = self.carrier(load.at, load.on, where)
+        on = self.carrier(load.at, load.on, where, "on")
         if on == GROUND:
             raise SceneError(f"force {load.name}: it acts on the ground, where it does nothing")
         return Push(load.name, on, self.named(load.by), at, vector)
 
-    def carrier(self, point: SympyPoint, stated: str | None, where: str) -> int:
+    def carrier(self, point: SympyPoint, stated: str | None, where: str, title: str) -> int:
         """The body that carries a point; GROUND for the ground and for supports moved by hand."""
         if stated is not None:
             return self.of_body[stated]
@@ -626,8 +626,8 @@ class _Lowering:
         if not centred and not self.moves(self.point(point)):
             return GROUND
         raise SceneError(
-            f"{where}: it cannot be told which body carries point {point.name}:"
-            " name it with on= or by="
+            f"{where}: it cannot be told which body carries point {point.name}: name it with"
+            f" {title}="
         )
 
     def moves(self, point: int) -> bool:

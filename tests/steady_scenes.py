@@ -59,7 +59,7 @@ def rotor() -> Scene:
         coordinates=(x, y, a, b, c),
         bodies=(RigidBody("disc", centre, disc, m, inertia(disc, d, d, C)),),
         loads=tuple(
-            spring(f"k{axis}{n}", post, end, k, along=getattr(ground, axis), on="disc", by=None)
+            spring(f"k{axis}{n}", post, end, k, along=getattr(ground, axis), second_on="disc")
             for axis in "xy"
             for n, (post, end) in enumerate(pairs)
         ),
@@ -101,7 +101,7 @@ def foucault() -> Scene:
         inputs=(psi,),
         bodies=(Particle("mass", place, m),),
         loads=tuple(
-            spring(f"k{axis}", centre, place, k, along=getattr(table, axis), on="mass", by=None)
+            spring(f"k{axis}", centre, place, k, along=getattr(table, axis), second_on="mass")
             for axis in "xy"
         ),
         reactions=(reaction("Nz", at=place, on="mass", by=None, along=ground.z),),

@@ -182,8 +182,8 @@ class Motion:
         else:
             tension = self.number(load.coefficient) * length[1]
         for name, end, pull in (
-            (self._carrier(load.first, load.by), ends[0], tension),
-            (self._carrier(load.second, load.on), ends[1], -tension),
+            (self._carrier(load.first, load.first_on), ends[0], tension),
+            (self._carrier(load.second, load.second_on), ends[1], -tension),
         ):
             yield from self._pair(name, None, end.parts[0], along * pull, NONE)
 

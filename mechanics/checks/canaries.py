@@ -157,7 +157,8 @@ def _kept() -> Iterator[Known]:
     N, P, Q = ReferenceFrame("N"), Point("P"), Point("Q")
     a, b = symbols("a b", positive=True)
     ends: dict[str, Any] = {"on": "one", "by": "two"}
-    line: dict[str, Any] = {"first": P, "second": Q, "along": N.x, **ends}
+    line: dict[str, Any] = {"first": P, "second": Q, "along": N.x,
+                            "first_on": "one", "second_on": "two"}  # fmt: skip
     makers: tuple[tuple[Callable[..., Any], dict[str, Any]], ...] = (
         (Particle, {"centre": P, "mass": a}),
         (RigidBody, {"centre": P, "frame": N, "mass": a, "inertia": b}),

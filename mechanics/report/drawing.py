@@ -83,7 +83,7 @@ def attached(scene: Scene, body: Body) -> list[Point]:
             points.append(reaction.at)
     for load in scene.loads:
         if isinstance(load, Spring | Damper):
-            for point, stated in ((load.first, load.by), (load.second, load.on)):
+            for point, stated in ((load.first, load.first_on), (load.second, load.second_on)):
                 if carrier_of(scene, load, point, stated) == body.name:
                     points.append(point)
     return points

@@ -147,8 +147,8 @@ def _between(view: View, paper: Paper, load: Spring | Damper) -> str:
         if not view.moves(load.first):
             wall = ink.hatching(start, normal(along), -along, 24)
         else:
-            start = start + _inset(view, load, load.first, load.by) * along
-        end = end - _inset(view, load, load.second, load.on) * along
+            start = start + _inset(view, load, load.first, load.first_on) * along
+        end = end - _inset(view, load, load.second, load.second_on) * along
     side = normal(unit(end - start))
     side = side if side[1] < 0 else -side
     place, lanes = _lane(view, load)

@@ -196,8 +196,8 @@ class SympyModel:
                 tension = self.scalar(load.stiffness) * (distance - self.scalar(load.length))
             else:
                 tension = self.scalar(load.coefficient) * distance.diff(dynamicsymbols._t)
-            first = carrier_of(self.scene, load, load.first, load.by)
-            second = carrier_of(self.scene, load, load.second, load.on)
+            first = carrier_of(self.scene, load, load.first, load.first_on)
+            second = carrier_of(self.scene, load, load.second, load.second_on)
             yield from self._forces(first, None, load.first, tension * direction)
             yield from self._forces(second, None, load.second, -tension * direction)
         elif isinstance(load, Force):

@@ -38,8 +38,8 @@ class Spring:
         Unit direction from first to second, fixed in the inertial frame.
     length : Expr
         Length without tension, in m.
-    on, by : str or None
-        Names of the bodies that carry second and first. None where the points tell: a point that
+    first_on, second_on : str or None
+        Names of the bodies that carry first and second. None where the points tell: a point that
         is the centre of one body, or is fixed in the inertial frame.
     """
 
@@ -49,8 +49,8 @@ class Spring:
     stiffness: Expr
     along: Vector | None = None
     length: Expr = S.Zero
-    on: str | None = None
-    by: str | None = None
+    first_on: str | None = None
+    second_on: str | None = None
 
 
 @dataclass(frozen=True)
@@ -65,8 +65,8 @@ class Damper:
     second: Point
     coefficient: Expr
     along: Vector | None = None
-    on: str | None = None
-    by: str | None = None
+    first_on: str | None = None
+    second_on: str | None = None
 
 
 @dataclass(frozen=True)
@@ -163,13 +163,13 @@ def spring(
     stiffness: Expr,
     along: Vector | None = None,
     length: Expr = S.Zero,
-    on: str | None = None,
-    by: str | None = None,
+    first_on: str | None = None,
+    second_on: str | None = None,
 ) -> Spring:
     """See `Spring`."""
     k = scalar(stiffness, f"load {name}: the stiffness")
     slack = scalar(length, f"load {name}: the length")
-    return Spring(name, first, second, k, along, slack, on, by)
+    return Spring(name, first, second, k, along, slack, first_on, second_on)
 
 
 def damper(
@@ -178,12 +178,12 @@ def damper(
     second: Point,
     coefficient: Expr,
     along: Vector | None = None,
-    on: str | None = None,
-    by: str | None = None,
+    first_on: str | None = None,
+    second_on: str | None = None,
 ) -> Damper:
     """See `Damper`."""
     c = scalar(coefficient, f"load {name}: the coefficient")
-    return Damper(name, first, second, c, along, on, by)
+    return Damper(name, first, second, c, along, first_on, second_on)
 
 
 def force(

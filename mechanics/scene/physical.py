@@ -154,6 +154,14 @@ def check_loads(scene: Scene) -> None:
 def _line(scene: Scene, where: str, load: Spring | Damper) -> None:
     if load.first == load.second:
         raise SceneError(f"{where}: both ends are point {load.first.name}: name two points")
+    for title, point in (("first_on", load.first), ("second_on", load.second)):
+        stated = getattr(load, title)
+        centred = [body.name for body in scene.bodies if body.centre == point]
+        if stated is not None and centred and stated not in centred:
+            raise SceneError(
+                f"{where}: {title} is {stated!r}, but point {point.name} is the centre of"
+                f" {centred[0]}: write {title}={centred[0]!r}"
+            )
     if load.along is not None:
         _unit(scene, where, load.along)
         _fixed(scene, where, load.along)

@@ -168,7 +168,7 @@ def _attachments(scene: Scene) -> None:
     groups = (("load", scene.loads), ("reaction", scene.reactions))
     for kind, parts in groups:
         for part in parts:
-            for role in ("on", "by"):
+            for role in ("on", "by", "first_on", "second_on"):
                 name = getattr(part, role, None)
                 if name is not None and name not in bodies:
                     raise SceneError(

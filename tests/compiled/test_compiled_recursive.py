@@ -62,7 +62,7 @@ def arm(joints: str, loads: bool = False) -> Scene:
         end, frame, inner = at.locatenew(f"P{i}", l * own.x), own, name
     if loads:
         applied += [
-            spring("s", O, end, k, length=c, on=inner),
+            spring("s", O, end, k, length=c, second_on=inner),
             damper("d", bodies[0].centre, bodies[-1].centre, c),
             torsion_spring("t", q[0], getattr(N, joints[0].lower()), k, on="b0"),
         ]

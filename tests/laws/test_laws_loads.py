@@ -56,10 +56,11 @@ SCENES = {
     "damper along": cart(lambda N, A, W, B, C, tip: (damper("d", W, B, c, along=N.x),)),
     "damper": cart(lambda N, A, W, B, C, tip: (damper("d", W, C, c),)),
     "damper between bodies": cart(lambda N, A, W, B, C, tip: (
-        damper("d", B.locatenew("D", L * N.x), tip, c, on="rod", by="cart"),)),
+        damper("d", B.locatenew("D", L * N.x), tip, c, first_on="cart", second_on="rod"),)),
     "spring with length": cart(lambda N, A, W, B, C, tip: (spring("s", W, C, k, length=L),)),
     "spring between moving points": cart(lambda N, A, W, B, C, tip: (
-        spring("s", B.locatenew("D", L * N.x), tip, k, length=h, on="rod", by="cart"),)),
+        spring("s", B.locatenew("D", L * N.x), tip, k, length=h, first_on="cart",
+               second_on="rod"),)),
     "torsion spring": cart(lambda N, A, W, B, C, tip: (
         torsion_spring("s", theta, N.z, k, on="rod", by="cart"), gravity(-g * N.y))),
     "torque between bodies": cart(lambda N, A, W, B, C, tip: (

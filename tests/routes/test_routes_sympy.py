@@ -52,8 +52,8 @@ def geared_arm() -> Scene:
             torque("motor", tau * ground.z, on="wheel", by="arm"),
             force("push", rim, F * arm.x, on="wheel", by="arm"),
             torsion_spring("coil", b, ground.z, k, on="wheel", by="arm"),
-            spring("spring", origin, rim, k, length=L, by="arm", on="wheel"),
-            damper("damper", origin.locatenew("W", 2 * L * ground.x), end, c, on="wheel"),
+            spring("spring", origin, rim, k, length=L, first_on="arm", second_on="wheel"),
+            damper("damper", origin.locatenew("W", 2 * L * ground.x), end, c, second_on="wheel"),
         ),
         reactions=tuple(
             reaction(f"{name}{e}", at=at, on=on, by=by, along=e)
@@ -92,7 +92,7 @@ def rubbing_box() -> Scene:
         bodies=(Particle("box", box, m), Particle("bead", bead, m)),
         loads=(
             gravity(-g * ground.y),
-            spring("spring", box, bead, k, length=L, along=ground.y, by="box", on="bead"),
+            spring("spring", box, bead, k, length=L, along=ground.y),
             force("F", box, F * ground.x, on="box"),
             coulomb("track", "N", along=ground.x, sliding=x.diff(), coefficient=mu),
         ),
