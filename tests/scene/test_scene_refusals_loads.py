@@ -72,7 +72,7 @@ LOADS = {
     "force there": (load(lambda p: force("F", Point("Q"), k * p.N.x, on="rod")),
         "load F point not in the scene Q"),
     "carrier not told": (load(lambda p: force("F", tip(p), k * p.N.x)),
-        "load F which body carries point tip on= by="),
+        "load F which body carries point tip on="),
     "force on the ground": (load(lambda p: force("F", p.O, k * p.N.x)), "force F ground nothing"),
     "spring on the ground": (load(lambda p: spring("s", p.O, p.O.locatenew("W", L * p.N.x), k)),
         "load s both ends ground first_on= second_on="),
