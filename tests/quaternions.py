@@ -4,13 +4,19 @@ from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols, inert
 
 from mechanics.scene import RigidBody, Scene, gravity, parameters, quaternion, reaction
 
+UNITS = {"m": "kg", "g": "m/s^2", "l": "m", "A": "kg*m^2", "B": "kg*m^2", "C": "kg*m^2"}
 VALUES = {"m": 2, "g": 9.81, "l": 0.3, "A": 0.4, "B": 0.5, "C": 0.2}
+
+
+def _declared(names: str) -> tuple:
+    units, values = (" ".join(str(d[name]) for name in names.split()) for d in (UNITS, VALUES))
+    return parameters(names, units, values)
 
 
 def thrown_body() -> Scene:
     """A rigid body in the air, three moments of inertia."""
     x, y, z = dynamicsymbols("x y z")
-    m, g, A, B, C = parameters("m g A B C")
+    m, g, A, B, C = _declared("m g A B C")
     ground, origin = ReferenceFrame("N"), Point("O")
     turning = quaternion("e0 e1 e2 e3", "wx wy wz")
     frame = turning.orient("F", ground)
@@ -29,7 +35,7 @@ def thrown_body() -> Scene:
 
 def ball_top() -> Scene:
     """A heavy top on a ball joint, A its moment of inertia about the mass centre."""
-    m, g, l, A, C = parameters("m g l A C")
+    m, g, l, A, C = _declared("m g l A C")
     ground, origin = ReferenceFrame("N"), Point("O")
     turning = quaternion("e0 e1 e2 e3", "wx wy wz")
     frame = turning.orient("F", ground)

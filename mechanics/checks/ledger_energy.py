@@ -18,6 +18,7 @@ from mechanics.scene import Scene
 from mechanics.scene import quantities as q
 from mechanics.scene.potential import potential
 from mechanics.scene.published import Quantity
+from mechanics.scene.rates import rate, rate_table
 
 ENERGIES = (q.KineticEnergy, q.PotentialEnergy, q.TotalEnergy, q.Lagrangian, q.MassMatrix)
 
@@ -45,6 +46,10 @@ def energy_pairs(
     if isinstance(quantity, q.KineticEnergy):
         return list(sides), [energy_of(kinematics, quantity)] * len(sides)
     scene, energy = kinematics.scene, energy_of(kinematics, quantity)
+    if scene.rotations:
+        # Slopes along the motions that norms admit.
+        table = rate_table(scene)
+        return [rate(side, table) for side in sides], [rate(energy, table)] * len(sides)
     above = None if scene.constraints else _above(scene, sides, energy)
     if above is not None:
         return above

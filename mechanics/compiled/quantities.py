@@ -5,7 +5,7 @@ sine is an angle, everything else a length. An input takes the unit of the load 
 """
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cached_property
 
@@ -134,7 +134,10 @@ def quantities(
             [s for s, _ in equations.reactions] if written else [r.symbol for r in scene.reactions]
         )
     return Quantities(
-        q=motion(scene.q, turning_q, 0),
+        q=tuple(
+            replace(e, unit="1") if e.symbol in scene.quaternions else e
+            for e in motion(scene.q, turning_q, 0)
+        ),
         u=motion(scene.u, turning, 1),
         ud=motion(scene.ud, rates, 2),
         inputs=tuple(

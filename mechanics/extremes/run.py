@@ -53,6 +53,11 @@ def extremes(
         If an operation of the equations has no enclosure; it is named.
     """
     wanted(equations, Equations, "extremes", "pass derive(scene, route)")
+    for rotation in equations.scene.rotations:
+        raise InputError(
+            f"extremes: {equations.scene.name}: {rotation.name} is a quaternion of norm 1, along"
+            " whose coordinates nothing can be walked one by one: declare angles for this"
+        )
     default = compile(equations, compiler=compiler)
     chosen = list(dict.fromkeys([*(forms or form_names(equations)), default.form]))
     models = {form: compile(equations, compiler=compiler, form=form) for form in chosen}

@@ -51,9 +51,10 @@ def check_box(
         When it fails at every state, or what it is given or gives is unexplained.
     """
     scene = truth.scene
-    if scene.constraints:
+    if not scene.unconstrained:
+        what = "constraints" if scene.constraints else "quaternions of norm 1"
         raise InputError(
-            f"black box {box.title}: {scene.name} has constraints, off which random states are:"
+            f"black box {box.title}: {scene.name} has {what}, off which random states are:"
             " pass code that can be read"
         )
     model = compile(truth, compiler=None)

@@ -53,7 +53,7 @@ def has_guard(row: Published, demands: Sequence[Demand]) -> bool:
 
 def has_parts(truth: Equations, row: Published) -> bool:
     """Whether a row is told by cases that can be looked at one by one."""
-    if truth.scene.constraints or not isinstance(row.quantity, EquationOfMotion | Identity):
+    if not truth.scene.unconstrained or not isinstance(row.quantity, EquationOfMotion | Identity):
         return False
     return any(side.has(Piecewise) for side in row.sides)
 

@@ -31,7 +31,7 @@ from mechanics.kernel.definedness import (
 )
 from mechanics.kernel.statement import POSITIVE
 from mechanics.kernel.states import State
-from mechanics.kinematics.manifold import ConstraintManifold
+from mechanics.kinematics.manifold import ConstraintManifold, chart
 from mechanics.program import Builder, Node, Obligation, Program
 from mechanics.program.operations import Sign
 from mechanics.program.sympy_reader import read
@@ -39,6 +39,7 @@ from mechanics.reading.code.called import UNCALLED
 from mechanics.reading.demands import RAISED, Demand, Demands, within
 from mechanics.reading.statement import Statement
 from mechanics.scene import Scene
+from mechanics.scene.symbols import plain_symbol
 from mechanics.symbolic import Arithmetic
 
 LARGEST_DETERMINANT = 6
@@ -199,11 +200,11 @@ def _space(
     names = {*builder.inputs, *symbols, *(s.name for s in (*scene.q, *scene.u))}
     rest = {name: _typical(symbols.get(name), positive=name in positive) for name in sorted(names)}
     still = tuple(_still(rest, values) for values in scene.equilibria)
-    if not scene.constraints:
+    if scene.unconstrained:
         return Space(positive, rest, (rest, *still), region, obligations)
     closing = [scene.plain(c.expression, c.name) for c in scene.constraints if c.holonomic]
     kept = dict(builder.obligations)
-    zero = tuple(node.number for node in read(builder, closing))
+    zero = tuple(node.number for node in read(builder, [*closing, *scene.norms]))
     builder.obligations = kept
     on_constraints = partial(_projected, scene, _dependent(truth.kinematics.manifold))
     references = (rest, _start(scene, rest), *still)
@@ -241,6 +242,11 @@ def _projected(scene: Scene, dependent: Program, state: State) -> State | None:
     # Both roots of what is closed by a square are tried, by what is drawn anyway.
     sense = 1 if sum(v.numerator for v in state.values() if isinstance(v, Fraction)) % 2 else -1
     given |= {f"branch_of_{s.name}": Fraction(sense) for s in symbols}
+    for rotation in scene.rotations:
+        # A state that is on the sphere stays where it is.
+        first, *others = map(plain_symbol, rotation.coordinates)
+        scale = 1 + given[first.name] if given[first.name] != -1 else 1
+        given |= {chart(s).name: given[s.name] / scale for s in others}
     values = dict(enclose(dependent, given, BITS))
     # No such state, or none that is told at these digits.
     if not all(value > 0 for value in values.pop(POSITIVE)):

@@ -243,7 +243,7 @@ def _there(truth: Equations, where: Sequence[Where]) -> bool:
 def _free(scene: Scene, where: Sequence[Where]) -> bool:
     """Whether a scene lets what conditions hold have any values."""
     held = set().union(*(one.positive.free_symbols for one in where))
-    return not scene.constraints and not held & scene.definitions.keys()
+    return scene.unconstrained and not held & scene.definitions.keys()
 
 
 def _met(truth: Equations, where: Sequence[Where]) -> bool:

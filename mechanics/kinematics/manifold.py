@@ -3,6 +3,7 @@
 phi(q; p) = 0      solved for what it holds linearly (link lengths first), or as a square
 A(q) u + a = 0     solved for dependent speeds
 A(q) u' = b        solved for dependent accelerations, where a statement holds free ones
+e . e = 1          e0 = (1 - x . x) / (1 + x . x),  ei = 2 xi / (1 + x . x)    a quaternion
 """
 
 from collections.abc import Sequence
@@ -16,6 +17,7 @@ from mechanics.errors import ExpressionError
 from mechanics.kinematics.constraints import velocity_forms
 from mechanics.scene import Scene
 from mechanics.scene.rates import rate, rate_table
+from mechanics.scene.symbols import plain_symbol
 from mechanics.symbolic import Arithmetic, Number, canonical, collect_linear, independent_rows
 
 Solvable = tuple[tuple[Symbol, ...], list[list[Expr]], list[Expr]]
@@ -46,6 +48,8 @@ class ConstraintManifold:
         ExpressionError
             When no quantity is known for which a configuration constraint can be solved.
         """
+        for rotation in self.scene.rotations:
+            _on_sphere(a, [plain_symbol(q) for q in rotation.coordinates])
         if self._closing:
             self._project_configuration(a)
         if self.scene.constraints:
@@ -87,7 +91,8 @@ class ConstraintManifold:
 
     def _candidates(self, closing: Sequence[Expr]) -> list[Symbol]:
         """What they may be solved for: parameters first, for angles stay free that way."""
-        symbols = (*self.scene.parameters, *self.scene.q)
+        free = (q for q in self.scene.q if q not in self.scene.quaternions)
+        symbols = (*self.scene.parameters, *free)
         return [s for s in symbols if any(s in e.free_symbols for e in closing)]
 
     @cached_property
@@ -120,6 +125,21 @@ class ConstraintManifold:
                 )
             solved.append(first)
         return solved
+
+
+def chart(symbol: Symbol) -> Symbol:
+    """What stands for a coordinate of a quaternion on the way to its sphere."""
+    return Symbol(f"chart_of_{symbol.name}", real=True)
+
+
+def _on_sphere(a: Arithmetic, coordinates: Sequence[Symbol]) -> None:
+    """By the stereographic projection, which misses one point: rational, and of one component."""
+    first, *others = coordinates
+    numbers = [a.value(chart(symbol)) for symbol in others]
+    square = sum(number * number for number in numbers)
+    a.assign(first, (1 - square) / (1 + square))
+    for symbol, number in zip(others, numbers, strict=True):
+        a.assign(symbol, 2 * number / (1 + square))
 
 
 def _solve_square(a: Arithmetic, symbol: Symbol, square: Expr, slope: Expr, rest: Expr) -> None:

@@ -119,7 +119,9 @@ def symbol_rows(scene: Scene, state: Mapping[str, float]) -> list[SymbolRow]:
         SymbolRow(
             q.name,
             "coordinate",
-            f"{state.get(q.name, 0.0):.4g} {_unit(turning, q)}".replace("-", "\u2212"),
+            f"{state.get(q.name, 0.0):.4g} {_unit(scene, turning, q)}".strip().replace(
+                "-", "\u2212"
+            ),
         )
         for q in scene.q
     ]
@@ -149,10 +151,12 @@ def angles(scene: Scene) -> set[Symbol]:
     for body in scene.bodies:
         if hasattr(body, "frame"):
             turned |= scene.rotation(body.frame).free_symbols
-    return turned & set(scene.q)
+    return (turned & set(scene.q)) - scene.quaternions
 
 
-def _unit(turning: set[Symbol], coordinate: Symbol) -> str:
+def _unit(scene: Scene, turning: set[Symbol], coordinate: Symbol) -> str:
+    if coordinate in scene.quaternions:
+        return ""
     return "rad" if coordinate in turning else "m"
 
 
@@ -256,7 +260,7 @@ def motion_charts(result: SystemResult) -> list[Chart]:
     groups: dict[tuple[str, str], list[str]] = {}
     for q in result.scene.q:
         if q.name in motion.columns:
-            unit = motion.units.get(q.name) or _unit(turning, q)
+            unit = motion.units.get(q.name) or _unit(result.scene, turning, q)
             kind = "Angles" if unit == "rad" else "Coordinates"
             groups.setdefault((kind, unit), []).append(q.name)
     found = [_chart(motion, kind, unit, names) for (kind, unit), names in groups.items()]

@@ -154,6 +154,11 @@ class Scene:
         return {rate: known[rate] for rate in self.qd}
 
     @cached_property
+    def quaternions(self) -> frozenset[Symbol]:
+        """Coordinates that are parts of quaternions, as plain symbols."""
+        return frozenset(plain_symbol(q) for r in self.rotations for q in r.coordinates)
+
+    @cached_property
     def norms(self) -> tuple[Expr, ...]:
         """The square of the norm of each quaternion, less 1; 0 at every state."""
         table = self._table
@@ -254,6 +259,11 @@ class Scene:
         raise SceneError(
             f"{self.name}: there is no reaction {name!r}: the reactions are {declared}"
         )
+
+    @property
+    def unconstrained(self) -> bool:
+        """Whether every state is admitted: no constraint holds, and no norm of a quaternion."""
+        return not self.constraints and not self.rotations
 
     @property
     def degrees_of_freedom(self) -> int:

@@ -2,7 +2,8 @@
 
     Phi(q, t)  and  Phi_q,      c(q, u, t) = A u - b  and  A = c_u
 
-where c are the nonholonomic constraints and the rates of the holonomic ones.
+where c are the nonholonomic constraints and the rates of the holonomic ones. The norms of
+quaternions are in Phi; their rates are zero at all speeds.
 """
 
 from collections.abc import Callable, Mapping, Sequence
@@ -38,9 +39,9 @@ def manifolds(
     scene: Scene,
 ) -> Callable[[Mapping[Symbol, float], Mapping[str, Any]], Manifold]:
     """`manifold` of one scene, for many parameters and inputs: a binding takes microseconds."""
-    names = [c.name for c in scene.constraints if c.holonomic] + [
-        f"rate of {c.name}" if c.holonomic else c.name for c in scene.constraints
-    ]
+    names = [c.name for c in scene.constraints if c.holonomic]
+    names += [f"norm of {rotation.name}" for rotation in scene.rotations]
+    names += [f"rate of {c.name}" if c.holonomic else c.name for c in scene.constraints]
     phi, c = constraint_programs(scene)
     functions = _function(scene, phi, len(scene.q)), _function(scene, c, len(scene.u))
     rest = np.zeros(len(scene.u))
@@ -64,7 +65,7 @@ def constraint_programs(scene: Scene) -> tuple[Program, Program]:
     speeds = [
         rate(each, table) if held else each for each, held in zip(plain, holonomic, strict=True)
     ]
-    return _with_slope(positions, scene.q), _with_slope(speeds, scene.u)
+    return _with_slope([*positions, *scene.norms], scene.q), _with_slope(speeds, scene.u)
 
 
 def periodic(scene: Scene) -> tuple[bool, ...]:
@@ -73,6 +74,7 @@ def periodic(scene: Scene) -> tuple[bool, ...]:
     Then a full turn of it changes nothing there.
     """
     expressions = [scene.plain(c.expression, c.name) for c in scene.constraints if c.holonomic]
+    expressions += scene.norms
     circular = {f(q): 0 for q in scene.q for f in (sin, cos)}
     bare = {s for e in expressions for s in e.xreplace(circular).free_symbols}
     return tuple(q not in bare for q in scene.q)

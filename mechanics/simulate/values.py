@@ -18,7 +18,7 @@ from mechanics.errors import InputError
 from mechanics.scene import Scene
 from mechanics.scene.conditions import condition_parameters
 from mechanics.scene.rates import TIME
-from mechanics.scene.symbols import DOTS
+from mechanics.scene.symbols import DOTS, name_of
 from mechanics.simulate.consistent import Suggestion
 from mechanics.simulate.feedback import Feedback
 
@@ -29,14 +29,34 @@ Given = Mapping[str, float]
 
 
 def read_initial(scene: Scene, given: Given) -> tuple[Suggestion, Suggestion]:
-    """Coordinates and speeds: as given, else as the scene's example has them, else zero."""
+    """Coordinates and speeds: as given, else as the scene's example has them, else zero.
+
+    A quaternion is given as a whole, what is left out zero, and is divided by its norm.
+    """
     q, u = (tuple(s.name for s in group) for group in (scene.q, scene.u))
     _known("initial value", given, (*q, *u), "coordinates and speeds")
     numbers = {name: _number(f"initial value {name}", value) for name, value in given.items()}
 
+    values = {name: float(value) for name, value in scene.example.items()} | numbers
+    # Nothing but a loop would move them.
+    kept = {*numbers} if any(c.holonomic for c in scene.constraints) else {*numbers, *q}
+    for rotation in scene.rotations:
+        own = [name_of(coordinate) for coordinate in rotation.coordinates]
+        told = numbers if numbers.keys() & set(own) else values
+        parts = [told.get(name, 0.0) for name in own]
+        norm = math.hypot(*parts)
+        if not norm > 0:
+            raise InputError(
+                f"initial values {rotation.name}: a quaternion of norm {norm:g} is no orientation:"
+                f" give numbers that are not all zero, as in {own[0]}=1"
+            )
+        values |= {name: part / norm for name, part in zip(own, parts, strict=True)}
+        if told is numbers:
+            kept |= {*own}
+
     def suggested(names: tuple[str, ...]) -> Suggestion:
-        values = [numbers.get(name, float(scene.example.get(name, 0.0))) for name in names]
-        return Suggestion(names, np.array(values), tuple(name in numbers for name in names))
+        found = np.array([values.get(name, 0.0) for name in names])
+        return Suggestion(names, found, tuple(name in kept for name in names))
 
     return suggested(q), suggested(u)
 

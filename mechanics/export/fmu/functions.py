@@ -147,11 +147,12 @@ def _outputs(model: Model, table: Mapping[Symbol, ca.SX]) -> tuple[list[ca.SX], 
     if "energy" in tuple(model.casadi):
         graphs += model.casadi["energy"](*state)
         entries += [Quantity(Symbol(f"{e} energy"), "J") for e in ("kinetic", "potential", "total")]
-    if scene.constraints:
+    names = [c.name for c in scene.constraints] + [f"norm of {r.name}" for r in scene.rotations]
+    if names:
         plain = [scene.plain(c.expression, c.name) for c in scene.constraints]
-        graphs.append(bound_column(table, plain))
+        graphs.append(bound_column(table, [*plain, *scene.norms]))
         entries += [
-            Quantity(Symbol(f"residual of {c.name}"), "", "zero where the constraint holds")
-            for c in scene.constraints
+            Quantity(Symbol(f"residual of {name}"), "", "zero where the constraint holds")
+            for name in names
         ]
     return graphs, entries

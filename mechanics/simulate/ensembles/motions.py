@@ -91,7 +91,7 @@ def read_motions(
         _parameters(model, {name: p[name] for name in own}, own, count),
         times,
     )  # fmt: skip
-    return _consistent(motions, start) if scene.constraints else motions
+    return _consistent(motions, start) if scene.constraints or scene.rotations else motions
 
 
 def _numbers(kind: str, values: Given) -> dict[str, Array]:
