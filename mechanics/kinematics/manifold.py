@@ -136,7 +136,7 @@ def _on_sphere(a: Arithmetic, coordinates: Sequence[Symbol]) -> None:
     """By the stereographic projection, which misses one point: rational, and of one component."""
     first, *others = coordinates
     numbers = [a.value(chart(symbol)) for symbol in others]
-    square = sum(number * number for number in numbers)
+    square = sum((number * number for number in numbers), a.builder.zero)
     a.assign(first, (1 - square) / (1 + square))
     for symbol, number in zip(others, numbers, strict=True):
         a.assign(symbol, 2 * number / (1 + square))

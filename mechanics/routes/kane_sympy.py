@@ -49,7 +49,8 @@ def kanes_method(scene: Scene) -> KanesMethod:
         q.diff(dynamicsymbols._t) for q in scene.coordinates
     ]
     turning = {u for rotation in scene.rotations for u in rotation.speeds}
-    kinematic = [v - u for u, v in zip(speeds, definitions, strict=True) if u not in turning]
+    pairs = zip(speeds, definitions, strict=True)
+    kinematic = [value - u for u, value in pairs if u not in turning]
     for rotation in scene.rotations:
         rates = zip(rotation.coordinates, rotation.rates, strict=True)
         kinematic += [q.diff(dynamicsymbols._t) - rate for q, rate in rates]
