@@ -19,6 +19,7 @@ from mechanics.linear import (
     damped,
     damped_modes,
     numeric_modes,
+    speed_form,
     stability,
     sweep,
 )
@@ -31,6 +32,9 @@ from mechanics.simulate.files import writable
 
 ROWS = 10
 """Lines of a table over a parameter."""
+LONG = 300
+"""Operations of linear equations that are not written as formulas."""
+GRAVITY = "g"
 LONGEST = 16
 """Characters of a number that is printed as it is."""
 
@@ -59,6 +63,10 @@ def linearize(system: SystemArgument, at: AtOption = None, speeds: SpeedsOption 
     `mechanics linearize rolling_disc --speeds u2=v/R`
     """
     linear = _linear(system, at or [], speeds or [])
+    named = [name for name in linear.program.inputs if name != GRAVITY]
+    if linear.program.count > LONG and len(named) == 1:
+        _print_speed_form(linear, named[0])
+        return
     typer.echo(
         f"M x'' + C x' + K x = B f, x = deviations of {', '.join(map(str, linear.coordinates))}"
     )
@@ -130,6 +138,19 @@ def modes(
         write(json.dumps(_record(found), allow_nan=False), json_file)
     if json_file != "-":
         _print_sweep(found)
+
+
+def _print_speed_form(linear: Linear, speed: str) -> None:
+    """What is too long for formulas, in numbers where it has the form of a bicycle."""
+    found = speed_form(linear, speed, GRAVITY)
+    counted = ", ".join(str(q) for q in linear.coordinates if q not in linear.cyclic)
+    typer.echo(
+        f"M x'' + {speed} C1 x' + ({GRAVITY} K0 + {speed}^2 K2) x = 0, x = deviations of {counted}"
+    )
+    for name, matrix in zip(("M", "C1", "K0", "K2"), found.numbers(), strict=True):
+        rows = ("[" + ", ".join(f"{entry:.15g}" for entry in row) + "]" for row in matrix)
+        typer.echo(f"{name} = [{', '.join(rows)}]")
+    typer.echo(f"the form: {found.finding.verdict.name}, {found.finding.evidence}")
 
 
 def _record(found: Sweep) -> dict[str, Any]:
@@ -221,8 +242,10 @@ def _linear(name: str, settings: list[str], moving: list[str], over: str | None 
     equations = derive(scene, "lagrange")
     if equations.textbook is None:
         # Formulas of these are no reading for a person.
-        numbers = {s: with_numbers(scene, s) for s in scene.parameters if s.name != over}
-        typer.echo("typical values: the equations are too long for formulas")
+        symbolic = any(value.free_symbols - set(scene.parameters) for value in speeds.values())
+        left = {over, GRAVITY} if symbolic else {over}
+        numbers = {s: with_numbers(scene, s) for s in scene.parameters if s.name not in left}
+        typer.echo("typical values: the equations are too long for formulas", err=True)
         return about(equations, coordinates, inputs, numbers, speeds)
     return about(equations, coordinates, inputs, None, speeds)
 

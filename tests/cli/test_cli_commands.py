@@ -141,6 +141,18 @@ def test_modes_over_a_speed_are_a_table_a_plot_and_json(run: Any, tmp_path: Path
     assert abs(fastest**2 - 12 / 5 * (64 - 9.81 / 1.5)) < 1e-9
 
 
+@pytest.mark.campaign
+def test_linearize_gives_a_bicycle_in_its_speed(run: Any, tmp_path: Path) -> None:
+    file = tmp_path / "bicycle.py"
+    file.write_text("from whipple_bicycle import whipple_bicycle as scene\n", encoding="utf-8")
+    ran = run("linearize", file, "--speeds", "tR_dot=-v/rR")
+    assert ran.code == 0
+    assert "M x'' + v C1 x' + (g K0 + v^2 K2) x = 0, x = deviations of lean, steer" in ran.out
+    # Meijaard and others 2007, equations (6.1) to (6.5).
+    assert "M = [[80.81722, 2.31941332208709], [2.31941332208709, 0.297841881996856]]" in ran.out
+    assert "K2 = [[0, 76.5973458957322], [0, 2.65431523794604]]" in ran.out
+
+
 def test_damped_modes_have_frequencies_ratios_and_shapes(run: Any, pendulum: Any) -> None:
     friction = ("parameters, reaction", "parameters, reaction, damper")
     ran = run("modes", pendulum(friction, ("*LOADS", "damper('c', O, C, l / 10, along=N.x)")))
