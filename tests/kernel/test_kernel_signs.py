@@ -23,7 +23,14 @@ TWO, THREE, FIVE, SIX = (B.constant(n).sqrt() for n in (2, 3, 5, 6))
 PENTAGON = (10 - 2 * FIVE).sqrt() / 4
 """sin(pi/5) = 0.587785..."""
 
+COSINE = THETA.cos()
+BERNSTEIN = sum(
+    c * (1 + COSINE) ** i * (1 - COSINE) ** (3 - i) for i, c in enumerate((1, 60, 3, 20))
+)
+"""Bernstein's form in (1 + cos)/2, whose coefficients are all positive; its terms are not."""
+
 SIGNS = {
+    "a sum of Bernstein polynomials": (BERNSTEIN, POSITIVE),
     "terms": (M * X * X + K, POSITIVE),
     "terms of both signs": (M * X * X - K, ANY),
     "below": (-1 - X * X, NEGATIVE),
@@ -116,6 +123,7 @@ WHERE = {
     "a form of both": (M**2 * X**2 - K**2 * Y**2 + K, [M * X - K * Y], POSITIVE),
     "a square that is known": (X * X - 1, [X * X - K - 1], POSITIVE),
     "a cosine by its sine": (1 - 2 * THETA.cos() ** 2, [THETA.sin() - 1 - K], POSITIVE),
+    "a cosine by a sine below zero": (1 - 2 * THETA.cos() ** 2, [THETA.sin() + 1 + K], POSITIVE),
     "a cosine and its sine": (THETA.cos() ** 2 - 1 + X * X, [THETA.sin() - X], ZERO),
     "one after the other": (X, [X - Y, Y - K], POSITIVE),
     "a divisor without a sign": (X, [Y * X - K], ANY),

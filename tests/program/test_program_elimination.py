@@ -55,6 +55,14 @@ def test_a_tree_fills_nothing_in() -> None:
     assert written.counts()["divide"] == 2 * size - 1
 
 
+@pytest.mark.parametrize("order", [(0, 1, 2, 3, 4), (3, 1, 4, 0, 2), (4, 3, 2, 1, 0)])
+def test_a_triangle_of_rows_in_any_order_has_its_pivots(order: tuple[int, ...]) -> None:
+    b, size = Builder(), len(order)
+    rows = [[b.input(f"a{i}{j}") if j <= i else b.zero for j in range(size)] for i in range(size)]
+    program = b.program({"x": b.solve([rows[i] for i in order], [b.one] * size)})
+    assert_equal_solutions(program, expand_solves(program))
+
+
 def test_bordered_systems_take_the_constraints_last() -> None:
     b = Builder()
     inertia = symmetric_matrix(b, 3)

@@ -9,7 +9,7 @@ from hypothesis.strategies import SearchStrategy
 
 from mechanics.errors import InputError
 from mechanics.program import Builder, Program
-from mechanics.program.json_format import FORMAT, read, write
+from mechanics.program.json_format import FORMAT, LONGEST_NAME, read, write
 
 
 @settings(max_examples=100, deadline=None)
@@ -83,6 +83,15 @@ def test_what_is_no_program_is_refused_in_one_line(text: str, message: str) -> N
         read(text)
     assert "\n" not in str(caught.value)
     assert len(str(caught.value)) < 200
+
+
+def test_names_have_up_to_two_hundred_characters() -> None:
+    b = Builder()
+    program = b.program({"f": [b.input("x" * LONGEST_NAME)]})
+    assert read(write(program)) == program
+    longer = b.program({"f": [b.input("x" * (LONGEST_NAME + 1))]})
+    with pytest.raises(InputError, match=f"have 1 to {LONGEST_NAME} characters"):
+        read(write(longer))
 
 
 @settings(max_examples=200)
