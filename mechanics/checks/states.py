@@ -20,7 +20,6 @@ from sympy.physics.vector import dynamicsymbols
 
 from mechanics.checks.jets import Instant, OutsideDomain
 from mechanics.scene import Scene
-from mechanics.scene.symbols import dotted
 
 DRAWS = 40
 """Draws before it is given up to find states on the constraints."""
@@ -62,7 +61,11 @@ class State:
         names = [name_of(q) for q in self.scene.coordinates]
         table = dict(zip(names, self.q, strict=True))
         speeds = [name_of(u) for u, _ in self.scene.speeds] or [f"{name}_dot" for name in names]
-        rates = [dotted(name, 1) for name in speeds]
+        # Named as a person names them; this check asks nothing of how the scene does it.
+        rates = [
+            f"{name.removesuffix('_dot')}_ddot" if name.endswith("_dot") else f"{name}_dot"
+            for name in speeds
+        ]
         table |= dict(zip(speeds, self.u, strict=True))
         table |= dict(zip(rates, changes, strict=False))
         for function in self.scene.inputs:
