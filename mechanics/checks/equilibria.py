@@ -9,7 +9,6 @@ equilibrium is a state of reference.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from fractions import Fraction
 from typing import Any
 
 import sympy
@@ -44,7 +43,7 @@ def check_equilibria(scene: Scene, mechanism: Mechanism) -> None:
         return
     rows = kane.derive(mechanism)
     typical = {
-        mechanism.builder.input(p.name): mechanism.builder.constant(Fraction(p.typical))
+        mechanism.builder.input(p.name): read(mechanism.builder, (p.exact,))[0]
         for p in scene.parameters
         if getattr(p, "typical", None) is not None
     }

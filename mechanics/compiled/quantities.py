@@ -6,7 +6,6 @@ sine is an angle, everything else a length. An input takes the unit of the load 
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
-from fractions import Fraction
 from functools import cached_property
 
 import sympy
@@ -173,13 +172,13 @@ def _exact_value(symbol: Symbol, definitions: Mapping[Symbol, Expr]) -> Expr:
         expression = sympy.sympify(definitions[symbol])
         free = expression.free_symbols
         return expression.xreplace({s: _exact_value(s, definitions) for s in free})
-    typical: Fraction | None = getattr(symbol, "typical", None)
-    if typical is None:
+    exact: Expr | None = getattr(symbol, "exact", None)
+    if exact is None:
         raise ValueMissingError(
             f"parameter {symbol}: a number is needed and it has no typical value: pass one, or"
             " declare it with parameters(..., typical=...)"
         )
-    return sympy.Rational(typical.numerator, typical.denominator)
+    return exact
 
 
 def angles(mechanism: Mechanism) -> set[str]:

@@ -115,7 +115,7 @@ def _candidates(scene: Scene, rows: Sequence[Published]) -> Iterator[dict[Symbol
     # Decimals come from measurements; 1/3 and 4 come from mechanics.
     numbers = sorted({abs(n) for n in atoms if n.q % 5 == 0 or abs(n) > 4}, key=lambda n: (-n.q, n))
     values = [number * times for times in TIMES for number in numbers]
-    typical = {p: Rational(str(p.typical)) for p in free if getattr(p, "typical", None)}
+    typical = {p: p.exact for p in free if getattr(p, "typical", None)}
     # What a person leaves out is the scene's own value, as a rule.
     yield from ({symbol: value} for symbol, value in typical.items() if value in values)
     if numbers and len(typical) == len(free) > 1:

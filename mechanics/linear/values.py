@@ -116,7 +116,7 @@ def _number(scene: Scene, symbol: Symbol, given: Mapping[str, Any]) -> Expr:
     if symbol.name in given:
         return _exact(symbol.name, given[symbol.name])
     if isinstance(symbol, Parameter) and symbol.typical is not None:
-        return sympify(symbol.typical)
+        return sympify(symbol.exact)
     if symbol in scene.definitions:
         return sympify(scene.definitions[symbol])
     raise ValueMissingError(

@@ -1,28 +1,36 @@
 """Parameters: the constants of a scene, with unit, meaning and a typical value."""
 
+import re
 from collections.abc import Sequence
 from fractions import Fraction
 from typing import Any, Self
 
-from sympy import Symbol
+from sympy import Expr, Rational, Symbol, pi
 
 from mechanics.errors import RangeError, SceneError
 from mechanics.program.constants import rational
 from mechanics.scene.unit_names import dimension_of_unit
 
+MULTIPLE = re.compile(r"([+-]?)(?:(\d+(?:\.\d+)?)\*)?pi(?:/(\d+(?:\.\d+)?))?")
+NEAR_PI = Fraction("3.14159265358979323846264338327950288419716939937510582")
+
 
 class Parameter(Symbol):
     """A SymPy symbol that knows its unit, its meaning and a typical value.
+
+    `typical` is a fraction: of a multiple of pi one that agrees to 50 digits. `exact` is what was
+    typed.
 
     Two parameters are equal when all that is equal. SymPy caches expressions by equality, so that
     with less the `l1` of one scene would come back in another that has an `l1` of its own.
     """
 
-    __slots__ = ("meaning", "typical", "unit")
+    __slots__ = ("half_turns", "meaning", "typical", "unit")
 
     unit: str
     meaning: str
     typical: Fraction | None
+    half_turns: Fraction | None
 
     def __new__(  # noqa: D102 (the class says it)
         cls,
@@ -30,19 +38,28 @@ class Parameter(Symbol):
         unit: str = "",
         meaning: str = "",
         typical: Fraction | None = None,
+        half_turns: Fraction | None = None,
         **assumptions: Any,
     ) -> Self:
         # __xnew__ is SymPy's uncached constructor: a cached one would share the attributes.
         parameter: Self = Symbol.__xnew__(cls, name, **assumptions)
-        parameter.unit, parameter.meaning, parameter.typical = unit, meaning, typical
+        parameter.unit, parameter.meaning, parameter.half_turns = unit, meaning, half_turns
+        parameter.typical = typical if half_turns is None else half_turns * NEAR_PI
         return parameter
+
+    @property
+    def exact(self) -> Expr | None:
+        """The typical value as it was typed, a rational or a rational multiple of pi."""
+        if self.half_turns is not None:
+            return Rational(self.half_turns) * pi
+        return None if self.typical is None else Rational(self.typical)
 
     def _hashable_content(self) -> tuple[Any, ...]:
         own = (self.unit, self.meaning, str(self.typical))
         return (*super()._hashable_content(), *own)
 
     def __getnewargs_ex__(self) -> tuple[tuple[Any, ...], dict[str, Any]]:
-        own = (self.name, self.unit, self.meaning, self.typical)
+        own = (self.name, self.unit, self.meaning, self.typical, self.half_turns)
         return own, self._assumptions_orig
 
 
@@ -62,8 +79,9 @@ def parameters(
     units : str
         One SI unit a name, ``"kg kg m"``; ``1`` for a pure number. Empty: not stated.
     typical : str
-        One decimal number or fraction a name, read exactly, or ``-`` for one that has none, which
-        is an error only where a number is needed. Empty: none has one.
+        One decimal number, fraction or multiple of pi a name (``"0.1 1/3 pi/10"``), read exactly,
+        or ``-`` for one that has none, which is an error only where a number is needed. Empty: none
+        has one.
     meanings : sequence of str
         One phrase a name, for reports and C headers.
     positive : bool
@@ -94,22 +112,28 @@ def parameters(
         column("meanings", list(meanings)),
         strict=True,
     )
-    sign = {"positive": True} if positive else {"real": True}
+    sign: dict[str, Any] = {"positive": True} if positive else {"real": True}
     for name, unit in zip(split, units.split(), strict=False):
         dimension_of_unit(unit, f"parameter {name}")
     return tuple(
-        Parameter(name, unit, meaning, _number(name, value), **sign)
+        Parameter(name, unit, meaning, *_number(name, value), **sign)
         for name, unit, value, meaning in rows
     )
 
 
-def _number(name: str, text: str) -> Fraction | None:
+def _number(name: str, text: str) -> tuple[Fraction | None, Fraction | None]:
+    """A typical value, or in its place how many times pi it is."""
     if text in ("", "-"):
-        return None
+        return None, None
+    multiple = MULTIPLE.fullmatch(text)
     try:
-        return rational(text)
-    except (ValueError, RangeError):
+        if multiple:
+            sign, times, parts = multiple.groups()
+            return None, Fraction(f"{sign}1") * Fraction(times or 1) / Fraction(parts or 1)
+        return rational(text), None
+    except (ValueError, RangeError, ZeroDivisionError):
         raise SceneError(
             f"parameter {name}: the typical value {text!r} is no number:"
-            " write a decimal number, a fraction such as 1/3, or '-' for none"
+            " write a decimal number, a fraction such as 1/3, a multiple of pi such as pi/10, or"
+            " '-' for none"
         ) from None
