@@ -1,8 +1,18 @@
-"""Bodies that turn freely, by a unit quaternion: one in the air, one on a ball joint."""
+"""Bodies that turn freely, by a unit quaternion: in the air, on a joint, sliding and rolling."""
 
+from sympy import Matrix
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols, inertia
 
-from mechanics.scene import RigidBody, Scene, gravity, parameters, quaternion, reaction
+from mechanics.scene import (
+    RigidBody,
+    Scene,
+    gravity,
+    holonomic,
+    nonholonomic,
+    parameters,
+    quaternion,
+    reaction,
+)
 
 UNITS = {"m": "kg", "g": "m/s^2", "l": "m", "A": "kg*m^2", "B": "kg*m^2", "C": "kg*m^2"}
 VALUES = {"m": 2, "g": 9.81, "l": 0.3, "A": 0.4, "B": 0.5, "C": 0.2}
@@ -54,4 +64,57 @@ def ball_top() -> Scene:
             reaction(f"R{name}", at=origin, on="top", by=None, along=axis) for name, axis in axes
         ),
         example={"e0": 0.95, "e1": 0.3, "wz": 20},
+    )
+
+
+def sliding_top() -> Scene:
+    """A top whose tip slides on the ground: a quaternion in a holonomic constraint."""
+    x, y, z = dynamicsymbols("x y z")
+    m, g, l, A, C = _declared("m g l A C")
+    ground, origin = ReferenceFrame("N"), Point("O")
+    turning = quaternion("e0 e1 e2 e3", "wx wy wz")
+    frame = turning.orient("F", ground)
+    centre = origin.locatenew("P", x * ground.x + y * ground.y + z * ground.z)
+    tip = centre.locatenew("T", -l * frame.z)
+    return Scene(
+        "sliding_top",
+        ground,
+        origin,
+        coordinates=(x, y, z),
+        rotations=(turning,),
+        bodies=(RigidBody("top", centre, frame, m, inertia(frame, A, A, C)),),
+        loads=(gravity(-g * ground.z),),
+        reactions=(reaction("N_z", at=tip, on="top", by=None, along=ground.z),),
+        constraints=(holonomic("ground", z - l * turning.matrix[2, 2], "N_z"),),
+        example={"e0": 0.95, "e1": 0.3, "wz": 20},
+    )
+
+
+def rolling_ball() -> Scene:
+    """A ball whose mass is not spread evenly rolls on the ground; A and C about its centre."""
+    x, y = dynamicsymbols("x y")
+    m, g, l, A, C = _declared("m g l A C")
+    ground, origin = ReferenceFrame("N"), Point("O")
+    turning = quaternion("e0 e1 e2 e3", "wx wy wz")
+    frame = turning.orient("F", ground)
+    centre = origin.locatenew("P", x * ground.x + y * ground.y + l * ground.z)
+    contact = centre.locatenew("T", -l * ground.z)
+    omega = turning.matrix * Matrix(turning.speeds)
+    axes = zip("xyz", (ground.x, ground.y, ground.z), strict=True)
+    return Scene(
+        "rolling_ball",
+        ground,
+        origin,
+        coordinates=(x, y),
+        rotations=(turning,),
+        bodies=(RigidBody("ball", centre, frame, m, inertia(frame, A, A, C)),),
+        loads=(gravity(-g * ground.z),),
+        reactions=tuple(
+            reaction(f"R{name}", at=contact, on="ball", by=None, along=axis) for name, axis in axes
+        ),
+        constraints=(
+            nonholonomic("roll x", x.diff() - l * omega[1], "Rx"),
+            nonholonomic("roll y", y.diff() + l * omega[0], "Ry"),
+        ),
+        example={"wx": 1, "wy": 2, "wz": 3},
     )

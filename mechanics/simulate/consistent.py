@@ -9,7 +9,7 @@ configurations close the loop, the one nearest to the suggestion is taken, and n
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -39,11 +39,15 @@ class Suggestion:
     values : array
     given : tuple of bool
         Whether the value was asked for, and has to be kept.
+    kept : tuple of bool
+        Those, and parts of quaternions: an orientation stays where the others close the loops.
+        Empty: those alone.
     """
 
     names: tuple[str, ...]
     values: Array
     given: tuple[bool, ...]
+    kept: tuple[bool, ...] = ()
 
 
 def consistent_coordinates(
@@ -64,9 +68,12 @@ def consistent_coordinates(
     off, _ = manifold.position(t, suggestion.values)
     if not off.size:
         return suggestion.values, ""
-    dependent = _dependent(_generic_jacobian(manifold, t, suggestion), suggestion, len(off))
-    loops = _Loops(manifold, t, suggestion.values, dependent, np.array(periodic))
-    found = loops.branches()
+    for given in dict.fromkeys((suggestion.kept or suggestion.given, suggestion.given)):
+        held = replace(suggestion, given=given)
+        dependent = _dependent(_generic_jacobian(manifold, t, held), held, len(off))
+        found = _Loops(manifold, t, held.values, dependent, np.array(periodic)).branches()
+        if found:
+            break
     names = suggestion.names
     if not found:
         kept = [i for i in range(len(names)) if i not in dependent]

@@ -38,8 +38,7 @@ def read_initial(scene: Scene, given: Given) -> tuple[Suggestion, Suggestion]:
     numbers = {name: _number(f"initial value {name}", value) for name, value in given.items()}
 
     values = {name: float(value) for name, value in scene.example.items()} | numbers
-    # Nothing but a loop would move them.
-    kept = {*numbers} if any(c.holonomic for c in scene.constraints) else {*numbers, *q}
+    given, kept = {*numbers}, {*numbers, *(s.name for s in scene.quaternions)}
     for rotation in scene.rotations:
         own = [name_of(coordinate) for coordinate in rotation.coordinates]
         told = numbers if numbers.keys() & set(own) else values
@@ -52,11 +51,12 @@ def read_initial(scene: Scene, given: Given) -> tuple[Suggestion, Suggestion]:
             )
         values |= {name: part / norm for name, part in zip(own, parts, strict=True)}
         if told is numbers:
-            kept |= {*own}
+            given |= {*own}
 
     def suggested(names: tuple[str, ...]) -> Suggestion:
         found = np.array([values.get(name, 0.0) for name in names])
-        return Suggestion(names, found, tuple(name in kept for name in names))
+        flags = (tuple(name in group for name in names) for group in (given, kept))
+        return Suggestion(names, found, *flags)
 
     return suggested(q), suggested(u)
 

@@ -3,24 +3,37 @@
 from collections.abc import Callable
 
 import pytest
-from quaternions import ball_top, thrown_body
+from quaternions import ball_top, rolling_ball, sliding_top, thrown_body
 
+from mechanics import crosscheck
 from mechanics.checks.admissible import check_scene
 from mechanics.checks.agreement import compare_pairs
 from mechanics.checks.statements import equal
 from mechanics.crosscheck.programs import check_laws, derive_rows
+from mechanics.kernel import Verdict
 from mechanics.program.vectors import add, cross, dot, scale, subtract
 from mechanics.routes.derivation import ROUTES
 from mechanics.scene import Scene
 
 
-@pytest.mark.parametrize("make", [thrown_body, ball_top])
+@pytest.mark.parametrize("make", [thrown_body, ball_top, sliding_top, rolling_ball])
 def test_all_routes_agree_and_all_laws_hold(make: Callable[[], Scene]) -> None:
     programs = derive_rows(check_scene(make()), [route.name for route in ROUTES])
     pairs = compare_pairs(programs.routes)
     assert len(pairs) == 6
     assert all(finding.shown for finding in pairs.values())
     assert all(finding.shown for finding in check_laws(programs))
+
+
+@pytest.mark.campaign
+@pytest.mark.parametrize("make", [thrown_body, ball_top, sliding_top, rolling_ball])
+def test_everything_that_is_checked_is_shown(make: Callable[[], Scene]) -> None:
+    found = crosscheck(make())
+    assert {"kane_sympy", "lagrange_sympy"} == {
+        n for n, one in found.sympy.items() if not one.absent
+    }
+    assert all(finding.shown for finding in found.findings)
+    assert {finding.verdict for finding in found.witnesses} == {Verdict.SUPPORTED}
 
 
 def test_kanes_rows_of_the_top_are_eulers_equations_about_its_point() -> None:

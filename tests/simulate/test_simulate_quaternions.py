@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from quaternions import VALUES, ball_top, thrown_body
+from quaternions import VALUES, ball_top, rolling_ball, sliding_top, thrown_body
 
 from mechanics import compile, derive, simulate
 from mechanics.compiled import Model
@@ -96,6 +96,35 @@ def test_a_thrown_body_keeps_its_angular_momentum() -> None:
     assert spins == pytest.approx(np.tile(inertia @ w[0], (99, 1)), abs=1e-8)
     assert found.coordinates["x"] == pytest.approx(found.times)
     assert found.coordinates["z"] == pytest.approx(-g * found.times**2 / 2, abs=1e-8)
+
+
+def test_a_top_starts_with_its_tip_on_the_ground_and_stays_there() -> None:
+    found = simulate(compile(derive(sliding_top(), "kane")), 1, samples=50)
+    e = np.array([found.coordinates[name] for name in ("e0", "e1", "e2", "e3")]).T
+    heights = [l * rotation(one)[2, 2] for one in e]
+    assert e[0] == pytest.approx(np.array([0.95, 0.3, 0, 0]) / np.hypot(0.95, 0.3))
+    assert found.coordinates["z"] == pytest.approx(heights, abs=1e-12)
+    total = found.kinetic + found.potential
+    assert total == pytest.approx(np.full(50, total[0]), abs=1e-7)
+
+
+def test_a_rolling_ball_keeps_its_angular_momentum_about_the_contact() -> None:
+    """All forces pass through the contact, which moves along with the centre."""
+    found = simulate(compile(derive(rolling_ball(), "kane")), 1, samples=50)
+    e, w = (
+        np.array([column[name] for name in names]).T
+        for column, names in (
+            (found.coordinates, ("e0", "e1", "e2", "e3")),
+            (found.speeds, ("wx", "wy", "wz")),
+        )
+    )
+    moments = []
+    for one, two in zip(e[1:], w[1:], strict=True):
+        turn = rotation(one)
+        arm = np.array([0, 0, l])
+        spin = turn @ np.diag([A, A, C]) @ two
+        moments.append(spin + np.cross(arm, m * np.cross(turn @ two, arm)))
+    assert moments == pytest.approx(np.tile(moments[0], (49, 1)), abs=1e-8)
 
 
 def test_a_start_is_divided_by_its_norm_and_zero_is_refused(top: Model) -> None:
