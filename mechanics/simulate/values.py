@@ -38,7 +38,7 @@ def read_initial(scene: Scene, given: Given) -> tuple[Suggestion, Suggestion]:
     numbers = {name: _number(f"initial value {name}", value) for name, value in given.items()}
 
     values = {name: float(value) for name, value in scene.example.items()} | numbers
-    given, kept = {*numbers}, {*numbers, *(s.name for s in scene.quaternions)}
+    asked, kept = {*numbers}, {*numbers, *(s.name for s in scene.quaternions)}
     for rotation in scene.rotations:
         own = [name_of(coordinate) for coordinate in rotation.coordinates]
         told = numbers if numbers.keys() & set(own) else values
@@ -51,11 +51,11 @@ def read_initial(scene: Scene, given: Given) -> tuple[Suggestion, Suggestion]:
             )
         values |= {name: part / norm for name, part in zip(own, parts, strict=True)}
         if told is numbers:
-            given |= {*own}
+            asked |= {*own}
 
     def suggested(names: tuple[str, ...]) -> Suggestion:
         found = np.array([values.get(name, 0.0) for name in names])
-        flags = (tuple(name in group for name in names) for group in (given, kept))
+        flags = (tuple(name in group for name in names) for group in (asked, kept))
         return Suggestion(names, found, *flags)
 
     return suggested(q), suggested(u)
