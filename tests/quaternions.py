@@ -6,10 +6,12 @@ from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols, inert
 from mechanics.scene import (
     RigidBody,
     Scene,
+    free,
     gravity,
     holonomic,
     nonholonomic,
     parameters,
+    pin,
     quaternion,
     reaction,
 )
@@ -117,4 +119,29 @@ def rolling_ball() -> Scene:
             nonholonomic("roll y", y.diff() + l * omega[0], "Ry"),
         ),
         example={"wx": 1, "wy": 2, "wz": 3},
+    )
+
+
+def flyer() -> Scene:
+    """A body in the air with an arm on a pin, made of joints."""
+    x, y, z, angle = dynamicsymbols("x y z q")
+    m, g, l, A, C = _declared("m g l A C")
+    ground, origin = ReferenceFrame("N"), Point("O")
+    turning = quaternion("e0 e1 e2 e3", "wx wy wz")
+    hull = free("base", "hull", at=origin, frame=ground, coordinates=(x, y, z), rotation=turning)
+    edge = hull.point.locatenew("S", l * hull.frame.x)
+    arm = pin("shoulder", "hull", "arm", at=edge, axis=hull.frame.z, angle=angle)
+    centre = arm.point.locatenew("G", l * arm.frame.x)
+    return Scene(
+        "flyer",
+        ground,
+        origin,
+        coordinates=(),
+        joints=(hull, arm),
+        bodies=(
+            RigidBody("hull", hull.point, hull.frame, m, inertia(hull.frame, A, A, C)),
+            RigidBody("arm", centre, arm.frame, m, inertia(arm.frame, C, A, A)),
+        ),
+        loads=(gravity(-g * ground.z),),
+        example={"wx": 1, "q": 0.3},
     )

@@ -55,11 +55,10 @@ def by_sympy(
     """
     columns: dict[str, RouteResult] = {}
     pairs: dict[tuple[str, str], Finding] = {}
-    why_not = too_large(programs.mechanism)
     for route, (name, derive) in METHODS.items():
         if route not in programs.routes:
             continue
-        if why_not:
+        if why_not := too_large(programs.mechanism, name):
             columns[name] = RouteResult(None, 0.0, 0, absent=why_not)
             continue
         stage(f"deriving by {name}")

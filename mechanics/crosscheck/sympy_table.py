@@ -38,8 +38,12 @@ def counts(mechanism: Mechanism) -> dict[str, int]:
     }
 
 
-def too_large(mechanism: Mechanism) -> str:
-    """Why a scene is not given to SymPy, in a few words; empty where it is."""
+def too_large(mechanism: Mechanism, method: str = "") -> str:
+    """Why a scene is not given to one of SymPy's methods, in a few words; empty where it is."""
+    bodies = len(mechanism.bodies)
+    if method == "lagrange_sympy" and bodies > 1 and any(f.spin for f in mechanism.frames):
+        # It differentiates the quotients of R twice: a minute for a body with an arm.
+        return f"{bodies} bodies and a quaternion; SymPy's Lagrange is given one body"
     for name, count in counts(mechanism).items():
         if count > LARGEST[name]:
             return f"{count} {name}; SymPy is given up to {LARGEST[name]}"
