@@ -5,21 +5,26 @@ one up to order and sign:
 
     r_i(u', lambda) = +-s_j(u', lambda)        for a bijection of i and j                    (1)
 
+Multipliers of Lagrange's method have a sign of their own. Rows that are conjugate to u are compared
+without them, and so are the columns of these, each where the constraints of its loop hold:
+
+    r = g - B lambda      s = h - C mu        g = h       c_k = +-b_j for a bijection       (2)
+
 Otherwise the solution of one is put into the rows of the other, M and f never compared entry by
 entry; where the unknown reactions of the two are others, both are solved:
 
-    M_1 (u', lambda) = f_1      =>      s_j(u', lambda) = 0                                    (2)
-    M_1 (u', lambda) = f_1      M_2 (v', mu) = f_2      u' = v'                                (3)
+    M_1 (u', lambda) = f_1      =>      s_j(u', lambda) = 0                                    (3)
+    M_1 (u', lambda) = f_1      M_2 (v', mu) = f_2      u' = v'                                (4)
 
 Both systems are regular where the constraints hold, which is checked first; of a mechanism with
 constraints it is the bordered matrix that is inverted, never M. What agrees at all states agrees on
 every branch; what does not is compared where the constraints hold, on the component of the scene's
 example. Each route is compared with one of them; the other pairs follow.
 
-Multipliers of Lagrange's method have a sign and a scale of their own; the generalized force
-B lambda has not, where the rows of both routes are power-conjugate to u:
+Multipliers have a sign and a scale of their own; the generalized force B lambda has not, where the
+rows of both routes are power-conjugate to u:
 
-    B_1 lambda = B_2 mu                                                                       (4)
+    B_1 lambda = B_2 mu                                                                       (5)
 """
 
 from __future__ import annotations
@@ -32,8 +37,8 @@ from mechanics.checks.statements import equal
 from mechanics.equations import Rows
 from mechanics.errors import SingularError
 from mechanics.kernel import Finding, follows
-from mechanics.mechanism import Mechanism
-from mechanics.program.builder import Node
+from mechanics.mechanism import Mechanism, name_of
+from mechanics.program.builder import Builder, Node
 from mechanics.program.residues import Residues
 from mechanics.program.vectors import dot
 from mechanics.routes.rows import (
@@ -140,10 +145,13 @@ def _subject(one: str, two: str) -> str:
 def compare(one: Derived, two: Derived, filter_: Residues) -> Finding:
     """Whether two routes give the same accelerations, and the same reactions where these stay."""
     mechanism, subject = one.mechanism, _subject(one.rows.route, two.rows.route)
-    pairing = matched(filter_, one.rows, two.rows)
+    pairing = matched(filter_, one.rows.values, two.rows.values)
     if pairing is not None:
-        right = [two.rows.values[j] if sign == 1 else -two.rows.values[j] for j, sign in pairing]
-        return equal(subject, mechanism, one.rows.values, right)
+        return equal(subject, mechanism, one.rows.values, _signed(two.rows.values, pairing))
+    if one.rows.conjugate and two.rows.conjugate and mechanism.closure.values:
+        premises = _without_multipliers(one.rows, two.rows, mechanism, filter_)
+        if premises and all(premise.shown for premise in premises):
+            return follows(subject, premises)
     if one.unknowns == two.unknowns:
         values = dict(zip(two.unknowns, two.solution, strict=True))
         left = substitute(mechanism.builder, one.rows.values, values)
@@ -152,7 +160,7 @@ def compare(one: Derived, two: Derived, filter_: Residues) -> Finding:
 
 
 def check_multipliers(one: Derived, two: Derived) -> Finding:
-    """Equation (4): the reactions that maintain the constraints are the same."""
+    """Equation (5): the reactions that maintain the constraints are the same."""
     subject = f"{one.rows.route} = {two.rows.route}: multipliers"
     return equal(subject, one.mechanism, maintaining_forces(one), maintaining_forces(two))
 
@@ -164,13 +172,66 @@ def maintaining_forces(derived: Derived) -> list[Node]:
     return [-dot(row, sizes) for row in coefficients(derived.rows.values, multipliers)]
 
 
-def matched(filter_: Residues, one: Rows, two: Rows) -> list[tuple[int, int]] | None:
-    """For each row of one the row of the other that it equals, and the sign, at a point."""
-    if len(one.values) != len(two.values):
+def _without_multipliers(
+    one: Rows, two: Rows, mechanism: Mechanism, filter_: Residues
+) -> list[Finding]:
+    """Equation (2): all but the multipliers, and their columns; empty if these are not the same."""
+    subject = f"{one.route} = {two.route}"
+    build, (_, closed) = mechanism.builder, mechanism.filters
+    g, h = (remainder(build, rows.values, rows.multipliers) for rows in (one, two))
+    pairing = matched(filter_, g, h)
+    if pairing is None:
+        return []
+    left, right = (
+        [list(column) for column in zip(*coefficients(rows.values, rows.multipliers), strict=True)]
+        for rows in (one, two)
+    )
+    right = [_signed(column, pairing) for column in right]
+    every = [_together(columns, build) for columns in (left, right)]
+    columns = matched(closed, *every)
+    if columns is None:
+        return []
+    moving = {name_of(node) for node in (*mechanism.q, *mechanism.u)}
+    holding = [(c, moving & _names(build, [c])) for c in mechanism.closure.configuration]
+    loops: dict[tuple[Node, ...], list[tuple[Node, Node]]] = {}
+    for column, (j, sign) in zip(left, columns, strict=True):
+        other = right[j] if sign == 1 else [-entry for entry in right[j]]
+        sides = [(a, b) for a, b in zip(column, other, strict=True) if a != b]
+        held = _names(build, [entry for pair in sides for entry in pair])
+        loops.setdefault(tuple(c for c, names in holding if names <= held), []).extend(sides)
+    rest = equal(f"{subject}: all but multipliers", mechanism, g, _signed(h, pairing))
+    findings = []
+    for constraints, sides in loops.items():
+        if sides:
+            closure = replace(mechanism.closure, configuration=constraints, rates=())
+            a, b = zip(*sides, strict=True)
+            findings.append(equal(f"{subject}: a loop", mechanism, a, b, closure=closure))
+    forces = f"{subject}: directions of the multipliers"
+    return [rest, *([follows(forces, findings)] if findings else [])]
+
+
+def _together(columns: Sequence[Sequence[Node]], build: Builder) -> list[Node]:
+    """Each column as one node: its entries with weights that no relation between them has."""
+    return [dot([build.node(7 + 3**i) for i in range(len(c))], c) for c in columns]
+
+
+def _names(build: Builder, nodes: Sequence[Node]) -> set[str]:
+    return set(build.program({"x": nodes}).inputs) if nodes else set()
+
+
+def _signed(nodes: Sequence[Node], pairing: Sequence[tuple[int, int]]) -> list[Node]:
+    return [nodes[j] if sign == 1 else -nodes[j] for j, sign in pairing]
+
+
+def matched(
+    filter_: Residues, one: Sequence[Node], two: Sequence[Node]
+) -> list[tuple[int, int]] | None:
+    """For each node of one the node of the other that it equals, and the sign, at a point."""
+    if len(one) != len(two):
         return None
-    places = {residue: j for j, residue in enumerate(filter_.values(two.values))}
+    places = {residue: j for j, residue in enumerate(filter_.values(two))}
     found = []
-    for residue in filter_.values(one.values):
+    for residue in filter_.values(one):
         for signed, sign in ((residue, 1), (-residue % filter_.prime, -1)):
             if signed in places:
                 found.append((places.pop(signed), sign))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
+from mechanics.closure import Closure
 from mechanics.kernel import Finding, Statement, decide, follows
 from mechanics.kernel.statement import RATES, ZERO
 from mechanics.mechanism import Mechanism, ranges
@@ -21,6 +22,7 @@ def equal(
     left: Sequence[Node],
     right: Sequence[Node | int],
     shown: Shown | None = None,
+    closure: Closure | None = None,
 ) -> Finding:
     """Whether nodes of a mechanism are equal, entry by entry, wherever its constraints hold.
 
@@ -34,10 +36,12 @@ def equal(
     left, right : sequences of equal length
     shown : mapping of str to sequence of Node, optional
         What else a witness shows: accelerations, reactions.
+    closure : Closure, optional
+        Some of the constraints, where these suffice.
     """
     outputs: dict[str, Sequence[Node | int]] = {"left": left, "right": right, **(shown or {})}
     pays = mechanism.builder.program(outputs).count <= LARGEST_PROOF
-    closure = mechanism.closure
+    closure = closure or mechanism.closure
     if closure:
         outputs |= {ZERO: closure.configuration, RATES: closure.rates}
     program = mechanism.builder.program(outputs)

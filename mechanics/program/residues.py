@@ -58,6 +58,10 @@ TRIED_PRIMES = 1024
 TRIED_POINTS = 1024
 """Each root of inputs halves the points that have it."""
 
+FEW_ROOTS = 8
+FLIPS = 4
+"""Signs that are changed for each root before the inputs are drawn again."""
+
 MOST_STEPS = 400_000
 """Nodes that are evaluated for the roots of one group of inputs."""
 
@@ -143,6 +147,7 @@ class Residues:
     _values: dict[int, int] = field(default_factory=dict)
     _solutions: dict[int, list[int]] = field(default_factory=dict)
     _points: dict[tuple[int, Fraction], Point] = field(default_factory=dict)
+    _other: set[int] = field(default_factory=set)
     _prime: int = 0
     _round: int = 0
 
@@ -195,19 +200,48 @@ class Residues:
         _shorten(self._points, marks[2])
 
     def _count(self, roots: Sequence[int]) -> int:
-        """How many of the first roots exist."""
-        for count, number in enumerate(roots):
-            y, x, _ = (column[number] for column in self.builder.operands)
-            if self.builder.operations[number] == SQRT:
-                self._evaluate_with_operands(y)
-                exists = self._has_root(self._values[y])
+        """How many of the first roots exist; of many, depth first over the signs of those before.
+
+        Where a loop is closed after another, half of the points that close the first do not close
+        it, so that drawing all again takes 2^n draws. Few are drawn again: that leaves sqrt(a b) =
+        sqrt(a) sqrt(b), which signs break.
+        """
+        self._other.difference_update(roots)
+        count = most = flips = 0
+        allowed = FLIPS * len(roots) if len(roots) > FEW_ROOTS else 0
+        trail: list[tuple[int, tuple[int, int, int]]] = []
+        while count < len(roots):
+            marks = len(self._values), len(self._solutions), len(self._points)
+            if self._exists(roots[count]):
+                trail.append((count, marks))
+                count += 1
+                most = max(most, count)
+                continue
+            flips += 1
+            if flips > allowed:
+                return most
+            while trail:
+                count, marks = trail.pop()
+                if (
+                    self.builder.operations[roots[count]] == SQRT
+                    and roots[count] not in self._other
+                ):
+                    break
+                self._other.discard(roots[count])
             else:
-                self._evaluate_with_operands(y)
-                self._evaluate_with_operands(x)
-                exists = self._direction(y, x) is not None
-            if not exists:
-                return count
-        return len(roots)
+                return most
+            self._forget(marks)
+            self._other.add(roots[count])
+        return count
+
+    def _exists(self, number: int) -> bool:
+        """Whether a root or the direction of a point is in the field."""
+        y, x, _ = (column[number] for column in self.builder.operands)
+        self._evaluate_with_operands(y)
+        if self.builder.operations[number] == SQRT:
+            return self._has_root(self._values[y])
+        self._evaluate_with_operands(x)
+        return self._direction(y, x) is not None
 
     def _has_root(self, value: int) -> bool:
         return pow(value, (self._prime - 1) // 2, self._prime) <= 1
@@ -321,7 +355,8 @@ class Residues:
         elif code == ENTRY:
             values[number] = self._solutions[a][b]
         elif code == SQRT and self._has_root(values[a]):
-            values[number] = pow(values[a], (self._prime + 1) // 4, self._prime)
+            root = pow(values[a], (self._prime + 1) // 4, self._prime)
+            values[number] = -root % self._prime if number in self._other else root
         elif code == PI:
             values[number] = _draw_residue("pi")
         else:
