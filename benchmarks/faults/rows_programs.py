@@ -438,8 +438,8 @@ CHECKED = (
     *faults_in(
         "mechanics.checks.agreement",
         (
-            "places = {residue: j for j, residue in enumerate(filter_.values(two.values))}",
-            "places = {residue: j for j, residue in enumerate(filter_.values(one.values))}",
+            "places = {residue: j for j, residue in enumerate(filter_.values(two))}",
+            "places = {residue: j for j, residue in enumerate(filter_.values(one))}",
             "pairs: a route is matched with itself",
         ),
         (
