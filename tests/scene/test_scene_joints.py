@@ -20,6 +20,7 @@ from mechanics.scene import (
     holonomic,
     parameters,
     pin,
+    reaction,
     slide,
     universal,
 )
@@ -126,6 +127,13 @@ def test_in_a_plane_joints_hold_what_the_plane_does_not() -> None:
     assert [reaction.name for reaction in scene.reactions] == ["A_x", "A_y", "B_x", "B_y"]
     assert len(check_scene(scene).u) == 2
     assert replace(scene, name="copy").reactions == scene.reactions
+
+
+def test_a_reaction_that_was_typed_by_hand_is_never_left_out() -> None:
+    typed = reaction("A_z", at=O, on="one", by=None, along=N.z)
+    scene = replace(flat_arm(N.z), reactions=(typed,))
+    names = [reaction.name for reaction in scene.reactions]
+    assert names == ["A_z", "A_x", "A_y", "B_x", "B_y"]
 
 
 @pytest.mark.parametrize(

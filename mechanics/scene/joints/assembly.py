@@ -24,9 +24,14 @@ def with_joints(scene: Scene) -> dict[str, Any]:
         title: _with(getattr(scene, title), [p for j in scene.joints for p in getattr(j, title)])
         for title in ("coordinates", "rotations", "reactions", "constraints")
     }
-    gone = {name for joint in scene.joints for name in out_of_plane(scene, joint)}
-    kept["reactions"] = tuple(r for r in kept["reactions"] if r.name not in gone)
-    kept["constraints"] = tuple(c for c in kept["constraints"] if not gone & {*c.reactions})
+    # Of the joints' own only: a reaction that was typed by hand stays, whatever its name.
+    gone: list[Any] = []
+    for joint in scene.joints:
+        names = out_of_plane(scene, joint)
+        gone += [r for r in joint.reactions if r.name in names]
+        gone += [c for c in joint.constraints if names & {*c.reactions}]
+    for title in ("reactions", "constraints"):
+        kept[title] = tuple(p for p in kept[title] if all(p is not g for g in gone))
     return kept
 
 
