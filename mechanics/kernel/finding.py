@@ -184,7 +184,7 @@ def enclosed(
     for low, value, high in values:
         if not value.is_finite():
             return undecided(subject, f"nothing bounds the value {value}")
-        middle, radius = _exact(value.mid()), _exact(value.rad())
+        middle, radius = exact(value.mid()), exact(value.rad())
         if not low <= middle - radius <= middle + radius <= high:
             return undecided(subject, f"{value} is not known to lie between {low} and {high}")
     return Finding(subject, Verdict.PROVED, words) if values else undecided(subject, NOTHING)
@@ -263,7 +263,7 @@ def in_words(left: Side, right: Side) -> tuple[str, str]:
     return one, other
 
 
-def _exact(dyadic: arb) -> Fraction:
+def exact(dyadic: arb) -> Fraction:
     """The value of a ball of radius zero, so that a value on its bound lies within."""
     mantissa, exponent = dyadic.man_exp()
     return Fraction(int(mantissa)) * Fraction(2) ** int(exponent)

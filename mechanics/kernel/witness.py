@@ -8,7 +8,8 @@ something else; then numbers that are drawn, of more digits and other magnitudes
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from dataclasses import replace
 from fractions import Fraction
 
 from flint import arb
@@ -16,10 +17,10 @@ from flint import arb
 from mechanics.kernel.balls import PRECISIONS, enclose, precision
 from mechanics.kernel.conjugates import has_cases
 from mechanics.kernel.draws import Draws
-from mechanics.kernel.finding import Witness, in_words
+from mechanics.kernel.finding import Witness, exact, in_words
 from mechanics.kernel.statement import LEFT, POSITIVE, RIGHT, Range, Statement
 from mechanics.program import Program
-from mechanics.program.operations import COS, INPUT, SIN
+from mechanics.program.operations import COS, EQUAL, INPUT, LESS, NOT_GREATER, SIGN, SIN
 
 DIGITS = 17
 SIMPLE = tuple(
@@ -40,6 +41,12 @@ differences that are tiny everywhere, many states for those that are zero where 
 BOUNDARY_PRECISIONS = (64, 256)
 MOST_BOUNDARIES = 8
 """Inputs that are paired with each other to find boundaries of cases."""
+BOUNDARY_STATES = 3
+COMPARISONS = frozenset({SIGN, LESS, NOT_GREATER, EQUAL})
+MEETS: Mapping[Range, Callable[[Fraction], bool]] = {
+    Range.FREE: lambda x: True, Range.POSITIVE: lambda x: x > 0,
+    Range.NONNEGATIVE: lambda x: x >= 0, Range.NEGATIVE: lambda x: x < 0,
+}  # fmt: skip
 
 State = dict[str, Fraction]
 
@@ -69,15 +76,46 @@ def states(statement: Statement) -> Iterator[State]:
 
 
 def boundaries(statement: Statement) -> Iterator[State]:
-    """States on the boundaries of simple cases: inputs that are zero, and pairs that are equal."""
+    """States on the boundaries of cases: inputs that are zero, pairs that are equal, and values of
+    an input for which what is compared is equal, if it is linear in that input.
+
+    Of several states: at a single one, sides may be equal by accident.
+    """
     names = [n for n in statement.program.inputs if statement.range_of(n) is Range.FREE]
-    base = next(states(statement))
+    base, draws = next(states(statement)), Draws(statement.seed, "boundaries")
     yield base | dict.fromkeys(names, Fraction(0))
     for place, name in enumerate(names[:MOST_BOUNDARIES]):
-        yield base | {name: Fraction(0)}
         for other in names[:place]:
             yield base | {name: base[other]}
             yield base | {name: -base[other]}
+    for _ in range(BOUNDARY_STATES):
+        yield from (base | {name: Fraction(0)} for name in names[:MOST_BOUNDARIES])
+        yield from _meetings(statement, base)
+        base = {n: _drawn(statement.range_of(n), draws, 0) for n in statement.program.inputs}
+
+
+def _meetings(statement: Statement, base: State) -> Iterator[State]:
+    """States in which both sides of a comparison are equal, from two values of each input."""
+    program = statement.program
+    sides = {str(number): program.operands_of(number)
+             for number, code in enumerate(program.operations) if code in COMPARISONS}  # fmt: skip
+    compared = replace(program, outputs=sides)
+    for name in program.inputs if sides else ():
+        ends = [enclose(compared, base | {name: Fraction(x)}, 256) for x in (0, 1)]
+        for key in compared.outputs:
+            below, above = (_difference(end[key]) for end in ends)
+            if below is None or above is None or below == above:
+                continue
+            value = below / (below - above)
+            if MEETS[statement.range_of(name)](value):
+                yield base | {name: value}
+
+
+def _difference(sides: Sequence[arb]) -> Fraction | None:
+    """One side less the other, where both are numbers that are known exactly."""
+    if not all(side.is_finite() and side.is_exact() for side in sides):
+        return None
+    return exact(sides[0]) - sum(map(exact, sides[1:]), Fraction(0))
 
 
 def far_states(statement: Statement) -> Iterator[State]:

@@ -142,6 +142,11 @@ FALSE: dict[str, Sides] = {
         B.less(x, y).choose(1, 2), call("not_greater", x, y).choose(1, 2)),
     "numbers as conditions": lambda B, x, y, z, a, b, L: (
         call("select", 2 * x, y, z), 2 * x * y + (1 - 2 * x) * z),
+    "what is left out between cases": lambda B, x, y, z, a, b, L: (
+        B.less(x, y * y).choose(z, B.less(y * y, x).choose(z, 1 - z)), z),
+    "a state that belongs to two cases": lambda B, x, y, z, a, b, L: (
+        call("not_greater", a, b).choose(z, 0) + call("not_greater", b, a).choose(z, 0), z),
+    "a boundary at 1": lambda B, x, y, z, a, b, L: ((a - 1).sign().power(2) * z, z),
     "a far limit": lambda B, x, y, z, a, b, L: (smaller(larger(x, -B.constant(100)), 100), x),
     "a far limit of what is positive": lambda B, x, y, z, a, b, L: (smaller(a, 10**7), a),
     "logarithms of rationals": lambda B, x, y, z, a, b, L: (
@@ -222,6 +227,19 @@ def test_no_part_of_the_kernel_refutes_what_is_true(name: str) -> None:
     claim = statement(TRUE[name])
     assert find_witness(claim) is None
     assert first_witness(claim, boundaries(claim)) is None
+
+
+def test_sides_that_are_equal_by_accident_at_one_boundary_are_told_apart_at_another() -> None:
+    def vanishing(at: Fraction) -> Sides:
+        return lambda B, x, y, z, a, b, L: (x.sign().power(2) * (y - at), y - at)
+
+    first = next(states(statement(vanishing(Fraction(1)))))["y"]
+    found = decide(statement(vanishing(first)))
+    assert found.verdict is Verdict.REFUTED
+    assert found.witness is not None
+    state = dict(found.witness.state)
+    assert state["x"] == "0"
+    assert state["y"] != str(first)
 
 
 def test_findings_and_witnesses_are_the_same_in_each_run() -> None:

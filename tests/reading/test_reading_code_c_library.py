@@ -34,7 +34,9 @@ def check(body: str) -> Check:
         "round(2.5) - 3 + round(-2.5) + 3",
         "exp2(2.0) - 4 + log2(u*u + 2)*log(2.0) - log(u*u + 2) + log10(10.0) - 1",
         "fmax(theta, u) + fmin(theta, u) - theta - u",
-        "copysign(theta, u) + copysign(theta, -u) + 0*copysign(u, 1)",
+        "copysign(theta, u) - (u < 0 ? -fabs(theta) : fabs(theta)) + 0*copysign(u, 1)",
+        "copysign(1.0, u)*copysign(1.0, u) - 1",
+        "copysign(u*u, u) - fabs(u)*u",
         "fabs(theta) - copysign(theta, 1.0)",
         "sin(M_PI_2) - 1 + M_SQRT2*M_SQRT1_2 - 1",
         "log2(8) - 3 + exp2(0.5) - M_SQRT2",
@@ -50,6 +52,11 @@ def test_a_function_has_its_exact_meaning(more: str) -> None:
 )
 def test_a_function_is_not_zero(more: str) -> None:
     assert check(f"return RIGHT + {more};").verdict is Verdict.REFUTED
+
+
+def test_copysign_is_one_and_not_zero_at_zero() -> None:
+    found = check("return RIGHT + copysign(1.0, u) - ((u > 0) - (u < 0));")
+    assert found.verdict is Verdict.REFUTED
 
 
 @pytest.mark.parametrize("name", ["y1", "jn", "nan", "logb"])

@@ -92,6 +92,11 @@ def _truth(relation: Any) -> Callable[[Expr, Expr], Expr]:
     return lambda x, y: Piecewise((1, relation(x - y, 0)), (0, True))
 
 
+def _side(x: Expr) -> Expr:
+    """1 or -1; of zero 1, as of C's 0.0."""
+    return 1 - 2 * _truth(sympy.StrictLessThan)(x, S.Zero)
+
+
 def _whole_part(x: Expr) -> Expr:
     return sympy.sign(x) * sympy.floor(magnitude(x))
 
@@ -135,7 +140,7 @@ OPERATIONS: dict[int, Callable[..., Expr]] = {
     casadi.OP_FMIN: lambda x, y: (x + y - magnitude(x - y)) / 2,
     casadi.OP_HYPOT: lambda x, y: sympy.sqrt(x * x + y * y),
     casadi.OP_FMOD: lambda x, y: x - y * _whole_part(x / y),
-    casadi.OP_COPYSIGN: lambda x, y: magnitude(x) * sympy.sign(y),
+    casadi.OP_COPYSIGN: lambda x, y: magnitude(x) * _side(y),
     casadi.OP_LT: _truth(sympy.StrictLessThan),
     casadi.OP_LE: _truth(sympy.LessThan),
     casadi.OP_EQ: _truth(sympy.Equality),
