@@ -8,7 +8,7 @@ something else; then numbers that are drawn, of more digits and other magnitudes
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
 
@@ -43,10 +43,6 @@ MOST_BOUNDARIES = 8
 """Inputs that are paired with each other to find boundaries of cases."""
 BOUNDARY_STATES = 3
 COMPARISONS = frozenset({SIGN, LESS, NOT_GREATER, EQUAL})
-MEETS: Mapping[Range, Callable[[Fraction], bool]] = {
-    Range.FREE: lambda x: True, Range.POSITIVE: lambda x: x > 0,
-    Range.NONNEGATIVE: lambda x: x >= 0, Range.NEGATIVE: lambda x: x < 0,
-}  # fmt: skip
 
 State = dict[str, Fraction]
 
@@ -101,21 +97,20 @@ def _meetings(statement: Statement, base: State) -> Iterator[State]:
              for number, code in enumerate(program.operations) if code in COMPARISONS}  # fmt: skip
     compared = replace(program, outputs=sides)
     for name in program.inputs if sides else ():
-        ends = [enclose(compared, base | {name: Fraction(x)}, 256) for x in (0, 1)]
-        for key in compared.outputs:
-            below, above = (_difference(end[key]) for end in ends)
-            if below is None or above is None or below == above:
-                continue
-            value = below / (below - above)
-            if MEETS[statement.range_of(name)](value):
-                yield base | {name: value}
+        ends = [enclose(compared, base | {name: Fraction(x)}) for x in (0, 1)]
+        for key in sides:
+            here, there = (end[key][0] - sum(end[key][1:]) for end in ends)
+            slope = here - there
+            if slope.is_finite() and slope.is_exact() and not slope.is_zero():
+                value = exact(here) / exact(slope)
+                if _admits(statement.range_of(name), value):
+                    yield base | {name: value}
 
 
-def _difference(sides: Sequence[arb]) -> Fraction | None:
-    """One side less the other, where both are numbers that are known exactly."""
-    if not all(side.is_finite() and side.is_exact() for side in sides):
-        return None
-    return exact(sides[0]) - sum(map(exact, sides[1:]), Fraction(0))
+def _admits(known: Range, value: Fraction) -> bool:
+    if known in (Range.FREE, Range.NEGATIVE):
+        return known is Range.FREE or value < 0
+    return value > 0 or (value == 0 and known is Range.NONNEGATIVE)
 
 
 def far_states(statement: Statement) -> Iterator[State]:
