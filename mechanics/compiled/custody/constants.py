@@ -61,16 +61,15 @@ def _folded(
 ) -> Iterator[tuple[Node, float]]:
     """Constants that are none of the known doubles, but one operation away from two of them."""
     nodes = {sign * double: sign * node for node, double in known for sign in (1, -1)}
-    functions = Arrays().operations
+    values, functions = np.array(list(nodes)), Arrays().operations
     for wanted in written:
         if wanted in nodes:
             continue
-        for name, (x, one), (y, other) in product(FOLDED, nodes.items(), nodes.items()):
-            if name == "divide" and y == 0:
-                continue
+        for name, x in product(FOLDED, values):
             with np.errstate(all="ignore"):
-                hit = float(functions[name](x, y)) == wanted
-            if hit:
+                hits = values[functions[name](x, values) == wanted]
+            if len(hits):
+                one, other = nodes[float(x)], nodes[float(hits[0])]
                 yield one.builder.call(name, one, other), wanted
                 break
 
