@@ -15,10 +15,10 @@ from mechanics.checks.ledger_compare import project_defined
 from mechanics.equations import Equations
 from mechanics.errors import ExpressionError
 from mechanics.kernel.field import Inadmissible
-from mechanics.kernel.independence import pivot_columns
 from mechanics.kinematics.momenta import momenta_written_out
 from mechanics.scene.published import Published
 from mechanics.symbolic import Arithmetic, Number
+from mechanics.symbolic.pivots import pivot_columns
 from mechanics.symbolic.point import Point
 
 Motion = dict[Symbol, Number]

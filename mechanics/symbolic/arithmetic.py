@@ -19,11 +19,11 @@ from sympy.core.function import AppliedUndef
 from mechanics.errors import ExpressionError
 from mechanics.kernel import Range, Statement
 from mechanics.kernel.field import DivisionHere, Inadmissible
-from mechanics.kernel.independence import pivot_columns
 from mechanics.kernel.statement import LEFT, POSITIVE, RIGHT
 from mechanics.program import Builder, Node, casadi_reader
 from mechanics.program.branches import Parts
 from mechanics.program.sympy_reader import Reader
+from mechanics.symbolic.pivots import pivot_columns
 from mechanics.symbolic.point import Point, drawn_inputs, random_field
 
 MOST_POINTS = 1024

@@ -14,7 +14,6 @@ from hypothesis import strategies as st
 from mechanics.kernel import Range, Statement, Verdict, decide
 from mechanics.kernel.draws import Draws
 from mechanics.kernel.field import DivisionHere, Inadmissible, Residues
-from mechanics.kernel.independence import pivot_columns
 from mechanics.kernel.primes import (
     LARGEST_MODULUS,
     MODULUS,
@@ -693,9 +692,6 @@ def test_zeros_and_pivots_are_found() -> None:
     singular = b.solve([[u, u], [u, u]], [1, 1])
     with pytest.raises(FailedError, match="singular matrix"):
         zeros(b, singular, {})
-    assert pivot_columns([[0, 1, 2, 3], [0, 4, 8, 5]], 10007) == [1, 3]
-    assert pivot_columns([[1, 1, 2], [2, 2, 4]], 10007) == [0]
-    assert pivot_columns([], 10007) == []
 
 
 def test_a_budget_that_does_not_suffice_is_said() -> None:
