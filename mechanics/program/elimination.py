@@ -10,8 +10,9 @@ last; among the others the one with the fewest neighbours comes first (minimum d
 follows a tree from its leaves to its root without fill-in.
 
 Which pivot of (2) is safe is seen at run time only, and straight-line code cannot choose. Safe
-without looking: a constant; the only entry of its row or column that is not the constant 0; and up
-to three rows by Cramer's rule. What then remains needs the caller's order of the rows.
+without looking: a constant; the only entry of its row or column that is not the constant 0; and, by
+Cramer's rule, up to three rows that hold no more columns than they are, as those of a loop do once
+the loops are solved that it hangs on. What then remains needs the caller's order of the rows.
 
 Source: Golub and Van Loan, Matrix Computations, 4th edition, sections 3.4 and 4.1; George and Liu,
 The evolution of the minimum degree ordering algorithm, SIAM Review 31, 1989.
@@ -177,8 +178,8 @@ def solve_by_structure(matrix: Sequence[Sequence[Node]], right: Sequence[Node]) 
         pivot = system.safe()
         if pivot is not None:
             system.eliminate(*pivot)
-        elif len(system.rows) <= CRAMER:
-            system.cramer()
+        elif (block := system.block()) is not None:
+            system.cramer(*block)
         else:
             raise ExpressionError(
                 f"a linear system of {len(right)} rows needs pivots that are chosen at run time:"
@@ -225,18 +226,33 @@ class _System:
                 for j in self.columns:
                     a[i][j] = a[i][j] - factor * a[row][j]
 
-    def cramer(self) -> None:
-        """What is left, by determinants."""
-        matrix = [[self.a[i][j] for j in self.columns] for i in self.rows]
-        right = [self.f[i] for i in self.rows]
+    def block(self) -> tuple[list[int], list[int]] | None:
+        """As many rows as columns that they hold, few: a loop after those that it hangs on."""
+        held = {i: {j for j in self.columns if not self.a[i][j].is_zero} for i in self.rows}
+        for columns in held.values():
+            rows = [i for i in self.rows if held[i] <= columns]
+            if len(columns) <= CRAMER and len(rows) == len(columns):
+                return rows, sorted(columns)
+        return (self.rows, self.columns) if len(self.rows) <= CRAMER else None
+
+    def cramer(self, rows: Sequence[int], columns: Sequence[int]) -> None:
+        """What a block determines, by determinants: its own is not 0 if the matrix is regular."""
+        a, f = self.a, self.f
+        matrix = [[a[i][j] for j in columns] for i in rows]
+        right = [f[i] for i in rows]
         whole = determinant(matrix)
-        _refuse_zero(whole, len(self.f))
-        for k, column in enumerate(self.columns):
+        _refuse_zero(whole, len(f))
+        self.rows = [i for i in self.rows if i not in rows]
+        self.columns = [j for j in self.columns if j not in columns]
+        for k, column in enumerate(columns):
             exchanged = [
                 [*row[:k], side, *row[k + 1 :]] for row, side in zip(matrix, right, strict=True)
             ]
             self.x[column] = determinant(exchanged) / whole
-        self.rows, self.columns = [], []
+            for i in self.rows:
+                if not a[i][column].is_zero:
+                    f[i] = f[i] - a[i][column] * self.x[column]
+                    a[i][column] = f[i].builder.zero
 
     def back(self) -> list[Node]:
         """The solution, the last pivot first."""

@@ -112,6 +112,25 @@ def test_pivots_that_are_safe_by_structure_are_found() -> None:
     assert_equal_solutions(program, expand_solves(program))
 
 
+@pytest.mark.parametrize("size", [2, 3])
+def test_loops_are_solved_one_after_the_other(size: int) -> None:
+    """Each block of rows holds columns of its own and those before, in any order of the rows."""
+    b, count = Builder(), 4
+    whole = size * count
+    matrix = [
+        [
+            b.input(f"a{i}_{j}") + (3 if i == j else 0) if j // size <= i // size else b.zero
+            for j in range(whole)
+        ]
+        for i in range(whole)
+    ]
+    rows = [(5 * i + 2) % whole if whole % 5 else i for i in range(whole)]
+    assert sorted(rows) == list(range(whole))
+    right = [b.input(f"f{i}") for i in range(whole)]
+    program = b.program({"x": b.solve([matrix[i] for i in rows], right)})
+    assert_equal_solutions(program, expand_solves(program))
+
+
 def test_a_singular_system_is_refused() -> None:
     b = Builder()
     x = b.input("x")
