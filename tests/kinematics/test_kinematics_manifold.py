@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from fractions import Fraction
 
 import pytest
+from quaternions import ball_top
 from sympy import Expr, cos
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
@@ -86,6 +87,18 @@ def test_constraints_and_their_derivatives_vanish(scene: Scene) -> None:
         return [(a.value(entry), 0) for entry in (*closing, *forms, *slopes)]
 
     assert decide("constraints", experiment, try_normal=False).shown
+
+
+def test_a_quaternion_is_put_onto_the_unit_sphere() -> None:
+    scene = ball_top()
+    (rotation,) = scene.rotations
+
+    def experiment(a: Arithmetic) -> list:
+        ConstraintManifold(scene).project(a)
+        assert set(a.assigned) == set(scene.q)
+        return [(a.value(scene.plain(rotation.square)), 1)]
+
+    assert decide("norm", experiment).shown
 
 
 def test_free_scene_stays_as_it_is() -> None:

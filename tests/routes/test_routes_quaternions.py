@@ -11,8 +11,10 @@ from mechanics.checks.agreement import compare_pairs
 from mechanics.checks.statements import equal
 from mechanics.crosscheck.programs import check_laws, derive_rows
 from mechanics.kernel import Verdict
+from mechanics.mechanism import lower
+from mechanics.program import Builder
 from mechanics.program.vectors import add, cross, dot, scale, subtract
-from mechanics.routes.derivation import ROUTES
+from mechanics.routes.derivation import ROUTES, is_written_out
 from mechanics.scene import Scene
 
 
@@ -68,3 +70,8 @@ def test_what_is_true_on_the_unit_sphere_only_is_found_there() -> None:
     finding = equal("vertical", mechanism, [dot(up, up)], [unit])
     assert finding.shown
     assert not equal("not", mechanism, [e0 * e0 + e1 * e1], [e2 * e2 + e3 * e3]).shown
+
+
+@pytest.mark.parametrize("make", [thrown_body, ball_top, flyer])
+def test_scenes_with_quaternions_stay_programs(make: Callable[[], Scene]) -> None:
+    assert not is_written_out(lower(make(), Builder()))
