@@ -114,10 +114,6 @@ class _Solver:
     _held: dict[int, frozenset[str]] = field(default_factory=dict)
     _failed: set[tuple[object, ...]] = field(default_factory=set)
 
-    @property
-    def branch(self) -> str:
-        return f"branch {len(self.values) + 1}"
-
     def closed(self, constraints: Sequence[Node]) -> bool:
         """Whether the typical values are a state on the constraints."""
         self.start = self.statement.typical
@@ -131,7 +127,7 @@ class _Solver:
             found = self._step(left)
             if found is not None:
                 self._take(found)
-                left = [*_others(left, *found.used), *found.left]
+                left = [*(node for node in left if node not in found.used), *found.left]
                 continue
             before, left = left, list(map(self._put_in, left))
             if left == before:
@@ -223,7 +219,7 @@ class _Solver:
         if not powers.keys() <= {*keys, ()} or powers.keys().isdisjoint(keys):
             return None
         for form in powers.values():
-            if any(self.depends(number, name) for monomial in form for number, _ in monomial):
+            if any(name in self.held(number) for monomial in form for number, _ in monomial):
                 return None
         return [node_of(self.builder, powers.get(key, {})) for key in (*keys, ())]
 
@@ -243,7 +239,7 @@ class _Solver:
                 parts = (slopes[k] * part for k, part in zip(below, partials(*nodes), strict=True))
                 slopes[number] = sum(parts, builder.zero)
         slope = slopes[node.number]
-        if self.depends(slope.number, name):
+        if name in self.held(slope.number):
             return None
         try:
             (rest,) = include(builder, builder.program({"x": [node]}), {name: builder.zero})["x"]
@@ -265,10 +261,6 @@ class _Solver:
                 key = tuple((k, p) for k, p in ((0, first + 2 * j), (1, second - 2 * squares)) if p)
                 accumulate(found.setdefault(key, {}), rest, factor * comb(squares, j) * (-1) ** j)
         return {key: part for key, part in found.items() if part}
-
-    def depends(self, number: int, name: str) -> bool:
-        """Whether a node is computed from an input."""
-        return name in self.held(number)
 
     def at_start(self, node: Node) -> float | None:
         """The value at the state on the constraints, or None where that does not give it."""
@@ -299,7 +291,7 @@ class _Solver:
         one, two = (self.from_start(node, name) for node in solutions)
         if one is not None and two is not None:
             return solutions[two < one]
-        free = self.builder.input(self.branch)
+        free = self.builder.input(f"branch {len(self.values) + 1}")
         return solution(root * ((free * free).sqrt() / free))
 
     def from_start(self, node: Node, name: str) -> float | None:
@@ -316,10 +308,6 @@ class _Solver:
 _FIRST: Monomial = ((0, 1),)
 _SECOND: Monomial = ((1, 1),)
 _SQUARE: Monomial = ((0, 2),)
-
-
-def _others(held: Sequence[Node], *used: Node) -> tuple[Node, ...]:
-    return tuple(node for node in held if node not in used)
 
 
 def _linear(solver: _Solver, name: str, holding: Sequence[Node]) -> Replacement | None:
