@@ -4,6 +4,7 @@ statements  --ledger-->  PROVED, CERTIFIED, REFUTED with a witness, UNDECIDED
 """
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from typing import Any
 
 from mechanics.blame.reference import Reference
@@ -21,6 +22,7 @@ from mechanics.judge.other_names import best_names, doubtful
 from mechanics.judge.other_reading import read_otherwise
 from mechanics.judge.readers import read, spread
 from mechanics.judge.right_if import right_if
+from mechanics.judge.scene_laws import verify
 from mechanics.judge.single import judge
 from mechanics.judge.small_angles import right_for_small_angles
 from mechanics.judge.under import judge_under
@@ -58,7 +60,8 @@ def check(
     Parameters
     ----------
     scene : Scene, System, Equations or Reference
-        What they are about; equations that were derived already save that time, a
+        What they are about. The laws of a scene are verified before anything is judged; equations
+        that were derived already are taken as they are, which saves the time of both, a
         `mechanics.blame.reference.Reference` to them what blame makes of them, too. Where they stay
         a program, statements are judged as they stand: nothing is said of what would mend them.
     equations : str, Path, SymPy object, function, or a sequence of them
@@ -99,12 +102,15 @@ def check(
     ------
     InputError
         When nothing can be read, by line and column.
+    SceneError
+        When the scene cannot be right, or what was derived is not what it declares.
     """
-    reference = _reference(scene)
+    reference, untried = _reference(scene)
     truth, things = reference.truth, spread(equations)
     if truth.textbook is None:
         _plain(things, convention=convention, values=values, where=where)
-        return _check_program(truth, things, names, notation, about, function)
+        found = _check_program(truth, things, names, notation, about, function)
+        return replace(found, remarks=(*found.remarks, *untried))
     if (convention or where) and any(isinstance(thing, BlackBox) for thing in things):
         raise InputError("check: a black box is only called: leave out a convention and where")
     boxed = [check_box(truth, thing, names) for thing in things if isinstance(thing, BlackBox)]
@@ -132,19 +138,22 @@ def check(
         remarks += doubtful(readings)
     twice = redundancy(truth, judged)
     bounds = (r for e in judged for r in at_the_bound(truth, e.statement, e.finding))
-    remarks = (*remarks, *told, *([twice] if twice else []), *dict.fromkeys(bounds))
+    remarks = (*remarks, *told, *([twice] if twice else []), *dict.fromkeys(bounds), *untried)
     return Check(truth.scene, judged, tuple(matches.values()), remarks, truth)
 
 
-def _reference(scene: Scene | System | Equations | Reference) -> Reference:
-    """What statements are compared with."""
+def _reference(
+    scene: Scene | System | Equations | Reference,
+) -> tuple[Reference, tuple[str, ...]]:
+    """What statements are compared with, and what of its scene could not be verified."""
     if isinstance(scene, Reference):
-        return scene
+        return scene, ()
     kinds = (Scene, System, Equations)
     wanted(scene, kinds, "check", "pass a scene, or one of systems.ALL")
     if isinstance(scene, Equations):
-        return Reference(scene)
-    return Reference(derived(scene.scene() if isinstance(scene, System) else scene))
+        return Reference(scene), ()
+    truth = derived(scene.scene() if isinstance(scene, System) else scene)
+    return Reference(truth), verify(truth)
 
 
 def _plain(things: Sequence[Any], **asked: Any) -> None:
