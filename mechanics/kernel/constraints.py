@@ -311,11 +311,11 @@ _SQUARE: Monomial = ((0, 2),)
 
 
 def _linear(solver: _Solver, name: str, holding: Sequence[Node]) -> Replacement | None:
-    """Equation (1)."""
+    """Equation (1); a length that stands before all would be 0, which it is not."""
+    atom, signed = solver.builder.input(name), solver.statement.range_of(name) is not Range.FREE
     for node in holding:
-        line = solver.split(node, [solver.builder.input(name)], name, _FIRST)
-        line = line or solver.line(node, name)
-        if line is not None and not solver.vanishes(line[0]):
+        line = solver.split(node, [atom], name, _FIRST) or solver.line(node, name)
+        if line and not (solver.vanishes(line[0]) or (signed and solver.vanishes(line[1]))):
             return Replacement(name, -line[1] / line[0], (node,))
     return None
 

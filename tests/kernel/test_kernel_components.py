@@ -167,3 +167,15 @@ def test_speeds_of_a_row_of_four_bars_are_solved_for_however_long_it_is(count: i
     assert constrained is not None
     assert len([name for name in constrained.program.outputs if name[0] == "w"]) == 2 * count
     assert decide(statement, try_normal=False).verdict is Verdict.CERTIFIED
+
+
+def test_a_positive_length_before_all_is_not_made_zero() -> None:
+    """Without a state, a (cos p - cos q) = 0 is no reason for a = 0."""
+    b = Builder()
+    a, p, q = (b.input(name) for name in ("a", "p", "q"))
+    outputs = {"left": [p.cos()], "right": [q.cos()], "zero": [a * (p.cos() - q.cos())]}
+    statement = Statement("cosines", b.program(outputs), LENGTHS, {}, ("a", "p", "q"))
+    constrained = on_constraints(statement)
+    assert constrained is not None
+    assert "a" not in constrained.program.outputs
+    assert decide(statement).shown
