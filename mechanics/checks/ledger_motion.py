@@ -216,10 +216,12 @@ def gives(equations: Equations, name: str) -> bool:
 def put_motion(a: Arithmetic, equations: Equations) -> None:
     """Let u', the multipliers and the reactions stand for their values along the motion.
 
-    A reaction that friction depends on presses there: other states are no motion of the scene.
+    A reaction that friction depends on presses there, and its bodies slide: other states are no
+    motion of the scene, which does not say what friction is at rest.
     """
     put_solution(a, equations)
     for load in frictions(equations.scene):
+        a.require_positive(a.value(equations.scene.plain(load.sliding) ** 2))
         if gives(equations, load.normal):
             a.require_positive(a.value(Symbol(load.normal, real=True)))
 
