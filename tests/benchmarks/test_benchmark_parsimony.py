@@ -31,6 +31,7 @@ def fixed(peer: Peer, suffix: str) -> dict[str, str]:
     return dict(peer.fixed) if suffix else {}
 
 
+@pytest.mark.sample(8)
 @by_peer
 @by_suffix
 @pytest.mark.parametrize("route", ROUTES)

@@ -99,6 +99,7 @@ def test_a_file_that_no_step_looks_at(run: Any, folder: Path) -> None:
     assert ran.code == 3 and "missing CMakeLists.txt" in ran.out
 
 
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("ending", [".c", ".h", "_sine.h", "_selftest.c", "_loader.py"])
 def test_a_missing_file_leaves_the_rest_to_be_judged(run: Any, folder: Path, ending: str) -> None:
     (folder / f"{NAME}{ending}").unlink()
@@ -222,6 +223,7 @@ def put(folder: Path, name: str) -> None:
     (folder / name).write_text("", encoding="utf-8")
 
 
+@pytest.mark.sample(3)
 @pytest.mark.parametrize("name", ["math.h", "cmath", "bits/x.h", "own/deep/a.hpp", "numpy.py",
                                   "numpy/__init__.py", "CMakePresets.json"])  # fmt: skip
 def test_what_a_build_may_read_is_no_part_of_what_is_shown(

@@ -111,6 +111,7 @@ def test_second_derivatives_exist(model: Model) -> None:
     assert_close(found, found.T)
 
 
+@pytest.mark.sample(6)
 def test_functions_map(model: Model) -> None:
     for function in model.casadi.values():
         columns = points(model, function)

@@ -208,6 +208,7 @@ def test_a_restricted_model_knows_no_reactions(derived: Any) -> None:
     assert compile(derived("elastic_pendulum", "free_body")).quantities.reactions
 
 
+@pytest.mark.campaign
 def test_a_fixed_model_moves_as_the_free_one(derived: Any) -> None:
     equations = derived("four_bar", "kane")
     values = {"g": 9.81, "l1": 0.11}

@@ -93,6 +93,7 @@ def test_routes_agree_in_numbers(modelled, system: str) -> None:
     assert_allclose(first, second, rtol=1e-9)
 
 
+@pytest.mark.sample(1)
 @pytest.mark.sample(0)
 @pytest.mark.parametrize("system", SYSTEMS)
 def test_virtual_machine_and_machine_code_agree(compiler, derived, modelled, system: str) -> None:

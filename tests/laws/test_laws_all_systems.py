@@ -46,6 +46,7 @@ def test_routes_agree_either_way(name: str) -> None:
         assert all(shown(compare(one, two, anywhere)) for two in routes if two is not one)
 
 
+@pytest.mark.sample(4)
 @pytest.mark.parametrize("system", SYSTEMS)
 def test_programs_are_the_textbook_forms(derived: Any, system: str) -> None:
     findings = list(check_textbook(programs_of(system), derived(system)))

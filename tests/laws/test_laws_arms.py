@@ -91,6 +91,7 @@ def test_a_batch_is_its_states_one_by_one(model: Model) -> None:
         assert energy["total"] == energy["kinetic"] + energy["potential"]
 
 
+@pytest.mark.campaign
 def test_jacobians_are_those_of_forward_dynamics(model: Model) -> None:
     q, u, _, torques = states(5)[0]
     found = model.evaluate("jacobians", q=q, u=u, inputs=torques, p=None)

@@ -136,7 +136,7 @@ SCENES: dict[str, Callable[[], Scene]] = {
 }
 
 
-@pytest.mark.sample(3)
+@pytest.mark.sample(1)
 @pytest.mark.parametrize("name", SCENES)
 def test_friction_by_every_route(assert_laws: Any, name: str) -> None:
     assert_laws(SCENES[name]())

@@ -245,6 +245,7 @@ def test_statements_about_a_wheel_are_judged() -> None:
     assert rolled.verdict is Verdict.REFUTED
 
 
+@pytest.mark.campaign
 def test_published_rows_of_a_large_scene_are_checked() -> None:
     (c1,) = (p for p in hanging_arm().parameters if p.name == "c1")
     q1 = dynamicsymbols("q1")

@@ -105,6 +105,7 @@ def test_row_is_proved(name: str, row: Published) -> None:
     assert finding.verdict is Verdict.PROVED, finding
 
 
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("route", ["kane", "free_body", "moving_point"])
 @pytest.mark.parametrize("name", LEDGERS)
 def test_rows_are_proved_by_the_other_routes(name: str, route: str) -> None:
@@ -119,6 +120,7 @@ def test_rows_are_proved_by_the_other_routes(name: str, route: str) -> None:
     assert undecided == (set() if equations.conjugate else NEED_CONJUGATE[name])
 
 
+@pytest.mark.sample(10)
 @pytest.mark.parametrize(("name", "row"), ROWS)
 def test_one_flipped_sign_is_refuted(name: str, row: Published) -> None:
     equations = derived(name)

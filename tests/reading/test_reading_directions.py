@@ -164,6 +164,7 @@ def pointing(quarter: int, sense: int) -> Scene:
     )  # fmt: skip
 
 
+@pytest.mark.sample(3)
 @pytest.mark.parametrize("place", range(8))
 def test_a_direction_is_what_it_says(place: int) -> None:
     """Equations of a scene that is built so are right under that name, and under no other."""
