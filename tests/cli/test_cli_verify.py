@@ -42,6 +42,7 @@ def rehash(folder: Path) -> None:
 
 
 @pytest.mark.campaign
+@pytest.mark.campaign
 def test_codegen_and_verify(run: Any, tmp_path: Path) -> None:
     assert run("codegen", "elastic_pendulum", "-o", tmp_path / "c").code == 0
     manifest = json.loads((tmp_path / "c" / "manifest.json").read_text(encoding="utf-8"))

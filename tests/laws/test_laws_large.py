@@ -118,6 +118,7 @@ def test_a_listing_is_its_program() -> None:
 HANGING = {"q1": -pi / 2, "q3": -pi / 2}
 
 
+@pytest.mark.campaign
 @pytest.mark.parametrize("name", ["free_body", "lagrange"])
 @pytest.mark.parametrize(
     "make, at",

@@ -131,6 +131,7 @@ def _by_differences(scene, turn: float) -> np.ndarray:
     return np.array(columns).T
 
 
+@pytest.mark.campaign
 @pytest.mark.sample(2)
 @pytest.mark.parametrize("route", ROUTES)
 def test_sleeping_top_needs_the_textbook_spin(route: str) -> None:
