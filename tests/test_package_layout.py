@@ -16,6 +16,7 @@ import sys
 import tokenize
 import tomllib
 from collections.abc import Callable, Iterable, Iterator, Mapping
+from graphlib import CycleError, TopologicalSorter
 from pathlib import Path
 
 import pytest
@@ -331,6 +332,40 @@ def test_lines_of_code_are_counted() -> None:
     above = '"""Of a module.\n\nTwo lines."""\n'
     source = above + 'x = (\n    1,  # one\n)\n\n# nothing\ny = 2\n"""Of y."""\n'
     assert lines_of_code(source) == 4
+
+
+def test_modules_import_each_other_in_one_direction_only() -> None:
+    """Imports for types alone and those within functions included."""
+    assert circle({"a": {"b"}, "b": {"c"}, "c": {"a"}}) is not None
+    imports = {name: named(parsed(path_of(name))) - {name} for name in modules()}
+    assert len(imports) > 700
+    assert circle({name: found & imports.keys() for name, found in imports.items()}) is None
+
+
+def modules() -> Iterator[str]:
+    """Names of all modules; a package has that of its folder."""
+    for path in files(*PACKAGES, suffix=".py"):
+        parts = path.relative_to(ROOT).with_suffix("").parts
+        yield ".".join(part for part in parts if part != "__init__")
+
+
+def named(tree: ast.Module) -> set[str]:
+    """What a file imports: from a package, its parts and not the package, where it has them."""
+    found = set()
+    for node in ast.walk(tree):
+        if isinstance(node, ast.ImportFrom):
+            parts = {f"{node.module}.{alias.name}" for alias in node.names}
+            found |= {part if path_of(part).exists() else str(node.module) for part in parts}
+    return found
+
+
+def circle(imports: Mapping[str, set[str]]) -> list[str] | None:
+    """Modules of which each imports the next, or None."""
+    try:
+        TopologicalSorter(imports).prepare()
+    except CycleError as error:
+        return list(error.args[1])
+    return None
 
 
 def test_every_test_asserts_something() -> None:

@@ -27,7 +27,7 @@ GEOMETRY = (
         ),
     ),
     *faults_in(
-        "mechanics.scene.scene",
+        "mechanics.scene.declaration",
         (
             "known[child] = known[parent] + step",
             "known[child] = known[parent] - step",
@@ -63,7 +63,7 @@ GEOMETRY = (
 
 LOWERING = (
     *faults_in(
-        "mechanics.scene.scene",
+        "mechanics.scene.declaration",
         (
             "return {rate: rate for rate in self.qd}",
             "return {rate: -rate for rate in self.qd}",

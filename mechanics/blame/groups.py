@@ -11,11 +11,11 @@ from sympy import Expr, Symbol, sympify
 
 from mechanics.blame.terms import Monomial, Terms, symbols_in
 from mechanics.scene import Gravity, RigidBody, Scene, Spring, TorsionSpring
+from mechanics.scene.bodies import inertia_entries
 from mechanics.scene.geometry import components
 from mechanics.scene.loads import Coulomb, Damper, Load
 from mechanics.scene.rates import TIME, rate_table
 from mechanics.scene.symbols import plain_symbol
-from mechanics.scene.wellformed import inertia_entries
 
 COEFFICIENT = "coefficient of "
 

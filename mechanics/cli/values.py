@@ -9,7 +9,7 @@ from sympy import Expr, Rational, Symbol, pi
 from mechanics.errors import InputError, RangeError
 from mechanics.program.constants import rational
 from mechanics.scene import Scene
-from mechanics.scene.conditions import condition_parameters
+from mechanics.scene.validity import condition_parameters
 
 TURN = re.compile(r"([+-]?)(?:([\d.eE+-]+|\d+/\d+) *\*? *)?pi(?: */ *([\d.]+))?")
 """A multiple of pi: its sign, factor and divisor."""

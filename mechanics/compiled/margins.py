@@ -18,7 +18,7 @@ from mechanics.compiled.translate import Translator
 from mechanics.equations import Equations
 from mechanics.scene import Scene
 from mechanics.scene.actions import frictions
-from mechanics.scene.conditions import plain_margin
+from mechanics.scene.validity import plain_margin
 
 
 def telling(model: Model, derive: Callable[[Scene], Equations]) -> Graphs:

@@ -24,7 +24,6 @@ from math import lcm
 from mechanics.program import Builder, Node, Program
 from mechanics.program import operations as op
 from mechanics.program.interpret import include
-from mechanics.program.program import operands_of
 
 Monomial = tuple[tuple[int, int], ...]
 """Node numbers with their powers, sorted; the empty one is 1."""
@@ -73,7 +72,7 @@ class Forms:
                 stack.pop()
                 continue
             polynomial = self.nodes.operations[number] in _POLYNOMIAL
-            operands = operands_of(self.nodes, number) if polynomial else ()
+            operands = self.nodes.operands_of(number) if polynomial else ()
             missing = [operand for operand in operands if operand not in self.made]
             if missing:
                 stack.extend(missing)

@@ -38,7 +38,7 @@ from mechanics.kernel.trial import FailedError, zeros
 from mechanics.program import Builder, Node
 from mechanics.program.interpret import include
 from mechanics.program.operations import ATAN2, OPERATIONS
-from mechanics.program.program import operands_of, reachable
+from mechanics.program.program import reachable
 
 BITS = 256
 NEGLIGIBLE = 2.0**-64
@@ -228,7 +228,7 @@ class _Solver:
         builder = self.builder
         slopes = {builder.input(name).number: builder.one}
         for number in reachable(builder, [node.number]):
-            below = operands_of(builder, number)
+            below = builder.operands_of(number)
             partials = OPERATIONS[builder.operations[number]].partials
             if all(slopes[k].is_zero for k in below):
                 slopes.setdefault(number, builder.zero)

@@ -38,7 +38,7 @@ from mechanics.program.operations import (
     SUBTRACT,
     Sign,
 )
-from mechanics.program.program import Program, freeze
+from mechanics.program.program import Nodes, Program, freeze
 
 Number = int | Fraction
 Condition = tuple[int, bool]
@@ -186,11 +186,11 @@ class Node:
         return self.builder.call("select", self, if_true, if_false)
 
 
-class Builder:
+class Builder(Nodes):
     """A growing table of nodes; whoever makes it drops it when the programs are frozen."""
 
     def __init__(self) -> None:
-        self.operations = array("B")
+        self.operations: array[int] = array("B")
         self.operands: tuple[array[int], array[int], array[int]] = (
             array("i"), array("i"), array("i"),
         )  # fmt: skip

@@ -24,7 +24,7 @@ from mechanics.program.operations import (
     SOLVE,
     SUBTRACT,
 )
-from mechanics.program.program import operands_of, reachable
+from mechanics.program.program import reachable
 
 
 def partials(builder: Builder, number: int, code: int) -> tuple[Any, ...]:
@@ -119,7 +119,7 @@ def _varying(builder: Builder, order: Sequence[int], inputs: set[int]) -> set[in
     """Nodes that depend on the inputs."""
     found = set(inputs)
     for number in order:
-        if any(operand in found for operand in operands_of(builder, number)):
+        if any(operand in found for operand in builder.operands_of(number)):
             found.add(number)
     return found
 

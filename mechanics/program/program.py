@@ -13,7 +13,6 @@ from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
-from typing import TYPE_CHECKING
 
 from mechanics.program.operations import (
     ARITY,
@@ -25,14 +24,29 @@ from mechanics.program.operations import (
     SOLVE,
 )
 
-if TYPE_CHECKING:
-    from mechanics.program.builder import Builder
-
 LEAVES = frozenset({CONSTANT, PI, INPUT})
 
 
+class Nodes:
+    """A table of nodes: of a program, or of a builder that still grows."""
+
+    operations: Sequence[int]
+    operands: tuple[array[int], array[int], array[int]]
+    constants: Sequence[Fraction]
+    inputs: Sequence[str]
+    systems: Sequence[tuple[int, ...]]
+
+    def operands_of(self, number: int) -> tuple[int, ...]:
+        """Numbers of the nodes that a node needs."""
+        code = self.operations[number]
+        if code == SOLVE:
+            return self.systems[self.operands[0][number]][2:]
+        first, second, third = self.operands
+        return (first[number], second[number], third[number])[: ARITY[code]]
+
+
 @dataclass(frozen=True, eq=False, repr=False)
-class Program:
+class Program(Nodes):
     """A straight-line program.
 
     Attributes
@@ -82,10 +96,6 @@ class Program:
                  if code not in LEAVES and code != ENTRY)  # fmt: skip
         return dict(sorted(named))
 
-    def operands_of(self, number: int) -> tuple[int, ...]:
-        """Numbers of the nodes that a node needs."""
-        return operands_of(self, number)
-
     @property
     def roots(self) -> Iterator[int]:
         """Node numbers of all outputs."""
@@ -106,15 +116,6 @@ class Program:
         return found.hexdigest()
 
 
-def operands_of(nodes: Program | Builder, number: int) -> tuple[int, ...]:
-    """Numbers of the nodes that a node of a program or builder needs."""
-    code = nodes.operations[number]
-    if code == SOLVE:
-        return nodes.systems[nodes.operands[0][number]][2:]
-    first, second, third = nodes.operands
-    return (first[number], second[number], third[number])[: ARITY[code]]
-
-
 MOST_BITS = 14_000
 """Python writes no integer of more than 4300 decimal digits."""
 
@@ -126,7 +127,7 @@ def _digits(value: Fraction) -> str:
     return f"{value.numerator:x}/{value.denominator:x}"
 
 
-def reachable(builder: Builder, roots: Sequence[int]) -> list[int]:
+def reachable(nodes: Nodes, roots: Sequence[int]) -> list[int]:
     """Numbers of the nodes that the roots need, operands before results."""
     needed = bytearray(max(roots, default=-1) + 1)
     for root in roots:
@@ -134,13 +135,13 @@ def reachable(builder: Builder, roots: Sequence[int]) -> list[int]:
     # Operands have smaller numbers: one walk down meets every node after all that need it.
     for number in range(len(needed) - 1, -1, -1):
         if needed[number]:
-            for operand in operands_of(builder, number):
+            for operand in nodes.operands_of(number):
                 needed[operand] = 1
     return [number for number, wanted in enumerate(needed) if wanted]
 
 
 def freeze(
-    builder: Builder, outputs: Mapping[str, tuple[int, ...]], inputs: Sequence[str] | None
+    nodes: Nodes, outputs: Mapping[str, tuple[int, ...]], inputs: Sequence[str] | None
 ) -> Program:
     """The canonical program of what the outputs need.
 
@@ -150,16 +151,14 @@ def freeze(
         If an output uses an input that is not listed.
     """
     roots = [number for numbers in outputs.values() for number in numbers]
-    needed = reachable(builder, roots)
-    used = {
-        builder.inputs[builder.operands[0][n]] for n in needed if builder.operations[n] == INPUT
-    }
+    needed = reachable(nodes, roots)
+    used = {nodes.inputs[nodes.operands[0][n]] for n in needed if nodes.operations[n] == INPUT}
     names = tuple(sorted(used)) if inputs is None else tuple(inputs)
     if missing := sorted(used - set(names)):
         raise ValueError(f"input {missing[0]} is used and not listed")
-    ordered = _operands(builder, needed)
+    ordered = _operands(nodes, needed)
     order = _from_outputs(roots, ordered)
-    return _numbered(builder, outputs, names, ordered, order)
+    return _numbered(nodes, outputs, names, ordered, order)
 
 
 _PRIME = (1 << 127) - 1
@@ -172,20 +171,20 @@ def _name_hash(text: str) -> int:
     return int.from_bytes(hashlib.sha256(text.encode()).digest()[:15], "big")
 
 
-def _operands(builder: Builder, needed: Sequence[int]) -> dict[int, tuple[int, ...]]:
+def _operands(nodes: Nodes, needed: Sequence[int]) -> dict[int, tuple[int, ...]]:
     """Operands of each node, those of commutative operations ordered by structure."""
-    operations, (first, second, _) = builder.operations, builder.operands
+    operations, (first, second, _) = nodes.operations, nodes.operands
     names = [_name_hash(row.name) for row in OPERATIONS]
     commutative = [row.commutative for row in OPERATIONS]
     hashes: dict[int, int] = {}
     found: dict[int, tuple[int, ...]] = {}
     for n in needed:
-        code, below = operations[n], operands_of(builder, n)
+        code, below = operations[n], nodes.operands_of(n)
         mixed = names[code]
         if code == CONSTANT:
-            mixed += _name_hash(_digits(builder.constants[first[n]]))
+            mixed += _name_hash(_digits(nodes.constants[first[n]]))
         elif code == INPUT:
-            mixed += _name_hash(builder.inputs[first[n]])
+            mixed += _name_hash(nodes.inputs[first[n]])
         elif code == SOLVE:
             for entry in below:
                 mixed = (mixed * _MULTIPLIERS[0] + hashes[entry]) % _PRIME
@@ -224,7 +223,7 @@ def _from_outputs(roots: Sequence[int], operands: Mapping[int, tuple[int, ...]])
 
 
 def _numbered(
-    builder: Builder,
+    nodes: Nodes,
     outputs: Mapping[str, tuple[int, ...]],
     names: tuple[str, ...],
     operands: Mapping[int, tuple[int, ...]],
@@ -236,26 +235,26 @@ def _numbered(
     constants: list[Fraction] = []
     systems: list[tuple[int, ...]] = []
     for old in order:
-        code, row = builder.operations[old], [0, 0, 0]
+        code, row = nodes.operations[old], [0, 0, 0]
         if code == CONSTANT:
             row[0] = len(constants)
-            constants.append(builder.constants[builder.operands[0][old]])
+            constants.append(nodes.constants[nodes.operands[0][old]])
         elif code == INPUT:
-            row[0] = place[builder.inputs[builder.operands[0][old]]]
+            row[0] = place[nodes.inputs[nodes.operands[0][old]]]
         elif code == SOLVE:
             row[0] = len(systems)
-            head = builder.systems[builder.operands[0][old]][:2]
+            head = nodes.systems[nodes.operands[0][old]][:2]
             systems.append((*head, *(new[entry] for entry in operands[old])))
         else:
             for k, operand in enumerate(operands[old]):
                 row[k] = new[operand]
             if code == ENTRY:
-                row[1] = builder.operands[1][old]
+                row[1] = nodes.operands[1][old]
         for column, value in zip(columns, row, strict=True):
             column.append(value)
     return Program(
         names,
-        bytes(builder.operations[old] for old in order),
+        bytes(nodes.operations[old] for old in order),
         columns,
         tuple(constants),
         tuple(systems),

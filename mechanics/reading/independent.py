@@ -6,14 +6,15 @@ v = r theta',      L = m v^2/2              dL/dr = m r theta'^2        v is an 
 Where both readings of a definition are possible and differ, it is refused.
 """
 
-from collections.abc import Container, Iterator, Sequence
-from typing import TYPE_CHECKING, Any
+from collections.abc import Container, Iterator, Mapping, Sequence
+from typing import Any, Protocol
 
 from sympy import Expr, Matrix, Symbol
 from sympy.matrices import MatrixBase
 
 from mechanics.kinematics.symbolic import Kinematics
 from mechanics.reading.about import ENERGY_NAMES
+from mechanics.reading.names import Naming
 from mechanics.reading.partials import partial_value
 from mechanics.reading.place import Refused
 from mechanics.reading.tree import Name, Node, names
@@ -22,13 +23,25 @@ from mechanics.scene.rates import speeds_in_rates
 from mechanics.scene.symbols import by_name
 from mechanics.symbolic import is_zero
 
-if TYPE_CHECKING:
-    from mechanics.reading.build import Builder
-
 AMBIGUOUS = "{} may be held or not under this derivative: write out what it is"
 
 
-def partial_derivative(builder: "Builder", of: Node, by: Node, at: int) -> Any:
+class Values(Protocol):
+    """Values of trees, and of the definitions that they use."""
+
+    naming: Naming
+    defined: Mapping[str, Any]
+    trees: Mapping[str, Node]
+    held: frozenset[Symbol]
+
+    def value(self, node: Node) -> Any:
+        """The value of a part of a tree."""
+
+    def beside(self, defined: Mapping[str, Any]) -> "Values":
+        """The same with other values for the definitions."""
+
+
+def partial_derivative(builder: Values, of: Node, by: Node, at: int) -> Any:
     """The value of a partial derivative, with what is independent of the name that it is by.
 
     Raises
@@ -60,7 +73,7 @@ def partial_derivative(builder: "Builder", of: Node, by: Node, at: int) -> Any:
     return plain
 
 
-def _reached(builder: "Builder", of: Node) -> list[str]:
+def _reached(builder: Values, of: Node) -> list[str]:
     """Definitions that a tree uses, and that these use in turn, in the order of what they need."""
     todo, found = [n.name for n in names(of)], set[str]()
     while todo:
@@ -75,7 +88,7 @@ def _entries(value: Any) -> Sequence[Expr]:
     return list(value) if isinstance(value, MatrixBase) else [value]
 
 
-def _is_speed(builder: "Builder", value: Any) -> bool:
+def _is_speed(builder: Values, value: Any) -> bool:
     """Whether what a name stands for holds rates, in the first degree only."""
     scene = builder.naming.vocabulary.scene
     rates = {*scene.qd, *scene.u}
@@ -87,7 +100,7 @@ def _is_speed(builder: "Builder", value: Any) -> bool:
     )
 
 
-def _is_momentum(builder: "Builder", value: Any) -> bool:
+def _is_momentum(builder: Values, value: Any) -> bool:
     """Whether it is a generalized momentum of the scene, or a column of them."""
     kinematics = builder.naming.vocabulary.kinematics
     return all(_momentum(kinematics, entry) for entry in _entries(value))
@@ -98,7 +111,7 @@ def _momentum(kinematics: Kinematics, value: Expr) -> bool:
     return any(is_zero(plain - momentum) for momentum in kinematics.momenta.values())
 
 
-def _held(builder: "Builder", held: Container[str], of: Node, by: Node, at: int) -> Any:
+def _held(builder: Values, held: Container[str], of: Node, by: Node, at: int) -> Any:
     """The derivative with some definitions as symbols of their own, which are put in behind."""
     table = dict(builder.defined)
     put_in: dict[Symbol, Expr] = {}
@@ -133,7 +146,7 @@ def _same(one: Any, other: Any) -> bool:
     return all(is_zero(a - b) for a, b in pairs)
 
 
-def _declared_speeds(builder: "Builder", value: Any, by: Any, at: int) -> None:
+def _declared_speeds(builder: Values, value: Any, by: Any, at: int) -> None:
     """Refuse derivatives by what speeds of the scene depend on, where these are in the value."""
     if isinstance(value, MatrixBase):
         return

@@ -7,6 +7,7 @@ from sympy.physics.vector import Dyadic, Point, ReferenceFrame
 
 from mechanics.errors import SceneError
 from mechanics.scene.declared import scalar
+from mechanics.scene.geometry import dyadic_matrix
 
 
 @dataclass(frozen=True)
@@ -79,3 +80,10 @@ def _mass(name: str, mass: Expr) -> Expr:
     if value.is_negative:
         raise SceneError(f"body {name}: the mass {value} is negative: a mass is zero or more")
     return value
+
+
+def inertia_entries(body: RigidBody) -> list[Expr]:
+    """The scalar inertia, or the entries of the dyadic in the body's frame."""
+    if isinstance(body.inertia, Dyadic):
+        return list(dyadic_matrix(body.inertia, body.frame))
+    return [body.inertia]

@@ -7,21 +7,15 @@ The accelerations determine N and N determines them, which is worked out for a r
 in a tree of bodies: a constraint or a loop would bring in reactions that the joint does not have.
 """
 
-from __future__ import annotations
-
-from typing import TYPE_CHECKING
-
 from sympy import Symbol
 
 from mechanics.errors import SceneError
+from mechanics.scene.declaration import Declaration
 from mechanics.scene.loads import Coulomb
 from mechanics.symbolic import canonical
 
-if TYPE_CHECKING:
-    from mechanics.scene.scene import Scene
 
-
-def check_contacts(scene: Scene) -> None:
+def check_contacts(scene: Declaration) -> None:
     """Every friction has a reaction that presses, and a condition that says so.
 
     Raises
@@ -56,7 +50,7 @@ def check_contacts(scene: Scene) -> None:
             )
 
 
-def _normal(scene: Scene, load: Coulomb) -> None:
+def _normal(scene: Declaration, load: Coulomb) -> None:
     named = [reaction for reaction in scene.reactions if reaction.name == load.normal]
     if not named:
         known = ", ".join(reaction.name for reaction in scene.reactions) or "none"
@@ -70,7 +64,7 @@ def _normal(scene: Scene, load: Coulomb) -> None:
         )
 
 
-def _pressed(scene: Scene, load: Coulomb) -> None:
+def _pressed(scene: Declaration, load: Coulomb) -> None:
     """One of the conditions is that the reaction is positive."""
     symbol = Symbol(load.normal, real=True)
     if not any(condition.margin == symbol for condition in scene.conditions):

@@ -6,17 +6,15 @@ k, l      free of coordinates, or the spring would have another force
 R         R^T R = 1, det R = 1
 """
 
-from __future__ import annotations
-
 from itertools import pairwise
-from typing import TYPE_CHECKING
 
 from sympy import Expr, Matrix, Symbol, eye, sympify
 from sympy.core.function import AppliedUndef
 from sympy.physics.vector import Dyadic, Vector, dynamicsymbols
 
 from mechanics.errors import SceneError
-from mechanics.scene.bodies import Body, Particle, RigidBody
+from mechanics.scene.bodies import Body, Particle, RigidBody, inertia_entries
+from mechanics.scene.declaration import Declaration
 from mechanics.scene.geometry import (
     Placed,
     components,
@@ -27,14 +25,10 @@ from mechanics.scene.geometry import (
 )
 from mechanics.scene.loads import Coulomb, Damper, Force, Gravity, Spring, Torque, TorsionSpring
 from mechanics.scene.symbols import by_name
-from mechanics.scene.wellformed import inertia_entries
 from mechanics.symbolic import canonical, is_zero
 
-if TYPE_CHECKING:
-    from mechanics.scene.scene import Scene
 
-
-def check_bodies(scene: Scene) -> None:
+def check_bodies(scene: Declaration) -> None:
     """Masses and inertias are constant, inertias symmetric, orientations rotations.
 
     Raises
@@ -72,7 +66,7 @@ def massive(body: Body) -> list[Symbol]:
     return sorted(found, key=by_name)
 
 
-def _inertia(scene: Scene, body: RigidBody) -> None:
+def _inertia(scene: Declaration, body: RigidBody) -> None:
     entries = [canonical(scene.plain(e, f"body {body.name}")) for e in inertia_entries(body)]
     changing = {*scene.q, *scene.u, *scene.input_symbols, dynamicsymbols._t}
     if any(entry.free_symbols & changing for entry in entries):
@@ -92,7 +86,7 @@ def _inertia(scene: Scene, body: RigidBody) -> None:
         )
 
 
-def _orientations(scene: Scene) -> None:
+def _orientations(scene: Declaration) -> None:
     if scene.constraints:
         return  # four Euler parameters give a rotation only where their constraint holds
     frames = {body.frame for body in scene.bodies if isinstance(body, RigidBody)}
@@ -114,7 +108,7 @@ def _orientations(scene: Scene) -> None:
             )
 
 
-def check_loads(scene: Scene) -> None:
+def check_loads(scene: Declaration) -> None:
     """Loads act on something, and have the properties from which their force is derived.
 
     Raises
@@ -151,7 +145,7 @@ def check_loads(scene: Scene) -> None:
             _no_accelerations(scene, where, entries)
 
 
-def _line(scene: Scene, where: str, load: Spring | Damper) -> None:
+def _line(scene: Declaration, where: str, load: Spring | Damper) -> None:
     if load.first == load.second:
         raise SceneError(f"{where}: both ends are point {load.first.name}: name two points")
     for title, point in (("first_on", load.first), ("second_on", load.second)):
@@ -172,7 +166,7 @@ def _line(scene: Scene, where: str, load: Spring | Damper) -> None:
         _no_accelerations(scene, where, [scene.plain(load.coefficient, where)])
 
 
-def _unit(scene: Scene, where: str, direction: Vector) -> None:
+def _unit(scene: Declaration, where: str, direction: Vector) -> None:
     # Frames are orthonormal: within one, its components alone give the length.
     given = components(direction)
     if len(given) == 1:
@@ -189,7 +183,7 @@ def _unit(scene: Scene, where: str, direction: Vector) -> None:
         )
 
 
-def _fixed(scene: Scene, where: str, direction: Vector) -> None:
+def _fixed(scene: Declaration, where: str, direction: Vector) -> None:
     if scene.vector(direction, where).free_symbols & {*scene.q, *scene.u}:
         raise SceneError(
             f"{where}: the direction {direction} turns with the coordinates: give one that is fixed"
@@ -197,7 +191,7 @@ def _fixed(scene: Scene, where: str, direction: Vector) -> None:
         )
 
 
-def _constant(scene: Scene, where: str, value: Expr) -> None:
+def _constant(scene: Declaration, where: str, value: Expr) -> None:
     if scene.plain(value, where).free_symbols & {*scene.q, *scene.u, *scene.ud}:
         raise SceneError(
             f"{where}: {value} depends on coordinates, which changes its force: declare it as a"
@@ -205,7 +199,7 @@ def _constant(scene: Scene, where: str, value: Expr) -> None:
         )
 
 
-def _no_accelerations(scene: Scene, where: str, entries: list[Expr]) -> None:
+def _no_accelerations(scene: Declaration, where: str, entries: list[Expr]) -> None:
     for entry in entries:
         found = entry.free_symbols & set(scene.ud)
         if found:
@@ -215,7 +209,7 @@ def _no_accelerations(scene: Scene, where: str, entries: list[Expr]) -> None:
             )
 
 
-def _is_particle(scene: Scene, name: str) -> bool:
+def _is_particle(scene: Declaration, name: str) -> bool:
     return isinstance(scene.body(name), Particle)
 
 

@@ -13,16 +13,12 @@ Source: P. E. Nikravesh, Computer-Aided Analysis of Mechanical Systems, 1988, ch
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
 
 from sympy import Expr, Matrix, Rational, eye
 from sympy.physics.vector import ReferenceFrame, dynamicsymbols
 
 from mechanics.errors import SceneError
 from mechanics.scene.symbols import name_of
-
-if TYPE_CHECKING:
-    from mechanics.scene.scene import Scene
 
 HALF = Rational(1, 2)
 
@@ -140,31 +136,6 @@ def rotation_between(
     """The rotation that turns a frame in its parent; None where none of them does."""
     step = parent.dcm(frame)
     return next((rotation for rotation in rotations if rotation.matrix == step), None)
-
-
-def with_rotations(scene: "Scene") -> dict[str, Any]:
-    """Coordinates, speeds and example of a scene with what its rotations bring, once.
-
-    A rotation of which the example says nothing starts where frame and parent coincide.
-    """
-    if not scene.rotations:
-        return {}
-    coordinates = list(scene.coordinates)
-    speeds, example = list(scene.speeds), dict(scene.example)
-    turning = {u for rotation in scene.rotations for u in rotation.speeds}
-    quaternions = {q for rotation in scene.rotations for q in rotation.coordinates}
-    if all(u in turning for u, _ in speeds):
-        others = [q for q in coordinates if q not in quaternions]
-        rates = [(dynamicsymbols(f"{name_of(q)}_dot"), q.diff(dynamicsymbols._t)) for q in others]
-        speeds = [*rates, *speeds]
-    for rotation in scene.rotations:
-        coordinates += [q for q in rotation.coordinates if q not in coordinates]
-        known = {u for u, _ in speeds}
-        speeds += [(u, value) for u, value in rotation.definitions if u not in known]
-        names = list(map(name_of, rotation.coordinates))
-        if not example.keys() & set(names):
-            example[names[0]] = 1
-    return {"coordinates": tuple(coordinates), "speeds": tuple(speeds), "example": example}
 
 
 def _skew(v: Matrix) -> Matrix:

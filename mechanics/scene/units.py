@@ -7,30 +7,24 @@ Angles have no dimension. Where a unit is not stated, or a coordinate enters, no
 nothing is said; published equations are checked by `mechanics.checks.dimensions`.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from itertools import pairwise
-from typing import TYPE_CHECKING
 
 from sympy import Add, Expr, Mul, Pow, Symbol, cos, exp, sin, sympify, tan
 from sympy.physics.vector import Vector
 
 from mechanics.errors import SceneError
-from mechanics.scene.bodies import RigidBody
+from mechanics.scene.bodies import RigidBody, inertia_entries
+from mechanics.scene.declaration import Declaration
 from mechanics.scene.geometry import components, point_path, step_vector
 from mechanics.scene.loads import Coulomb, Damper, Force, Gravity, Spring, Torque, TorsionSpring
 from mechanics.scene.unit_names import Dimension, dimension_of_unit, words
-from mechanics.scene.wellformed import inertia_entries
-
-if TYPE_CHECKING:
-    from mechanics.scene.scene import Scene
 
 PLAIN = (sin, cos, tan, exp)
 """Functions whose values are numbers: beside a factor with a unit they have none."""
 
 
-def check_units(scene: Scene) -> None:
+def check_units(scene: Declaration) -> None:
     """Refuse declarations whose dimension is known and wrong.
 
     Raises
@@ -49,12 +43,12 @@ def check_units(scene: Scene) -> None:
         dimension(scene, constraint.expression, f"constraint {constraint.name}")
 
 
-def without_unit(scene: Scene) -> tuple[Symbol, ...]:
+def without_unit(scene: Declaration) -> tuple[Symbol, ...]:
     """Parameters whose unit is not declared."""
     return tuple(p for p in scene.parameters if not getattr(p, "unit", ""))
 
 
-def dimension(scene: Scene, expression: Expr, where: str) -> Dimension | None:
+def dimension(scene: Declaration, expression: Expr, where: str) -> Dimension | None:
     """Dimension of an expression in parameters; None where it is not known.
 
     Raises
@@ -83,7 +77,7 @@ def dimension(scene: Scene, expression: Expr, where: str) -> Dimension | None:
     return None
 
 
-def _sum(scene: Scene, expression: Add, where: str) -> Dimension | None:
+def _sum(scene: Declaration, expression: Add, where: str) -> Dimension | None:
     known: Dimension | None = None
     for term in expression.args:
         found = dimension(scene, term, where)
@@ -96,7 +90,7 @@ def _sum(scene: Scene, expression: Add, where: str) -> Dimension | None:
     return known
 
 
-def declared(scene: Scene) -> Iterator[tuple[str, Expr, str]]:
+def declared(scene: Declaration) -> Iterator[tuple[str, Expr, str]]:
     """What is declared, its expression, and the unit that it must have."""
     for body in scene.bodies:
         where = f"body {body.name}"

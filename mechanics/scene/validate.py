@@ -4,10 +4,7 @@ Whether reactions do work, are complete, or constraints are redundant needs velo
 checked in `mechanics.checks.admissible` before any route runs.
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
-from typing import TYPE_CHECKING
 
 from sympy import Symbol
 from sympy.core.function import AppliedUndef
@@ -15,8 +12,8 @@ from sympy.physics.vector import Point
 
 from mechanics.errors import SceneError
 from mechanics.scene.bodies import RigidBody
-from mechanics.scene.conditions import check_conditions
 from mechanics.scene.contacts import check_contacts
+from mechanics.scene.declaration import Declaration
 from mechanics.scene.declared import scalar
 from mechanics.scene.geometry import Movers, frame_path, point_path
 from mechanics.scene.joints.placement import check_joints
@@ -25,14 +22,12 @@ from mechanics.scene.physical import check_bodies, check_loads
 from mechanics.scene.reactions import Reaction
 from mechanics.scene.symbols import name_of, plain_symbol
 from mechanics.scene.units import check_units
+from mechanics.scene.validity import check_conditions
 from mechanics.scene.wellformed import check_names, check_symbols
 from mechanics.symbolic import independent_rows
 
-if TYPE_CHECKING:
-    from mechanics.scene.scene import Scene
 
-
-def validate(scene: Scene) -> None:
+def validate(scene: Declaration) -> None:
     """Refuse a scene that cannot be right; its fields have the right types.
 
     Raises
@@ -60,7 +55,7 @@ def validate(scene: Scene) -> None:
     check_units(scene)
 
 
-def _bodies(scene: Scene) -> None:
+def _bodies(scene: Declaration) -> None:
     for body in scene.bodies:
         try:
             point_path(scene.origin, body.centre)
@@ -70,7 +65,7 @@ def _bodies(scene: Scene) -> None:
             raise SceneError(f"body {body.name} is placed by nothing: {error}") from None
 
 
-def _coordinates(scene: Scene) -> None:
+def _coordinates(scene: Declaration) -> None:
     """Every coordinate moves a body, and every body is moved by a coordinate or an input."""
     movers = {*scene.coordinates, *scene.inputs}
     used: set = set()
@@ -95,7 +90,7 @@ def _coordinates(scene: Scene) -> None:
             )
 
 
-def _speeds(scene: Scene) -> None:
+def _speeds(scene: Declaration) -> None:
     """Speeds determine the rates of the coordinates, linearly."""
     if not scene.speeds:
         return
@@ -127,7 +122,7 @@ def _speeds(scene: Scene) -> None:
         )
 
 
-def _given(scene: Scene) -> None:
+def _given(scene: Declaration) -> None:
     """Initial values are for what there is, definitions end in parameters, the rest is known."""
     for where, expression in scene.typed:
         scene.plain(expression, where)
@@ -161,7 +156,7 @@ def _given(scene: Scene) -> None:
             )
 
 
-def _attachments(scene: Scene) -> None:
+def _attachments(scene: Declaration) -> None:
     """Loads and reactions name bodies that exist and points that are placed."""
     bodies = {body.name for body in scene.bodies}
     groups: tuple[tuple[str, Sequence[Load | Reaction]], ...]
@@ -189,7 +184,7 @@ def _attachments(scene: Scene) -> None:
                         ) from None
 
 
-def _constraints(scene: Scene) -> None:
+def _constraints(scene: Declaration) -> None:
     names = {reaction.name for reaction in scene.reactions}
     owner: dict[str, str] = {}
     for constraint in scene.constraints:

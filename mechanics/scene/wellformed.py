@@ -4,30 +4,25 @@ field of a part       has the type that its dataclass declares
 name of a parameter   differs from x, x_dot, x_ddot, speeds, inputs, reactions and t
 """
 
-from __future__ import annotations
-
 from collections import Counter
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from dataclasses import fields
 from types import GenericAlias, UnionType
-from typing import TYPE_CHECKING, Any, get_args
+from typing import Any, get_args
 
-from sympy import Expr, Symbol
-from sympy.physics.vector import Dyadic, Point, ReferenceFrame, Vector, dynamicsymbols
+from sympy import Symbol
+from sympy.physics.vector import Point, ReferenceFrame, Vector, dynamicsymbols
 
 from mechanics.errors import SceneError
 from mechanics.scene.bodies import Particle, RigidBody
 from mechanics.scene.conditions import Condition
-from mechanics.scene.declared import kind_of, scalar
-from mechanics.scene.geometry import Placed, dyadic_matrix
+from mechanics.scene.declaration import Declaration
+from mechanics.scene.declared import kind_of
 from mechanics.scene.joints.joint import Joint
 from mechanics.scene.loads import Load
 from mechanics.scene.reactions import Constraint, Reaction
 from mechanics.scene.rotations import Rotation
 from mechanics.scene.symbols import DOTS, name_of
-
-if TYPE_CHECKING:
-    from mechanics.scene.scene import Scene
 
 PARTS: tuple[tuple[str, str, tuple[Any, ...]], ...] = (
     ("bodies", "body", (Particle, RigidBody)),
@@ -40,7 +35,7 @@ PARTS: tuple[tuple[str, str, tuple[Any, ...]], ...] = (
 )
 
 
-def check_types(scene: Scene) -> None:
+def check_types(scene: Declaration) -> None:
     """Every field of the scene and of its parts is what it has to be.
 
     Raises
@@ -88,7 +83,7 @@ def _expect(what: str, value: Any, expected: Any) -> None:
         raise SceneError(f"{what} is {kind_of(value)}: it has to be a {names}")
 
 
-def check_names(scene: Scene) -> None:
+def check_names(scene: Declaration) -> None:
     """Names differ, also from those that derivatives and time get.
 
     Raises
@@ -117,7 +112,7 @@ def check_names(scene: Scene) -> None:
             raise SceneError(f"{scene.name}: {name!r} is also the name of {rates[name]}: rename it")
 
 
-def check_symbols(scene: Scene) -> None:
+def check_symbols(scene: Declaration) -> None:
     """No parameter has the name of something else.
 
     Raises
@@ -145,7 +140,7 @@ def check_symbols(scene: Scene) -> None:
                 )
 
 
-def _rate_names(scene: Scene) -> dict[str, str]:
+def _rate_names(scene: Declaration) -> dict[str, str]:
     """Names that derivatives get, and what they are."""
     found = {dynamicsymbols._t.name: "time"}
     moving = [(q, 3) for q in scene.coordinates] + [(f, len(DOTS)) for f in scene.inputs]
@@ -157,36 +152,3 @@ def _rate_names(scene: Scene) -> dict[str, str]:
     for u, _ in scene.speeds:
         found.pop(name_of(u), None)
     return found
-
-
-def typed_expressions(scene: Scene) -> Iterator[tuple[str, Expr]]:
-    """(where it stands, expression) for everything declared, as it was typed."""
-    placed = Placed(scene.frame, scene.origin)
-    for body in scene.bodies:
-        where = f"body {body.name}"
-        yield where, body.mass
-        yield from ((where, e) for e in placed.point(body.centre))
-        if isinstance(body, RigidBody):
-            yield from ((where, e) for e in placed.frame(body.frame))
-            yield from ((where, e) for e in inertia_entries(body))
-    for kind, parts in (("load", scene.loads), ("reaction", scene.reactions)):
-        for part in parts:
-            for value in vars(part).values():
-                where = f"{kind} {part.name}"
-                if isinstance(value, Point):
-                    yield from ((where, e) for e in placed.point(value))
-                elif isinstance(value, Vector):
-                    yield from ((where, e) for e in placed.vector(value))
-                elif isinstance(value, Expr):
-                    yield where, value
-    yield from ((f"constraint {c.name}", c.expression) for c in scene.constraints)
-    for u, definition in scene.speeds:
-        where = f"speed {name_of(u)}"
-        yield where, scalar(definition, f"{where}: its definition")
-
-
-def inertia_entries(body: RigidBody) -> list[Expr]:
-    """The scalar inertia, or the entries of the dyadic in the body's frame."""
-    if isinstance(body.inertia, Dyadic):
-        return list(dyadic_matrix(body.inertia, body.frame))
-    return [body.inertia]

@@ -24,7 +24,8 @@ from mechanics.compiled.quantities import Quantity
 from mechanics.routes.derivation import by_route
 from mechanics.scene import Coulomb
 from mechanics.scene.actions import frictions
-from mechanics.scene.conditions import Condition, condition_parameters
+from mechanics.scene.conditions import Condition
+from mechanics.scene.validity import condition_parameters
 from mechanics.simulate.graph_call import Call
 from mechanics.simulate.values import read_inputs, read_parameters
 

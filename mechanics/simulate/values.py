@@ -16,9 +16,9 @@ from sympy import Expr, Rational, Symbol, sympify
 from mechanics.compiled.quantities import Quantity, typical_value
 from mechanics.errors import InputError
 from mechanics.scene import Scene
-from mechanics.scene.conditions import condition_parameters
 from mechanics.scene.rates import TIME
 from mechanics.scene.symbols import DOTS, name_of
+from mechanics.scene.validity import condition_parameters
 from mechanics.simulate.consistent import Suggestion
 from mechanics.simulate.feedback import Feedback
 

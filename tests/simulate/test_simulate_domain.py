@@ -11,7 +11,8 @@ from mechanics import compile, derive, simulate
 from mechanics.compiled import Model
 from mechanics.errors import InputError, SceneError
 from mechanics.scene import Particle, Scene, condition, force, gravity, parameters, reaction
-from mechanics.scene.conditions import Condition, condition_parameters
+from mechanics.scene.conditions import Condition
+from mechanics.scene.validity import condition_parameters
 from mechanics.simulate import Ending
 from systems import rocker
 

@@ -18,8 +18,8 @@ from mechanics.compiled.graphs import Graphs
 from mechanics.compiled.margins import bound_column, margins, telling
 from mechanics.compiled.quantities import DIGITS, Quantities, Quantity
 from mechanics.routes.derivation import by_route
-from mechanics.scene.conditions import condition_parameters
 from mechanics.scene.rates import TIME
+from mechanics.scene.validity import condition_parameters
 
 CLOCK = Quantity(TIME, "s", "time")
 # A dummy is no parameter of a scene, whatever that is called.

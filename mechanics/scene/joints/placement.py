@@ -1,10 +1,7 @@
 """Whether joints carry the bodies that they name, each body once."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence, Set
 from itertools import pairwise
-from typing import TYPE_CHECKING
 
 from sympy import Expr
 from sympy.core.function import AppliedUndef
@@ -12,6 +9,7 @@ from sympy.physics.vector import Dyadic, Point, ReferenceFrame
 
 from mechanics.errors import SceneError
 from mechanics.scene.bodies import Body, Particle, RigidBody
+from mechanics.scene.declaration import Declaration
 from mechanics.scene.geometry import (
     components,
     frame_path,
@@ -22,11 +20,8 @@ from mechanics.scene.geometry import (
 from mechanics.scene.joints.joint import Joint
 from mechanics.scene.symbols import name_of
 
-if TYPE_CHECKING:
-    from mechanics.scene.scene import Scene
 
-
-def check_joints(scene: Scene) -> None:
+def check_joints(scene: Declaration) -> None:
     """Bodies of joints exist; each is placed on the joint that carries it, and on no other.
 
     Raises
@@ -90,7 +85,7 @@ def _closed_once(joint: Joint, others: Sequence[Joint]) -> None:
 
 
 def _attached(
-    scene: Scene, carrier: Mapping[str, Joint], joint: Joint, point: Point, body: str | None
+    scene: Declaration, carrier: Mapping[str, Joint], joint: Joint, point: Point, body: str | None
 ) -> None:
     """A point does not move against the body of which the joint says that it is."""
     if body is not None and body not in carrier:

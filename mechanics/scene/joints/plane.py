@@ -4,26 +4,21 @@ With the normal n of the plane a force stays whose direction is normal to n, and
 is n; the others go, and the constraints that they maintain with them.
 """
 
-from __future__ import annotations
-
 from itertools import pairwise
-from typing import TYPE_CHECKING
 
 from sympy import Expr, Matrix
 from sympy.core.function import AppliedUndef
 from sympy.physics.vector import ReferenceFrame
 
 from mechanics.errors import SceneError
+from mechanics.scene.declaration import Declaration
 from mechanics.scene.geometry import frame_path, relative_rotation
 from mechanics.scene.joints.axes import constant_column
 from mechanics.scene.joints.joint import Joint
 from mechanics.symbolic import canonical
 
-if TYPE_CHECKING:
-    from mechanics.scene.scene import Scene
 
-
-def out_of_plane(scene: Scene, joint: Joint) -> set[str]:
+def out_of_plane(scene: Declaration, joint: Joint) -> set[str]:
     """Names of the reactions of a joint that act out of the plane of a scene.
 
     Raises
@@ -49,7 +44,7 @@ def out_of_plane(scene: Scene, joint: Joint) -> set[str]:
     return found
 
 
-def _normal(scene: Scene, joint: Joint, frame: ReferenceFrame) -> Matrix:
+def _normal(scene: Declaration, joint: Joint, frame: ReferenceFrame) -> Matrix:
     """The normal in a frame, in which it has to be fixed."""
     normal, own = constant_column(f"{scene.name}: plane", scene.plane)
     if own != scene.frame:
