@@ -39,8 +39,9 @@ class Spring:
     length : Expr
         Length without tension, in m.
     first_on, second_on : str or None
-        Names of the bodies that carry first and second. None where the points tell: a point that
-        is the centre of one body, or is fixed in the inertial frame.
+        Names of the bodies that carry first and second; on these the points stay where they are.
+        None where the points tell: a point that is the centre of one body, or is fixed in the
+        inertial frame.
     """
 
     name: str

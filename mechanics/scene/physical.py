@@ -10,9 +10,10 @@ from itertools import pairwise
 
 from sympy import Expr, Matrix, Symbol, eye, sympify
 from sympy.core.function import AppliedUndef
-from sympy.physics.vector import Dyadic, Vector, dynamicsymbols
+from sympy.physics.vector import Dyadic, Point, Vector, dynamicsymbols
 
 from mechanics.errors import SceneError
+from mechanics.scene.attachment import moved_by
 from mechanics.scene.bodies import Body, Particle, RigidBody, inertia_entries
 from mechanics.scene.declaration import Declaration
 from mechanics.scene.geometry import (
@@ -150,12 +151,9 @@ def _line(scene: Declaration, where: str, load: Spring | Damper) -> None:
         raise SceneError(f"{where}: both ends are point {load.first.name}: name two points")
     for title, point in (("first_on", load.first), ("second_on", load.second)):
         stated = getattr(load, title)
-        centred = [body.name for body in scene.bodies if body.centre == point]
-        if stated is not None and centred and stated not in centred:
-            raise SceneError(
-                f"{where}: {title} is {stated!r}, but point {point.name} is the centre of"
-                f" {centred[0]}: write {title}={centred[0]!r}"
-            )
+        if stated is not None:
+            _carried(scene, f"{where}: {title} is {stated!r}, but point {point.name}", title,
+                     stated, point)  # fmt: skip
     if load.along is not None:
         _unit(scene, where, load.along)
         _fixed(scene, where, load.along)
@@ -164,6 +162,22 @@ def _line(scene: Declaration, where: str, load: Spring | Damper) -> None:
         _constant(scene, where, load.length)
     else:
         _no_accelerations(scene, where, [scene.plain(load.coefficient, where)])
+
+
+def _carried(scene: Declaration, what: str, title: str, stated: str, point: Point) -> None:
+    """A point is the centre of no other body, and stays where it is on the one that is stated."""
+    centred = [body.name for body in scene.bodies if body.centre == point]
+    if centred and stated not in centred:
+        raise SceneError(f"{what} is the centre of {centred[0]}: write {title}={centred[0]!r}")
+    moving = moved_by(scene, stated, point)
+    if moving:
+        names = [body.name for body in scene.bodies if not moved_by(scene, body.name, point)]
+        mend = f"take a point of {stated}"
+        if not moved_by(scene, None, point):
+            mend = f"it is a point of the ground, leave {title} out"
+        elif names:
+            mend = f"it is a point of {names[0]}, write {title}={names[0]!r}"
+        raise SceneError(f"{what} moves against {stated} by {moving}: {mend}")
 
 
 def _unit(scene: Declaration, where: str, direction: Vector) -> None:

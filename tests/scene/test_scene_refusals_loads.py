@@ -81,6 +81,17 @@ LOADS = {
     "spring whose ends are exchanged": (
         load(lambda p: spring("s", p.B, tip(p), k, first_on="rod", second_on="carriage")),
         "load s first_on 'rod' point B centre of carriage: write first_on='carriage'"),
+    "spring on another body": (
+        load(lambda p: spring("s", p.O, tip(p), k, second_on="carriage")),
+        "load s second_on 'carriage' point tip moves against carriage by theta: it is a point of"
+        " rod, write second_on='rod'"),
+    "damper on the ground": (
+        load(lambda p: damper("d", p.O.locatenew("W", L * p.N.y), p.B, c, first_on="carriage")),
+        "load d first_on 'carriage' point W moves against carriage by x: point of the ground,"
+        " leave first_on out"),
+    "spring on no body": (
+        load(lambda p: spring("s", p.O, p.B.locatenew("S", theta * p.N.y), k, second_on="rod")),
+        "load s second_on 'rod' point S moves against rod by theta: take a point of rod"),
     "spring on a body that is not told": (load(lambda p: spring("s", p.B, tip(p), k)),
         "load s which body carries point tip second_on="),
     "spring on one line": (load(lambda p: spring("s", p.O, p.B, k, length=L)),
@@ -235,6 +246,18 @@ def test_a_gradient_may_be_the_direction_of_a_constraint_reaction(make: Any) -> 
         "constraints": (holonomic("c", x**2 - L**2, "W"),),
     })  # fmt: skip
     assert scene.degrees_of_freedom == 1
+
+
+def test_a_point_may_be_placed_by_other_frames_than_those_of_its_body(make: Any) -> None:
+    """The frame that turns with the rod is another object; the point of the rod is the same."""
+
+    def attached(p: Any) -> dict[str, Any]:
+        same = p.N.orientnew("S", "Axis", (theta, p.N.z))
+        way = p.O.locatenew("away", theta * p.N.z).locatenew("back", x * p.N.x - theta * p.N.z)
+        end = way.locatenew("end", -L * same.y)
+        return {"loads": (spring("s", p.O, end, k, second_on="rod"),)}
+
+    assert make(attached).loads[0].second_on == "rod"
 
 
 def test_loads_of_time_and_inputs_are_right(make: Any) -> None:

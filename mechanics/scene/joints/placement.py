@@ -1,24 +1,14 @@
 """Whether joints carry the bodies that they name, each body once."""
 
-from collections.abc import Mapping, Sequence, Set
-from itertools import pairwise
+from collections.abc import Sequence
 
-from sympy import Expr
-from sympy.core.function import AppliedUndef
-from sympy.physics.vector import Dyadic, Point, ReferenceFrame
+from sympy.physics.vector import Dyadic, Point
 
 from mechanics.errors import SceneError
+from mechanics.scene.attachment import moved_by, moving, turning
 from mechanics.scene.bodies import Body, Particle, RigidBody
 from mechanics.scene.declaration import Declaration
-from mechanics.scene.geometry import (
-    components,
-    frame_path,
-    point_path,
-    relative_rotation,
-    step_vector,
-)
 from mechanics.scene.joints.joint import Joint
-from mechanics.scene.symbols import name_of
 
 
 def check_joints(scene: Declaration) -> None:
@@ -56,9 +46,9 @@ def check_joints(scene: Declaration) -> None:
             )
         _placed(joint, bodies[joint.child])
     for joint in scene.joints:
-        _attached(scene, carrier, joint, joint.at, joint.parent)
+        _attached(scene, joint, joint.at, joint.parent)
         if joint.closes:
-            _attached(scene, carrier, joint, joint.point, joint.child)
+            _attached(scene, joint, joint.point, joint.child)
     tied = {name for reaction in scene.reactions for name in (reaction.on, reaction.by)}
     for name, body in bodies.items():
         flat = isinstance(body, RigidBody) and not isinstance(body.inertia, Dyadic)
@@ -84,17 +74,11 @@ def _closed_once(joint: Joint, others: Sequence[Joint]) -> None:
             )
 
 
-def _attached(
-    scene: Declaration, carrier: Mapping[str, Joint], joint: Joint, point: Point, body: str | None
-) -> None:
+def _attached(scene: Declaration, joint: Joint, point: Point, body: str | None) -> None:
     """A point does not move against the body of which the joint says that it is."""
-    if body is not None and body not in carrier:
-        return  # Its reactions were typed by hand: nothing says what moves it.
-    start, frame, name = scene.origin, scene.frame, "the ground"
-    if body is not None:
-        start, frame, name = carrier[body].point, carrier[body].frame, body
-    moving = _moving(frame, start, point, set(scene.coordinates))
+    moving = moved_by(scene, body, point)
     if moving:
+        name = body or "the ground"
         raise SceneError(
             f"joint {joint.name}: its point {point.name} moves against {name} by {moving}: take a"
             f" point of {name}, or name the body that carries {point.name}"
@@ -110,41 +94,15 @@ def _placed(joint: Joint, body: Body) -> None:
             f" {joint.name}.frame, m, inertia({joint.name}.frame, 0, 0, 0))"
         )
     if isinstance(body, RigidBody):
-        moving = _turning(joint.frame, body.frame)
-        if moving:
+        turns = turning(joint.frame, body.frame)
+        if turns:
             raise SceneError(
                 f"{what}, but the frame {body.frame.name} of {body.name} turns against that of"
-                f" the joint by {moving}: use {joint.name}.frame"
+                f" the joint by {turns}: use {joint.name}.frame"
             )
-    moving = _moving(joint.frame, joint.point, body.centre)
-    if moving:
+    moves = moving(joint.frame, joint.point, body.centre)
+    if moves:
         raise SceneError(
-            f"{what}, but the centre of {body.name} moves against the joint by {moving}: place it"
+            f"{what}, but the centre of {body.name} moves against the joint by {moves}: place it"
             f" from {joint.name}.point along {joint.name}.frame"
         )
-
-
-def _moving(
-    frame: ReferenceFrame, start: Point, end: Point, counted: Set[Expr] | None = None
-) -> str:
-    """The first functions that move a point against another in a frame; empty if none does."""
-    for parent, point in pairwise(point_path(start, end)):
-        for own, column in components(step_vector(parent, point)):
-            moving = column.atoms(AppliedUndef) | _turns(frame, own)
-            moving = moving if counted is None else moving & counted
-            if moving:
-                return ", ".join(sorted(map(name_of, moving)))
-    return ""
-
-
-def _turning(first: ReferenceFrame, second: ReferenceFrame) -> str:
-    """What turns one frame against another; empty if nothing does."""
-    return ", ".join(sorted(map(name_of, _turns(first, second))))
-
-
-def _turns(first: ReferenceFrame, second: ReferenceFrame) -> set[Expr]:
-    return {
-        function
-        for parent, child in pairwise(frame_path(first, second))
-        for function in relative_rotation(parent, child).atoms(AppliedUndef)
-    }
