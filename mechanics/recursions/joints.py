@@ -14,7 +14,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from mechanics.mechanism import GROUND, Mechanism, inputs_of
+from mechanics.mechanism import GROUND, Mass, Mechanism, inputs_of
 from mechanics.program.builder import Node
 from mechanics.program.forward import tangent
 from mechanics.program.vectors import Matrix, Vector, add, product, scale, transpose, zeros
@@ -116,12 +116,14 @@ class _Recognition:
         self.link_of_frame: dict[int, int] = {0: GROUND}
         self.root_of_frame: dict[int, _Spot] = {}
         self.coordinates = {q: i for i, q in enumerate(mechanism.q)}
-        self.spots = [_Spot(GROUND, zeros(mechanism.builder))]
+        self.spots = {0: _Spot(GROUND, zeros(mechanism.builder))}
 
     def links(self, moments: Moments) -> tuple[Link, ...] | None:
         try:
-            for point in range(1, len(self.mechanism.points)):
-                self.place(point)
+            for body in self.mechanism.bodies:
+                self.place(body.centre)
+            for body in self.mechanism.bodies:
+                self.turn(body)
             return self.loaded(moments)
         except _Unlike:
             return None
@@ -178,12 +180,21 @@ class _Recognition:
         self.link_of_frame[frame], self.root_of_frame[frame] = link, spot
         return link
 
-    def place(self, point: int) -> None:
-        place = self.mechanism.points[point]
-        spot = self.spots[place.parent]
-        for frame, column in sorted(place.step, key=lambda part: part[0]):
-            spot = self.step(spot, frame, column)
-        self.spots.append(spot)
+    def place(self, point: int) -> _Spot:
+        """Where a point is, and what its way needs; points without a body may move in any way."""
+        if point not in self.spots:
+            place = self.mechanism.points[point]
+            spot = self.place(place.parent)
+            for frame, column in sorted(place.step, key=lambda part: part[0]):
+                spot = self.step(spot, frame, column)
+            self.spots[point] = spot
+        return self.spots[point]
+
+    def turn(self, body: Mass) -> None:
+        """A body on which no point lies but its centre turns about that: a wheel, a rotor."""
+        rigid = GROUND if body.frame is None else self.rigid(body.frame)
+        if rigid not in (GROUND, 0) and rigid not in self.link_of_frame:
+            self.enter(rigid, self.spots[body.centre])
 
     def step(self, spot: _Spot, frame: int, column: Vector) -> _Spot:
         rigid = self.rigid(frame)
