@@ -38,12 +38,15 @@ from mechanics.scene import (
     Damper,
     Force,
     Gravity,
+    Orientation,
+    Position,
     RigidBody,
     Scene,
     Spring,
     Torque,
     TorsionSpring,
 )
+from mechanics.scene import Output as Declared
 from mechanics.scene.geometry import (
     components,
     dyadic_matrix,
@@ -242,6 +245,36 @@ class Constraint:
     reactions: tuple[int, ...]
 
 
+@dataclass(frozen=True)
+class Output:
+    """What the scene wants computed.
+
+    Attributes
+    ----------
+    name : str
+    kind : str
+        ``"position"``, ``"rotation"`` or ``"velocity"``.
+    basis : int
+        Frame of the components; 0, the inertial one, unless another is declared.
+    point : int
+        Of a position or velocity; 0, the origin, of a rotation.
+    frame : int
+        Of a rotation; 0 of others.
+    on : int or None
+        Body with which the point moves; None for the point itself.
+    along : Mixed or None
+        Direction of a scalar velocity.
+    """
+
+    name: str
+    kind: str
+    basis: int
+    point: int = 0
+    frame: int = 0
+    on: int | None = None
+    along: Mixed | None = None
+
+
 @dataclass(frozen=True, repr=False)
 class Mechanism:
     """A scene as nodes.
@@ -278,6 +311,7 @@ class Mechanism:
         What is declared of inputs: ``"positive"``, ``"nonnegative"``.
     closure : Closure
         Where the constraints hold.
+    outputs : tuple of Output
     """
 
     name: str
@@ -304,6 +338,7 @@ class Mechanism:
     constraints: tuple[Constraint, ...]
     signs: Mapping[str, str]
     closure: Closure
+    outputs: tuple[Output, ...]
 
     def __repr__(self) -> str:
         return (
@@ -426,6 +461,7 @@ class _Lowering:
             ),
             signs=signs(scene),
             closure=Closure(),
+            outputs=tuple(self.output(*item) for item in scene.outputs.items()),
         )
         # Frames and points are complete when everything that mentions them was read.
         return replace(
@@ -546,6 +582,17 @@ class _Lowering:
             None if reaction.at is None else self.point(reaction.at),
             self.vector(reaction.along, reaction.name),
         )
+
+    def output(self, name: str, declared: Declared) -> Output:
+        basis = 0 if declared.in_ is None else self.frame(declared.in_)
+        if isinstance(declared, Orientation):
+            return Output(name, "rotation", basis, frame=self.frame(declared.frame))
+        point = self.point(declared.point)
+        if isinstance(declared, Position):
+            return Output(name, "position", basis, point)
+        along = None if declared.along is None else self.vector(declared.along, f"output {name}")
+        on = None if declared.on is None else self.of_body[declared.on]
+        return Output(name, "velocity", basis, point, on=on, along=along)
 
     def loads(
         self, place: Mapping[str, int]

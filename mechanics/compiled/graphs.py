@@ -16,18 +16,19 @@ from mechanics.compiled.fixed import Fixed
 from mechanics.compiled.forms import FORMS
 from mechanics.compiled.programs.gathered import gathered
 from mechanics.compiled.programs.reciprocals import with_reciprocals
-from mechanics.compiled.quantities import STATE, Quantities, quantities
+from mechanics.compiled.quantities import STATE, Quantities, mechanism_of, quantities
 from mechanics.compiled.source import Source, with_fixed
 from mechanics.compiled.step import RK4, runge_kutta
 from mechanics.compiled.textbook import dense_function
 from mechanics.compiled.translate import Translator
 from mechanics.equations import Equations
 from mechanics.errors import ExpressionError, InputError
+from mechanics.kinematics.outputs import SLOPE, output_functions
 from mechanics.program.casadi_reader import read_routine
 from mechanics.scene.actions import frictions
 from mechanics.scene.rates import TIME
 
-MATRICES = frozenset({"mass_matrix", *(f"ud_{group}" for group in STATE)})
+MATRICES = frozenset({"mass_matrix", "rotation", SLOPE, *(f"ud_{group}" for group in STATE)})
 """Outputs that are matrices, whatever their size; the others are columns."""
 
 Inputs = dict[str, tuple[str, ...]]
@@ -251,4 +252,5 @@ def function_inputs(equations: Equations) -> Inputs:
         del found["inverse_dynamics"]
     if equations.tells_reactions:
         found["reactions"] = ()
+    found |= dict.fromkeys(output_functions(mechanism_of(equations)), ())
     return found

@@ -4,9 +4,9 @@ A model is data and calls. It takes and gives NumPy arrays, one state or a batch
 code where a C compiler is found and by CasADi's virtual machine where none is.
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, partial
 from typing import Any
 
 import numpy as np
@@ -19,13 +19,14 @@ from mechanics.compiled.calls.given import as_doubles
 from mechanics.compiled.calls.many_states import look_at, written
 from mechanics.compiled.calls.one_state import CALLS, OneState
 from mechanics.compiled.fixed import read_fixed
-from mechanics.compiled.graphs import Graphs
+from mechanics.compiled.graphs import STATE, Graphs
 from mechanics.compiled.machine.evaluator import FLAGS
 from mechanics.compiled.machine.native import find_compiler
 from mechanics.compiled.programs.of_model import Programs
 from mechanics.compiled.right_hand_side import RightHandSide
 from mechanics.equations import Equations
 from mechanics.errors import wanted
+from mechanics.scene.outputs import JACOBIAN, Velocity
 
 Array = NDArray[np.floating]
 
@@ -39,6 +40,18 @@ class Model(Functions):
 
     def __repr__(self) -> str:
         return f"<model of {self.equations.scene.name} by {self.equations.route}: {self.backend}>"
+
+    def __getattr__(self, name: str) -> Callable[..., Array]:
+        """An output of the scene as a method; see `output`."""
+        graphs = tuple(self.__dict__.get("casadi", ()))
+        if name in graphs and name.removesuffix(JACOBIAN) in self.equations.scene.outputs:
+            return partial(self.output, name)
+        raise AttributeError(
+            f"the model of {self.equations.scene.name!r} has no {name}: its functions are"
+            f" {', '.join(graphs)}"
+            if graphs
+            else name
+        )
 
     @cached_property
     def right_hand_side(self) -> RightHandSide:
@@ -154,6 +167,26 @@ class Model(Functions):
         if values is None:
             values = self.evaluate("energy", q=q, u=u, inputs=inputs, p=p).values()
         return {n: v[..., 0] for n, v in zip(CALLS["energy"].outputs, values, strict=True)}
+
+    def output(
+        self, name: str, q: ArrayLike, u: Any = None, p: Any = None, *, inputs: Any = None
+    ) -> Array:
+        """An output of the scene, or its Jacobian by the speeds: ``model.tool(q)`` for short.
+
+        Positions and velocities (3,), orientations (3, 3), their Jacobians (3, n); a velocity along
+        a direction is a number, its Jacobian (n,); a batch stands before. Speeds and inputs that it
+        does not depend on may be left out.
+        """
+        declared = self.equations.scene.outputs.get(name.removesuffix(JACOBIAN))
+        function, given = self.casadi[name], {"q": q, "u": u, "inputs": inputs, "p": p}
+        for place, group in enumerate(STATE):
+            missing = group in ("u", "inputs") and given[group] is None
+            if missing and not function.jac_sparsity(0, place).nnz():
+                given[group] = np.zeros(function.numel_in(place))
+        (found,) = self.evaluate(name, **given).values()
+        if isinstance(declared, Velocity) and declared.along is not None:
+            return found[..., 0, :] if name.endswith(JACOBIAN) else found[..., 0]
+        return found
 
     def _output(self, name: str, **arrays: Any) -> Array:
         """The one output of a function, whose inputs are given in order."""

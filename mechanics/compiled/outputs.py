@@ -5,6 +5,7 @@
     mass matrix         M = d tau / d u', or composite bodies
     forcing             f = -tau(q, u, 0)
     forward dynamics    M u' = f, articulated bodies, or Gauss's principle
+    outputs of a scene  positions, orientations and velocities composed along the chain
     jacobians           M dx = -(d tau)(q, u, x)             x = u', along each entry of the state,
                         or the derivatives of articulated bodies
 
@@ -23,7 +24,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
-from functools import cached_property
+from functools import cached_property, partial
 
 from sympy import Expr
 
@@ -43,7 +44,8 @@ from mechanics.errors import ExpressionError, SingularError
 from mechanics.kinematics import chain
 from mechanics.kinematics.energy import HALF, kinetic_energies
 from mechanics.kinematics.motion import poses
-from mechanics.mechanism import Mechanism, name_of
+from mechanics.kinematics.outputs import output_functions, output_matrix
+from mechanics.mechanism import Mechanism, Output, name_of
 from mechanics.program import Program
 from mechanics.program.builder import Builder, Node
 from mechanics.program.derivatives import gradient
@@ -145,6 +147,7 @@ class Outputs:
 
     @cached_property
     def _programs(self) -> dict[str, Callable[[], Program]]:
+        mechanism = self.mechanism
         return {
             "forward_dynamics": lambda: self._forward_dynamics[1],
             "mass_matrix": self._mass_matrix,
@@ -153,10 +156,10 @@ class Outputs:
             "inverse_dynamics": self._inverse_dynamics,
             "energy": self._energy,
             "momenta": self._momenta,
-            "coordinate_rates": lambda: self._bound({"qd": self.mechanism.q_rates}),
+            "coordinate_rates": lambda: self._bound({"qd": mechanism.q_rates}),
             "jacobians": self._jacobians,
             "reactions": self._reactions,
-        }
+        } | {name: partial(self._wanted, *of) for name, of in output_functions(mechanism).items()}
 
     @property
     def chosen(self) -> str:
@@ -349,6 +352,12 @@ class Outputs:
 
     def _mass_matrix(self) -> Program:
         return self._cheapest({"mass_matrix": _flat(mass)} for mass in self._masses)
+
+    def _wanted(self, output: Output, slope: bool) -> Program:
+        """What the scene wants computed."""
+        motions = chain.motions(self.mechanism)
+        name, matrix = output_matrix(self.mechanism, motions, output, slope)
+        return self._bound({name: _flat(matrix)})
 
     def _energy(self) -> Program:
         return self._cheapest(energies(self.mechanism))

@@ -14,16 +14,9 @@ import casadi as ca
 from mechanics.compiled.custody.code import code_of
 from mechanics.compiled.custody.derived import Derived, derived
 from mechanics.compiled.custody.graph import STEP, prove_derived
-from mechanics.compiled.custody.laws import LAWS
 from mechanics.compiled.graphs import Graphs
 from mechanics.compiled.model import Model
-from mechanics.errors import InputError
 from mechanics.kernel import Finding
-
-DEFAULT = (
-    "forward_dynamics", "mass_matrix", "forcing", "residual", "inverse_dynamics", "energy",
-    "momenta", "coordinate_rates", "reactions", "jacobians",
-)  # fmt: skip
 
 
 def prove_compiled(
@@ -39,8 +32,7 @@ def prove_compiled(
     **options
         As for `mechanics.symbolic.decide`.
     """
-    present = tuple(model.casadi)
-    names = [n for n in DEFAULT if n in present] if functions is None else functions
+    names = [n for n in model.casadi if n != STEP] if functions is None else functions
     graphs = model.casadi
     once = derived(graphs)
     return tuple(prove_graph(name, graphs, known=once, **options) for name in names)
@@ -70,9 +62,7 @@ def prove_graph(
     InputError
         If there is no such function.
     """
-    if name not in (*LAWS, STEP):
-        raise InputError(f"function {name!r}: what it should be is known for {', '.join(LAWS)}")
     own, constants = graphs.exact(name)
     rates = code_of(*graphs.exact_rates()) if name == STEP else None
-    law = known or derived(graphs)
-    return prove_derived(name, code_of(function or own, constants), law, rates, **options)
+    once = known or derived(graphs)
+    return prove_derived(name, code_of(function or own, constants), once, rates, **options)

@@ -13,6 +13,8 @@ from sympy import Expr, Symbol
 
 from mechanics.equations import Equations
 from mechanics.errors import ValueMissingError
+from mechanics.kinematics import chain
+from mechanics.kinematics.outputs import output_functions, output_matrix
 from mechanics.mechanism import GROUND, Mechanism, inputs_of, lower
 from mechanics.program.builder import Builder, Node
 from mechanics.program.operations import COS, SIN, TAN
@@ -230,7 +232,7 @@ def input_symbols(equations: Equations, with_reactions: bool = False) -> list[Sy
     scene = equations.scene
     orders = range(1, len(DOTS))
     given = {plain_symbol(f, k) for f in scene.inputs for k in orders}
-    used = _used(equations, given) if given else set()
+    used = _used(equations, given) | _moving(equations, given) if given else set()
     if with_reactions:
         for _, expression in equations.reactions:
             used |= expression.free_symbols
@@ -251,6 +253,19 @@ def _used(equations: Equations, given: set[Symbol]) -> set[Symbol]:
         return {symbol for symbol in given if symbol.name in held}
     left, right = equations.system
     return (left.free_symbols | right.free_symbols) & given
+
+
+def _moving(equations: Equations, given: set[Symbol]) -> set[Symbol]:
+    """Those that the outputs of the scene hold."""
+    mechanism = mechanism_of(equations)
+    motions = chain.motions(mechanism)
+    held = names_of(
+        entry
+        for of in output_functions(mechanism).values()
+        for row in output_matrix(mechanism, motions, *of)[1]
+        for entry in row
+    )
+    return {symbol for symbol in given if symbol.name in held}
 
 
 def _input(mechanism: Mechanism, symbol: Symbol) -> Quantity:

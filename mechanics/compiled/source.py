@@ -16,11 +16,12 @@ from mechanics.compiled.bordered import bind, tried_pivots
 from mechanics.compiled.fixed import Fixed, fix, words
 from mechanics.compiled.forms import FORMS, named_form
 from mechanics.compiled.outputs import Outputs
-from mechanics.compiled.quantities import STATE
+from mechanics.compiled.quantities import STATE, mechanism_of
 from mechanics.compiled.textbook import Textbook, instructions
 from mechanics.compiled.translate import Translator
 from mechanics.equations import Equations
 from mechanics.errors import ExpressionError, InputError, SingularError
+from mechanics.kinematics.outputs import SLOPE, output_functions
 from mechanics.mechanism import Mechanism
 from mechanics.program import Builder, Program
 from mechanics.program.casadi_printer import print_graphs
@@ -147,7 +148,7 @@ class Source:
 
     def outputs(self, name: str) -> dict[str, ca.SX]:
         """The graphs of the outputs of a function."""
-        if name in OF_BODIES:
+        if name in OF_BODIES or name in output_functions(mechanism_of(self.equations)):
             programs = self.programs or self._outputs(self.equations.kinematics.mechanism, "auto")
             return graphs_of(programs[name], self.arrays)
         if self.matrices is None:
@@ -211,5 +212,6 @@ def graphs_of(program: Program, arrays: Arrays) -> dict[str, ca.SX]:
     n, sizes = len(arrays.quantities.ud), {name: arrays.columns[name].numel() for name in GROUPS}
     shapes = {f"ud_{group}": (n, sizes[group]) for group in STATE}
     shapes |= {"mass_matrix": (n, n), "multipliers": (sizes["multipliers"], 1)}
+    shapes |= {"rotation": (3, 3), SLOPE: (len(program.outputs.get(SLOPE, ())) // n, n)}
     own = {output: shape for output, shape in shapes.items() if output in program.outputs}
     return print_graphs(program, entries, own, Translator({}, arrays.constants).named)

@@ -29,6 +29,14 @@ FUNCTIONS = {
 }  # fmt: skip
 """Lines about each function."""
 
+OF_THE_SCENE = {
+    "position": ("Position of a point, which the scene declares, from the origin.",),
+    "rotation": ("Orientation of a frame, which the scene declares: v = R v_frame.",),
+    "velocity": ("Velocity of a point, which the scene declares, in the inertial frame.",),
+    "jacobian": ("Derivative by u of the velocity or angular velocity of that output.",),
+}
+"""The same of what a scene wants computed, by what is given."""
+
 OUTPUTS = {
     "mass_matrix": "row i, column j",
     "forcing": "row i of the equations",
@@ -45,13 +53,18 @@ OUTPUTS = {
     "ud_u": "derivative of ud[i] by u[j]",
     "ud_inputs": "derivative of ud[i] by inputs[j]",
     "ud_p": "derivative of ud[i] by p[j]",
+    "position": "component i, in m",
+    "rotation": "component i of axis j",
+    "velocity": "component i, in m/s",
+    "jacobian": "component i by u[j]",
 }
 """What an entry is, for outputs that are no array with a table of its own."""
 
 
 def about(code: Routine, name: str) -> str:
     """The comment before a prototype."""
-    lines = list(FUNCTIONS[name])
+    first, _ = code.shapes[0]
+    lines = list(FUNCTIONS.get(name) or OF_THE_SCENE[first])
     for out, (rows, cols) in code.shapes:
         if out in OUTPUTS and rows * cols:
             place = f"i + {rows} * j" if out in MATRICES else "i" if rows > 1 else "0"

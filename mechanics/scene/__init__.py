@@ -31,6 +31,15 @@ from mechanics.scene.loads import (
     torque,
     torsion_spring,
 )
+from mechanics.scene.outputs import (
+    Orientation,
+    Output,
+    Position,
+    Velocity,
+    orientation,
+    position,
+    velocity,
+)
 from mechanics.scene.parameters import Parameter, parameters
 from mechanics.scene.reactions import (
     Constraint,
@@ -54,8 +63,11 @@ __all__ = [
     "Gravity",
     "Joint",
     "Load",
+    "Orientation",
+    "Output",
     "Parameter",
     "Particle",
+    "Position",
     "Reaction",
     "RigidBody",
     "Rotation",
@@ -63,6 +75,7 @@ __all__ = [
     "Spring",
     "Torque",
     "TorsionSpring",
+    "Velocity",
     "ball",
     "condition",
     "coulomb",
@@ -74,9 +87,11 @@ __all__ = [
     "gravity",
     "holonomic",
     "nonholonomic",
+    "orientation",
     "parameters",
     "pin",
     "planar",
+    "position",
     "quaternion",
     "reaction",
     "reaction_couple",
@@ -85,5 +100,6 @@ __all__ = [
     "torque",
     "torsion_spring",
     "universal",
+    "velocity",
     "weld",
 ]

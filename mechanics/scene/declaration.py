@@ -26,6 +26,7 @@ from mechanics.scene.geometry import (
 )
 from mechanics.scene.joints.joint import Joint
 from mechanics.scene.loads import Coulomb, Load
+from mechanics.scene.outputs import Output
 from mechanics.scene.reactions import Constraint, Reaction
 from mechanics.scene.rotations import Rotation
 from mechanics.scene.symbols import TIME, by_name, name_of, plain_symbol, plain_table, to_plain
@@ -52,6 +53,7 @@ class Declaration:
     rotations: tuple[Rotation, ...] = ()
     joints: tuple[Joint, ...] = ()
     plane: Vector | None = None
+    outputs: Mapping[str, Output] = field(default_factory=dict)
 
     @cached_property
     def q(self) -> tuple[Symbol, ...]:
@@ -280,6 +282,16 @@ class Declaration:
                     elif isinstance(value, Expr):
                         yield where, value
         yield from ((f"constraint {c.name}", c.expression) for c in self.constraints)
+        for name, output in self.outputs.items():
+            for value in vars(output).values():
+                way: Iterator[Expr] = iter(())
+                if isinstance(value, Point):
+                    way = placed.point(value)
+                elif isinstance(value, ReferenceFrame):
+                    way = placed.frame(value)
+                elif isinstance(value, Vector):
+                    way = placed.vector(value)
+                yield from ((f"output {name}", e) for e in way)
         for u, definition in self.speeds:
             where = f"speed {name_of(u)}"
             yield where, scalar(definition, f"{where}: its definition")

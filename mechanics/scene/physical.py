@@ -118,7 +118,7 @@ def check_loads(scene: Declaration) -> None:
         Names the load or reaction.
     """
     for reaction in scene.reactions:
-        _unit(scene, f"reaction {reaction.name}", reaction.along)
+        unit_vector(scene, f"reaction {reaction.name}", reaction.along)
     for load in scene.loads:
         where = f"load {load.name}"
         on, by = getattr(load, "on", None), getattr(load, "by", None)
@@ -129,11 +129,11 @@ def check_loads(scene: Declaration) -> None:
         elif isinstance(load, Spring | Damper):
             _line(scene, where, load)
         elif isinstance(load, Coulomb):
-            _unit(scene, where, load.along)
+            unit_vector(scene, where, load.along)
             given = (load.coefficient, load.sliding)
             _no_accelerations(scene, where, [scene.plain(entry, where) for entry in given])
         elif isinstance(load, TorsionSpring):
-            _unit(scene, where, load.axis)
+            unit_vector(scene, where, load.axis)
             _constant(scene, where, load.stiffness)
         if isinstance(load, Torque | TorsionSpring) and _is_particle(scene, load.on):
             raise SceneError(
@@ -155,7 +155,7 @@ def _line(scene: Declaration, where: str, load: Spring | Damper) -> None:
             _carried(scene, f"{where}: {title} is {stated!r}, but point {point.name}", title,
                      stated, point)  # fmt: skip
     if load.along is not None:
-        _unit(scene, where, load.along)
+        unit_vector(scene, where, load.along)
         _fixed(scene, where, load.along)
     if isinstance(load, Spring):
         _constant(scene, where, load.stiffness)
@@ -180,7 +180,14 @@ def _carried(scene: Declaration, what: str, title: str, stated: str, point: Poin
         raise SceneError(f"{what} moves against {stated} by {moving}: {mend}")
 
 
-def _unit(scene: Declaration, where: str, direction: Vector) -> None:
+def unit_vector(scene: Declaration, where: str, direction: Vector) -> None:
+    """A direction has the length 1.
+
+    Raises
+    ------
+    SceneError
+        Naming where it stands.
+    """
     # Frames are orthonormal: within one, its components alone give the length.
     given = components(direction)
     if len(given) == 1:

@@ -66,3 +66,5 @@ def _mentioned(scene: Scene) -> Iterator[Point]:
         yield body.centre
     for part in (*scene.loads, *scene.reactions):
         yield from (value for value in vars(part).values() if isinstance(value, Point))
+    for output in scene.outputs.values():
+        yield from (value for value in vars(output).values() if isinstance(value, Point))

@@ -46,6 +46,9 @@ class Scene(Declaration):
     plane : Vector or None
         Normal of the plane that a scene of joints keeps: a pin then has two reactions, and not the
         three that hold it in the plane. None: joints hold in space.
+    outputs : mapping of str to Output
+        Positions, orientations and velocities that somebody wants computed, with their Jacobians:
+        ``{"tool": position(P), "camera": orientation(F), "slip": velocity(Q, along=F.x)}``.
 
     Raises
     ------

@@ -8,7 +8,7 @@ from collections.abc import Sequence
 
 from sympy import Symbol
 from sympy.core.function import AppliedUndef
-from sympy.physics.vector import Point
+from sympy.physics.vector import Point, ReferenceFrame
 
 from mechanics.errors import SceneError
 from mechanics.scene.bodies import RigidBody
@@ -18,7 +18,9 @@ from mechanics.scene.declared import scalar
 from mechanics.scene.geometry import Movers, frame_path, point_path
 from mechanics.scene.joints.placement import check_joints
 from mechanics.scene.loads import Force, Load
-from mechanics.scene.physical import check_bodies, check_loads
+from mechanics.scene.namespace import check_outputs
+from mechanics.scene.outputs import Velocity
+from mechanics.scene.physical import check_bodies, check_loads, unit_vector
 from mechanics.scene.reactions import Reaction
 from mechanics.scene.symbols import name_of, plain_symbol
 from mechanics.scene.units import check_units
@@ -45,6 +47,7 @@ def validate(scene: Declaration) -> None:
     _coordinates(scene)
     _attachments(scene)
     _constraints(scene)
+    _outputs(scene)
     check_symbols(scene)
     _speeds(scene)
     check_bodies(scene)
@@ -53,6 +56,7 @@ def validate(scene: Declaration) -> None:
     check_conditions(scene)
     check_contacts(scene)
     check_units(scene)
+    check_outputs(scene)
 
 
 def _bodies(scene: Declaration) -> None:
@@ -182,6 +186,23 @@ def _attachments(scene: Declaration) -> None:
                         raise SceneError(
                             f"{kind} {part.name} acts on a point that is not in the scene: {error}"
                         ) from None
+
+
+def _outputs(scene: Declaration) -> None:
+    """What is computed is placed, and of bodies that exist."""
+    for name, output in scene.outputs.items():
+        try:
+            for value in vars(output).values():
+                if isinstance(value, Point):
+                    point_path(scene.origin, value)
+                elif isinstance(value, ReferenceFrame):
+                    frame_path(scene.frame, value)
+            if isinstance(output, Velocity) and output.on is not None:
+                scene.body(output.on)
+        except SceneError as error:
+            raise SceneError(f"output {name}: {error}") from None
+        if isinstance(output, Velocity) and output.along is not None:
+            unit_vector(scene, f"output {name}", output.along)
 
 
 def _constraints(scene: Declaration) -> None:

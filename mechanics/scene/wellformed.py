@@ -20,6 +20,7 @@ from mechanics.scene.declaration import Declaration
 from mechanics.scene.declared import kind_of
 from mechanics.scene.joints.joint import Joint
 from mechanics.scene.loads import Load
+from mechanics.scene.outputs import Output
 from mechanics.scene.reactions import Constraint, Reaction
 from mechanics.scene.rotations import Rotation
 from mechanics.scene.symbols import DOTS, name_of
@@ -70,8 +71,13 @@ def check_types(scene: Declaration) -> None:
                 " (dynamic symbol, definition)"
             )
     _expect(f"{scene.name}: plane", scene.plane, Vector | None)
-    for title in ("definitions", "example"):
+    for title in ("definitions", "example", "outputs"):
         _expect(f"{scene.name}: {title}", getattr(scene, title), Mapping)
+    for name, output in scene.outputs.items():
+        _expect(f"{scene.name}: the name {name!r} of an output", name, str)
+        _expect(f"output {name}", output, Output)
+        for field in fields(output):
+            _expect(f"output {name}: {field.name}", getattr(output, field.name), field.type)
 
 
 def _expect(what: str, value: Any, expected: Any) -> None:
@@ -106,7 +112,7 @@ def check_names(scene: Declaration) -> None:
                 raise SceneError(
                     f"{scene.name}: {count} times a {kind} named {name!r}: names must differ"
                 )
-    rates = _rate_names(scene)
+    rates = rate_names(scene)
     for name in (*given, *(reaction.name for reaction in scene.reactions)):
         if name in rates:
             raise SceneError(f"{scene.name}: {name!r} is also the name of {rates[name]}: rename it")
@@ -120,7 +126,7 @@ def check_symbols(scene: Declaration) -> None:
     SceneError
         Names the symbol and where it stands.
     """
-    taken = _rate_names(scene)
+    taken = rate_names(scene)
     taken |= {name_of(f): "a coordinate or an input" for f in (*scene.coordinates, *scene.inputs)}
     taken |= {name_of(u): "a speed" for u, _ in scene.speeds}
     words = "a reaction, on which a load cannot depend, but friction by coulomb(...)"
@@ -140,7 +146,7 @@ def check_symbols(scene: Declaration) -> None:
                 )
 
 
-def _rate_names(scene: Declaration) -> dict[str, str]:
+def rate_names(scene: Declaration) -> dict[str, str]:
     """Names that derivatives get, and what they are."""
     found = {dynamicsymbols._t.name: "time"}
     moving = [(q, 3) for q in scene.coordinates] + [(f, len(DOTS)) for f in scene.inputs]

@@ -162,7 +162,12 @@ def trajectory(start: Begin, times: Array, found: Samples) -> Trajectory:
         coordinates=_by_name(quantities.q, states[0]),
         speeds=_by_name(quantities.u, states[1]),
         inputs=_by_name(quantities.inputs, given),
-        units=_units(quantities),
+        units=_units(quantities)
+        | {
+            f"{name}{end}": unit
+            for name, output in model.equations.scene.outputs.items()
+            for end, unit in output.entries
+        },
         kinetic=np.asarray(energy["kinetic"], dtype=np.float64),
         potential=np.asarray(energy["potential"], dtype=np.float64),
         conservative=conservative(model.equations.scene, start.inputs),
@@ -172,7 +177,20 @@ def trajectory(start: Begin, times: Array, found: Samples) -> Trajectory:
         ending=found.ending,
         reason=_reason(found, float(times[-1]), _singular_at_end(start, reached, found)),
         crossings=found.crossings,
+        outputs=_outputs(model, {"q": states[0], "u": states[1], "inputs": given, "p": start.p}),
     )
+
+
+def _outputs(model: Model, at: Mapping[str, Any]) -> dict[str, Array]:
+    """What the scene wants computed, where the model has it, entry by entry."""
+    found: dict[str, Array] = {}
+    for name, output in model.equations.scene.outputs.items():
+        if name in tuple(model.casadi):
+            (values,) = model.evaluate(name, **at).values()
+            columns = values.reshape(len(values), -1).T
+            labels = [f"{name}{end}" for end, _ in output.entries]
+            found.update(zip(labels, columns, strict=True))
+    return found
 
 
 def _by_name(entries: Sequence[Quantity], columns: Array) -> dict[str, Array]:

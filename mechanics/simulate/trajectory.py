@@ -79,6 +79,8 @@ class Trajectory:
         each; from a second run with a finer setting. None where it was not asked for.
     reactions : mapping of str to array, shape (N,)
         By name; empty where they were not asked for.
+    outputs : mapping of str to array, shape (N,)
+        What the scene wants computed, entry by entry: ``tool_x``.
     """
 
     title: str
@@ -99,6 +101,7 @@ class Trajectory:
     solved_by: str = ""
     error_estimate: float | None = None
     reactions: Mapping[str, NDArray[np.float64]] = field(default_factory=dict)
+    outputs: Mapping[str, NDArray[np.float64]] = field(default_factory=dict)
 
     def __repr__(self) -> str:
         names = ", ".join((*self.coordinates, *self.speeds))
@@ -139,7 +142,7 @@ class Trajectory:
 
     @property
     def columns(self) -> dict[str, NDArray[np.float64]]:
-        """Every sampled quantity by name: t, coordinates, speeds, inputs, energies, reactions."""
+        """Every sampled quantity by name: t, state, inputs, energies, outputs, reactions."""
         return {
             "t": self.times,
             **self.coordinates,
@@ -148,6 +151,7 @@ class Trajectory:
             "kinetic_energy": self.kinetic,
             "potential_energy": self.potential,
             "total_energy": self.total,
+            **self.outputs,
             **self.reactions,
         }
 

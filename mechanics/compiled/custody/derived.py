@@ -19,18 +19,22 @@ from mechanics.compiled.outputs import every_reaction
 from mechanics.equations import Equations, Rows
 from mechanics.kinematics import differentiate
 from mechanics.kinematics.motion import body_motions
+from mechanics.kinematics.outputs import output_functions, output_matrix
 from mechanics.mechanism import Mechanism, lower
 from mechanics.program import Builder, Program
 from mechanics.program.builder import Node
 from mechanics.program.derivatives import gradient
 from mechanics.program.sympy_reader import read
-from mechanics.program.vectors import add, cross, dot, scale, times, zeros
+from mechanics.program.vectors import add, cross, dot, scale, times, transpose, zeros
 from mechanics.routes import kane
 from mechanics.routes.loads import potential
 from mechanics.routes.rows import acceleration_forms, coefficients, remainder, substitute
 from mechanics.scene.rates import TIME
 
 GROUPS = ("q", "u", "ud", "inputs", "p", "multipliers", "reactions", "h")
+
+WANTED = "output "
+"""What the names of outputs of a scene begin with, in the program of what was derived."""
 
 Outputs = dict[str, Sequence[Node]]
 
@@ -51,8 +55,9 @@ class Derived:
     program : Program
         Outputs: ``rows``, ``closing``, ``mass`` column by column, ``forcing``, ``residual``,
         ``rates``, ``kinetic``, ``potential``, ``linear``, ``angular``, ``generalized`` and
-        ``reactions``; ``forces`` where rows conjugate to u give the inverse dynamics, at the
-        multipliers of the motion. u' and the multipliers are inputs.
+        ``reactions``; outputs of the scene, column by column; ``forces`` where rows conjugate to u
+        give the inverse dynamics, at the multipliers of the motion. u' and the multipliers are
+        inputs.
     """
 
     scene: str
@@ -104,7 +109,12 @@ def _of_bodies(mechanism: Mechanism) -> Outputs:
             spin = times(motion.inertia, motion.turning.omega)
             kinetic = kinetic + dot(spin, motion.turning.omega) / 2
             angular = add(angular, spin)
+    wanted = {}
+    for name, of in output_functions(mechanism).items():
+        _, matrix = output_matrix(mechanism, motions, *of)
+        wanted[f"{WANTED}{name}"] = [entry for column in transpose(matrix) for entry in column]
     return {
+        **wanted,
         "kinetic": [kinetic],
         "potential": [potential(mechanism, motions.poses)],
         "linear": linear,

@@ -8,7 +8,7 @@ from typing import Any
 from mechanics.compiled.custody.code import Code
 from mechanics.compiled.custody.defined import divides_by_zero, where_defined
 from mechanics.compiled.custody.derived import Derived
-from mechanics.compiled.custody.laws import LAWS, Outputs
+from mechanics.compiled.custody.laws import LAWS, Law, Outputs, law_of
 from mechanics.compiled.custody.physics import Entry, Physics
 from mechanics.compiled.custody.step import composed
 from mechanics.compiled.fixed import words
@@ -48,12 +48,13 @@ def prove_derived(
     if known.fixed:
         subject += f", {words(known.fixed)}"
     physics = Physics(known)
-    if name not in LAWS and (name != STEP or rates is None):
+    law = law_of(name, known.program.outputs)
+    if law is None and (name != STEP or rates is None):
         raise InputError(f"function {name!r}: what it should be is known for {', '.join(LAWS)}")
     outputs = code.results(physics.builder, physics.inputs)
     written = tuple(physics.builder.obligations)
     physics.builder.obligations = {}
-    entries = list(_entries(name, outputs, physics, rates))
+    entries = list(_entries(law, outputs, physics, rates))
     truth = tuple(physics.builder.obligations)
     sides = [node for _, *pair in entries for node in pair]
     if len(physics.builder.program({"sides": sides})) > LARGEST:
@@ -69,11 +70,12 @@ def prove_derived(
 
 
 def _entries(
-    name: str, outputs: Outputs, physics: Physics, rates: Code | None
+    law: Law | None, outputs: Outputs, physics: Physics, rates: Code | None
 ) -> Iterator[Entry]:  # fmt: skip
-    if rates is None or name != STEP:
-        yield from LAWS[name](physics, outputs)
+    if law is not None:
+        yield from law(physics, outputs)
         return
+    assert rates is not None  # `prove_derived` refuses a step without them
     other = composed(physics.builder, rates, physics.known.time, physics.inputs)
     for output, nodes in outputs.items():
         for i, (x, y) in enumerate(zip(nodes, other[output], strict=True)):

@@ -13,8 +13,9 @@ A law gives, by output, pairs of values that have to be equal: the graph's, and 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 
+from mechanics.compiled.custody.derived import WANTED
 from mechanics.compiled.custody.physics import Entry, Physics
 from mechanics.program import Node
 from mechanics.program.derivatives import gradient
@@ -148,6 +149,24 @@ def _same(**pairs: str) -> Law:
             yield from _equal(own, outputs[own], derived[name])
 
     return law
+
+
+def law_of(name: str, wanted: Iterable[str]) -> Law | None:
+    """What a function has to be; None where it is not known.
+
+    Parameters
+    ----------
+    name : str
+    wanted : iterable of str
+        Outputs of the program of what was derived.
+    """
+    own = f"{WANTED}{name}"
+
+    def law(physics: Physics, outputs: Outputs) -> Iterator[Entry]:
+        for output, numbers in outputs.items():
+            yield from _equal(output, numbers, _derived(physics)[own])
+
+    return LAWS.get(name) or (law if own in wanted else None)
 
 
 LAWS: dict[str, Law] = {

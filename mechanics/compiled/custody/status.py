@@ -114,9 +114,11 @@ class _Values:
     def same(self, subject: str) -> Finding:
         """Whether values of one key are equal up to their signs."""
         builder = self.physics.builder
-        pairs: list[Entry] = []
-        for key, members in self._members.items():
-            first, *others = members
+        # Constants have no conditions, and no values that these are about.
+        pairs: list[Entry] = [("none", builder.one, builder.one)] if not self._members else []
+        # Conditions are sets: the order in which their values were met is that of their hashes.
+        for key, members in sorted(self._members.items(), key=lambda item: min(item[1])):
+            first, *others = sorted(members)
             for other in others or [first]:
                 sign = 0 if key == 0 else members[first] * members[other]
                 left = Node(builder, first)

@@ -134,7 +134,7 @@ def _rates(model: Model, table: Mapping[Symbol, ca.SX]) -> ca.SX:
 
 
 def _outputs(model: Model, table: Mapping[Symbol, ca.SX]) -> tuple[list[ca.SX], list[Quantity]]:
-    """Reactions or else multipliers, energies, and how far off the constraints the state is."""
+    """Reactions or multipliers, energies, outputs of the scene, how far off constraints it is."""
     scene, known, state = model.equations.scene, model.quantities, _state(model, table)
     graphs: list[ca.SX] = []
     entries: list[Quantity] = []
@@ -147,6 +147,11 @@ def _outputs(model: Model, table: Mapping[Symbol, ca.SX]) -> tuple[list[ca.SX], 
     if "energy" in tuple(model.casadi):
         graphs += model.casadi["energy"](*state)
         entries += [Quantity(Symbol(f"{e} energy"), "J") for e in ("kinetic", "potential", "total")]
+    for name, output in scene.outputs.items():
+        if name in tuple(model.casadi):
+            # Row by row, as the entries are named.
+            graphs.append(ca.vec(model.casadi[name](*state).T))
+            entries += [Quantity(Symbol(f"{name}{end}"), unit) for end, unit in output.entries]
     names = [c.name for c in scene.constraints] + [f"norm of {r.name}" for r in scene.rotations]
     if names:
         plain = [scene.plain(c.expression, c.name) for c in scene.constraints]

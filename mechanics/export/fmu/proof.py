@@ -58,7 +58,8 @@ def prove_unit(model: Model, path: str | Path) -> tuple[Finding, ...]:
 
 def prove_parts(model: Model) -> tuple[Finding, ...]:
     """Decide for the graphs that a unit is put together from whether they are what was derived."""
-    found = prove_compiled(model, [name for name in model.casadi if name in PARTS])
+    parts = {*PARTS, *model.equations.scene.outputs}
+    found = prove_compiled(model, [name for name in model.casadi if name in parts])
     others = conditional_graphs(model)
     if others is model.casadi:
         return found

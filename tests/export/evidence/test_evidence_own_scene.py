@@ -9,7 +9,17 @@ from mechanics.compiled import compile
 from mechanics.crosscheck import derive
 from mechanics.export.evidence.verify import Outcome, verify
 from mechanics.export.write_c import write_c
-from mechanics.scene import RigidBody, Scene, gravity, parameters, reaction, torque
+from mechanics.scene import (
+    RigidBody,
+    Scene,
+    gravity,
+    orientation,
+    parameters,
+    position,
+    reaction,
+    torque,
+    velocity,
+)
 
 pytestmark = pytest.mark.campaign
 
@@ -43,11 +53,25 @@ def acrobot() -> Scene:
             for name, at, on, by in (("O", pivot, "arm1", None), ("E", elbow, "arm2", "arm1"))
             for k, along in (("x", ground.x), ("y", ground.y))
         ),
+        outputs={"tip": position(elbow.locatenew("T", -l2 * lower.y)), "hand": orientation(lower),
+                 "slip": velocity(second, along=ground.x)},
     )  # fmt: skip
 
 
 def test_a_scene_of_somebody_goes_through_the_chain(tmp_path: Path) -> None:
     equations = derive(acrobot(), "free_body")
-    names = ("forward_dynamics", "energy")
+    wanted = [name for output in ("tip", "hand", "slip") for name in (output, f"{output}_jacobian")]
+    names = ("forward_dynamics", "energy", *wanted)
     write_c(compile(equations), tmp_path, functions=names, precision="both", prove=False)
     assert verify(tmp_path, equations, measure=False).outcome is Outcome.SHOWN
+
+
+def test_a_wrong_index_in_an_output_is_refuted(tmp_path: Path) -> None:
+    """The cosine of the other angle in the position of the tip."""
+    equations = derive(acrobot(), "free_body")
+    write_c(compile(equations), tmp_path, functions=("tip",), prove=False)
+    file = tmp_path / "acrobot.c"
+    text = file.read_text()
+    assert text.count("cos(b)") == 1
+    file.write_text(text.replace("cos(b)", "cos(a)"))
+    assert verify(tmp_path, equations, measure=False).outcome is Outcome.REFUTED

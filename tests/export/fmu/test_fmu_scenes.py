@@ -12,7 +12,18 @@ from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 from mechanics.compiled import compile as compile_model
 from mechanics.crosscheck.fmu import write_fmu
 from mechanics.routes.derivation import by_route
-from mechanics.scene import Particle, Scene, condition, force, gravity, parameters, reaction
+from mechanics.scene import (
+    Particle,
+    Scene,
+    condition,
+    force,
+    gravity,
+    orientation,
+    parameters,
+    position,
+    reaction,
+    velocity,
+)
 from mechanics.simulate import simulate
 
 pytestmark = pytest.mark.campaign
@@ -44,6 +55,7 @@ def carried() -> Scene:
         bodies=(Particle("bob", bob, m),), loads=(gravity(-g * ground.y),),
         reactions=(reaction("S", at=bob, on="bob", by=None, along=rod.y),),
         conditions=(condition("string", Symbol("S", real=True) > 0, "goes slack"),),
+        outputs={"bob": position(bob), "rod": orientation(rod), "slip": velocity(bob)},
     )  # fmt: skip
 
 
@@ -88,6 +100,9 @@ def test_rates_of_inputs_are_inputs(tmp_path: Path, kind: str) -> None:
     )
     np.testing.assert_allclose(found["theta"], exact.coordinates["theta"], rtol=0, atol=1e-6)
     assert abs(found["theta"][-1]) > 0.1
+    for name in ("bob_x", "bob_y", "rod_xy", "slip_x"):
+        np.testing.assert_allclose(found[name], exact.columns[name], rtol=0, atol=1e-6)
+    assert known["slip_x"].unit == "m/s"
 
 
 def test_a_condition_on_a_reaction_ends_the_simulation(tmp_path: Path) -> None:
