@@ -38,6 +38,7 @@ polynomials of hundreds of terms, and a point for each of them would fill the pr
 
 _CIRCULAR = frozenset({op.SIN, op.COS, op.TAN})
 _EXPONENTIAL = frozenset({op.EXP, op.SINH, op.COSH, op.TANH})
+_PLAIN = frozenset({op.SIN, op.COS, op.EXP})
 _INVERSE = frozenset({op.ASIN, op.ACOS, op.ATAN, op.ATAN2})
 
 _CONDITIONS = frozenset({op.SELECT, op.NOT, op.AND, op.OR})
@@ -90,10 +91,8 @@ class Forms:
         if code == op.CONSTANT:
             value = self.nodes.constants[self.nodes.operands[0][number]]
             return {(): value} if value else {}
-        if code == op.ADD:
-            return _added(parts[0], parts[1], 1)
-        if code == op.SUBTRACT:
-            return _added(parts[0], parts[1], -1)
+        if code in (op.ADD, op.SUBTRACT):
+            return _added(parts[0], parts[1], 1 if code == op.ADD else -1)
         if code == op.NEGATE:
             return _added({}, parts[0], -1)
         if code == op.MULTIPLY:
@@ -187,24 +186,17 @@ def base_angles(program: Program, most: int = MOST_TERMS) -> Program:
 
     A program that has no others comes out equal. Arguments of more than `most` terms stay whole.
     """
+    arguments, codes = _arguments(program), program.operations
+    whole = all(codes[x] == op.INPUT and code in _PLAIN for code, x in arguments)
+    if whole and _CONDITIONS.isdisjoint(codes):
+        return program
     forms = Forms(program, most=most)
     common = {"angle": 1, "exponent": 1}
-    plain = _CONDITIONS.isdisjoint(program.operations)
-    for number, code in enumerate(program.operations):
-        if code not in _CIRCULAR and code not in _EXPONENTIAL:
-            continue
-        operand = program.operands[0][number]
-        plain = plain and code in (op.SIN, op.COS, op.EXP)
-        if program.operations[operand] == op.INPUT:
-            continue
-        plain = False
+    for code, operand in arguments:
         kind = "angle" if code in _CIRCULAR else "exponent"
-        form = forms.of(operand)
-        for monomial, factor in form.items():
+        for monomial, factor in forms.of(operand).items():
             if kind == "exponent" or not _is_pi(program, monomial):
                 common[kind] = lcm(common[kind], factor.denominator)
-    if plain:
-        return program
     builder = Builder()
     domain = _Rewriting(builder, common["angle"], common["exponent"], most)
     outputs = include(builder, program, operations=domain.operations)
@@ -214,10 +206,15 @@ def base_angles(program: Program, most: int = MOST_TERMS) -> Program:
 def is_cut(program: Program) -> bool:
     """Whether an argument of a sine, cosine or exponential is too long to be expanded."""
     forms = Forms(program)
-    for number, code in enumerate(program.operations):
-        if code in _CIRCULAR or code in _EXPONENTIAL:
-            forms.of(program.operands[0][number])
+    for _, operand in _arguments(program):
+        forms.of(operand)
     return forms.cut
+
+
+def _arguments(program: Program) -> list[tuple[int, int]]:
+    """Codes and operands of sines, cosines, exponentials and what is written in them."""
+    codes = zip(program.operations, program.operands[0], strict=True)
+    return [(code, x) for code, x in codes if code in _CIRCULAR or code in _EXPONENTIAL]
 
 
 def is_truth(nodes: Program | Builder, number: int) -> bool:
@@ -373,14 +370,11 @@ class _Rewriting:
 def turns_of(program: Program) -> tuple[Fraction, ...]:
     """Multiples of pi whose sine or cosine a program takes, as they stand after `base_angles`."""
     found: set[Fraction] = set()
-    first, second, _ = program.operands
+    first = program.operands[0]
     for number, code in enumerate(program.operations):
         if code in (op.SIN, op.COS) and program.operations[first[number]] == op.MULTIPLY:
-            product = first[number]
-            for one, other in ((first, second), (second, first)):
-                if (
-                    program.operations[one[product]] == op.CONSTANT
-                    and program.operations[other[product]] == op.PI
-                ):
-                    found.add(program.constants[first[one[product]]])
+            factors = program.operands_of(first[number])
+            if op.PI in (program.operations[factor] for factor in factors):
+                found.update(program.constants[first[factor]] for factor in factors
+                             if program.operations[factor] == op.CONSTANT)  # fmt: skip
     return tuple(sorted(found))

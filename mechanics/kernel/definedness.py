@@ -164,13 +164,12 @@ def touching(
     """
     forms = _forms(builder, written, space)
     closing = _closing(forms, space)
-    found = []
-    for obligation in written:
-        facts = _facts(forms, space.region, obligation.conditions)
-        signs = forms.sign_on(forms.forms[obligation.node], closing, facts)
-        if obligation.sign is op.Sign.NONNEGATIVE and signs & ZERO and not signs & NEGATIVE:
-            found.append(obligation)
-    return tuple(found)
+
+    def touches(o: Obligation) -> bool:
+        facts = _facts(forms, space.region, o.conditions)
+        return forms.sign_on(forms.forms[o.node], closing, facts) & NOT_POSITIVE == ZERO
+
+    return tuple(o for o in written if o.sign is op.Sign.NONNEGATIVE and touches(o))
 
 
 def gaps(builder: Builder, written: Sequence[Obligation], space: Space) -> tuple[Gap, ...]:
@@ -223,17 +222,13 @@ def _left(
     of_truth = cache(lambda other: tuple(_of_truth(forms, other)))
     for obligation in written:
         facts = _facts(forms, space.region, obligation.conditions)
-        signs = forms.sign_on(forms.forms[obligation.node], closing, facts)
-        known = met(signs, obligation.sign) or _contradict(forms, facts)
-        if not known and space.truth:
-            facts += [
-                fact
-                for other in space.truth
-                if set(other.conditions) <= set(obligation.conditions)
-                for fact in of_truth(other)
-            ]
+        for more in dict.fromkeys(((), space.truth)):
+            of_branch = (o for o in more if set(o.conditions) <= set(obligation.conditions))
+            facts += [fact for other in of_branch for fact in of_truth(other)]
             signs = forms.sign_on(forms.forms[obligation.node], closing, facts)
             known = met(signs, obligation.sign) or _contradict(forms, facts)
+            if known:
+                break
         if not (known or any(_follows(forms, obligation, other) for other, _ in left)):
             left.append((obligation, signs))
     return left

@@ -21,7 +21,7 @@ from mechanics.kernel import radicals
 from mechanics.kernel.angles import base_angles
 from mechanics.kernel.quotients import NoValue, Quotient, Quotients
 from mechanics.kernel.radicals import LARGEST_CONTENT
-from mechanics.kernel.ring import MOST_GENERATORS, TooLarge, content
+from mechanics.kernel.ring import MOST_GENERATORS, TooLarge, primitive_part
 from mechanics.kernel.sizes import is_algebraic
 from mechanics.kernel.statement import LEFT, RIGHT, Range, Statement
 from mechanics.program import Program, interpret
@@ -135,8 +135,7 @@ class Fractions:
         """A generator h with h**2 = h for each normal form, up to a positive factor."""
         numerator = self._ring.reduced(x.numerator)
         if numerator != 0:
-            unit = content(numerator)
-            x = Quotient(numerator / fmpq(unit.numerator, unit.denominator), x.powers)
+            x = Quotient(primitive_part(numerator)[1], x.powers)
         key = (name, self._key(x))
         return Quotient(self._ring.root(key, 2, self._ring.generator(key)), {})
 

@@ -9,10 +9,10 @@ from __future__ import annotations
 
 from fractions import Fraction
 
-from flint import fmpq, fmpq_mpoly, fmpz
+from flint import fmpq_mpoly, fmpz
 
 from mechanics.kernel.quotients import Quotient, Quotients
-from mechanics.kernel.ring import TooLarge, content, leading_powers, square_root
+from mechanics.kernel.ring import TooLarge, leading_powers, primitive_part, square_root
 from mechanics.kernel.sizes import prime_factors
 
 LARGEST_CONTENT = 10**18
@@ -43,8 +43,7 @@ def _divided(a: Quotients, above: fmpq_mpoly, below: fmpq_mpoly) -> Quotient:
 
 def _of_polynomial(a: Quotients, radicand: fmpq_mpoly, k: int, positive: bool) -> fmpq_mpoly:
     ring = a.ring
-    unit = content(radicand)
-    rest = radicand / fmpq(unit.numerator, unit.denominator)
+    unit, rest = primitive_part(radicand)
     result = _of_rational(a, unit, k)
     powers = rest.term_content().degrees()
     for place in sorted(ring.positive):
@@ -103,8 +102,7 @@ def _sign(a: Quotients, x: fmpq_mpoly) -> fmpq_mpoly:
     side = -1 if x.leading_coefficient() < 0 else 1
     if x.is_constant():
         return a.ring.constant(side)
-    unit = content(x) * side
-    x = x / fmpq(unit.numerator, unit.denominator)
+    _, x = primitive_part(side * x)
     size = _size(a, x)
     key = ("sign", str(x))
     g = a.ring.root(key, 3, a.ring.generator(key))

@@ -195,9 +195,9 @@ def square_root(x: fmpq_mpoly) -> fmpq_mpoly | None:
         return None
 
 
-def content(x: fmpq_mpoly) -> Fraction:
-    """The positive rational c such that x / c has coprime integer coefficients."""
+def primitive_part(x: fmpq_mpoly) -> tuple[Fraction, fmpq_mpoly]:
+    """The positive rational c such that x / c has coprime integer coefficients, and x / c."""
     top, bottom = 0, 1
     for coefficient in x.coeffs():
         top, bottom = gcd(top, int(coefficient.p)), lcm(bottom, int(coefficient.q))
-    return Fraction(top, bottom)
+    return Fraction(top, bottom), x / fmpq(top, bottom)

@@ -83,8 +83,8 @@ class Sizes:
             "sin": self._circle, "cos": self._circle, "atan2": self._variable,
             "abs": self._absolute, "sign": self._sign,
             "less": self._comparison, "not_greater": self._comparison, "equal": self._comparison,
-            "and": self._product, "or": self._either, "not": lambda x: self._sum(_ONE, x),
-            "select": self._choice,
+            "and": self._product, "select": self._choice, "not": lambda x: self._sum(_ONE, x),
+            "or": lambda x, y: self._sum(self._sum(x, y), self._product(x, y)),
             **dict.fromkeys(opaque, self._variable),
         }  # fmt: skip
 
@@ -143,10 +143,6 @@ class Sizes:
         """h x + (1 - h) y."""
         other = self._product(self._sum(_ONE, condition), y)
         return self._sum(self._product(condition, x), other)
-
-    def _either(self, x: Size, y: Size) -> Size:
-        """x + y - x y."""
-        return self._sum(self._sum(x, y), self._product(x, y))
 
     # ------------------------------------------------------------------ what is looked up
 

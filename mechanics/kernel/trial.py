@@ -121,7 +121,6 @@ class Experiment:
 
     statement: Statement
     program: Program
-    seed: str
     turns: tuple[Fraction, ...]
     modulus: int
     bits: int
@@ -169,7 +168,7 @@ def prepare(
         bound = log2_bound(bits, modulus, degree, height, conjugates)
         short = (conjugates or kinks) and log2(degree) + WEIL > bits / 2
         if isfinite(bound) and bound <= log2(statement.target) - 1 and not short:
-            return Experiment(statement, program, statement.seed, turns, modulus, bits, bound)
+            return Experiment(statement, program, turns, modulus, bits, bound)
     raise FailedError("the degree bound is beyond the longest primes in use")
 
 
@@ -200,7 +199,7 @@ class Session:
     _steps: int = 0
 
     def __post_init__(self) -> None:
-        self.draws = Draws(self.experiment.seed, "signs" if self.signs else "values")
+        self.draws = Draws(self.experiment.statement.seed, "signs" if self.signs else "values")
 
     def _prime(self, index: int, fresh: bool = False) -> int:
         if fresh or index not in self._primes:

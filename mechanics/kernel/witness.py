@@ -108,9 +108,9 @@ def _meetings(statement: Statement, base: State) -> Iterator[State]:
 
 
 def _admits(known: Range, value: Fraction) -> bool:
-    if known in (Range.FREE, Range.NEGATIVE):
-        return known is Range.FREE or value < 0
-    return value > 0 or (value == 0 and known is Range.NONNEGATIVE)
+    if not value:
+        return known in (Range.FREE, Range.NONNEGATIVE)
+    return _signed(known, abs(value), value < 0) == value
 
 
 def far_states(statement: Statement) -> Iterator[State]:
@@ -121,11 +121,9 @@ def far_states(statement: Statement) -> Iterator[State]:
     far = {abs(constant) for constant in statement.program.constants} - set(SIMPLE)
     for constant in sorted(size for size in far if size > 1)[:MOST_BOUNDARIES]:
         for name in statement.program.inputs[:MOST_BOUNDARIES]:
-            known = statement.range_of(name)
-            if known is not Range.NEGATIVE:
-                yield base | {name: constant + 1}
-            if known in (Range.FREE, Range.NEGATIVE):
-                yield base | {name: -constant - 1}
+            for value in (constant + 1, -constant - 1):
+                if _admits(statement.range_of(name), value):
+                    yield base | {name: value}
 
 
 def first_witness(statement: Statement, tried: Iterable[State]) -> Witness | None:
@@ -148,10 +146,12 @@ def _simple(known: Range, is_angle: bool, place: int, k: int) -> Fraction:
     """Each input another number in each state; signs by Walsh: any two inputs meet both ways."""
     table = ANGLES if is_angle else SIMPLE
     size = table[(place * (1 + k % 3) + k) % len(table)]
-    if known is Range.NEGATIVE:
-        return -size
-    minus = known is Range.FREE and (k & (place % 31 + 1)).bit_count() % 2 == 1
-    return -size if minus else size
+    return _signed(known, size, (k & (place % 31 + 1)).bit_count() % 2 == 1)
+
+
+def _signed(known: Range, size: Fraction, minus: bool) -> Fraction:
+    """A size with a sign that the range admits, minus where either is."""
+    return -size if known is Range.NEGATIVE or (known is Range.FREE and minus) else size
 
 
 def _typical(statement: Statement, name: str, angles: frozenset[str], k: int) -> Fraction:
@@ -171,10 +171,7 @@ def _drawn(known: Range, draws: Draws, k: int) -> Fraction:
     size = Fraction(1 + draws.below(255), 64)
     if k >= STATES // 2:
         size *= Fraction(2) ** (draws.below(25) - 12)
-    minus = draws.bits(1)
-    if known is Range.NEGATIVE:
-        return -size
-    return -size if known is Range.FREE and minus else size
+    return _signed(known, size, bool(draws.bits(1)))
 
 
 def find_witness(statement: Statement) -> Witness | None:

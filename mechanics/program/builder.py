@@ -93,11 +93,8 @@ class Node:
 
     def __eq__(self, other: object) -> bool:
         """Whether it is the same node, which is enough for being equal but not needed."""
-        return (
-            isinstance(other, Node)
-            and self.builder is other.builder
-            and self.number == other.number
-        )
+        mine = self.builder, self.number
+        return isinstance(other, Node) and mine == (other.builder, other.number)
 
     @property
     def constant(self) -> Fraction | None:
@@ -208,9 +205,6 @@ class Builder(Nodes):
 
     def __len__(self) -> int:
         return len(self.operations)
-
-    def __repr__(self) -> str:
-        return f"<builder of {len(self)} nodes>"
 
     # ------------------------------------------------------------------ leaves
 

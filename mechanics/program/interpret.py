@@ -13,15 +13,7 @@ from typing import Any, Protocol, runtime_checkable
 
 from mechanics.errors import ExpressionError
 from mechanics.program.builder import Builder, Node
-from mechanics.program.operations import (
-    ARITY,
-    CONSTANT,
-    ENTRY,
-    INPUT,
-    OPERATIONS,
-    PI,
-    SOLVE,
-)
+from mechanics.program.operations import ARITY, CONSTANT, ENTRY, INPUT, OPERATIONS, PI, SOLVE
 from mechanics.program.program import Program
 
 

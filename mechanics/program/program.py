@@ -14,15 +14,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
 
-from mechanics.program.operations import (
-    ARITY,
-    CONSTANT,
-    ENTRY,
-    INPUT,
-    OPERATIONS,
-    PI,
-    SOLVE,
-)
+from mechanics.program.operations import ARITY, CONSTANT, ENTRY, INPUT, OPERATIONS, PI, SOLVE
 
 LEAVES = frozenset({CONSTANT, PI, INPUT})
 

@@ -14,7 +14,7 @@ import sympy
 from flint import fmpq, fmpq_mpoly
 
 from mechanics.errors import ExpressionError
-from mechanics.kernel.ring import MOST_GENERATORS, Full, Ring, content
+from mechanics.kernel.ring import MOST_GENERATORS, Full, Ring, primitive_part
 from mechanics.symbolic.canonical_back import expression
 from mechanics.symbolic.decimals import float_as_rational
 
@@ -90,8 +90,9 @@ class Reader:
             raise ExpressionError("division by an expression that is identically zero")
         ring = self.ring
         if len(base) > 1:
-            unit = content(base) * (1 if base.leading_coefficient() > 0 else -1)
-            return self._reciprocal(base / _flint(unit)) / _flint(unit)
+            side = 1 if base.leading_coefficient() > 0 else -1
+            unit, rest = primitive_part(side * base)
+            return self._reciprocal(rest) / _flint(side * unit)
         result = ring.constant(1) / base.leading_coefficient()
         for place, power in enumerate(base.degrees()):
             if power:

@@ -27,7 +27,7 @@ from mechanics.scene import (
     spring,
     torque,
 )
-from mechanics.scene import scene as scenes
+from mechanics.scene import declaration
 from mechanics.scene.loads import Spring, damper, torsion_spring
 from mechanics.scene.potential import potential
 from systems import ALL, VARIANTS, elastic_pendulum, four_bar, rolling_disc
@@ -106,7 +106,7 @@ def test_a_wrong_rotation_that_all_routes_share_is_noticed_here(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     """This is what the check is for: the routes agree with each other and are wrong."""
-    monkeypatch.setattr(scenes, "relative_rotation", turned_round)
+    monkeypatch.setattr(declaration, "relative_rotation", turned_round)
     monkeypatch.setattr("mechanics.mechanism.relative_rotation", turned_round)
     result = crosscheck(elastic_pendulum.scene(), CrossCheck(states=0))
     assert len(result.pairs) == comb(len(ROUTES), 2) + 2
@@ -183,7 +183,7 @@ def test_the_functions_through_which_the_routes_read_a_scene_may_be_gone(
     for name in ("relative_rotation", "step_vector", "components", "frame_path", "point_path"):
         monkeypatch.delattr(geometry, name)
     for name in ("position", "rotation", "vector", "plain", "rates", "coordinate_rates"):
-        monkeypatch.delattr(Scene, name)
+        monkeypatch.delattr(declaration.Declaration, name)
     for function in ("differentiate.motions", "chain.motions", "constraints.rate"):
         monkeypatch.delattr(f"mechanics.kinematics.{function}")
     found = check_virtual_power(equations, drawn_states(scene))

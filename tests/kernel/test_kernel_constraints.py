@@ -47,6 +47,17 @@ def test_the_component_is_named() -> None:
     assert decide(statement(b, x + y, y, [x * y], dependent=("y",))).verdict is Verdict.REFUTED
 
 
+def test_a_value_is_known_by_the_inputs_below_the_values_that_it_holds() -> None:
+    """p by q, then q by r: what is left for r holds p, and so r a second time."""
+    b = Builder()
+    p, q, r, s = (b.input(n) for n in "pqrs")
+    zero = [p - q * q, q - 2 * r, p + r - s]
+    claim = statement(b, p + q / 2, s, zero, dependent=("p", "q", "r"))
+    assert decide(claim).verdict is Verdict.PROVED
+    wrong = statement(b, p + q, s, zero, dependent=("p", "q", "r"))
+    assert decide(wrong).verdict is Verdict.REFUTED
+
+
 def test_linear_constraints() -> None:
     b = Builder()
     x, y, z, w = (b.input(n) for n in "xyzw")

@@ -14,7 +14,7 @@ from math import gcd, lcm
 import sympy
 from sympy import Expr, Matrix, Symbol
 
-from mechanics.kernel.ring import content
+from mechanics.kernel.ring import primitive_part
 from mechanics.symbolic.canonical import canonical
 from mechanics.symbolic.canonical_poly import reader
 
@@ -71,7 +71,7 @@ def common_factor(entries: Iterable[Expr]) -> tuple[Expr, Expr]:
     for polynomial in map(read.ring.reduced, polynomials):
         if polynomial == 0:
             continue
-        part = content(polynomial)
+        part, _ = primitive_part(polynomial)
         top, bottom = gcd(top, part.numerator), lcm(bottom, part.denominator)
         for powers, _ in polynomial.terms():
             for symbol in positive:
