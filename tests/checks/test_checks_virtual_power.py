@@ -19,6 +19,7 @@ from mechanics.routes.derivation import ROUTES, by_route
 from mechanics.scene import (
     RigidBody,
     Scene,
+    declaration,
     geometry,
     gravity,
     parameters,
@@ -27,7 +28,6 @@ from mechanics.scene import (
     spring,
     torque,
 )
-from mechanics.scene import declaration
 from mechanics.scene.loads import Spring, damper, torsion_spring
 from mechanics.scene.potential import potential
 from systems import ALL, VARIANTS, elastic_pendulum, four_bar, rolling_disc
