@@ -26,7 +26,7 @@ TYPICAL = {
 
 def whipple_bicycle() -> Scene:
     """Two wheels that roll, a frame with its rider and a fork; pitch follows from the contacts."""
-    p = _parameters()
+    p = bicycle_parameters()
     x, y, yaw, lean, pitch, steer = dynamicsymbols("x y yaw lean pitch steer")
     tR, tF = dynamicsymbols("tR tF")
     ground, origin = ReferenceFrame("N"), Point("O")
@@ -73,8 +73,8 @@ def whipple_bicycle() -> Scene:
         coordinates=(x, y, yaw, lean, pitch, steer, tR, tF),
         bodies=(
             RigidBody("rear", hub, rear, p["mR"], inertia(rear, p["IRx"], p["IRy"], p["IRx"])),
-            RigidBody("frame", rider, frame, p["mB"], _inertia(frame, p, "IB", 1)),
-            RigidBody("fork", bars, fork, p["mH"], _inertia(fork, p, "IH", -1)),
+            RigidBody("frame", rider, frame, p["mB"], bicycle_inertia(frame, p, "IB", 1)),
+            RigidBody("fork", bars, fork, p["mH"], bicycle_inertia(fork, p, "IH", -1)),
             RigidBody("front", axle, front, p["mF"], inertia(front, p["IFx"], p["IFy"], p["IFx"])),
         ),
         loads=(gravity(p["g"] * ground.z),),
@@ -113,7 +113,7 @@ def whipple_bicycle() -> Scene:
     )  # fmt: skip
 
 
-def _parameters() -> dict[str, Symbol]:
+def bicycle_parameters() -> dict[str, Symbol]:
     found = {}
     for unit, text in TYPICAL.items():
         pairs = [entry.split() for entry in text.split(",")]
@@ -126,6 +126,6 @@ def _parameters() -> dict[str, Symbol]:
     return {name: s if isinstance(s, Symbol) else s[0] for name, s in found.items()}
 
 
-def _inertia(frame, p, name: str, sign: int):
+def bicycle_inertia(frame, p, name: str, sign: int):
     x, y, z, product = (p[name + axes] for axes in ("x", "y", "z", "xz"))
     return inertia(frame, x, y, z, 0, 0, sign * product)

@@ -35,20 +35,24 @@ def with_joints(scene: Declaration) -> dict[str, Any]:
 
 
 def with_rotations(scene: Declaration) -> dict[str, Any]:
-    """Coordinates, speeds and example of a scene with what its rotations bring, once.
+    """Coordinates, speeds and example of a scene with what its rotations and joints bring, once.
 
     A rotation of which the example says nothing starts where frame and parent coincide.
     """
-    if not scene.rotations:
+    own = {u: (q, definition) for joint in scene.joints for q, u, definition in joint.own}
+    if not scene.rotations and not own:
         return {}
     coordinates = list(scene.coordinates)
     speeds, example = list(scene.speeds), dict(scene.example)
     turning = {u for rotation in scene.rotations for u in rotation.speeds}
-    quaternions = {q for rotation in scene.rotations for q in rotation.coordinates}
-    if all(u in turning for u, _ in speeds):
-        others = [q for q in coordinates if q not in quaternions]
+    covered = {q for rotation in scene.rotations for q in rotation.coordinates}
+    covered |= {q for q, _ in own.values()}
+    if all(u in turning or u in own for u, _ in speeds):
+        others = [q for q in coordinates if q not in covered]
         rates = [(dynamicsymbols(f"{name_of(q)}_dot"), q.diff(dynamicsymbols._t)) for q in others]
         speeds = [*rates, *speeds]
+    known = {u for u, _ in speeds}
+    speeds += [(u, definition) for u, (_, definition) in own.items() if u not in known]
     for rotation in scene.rotations:
         coordinates += [q for q in rotation.coordinates if q not in coordinates]
         known = {u for u, _ in speeds}

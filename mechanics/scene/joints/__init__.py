@@ -11,6 +11,7 @@ from mechanics.scene.joints.kinds import (
     universal,
     weld,
 )
+from mechanics.scene.joints.roll import roll
 
 __all__ = [
     "Joint",
@@ -19,6 +20,7 @@ __all__ = [
     "free",
     "pin",
     "planar",
+    "roll",
     "slide",
     "universal",
     "weld",

@@ -131,13 +131,7 @@ class Ends:
         self, frame: ReferenceFrame, point: Point, forces: Named, couples: Named, aligned: Aligned
     ) -> Joint:
         """The joint of two bodies that others place."""
-        try:
-            gap = point.pos_from(self.at)
-        except ValueError:
-            raise SceneError(
-                f"{self.title}: nothing places {point.name} relative to {self.at.name}: place both"
-                " from the points of joints that carry the bodies"
-            ) from None
+        gap = self.between(point)
         reactions, sides = [], []
         for word, along in forces:
             name = f"{self.name}_{word}"
@@ -153,8 +147,18 @@ class Ends:
         )
         return Joint(
             self.name, self.parent, self.child, self.at, frame, point, (), tuple(reactions),
-            tuple(along for _, along in (*forces, *couples)), constraints,
+            tuple(along for _, along in (*forces, *couples)), constraints, carries=False,
         )  # fmt: skip
+
+    def between(self, point: Point) -> Vector:
+        """From the parent's point to one of the child."""
+        try:
+            return point.pos_from(self.at)
+        except ValueError:
+            raise SceneError(
+                f"{self.title}: nothing places {point.name} relative to {self.at.name}: place both"
+                " from the points of joints that carry the bodies"
+            ) from None
 
     def closes_about(self, line: Axis, onto: Any, forces: Named) -> Joint:
         """The joint that holds the child's axis parallel to the parent's."""

@@ -32,9 +32,17 @@ class Joint:
     directions : tuple of Vector
         Of the reactions, where the joint is assembled.
     constraints : tuple of Constraint
-        Of a joint that closes a loop, one a reaction.
+        Of a joint that closes a loop, one a reaction; of one that rolls.
     rotations : tuple of Rotation
         Quaternions, with their coordinates and speeds.
+    carries : bool
+        Whether it places its child; otherwise it ties bodies that other joints carry.
+    own : tuple of (coordinate, speed, definition)
+        Speeds in place of the rates of coordinates.
+    hub : ReferenceFrame or None
+        Of a joint that rolls: what does not spin with the child.
+    contact : Point or None
+        Of a joint that rolls.
     """
 
     name: str
@@ -48,13 +56,13 @@ class Joint:
     directions: tuple[Vector, ...]
     constraints: tuple[Constraint, ...] = ()
     rotations: tuple[Rotation, ...] = ()
-
-    @property
-    def closes(self) -> bool:
-        """Whether it closes a loop of bodies that other joints carry."""
-        return bool(self.constraints)
+    carries: bool = True
+    own: tuple[tuple[Expr, Expr, Expr], ...] = ()
+    hub: ReferenceFrame | None = None
+    contact: Point | None = None
 
     @property
     def speeds(self) -> tuple[tuple[Expr, Expr], ...]:
         """Generalized speeds with their definitions; empty where they are rates."""
-        return tuple(pair for rotation in self.rotations for pair in rotation.definitions)
+        turning = tuple(pair for rotation in self.rotations for pair in rotation.definitions)
+        return (*((u, definition) for _, u, definition in self.own), *turning)

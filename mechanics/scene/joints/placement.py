@@ -33,7 +33,7 @@ def check_joints(scene: Declaration) -> None:
                 )
         if joint.parent == joint.child:
             raise SceneError(f"joint {joint.name}: body {joint.child!r} is tied to itself")
-        if joint.closes:
+        if not joint.carries:
             _closed_once(joint, closing)
             closing.append(joint)
             continue
@@ -47,7 +47,7 @@ def check_joints(scene: Declaration) -> None:
         _placed(joint, bodies[joint.child])
     for joint in scene.joints:
         _attached(scene, joint, joint.at, joint.parent)
-        if joint.closes:
+        if not joint.carries:
             _attached(scene, joint, joint.point, joint.child)
     tied = {name for reaction in scene.reactions for name in (reaction.on, reaction.by)}
     for name, body in bodies.items():
