@@ -233,6 +233,12 @@ class Reaction:
     by: int
     at: int | None
     along: Mixed
+    parts: tuple[Reaction, ...] = ()
+
+    @property
+    def actions(self) -> tuple[Reaction, ...]:
+        """All that the unknown does, here and at other places."""
+        return (self, *self.parts)
 
 
 @dataclass(frozen=True)
@@ -581,6 +587,7 @@ class _Lowering:
             GROUND if reaction.by is None else self.of_body[reaction.by],
             None if reaction.at is None else self.point(reaction.at),
             self.vector(reaction.along, reaction.name),
+            tuple(map(self.reaction, reaction.parts)),
         )
 
     def output(self, name: str, declared: Declared) -> Output:

@@ -157,8 +157,8 @@ class Motion:
             raise SceneError(f"load {load!r}: it is none of the loads of mechanics.scene.loads")
 
     def reactions(self) -> Iterator[tuple[str, Wrench]]:
-        """(name, what a unit of it does to a body), for both bodies of each reaction."""
-        for reaction in self.scene.reactions:
+        """(name, what a unit of it does to a body), for all bodies of each reaction."""
+        for reaction in (action for one in self.scene.reactions for action in one.actions):
             along, at = self.vector(reaction.along).parts[0], NONE
             force, couple = NONE, along
             if reaction.at is not None:

@@ -17,7 +17,7 @@ from mechanics.kinematics.motion import PointMotion
 from mechanics.kinematics.symbolic import Kinematics
 from mechanics.program.forward import tangent
 from mechanics.program.vectors import Vector, add, cross, scale, subtract, times, zeros
-from mechanics.routes.loads import Wrench, acting_reactions, applied
+from mechanics.routes.loads import Wrench, acting_reactions, applied, balanced, together
 from mechanics.scene import quantities as q
 from mechanics.scene.momenta import momentum_symbols
 from mechanics.scene.places import direction
@@ -108,9 +108,9 @@ def _total(moving: Kinematics, bodies: q.Names, effect: Callable[[Wrench], Vecto
     units = acting_reactions(mechanism, moving.motions.poses)
     for reaction, pair in zip(mechanism.reactions, units, strict=True):
         own = [unit for unit in pair if unit.body in inside]
-        # Both ends inside: equal and opposite.
-        if len(own) == 1:
-            total = add(total, scale(mechanism.builder.input(reaction.name), effect(own[0])))
+        if own and not balanced(pair, own):
+            size = mechanism.builder.input(reaction.name)
+            total = add(total, scale(size, effect(together(own))))
     return total
 
 

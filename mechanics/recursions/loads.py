@@ -52,14 +52,14 @@ def loads(mechanism: Mechanism) -> tuple[list[Force], list[Couple]]:
     for push in mechanism.pushes:
         _pair(mechanism, forces, couples, push.on, push.by, push.at, push.vector)
     for index, size in unknown_reactions(mechanism).items():
-        own = mechanism.reactions[index]
-        along = own.along
-        for friction in mechanism.frictions:
-            if friction.reaction == index:
-                lean = -(friction.coefficient * friction.sliding.sign())
-                along = (*along, *_scaled(lean, friction.along))
-        vector = _scaled(size, along)
-        _pair(mechanism, forces, couples, own.on, own.by, own.at, vector)
+        for own in mechanism.reactions[index].actions:
+            along = own.along
+            for friction in mechanism.frictions:
+                if friction.reaction == index:
+                    lean = -(friction.coefficient * friction.sliding.sign())
+                    along = (*along, *_scaled(lean, friction.along))
+            vector = _scaled(size, along)
+            _pair(mechanism, forces, couples, own.on, own.by, own.at, vector)
     return forces, couples
 
 

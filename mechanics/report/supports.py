@@ -21,6 +21,7 @@ from mechanics.scene import (
     TorsionSpring,
 )
 from mechanics.scene.actions import carrier_of
+from mechanics.scene.joints import Rope
 from mechanics.scene.reactions import Reaction
 
 BLOCK = (54.0, 34.0)
@@ -54,12 +55,16 @@ class Paper:
 
 
 def ground(view: View, paper: Paper) -> str:
-    """Pins, rails and planes where the ground reacts."""
+    """Pins, rails and planes where the ground reacts, and ropes."""
     groups: dict[Point, list[Reaction]] = {}
+    ropes = [joint for joint in view.scene.joints if isinstance(joint, Rope)]
+    tensions = [reaction for rope in ropes for reaction in rope.reactions]
+    drawn = [ink.path([paper.place(view.point(p)) for _, p in rope.ends], "line") for rope in ropes]
     for reaction in view.scene.reactions:
-        if reaction.by is None and reaction.at is not None:
+        if reaction.by is None and reaction.at is not None and reaction not in tensions:
             groups.setdefault(reaction.at, []).append(reaction)
-    return "".join(_support(view, paper, at, held) for at, held in groups.items())
+    supports = (_support(view, paper, at, held) for at, held in groups.items())
+    return "".join((*drawn, *supports))
 
 
 def _support(view: View, paper: Paper, at: Point, held: list[Reaction]) -> str:

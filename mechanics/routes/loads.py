@@ -78,17 +78,40 @@ def other(mechanism: Mechanism, motions: Motions) -> list[Wrench]:
 
 
 def unit_reactions(mechanism: Mechanism, where: Poses) -> list[list[Wrench]]:
-    """For each reaction the wrenches of a unit of it, on both bodies."""
+    """For each reaction the wrenches of a unit of it, one for each body."""
     none = zeros(mechanism.builder)
     table = []
     for reaction in mechanism.reactions:
-        along = where.vector(reaction.along)
-        if reaction.at is None:
-            table.append(_pair(reaction.name, reaction.on, reaction.by, none, none, along))
-        else:
-            at = where.positions[reaction.at]
-            table.append(_pair(reaction.name, reaction.on, reaction.by, at, along, none))
+        found: list[Wrench] = []
+        for own in reaction.actions:
+            along = where.vector(own.along)
+            if own.at is None:
+                found += _pair(own.name, own.on, own.by, none, none, along)
+            else:
+                found += _pair(own.name, own.on, own.by, where.positions[own.at], along, none)
+        bodies = dict.fromkeys(wrench.body for wrench in found)
+        table.append([together([w for w in found if w.body == body]) for body in bodies])
     return table
+
+
+def balanced(every: Sequence[Wrench], inside: Sequence[Wrench]) -> bool:
+    """Whether what a reaction does inside a free body is equal and opposite.
+
+    So are its only two wrenches; a single one is the ground's, and so may be some of a rope.
+    """
+    return len(inside) == len(every) == 2 and all(
+        (x + y).is_zero for x, y in zip(every[0].force, every[1].force, strict=True)
+    )
+
+
+def together(wrenches: Sequence[Wrench]) -> Wrench:
+    """The sum of some, at the point of the first and on its body."""
+    first, *others = wrenches
+    if not others:
+        return first
+    force = add(first.force, *(other.force for other in others))
+    couple = add(first.couple, *(other.moment(first.at) for other in others))
+    return replace(first, force=force, couple=couple)
 
 
 def acting_reactions(mechanism: Mechanism, where: Poses) -> list[list[Wrench]]:

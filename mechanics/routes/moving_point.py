@@ -49,7 +49,14 @@ from mechanics.program.vectors import (
 )
 from mechanics.routes.directions import AXES, Directions, used_directions
 from mechanics.routes.elimination import Elimination, Row
-from mechanics.routes.loads import Wrench, acting_reactions, applied, by_body
+from mechanics.routes.loads import (
+    Wrench,
+    acting_reactions,
+    applied,
+    balanced,
+    by_body,
+    together,
+)
 from mechanics.routes.rows import acceleration_forms, coefficients
 
 LARGEST_DIRECTION = 60
@@ -278,9 +285,8 @@ def _crossing(units: Sequence[Sequence[Wrench]], inside: Sequence[int]) -> dict[
     members, found = set(inside), {}
     for index, pair in enumerate(units):
         own = [unit for unit in pair if unit.body in members]
-        # Both ends inside: equal and opposite. A single action is the ground's.
-        if len(own) == 1:
-            found[index] = own[0]
+        if own and not balanced(pair, own):
+            found[index] = together(own)
     return found
 
 

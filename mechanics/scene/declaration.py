@@ -25,6 +25,7 @@ from mechanics.scene.geometry import (
     step_vector,
 )
 from mechanics.scene.joints.joint import Joint
+from mechanics.scene.joints.rope import Rope
 from mechanics.scene.loads import Coulomb, Load
 from mechanics.scene.outputs import Output
 from mechanics.scene.reactions import Constraint, Reaction
@@ -51,7 +52,7 @@ class Declaration:
     conditions: tuple[Condition, ...] = ()
     equilibria: tuple[Mapping[str, Any], ...] = ()
     rotations: tuple[Rotation, ...] = ()
-    joints: tuple[Joint, ...] = ()
+    joints: tuple[Joint | Rope, ...] = ()
     plane: Vector | None = None
     outputs: Mapping[str, Output] = field(default_factory=dict)
 
@@ -271,7 +272,8 @@ class Declaration:
             if isinstance(body, RigidBody):
                 yield from ((where, e) for e in placed.frame(body.frame))
                 yield from ((where, e) for e in inertia_entries(body))
-        for kind, parts in (("load", self.loads), ("reaction", self.reactions)):
+        acting = [action for reaction in self.reactions for action in reaction.actions]
+        for kind, parts in (("load", self.loads), ("reaction", acting)):
             for part in parts:
                 for value in vars(part).values():
                     where = f"{kind} {part.name}"

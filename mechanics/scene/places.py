@@ -64,7 +64,8 @@ def _mentioned(scene: Scene) -> Iterator[Point]:
     yield scene.origin
     for body in scene.bodies:
         yield body.centre
-    for part in (*scene.loads, *scene.reactions):
+    acting = (action for reaction in scene.reactions for action in reaction.actions)
+    for part in (*scene.loads, *acting):
         yield from (value for value in vars(part).values() if isinstance(value, Point))
     for output in scene.outputs.values():
         yield from (value for value in vars(output).values() if isinstance(value, Point))

@@ -23,6 +23,8 @@ class Reaction:
         Unit direction.
     at : Point or None
         Where the force acts; None for a couple.
+    parts : tuple of Reaction
+        What the same unknown does elsewhere: the tension of a rope.
     """
 
     name: str
@@ -30,6 +32,12 @@ class Reaction:
     by: str | None
     along: Vector
     at: Point | None
+    parts: tuple["Reaction", ...] = ()
+
+    @property
+    def actions(self) -> tuple["Reaction", ...]:
+        """All that the unknown does."""
+        return (self, *self.parts)
 
     @property
     def symbol(self) -> Symbol:

@@ -164,7 +164,8 @@ def _attachments(scene: Declaration) -> None:
     """Loads and reactions name bodies that exist and points that are placed."""
     bodies = {body.name for body in scene.bodies}
     groups: tuple[tuple[str, Sequence[Load | Reaction]], ...]
-    groups = (("load", scene.loads), ("reaction", scene.reactions))
+    acting = [action for reaction in scene.reactions for action in reaction.actions]
+    groups = (("load", scene.loads), ("reaction", acting))
     for kind, parts in groups:
         for part in parts:
             for role in ("on", "by", "first_on", "second_on"):

@@ -19,6 +19,7 @@ from mechanics.scene.conditions import Condition
 from mechanics.scene.declaration import Declaration
 from mechanics.scene.declared import kind_of
 from mechanics.scene.joints.joint import Joint
+from mechanics.scene.joints.rope import Rope
 from mechanics.scene.loads import Load
 from mechanics.scene.outputs import Output
 from mechanics.scene.reactions import Constraint, Reaction
@@ -32,7 +33,7 @@ PARTS: tuple[tuple[str, str, tuple[Any, ...]], ...] = (
     ("constraints", "constraint", (Constraint,)),
     ("conditions", "condition", (Condition,)),
     ("rotations", "rotation", (Rotation,)),
-    ("joints", "joint", (Joint,)),
+    ("joints", "joint", (Joint, Rope)),
 )
 
 

@@ -12,15 +12,18 @@ from mechanics.scene.joints.kinds import (
     weld,
 )
 from mechanics.scene.joints.roll import roll
+from mechanics.scene.joints.rope import Rope, rope
 
 __all__ = [
     "Joint",
+    "Rope",
     "ball",
     "cylindrical",
     "free",
     "pin",
     "planar",
     "roll",
+    "rope",
     "slide",
     "universal",
     "weld",

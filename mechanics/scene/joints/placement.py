@@ -9,6 +9,7 @@ from mechanics.scene.attachment import moved_by, moving, turning
 from mechanics.scene.bodies import Body, Particle, RigidBody
 from mechanics.scene.declaration import Declaration
 from mechanics.scene.joints.joint import Joint
+from mechanics.scene.joints.rope import Rope
 
 
 def check_joints(scene: Declaration) -> None:
@@ -24,7 +25,9 @@ def check_joints(scene: Declaration) -> None:
     bodies = {body.name: body for body in scene.bodies}
     carrier: dict[str, Joint] = {}
     closing: list[Joint] = []
-    for joint in scene.joints:
+    ropes = [joint for joint in scene.joints if isinstance(joint, Rope)]
+    joints = [joint for joint in scene.joints if isinstance(joint, Joint)]
+    for joint in joints:
         for name in (joint.parent, joint.child):
             if name is not None and name not in bodies:
                 raise SceneError(
@@ -45,14 +48,20 @@ def check_joints(scene: Declaration) -> None:
                 " onto=P) without an angle"
             )
         _placed(joint, bodies[joint.child])
-    for joint in scene.joints:
-        _attached(scene, joint, joint.at, joint.parent)
+    for joint in joints:
+        _attached(scene, f"joint {joint.name}", joint.at, joint.parent)
         if not joint.carries:
-            _attached(scene, joint, joint.point, joint.child)
-    tied = {name for reaction in scene.reactions for name in (reaction.on, reaction.by)}
+            _attached(scene, f"joint {joint.name}", joint.point, joint.child)
+    for rope in ropes:
+        for end, point in rope.ends:
+            if end is not None:
+                scene.body(end)
+            _attached(scene, f"rope {rope.name}", point, end)
+    acting = [action for reaction in scene.reactions for action in reaction.actions]
+    tied = {name for action in acting for name in (action.on, action.by)}
     for name, body in bodies.items():
         flat = isinstance(body, RigidBody) and not isinstance(body.inertia, Dyadic)
-        if flat and scene.plane is None and any(joint.reactions for joint in scene.joints):
+        if flat and scene.plane is None and any(joint.reactions for joint in joints):
             raise SceneError(
                 f"body {name}: its inertia is a scalar, but joints hold in space: give the scene"
                 f" the normal of its plane, plane={scene.frame.name}.z, or the body a Dyadic"
@@ -74,13 +83,13 @@ def _closed_once(joint: Joint, others: Sequence[Joint]) -> None:
             )
 
 
-def _attached(scene: Declaration, joint: Joint, point: Point, body: str | None) -> None:
+def _attached(scene: Declaration, what: str, point: Point, body: str | None) -> None:
     """A point does not move against the body of which the joint says that it is."""
     moving = moved_by(scene, body, point)
     if moving:
         name = body or "the ground"
         raise SceneError(
-            f"joint {joint.name}: its point {point.name} moves against {name} by {moving}: take a"
+            f"{what}: its point {point.name} moves against {name} by {moving}: take a"
             f" point of {name}, or name the body that carries {point.name}"
         )
 

@@ -15,10 +15,11 @@ from mechanics.scene.declaration import Declaration
 from mechanics.scene.geometry import frame_path, relative_rotation
 from mechanics.scene.joints.axes import constant_column
 from mechanics.scene.joints.joint import Joint
+from mechanics.scene.joints.rope import Rope
 from mechanics.symbolic import canonical
 
 
-def out_of_plane(scene: Declaration, joint: Joint) -> set[str]:
+def out_of_plane(scene: Declaration, joint: Joint | Rope) -> set[str]:
     """Names of the reactions of a joint that act out of the plane of a scene.
 
     Raises
@@ -26,7 +27,7 @@ def out_of_plane(scene: Declaration, joint: Joint) -> set[str]:
     SceneError
         When the joint leaves the plane, or stands oblique to it.
     """
-    if scene.plane is None:
+    if scene.plane is None or isinstance(joint, Rope):
         return set()
     found = set()
     for reaction, along in zip(joint.reactions, joint.directions, strict=True):
