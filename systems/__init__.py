@@ -3,21 +3,30 @@
 from mechanics.scene.system import System
 from systems import (
     acrobot,
+    andrews,
+    arm_puma560,
+    bead_on_hoop,
     cartpole,
     cartpole_friction,
+    cylinder_in_cylinder,
     double_inverted_pendulum,
     double_pendulum,
     elastic_pendulum,
     elastic_pendulum_ledger,
     four_bar,
     four_bar_ledger,
+    furuta_pendulum,
+    half_car,
     pendulum_chain,
+    quadrotor,
     rocker,
     rocker_control_ledger,
     rocker_ledger,
     rocker_shapes_ledger,
     rod_pendulum,
     rolling_disc,
+    slider_crank,
+    spinning_top,
     two_mass_chain,
     two_mass_chain_ledger,
 )
@@ -52,6 +61,21 @@ ALL: tuple[System, ...] = (
     System("rod_pendulum", rod_pendulum.scene, rod_pendulum.PUBLISHED),
     System("double_pendulum", double_pendulum.scene, double_pendulum.PUBLISHED),
 )
+TEXTBOOKS: tuple[System, ...] = (
+    System("spinning_top", spinning_top.scene, spinning_top.PUBLISHED),
+    System("furuta_pendulum", furuta_pendulum.scene, furuta_pendulum.PUBLISHED),
+    System("bead_on_hoop", bead_on_hoop.scene, bead_on_hoop.PUBLISHED),
+    System("cylinder_in_cylinder", cylinder_in_cylinder.scene, cylinder_in_cylinder.PUBLISHED),
+)
+MECHANISMS: tuple[System, ...] = (
+    System("slider_crank", slider_crank.scene, slider_crank.PUBLISHED),
+    System("andrews", andrews.scene, andrews.PUBLISHED),
+)
+ROBOTS_AND_VEHICLES: tuple[System, ...] = (
+    System("arm_puma560", arm_puma560.scene),
+    System("quadrotor", quadrotor.scene, quadrotor.PUBLISHED),
+    System("half_car", half_car.scene, half_car.PUBLISHED),
+)
 VARIANTS: tuple[System, ...] = (
     System("massless_carriage", elastic_pendulum.massless),
     System(
@@ -63,4 +87,17 @@ VARIANTS: tuple[System, ...] = (
 )
 """The seed's systems with a term more or less; their sources print no equations for them."""
 
-__all__ = ["ALL", "SEED", "VARIANTS"]
+
+GROUPS: tuple[tuple[str, tuple[System, ...]], ...] = (
+    ("checked by default", SEED),
+    ("first examples", ALL[len(SEED) :]),
+    ("textbooks", TEXTBOOKS),
+    ("mechanisms", MECHANISMS),
+    ("robots and vehicles", ROBOTS_AND_VEHICLES),
+    ("variants of the first three", VARIANTS),
+)
+"""Every system that is built in, under what it is."""
+
+EVERY: tuple[System, ...] = tuple(system for _, group in GROUPS for system in group)
+
+__all__ = ["ALL", "EVERY", "GROUPS", "SEED", "VARIANTS"]

@@ -6,8 +6,9 @@
     y1, y2  of the road beneath them
 
 The linear equations are those of R. N. Jazar, "Vehicle Dynamics: Theory and Application" (2008),
-in its chapter on vehicle vibrations; tyres do not damp, as there. The scene holds for any pitch: springs and
-dampers act along the vertical, and coordinates count from rest, where the springs carry the weight.
+in its chapter on vehicle vibrations; tyres do not damp, as there. The scene holds for any pitch:
+springs and dampers act along the vertical, and coordinates count from rest, where the springs carry
+the weight.
 """
 
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols

@@ -6,7 +6,8 @@
 
 The equations are those of H. Goldstein, "Classical Mechanics", second edition (1980), section 5-7;
 I1 counts about an axis across the top at its tip. The speeds are the components of the angular
-velocity in the top, as in its section 4-9: so accelerations have a value where the axis is vertical, too.
+velocity in the top, as in its section 4-9: so accelerations have a value where the axis is
+vertical, too.
 """
 
 from sympy import cos, sin

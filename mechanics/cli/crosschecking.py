@@ -29,17 +29,17 @@ def systems() -> None:
 
     Example: `mechanics systems`
     """
-    from systems import ALL, SEED, VARIANTS
+    from systems import GROUPS
 
     name = Column("system", no_wrap=True)
     table = Table(name, "scene", "coordinates", "published rows", box=None, pad_edge=False)
-    for system in (*ALL, *VARIANTS):
-        scene = system.scene()
-        mark = " *" if system in SEED else ""
-        names = ", ".join(q.name for q in scene.q)
-        table.add_row(system.name + mark, scene.name, names, str(len(system.published)))
+    for title, group in GROUPS:
+        table.add_row(f"[dim]{title}[/dim]")
+        for system in group:
+            scene = system.scene()
+            names = ", ".join(q.name for q in scene.q)
+            table.add_row(f"  {system.name}", scene.name, names, str(len(system.published)))
     Console().print(table)
-    Console().print("* checked when `mechanics crosscheck` is given no system", style="dim")
 
 
 def crosscheck(

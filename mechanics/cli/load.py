@@ -56,9 +56,9 @@ def built_in(text: str) -> System:
         When there is no such system.
     """
     # Ledgers take a second to build, and a file needs none of them.
-    from systems import ALL, VARIANTS
+    from systems import EVERY
 
-    known = {system.name: system for system in (*ALL, *VARIANTS)}
+    known = {system.name: system for system in EVERY}
     if text in known:
         return known[text]
     sized = CALL.fullmatch(text)

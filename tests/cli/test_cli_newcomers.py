@@ -17,7 +17,7 @@ def test_the_systems_that_an_error_names_are_those_that_are_listed(run: Any) -> 
     listed = run("systems").out
     error = run("derive", "nothing").err
     named = re.search(r"the systems are ([\w, ]+)", error)[1].split(", ")
-    rows = [line.split()[0] for line in listed.splitlines()[1:-1] if not line.startswith(" ")]
+    rows = re.findall(r"^  (\w+)", listed, re.MULTILINE)
     assert named == rows
 
 

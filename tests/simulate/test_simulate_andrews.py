@@ -1,6 +1,5 @@
 """Andrews' squeezing mechanism: derived, shown and moved as its authors state it."""
 
-import andrews
 import numpy as np
 import pytest
 
@@ -9,6 +8,7 @@ from mechanics.checks.admissible import check_scene
 from mechanics.checks.agreement import compare_pairs
 from mechanics.crosscheck.programs import check_laws, derive_rows
 from mechanics.simulate import simulate
+from systems import andrews
 
 ROUTES = ("free_body", "moving_point", "kane", "lagrange")
 

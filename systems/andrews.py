@@ -13,6 +13,7 @@ C. Magherini, University of Bari), after E. Hairer and G. Wanner, Solving Ordina
 Equations II (1996), section VII.7: geometry, parameters, state at t = 0 and motion.
 """
 
+from sympy import ImmutableMatrix, cos, sin
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
 from mechanics.scene import (
@@ -24,6 +25,8 @@ from mechanics.scene import (
     spring,
     torque,
 )
+from mechanics.scene.published import published
+from mechanics.scene.quantities import Identity, MassMatrix
 
 beta, theta, gamma, phi, delta, omega, epsilon = coordinates = dynamicsymbols(
     "beta theta gamma phi delta omega epsilon"
@@ -154,3 +157,47 @@ def scene() -> Scene:
         constraints=tuple(constraints),
         example=START,
     )
+
+
+def _mass_matrix() -> ImmutableMatrix:
+    """M(p) of the source, entry by entry."""
+    m1, m2, m3, m4, m5, m6, m7 = masses
+    I1, I2, I3, I4, I5, I6, I7 = inertias
+    pair = m2 * (da**2 - da * rr * cos(theta)) + I2
+    left = m4 * ((e - ea) ** 2 + zt * (e - ea) * sin(phi)) + I4
+    right = m6 * ((zf - fa) ** 2 - u * (zf - fa) * sin(omega)) + I6
+    diagonal = (
+        m1 * ra**2 + m2 * (rr**2 - 2 * da * rr * cos(theta) + da**2) + I1 + I2,
+        m2 * da**2 + I2,
+        m3 * (sa**2 + sb**2) + I3,
+        m4 * (e - ea) ** 2 + I4,
+        m4 * (zt**2 + 2 * zt * (e - ea) * sin(phi) + (e - ea) ** 2)
+        + m5 * (ta**2 + tb**2) + I4 + I5,
+        m6 * (zf - fa) ** 2 + I6,
+        m6 * ((zf - fa) ** 2 - 2 * u * (zf - fa) * sin(omega) + u**2)
+        + m7 * (ua**2 + ub**2) + I6 + I7,
+    )  # fmt: skip
+    beside = {(0, 1): pair, (3, 4): left, (5, 6): right}
+    return ImmutableMatrix(
+        7, 7, lambda i, j: diagonal[i] if i == j else beside.get((min(i, j), max(i, j)), 0)
+    )
+
+
+PUBLISHED = (
+    published("M", MassMatrix(), _mass_matrix(), label="mass matrix, constraints aside"),
+    *(
+        published(f"g{number}", Identity(), left, right, label=f"P by K2 and by {by}, along {axis}")
+        for number, left, right, by, axis in (
+            (1, rr * cos(beta) - d * cos(beta + theta) - ss * sin(gamma), xb, "K3", "x"),
+            (2, rr * sin(beta) - d * sin(beta + theta) + ss * cos(gamma), yb, "K3", "y"),
+            (3, rr * cos(beta) - d * cos(beta + theta) - e * sin(phi + delta) - zt * cos(delta),
+             xa, "K4", "x"),
+            (4, rr * sin(beta) - d * sin(beta + theta) + e * cos(phi + delta) - zt * sin(delta),
+             ya, "K4", "y"),
+            (5, rr * cos(beta) - d * cos(beta + theta) - zf * cos(omega + epsilon)
+             - u * sin(epsilon), xa, "K6", "x"),
+            (6, rr * sin(beta) - d * sin(beta + theta) - zf * sin(omega + epsilon)
+             + u * cos(epsilon), ya, "K6", "y"),
+        )
+    ),
+)  # fmt: skip
