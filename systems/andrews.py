@@ -123,13 +123,13 @@ def scene() -> Scene:
         "K7": (-ua, -ub),
     }
     ends = {"K2": (-d, 0), "K3": (0, -ss), "K4": (0, -e), "K6": (zf, 0)}
-    inner = {"K2": "K1", "K4": "K5", "K6": "K7"}
+    carriers = {"K2": "K1", "K4": "K5", "K6": "K7"}
     bodies, reactions = [], []
     for (name, start), mass, inertia in zip(starts.items(), masses, inertias, strict=True):
         centre = place(start, f"centre of {name}", *centres[name], frames[name])
         bodies.append(RigidBody(name, centre, frames[name], mass, inertia))
         reactions += [
-            reaction(f"{name}{axis}", at=start, on=name, by=inner.get(name), along=along)
+            reaction(f"{name}{axis}", at=start, on=name, by=carriers.get(name), along=along)
             for axis, along in (("x", ground.x), ("y", ground.y))
         ]
     pin = place(joint2, "P", *ends["K2"], frames["K2"])

@@ -14,7 +14,9 @@ the weight.
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
 from mechanics.scene import Particle, RigidBody, Scene, damper, parameters, reaction, spring
+from mechanics.scene.bodies import Body
 from mechanics.scene.linear_quantities import LinearizedEquation, operating_point
+from mechanics.scene.loads import Load
 from mechanics.scene.published import published
 
 x, theta, x1, x2, y1, y2 = dynamicsymbols("x theta x1 x2 y1 y2")
@@ -45,8 +47,8 @@ def scene() -> Scene:
     ground, origin = ReferenceFrame("N"), Point("O")
     car = ground.orientnew("B", "Axis", (-theta, ground.z))
     centre = origin.locatenew("C", x * ground.y)
-    bodies = [RigidBody("body", centre, car, m, I)]
-    loads = []
+    bodies: list[Body] = [RigidBody("body", centre, car, m, I)]
+    loads: list[Load] = []
     for name, reach, wheel, road, k, c, kt in (
         ("front", a1, x1, y1, k1, c1, kt1),
         ("rear", -a2, x2, y2, k2, c2, kt2),
