@@ -38,6 +38,6 @@ def explain(console: Console, finding: Finding) -> None:
         if state:
             console.print(f"  at {escape(state)}")
         if solved := ", ".join(f"{name} = {value}" for name, value in finding.witness.solved):
-            console.print(f"  from which follow {escape(solved)}")
+            console.print(f"  with {escape(solved)}")
         console.print(f"  left  {escape(finding.witness.left)}")
         console.print(f"  right {escape(finding.witness.right)}")

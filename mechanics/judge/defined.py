@@ -31,7 +31,7 @@ from mechanics.kernel.definedness import (
 )
 from mechanics.kernel.statement import POSITIVE
 from mechanics.kernel.states import State
-from mechanics.kinematics.manifold import ConstraintManifold, chart
+from mechanics.kinematics.manifold import ConstraintManifold, branch, chart
 from mechanics.program import Builder, Node, Obligation, Program
 from mechanics.program.operations import Sign
 from mechanics.program.sympy_reader import read
@@ -241,12 +241,12 @@ def _projected(scene: Scene, dependent: Program, state: State) -> State | None:
     given = {s.name: state[s.name] for s in symbols}
     # Both roots of what is closed by a square are tried, by what is drawn anyway.
     sense = 1 if sum(v.numerator for v in state.values() if isinstance(v, Fraction)) % 2 else -1
-    given |= {f"branch_of_{s.name}": Fraction(sense) for s in symbols}
+    given |= {branch(s): Fraction(sense) for s in symbols}
     for rotation in scene.rotations:
         # A state that is on the sphere stays where it is.
         first, *others = map(plain_symbol, rotation.coordinates)
         scale = 1 + given[first.name] if given[first.name] != -1 else 1
-        given |= {chart(s).name: given[s.name] / scale for s in others}
+        given |= {chart(s): given[s.name] / scale for s in others}
     values = dict(enclose(dependent, given, BITS))
     # No such state, or none that is told at these digits.
     if not all(value > 0 for value in values.pop(POSITIVE)):

@@ -2,15 +2,15 @@
 
 Statement --> decide --> Finding
 
-A verdict runs 3,996 lines of code, that of `program` counted too, of 6,374: the rest are
+A verdict runs 3,993 lines of code, that of `program` counted too, of 6,374: the rest are
 docstrings, comments and blanks. A test keeps them from growing beyond 4,000:
 
-    statements, findings, decisions, errors     statement, finding, decide, canaries         612
+    statements, findings, decisions, errors     statement, finding, decide, canaries         615
     the field and its error bound               trial, sizes, field, primes, draws         1,063
     sines and roots, rewritten                  angles, squares                              511
     the normal form                             ring, quotients, radicals, normal            740
-    balls and witnesses                         balls, witness                               369
-    points on constraints                       constraints                                  403
+    balls and witnesses                         balls, witness                               364
+    points on constraints                       constraints                                  405
     where it is defined                         definedness, signs, numbers, conjugates,
                                                 states                                     1,345
     the language                                program: its builder, programs, table of

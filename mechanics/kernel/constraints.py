@@ -70,7 +70,7 @@ def on_constraints(statement: Statement) -> Statement | None:
     Returns
     -------
     Statement
-        Without constraints; the inputs that were replaced are outputs of their names.
+        Without constraints; replaced inputs are outputs of their names, new ones are auxiliary.
     """
     builder = Builder()
     outputs = include(builder, base_angles(statement.program))
@@ -93,7 +93,8 @@ def on_constraints(statement: Statement) -> Statement | None:
     near = {name: statement.typical[name].limit_denominator(COARSE)
             for name in program.inputs if name in statement.typical}  # fmt: skip
     rest = tuple(name for name in statement.dependent if name not in solved)
-    return replace(statement, program=program, typical=near, dependent=rest)
+    own = statement.auxiliary | (set(program.inputs) - set(statement.program.inputs))
+    return replace(statement, program=program, typical=near, dependent=rest, auxiliary=own)
 
 
 @dataclass
@@ -291,7 +292,8 @@ class _Solver:
         one, two = (self.from_start(node, name) for node in solutions)
         if one is not None and two is not None:
             return solutions[two < one]
-        free = self.builder.input(f"branch {len(self.values) + 1}")
+        # No input of the statement has so long a name.
+        free = self.builder.input(" ".join(("branch of", name, *self.statement.program.inputs)))
         return solution(root * ((free * free).sqrt() / free))
 
     def from_start(self, node: Node, name: str) -> float | None:

@@ -51,11 +51,11 @@ class Witness:
     Attributes
     ----------
     state : tuple of (str, str)
-        Name and exact decimal or rational value of each symbol.
+        Name and exact decimal or rational value of each symbol that is chosen.
     left, right : str
         Enclosures of the two sides there, as ``midpoint +/- radius``; they are disjoint.
     solved : tuple of (str, str)
-        What follows from the state, as decimals: dependent quantities, accelerations, reactions.
+        What goes with it, as decimals: dependent quantities, accelerations, reactions.
     """
 
     state: tuple[tuple[str, str], ...]

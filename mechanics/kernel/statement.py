@@ -45,6 +45,8 @@ class Statement:
         they are a state on the constraints, it is about the component and branch of that state.
     dependent : tuple of str
         Inputs for which the constraints may be solved, those to be tried first at the beginning.
+    auxiliary : frozenset of str
+        Inputs that only choose a point, as the sign of a root does: no witness lists them.
     target : float
         Largest chance of error that a CERTIFIED finding may have.
 
@@ -59,6 +61,7 @@ class Statement:
     signs: Mapping[str, Range] = field(default_factory=dict)
     typical: Mapping[str, Fraction] = field(default_factory=dict)
     dependent: tuple[str, ...] = ()
+    auxiliary: frozenset[str] = frozenset()
     target: float = TARGET
 
     def __post_init__(self) -> None:

@@ -51,24 +51,25 @@ def states(statement: Statement) -> Iterator[State]:
     """States that meet the declared signs, simple ones first."""
     names = statement.program.inputs
     angles = angle_inputs(statement.program)
+    typical = {name: value for name, value in statement.typical.items() if name in names}
     draws = Draws(statement.seed, "witness")
+
+    def simple(k: int) -> State:
+        return {name: _simple(statement.range_of(name), name in angles, i, k)
+                for i, name in enumerate(names)}  # fmt: skip
+
     if statement.typical:
-        yield {name: _typical(statement, name, angles, 0) for name in names}
+        yield simple(0) | typical
     for k in range(SIMPLE_STATES):
         if statement.typical and k < TYPICAL_STATES:
-            yield {name: _typical(statement, name, angles, k + 1) * _near(i, k)
-                   for i, name in enumerate(names)}  # fmt: skip
-        yield {
-            name: _simple(statement.range_of(name), name in angles, i, k)
-            for i, name in enumerate(names)
-        }
+            known = simple(k + 1) | typical
+            yield {name: known[name] * _near(i, k) for i, name in enumerate(names)}
+        yield simple(k)
     for k in range(STATES - SIMPLE_STATES):
         state = {name: _drawn(statement.range_of(name), draws, k) for name in names}
-        if statement.typical:
-            state |= {name: value * (1 + Fraction(draws.below(129) - 64, 256))
-                      for name, value in statement.typical.items()
-                      if k % 2 and name in state}  # fmt: skip
-        yield state
+        near = {name: value * (1 + Fraction(draws.below(129) - 64, 256))
+                for name, value in typical.items() if k % 2}  # fmt: skip
+        yield state | near
 
 
 def boundaries(statement: Statement) -> Iterator[State]:
@@ -154,13 +155,6 @@ def _signed(known: Range, size: Fraction, minus: bool) -> Fraction:
     return -size if known is Range.NEGATIVE or (known is Range.FREE and minus) else size
 
 
-def _typical(statement: Statement, name: str, angles: frozenset[str], k: int) -> Fraction:
-    if name in statement.typical:
-        return Fraction(statement.typical[name])
-    place = statement.program.inputs.index(name)
-    return _simple(statement.range_of(name), name in angles, place, k)
-
-
 def _near(place: int, k: int) -> Fraction:
     """A factor close to 1, another for each input: what a body can have stays so."""
     return 1 + Fraction((place * 7 + k * 5) % 11 - 5, 100)
@@ -209,7 +203,8 @@ def _at_state(
         if apart:
             with precision(bits):
                 x, y = max(apart, key=lambda pair: float(abs(pair[0] - pair[1]).mid()))
-            return _witness(state, outputs, x, y), True
+            told = {name: state[name] for name in state.keys() - statement.auxiliary}
+            return _witness(told, outputs, x, y), True
     return None, defined
 
 

@@ -127,15 +127,20 @@ class ConstraintManifold:
         return solved
 
 
-def chart(symbol: Symbol) -> Symbol:
-    """What stands for a coordinate of a quaternion on the way to its sphere."""
-    return Symbol(f"chart_of_{symbol.name}", real=True)
+def chart(symbol: Symbol) -> str:
+    """The input that stands for a coordinate of a quaternion on the way to its sphere."""
+    return f"chart of {symbol.name}"
+
+
+def branch(symbol: Symbol) -> str:
+    """The input whose sign tells which root a coordinate is."""
+    return f"branch of {symbol.name}"
 
 
 def _on_sphere(a: Arithmetic, coordinates: Sequence[Symbol]) -> None:
     """By the stereographic projection, which misses one point: rational, and of one component."""
     first, *others = coordinates
-    numbers = [a.value(chart(symbol)) for symbol in others]
+    numbers = [a.auxiliary(chart(symbol)) for symbol in others]
     square = sum((number * number for number in numbers), a.builder.zero)
     a.assign(first, (1 - square) / (1 + square))
     for symbol, number in zip(others, numbers, strict=True):
@@ -158,7 +163,7 @@ def _solve_square(a: Arithmetic, symbol: Symbol, square: Expr, slope: Expr, rest
 
 def _either_sign(a: Arithmetic, symbol: Symbol) -> Number:
     """1 or -1, sqrt(z^2) / z of a free z: what holds on one branch only is not shown."""
-    free = a.value(Symbol(f"branch_of_{symbol.name}", real=True))
+    free = a.auxiliary(branch(symbol))
     return a.sqrt(free * free) / free
 
 

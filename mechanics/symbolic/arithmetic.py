@@ -46,6 +46,8 @@ class Arithmetic:
         What the statement takes to be positive.
     inputs : dict of Symbol to str
         Names of the inputs.
+    auxiliaries : set of str
+        Those of them that only choose a point.
     assigned : dict of Symbol to Node
         What symbols stand for.
     """
@@ -56,6 +58,7 @@ class Arithmetic:
         self.positive: list[Node] = []
         self.assigned: dict[sympy.Symbol, Node] = {}
         self.inputs: dict[sympy.Symbol, str] = {}
+        self.auxiliaries: set[str] = set()
         self._names: dict[str, sympy.Symbol] = {}
         rules = {
             sympy.Symbol: lambda symbol: Parts((), lambda: self._input(symbol).number),
@@ -92,6 +95,13 @@ class Arithmetic:
                 f"symbol {symbol} has been used or assigned already: assign it before its first use"
             )
         self.assigned[symbol] = node
+
+    def auxiliary(self, name: str) -> Node:
+        """A real input that chooses a point and is no symbol of any expression."""
+        symbol = sympy.Dummy(name, real=True)
+        node = self.value(symbol)
+        self.auxiliaries.add(self.inputs[symbol])
+        return node
 
     def _input(self, symbol: sympy.Symbol) -> Node:
         """The input of its name, or of a longer one where another symbol has that."""
@@ -272,4 +282,5 @@ def statement(subject: str, experiment: Experiment, target: float) -> Statement:
             if not isinstance(symbol, sympy.Dummy) and symbol.name not in a.signs
         },
     }  # fmt: skip
-    return Statement(subject, a.builder.program(outputs), a.signs, target=target)
+    program, auxiliary = a.builder.program(outputs), frozenset(a.auxiliaries)
+    return Statement(subject, program, a.signs, auxiliary=auxiliary, target=target)

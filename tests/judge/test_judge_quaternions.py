@@ -44,6 +44,10 @@ def test_a_wrong_factor_is_refuted_at_a_unit_quaternion(truth: Equations) -> Non
     finding = found.judged[0].finding
     assert finding.verdict is Verdict.REFUTED
     state = dict(finding.witness.solved)
+    # What only chooses the point on the sphere is no quantity of the scene: nobody reads of it.
+    scene = truth.scene
+    symbols = {*scene.q, *scene.u, *scene.ud, *scene.parameters}
+    assert {name for name, _ in finding.witness.state} <= {symbol.name for symbol in symbols}
     assert sum(float(state[f"e{i}"]) ** 2 for i in range(4)) == pytest.approx(1)
     assert verdicts(truth, "V = m*g*l*(1 - e1^2 - e2^2)") == [Verdict.REFUTED]
 

@@ -47,6 +47,19 @@ def test_the_component_is_named() -> None:
     assert decide(statement(b, x + y, y, [x * y], dependent=("y",))).verdict is Verdict.REFUTED
 
 
+@pytest.mark.parametrize("name", ["branch 1", "branch of x"])
+def test_a_root_is_chosen_by_no_input_of_the_statement(name: str) -> None:
+    """x^2 = z: x = sqrt z or -sqrt z, whatever the sign of another input."""
+    b = Builder()
+    x, z, other = b.input("x"), b.input("z"), b.input(name)
+    claim = statement(b, x, z.sqrt() * other / abs(other), [x * x - z], dependent=("x",))
+    finding = decide(claim)
+    assert finding.verdict is Verdict.REFUTED
+    assert finding.witness is not None
+    assert {key for key, _ in finding.witness.state} == {"z", name}
+    assert [key for key, _ in finding.witness.solved] == ["x"]
+
+
 def test_a_value_is_known_by_the_inputs_below_the_values_that_it_holds() -> None:
     """p by q, then q by r: what is left for r holds p, and so r a second time."""
     b = Builder()

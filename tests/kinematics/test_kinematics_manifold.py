@@ -8,15 +8,17 @@ from fractions import Fraction
 
 import pytest
 from quaternions import ball_top
-from sympy import Expr, cos
+from sympy import Expr, Symbol, cos
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
 from mechanics.errors import ExpressionError
-from mechanics.kernel import enclose
+from mechanics.kernel import Verdict, enclose
 from mechanics.kinematics.constraints import velocity_forms
 from mechanics.kinematics.manifold import ConstraintManifold
+from mechanics.program import Node
 from mechanics.scene import Particle, Scene, holonomic, nonholonomic, parameters, reaction
 from mechanics.scene.rates import rate, rate_table
+from mechanics.scene.symbols import plain_symbol
 from mechanics.symbolic import Arithmetic, decide
 from systems import four_bar, rolling_disc
 from tests.linkages import slider_crank
@@ -129,14 +131,26 @@ def test_positive_length_is_the_positive_root(sign: int) -> None:
 def test_coordinate_has_either_root(branch: int, root: int, speed: int) -> None:
     # 2 x^2 + 6 x y + 4 y^4 = 0: at y = 1, x = -1 or -2; (4 x + 6 y) x' + (6 x + 16 y^3) y' = 0.
     scene = bead(2 * x**2 + 6 * x * y + 4 * y**4)
-    found = values(scene, y=1, branch_of_x=branch, x_dot=10, x_ddot=0)
+    found = values(scene, **{"y": 1, "branch of x": branch, "x_dot": 10, "x_ddot": 0})
     assert (found["x"], found["y_dot"]) == (root, speed)
+
+
+@pytest.mark.parametrize("name", ["branch_of_x", "branch of x"])
+def test_a_root_is_chosen_by_no_symbol_of_a_statement(name: str) -> None:
+    # x^2 = y^4: x = y^2 or -y^2, whatever the sign of another symbol.
+    other = Symbol(name, real=True)
+
+    def experiment(a: Arithmetic) -> list[tuple[Node, Node]]:
+        ConstraintManifold(bead(x**2 - y**4)).project(a)
+        return [(a.value(plain_symbol(x)), a.value(plain_symbol(y) ** 2 * abs(other) / other))]
+
+    assert decide("x = y^2 sgn", experiment).verdict is Verdict.REFUTED
 
 
 def test_each_of_two_squares_is_solved_for_what_it_alone_holds() -> None:
     # z^2 + y^2 = 5 holds y, too, which the first constraint needs: its own is z.
     scene = bead(x**2 - y**3, y**2 + z**2 - 5)
-    found = values(scene, y=1, branch_of_x=1, branch_of_z=-1, x_dot=3, x_ddot=0)
+    found = values(scene, **{"y": 1, "branch of x": 1, "branch of z": -1, "x_dot": 3, "x_ddot": 0})
     # 2 x x' = 3 y^2 y',  y y' + z z' = 0
     assert [found[name] for name in ("x", "z", "y_dot", "z_dot")] == [1, -2, 2, 1]
 

@@ -82,7 +82,7 @@ def test_the_whole_answer_of_one_statement() -> None:
         "    right if theta is measured from the other vertical\n"
         "    at this state 3.01912 is written and 0 derived: they differ\n"
         "    the state: L=211/64, theta=31/32\n"
-        "    from which follow theta_ddot=-2.48253\n"
+        "    with theta_ddot=-2.48253\n"
         "    (how it is known: the enclosures at a real state are disjoint)"
     )
 
@@ -288,7 +288,7 @@ def test_what_follows_from_a_state_is_told_as_far_as_the_statement_holds_it(
     entry = answered.judged[1]
     assert entry.finding.witness is not None
     assert {"N", "T", "x_ddot"} <= {name for name, _ in entry.finding.witness.solved}
-    assert "    from which follow x_ddot=" in str(answered)
+    assert "    with x_ddot=" in str(answered)
     assert ", theta_ddot=" in str(answered)
     assert "N1=" not in str(answered)
 

@@ -88,7 +88,7 @@ def sides(statement: Statement) -> tuple[str, str]:
 def solved(
     statement: Statement, found: Sequence[tuple[str, str]], scene: Scene | None = None
 ) -> list[tuple[str, str]]:
-    """What follows from a state: where the scene is, and of the rest what the statement holds.
+    """What goes with a state: where the scene is, and of the rest what the statement holds.
 
     Of a loop the coordinates, speeds and lengths that close it; of accelerations and reactions
     those that are spoken of.

@@ -177,7 +177,7 @@ def _edit(edit: Edit, lead: str, where: str) -> Text:
 
 
 def _state(entry: Judged, scene: Scene | None) -> Iterator[RenderableType]:
-    """The state of a witness with what follows from it, and both values there."""
+    """The state of a witness with what goes with it; both values there."""
     finding: Finding = entry.finding
     if finding.witness is None:
         return
@@ -190,7 +190,7 @@ def _state(entry: Judged, scene: Scene | None) -> Iterator[RenderableType]:
     yield below(line(f"the state: {_listed(state)}", "dim"))
     if held := solved(entry.statement, witness.solved, scene):
         short = [(name, short_value(value)) for name, value in held]
-        yield below(line(f"from which follow {_listed(short)}", "dim"))
+        yield below(line(f"with {_listed(short)}", "dim"))
     yield below(line(finding.evidence, "dim", "(how it is known: ").append(")", "dim"))
 
 
