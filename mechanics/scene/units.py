@@ -18,6 +18,7 @@ from mechanics.scene.bodies import RigidBody, inertia_entries
 from mechanics.scene.declaration import Declaration
 from mechanics.scene.geometry import components, point_path, step_vector
 from mechanics.scene.loads import Coulomb, Damper, Force, Gravity, Spring, Torque, TorsionSpring
+from mechanics.scene.outputs import Orientation
 from mechanics.scene.unit_names import Dimension, dimension_of_unit, words
 
 PLAIN = (sin, cos, tan, exp)
@@ -98,8 +99,9 @@ def declared(scene: Declaration) -> Iterator[tuple[str, Expr, str]]:
         if isinstance(body, RigidBody):
             for entry in inertia_entries(body):
                 yield f"{where}, inertia", sympify(entry), "kg*m^2"
-        path = point_path(scene.origin, body.centre)
-        for parent, child in pairwise(path):
+    outputs = (o for o in scene.outputs.values() if not isinstance(o, Orientation))
+    for end in dict.fromkeys((*(b.centre for b in scene.bodies), *(o.point for o in outputs))):
+        for parent, child in pairwise(point_path(scene.origin, end)):
             yield from _entries(f"point {child.name}", step_vector(parent, child), "m")
     for load in scene.loads:
         where = f"load {load.name}"

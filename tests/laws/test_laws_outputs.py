@@ -288,6 +288,13 @@ def test_outputs_that_cannot_be_are_refused(make: Callable[[Any], Any], words: s
     assert "\n" not in str(caught.value)
 
 
+def test_a_point_of_an_output_is_placed_by_lengths() -> None:
+    scene, (k, _) = arm(), parameters("k c", units="N/m N*s/m")
+    point = scene.outputs["tool"].point.locatenew("K", k * scene.frame.x)
+    with pytest.raises(SceneError, match=r"point K: k has the unit .*, not m: correct"):
+        replace(scene, outputs={"tool": position(point)})
+
+
 @pytest.mark.parametrize(
     ("make", "words"),
     [

@@ -6,9 +6,9 @@
 
 S = a^2 e1 e1 + b^2 e2 e2 + c^2 e3 e3 of an ellipsoid, r^2 (1 - a a) of a thin wheel of axle a, r^2
 of a ball. Velocities are those against the frame of the plane. The contact presses along n, and
-is tangential along a x n, forward, and n x (a x n), sideways, the directions of the wheel; or,
-where x' and y' are speeds, along these. So the conditions have pivots at every heading, and each
-force has the power of its condition.
+is tangential along the axes of the plane, where the conditions of a wheel are solved for x' and y'
+at every heading, or, where its velocities forward and to the side are speeds, in these directions.
+Each force has the power of its condition.
 
 A wheel that stands nowhere else is placed on the plane, so that its gap is none:
 
@@ -17,7 +17,7 @@ A wheel that stands nowhere else is placed on the plane, so that its gap is none
     phi, angle                          in a ring R: C at R - r, (R - r) phi' + r angle' = 0
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -283,8 +283,10 @@ def _touching(ends: Ends, base: _Base, radius: Any, onto: Any, axis: Any) -> Joi
     shape = _round(ends, base, radius, frame) if axis is None else _wheel(
         ends, base, radius, frame, axis)  # fmt: skip
     contact, moving = centre.locatenew(f"{ends.name}_contact", shape.way), place.dt(base.frame)
-    rows = {word: (along, moving.dot(along) + turning)
-            for word, (along, turning) in shape.turning.items()}  # fmt: skip
+    rows = {
+        letter: (along, moving.dot(along) + shape.turning.dot(along))
+        for letter, along in zip(base.letters, base.axes(base.frame)[:2], strict=True)
+    }
     forces, constraints = _slipless(ends, contact, rows)
     press = reaction(f"{ends.name}_{NORMAL}", contact, ends.child, ends.parent, n)
     gap = holonomic(f"{ends.name}_touches", place.dot(n) - shape.height, press.name)
@@ -297,17 +299,16 @@ def _touching(ends: Ends, base: _Base, radius: Any, onto: Any, axis: Any) -> Joi
 
 @dataclass(frozen=True)
 class _Shape:
-    """What touches: height of C, d, and by name directions in the plane with omega x d in them."""
+    """What touches: height of C, d, and omega x d."""
 
     height: Expr
     way: Vector
-    turning: Mapping[str, tuple[Vector, Expr]]
+    turning: Vector
 
 
 def _round(ends: Ends, base: _Base, radius: Any, frame: ReferenceFrame) -> _Shape:
     """A ball, or an ellipsoid."""
     n, omega = base.normal, frame.ang_vel_in(base.frame)
-    e1, e2, _ = base.axes(base.frame)
     if isinstance(radius, tuple | list):
         if len(radius) != 3:
             raise SceneError(
@@ -321,27 +322,23 @@ def _round(ends: Ends, base: _Base, radius: Any, frame: ReferenceFrame) -> _Shap
     else:
         height = scalar(radius, f"{ends.title}: the radius")
         way = -height * n
-    turning = omega.cross(way)
-    return _Shape(height, way, {FORWARD: (e1, turning.dot(e1)), SIDE: (e2, turning.dot(e2))})
+    return _Shape(height, way, omega.cross(way))
 
 
 def _wheel(ends: Ends, base: _Base, radius: Any, frame: ReferenceFrame, axis: Any) -> _Shape:
-    """A thin wheel: d x (a x n) = -r s a and d x (a - (n . a) n) = r s a x n, s^2 = 1 - (n . a)^2.
+    """A thin wheel, s^2 = 1 - (n . a)^2, in which no spin angle stands:
 
-    No spin angle stands in it.
+    omega x d = r/s (-(omega . a) a x n + (omega . a x n) (a - (n . a) n))
     """
     axle = _outermost(base.frame, read_axis(f"{ends.title}: the axis", axis).unit)
     ((_, hub),) = axle.args
     r, n = scalar(radius, f"{ends.title}: the radius"), base.normal
     slope, ahead = n.dot(axle), axle.cross(n)
-    steep = sqrt(1 - slope**2)
-    omega, turning = frame.ang_vel_in(base.frame), hub.ang_vel_in(base.frame)
-    return _Shape(
-        r * steep,
-        -r / steep * (n - slope * axle),
-        {FORWARD: (ahead / steep, -r * omega.dot(axle)),
-         SIDE: ((axle - slope * n) / steep, r * turning.dot(ahead))},
-    )  # fmt: skip
+    steep, across = sqrt(1 - slope**2), axle - slope * n
+    rolling = -frame.ang_vel_in(base.frame).dot(axle) * ahead
+    leaning = hub.ang_vel_in(base.frame).dot(ahead) * across
+    way = -r / steep * (n - slope * axle)
+    return _Shape(r * steep, way, r / steep * (rolling + leaning))
 
 
 def _outermost(root: ReferenceFrame, axle: Vector) -> Vector:
