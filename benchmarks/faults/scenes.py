@@ -1,6 +1,6 @@
 """Scenes over which faults are planted."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from functools import partial
 
 from sympy import Rational, cos, pi, sin, sqrt
@@ -10,16 +10,28 @@ from mechanics.scene import (
     Particle,
     RigidBody,
     Scene,
+    ball,
+    cylindrical,
+    euler,
     force,
+    free,
     gravity,
     parameters,
+    pin,
+    planar,
+    quaternion,
     reaction,
     reaction_couple,
+    slide,
     spring,
     torque,
+    universal,
+    weld,
 )
 from mechanics.scene.composite import composite, part
+from mechanics.scene.euler import Euler
 from mechanics.scene.loads import damper, torsion_spring
+from mechanics.scene.rotations import Rotation
 from mechanics.scene.shapes import Disc, Rectangle, Ring, Rod, Semidisc
 from systems import (
     cartpole_friction,
@@ -125,6 +137,105 @@ def trammel() -> Scene:
     )  # fmt: skip
 
 
+def chain_of_joints() -> Scene:
+    """Joints in space in a row, two about oblique axes, and a box welded to the first body."""
+    m, L, k, g, A, B, C = parameters("m L k g A B C")
+    s, a, x, b, c, d = dynamicsymbols("s a x b c d")
+    N, O = ReferenceFrame("N"), Point("O")
+    one = slide("rail", None, "cart", at=O, axis=3 * N.x + 4 * N.z, distance=s)
+    two = cylindrical("sleeve", "cart", "drum", at=one.point.locatenew("S", L * N.y),
+                      axis=one.frame.y - one.frame.x, angle=a, distance=x)  # fmt: skip
+    three = universal("cross", "drum", "stick", at=two.point.locatenew("U", L * two.frame.x),
+                      frame=two.frame, axes="xz", angles=(b, c))  # fmt: skip
+    four = pin("hinge", "stick", "tip", at=three.point.locatenew("H", L * three.frame.y),
+               axis=-2 * three.frame.z, angle=d)  # fmt: skip
+    five = weld("glue", "cart", "box", at=one.point.locatenew("W", L * one.frame.z),
+                frame=one.frame)  # fmt: skip
+    joints = one, two, three, four, five
+    bodies = tuple(
+        RigidBody(joint.child, joint.point.locatenew(f"C{i}", i * L * joint.frame.x / 2),
+                  joint.frame, m, inertia(joint.frame, A, B, C))
+        for i, joint in enumerate(joints)
+    )  # fmt: skip
+    tip = four.point.locatenew("T", L * four.frame.z)
+    return Scene(
+        "chain of joints", N, O, joints=joints, bodies=bodies,
+        loads=(
+            gravity(-g * N.y),
+            spring("k", one.point.locatenew("Q", L * N.x), tip, k, length=L / 3,
+                   first_on="cart", second_on="tip"),
+        ),
+    )  # fmt: skip
+
+
+def hung_plate() -> Scene:
+    """A plate in the plane on a pin that closes a loop, a pendulum on it, a spring between both."""
+    m, L, k, g, A = parameters("m L k g A", typical="2 1/2 30 9.81 1/10")
+    x, y, a, b = dynamicsymbols("x y a b")
+    N, O = ReferenceFrame("N"), Point("O")
+    plate = planar("plane", None, "plate", at=O, frame=N, coordinates=(x, y), angle=a)
+    nail = pin("nail", None, "plate", at=O, axis=N.z,
+               onto=plate.point.locatenew("P", L * plate.frame.y))  # fmt: skip
+    rod = pin("pivot", "plate", "rod", at=plate.point.locatenew("Q", -L * plate.frame.y),
+              axis=-plate.frame.z, angle=b)  # fmt: skip
+    centre = rod.point.locatenew("C", -L * rod.frame.y)
+    return Scene(
+        "hung plate", N, O, plane=N.z, joints=(plate, nail, rod),
+        bodies=(
+            RigidBody("plate", plate.point, plate.frame, m, A),
+            RigidBody("rod", centre, rod.frame, m, A),
+        ),
+        loads=(
+            gravity(-g * N.y),
+            spring("k", plate.point.locatenew("S", L / 3 * plate.frame.y),
+                   rod.point.locatenew("T", -L / 2 * rod.frame.y), k, length=L,
+                   first_on="plate", second_on="rod"),
+        ),
+        example={"x": 0, "y": -0.5, "a": 0, "b": 0},
+    )  # fmt: skip
+
+
+def held_block() -> Scene:
+    """A body by Euler angles that a sleeve on an oblique axis holds: a loop in space."""
+    m, L, g, A, B, C = parameters("m L g A B C")
+    x, y, z, a, b, c = dynamicsymbols("x y z a b c")
+    N, O = ReferenceFrame("N"), Point("O")
+    air = free("air", "block", at=O, frame=N, coordinates=(x, y, z),
+               rotation=euler("xyz", a, b, c))  # fmt: skip
+    hung = air.point.locatenew("P", L * air.frame.y)
+    sleeve = cylindrical("sleeve", None, "block", at=O, axis=N.x + N.y,
+                         onto=(hung, air.frame.x + air.frame.y))  # fmt: skip
+    return Scene(
+        "held block", N, O, joints=(air, sleeve),
+        bodies=(RigidBody("block", air.point, air.frame, m, inertia(air.frame, A, B, C)),),
+        loads=(gravity(-g * N.y),), example={"y": -0.5},
+    )  # fmt: skip
+
+
+def top(name: str, rotation: Euler | Rotation, example: Mapping[str, float]) -> Scene:
+    """A heavy top on a ball joint."""
+    m, L, g, A, C = parameters("m L g A C", typical="2 0.3 9.81 0.4 0.2")
+    N, O = ReferenceFrame("N"), Point("O")
+    foot = ball("foot", None, "top", at=O, frame=N, rotation=rotation)
+    centre = foot.point.locatenew("C", L * foot.frame.z)
+    return Scene(
+        name, N, O, joints=(foot,),
+        bodies=(RigidBody("top", centre, foot.frame, m, inertia(foot.frame, A, A, C)),),
+        loads=(gravity(-g * N.z),), example=example,
+    )  # fmt: skip
+
+
+def quaternion_top() -> Scene:
+    """A top without a chart."""
+    rotation = quaternion("e0 e1 e2 e3", "wx wy wz")
+    return top("quaternion top", rotation, {"e0": 0.95, "e1": 0.3, "wz": 20})
+
+
+def spinning_top() -> Scene:
+    """A top by angles that are regular where it is upright."""
+    return top("spinning top", euler("xyz", *dynamicsymbols("a b c")), {})
+
+
 SEED = ("elastic_pendulum", "rocker", "two_mass_chain")
 SCENES: dict[str, Callable[[], Scene]] = {
     "elastic_pendulum": elastic_pendulum.scene,
@@ -137,4 +248,9 @@ SCENES: dict[str, Callable[[], Scene]] = {
     "trammel": trammel,
     "arm": arm,
     "arm of programs": partial(arm, 4),
+    "chain of joints": chain_of_joints,
+    "hung plate": hung_plate,
+    "held block": held_block,
+    "quaternion top": quaternion_top,
+    "spinning top": spinning_top,
 }

@@ -1,6 +1,14 @@
 """All faults. A row whose text has changed fails in `tests/benchmarks/test_benchmark_faults.py`."""
 
-from benchmarks.faults import rows_kernel, rows_motion, rows_programs, rows_routes, rows_scene
+from benchmarks.faults import (
+    rows_joints,
+    rows_kernel,
+    rows_linear,
+    rows_motion,
+    rows_programs,
+    rows_routes,
+    rows_scene,
+)
 from benchmarks.faults.fault import Fault
 
 FAULTS: tuple[Fault, ...] = (
@@ -9,4 +17,6 @@ FAULTS: tuple[Fault, ...] = (
     *rows_routes.ROWS,
     *rows_kernel.ROWS,
     *rows_programs.ROWS,
+    *rows_joints.ROWS,
+    *rows_linear.ROWS,
 )

@@ -11,7 +11,7 @@ import json
 import os
 import signal
 import sys
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from random import Random
 from typing import Any
 
@@ -19,11 +19,13 @@ from sympy import Abs, cos, sin, sqrt, symbols
 from sympy.core.cache import clear_cache
 
 from benchmarks.faults.fault import Fault, plant
+from benchmarks.faults.operating_points import linear_outcome
 from benchmarks.faults.scenes import SCENES
 from mechanics.checks.admissible import check_scene
 from mechanics.checks.agreement import compare_pairs
 from mechanics.checks.energy import kinetic
 from mechanics.checks.jets import precision
+from mechanics.checks.joints import check_joints
 from mechanics.checks.route_canaries import known_findings
 from mechanics.checks.states import State, name_of
 from mechanics.checks.virtual_power import (
@@ -39,7 +41,7 @@ from mechanics.crosscheck.programs import Programs, check_laws, derive_rows
 from mechanics.crosscheck.programs import solved as solved_program
 from mechanics.crosscheck.sympy_table import too_large
 from mechanics.equations import Equations
-from mechanics.kernel import Verdict
+from mechanics.kernel import Finding, Verdict
 from mechanics.kinematics.motion import poses
 from mechanics.mechanism import Mechanism
 from mechanics.mechanism import name_of as node_name
@@ -64,6 +66,9 @@ def outcome(name: str, clean: Mapping[str, str] | None) -> dict[str, Any]:
         scene = SCENES[name]()
         mechanism = check_scene(scene)
         states, support = drawn_states(scene), None
+        joints = unsupported(check_joints(scene, states))
+        if clean is not None and joints:
+            return {"changed": True, "noticed": joints}
         numbers |= potential_numbers(scene, states)
         written = is_written_out(mechanism)
         ways = [route.derive for route in ROUTES] if written else []
@@ -88,8 +93,14 @@ def outcome(name: str, clean: Mapping[str, str] | None) -> dict[str, Any]:
         if clean is not None and wrong:
             words = f"programs: {wrong[0].subject}: {wrong[0].verdict.name}"
             return {"changed": True, "noticed": words}
+        linear, findings = linear_outcome(name, scene, programs)
+        numbers, deviating = numbers | linear, unsupported(findings)
         if clean is None:
+            if wrong or joints or deviating:
+                raise RuntimeError(f"{name}, without a fault: {wrong} {joints} {deviating}")
             return {"numbers": numbers}
+        if deviating:
+            return {"changed": True, "noticed": deviating}
         changed = differ(numbers, clean)
         result = crosscheck(scene, CrossCheck(states=0)) if changed else None
     except Exception as error:
@@ -101,6 +112,12 @@ def outcome(name: str, clean: Mapping[str, str] | None) -> dict[str, Any]:
         return {"changed": changed, "noticed": ""}
     first = result.open[0]
     return {"changed": True, "noticed": f"{first.subject}: {first.verdict.name}"}
+
+
+def unsupported(findings: Iterable[Finding]) -> str:
+    """The first finding that numbers do not support; empty where they support all."""
+    wrong = (f for f in findings if f.verdict is not Verdict.SUPPORTED)
+    return next((f"{f.subject}: {f.verdict.name}" for f in wrong), "")
 
 
 def differ(numbers: Mapping[str, str], clean: Mapping[str, str]) -> bool:

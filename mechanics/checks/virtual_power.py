@@ -71,9 +71,9 @@ def check_powers(scene: Scene, states: Sequence[State], potential: Expr) -> Iter
                 yield f"power of {name}", power, arb(0)
 
     if any(isinstance(load, CONSERVATIVE) for load in scene.loads):
-        yield _tried("power of the declared loads = -dV/dt", states, released)
+        yield tried("power of the declared loads = -dV/dt", states, released)
     if scene.reactions:
-        yield _tried("declared reactions have no power", states, ideal)
+        yield tried("declared reactions have no power", states, ideal)
 
 
 def check_virtual_power(
@@ -143,7 +143,7 @@ def _checked(
         if scene.reactions and all(r.name in values for r in scene.reactions):
             yield from _momenta(motion, inertia, applied, values)
 
-    return _tried(f"{route}: virtual power of what was declared", states, rows)
+    return tried(f"{route}: virtual power of what was declared", states, rows)
 
 
 def solved(equations: Equations, telling: Equations, state: State) -> Solved:
@@ -227,9 +227,7 @@ def _used(vectors: Sequence[arb_mat]) -> list[int]:
     return [i for i in range(3) if any(vector[i, 0] != 0 for vector in vectors)]
 
 
-def _tried(
-    subject: str, states: Sequence[State], rows: Callable[[State], Iterator[Row]]
-) -> Finding:
+def tried(subject: str, states: Sequence[State], rows: Callable[[State], Iterator[Row]]) -> Finding:
     """Rows of (words, left, right) at the first admissible states."""
     used = 0
     samples: list[tuple[arb, arb]] = []

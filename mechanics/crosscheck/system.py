@@ -14,6 +14,7 @@ from mechanics.checks.admissible import check_scene
 from mechanics.checks.agreement import compare_pairs
 from mechanics.checks.canaries import check_canaries
 from mechanics.checks.dimensions import check_dimensions
+from mechanics.checks.joints import check_joints
 from mechanics.checks.ledger import QUANTITIES, check_row
 from mechanics.checks.ledger_motion import check_complete, gives
 from mechanics.checks.solution import proof_pays
@@ -209,7 +210,8 @@ def _without_textbook(
     stage("the scene as declared")
     states = drawn_states(scene)
     witnesses = [
-        check_program(scene, name, solved(programs, name), states) for name in programs.routes
+        *check_joints(scene, states),
+        *(check_program(scene, name, solved(programs, name), states) for name in programs.routes),
     ]
     stage("published equations")
     known = tuple(row for row in system.published if isinstance(row.quantity, QUANTITIES))
@@ -262,6 +264,7 @@ def _witnesses(scene: Scene, derived: Mapping[str, Equations]) -> Iterator[Findi
     states, support = drawn_states(scene), derived.get("free_body")
     if support is None and frictions(scene):
         support = by_route("free_body", scene)
+    yield from check_joints(scene, states)
     yield from check_powers(scene, states, potential(scene))
     for equations in derived.values():
         yield check_virtual_power(equations, states, support)

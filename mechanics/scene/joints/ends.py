@@ -8,7 +8,8 @@ The force acts at the child's point: so the power of each reaction is its unknow
 its constraint, also where the loop is open.
 """
 
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, field
 from typing import Any
 
 from sympy import Expr
@@ -29,7 +30,7 @@ Aligned = tuple[tuple[Vector, Vector], ...]
 
 @dataclass(frozen=True)
 class Ends:
-    """Who is joined, and where on the parent.
+    """Who is joined, and where on the parent; `given` is what else the user gave.
 
     Raises
     ------
@@ -41,6 +42,7 @@ class Ends:
     parent: str | None
     child: str
     at: Point
+    given: Mapping[str, Any] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         if not isinstance(self.name, str) or not self.name:
@@ -124,7 +126,7 @@ class Ends:
         return Joint(
             self.name, self.parent, self.child, self.at, frame, point, coordinates,
             tuple(reactions), tuple(along for _, along in (*forces, *couples)),
-            rotations=(rotation,) if isinstance(rotation, Rotation) else (),
+            rotations=(rotation,) if isinstance(rotation, Rotation) else (), given=self.given,
         )  # fmt: skip
 
     def closes(
@@ -148,6 +150,7 @@ class Ends:
         return Joint(
             self.name, self.parent, self.child, self.at, frame, point, (), tuple(reactions),
             tuple(along for _, along in (*forces, *couples)), constraints, carries=False,
+            given=self.given,
         )  # fmt: skip
 
     def between(self, point: Point) -> Vector:

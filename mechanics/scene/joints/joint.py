@@ -1,6 +1,8 @@
 """A joint: what places a body, moves it, and transmits forces to it."""
 
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any
 
 from sympy import Expr
 from sympy.physics.vector import Point, ReferenceFrame, Vector
@@ -43,6 +45,9 @@ class Joint:
         Of a joint that rolls: what does not spin with the child.
     contact : Point or None
         Of a joint that rolls.
+    given : mapping of str to Any
+        ``"kind"``, and what the user gave, by the names of the arguments: a check reads what the
+        joint has to be from this alone.
     """
 
     name: str
@@ -60,6 +65,7 @@ class Joint:
     own: tuple[tuple[Expr, Expr, Expr], ...] = ()
     hub: ReferenceFrame | None = None
     contact: Point | None = None
+    given: Mapping[str, Any] = field(default_factory=dict)
 
     @property
     def speeds(self) -> tuple[tuple[Expr, Expr], ...]:

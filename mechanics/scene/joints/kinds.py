@@ -66,7 +66,8 @@ def pin(
     >>> [reaction.name for reaction in shoulder.reactions]
     ['shoulder_x', 'shoulder_y', 'shoulder_z', 'shoulder_mx', 'shoulder_my']
     """
-    ends = Ends(name, parent, child, at)
+    given = {"kind": "pin", "axis": axis, "angle": angle, "onto": onto}
+    ends = Ends(name, parent, child, at, given)
     line = ends.axis(axis)
     if onto is not None:
         ends.alone(angle)
@@ -95,7 +96,8 @@ def slide(
         In place of `distance`, where the joint closes a loop: the child's point that stays on the
         axis, and its frame that stays parallel to that of the axis.
     """
-    ends = Ends(name, parent, child, at)
+    given = {"kind": "slide", "axis": axis, "distance": distance, "onto": onto}
+    ends = Ends(name, parent, child, at, given)
     line = ends.axis(axis)
     if onto is not None:
         ends.alone(distance)
@@ -112,7 +114,14 @@ def cylindrical(
     onto: tuple[Point, Vector] | None = None,
 ) -> Joint:  # fmt: skip
     """A sleeve on a shaft: the child turns about an axis and moves along it; see `pin`, `slide`."""
-    ends = Ends(name, parent, child, at)
+    given = {
+        "kind": "cylindrical",
+        "axis": axis,
+        "angle": angle,
+        "distance": distance,
+        "onto": onto,
+    }
+    ends = Ends(name, parent, child, at, given)
     line = ends.axis(axis)
     if onto is not None:
         ends.alone(angle, distance)
@@ -140,7 +149,8 @@ def universal(
     angles : two dynamic symbols
         In rad.
     """
-    ends = Ends(name, parent, child, at)
+    given = {"kind": "universal", "frame": frame, "axes": axes, "angles": angles}
+    ends = Ends(name, parent, child, at, given)
     own = dict(along_axes(ends.frame(frame)))
     letters = axes.lower()
     if len(letters) != 2 or len({*letters} & {*own}) != 2 or len(angles) != 2:
@@ -174,7 +184,8 @@ def planar(
     angle : dynamic symbol
         In rad, about z.
     """
-    ends = Ends(name, parent, child, at)
+    given = {"kind": "planar", "frame": frame, "coordinates": coordinates, "angle": angle}
+    ends = Ends(name, parent, child, at, given)
     first, second, normal = along_axes(ends.frame(frame))
     x, y = ends.several("coordinates", coordinates, "two, along x and y", 2)
     angle = ends.coordinate("angle", angle)
@@ -200,7 +211,8 @@ def ball(
     onto : Point, optional
         In place of `rotation`, where the joint closes a loop: the child's point that stays at `at`.
     """
-    ends = Ends(name, parent, child, at)
+    given = {"kind": "ball", "frame": frame, "rotation": rotation, "onto": onto}
+    ends = Ends(name, parent, child, at, given)
     forces = along_axes(ends.frame(frame))
     if onto is not None:
         ends.alone(rotation)
@@ -224,7 +236,8 @@ def weld(
     onto : (Point, ReferenceFrame), optional
         Where the joint closes a loop: the child's point and frame that are held.
     """
-    ends = Ends(name, parent, child, at)
+    given = {"kind": "weld", "frame": frame, "onto": onto}
+    ends = Ends(name, parent, child, at, given)
     axes = along_axes(ends.frame(frame))
     if onto is not None:
         return ends.closes_parallel(frame, onto, axes)
@@ -250,7 +263,8 @@ def free(
         Of the child against `frame`: `euler(...)`, or `quaternion(...)`, which has no singularity;
         a particle has none.
     """
-    ends = Ends(name, None, child, at)
+    given = {"kind": "free", "frame": frame, "coordinates": coordinates, "rotation": rotation}
+    ends = Ends(name, None, child, at, given)
     x, y, z = ends.several("coordinates", coordinates, "three", 3)
     turned = ends.frame(frame)
     if rotation is not None:

@@ -1,0 +1,91 @@
+"""Poles in numbers against what is said of them.
+
+    all conditions positive  <=>  no pole has a positive real part                           (1)
+    det(M s^2 + C s + K) = det(M_22 s^2) det(M_v s^2 + v C_1 s + g K_0 + v^2 K_2)            (2)
+
+(1) at drawn parameters, the poles those of y' = A y; (2) at drawn parameters and s, M_22 that of
+the cyclic coordinates: the momenta of these are kept, so that Routh's reduction takes out s^2 each.
+"""
+
+from random import Random
+
+import numpy as np
+from flint import arb, arb_mat
+
+from mechanics.kernel import Finding, enclose, refuted, supported
+from mechanics.kernel.balls import precision
+from mechanics.linear.deviations import BITS, CLOSE, Point, drawn_point
+from mechanics.linear.first_order import Array, first_order
+from mechanics.linear.form import Linear
+from mechanics.linear.speed_form import NAMES, SpeedForm
+from mechanics.linear.stability import conditions
+from mechanics.program import Builder
+from mechanics.program.sympy_reader import read
+
+DRAWS = 8
+BORDER = 1e-5
+"""A pole that is 0 several times is known to the root of a rounding error."""
+
+
+def check_stability(linear: Linear) -> Finding:
+    """Statement (1)."""
+    subject = f"{linear.route}: conditions of stability = signs of the poles"
+    builder = Builder()
+    program = builder.program(
+        {"c": read(builder, conditions(linear)), "A": read(builder, tuple(linear.A))}
+    )
+    samples = []
+    for draw in range(DRAWS):
+        point = drawn_point({}, [*program.inputs, *linear.program.inputs], f"{draw}")
+        found = enclose(program, {n: point[n] for n in program.inputs}, BITS)
+        state = [(name, value.str(9, radius=False)) for name, value in point.items()]
+        matrix = _first_order(linear, point)
+        for entry, own in zip(found["A"], matrix.flat, strict=True):
+            if abs(float(entry.mid()) - own) > BORDER * (1 + abs(own)):
+                return refuted(subject, "an entry of A", float(entry.mid()), float(own), state)
+        said = all(bool(c > 0) for c in found["c"])
+        stable = bool(max(np.linalg.eigvals(matrix).real) < BORDER)
+        if said != stable:
+            words = "stable by the conditions, and by the poles"
+            return refuted(subject, words, said, stable, state)
+        samples.append((said, stable))
+    return supported(subject, samples, f"the same at {DRAWS} draws")
+
+
+def _first_order(linear: Linear, point: Point) -> Array:
+    """A of y' = A y in numbers."""
+    found = enclose(linear.program, {n: point[n] for n in linear.program.inputs}, BITS)
+    n = len(linear.coordinates)
+    mass, damping, stiffness = (
+        np.array([float(entry.mid()) for entry in found[name]]).reshape(n, n)
+        for name in ("mass", "damping", "stiffness")
+    )
+    kept = n - len(linear.cyclic)
+    matrix, _ = first_order(mass, damping, stiffness, np.zeros((n, 0)), kept, linear.scene.name)
+    return matrix
+
+
+def check_speed_form(form: SpeedForm, speed: str, gravity: str = "g") -> Finding:
+    """Statement (2)."""
+    linear, subject = form.linear, "form in v and g: the poles of the linear equations"
+    names = [*linear.program.inputs, *form.program.inputs, speed, gravity]
+    point = drawn_point({}, names, "form")
+    n, kept = len(linear.coordinates), len(linear.coordinates) - len(linear.cyclic)
+    with precision(BITS):
+        s = arb(Random("s").randint(16, 48)) / 32
+        whole, parts = (
+            enclose(program, {n: point[n] for n in program.inputs}, BITS)
+            for program in (linear.program, form.program)
+        )
+        mass, damping, stiffness = (
+            arb_mat(n, n, list(whole[name])) for name in ("mass", "damping", "stiffness")
+        )
+        M, C1, K0, K2 = (arb_mat(kept, kept, list(parts[name])) for name in NAMES)
+        v, g = point[speed], point[gravity]
+        cyclic = arb_mat([[mass[i, j] for j in range(kept, n)] for i in range(kept, n)])
+        left = (mass * s**2 + damping * s + stiffness).det()
+        right = (cyclic * s**2).det() if kept < n else arb(1)
+        right = right * (M * s**2 + C1 * (v * s) + K0 * g + K2 * v**2).det()
+        if not left.overlaps(right):
+            return refuted(subject, "determinants at a drawn s", left, right)
+        return supported(subject, [(arb(left.mid(), CLOSE), right)], "determinants at a drawn s")
