@@ -8,7 +8,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
-from sympy import Rational, Symbol
+from sympy import Rational, Symbol, sin, tan
 
 from mechanics.crosscheck.programs import Programs
 from mechanics.errors import InputError
@@ -49,58 +49,59 @@ class Operation:
     poles: bool = True
 
 
+R, LEAN, HEADING = rolling_disc.R, Rational(1, 4), Symbol("w", positive=True)
+ROLL = (R * HEADING**2 * tan(LEAN) - 4 * rolling_disc.g * sin(LEAN)) / (6 * R * HEADING)
+"""Of a disc that rolls in a circle."""
+
+HANGING = {"x": 0, "y": "-2*L", "a": 0, "b": 0}
 OPERATIONS = {
-    "rolling_disc": Operation(
-        {"lean": 0},
-        {"lean": Rational(1, 4)},
-        {"u2": SPEED / rolling_disc.R},
-        speed="v",
+    "rolling_disc": (
+        Operation({"lean": 0}, {"lean": LEAN}, {"u2": SPEED / R}, speed="v"),
+        Operation({"lean": LEAN}, {"lean": 2 * LEAN}, {"u2": ROLL, "u3": HEADING}, poles=False),
     ),
-    "hung plate": Operation(
-        {"x": 0, "y": "-L", "a": 0, "b": 0}, {"x": 0, "y": "-L", "a": 0, "b": 1}
+    "hung plate": (Operation(HANGING, {**HANGING, "b": 1}),),
+    "quaternion top": (
+        Operation(
+            {"e0": 0, "e1": 1, "e2": 0, "e3": 0}, {"e0": 1, "e1": 1, "e2": 0, "e3": 0}, poles=False
+        ),
     ),
-    "quaternion top": Operation(
-        {"e0": 0, "e1": 1, "e2": 0, "e3": 0},
-        {"e0": 1, "e1": 1, "e2": 0, "e3": 0},
-        poles=False,
-    ),
-    "spinning top": Operation({"a": 0, "b": 0}, {"a": 0, "b": 1}, {"c_dot": TURN}),
-    "cartpole_friction": Operation(
-        {"x": 0, "theta": 0}, {"x": 0, "theta": 1}, {"x_dot": SPEED}, {"F": PULL}
+    "spinning top": (Operation({"a": 0, "b": 0}, {"a": 0, "b": 1}, {"c_dot": TURN}),),
+    "cartpole_friction": (
+        Operation({"x": 0, "theta": 0}, {"x": 0, "theta": 1}, {"x_dot": SPEED}, {"F": PULL}),
     ),
 }
 
 
 def linear_outcome(name: str, scene: Scene, programs: Programs) -> tuple[dict, list[Finding]]:
     """Numbers of the linear equations by every route, and findings about them."""
-    if name not in OPERATIONS:
-        return {}, []
-    operation, numbers, findings = OPERATIONS[name], {}, []
-    known = {f"-{p.name}": -p for p in scene.parameters}
-    at, wrong = (
-        {q: known.get(value, value) for q, value in place.items()}
-        for place in (operation.at, operation.wrong)
-    )
-    for route in ROUTES:
-        equations = as_program(scene, programs.mechanism, programs.route(route.name).rows)
-        linear = linearize(equations, at, operation.inputs, speeds=operation.speeds)
-        found = dict(_numbers(linear))
-        findings.append(check_linear(linear, programs.route("kane")))
-        if operation.poles:
-            found["stability"] = f"{stability(linear).name} {conditions(linear)}"
-            findings.append(check_stability(linear))
-        if operation.speed and linear.conjugate:
-            form = speed_form(linear, operation.speed)
-            found["form"] = f"{form.M} {form.C1} {form.K0} {form.K2}"
-            findings.append(check_speed_form(form, operation.speed))
-        try:
-            wrongly = linearize(equations, wrong, operation.inputs, speeds=operation.speeds)
-        except InputError:
-            found["refused"] = "yes"
-        else:
-            found["refused"] = "no"
-            findings.append(check_linear(wrongly, programs.route("kane")))
-        numbers |= {f"linear {route.name} {key}": value for key, value in found.items()}
+    numbers: dict[str, str] = {}
+    findings: list[Finding] = []
+    known = {f"-2*{p.name}": -2 * p for p in scene.parameters}
+    for k, operation in enumerate(OPERATIONS.get(name, ())):
+        at, wrong = (
+            {q: known.get(value, value) for q, value in place.items()}
+            for place in (operation.at, operation.wrong)
+        )
+        for route in ROUTES:
+            equations = as_program(scene, programs.mechanism, programs.route(route.name).rows)
+            linear = linearize(equations, at, operation.inputs, speeds=operation.speeds)
+            found = dict(_numbers(linear))
+            findings.append(check_linear(linear, programs.route("kane")))
+            if operation.poles:
+                found["stability"] = f"{stability(linear).name} {conditions(linear)}"
+                findings.append(check_stability(linear))
+            if operation.speed and linear.conjugate:
+                form = speed_form(linear, operation.speed)
+                found["form"] = f"{form.M} {form.C1} {form.K0} {form.K2}"
+                findings.append(check_speed_form(form, operation.speed))
+            try:
+                wrongly = linearize(equations, wrong, operation.inputs, speeds=operation.speeds)
+            except InputError:
+                found["refused"] = "yes"
+            else:
+                found["refused"] = "no"
+                findings.append(check_linear(wrongly, programs.route("kane")))
+            numbers |= {f"linear {k} {route.name} {key}": value for key, value in found.items()}
     return numbers, findings
 
 

@@ -98,11 +98,6 @@ CLOSING = (
     *faults_in(
         "mechanics.scene.joints.ends",
         (
-            "gap = point.pos_from(self.at)",
-            "gap = 2 * point.pos_from(self.at) + self.at.pos_from(self.at)",
-            "the gap of a loop counts twice",
-        ),
-        (
             "reaction(name, point, self.child, self.parent, along))",
             "reaction(name, self.at, self.child, self.parent, along))",
             "forces that close a loop act at the parent's point",

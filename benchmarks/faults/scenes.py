@@ -169,29 +169,27 @@ def chain_of_joints() -> Scene:
 
 
 def hung_plate() -> Scene:
-    """A plate in the plane on a pin that closes a loop, a pendulum on it, a spring between both."""
+    """A rod on a pin and a plate in the plane; a pin closes the loop, a spring joins both."""
     m, L, k, g, A = parameters("m L k g A", typical="2 1/2 30 9.81 1/10")
     x, y, a, b = dynamicsymbols("x y a b")
     N, O = ReferenceFrame("N"), Point("O")
+    rod = pin("pivot", None, "rod", at=O, axis=-N.z, angle=b)
     plate = planar("plane", None, "plate", at=O, frame=N, coordinates=(x, y), angle=a)
-    nail = pin("nail", None, "plate", at=O, axis=N.z,
+    nail = pin("nail", "rod", "plate", at=O.locatenew("Q", -L * rod.frame.y), axis=rod.frame.z,
                onto=plate.point.locatenew("P", L * plate.frame.y))  # fmt: skip
-    rod = pin("pivot", "plate", "rod", at=plate.point.locatenew("Q", -L * plate.frame.y),
-              axis=-plate.frame.z, angle=b)  # fmt: skip
-    centre = rod.point.locatenew("C", -L * rod.frame.y)
     return Scene(
-        "hung plate", N, O, plane=N.z, joints=(plate, nail, rod),
+        "hung plate", N, O, plane=N.z, joints=(rod, plate, nail),
         bodies=(
+            RigidBody("rod", O.locatenew("C", -L / 2 * rod.frame.y), rod.frame, m, A),
             RigidBody("plate", plate.point, plate.frame, m, A),
-            RigidBody("rod", centre, rod.frame, m, A),
         ),
         loads=(
             gravity(-g * N.y),
             spring("k", plate.point.locatenew("S", L / 3 * plate.frame.y),
-                   rod.point.locatenew("T", -L / 2 * rod.frame.y), k, length=L,
+                   O.locatenew("T", -L / 2 * rod.frame.y), k, length=L,
                    first_on="plate", second_on="rod"),
         ),
-        example={"x": 0, "y": -0.5, "a": 0, "b": 0},
+        example={"x": 0, "y": -1, "a": 0, "b": 0},
     )  # fmt: skip
 
 

@@ -43,7 +43,7 @@ def check_joints(scene: Scene, states: Sequence[State]) -> Iterator[Finding]:
         From `drawn_states`.
     """
     for joint in scene.joints:
-        if "kind" not in joint.given:
+        if not isinstance(joint, Joint) or not joint.given:
             continue
         subject = f"joint {joint.name}: what a {joint.given['kind']} is"
         yield tried(subject, states, partial(_rows, scene, joint))
