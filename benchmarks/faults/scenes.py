@@ -194,15 +194,15 @@ def hung_plate() -> Scene:
 
 
 def held_block() -> Scene:
-    """A body by Euler angles that a sleeve on an oblique axis holds: a loop in space."""
+    """A body by Euler angles that a sleeve holds: a loop in space."""
     m, L, g, A, B, C = parameters("m L g A B C")
     x, y, z, a, b, c = dynamicsymbols("x y z a b c")
     N, O = ReferenceFrame("N"), Point("O")
     air = free("air", "block", at=O, frame=N, coordinates=(x, y, z),
                rotation=euler("xyz", a, b, c))  # fmt: skip
     hung = air.point.locatenew("P", L * air.frame.y)
-    sleeve = cylindrical("sleeve", None, "block", at=O, axis=N.x + N.y,
-                         onto=(hung, air.frame.x + air.frame.y))  # fmt: skip
+    sleeve = cylindrical("sleeve", None, "block", at=O, axis=N.z,
+                         onto=(hung, air.frame.z))  # fmt: skip
     return Scene(
         "held block", N, O, joints=(air, sleeve),
         bodies=(RigidBody("block", air.point, air.frame, m, inertia(air.frame, A, B, C)),),
