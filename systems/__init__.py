@@ -5,6 +5,7 @@ from systems import (
     acrobot,
     andrews,
     arm_puma560,
+    atwood,
     bead_on_hoop,
     cartpole,
     cartpole_friction,
@@ -14,6 +15,7 @@ from systems import (
     elastic_pendulum,
     elastic_pendulum_ledger,
     four_bar,
+    four_bar_chain,
     four_bar_ledger,
     furuta_pendulum,
     half_car,
@@ -68,7 +70,9 @@ TEXTBOOKS: tuple[System, ...] = (
     System("cylinder_in_cylinder", cylinder_in_cylinder.scene, cylinder_in_cylinder.PUBLISHED),
 )
 MECHANISMS: tuple[System, ...] = (
+    System("atwood", atwood.scene, atwood.PUBLISHED),
     System("slider_crank", slider_crank.scene, slider_crank.PUBLISHED),
+    System("four_bar_chain", four_bar_chain.scene),
     System("andrews", andrews.scene, andrews.PUBLISHED),
 )
 ROBOTS_AND_VEHICLES: tuple[System, ...] = (

@@ -3,8 +3,8 @@
     T = sum (m v . v + omega . I omega) / 2        M_ij = d2T / du_i du_j
 
 A potential energy is known up to a constant, and so is its sum or difference with T: what is
-compared is what they are above their values at q = u = u' = 0, and where there is none, or where
-that is no state of the scene, their derivatives by q, u and u'.
+compared is what they are above their values at q = u = u' = 0, and where there is none their
+derivatives by q, u and u'; under constraints their rates along the motions that these admit.
 """
 
 from collections.abc import Sequence
@@ -46,11 +46,9 @@ def energy_pairs(
     if isinstance(quantity, q.KineticEnergy):
         return list(sides), [energy_of(kinematics, quantity)] * len(sides)
     scene, energy = kinematics.scene, energy_of(kinematics, quantity)
-    if scene.rotations:
-        # Slopes along the motions that norms admit.
-        table = rate_table(scene)
-        return [rate(side, table) for side in sides], [rate(energy, table)] * len(sides)
-    above = None if scene.constraints else _above(scene, sides, energy)
+    if not scene.unconstrained:
+        return _along_motions(scene, sides, energy)
+    above = _above(scene, sides, energy)
     if above is not None:
         return above
     # By what has to be left out too: no constant depends on it.
@@ -63,6 +61,18 @@ def energy_of(kinematics: Kinematics, quantity: Quantity) -> Expr:
     kinetic, stored = SHARES.get(type(quantity), (1, 0))
     energy: Expr = stored * potential(kinematics.scene)
     return energy + kinetic * kinematics.kinetic_energy if kinetic else energy
+
+
+def _along_motions(
+    scene: Scene, sides: Sequence[Expr], energy: Expr
+) -> tuple[list[Expr], list[Expr]]:
+    """Their rates along the motions that constraints and norms admit.
+
+    Off these, what is written with other coordinates has other slopes: x for l - z.
+    """
+    table, left_out = rate_table(scene), (*scene.ud, *_reactions(scene))
+    lefts = [e for side in sides for e in (rate(side, table), *(side.diff(s) for s in left_out))]
+    return lefts, [rate(energy, table), *(S.Zero for _ in left_out)] * len(sides)
 
 
 def _above(
@@ -79,8 +89,11 @@ def _above(
 
 def _moving(scene: Scene) -> tuple[Symbol, ...]:
     """What the constant in an energy does not depend on."""
-    reactions = (reaction.symbol for reaction in scene.reactions)
-    return (*scene.q, *scene.u, *scene.ud, *reactions)
+    return (*scene.q, *scene.u, *scene.ud, *_reactions(scene))
+
+
+def _reactions(scene: Scene) -> tuple[Symbol, ...]:
+    return tuple(reaction.symbol for reaction in scene.reactions)
 
 
 def _mass_matrix(

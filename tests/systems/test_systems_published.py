@@ -3,9 +3,10 @@
 import numpy as np
 import pytest
 
-from mechanics import CrossCheck, compile, crosscheck, derive
+from mechanics import CrossCheck, check, compile, crosscheck, derive
 from mechanics.cli.crosschecking import exit_code
-from systems import ALL, EVERY, VARIANTS, arm_puma560
+from mechanics.kernel import Verdict
+from systems import ALL, EVERY, VARIANTS, arm_puma560, atwood, four_bar_chain
 
 OTHERS = [system for system in EVERY if system not in (*ALL, *VARIANTS)]
 
@@ -34,3 +35,23 @@ def test_puma560_weighs_and_moves_as_published() -> None:
     )
     assert np.allclose(inertia[0, 1:4], [-0.4044, 0.1006, -0.0025], atol=5e-5)
     assert np.allclose(inertia[1, 2:5], [0.3509, 0, 0.0024], atol=5e-5)
+
+
+def test_a_row_of_four_bars_swings_as_one_pendulum() -> None:
+    """Cranks of equal length turn about their ends, couplers stay level and move on circles."""
+    model = compile(derive(four_bar_chain.scene(3)), compiler=None)
+    angle, rate, loops = 0.7, 1.3, 3
+    q = np.array([0.0 if k % 2 else angle for k in range(2 * loops + 1)])
+    u = np.array([0.0 if k % 2 else rate for k in range(2 * loops + 1)])
+    weight = (loops + 1) / 2 + loops
+    wanted = -9.81 * weight * np.cos(angle) / ((loops + 1) / 3 + loops)
+    found = model.forward_dynamics(q, u)
+    assert np.allclose(found[0::2], wanted, rtol=1e-12)
+    assert np.allclose(found[1::2], 0, atol=1e-10)
+
+
+def test_an_energy_under_constraints_may_be_written_in_other_coordinates() -> None:
+    """By the ropes' lengths, as its source prints it: z = l1 - x, w = l2 - y."""
+    right = "U = -m1*g*x - m2*g*(l1 - x + y) - m3*g*(l1 - x + l2 - y)"
+    assert check(atwood.scene(), right).verdict is Verdict.PROVED
+    assert check(atwood.scene(), right.replace("l2 - y", "y")).verdict is Verdict.REFUTED

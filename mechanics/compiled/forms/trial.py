@@ -111,9 +111,9 @@ class Reference:
             net = np.einsum("sij,js->is", np.abs(self.left), np.abs(x)) + np.abs(self.right.T)
             for row, plain in zip(rows, net, strict=True):
                 # A bound of rounding errors is as many units as there are terms to add up, also
-                # where these cancel; there is none for some functions.
+                # where these cancel; there is none for some functions, and none of x itself.
                 error = 0 if row.error is None else row.error
-                size = np.where(np.isfinite(error), error / UNIT, plain)
+                size = np.maximum(np.where(np.isfinite(error), error / UNIT, 0), plain)
                 # Not "or more": what is no number is no solution.
                 if not np.all((row.value == 0) | (np.abs(row.value) < WRONG * size)):
                     return False
