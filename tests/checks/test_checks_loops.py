@@ -6,6 +6,7 @@ from sympy import Rational
 from mechanics.checks.admissible import check_scene
 from mechanics.checks.agreement import compare_pairs
 from mechanics.crosscheck.programs import derive_rows
+from systems import four_bar_chain
 
 ROUTES = ("free_body", "moving_point", "kane", "lagrange")
 
