@@ -7,6 +7,7 @@ from systems import (
     arm_puma560,
     atwood,
     bead_on_hoop,
+    bicycle,
     cartpole,
     cartpole_friction,
     cylinder_in_cylinder,
@@ -78,6 +79,7 @@ MECHANISMS: tuple[System, ...] = (
 ROBOTS_AND_VEHICLES: tuple[System, ...] = (
     System("arm_puma560", arm_puma560.scene),
     System("quadrotor", quadrotor.scene, quadrotor.PUBLISHED),
+    System("bicycle", bicycle.scene),
     System("half_car", half_car.scene, half_car.PUBLISHED),
 )
 VARIANTS: tuple[System, ...] = (

@@ -1,6 +1,6 @@
-"""The benchmark bicycle of Meijaard, Papadopoulos, Ruina and Schwab 2007: x forward, z down."""
+"""The bicycle of `systems.bicycle` again, without joints: its reactions and constraints by hand."""
 
-from sympy import Symbol, pi, sqrt
+from sympy import pi, sqrt
 from sympy.physics.mechanics import Point, ReferenceFrame, cross, dot, dynamicsymbols, inertia
 
 from mechanics.scene import (
@@ -9,19 +9,10 @@ from mechanics.scene import (
     gravity,
     holonomic,
     nonholonomic,
-    parameters,
     reaction,
     reaction_couple,
 )
-
-TYPICAL = {
-    "m": "w 1.02, c 0.08, rR 0.3, xB 0.3, zB 0.9, xH 0.9, zH 0.7, rF 0.35",
-    "m/s^2": "g 9.81",
-    "kg": "mR 2, mB 85, mH 4, mF 3",
-    "kg*m^2": "IRx 0.0603, IRy 0.12, IBx 9.2, IBy 11, IBz 2.8, IBxz 2.4, IHx 0.05892, IHy 0.06,"
-    " IHz 0.00708, IHxz 0.00756, IFx 0.1405, IFy 0.28",
-}
-"""Table 1; zB, zH and IHxz with the other sign."""
+from systems.bicycle import bicycle_inertia, bicycle_parameters
 
 
 def whipple_bicycle() -> Scene:
@@ -111,21 +102,3 @@ def whipple_bicycle() -> Scene:
         ),
         example={"tR_dot": -10},
     )  # fmt: skip
-
-
-def bicycle_parameters() -> dict[str, Symbol]:
-    found = {}
-    for unit, text in TYPICAL.items():
-        pairs = [entry.split() for entry in text.split(",")]
-        names, values = zip(*pairs, strict=True)
-        count = len(names)
-        symbols = parameters(
-            " ".join(names), units=" ".join([unit] * count), typical=" ".join(values)
-        )
-        found |= zip(names, symbols if count > 1 else [symbols][:1], strict=True)
-    return {name: s if isinstance(s, Symbol) else s[0] for name, s in found.items()}
-
-
-def bicycle_inertia(frame, p, name: str, sign: int):
-    x, y, z, product = (p[name + axes] for axes in ("x", "y", "z", "xz"))
-    return inertia(frame, x, y, z, 0, 0, sign * product)

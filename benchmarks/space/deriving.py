@@ -8,6 +8,8 @@ from dataclasses import asdict, dataclass
 from itertools import pairwise
 from time import process_time
 
+from sympy import Rational
+
 from benchmarks.space import scenes
 from mechanics.checks.agreement import compare_pairs, linear_system
 from mechanics.mechanism import lower
@@ -15,8 +17,19 @@ from mechanics.program import Builder
 from mechanics.program.residues import Residues
 from mechanics.routes import free_body, kane, lagrange, moving_point
 from mechanics.scene import Scene
+from systems import andrews, bicycle, four_bar_chain, rolling_disc
 
 ROUTES = (free_body, moving_point, kane, lagrange)
+
+
+def distinct(which: str, k: int) -> Rational:
+    """Lengths of four-bars that no two neighbours share."""
+    base, factor, offset, size = {
+        "crank": (100, 3, 0, 2),
+        "coupler": (100, 5, 2, 3),
+        "ground": (105, 4, 1, 2),
+    }[which]
+    return Rational(base + (factor * k + offset) % 7 * size, 100)
 
 
 @dataclass(frozen=True)
@@ -41,6 +54,12 @@ LIMITS = (
     Limit("pendulum_chain 20", lambda: scenes.chain(20), 2, 1000),
     Limit("pendulum_chain 50", lambda: scenes.chain(50), 10, 1000),
     Limit("pendulum_chain 100", lambda: scenes.chain(100), 40, 1000),
+    Limit("10 four-bars", lambda: four_bar_chain.scene(10)),
+    Limit("40 four-bars", lambda: four_bar_chain.scene(40), 5),
+    Limit("40 four-bars, distinct numbers", lambda: four_bar_chain.scene(40, distinct), 5),
+    Limit("Andrews' mechanism", andrews.scene, 2),
+    Limit("rolling disc", rolling_disc.scene),
+    Limit("bicycle", bicycle.scene),
 )
 
 

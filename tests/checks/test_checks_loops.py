@@ -1,24 +1,14 @@
 """Rows of four-bars: every loop is closed by itself, and all routes agree."""
 
 import pytest
-from sympy import Rational
 
+from benchmarks.space.deriving import distinct
 from mechanics.checks.admissible import check_scene
 from mechanics.checks.agreement import compare_pairs
 from mechanics.crosscheck.programs import derive_rows
 from systems import four_bar_chain
 
 ROUTES = ("free_body", "moving_point", "kane", "lagrange")
-
-
-def distinct(which: str, k: int) -> Rational:
-    """Lengths that no two neighbours share."""
-    base, factor, offset, size = {
-        "crank": (100, 3, 0, 2),
-        "coupler": (100, 5, 2, 3),
-        "ground": (105, 4, 1, 2),
-    }[which]
-    return Rational(base + (factor * k + offset) % 7 * size, 100)
 
 
 @pytest.mark.parametrize(

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from sympy import Expr, Rational, Symbol, pi
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols, inertia
-from whipple_bicycle import TYPICAL, bicycle_inertia, bicycle_parameters, whipple_bicycle
+from whipple_bicycle import whipple_bicycle
 
 import mechanics
 from mechanics.checks.admissible import check_scene
@@ -29,6 +29,7 @@ from mechanics.scene import (
     roll,
     velocity,
 )
+from systems import bicycle
 
 t = dynamicsymbols._t
 x, y, z, yaw, lean, spin, phi, theta = dynamicsymbols("x y z yaw lean spin phi theta")
@@ -305,43 +306,11 @@ def test_an_ellipsoid_rocks_as_its_curvature_says() -> None:
     assert ud["spin_ddot"] == pytest.approx(wanted, rel=1e-9)
 
 
-def bicycle() -> Scene:
-    """The bicycle of `whipple_bicycle` by joints alone."""
-    p = bicycle_parameters()
-    pitch, steer, tR, tF = dynamicsymbols("pitch steer tR tF")
-    N, O = ReferenceFrame("N"), Point("O")
-    rear = roll("R", None, "rear", at=O, normal=-N.z, radius=p["rR"], coordinates=(x, y),
-                angles=(yaw, lean, tR))  # fmt: skip
-    frame = pin("B", "rear", "frame", at=rear.point, axis=rear.hub.y, angle=pitch)
-    F = frame.frame
-    base = rear.point.locatenew("base", p["rR"] * F.z)
-    axis = base.locatenew("axis", (p["w"] + p["c"]) * F.x)
-    head = F.orientnew("S", "Axis", (pi / 10, F.y))
-    fork = pin("H", "frame", "fork", at=axis, axis=head.z, angle=steer)
-    H = fork.frame.orientnew("Hf", "Axis", (-pi / 10, fork.frame.y))
-    axle = axis.locatenew("Fc", -p["c"] * H.x - p["rF"] * H.z)
-    hub = pin("F", "fork", "front", at=axle, axis=H.y, angle=tF)
-    G = hub.frame
-    front = roll("Q", None, "front", at=O, normal=-N.z, radius=p["rF"], axis=G.y, onto=(axle, G))
-    rider = base.locatenew("Bc", p["xB"] * F.x - p["zB"] * F.z)
-    bars = axis.locatenew("Hc", (p["xH"] - p["w"] - p["c"]) * H.x - p["zH"] * H.z)
-    bodies = (
-        RigidBody("rear", rear.point, rear.frame, p["mR"],
-                  inertia(rear.frame, p["IRx"], p["IRy"], p["IRx"])),
-        RigidBody("frame", rider, F, p["mB"], bicycle_inertia(F, p, "IB", 1)),
-        RigidBody("fork", bars, H, p["mH"], bicycle_inertia(H, p, "IH", -1)),
-        RigidBody("front", axle, G, p["mF"], inertia(G, p["IFx"], p["IFy"], p["IFx"])),
-    )  # fmt: skip
-    return Scene("bicycle by joints", N, O, bodies=bodies, example={"tR_dot": -10},
-                 joints=(rear, frame, fork, hub, front),
-                 loads=(gravity(p["g"] * N.z),))  # fmt: skip
-
-
 @pytest.mark.campaign
 def test_a_bicycle_of_joints_is_the_one_that_was_typed() -> None:
     """Its spin is that of the wheel against the hub, there against the frame."""
-    one, two = model_of(bicycle()), model_of(whipple_bicycle())
-    values = {name: float(value) for text in TYPICAL.values() for name, value in
+    one, two = model_of(bicycle.scene()), model_of(whipple_bicycle())
+    values = {name: float(value) for text in bicycle.TYPICAL.values() for name, value in
               (pair.split() for pair in text.split(","))}  # fmt: skip
     start = {"x": 0.1, "y": 0.2, "yaw": 2.1, "lean": 0.1, "steer": 0.3, "tR": 0.4, "tF": 0.5}
     motion = mechanics.simulate(two, 0.05, samples=2, initial={**start, "tR_dot": -10.0,
