@@ -8,7 +8,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
-from sympy import Rational, Symbol, sin, tan
+from sympy import Rational, Symbol, pi, sin, tan
 
 from mechanics.crosscheck.programs import Programs
 from mechanics.errors import InputError
@@ -62,12 +62,12 @@ OPERATIONS = {
     "hung plate": (Operation(HANGING, {**HANGING, "b": 1}),),
     "quaternion top": (
         Operation(
-            {"e0": 0, "e1": 1, "e2": 0, "e3": 0}, {"e0": 1, "e1": 1, "e2": 0, "e3": 0}, poles=False
+            {"e0": 0, "e1": 1, "e2": 0, "e3": 0}, {"e0": 0, "e1": 2, "e2": 0, "e3": 0}, poles=False
         ),
     ),
     "spinning top": (Operation({"a": 0, "b": 0}, {"a": 0, "b": 1}, {"c_dot": TURN}),),
     "cartpole_friction": (
-        Operation({"x": 0, "theta": 0}, {"x": 0, "theta": 1}, {"x_dot": SPEED}, {"F": PULL}),
+        Operation({"x": 0, "theta": pi}, {"x": 0, "theta": 1}, {"x_dot": SPEED}, {"F": PULL}),
     ),
 }
 

@@ -136,11 +136,6 @@ SPEED = faults_in(
         "form in v: M without Routh's reduction",
     ),
     (
-        "damping = difference(damping, product(inward, by_place))",
-        "pass",
-        "form in v: C forgets the momenta that are kept",
-    ),
-    (
         "return mass, damping, difference(stiffness, product(across, by_place))",
         "return mass, damping, stiffness",
         "form in v: K forgets the momenta that are kept",

@@ -170,17 +170,27 @@ def null_space(rows: Sequence[Column], width: int) -> list[Column]:
     return basis
 
 
-def drawn_point(given: Mapping[str, Expr], names: Sequence[str], seed: str = "") -> Point:
-    """Values of the point, and a draw from 1/2 to 3/2 for each name that has none."""
+def drawn_point(
+    given: Mapping[str, Expr], names: Sequence[str], seed: str = "", spread: int = 0
+) -> Point:
+    """Values of the point, and a draw for each name that has none.
+
+    From 1/2 to 3/2, times a power of 2 up to 2^spread or its inverse.
+    """
     builder = Builder()
     program = builder.program({name: read(builder, (value,)) for name, value in given.items()})
     free = {*names, *program.inputs} - given.keys()
     # Derivatives of inputs that are not given are zero.
     drawn = {
-        name: 0 if name.endswith(DOTS[1:]) else Random(f"{seed} {name}").randint(16, 48)
+        name: Fraction(0) if name.endswith(DOTS[1:]) else _drawn(f"{seed} {name}", spread)
         for name in sorted(free)
     }
     with precision(BITS):
-        point = {name: arb(value) / 32 for name, value in drawn.items()}
+        point = {name: arb(v.numerator) / v.denominator for name, v in drawn.items()}
         known = {name: point[name] for name in program.inputs}
         return point | {n: value[0] for n, value in enclose(program, known, BITS).items()}
+
+
+def _drawn(seed: str, spread: int) -> Fraction:
+    source = Random(seed)
+    return Fraction(source.randint(16, 48), 32) * Fraction(2) ** source.randint(-spread, spread)
