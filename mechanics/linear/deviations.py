@@ -40,7 +40,9 @@ Column = list[arb]
 Point = dict[str, arb]
 
 
-def check_linear(linear: Linear, derived: Derived) -> Finding:
+def check_linear(
+    linear: Linear, derived: Derived, rates: Mapping[str, Expr] | None = None
+) -> Finding:
     """Statements (3) to (5) at one operating point with drawn parameters.
 
     Parameters
@@ -48,10 +50,12 @@ def check_linear(linear: Linear, derived: Derived) -> Finding:
     linear : Linear
     derived : Derived
         Of any route: its accelerations are those that are compared with.
+    rates : mapping of str to Expr, optional
+        Rates of inputs along the steady motion, ``{"psi_dot": Omega}``; others are zero.
     """
     subject = f"{linear.route}: linear equations = deviations of the exact ones"
     with precision(BITS):
-        return _compared(subject, list(_Deviations(linear, derived).rows()))
+        return _compared(subject, list(_Deviations(linear, derived, rates or {}).rows()))
 
 
 def _compared(subject: str, rows: Sequence[tuple[str, arb, arb]]) -> Finding:
@@ -67,7 +71,7 @@ def _compared(subject: str, rows: Sequence[tuple[str, arb, arb]]) -> Finding:
 class _Deviations:
     """The exact equations near the operating point, as functions of names."""
 
-    def __init__(self, linear: Linear, derived: Derived) -> None:
+    def __init__(self, linear: Linear, derived: Derived, rates: Mapping[str, Expr]) -> None:
         mechanism, self.linear = derived.mechanism, linear
         build = mechanism.builder
         self.q, self.u = ([name_of(n) for n in nodes] for nodes in (mechanism.q, mechanism.u))
@@ -85,6 +89,7 @@ class _Deviations:
         # What is not given has no effect, and the speeds are those where it is zero.
         still = dict.fromkeys(linear.scene.q, Integer(0))
         names = {s.name: e for s, e in {**still, **linear.speeds, **linear.point}.items()}
+        names |= rates
         self.at = drawn_point(names, [*self.program.inputs, *linear.program.inputs])
 
     def value(self, name: str, steps: Mapping[str, arb], size: Fraction = STEP) -> Column:
