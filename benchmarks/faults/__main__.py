@@ -3,9 +3,10 @@
     python -m benchmarks.faults --jobs 2
     python -m benchmarks.faults --scenes elastic_pendulum arm --only "gravity pushes up"
 
-Each fault is one change in the text of one function, made in a process of its own. It counts for a
-scene if it changes a number there: accelerations, multipliers and reactions of a route, the
-potential energy, or the verdict on a statement that is known to be true or false. It is noticed if
+Each fault is one change in the text of one function, made in a process of its own, and planted in
+the scenes that call the function. It counts for a scene if it changes a number there:
+accelerations, multipliers and reactions of a route, the potential energy, matrices about an
+operating point, or the verdict on a statement that is known to be true or false. It is noticed if
 something is no longer shown, or is refused. Prints Markdown.
 """
 
@@ -19,7 +20,7 @@ from concurrent.futures import ThreadPoolExecutor
 from dataclasses import asdict, dataclass
 from functools import partial
 
-from benchmarks.faults.fault import Fault
+from benchmarks.faults.fault import Fault, place_of, planted
 from benchmarks.faults.scenes import SCENES
 from benchmarks.faults.table import FAULTS
 
@@ -47,14 +48,16 @@ class Trial:
     by: str
 
 
-def answers(
-    faults: Sequence[Fault | None], scenes: Sequence[str], clean: dict | None
-) -> list[dict[str, dict]]:
+Asked = Sequence[tuple[Fault | None, Sequence[str]]]
+"""Faults with the scenes in which they are planted."""
+
+
+def answers(asked: Asked, clean: dict | None) -> list[dict[str, dict]]:
     """What a process says about each fault and scene."""
-    asked = [asdict(fault) if fault else None for fault in faults]
+    request = [(fault and asdict(fault), scenes) for fault, scenes in asked]
     ran = subprocess.run(
         [sys.executable, "-m", "benchmarks.faults.trial"],
-        input=json.dumps({"faults": asked, "scenes": scenes, "clean": clean}),
+        input=json.dumps({"asked": request, "clean": clean}),
         stdout=subprocess.PIPE, text=True, check=True,
     )  # fmt: skip
     said = {
@@ -64,15 +67,17 @@ def answers(
     missing = {"changed": True, "noticed": "no answer"}
     return [
         {name: said.get((fault.what if fault else "", name), missing) for name in scenes}
-        for fault in faults
+        for fault, scenes in asked
     ]
 
 
-def tried(faults: Sequence[Fault], scenes: Sequence[str], clean: dict) -> list[Trial]:
+def tried(asked: Asked, scenes: Sequence[str], clean: dict) -> list[Trial]:
     """Plant some faults, one after the other."""
+    harmless = {name: {"changed": False, "noticed": ""} for name in scenes}
     return [
-        _trial(fault, found)
-        for fault, found in zip(faults, answers(faults, scenes, clean), strict=True)
+        _trial(fault, {**harmless, **found})
+        for (fault, _), found in zip(asked, answers(asked, clean), strict=True)
+        if fault is not None
     ]
 
 
@@ -89,10 +94,15 @@ def _trial(fault: Fault, found: dict[str, dict]) -> Trial:
 
 
 def campaign(faults: Sequence[Fault], scenes: Sequence[str], jobs: int = 1) -> Iterator[Trial]:
-    """Plant each of the faults, in order."""
-    (found,) = answers([None], scenes, None)
+    """Plant each of the faults, in order, in the scenes that call what it changes."""
+    (found,) = answers([(None, scenes)], None)
     clean = {name: entry["numbers"] for name, entry in found.items()}
-    parts = [faults[i : i + PART] for i in range(0, len(faults), PART)]
+    calls = {name: frozenset(entry["calls"]) for name, entry in found.items()}
+    asked = []
+    for fault in faults:
+        place = place_of(planted(fault)[0].__code__)
+        asked.append((fault, [name for name in scenes if place in calls[name]]))
+    parts = [asked[i : i + PART] for i in range(0, len(asked), PART)]
     with ThreadPoolExecutor(jobs) as pool:
         for part in pool.map(partial(tried, scenes=scenes, clean=clean), parts):
             yield from part

@@ -70,6 +70,11 @@ def planted(fault: Fault) -> tuple[FunctionType, CodeType]:
     return function_of(fault.module, names[0]), code_of(changed, str(module.__file__), names[0])
 
 
+def place_of(code: CodeType) -> str:
+    """File and qualified name."""
+    return f"{code.co_filename}:{code.co_qualname}"
+
+
 def code_of(text: str, path: str, name: str) -> CodeType:
     """The code of a function in the text of a module, by its qualified name."""
     whole = compile(text, path, "exec")

@@ -1,6 +1,6 @@
 """Faults one at a time, each in a process of its own: does it change a number, who notices?
 
-Reads a request as JSON from standard input, ``{"faults": [{...} or null, ...], "scenes": [...],
+Reads a request as JSON from standard input, ``{"asked": [[{...} or null, [scene, ...]], ...],
 "clean": {scene: {quantity: digits}} or null}``, and prints one line of JSON for each fault and
 scene. The package is imported once; each process is forked from there, and gets its fault.
 The steps of `crosscheck` that are quick come first, so that most faults need no more; `crosscheck`
@@ -13,12 +13,13 @@ import signal
 import sys
 from collections.abc import Iterable, Mapping, Sequence
 from random import Random
+from types import FrameType
 from typing import Any
 
 from sympy import Abs, cos, sin, sqrt, symbols
 from sympy.core.cache import clear_cache
 
-from benchmarks.faults.fault import Fault, plant
+from benchmarks.faults.fault import Fault, place_of, plant
 from benchmarks.faults.operating_points import linear_outcome
 from benchmarks.faults.scenes import SCENES
 from mechanics.checks.admissible import check_scene
@@ -210,29 +211,49 @@ def verdicts_of_probes() -> Numbers:
     } | {words: finding.verdict.name for words, _, finding in known_findings()}
 
 
+def calls(name: str) -> tuple[dict[str, Any], set[str]]:
+    """What becomes of a scene without a fault, and the functions that it calls."""
+    found: set[str] = set()
+
+    def note(frame: FrameType, event: str, _: Any) -> None:
+        if event == "call":
+            found.add(place_of(frame.f_code))
+
+    sys.setprofile(note)
+    try:
+        return outcome(name, None), found
+    finally:
+        sys.setprofile(None)
+
+
 def answer(fault: Fault | None, scenes: Sequence[str], clean: Mapping[str, Any] | None) -> None:
-    """Plant a fault and print what became of each scene."""
+    """Plant a fault and print what became of each scene; without one, what was called, too."""
     if fault is not None:
         plant(fault)
-        clear_cache()
+    clear_cache()
     for name in scenes:
-        found = outcome(name, None if clean is None else clean[name])
         words = fault.what if fault else ""
+        if clean is None:
+            found, places = calls(name)
+            found["calls"] = sorted(places)
+        else:
+            found = outcome(name, clean[name])
         print(json.dumps({"fault": words, "scene": name, **found}), flush=True)
 
 
 def main() -> None:
     """Answer one request."""
     request = json.load(sys.stdin)
-    faults = [fault and Fault(**fault) for fault in request["faults"]]
-    for fault in faults:
-        child = os.fork()
-        if child == 0:
-            # What has no end is stopped, and has shown nothing.
-            signal.setitimer(signal.ITIMER_PROF, PATIENCE)
-            answer(fault, request["scenes"], request["clean"])
-            os._exit(0)
-        os.waitpid(child, 0)
+    for row, scenes in request["asked"]:
+        # Without a fault each scene has a process of its own: what one keeps, another calls.
+        for names in [scenes] if row else [[name] for name in scenes]:
+            child = os.fork()
+            if child == 0:
+                # What has no end is stopped, and has shown nothing.
+                signal.setitimer(signal.ITIMER_PROF, PATIENCE)
+                answer(row and Fault(**row), names, request["clean"])
+                os._exit(0)
+            os.waitpid(child, 0)
 
 
 if __name__ == "__main__":
