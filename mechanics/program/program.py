@@ -125,11 +125,13 @@ def reachable(nodes: Nodes, roots: Sequence[int]) -> list[int]:
     for root in roots:
         needed[root] = 1
     # Operands have smaller numbers: one walk down meets every node after all that need it.
-    for number in range(len(needed) - 1, -1, -1):
-        if needed[number]:
-            for operand in nodes.operands_of(number):
-                needed[operand] = 1
-    return [number for number, wanted in enumerate(needed) if wanted]
+    found, number = list[int](), needed.rfind(1)
+    while number >= 0:
+        found.append(number)
+        for operand in nodes.operands_of(number):
+            needed[operand] = 1
+        number = needed.rfind(1, 0, number)
+    return found[::-1]
 
 
 def freeze(
