@@ -75,21 +75,58 @@ def close(
     coordinates : sequence of Node
         Inputs that Newton's method may move.
     suggested : mapping of str to Fraction
-        The scene's example and typical values; without them no state is known.
+        The scene's example and typical values. Where one is missing both branches of each root are
+        followed; if their states are singular, one is chosen that is regular and near the example.
     signs : mapping of str to Range
     """
     start = closed_state(builder, configuration, coordinates, suggested)
-    plain = Closure(tuple(configuration), tuple(rates), tuple(dependent), start)
-    outputs = {"left": [builder.zero], "right": [builder.one], ZERO: configuration, RATES: rates}
-    program = builder.program(outputs)
-    statement = Statement("closure", program, signs, start, tuple(dependent))
+    closure = Closure(tuple(configuration), tuple(rates), tuple(dependent), start)
+    closure = _with_values(builder, closure, signs)
+    if start or _is_regular(builder, closure, coordinates):
+        return closure
+    completed = _completed(builder, configuration, coordinates, suggested, signs)
+    known = _with_values(builder, replace(closure, start=completed, values={}), signs)
+    return known if _is_regular(builder, known, coordinates) else closure
+
+
+def _completed(
+    builder: Builder,
+    configuration: Sequence[Node],
+    coordinates: Sequence[Node],
+    suggested: Mapping[str, Fraction],
+    signs: Mapping[str, Range],
+) -> dict[str, Fraction]:
+    """A state near the example; Newton moves parameters without typical values, too, from 1."""
+    inputs = builder.program({"zero": configuration}).inputs
+    moved = {builder.inputs[builder.operands[0][q.number]] for q in coordinates}
+    missing = [name for name in inputs if name not in {*suggested, *moved}]
+    signed = {n: Fraction(-1 if signs.get(n) is Range.NEGATIVE else 1) for n in missing}
+    nodes = [*coordinates, *map(builder.input, missing)]
+    state = closed_state(builder, configuration, nodes, {**suggested, **signed})
+    return state if all(state.get(n, 0) * sign > 0 for n, sign in signed.items()) else {}
+
+
+def _is_regular(builder: Builder, closure: Closure, coordinates: Sequence[Node]) -> bool:
+    """Whether the constraints restrict as many motions at the point as elsewhere."""
+    slopes = [gradient([one], [1], coordinates) for one in closure.configuration]
+    filters = Residues(builder), Residues(builder, closure.values)
+    ranks = [len(f.eliminate([f.values(row) for row in slopes], len(coordinates))) for f in filters]
+    return bool(closure.values) and ranks[0] == ranks[1]
+
+
+def _with_values(builder: Builder, plain: Closure, signs: Mapping[str, Range]) -> Closure:
+    """The closure with what takes the place of dependent inputs, where an exact point is known."""
+    configuration, start = plain.configuration, plain.start
+    outputs = {"left": [builder.zero], "right": [builder.one]}
+    program = builder.program({**outputs, ZERO: configuration, RATES: plain.rates})
+    statement = Statement("closure", program, signs, start, plain.dependent)
     constrained = on_constraints(statement)
     if constrained is None:
         return plain
     solved = [name for name in program.inputs if name in constrained.program.outputs]
     nodes = include(builder, constrained.program)
     values = {builder.input(name): nodes[name][0] for name in solved}
-    closed = not any(Residues(builder, values).values([*configuration, *rates]))
+    closed = not any(Residues(builder, values).values([*configuration, *plain.rates]))
     return replace(plain, values=values) if closed else plain
 
 

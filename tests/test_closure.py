@@ -16,7 +16,7 @@ from mechanics.program import Builder
 from mechanics.program.interpret import include
 from mechanics.program.residues import Residues
 from mechanics.scene import Particle, Scene, holonomic, parameters, reaction
-from systems import ALL, four_bar, rolling_disc
+from systems import ALL, four_bar, four_bar_chain, rolling_disc
 
 SCENES: dict[str, Callable[[], Scene]] = {
     "four_bar": four_bar.scene,
@@ -119,8 +119,31 @@ def test_redundant_constraints_of_a_parallelogram_are_refused() -> None:
         ),
         constraints=(*scene.constraints, holonomic("rods turn equally", q3 - q1 + 0 * q2, "T")),
     )
-    with pytest.raises(SceneError, match="redundant constraints: rods turn equally follow from"):
+    with pytest.raises(
+        SceneError,
+        match=("redundant constraints: rods turn equally follow from along x: remove"),
+    ):
         check_scene(more)
+
+
+@pytest.mark.parametrize("loops", [1, 2])
+def test_lengths_without_typical_values_have_regular_states(loops: int) -> None:
+    """Lengths solved from equations of equal bars leave only states in line, which are singular."""
+    a, d = parameters("a d")
+    scene = four_bar_chain.scene(loops, lambda kind, _: a if kind == "crank" else d)
+    mechanism = lower(scene, Builder())
+    _, closed = mechanism.filters
+    for k in range(loops):
+        crank, coupler, rocker = mechanism.q[2 * k : 2 * k + 3]
+        assert closed.is_zero((crank - rocker).sin())
+        assert not closed.is_zero((crank - coupler).sin())
+
+
+def test_a_singular_example_is_told_to_be_one() -> None:
+    a, d = parameters("a d")
+    scene = four_bar_chain.scene(1, lambda kind, _: a if kind == "crank" else d)
+    with pytest.raises(SceneError, match=r"constraint x0: .* give an example of a state"):
+        check_scene(replace(scene, example={}))
 
 
 def test_an_angle_that_depends_has_its_half_and_its_third() -> None:

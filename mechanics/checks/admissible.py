@@ -73,7 +73,7 @@ def check_admissible(mechanism: Mechanism) -> None:
     units = unit_reactions(mechanism, motions.poses)
     every = [*applied(mechanism, motions), *(unit for pair in units for unit in pair)]
     directions = used_directions(anywhere, bodies, every)
-    table = _constraint_rows(mechanism, filter_)
+    table = _constraint_rows(mechanism, anywhere, filter_)
     _lines(mechanism, motions, anywhere)
     _torsions(mechanism, motions, filter_)
     _frictions(mechanism, motions, filter_)
@@ -92,7 +92,9 @@ def _rank(filter_: Residues, rows: Sequence[Sequence[int]], width: int) -> list[
     return [i for i, _ in filter_.eliminate([list(row) for row in rows], width)]
 
 
-def _constraint_rows(mechanism: Mechanism, filter_: Residues) -> list[list[int]]:
+def _constraint_rows(
+    mechanism: Mechanism, anywhere: Residues, filter_: Residues
+) -> list[list[int]]:
     """A of A u + a = 0 at the point, after each constraint was found linear and independent."""
     forms = velocity_forms(mechanism)
     for form, constraint in zip(forms, mechanism.constraints, strict=True):
@@ -106,19 +108,37 @@ def _constraint_rows(mechanism: Mechanism, filter_: Residues) -> list[list[int]]
             raise SceneError(
                 f"{where}: it holds accelerations: state it for coordinates or for their rates"
             )
-        if all(filter_.is_zero(entry) for entry in slopes):
+        if all(map(anywhere.is_zero, slopes)):
             raise SceneError(f"{where}: it restricts no speed: is it an identity?")
+        if all(map(filter_.is_zero, slopes)):
+            raise SceneError(
+                f"{where}: it restricts no speed where the constraints hold: give an example of a"
+                " state at which it does"
+            )
     table = [filter_.values(row) for row in coefficients(forms, mechanism.u)]
     kept = _rank(filter_, table, len(mechanism.u))
     if len(kept) < len(table):
         names = [constraint.name for constraint in mechanism.constraints]
-        redundant = ", ".join(name for i, name in enumerate(names) if i not in kept)
-        others = ", ".join(name for i, name in enumerate(names) if i in kept)
         raise SceneError(
-            f"{mechanism.name}: redundant constraints: {redundant} follow from {others}: remove"
-            " them with their reactions"
+            f"{mechanism.name}: redundant constraints: {_dependences(filter_, table, kept, names)}:"
+            " remove them with their reactions"
         )
     return table
+
+
+def _dependences(
+    filter_: Residues, table: Sequence[Sequence[int]], kept: Sequence[int], names: Sequence[str]
+) -> str:
+    """Which rows follow from which: sum_k x_k row_k = row_i, and where x_k is not zero."""
+    groups: dict[str, list[str]] = {}
+    for i in sorted(set(range(len(table))) - set(kept)):
+        rows = [[*(table[k][c] for k in kept), entry] for c, entry in enumerate(table[i])]
+        pivots = filter_.eliminate(rows, len(kept))
+        others = ", ".join(
+            names[kept[c]] for r, c in sorted(pivots, key=lambda p: p[1]) if rows[r][-1]
+        )
+        groups.setdefault(others, []).append(names[i])
+    return "; ".join(f"{', '.join(group)} follow from {others}" for others, group in groups.items())
 
 
 def _ideal(
