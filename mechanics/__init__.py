@@ -15,6 +15,7 @@ from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    from mechanics.checks.redundant import drop_redundant
     from mechanics.compiled import Model, compile
     from mechanics.crosscheck import ROUTES, CrossCheck, crosscheck, derive
     from mechanics.crosscheck.fmu import write_fmu
@@ -94,6 +95,7 @@ __all__ = [
     "damped_modes",
     "damper",
     "derive",
+    "drop_redundant",
     "ensemble",
     "euler",
     "extremes",
@@ -131,6 +133,7 @@ __all__ = [
 ]
 
 _MODULES = {
+    "drop_redundant": ("mechanics.checks.redundant", "drop_redundant"),
     "Model": ("mechanics.compiled", "Model"),
     "compile": ("mechanics.compiled", "compile"),
     "ROUTES": ("mechanics.crosscheck", "ROUTES"),

@@ -1,7 +1,7 @@
 """Where the constraints of a mechanism hold: a state that is closed, and points of its component.
 
     phi(q, p) = 0               configuration, by Newton's method from the scene's example      (1)
-    q <- q - J^T (J J^T)^-1 phi,    J = dphi/dq
+    q <- q - J^T (J J^T + d I)^-1 phi,    J = dphi/dq,  d = 0 where the rows are independent
     A(q, p) u + a = 0           conditions on the speeds                                        (2)
 
 Dependent inputs are replaced as the kernel does it (`mechanics.kernel.constraints`): a chart of the
@@ -27,6 +27,7 @@ from mechanics.program.residues import Residues
 
 STEPS = 60
 CLOSED = 2.0**-200
+DAMPING = 2.0**-60
 
 
 @dataclass(frozen=True)
@@ -152,10 +153,13 @@ def closed_state(
             if all(abs(entry) < CLOSED for entry in value.entries()):
                 return state
             slope = arb_mat(len(configuration), len(names), [v.mid() for v in outputs["slope"]])
+            gram = slope * slope.transpose()
             try:
-                step = slope.transpose() * (slope * slope.transpose()).solve(value)
+                step = slope.transpose() * gram.solve(value)
             except ZeroDivisionError:
-                return {}
+                # Rows that depend: what the diagonal changes is in the null space of J^T.
+                small = arb_mat(len(configuration), len(configuration), 1) * arb(DAMPING)
+                step = slope.transpose() * (gram + small).solve(value)
             for name, change in zip(names, step.entries(), strict=True):
                 state[name] = _exact(arb(state[name].numerator) / state[name].denominator - change)
     return {}

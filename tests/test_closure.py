@@ -6,16 +6,18 @@ from fractions import Fraction
 
 import pytest
 from linkages import LINKAGES, parallelogram, slider_crank
-from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
+from sympy import Expr, Rational
+from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols, inertia
 
 from mechanics.checks.admissible import check_scene
+from mechanics.checks.redundant import drop_redundant
 from mechanics.errors import SceneError
 from mechanics.kernel import enclose
 from mechanics.mechanism import Mechanism, lower, name_of
 from mechanics.program import Builder
 from mechanics.program.interpret import include
 from mechanics.program.residues import Residues
-from mechanics.scene import Particle, Scene, holonomic, parameters, reaction
+from mechanics.scene import Particle, RigidBody, Scene, holonomic, parameters, pin, reaction
 from systems import ALL, four_bar, four_bar_chain, rolling_disc
 
 SCENES: dict[str, Callable[[], Scene]] = {
@@ -99,7 +101,7 @@ def test_without_typical_values_no_start_is_known() -> None:
     assert closure.values
 
 
-def test_redundant_constraints_of_a_parallelogram_are_refused() -> None:
+def three_parallel_rods() -> Scene:
     """A third rod, parallel to both: off the component its constraints would stop all motion."""
     scene = parallelogram(False, "coupler")
     (m,) = parameters("m_4")
@@ -108,7 +110,7 @@ def test_redundant_constraints_of_a_parallelogram_are_refused() -> None:
     bead = Particle("bead", scene.origin.locatenew("bead", s * N.x), m)
     q1, q2, q3 = scene.coordinates
     at = bead.centre
-    more = replace(
+    return replace(
         scene,
         coordinates=(*scene.coordinates, s),
         bodies=(*scene.bodies, bead),
@@ -119,11 +121,82 @@ def test_redundant_constraints_of_a_parallelogram_are_refused() -> None:
         ),
         constraints=(*scene.constraints, holonomic("rods turn equally", q3 - q1 + 0 * q2, "T")),
     )
-    with pytest.raises(
-        SceneError,
-        match=("redundant constraints: rods turn equally follow from along x: remove"),
-    ):
-        check_scene(more)
+
+
+def test_redundant_constraints_of_a_parallelogram_are_refused_or_dropped() -> None:
+    scene = three_parallel_rods()
+    words = "redundant constraints: rods turn equally follow from along x: "
+    with pytest.raises(SceneError, match=words):
+        check_scene(scene)
+    left = drop_redundant(scene)
+    assert {c.name for c in scene.constraints} - {c.name for c in left.constraints} == {
+        "rods turn equally"
+    }
+    assert {r.name for r in scene.reactions} - {r.name for r in left.reactions} == {"T"}
+    assert drop_redundant(left) is left
+    check_scene(left)
+
+
+def test_a_planar_loop_that_pins_close_in_space_has_three_redundant_constraints() -> None:
+    ground, origin = ReferenceFrame("N"), Point("O")
+    (m,) = parameters("m", typical="1")
+    joints, bodies, at, axis, carrier = [], [], origin, ground.z, None
+    for k, length in enumerate((1, 2, Rational(3, 2))):
+        name = f"rod {k}"
+        joint = pin(f"p{k}", carrier, name, at=at, axis=axis, angle=dynamicsymbols(f"q{k}"))
+        centre = joint.point.locatenew(f"c{k}", length * joint.frame.x / 2)
+        tensor = inertia(joint.frame, m, 2 * m, 2 * m)
+        bodies.append(RigidBody(name, centre, joint.frame, m, tensor))
+        at = joint.point.locatenew(f"e{k}", length * joint.frame.x)
+        axis, carrier = joint.frame.z, name
+        joints.append(joint)
+    foot = origin.locatenew("D", 2 * ground.x)
+    joints.append(pin("last", None, carrier, at=foot, axis=ground.z, onto=(at, axis)))
+    example = {"q0": 1.0, "q1": -0.9, "q2": -2.0}
+    scene = Scene(
+        "loop", ground, origin, bodies=tuple(bodies), joints=tuple(joints), example=example
+    )
+    with pytest.raises(SceneError, match=r"it restricts no speed: .* drop_redundant"):
+        check_scene(scene)
+    left = drop_redundant(scene)
+    assert [len(s.constraints) for s in (scene, left)] == [5, 2]
+    assert len(scene.reactions) - len(left.reactions) == 3
+    check_scene(left)
+
+
+def bead_in_a_plane(*constraints: Expr) -> Scene:
+    x, y = dynamicsymbols("x y")
+    ground, origin = ReferenceFrame("N"), Point("O")
+    (m,) = parameters("m", typical="1")
+    at = origin.locatenew("B", x * ground.x + y * ground.y)
+    return Scene(
+        "bead",
+        ground,
+        origin,
+        coordinates=(x, y),
+        bodies=(Particle("bead", at, m),),
+        reactions=tuple(reaction(f"R{k}", at, "bead", None, ground.y) for k in (0, 1)),
+        constraints=tuple(holonomic(f"c{k}", c, f"R{k}") for k, c in enumerate(constraints)),
+    )
+
+
+def test_constraints_that_touch_are_not_redundant() -> None:
+    """On y = 0 and y = x^2 nothing moves, although their rows are equal where both hold.
+
+    Nor does anything on y = 0 and y + (k - 1) x = 0, but for k = 1.
+    """
+    x, y = dynamicsymbols("x y")
+    (k,) = parameters("k")
+    scene = bead_in_a_plane(y, y - x**2)
+    assert drop_redundant(scene) is scene
+    with pytest.raises(SceneError, match="c1 may be redundant at some states only"):
+        drop_redundant(bead_in_a_plane(y, y + (k - 1) * x))
+
+
+def test_constraints_that_contradict_each_other_are_not_redundant() -> None:
+    y, t = dynamicsymbols("y"), dynamicsymbols._t
+    with pytest.raises(SceneError, match="c1: it contradicts the others"):
+        drop_redundant(bead_in_a_plane(y, y - t))
 
 
 @pytest.mark.parametrize("loops", [1, 2])

@@ -109,7 +109,10 @@ def _constraint_rows(
                 f"{where}: it holds accelerations: state it for coordinates or for their rates"
             )
         if all(map(anywhere.is_zero, slopes)):
-            raise SceneError(f"{where}: it restricts no speed: is it an identity?")
+            raise SceneError(
+                f"{where}: it restricts no speed: is it an identity? drop_redundant(scene) leaves"
+                " it out with its reaction, which is then not determined"
+            )
         if all(map(filter_.is_zero, slopes)):
             raise SceneError(
                 f"{where}: it restricts no speed where the constraints hold: give an example of a"
@@ -121,7 +124,12 @@ def _constraint_rows(
         names = [constraint.name for constraint in mechanism.constraints]
         raise SceneError(
             f"{mechanism.name}: redundant constraints: {_dependences(filter_, table, kept, names)}:"
-            " remove them with their reactions"
+            " their reactions are not determined: remove both, or take drop_redundant(scene)"
+        )
+    if len(kept) >= len(mechanism.u):
+        raise SceneError(
+            f"{mechanism.name}: {len(kept)} constraints on {len(mechanism.u)} speeds leave nothing"
+            " to move"
         )
     return table
 

@@ -232,8 +232,3 @@ def _constraints(scene: Declaration) -> None:
                     f" {constraint.name}: each reaction maintains one"
                 )
             owner[name] = constraint.name
-    if len(scene.constraints) >= len(scene.coordinates):
-        raise SceneError(
-            f"{scene.name}: {len(scene.constraints)} constraints on {len(scene.coordinates)}"
-            " coordinates leave nothing to move"
-        )

@@ -196,7 +196,7 @@ CONSTRAINTS = {
     "a reaction used twice": (held(holonomic("c", x - L, "W"), holonomic("d", theta, "W")),
         "reaction W named by the constraints c and d"),
     "nothing left": (held(holonomic("c", x - L, "W"), holonomic("d", theta, "T")),
-        "2 constraints on 2 coordinates nothing to move"),
+        "2 constraints on 2 speeds nothing to move"),
     "quadratic in rates": (held(nonholonomic("c", x.diff() ** 2 - L, "W")),
         "constraint c not linear in the speeds"),
     "of accelerations": (held(nonholonomic("c", x.diff(t, 2), "W")), "constraint c accelerations"),

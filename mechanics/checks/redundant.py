@@ -1,0 +1,74 @@
+"""Redundant constraints left out: rows of A u + a = 0 that follow from the rows before them.
+
+At points of the component on which all constraints hold, a row that is a combination of others
+restricts no motion. Then the others alone have this component, if it has the dimension that their
+rank leaves; it has not where constraints touch: y = 0 and y = x^2 admit no motion along x.
+"""
+
+from dataclasses import replace
+
+from mechanics.errors import SceneError
+from mechanics.mechanism import lower, name_of
+from mechanics.program.builder import Builder
+from mechanics.routes.rows import coefficients, remainder, velocity_forms
+from mechanics.scene import Scene
+
+
+def drop_redundant(scene: Scene) -> Scene:
+    """The scene without the constraints that follow from those before them, and their reactions.
+
+    A planar loop that is closed by a pin in space has three of them: two couples and the force
+    across its plane at that pin. Rigid bodies do not determine how such loads are shared; what is
+    computed for the reactions that remain is right for joints that give way where one was left out.
+
+    Parameters
+    ----------
+    scene : Scene
+        Its constraints are taken in order; the first ones stay.
+
+    Returns
+    -------
+    Scene
+        The same motion, for parameters at which all constraints hold. A joint that lost a reaction
+        is declared by what it still holds.
+
+    Raises
+    ------
+    SceneError
+        Where no state on the constraints is known, or constraints touch or contradict each other.
+    """
+    mechanism = lower(scene, Builder())
+    anywhere, filter_ = mechanism.filters
+    forms = coefficients(velocity_forms(mechanism), mechanism.u)
+    width, closure = len(mechanism.u), mechanism.closure
+    rests = remainder(mechanism.builder, velocity_forms(mechanism), mechanism.u)
+    rows = [filter_.values([*row, rest]) for row, rest in zip(forms, rests, strict=True)]
+    kept = {i for i, _ in filter_.eliminate(rows, width)}
+    gone = [c for i, c in enumerate(scene.constraints) if i not in kept]
+    if not gone:
+        return scene
+    for constraint, row in zip(scene.constraints, rows, strict=True):
+        if constraint in gone and any(row):
+            raise SceneError(f"constraint {constraint.name}: it contradicts the others: correct it")
+    if not (closure.start or closure.values):
+        raise SceneError(
+            f"{scene.name}: no state is known at which its constraints hold: give an example, and"
+            " typical values of the parameters"
+        )
+    everywhere = [anywhere.values(row) for row in forms]
+    if len(anywhere.eliminate(everywhere, width)) > len(kept):
+        speeds = {*map(name_of, mechanism.u)}
+        solved = sum(name_of(node) not in speeds for node in closure.values)
+        if solved != sum(c.holonomic for i, c in enumerate(scene.constraints) if i in kept):
+            raise SceneError(
+                f"{scene.name}: {', '.join(c.name for c in gone)} may be redundant at some states"
+                " only, or for some parameters: remove them by hand where they follow"
+            )
+    lost = {name for constraint in gone for name in constraint.reactions}
+    return replace(
+        scene,
+        # What a joint still holds stands in the scene; it is no longer a joint of its kind.
+        joints=tuple(j for j in scene.joints if not lost & {r.name for r in j.reactions}),
+        constraints=tuple(c for c in scene.constraints if c not in gone),
+        reactions=tuple(r for r in scene.reactions if r.name not in lost),
+    )
