@@ -15,7 +15,9 @@ from mechanics.errors import InputError
 from mechanics.kernel import Finding, enclose
 from mechanics.linear import Linear, conditions, linearize, speed_form, stability
 from mechanics.linear.deviations import BITS, check_linear, drawn_point
-from mechanics.linear.pole_checks import check_speed_form, check_stability
+from mechanics.linear.pole_checks import DRAWS, SPREAD, check_speed_form, check_stability
+from mechanics.program import Builder
+from mechanics.program.sympy_reader import read
 from mechanics.routes.derivation import ROUTES, as_program
 from mechanics.scene import Scene
 from systems import cartpole_friction as cart
@@ -88,7 +90,7 @@ def linear_outcome(name: str, scene: Scene, programs: Programs) -> tuple[dict, l
             found = dict(_numbers(linear))
             findings.append(check_linear(linear, programs.route("kane")))
             if operation.poles:
-                found["stability"] = f"{stability(linear).name} {conditions(linear)}"
+                found["stability"] = f"{stability(linear).name} {_stable(linear)}"
                 findings.append(check_stability(linear))
             if operation.speed and linear.conjugate:
                 form = speed_form(linear, operation.speed)
@@ -103,6 +105,14 @@ def linear_outcome(name: str, scene: Scene, programs: Programs) -> tuple[dict, l
                 findings.append(check_linear(wrongly, programs.route("kane")))
             numbers |= {f"linear {k} {route.name} {key}": value for key, value in found.items()}
     return numbers, findings
+
+
+def _stable(linear: Linear) -> list[bool]:
+    """Whether all conditions are positive, at drawn parameters: other ones may say the same."""
+    builder = Builder()
+    program = builder.program({"c": read(builder, conditions(linear))})
+    points = [drawn_point({}, program.inputs, f"{k}", SPREAD) for k in range(DRAWS)]
+    return [all(bool(c > 0) for c in enclose(program, point, BITS)["c"]) for point in points]
 
 
 def _numbers(linear: Linear) -> Iterator[tuple[str, str]]:
