@@ -18,9 +18,11 @@ from mechanics.report.projection import View, normal, unit
 from mechanics.report.supports import BLOCK, Paper, gravity_arrow, ground, load_symbol
 from mechanics.scene import Body, RigidBody, Scene
 from mechanics.scene.actions import carrier_of
-from mechanics.scene.loads import Damper, Gravity, Spring, Torque
+from mechanics.scene.loads import Damper, Force, Gravity, Spring, Torque
 
 WIDTH, HEIGHT, MARGIN = 460.0, 340.0, 74.0
+PUSHED = 92.0
+"""Room for the arrow of a force beyond its point."""
 # Beyond this many bodies only the first and the last are named.
 FEW = 4
 CLEAR = 16.0
@@ -42,7 +44,9 @@ def drawing(scene: Scene, state: Mapping[str, float]) -> str:
     """
     view = View(scene, state)
     outlines = {body.name: outline(view, body) for body in scene.bodies}
-    paper = _paper(view, [p for points in outlines.values() for p in points])
+    places = [view.point(point) for point in _loaded(scene)]
+    margin = PUSHED if any(isinstance(load, Force) for load in scene.loads) else MARGIN
+    paper = _paper(view, [*places, *(p for points in outlines.values() for p in points)], margin)
     named = scene.bodies if len(scene.bodies) <= FEW else (scene.bodies[0], scene.bodies[-1])
     parts = [ground(view, paper)]
     parts += [_body(view, paper, body, outlines[body.name]) for body in scene.bodies]
@@ -73,6 +77,12 @@ def _free_corner(drawn: str) -> tuple[float, float]:
     corners = [(x, y) for y in (0.0, HEIGHT - height) for x in (0.0, WIDTH - width)]
     inside = [np.sum(np.all((places > c) & (places < np.add(c, CORNER)), axis=1)) for c in corners]
     return corners[int(np.argmin(inside))]
+
+
+def _loaded(scene: Scene) -> list[Point]:
+    """The points at which loads act, on bodies and on the ground."""
+    ends = (vars(load).get(name) for load in scene.loads for name in ("at", "first", "second"))
+    return [end for end in ends if isinstance(end, Point)]
 
 
 def attached(scene: Scene, body: Body) -> list[Point]:
@@ -138,11 +148,11 @@ def _semi_axes(view: View, body: RigidBody) -> tuple[np.ndarray, np.ndarray]:
     return view.project(first), view.project(other)
 
 
-def _paper(view: View, points: list[np.ndarray]) -> Paper:
+def _paper(view: View, points: list[np.ndarray], margin: float) -> Paper:
     corners = np.array([*points, view.point(view.scene.origin)])
     low, high = corners.min(axis=0), corners.max(axis=0)
     span = np.maximum(high - low, 1e-9)
-    scale = min((WIDTH - 2 * MARGIN) / span[0], (HEIGHT - 2 * MARGIN) / span[1], 1e6)
+    scale = min((WIDTH - 2 * margin) / span[0], (HEIGHT - 2 * margin) / span[1], 1e6)
     middle = np.array([WIDTH, HEIGHT]) / 2
     return Paper(scale, middle - scale * (low + high) / 2 * np.array([1, -1]), middle)
 
