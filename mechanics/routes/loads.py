@@ -100,7 +100,7 @@ def balanced(every: Sequence[Wrench], inside: Sequence[Wrench]) -> bool:
     So are its only two wrenches; a single one is the ground's, and so may be some of a rope.
     """
     return len(inside) == len(every) == 2 and all(
-        (x + y).is_zero for x, y in zip(every[0].force, every[1].force, strict=True)
+        -x == y for x, y in zip(every[0].force, every[1].force, strict=True)
     )
 
 

@@ -11,10 +11,12 @@ from mechanics.checks.agreement import compare_pairs
 from mechanics.checks.statements import equal
 from mechanics.crosscheck.programs import check_laws, derive_rows
 from mechanics.kernel import Verdict
+from mechanics.kinematics.chain import motions
 from mechanics.mechanism import lower
 from mechanics.program import Builder
 from mechanics.program.vectors import add, cross, dot, scale, subtract
 from mechanics.routes.derivation import ROUTES, is_written_out
+from mechanics.routes.loads import balanced, unit_reactions
 from mechanics.scene import Scene
 
 
@@ -36,6 +38,16 @@ def test_everything_that_is_checked_is_shown(make: Callable[[], Scene]) -> None:
     assert absent == ({"lagrange_sympy"} if make is flyer else set())
     assert all(finding.shown for finding in found.findings)
     assert {finding.verdict for finding in found.witnesses} == {Verdict.SUPPORTED}
+
+
+def test_what_acts_between_two_bodies_crosses_no_boundary_that_holds_both() -> None:
+    """Also along directions whose components are differences, as a quaternion turns them."""
+    mechanism = lower(flyer(), Builder())
+    units = unit_reactions(mechanism, motions(mechanism).poses)
+    pairs = [pair for pair in units if len(pair) == 2]
+    assert len(pairs) == 5
+    assert all(balanced(pair, pair) for pair in pairs)
+    assert not any(balanced(pair, pair[:1]) for pair in pairs)
 
 
 def test_kanes_rows_of_the_top_are_eulers_equations_about_its_point() -> None:
