@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     from mechanics.errors import MechanicsError
     from mechanics.export import write_c
     from mechanics.extremes import extremes
+    from mechanics.importers import from_sympy
     from mechanics.judge.check import check
     from mechanics.judge.check_json import to_json as check_json
     from mechanics.kernel import Finding, Verdict, Witness
@@ -101,6 +102,7 @@ __all__ = [
     "extremes",
     "force",
     "free",
+    "from_sympy",
     "gravity",
     "holonomic",
     "linearize",
@@ -148,6 +150,7 @@ _MODULES = {
     "Witness": ("mechanics.kernel", "Witness"),
     "write_c": ("mechanics.export", "write_c"),
     "extremes": ("mechanics.extremes", "extremes"),
+    "from_sympy": ("mechanics.importers.sympy_scene", "from_sympy"),
     "check": ("mechanics.judge.check", "check"),
     "check_json": ("mechanics.judge.check_json", "to_json"),
     "damped_modes": ("mechanics.linear", "damped_modes"),

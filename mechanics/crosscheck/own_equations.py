@@ -1,0 +1,207 @@
+"""SymPy's own equations of one of its models, beside those that its bodies and loads imply.
+
+    M u' = f of the model        against the scene's accelerations                              (1)
+    the same, of the scene without a load, a constraint, ...         where (1) is refuted       (2)
+
+A cause is named where (2) is shown: a load that is dropped or counted twice, a constraint or a
+potential energy that is not read, a velocity that is put into a Lagrangian.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from typing import Any
+
+import sympy.physics.mechanics as me
+from sympy import Derivative, Expr, Matrix, Symbol, zeros
+from sympy.physics.vector import dynamicsymbols
+
+from mechanics.checks.admissible import check_scene
+from mechanics.crosscheck.programs import Programs, derive_rows, same_motion
+from mechanics.equations import Equations, Matrices
+from mechanics.errors import MechanicsError
+from mechanics.importers.sympy_model import form_equations
+from mechanics.kernel import Finding, Verdict
+from mechanics.scene import Force, Gravity, Scene, Torque
+from mechanics.scene.symbols import plain_symbol, plain_table, to_plain
+
+ROUTE = "kane"
+
+
+def own_equations(scene: Scene, model: Any) -> Equations:
+    """M u' = f as SymPy forms it, over the speeds of the scene made from the model.
+
+    Parameters
+    ----------
+    scene : Scene
+        Made by `from_sympy`.
+    model : System, KanesMethod or LagrangesMethod
+    """
+    method = form_equations(model)
+    table = _table(scene, method)
+    if isinstance(method, me.LagrangesMethod):
+        matrices, names = _lagrange(method)
+    else:
+        matrices, names = _kane(method), ()
+    speeds = _speeds(method)
+    plain = [_plain(scene, part, table) for part in matrices]
+    columns = [plain_name(speed) for speed in speeds]
+    mass, forcing, reactions, held, bias = plain
+    wide, rows = zeros(mass.rows, len(scene.u)), zeros(held.rows, len(scene.u))
+    for k, u in enumerate(scene.u):
+        if u.name in columns:
+            wide[:, k] = mass[:, columns.index(u.name)]
+            rows[:, k] = held[:, columns.index(u.name)]
+    for constraint in scene.constraints:
+        # Coordinates that stand for what a model says by velocities alone are the scene's.
+        if constraint.name.endswith("_rate"):
+            form = scene.plain(constraint.expression.diff(dynamicsymbols._t), constraint.name)
+            row = Matrix([form]).jacobian(scene.ud)
+            rows = rows.col_join(row)
+            rest = form.xreplace(dict.fromkeys(scene.ud, 0))
+            bias = bias.col_join(Matrix([-rest]))
+    return Equations(
+        scene, "sympy", names, False, textbook=Matrices(wide, forcing, reactions, rows, bias)
+    )
+
+
+def plain_name(speed: Expr) -> str:
+    """Name of a speed, or of the rate of a coordinate, among the scene's plain symbols."""
+    if isinstance(speed, Derivative):
+        return plain_symbol(speed.expr, 1).name
+    return plain_symbol(speed).name
+
+
+def _speeds(method: Any) -> list[Expr]:
+    if isinstance(method, me.LagrangesMethod):
+        return [q.diff(dynamicsymbols._t) for q in method.q]
+    return list(method.u)
+
+
+def _kane(method: Any) -> tuple[Matrix, ...]:
+    mass, forcing = method.mass_matrix, method.forcing
+    free = len(method.u) - len(method._k_dnh[:, 0] if method._k_dnh else ())
+    return (
+        mass[:free, :],
+        forcing[:free, :],
+        zeros(free, 0),
+        mass[free:, :],
+        forcing[free:, :],
+    )
+
+
+def _lagrange(method: Any) -> tuple[tuple[Matrix, ...], tuple[Symbol, ...]]:
+    n, m = len(method.q), len(method.coneqs)
+    mass, forcing = method.mass_matrix[:, :n], method.forcing
+    if not m:
+        return (mass, forcing, zeros(n, 0), zeros(0, n), zeros(0, 1)), ()
+    names = tuple(Symbol(f"lambda{k + 1}", real=True) for k in range(m))
+    rows = method.mass_matrix_full[2 * n :, n : 2 * n]
+    return (mass, forcing, -method.mass_matrix[:, n:], rows, method.forcing_full[2 * n :, :]), names
+
+
+def _table(scene: Scene, method: Any) -> dict[Expr, Expr]:
+    speeds = [u for u in _speeds(method) if not isinstance(u, Derivative)]
+    return plain_table((*scene.coordinates, *speeds, *scene.inputs))
+
+
+def _plain(scene: Scene, matrix: Matrix, table: dict[Expr, Expr]) -> Matrix:
+    known = {s.name: s for s in (*scene.q, *scene.u, *scene.ud, *scene.parameters)}
+    known |= {s.name: s for s in scene.input_symbols}
+
+    def entry(expression: Expr) -> Expr:
+        plain = to_plain(expression, table, "SymPy's equations")
+        named = {s: known.get(s.name, Symbol(s.name, real=True)) for s in plain.free_symbols}
+        return plain.xreplace(named).xreplace(scene.coordinate_rates)
+
+    return Matrix(matrix.rows, matrix.cols, [entry(e) for e in matrix])
+
+
+def compare_own(scene: Scene, model: Any, programs: Programs | None = None) -> list[Finding]:
+    """Statement (1), and where it is refuted those of (2) that are shown.
+
+    Parameters
+    ----------
+    scene : Scene
+    model : System, KanesMethod or LagrangesMethod
+        What the scene was made from.
+    programs : Programs, optional
+        Of the scene.
+    """
+    kind = type(model).__name__
+    own = own_equations(scene, model)
+    programs = programs or derive_rows(check_scene(scene), [ROUTE])
+    subject = f"SymPy's {kind} = its bodies, loads and constraints: accelerations"
+    found = same_motion(subject, programs, next(iter(programs.routes)), own)
+    if found.verdict is not Verdict.REFUTED:
+        return [found]
+    return [found, *_causes(scene, own, kind)]
+
+
+@dataclass(frozen=True)
+class Change:
+    """What SymPy's class may have read instead of the scene, in words."""
+
+    words: str
+    scene: Scene
+
+
+def _causes(scene: Scene, own: Equations, kind: str) -> Iterator[Finding]:
+    """The first change of each sort for which SymPy's equations are those of the scene."""
+    for change in _changes(scene):
+        try:
+            programs = derive_rows(check_scene(change.scene), [ROUTE])
+        except MechanicsError:
+            continue
+        equations = replace(own, scene=change.scene)
+        subject = f"the cause: {kind} {change.words}: its equations = those"
+        found = same_motion(subject, programs, ROUTE, equations)
+        if found.shown:
+            yield found
+            return
+
+
+def _changes(scene: Scene) -> Iterator[Change]:
+    """One load after the other dropped or doubled, all of a kind, constraints left out."""
+    loads = scene.loads
+    for k, load in enumerate(loads):
+        rest = (*loads[:k], *loads[k + 1 :])
+        told = "does not count the potential energy" if _energy(load) else "drops the load"
+        yield Change(f"{told} {load.name}", replace(scene, loads=rest))
+    for k, load in enumerate(loads):
+        doubled = (*loads[:k], _twice(load), *loads[k + 1 :])
+        yield Change(f"counts {load.name} twice, as a load and as a potential energy",
+                     replace(scene, loads=doubled))  # fmt: skip
+    forces = tuple(load for load in loads if not isinstance(load, Force | Torque))
+    if len(loads) - len(forces) > 1:
+        dropped = [load.name for load in loads if load not in forces]
+        yield Change(f"drops the loads {', '.join(dropped)}", replace(scene, loads=forces))
+    if len(loads) > 1:
+        yield Change("drops all loads", replace(scene, loads=()))
+    stated = [c for c in scene.constraints if not c.name.endswith("_rate")]
+    positions = [c for c in stated if c.holonomic]
+    for gone in (*([c] for c in stated), positions, stated):
+        if gone:
+            names = ", ".join(c.name for c in gone)
+            yield Change(f"does not keep {names}", _without(scene, gone))
+
+
+def _energy(load: Any) -> bool:
+    return load.name.startswith("potential_")
+
+
+def _twice(load: Any) -> Any:
+    if isinstance(load, Gravity):
+        return replace(load, field=2 * load.field)
+    return replace(load, vector=2 * load.vector)
+
+
+def _without(scene: Scene, gone: Any) -> Scene:
+    names = {c.name for c in gone}
+    lost = {name for c in gone for name in c.reactions}
+    return replace(
+        scene,
+        constraints=tuple(c for c in scene.constraints if c.name not in names),
+        reactions=tuple(r for r in scene.reactions if r.name not in lost),
+    )

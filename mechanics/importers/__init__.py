@@ -1,0 +1,19 @@
+"""Models of other programs, read as scenes, and scenes written for them."""
+
+from __future__ import annotations
+
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from mechanics.importers.sympy_scene import from_sympy
+
+__all__ = ["from_sympy"]
+
+_MODULES = {"from_sympy": "sympy_scene"}
+
+
+def __getattr__(name: str) -> Any:
+    if name not in _MODULES:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    return getattr(import_module(f"{__name__}.{_MODULES[name]}"), name)

@@ -1,0 +1,448 @@
+"""Reactions of a model that declares none: what coordinates and constraints leave no freedom.
+
+    w . V = sum_k r_k u_k            power of a unit wrench w on the velocities of isolated bodies
+    r = 0                            an ideal reaction, of a joint                              (1)
+    r in the row space of A          ideal where A u + a = 0 holds, and maintains it            (2)
+    number of them = freedoms of the isolated bodies - independent speeds
+
+Candidates are unit forces at points of the scene along axes of its frames, and couples about these,
+between two bodies or a body and the ground. They are tried at one point of a field, on the
+constraints; that the chosen ones are ideal and complete is checked of every scene before it is
+derived. Where no candidate maintains a constraint, those that are dual to one speed are put
+together:
+
+    A_k = sum_i a_i e_i              w = sum_i a_i w_i,   w_i . V = u_i                         (3)
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+
+from sympy import Expr, S
+from sympy.physics.vector import Point, ReferenceFrame, Vector
+
+from mechanics.errors import SceneError
+from mechanics.kinematics import chain
+from mechanics.kinematics.motion import body_motions
+from mechanics.mechanism import Mechanism, lower
+from mechanics.program.builder import Builder
+from mechanics.routes.directions import used_directions
+from mechanics.routes.loads import applied
+from mechanics.routes.rows import coefficients, velocity_forms
+from mechanics.scene import Body, Output, Scene, orientation, position
+from mechanics.scene.bodies import RigidBody
+from mechanics.scene.geometry import frame_path, point_path
+from mechanics.scene.reactions import Reaction
+
+AXES = "xyz"
+Row = list[int]
+
+
+@dataclass(frozen=True)
+class Candidate:
+    """A unit force at a point, or a couple without one; `name` where the model has one."""
+
+    on: str
+    by: str | None
+    point: Point | None
+    frame: ReferenceFrame
+    axis: int
+    name: str = ""
+
+    @property
+    def along(self) -> Vector:
+        """Unit vector."""
+        return (self.frame.x, self.frame.y, self.frame.z)[self.axis]
+
+
+@dataclass(frozen=True)
+class Joined:
+    """A joint that the model declares: where its reactions are looked for first."""
+
+    name: str
+    parent: str | None
+    child: str
+    point: Point
+    frame: ReferenceFrame
+
+
+@dataclass(frozen=True)
+class Named:
+    """A force that the model brings into evidence: its name, its point, its axis."""
+
+    name: str
+    point: Point
+    frame: ReferenceFrame
+    axis: int
+
+
+class Finder:
+    """Velocities of a scene at one point of a field.
+
+    Parameters
+    ----------
+    scene : Scene
+        With loads and constraints; the reactions that these name stand for those that are found.
+    joints : sequence of Joined
+    named : sequence of Named
+    """
+
+    def __init__(
+        self, scene: Scene, joints: Sequence[Joined] = (), named: Sequence[Named] = ()
+    ) -> None:
+        self.scene, self.joints, self.named = scene, joints, named
+        ends = [end for joint in joints for end in (joint.point, joint.frame)]
+        ends += [end for one in named for end in (one.point, one.frame)]
+        self.points = [scene.origin, *(p for p in ends if isinstance(p, Point))]
+        self.frames = [scene.frame, *(f for f in ends if isinstance(f, ReferenceFrame))]
+        for body in scene.bodies:
+            self.points += point_path(scene.origin, body.centre)
+            for vector in body.centre._pos_dict.values():
+                self.frames += [frame for _, frame in vector.args]
+            if isinstance(body, RigidBody):
+                self.frames += frame_path(scene.frame, body.frame)
+        for point in [*self.points]:
+            self.points += [other for other in point._pos_dict if other not in self.points]
+        self.points = list(dict.fromkeys(self.points))
+        self.frames = list(dict.fromkeys(self.frames))
+        self._lower()
+
+    def _lower(self) -> None:
+        scene = self.scene
+        outputs: dict[str, Output] = {
+            f"point{i}": position(point) for i, point in enumerate(self.points)
+        }
+        outputs |= {f"frame{i}": orientation(frame) for i, frame in enumerate(self.frames)}
+        mechanism = lower(replace(scene, outputs=outputs), Builder())
+        anywhere, self.filter = mechanism.filters
+        motions = chain.motions(mechanism)
+        u = mechanism.u
+        self.size = len(u)
+        places = {o.name: o for o in mechanism.outputs}
+        self.places = {
+            point: self.filter.values(motions.poses.positions[places[f"point{i}"].point])
+            for i, point in enumerate(self.points)
+        }
+        self.axes = {}
+        for i, frame in enumerate(self.frames):
+            matrix = motions.poses.rotations[places[f"frame{i}"].frame]
+            flat = self.filter.values([matrix[r][c] for c in range(3) for r in range(3)])
+            self.axes[frame] = [flat[3 * k : 3 * k + 3] for k in range(3)]
+        none = [[0] * 3 for _ in range(self.size)]
+        self.velocity: dict[str | None, list[Row]] = {None: none}
+        self.turning: dict[str | None, list[Row]] = {None: none}
+        self.centre: dict[str | None, Row] = {None: [0, 0, 0]}
+        for body, mass in zip(scene.bodies, mechanism.bodies, strict=True):
+            point = motions.points[mass.centre]
+            self.velocity[body.name] = self._partial(mechanism, point.velocity)
+            self.centre[body.name] = self.filter.values(point.position)
+            if mass.frame is not None:
+                omega = motions.frames[mass.frame].omega
+                self.turning[body.name] = self._partial(mechanism, omega)
+        forms = velocity_forms(mechanism)
+        self.rows = [self.filter.values(row) for row in coefficients(forms, u)]
+        bodies = body_motions(mechanism, motions)
+        used = used_directions(anywhere, bodies, applied(mechanism, motions))
+        self.used = (used.translation, used.rotation)
+        if self.joints:
+            self.used = ((0, 1, 2), (0, 1, 2))
+
+    def _partial(self, mechanism: Mechanism, vector: Sequence) -> list[Row]:
+        """Partial velocities, speed by speed."""
+        flat = [self.filter.values(row) for row in coefficients(vector, mechanism.u)]
+        return [[flat[k][i] for k in range(3)] for i in range(self.size)]
+
+    @cached_property
+    def slots(self) -> list[tuple[str, str, int]]:
+        """Freedoms of the isolated bodies: body, kind and direction."""
+        found = []
+        for body in self.scene.bodies:
+            found += [(body.name, "force", i) for i in self.used[0]]
+            if body.name in self.turning:
+                found += [(body.name, "couple", i) for i in self.used[1]]
+        return found
+
+    # ------------------------------------------------------------------ one candidate
+
+    def wrench(self, one: Candidate) -> Row | None:
+        """What it does to each freedom; None where it leaves the directions that are in use."""
+        prime, axis = self.filter.prime, self.axes[one.frame][one.axis]
+        found: dict[tuple[str, str, int], int] = {}
+        for body, sign in ((one.on, 1), (one.by, -1)):
+            if body is None:
+                continue
+            force, couple = ([0, 0, 0], axis) if one.point is None else (axis, [0, 0, 0])
+            if one.point is not None and body in self.turning:
+                couple = _cross(_minus(self.places[one.point], self.centre[body]), axis)
+            if body not in self.turning:
+                if one.point is None:
+                    return None
+                couple = [0, 0, 0]
+            for kind, vector in (("force", force), ("couple", couple)):
+                for i, entry in enumerate(vector):
+                    if entry % prime:
+                        found[body, kind, i] = sign * entry % prime
+        if not found or not found.keys() <= {*self.slots}:
+            return None
+        return [found.get(slot, 0) for slot in self.slots]
+
+    def power(self, one: Candidate) -> Row:
+        """r, its power on a unit of each speed."""
+        prime, axis = self.filter.prime, self.axes[one.frame][one.axis]
+        found = []
+        for k in range(self.size):
+            total = 0
+            for body, sign in ((one.on, 1), (one.by, -1)):
+                if one.point is None:
+                    moved = self.turning[body][k]
+                else:
+                    moved = self.velocity[body][k]
+                    if body in self.turning and body is not None:
+                        arm = _minus(self.places[one.point], self.centre[body])
+                        moved = _plus(moved, _cross(self.turning[body][k], arm))
+                total += sign * _dot(moved, axis)
+            found.append(total % prime)
+        return found
+
+    # ------------------------------------------------------------------ the search
+
+    def candidates(self) -> Iterator[Candidate]:
+        """Joints first, then what is named, then every pair of bodies, near ones first."""
+        for joint in self.joints:
+            for point in (joint.point, None):
+                for k in range(3):
+                    word = f"{joint.name}_{'' if point else 'm'}{AXES[k]}"
+                    yield Candidate(joint.child, joint.parent, point, joint.frame, k, word)
+        for one in self.named:
+            for body in self.scene.bodies:
+                yield Candidate(body.name, None, one.point, one.frame, one.axis, one.name)
+        for body in self.scene.bodies:
+            for by in self._neighbours(body):
+                yield from self._between(body, by)
+
+    def _neighbours(self, body: Body) -> list[str | None]:
+        """Bodies on the way to a body, the nearest first, the ground, and then all before it."""
+        way = point_path(self.scene.origin, body.centre)[::-1][1:]
+        frames: tuple[ReferenceFrame, ...] = ()
+        if isinstance(body, RigidBody):
+            frames = frame_path(self.scene.frame, body.frame)[::-1][1:]
+        others = [other for other in self.scene.bodies if other is not body]
+        near = [o.name for point in way for o in others if o.centre == point]
+        near += [
+            o.name for f in frames for o in others if isinstance(o, RigidBody) and o.frame == f
+        ]
+        before = [o.name for o in self.scene.bodies[: self.scene.bodies.index(body)]]
+        return list(dict.fromkeys([*near, None, *before]))
+
+    def _between(self, body: Body, by: str | None) -> Iterator[Candidate]:
+        way = list(point_path(self.scene.origin, body.centre))[::-1]
+        points = list(dict.fromkeys([*way[1:], way[0], *self.points]))
+        frames = self.frames
+        if isinstance(body, RigidBody):
+            frames = [*frame_path(self.scene.frame, body.frame)[::-1], *self.frames]
+        else:
+            points = [body.centre]
+        frames = list(dict.fromkeys(frames))
+        for point in (*points, None):
+            for frame in frames:
+                for k in range(3):
+                    yield Candidate(body.name, by, point, frame, k)
+
+    def find(self) -> tuple[list[Candidate], list[Candidate | None]]:
+        """Ideal reactions, and for each constraint the one that maintains it; None where none does.
+
+        Raises
+        ------
+        SceneError
+            When they cannot be found.
+        """
+        wanted = len(self.slots) - (self.size - len(self.rows))
+        chosen: list[Candidate] = []
+        basis = _Basis(self.filter.prime)
+        candidates = [(one, w) for one in self.candidates() if (w := self.wrench(one)) is not None]
+        kept: list[tuple[Candidate, Row]] = []
+        held = _Basis(self.filter.prime)
+        for row in self.rows:
+            held.add(row)
+        for exact in (True, False):
+            for one, wrench in candidates:
+                if len(chosen) == wanted:
+                    break
+                row = self.power(one)
+                admitted = not any(row) if exact else not held.independent(row)
+                if admitted and basis.add(wrench):
+                    chosen.append(one)
+                    if any(row):
+                        kept.append((one, row))
+        maintaining = self._paired(kept)
+        missing = [k for k, one in enumerate(maintaining) if one is None]
+        if len(chosen) + len(missing) < wanted:
+            raise SceneError(
+                f"{self.scene.name}: reactions for {wanted - len(chosen) - len(missing)} of the"
+                f" {wanted} directions that coordinates and constraints hold were not found: no"
+                " force along an axis, at a point of the model, does no work"
+            )
+        return [one for one in chosen if one not in maintaining], maintaining
+
+    def _paired(self, kept: Sequence[tuple[Candidate, Row]]) -> list[Candidate | None]:
+        """For each constraint a reaction whose power is its rate, or holds it."""
+        basis, independent = _Basis(self.filter.prime), []
+        # What is proportional to one constraint comes first.
+        kept = sorted(kept, key=lambda pair: not any(self._along(pair[1], r) for r in self.rows))
+        for pair in kept:
+            if basis.add(pair[1]):
+                independent.append(pair)
+        found: list[Candidate | None] = [None] * len(self.rows)
+        for k, row in enumerate(self.rows):
+            for pair in independent:
+                if self._along(pair[1], row):
+                    found[k] = pair[0]
+                    independent.remove(pair)
+                    break
+        for k, one in enumerate(found):
+            if one is None and independent:
+                found[k] = independent.pop(0)[0]
+        return found
+
+    def _along(self, one: Row, two: Row) -> bool:
+        basis = _Basis(self.filter.prime)
+        basis.add(one)
+        return not basis.independent(two)
+
+    def dual(self, speed: int, on: str | None = None) -> tuple[Candidate, int] | None:
+        """A unit force or couple whose power is one speed, and the sign of that power."""
+        prime = self.filter.prime
+        bodies = [b for b in self.scene.bodies if on is None or b.name == on]
+        for body in bodies:
+            for by in self._neighbours(body):
+                for one in self._between(body, by):
+                    if self.wrench(one) is None:
+                        continue
+                    row = self.power(one)
+                    others = [entry for k, entry in enumerate(row) if k != speed and entry]
+                    if not others and row[speed] in (1, prime - 1):
+                        return one, 1 if row[speed] == 1 else -1
+        return None
+
+
+class _Basis:
+    """Rows modulo a prime, eliminated as they come."""
+
+    def __init__(self, prime: int) -> None:
+        self.prime = prime
+        self.rows: list[tuple[int, Row]] = []
+
+    def reduced(self, row: Row) -> Row:
+        row = [entry % self.prime for entry in row]
+        for column, pivot in self.rows:
+            if factor := row[column]:
+                row = [(a - factor * b) % self.prime for a, b in zip(row, pivot, strict=True)]
+        return row
+
+    def independent(self, row: Row) -> bool:
+        return any(self.reduced(row))
+
+    def add(self, row: Row) -> bool:
+        """Whether it is independent of those before it."""
+        left = self.reduced(row)
+        column = next((k for k, entry in enumerate(left) if entry), None)
+        if column is None:
+            return False
+        inverse = pow(left[column], -1, self.prime)
+        self.rows.append((column, [entry * inverse % self.prime for entry in left]))
+        return True
+
+
+def declared(
+    finder: Finder, slopes: Sequence[Mapping[int, Expr]]
+) -> tuple[tuple[Reaction, ...], tuple[str, ...]]:
+    """The reactions of a scene, and the name of the one that maintains each constraint.
+
+    Parameters
+    ----------
+    finder : Finder
+    slopes : sequence of mappings of int to Expr
+        The rate of each constraint in the speeds, for equation (3).
+
+    Raises
+    ------
+    SceneError
+        When they cannot be found.
+    """
+    ideal, maintaining = finder.find()
+    scene = finder.scene
+    taken = {constraint.name for constraint in scene.constraints}
+    taken |= {s.name for s in (*scene.q, *scene.u, *scene.qd, *scene.parameters)}
+    taken |= {symbol.name for symbol in scene.input_symbols}
+    found, names = [], []
+    for joint in ideal:
+        name = _free(joint.name or _name(joint), taken)
+        found.append(Reaction(name, joint.on, joint.by, joint.along, joint.point))
+    for k, one in enumerate(maintaining):
+        constraint = scene.constraints[k].name
+        name = _free(one.name if one and one.name else f"{constraint}_force", taken)
+        names.append(name)
+        if one is not None:
+            found.append(Reaction(name, one.on, one.by, one.along, one.point))
+            continue
+        found.append(_together(finder, name, constraint, slopes[k]))
+    return tuple(found), tuple(names)
+
+
+def _together(finder: Finder, name: str, constraint: str, slopes: Mapping[int, Expr]) -> Reaction:
+    """Equation (3)."""
+    parts = []
+    for k, slope in slopes.items():
+        dual = finder.dual(k)
+        if dual is None:
+            raise SceneError(
+                f"constraint {constraint}: the force that maintains it was not found: no force at"
+                f" a point of the model does work on {finder.scene.u[k]} alone"
+            )
+        one, sign = dual
+        parts.append((sign * slope, one))
+    # One with a constant lever comes first, and counts the force.
+    parts.sort(key=lambda part: len(part[0].free_symbols))
+    unit = parts[0][0] if parts[0][0].is_number else S.One
+    actions = [
+        Reaction(name, one.on, one.by, slope / unit * one.along, one.point) for slope, one in parts
+    ]
+    return replace(actions[0], parts=tuple(actions[1:]))
+
+
+def _name(one: Candidate) -> str:
+    by = f"_{one.by}" if one.by else ""
+    return f"{one.on}{by}_{'' if one.point else 'm'}{AXES[one.axis]}"
+
+
+def _free(name: str, taken: set[str]) -> str:
+    """A name that nothing has, and that is taken from now on."""
+    plain = re.sub(r"\W", "_", name)
+    number, free = 2, plain
+    while free in taken:
+        free, number = f"{plain}{number}", number + 1
+    taken.add(free)
+    return free
+
+
+def _cross(a: Row, b: Row) -> Row:
+    return [
+        a[1] * b[2] - a[2] * b[1],
+        a[2] * b[0] - a[0] * b[2],
+        a[0] * b[1] - a[1] * b[0],
+    ]
+
+
+def _dot(a: Row, b: Row) -> int:
+    return sum(x * y for x, y in zip(a, b, strict=True))
+
+
+def _minus(a: Row, b: Row) -> Row:
+    return [x - y for x, y in zip(a, b, strict=True)]
+
+
+def _plus(a: Row, b: Row) -> Row:
+    return [x + y for x, y in zip(a, b, strict=True)]

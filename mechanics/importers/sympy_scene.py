@@ -1,0 +1,292 @@
+"""A model of SymPy's as a scene.
+
+positions           as the model places points and frames; from velocities where it places none
+speeds              u, by q' = N u + n; q' where the model has none
+constraints         holonomic ones, and of the others those that do not follow from them
+loads               as declared; gravity and potential energies once
+reactions           of the joints, or what coordinates and constraints leave no freedom
+"""
+
+import re
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from typing import Any
+
+import sympy.physics.mechanics as me
+from sympy import Derivative, Expr, Matrix, S, Symbol
+from sympy.physics.vector import dynamicsymbols
+
+from mechanics.errors import SceneError
+from mechanics.importers.sympy_copy import Copy
+from mechanics.importers.sympy_loads import bring
+from mechanics.importers.sympy_model import Parts, read_model
+from mechanics.importers.sympy_motion import functions_of, place
+from mechanics.importers.sympy_reactions import Finder, Joined, declared
+from mechanics.mechanism import lower
+from mechanics.program.builder import Builder
+from mechanics.program.forward import tangent
+from mechanics.program.residues import Residues
+from mechanics.program.sympy_reader import read
+from mechanics.routes.rows import coefficients
+from mechanics.scene import (
+    Body,
+    Constraint,
+    Particle,
+    RigidBody,
+    Scene,
+    holonomic,
+    nonholonomic,
+    reaction,
+)
+from mechanics.scene.geometry import Movers
+from mechanics.scene.symbols import plain_table, to_plain
+
+
+def from_sympy(model: Any, *, name: str = "", bodies: Sequence[Any] = ()) -> Scene:
+    """A `System`, a `KanesMethod` or a `LagrangesMethod` of SymPy's as a scene.
+
+    Constants without assumptions become real parameters, masses and principal moments of inertia
+    positive ones. The model itself stays as it is.
+
+    Parameters
+    ----------
+    model : System, KanesMethod or LagrangesMethod
+        Of `sympy.physics.mechanics`.
+    name : str, optional
+        Of the scene.
+    bodies : sequence of RigidBody and Particle, optional
+        Of a method that was made without.
+
+    Returns
+    -------
+    Scene
+        With the reactions of its joints, by name and direction (``J1_x``, ``J1_my``); of a model
+        without joints those are declared that coordinates and constraints hold, named after body
+        and direction.
+
+    Raises
+    ------
+    SceneError
+        Where the model leaves out what a scene needs, or contradicts itself.
+
+    Examples
+    --------
+    >>> from sympy import symbols
+    >>> from sympy.physics.mechanics import Particle, PinJoint, RigidBody, System
+    >>> ground, bob = RigidBody("ground"), RigidBody("bob", mass=symbols("m"))
+    >>> system = System.from_newtonian(ground)
+    >>> system.add_joints(PinJoint("pin", ground, bob, child_point=symbols("l") * bob.y))
+    >>> from_sympy(system)
+    <scene system: 1 bodies, 1 coordinates, 0 constraints>
+    """
+    parts = read_model(model, bodies)
+    return _Made(parts, name or re.sub(r"\W", "", parts.kind.split(" ")[0]).lower()).scene()
+
+
+class _Made:
+    """The steps from the parts of a model to a scene, each from what those before have found."""
+
+    def __init__(self, parts: Parts, name: str) -> None:
+        self.parts, self.name = parts, name
+        self.moved = place(parts)
+        self.resting = dict.fromkeys(parts.auxiliary, S.Zero)
+        self.copy = Copy(parts.frame, self.moved, _massive(parts))
+        for body in parts.bodies:
+            self.copy.point(body.masscenter)
+        self.bodies = self._bodies()
+        self.rates = {
+            self.copy.scalar(q): self.copy.scalar(rate.xreplace(self.resting))
+            for q, rate in {**parts.rates, **self.moved.rates}.items()
+        }
+
+    def scene(self) -> Scene:
+        speeds, rolling = self._speeds()
+        parts = self.parts
+        new = tuple(rate.expr for rate in self.moved.rates)
+        bare = Scene(
+            self.name,
+            self.copy.frame,
+            self.copy.origin,
+            coordinates=(*parts.q, *new),
+            speeds=speeds,
+            bodies=self.bodies,
+            inputs=self._inputs(new),
+        )
+        constraints = self._constraints(bare, rolling)
+        stands = [Constraint(c.name, c.expression, (f"_{c.name}",), c.holonomic)
+                  for c in constraints]  # fmt: skip
+        stand_ins = tuple(
+            reaction(f"_{c.name}", bare.origin, bare.bodies[0].name, None, bare.frame.x)
+            for c in constraints
+        )
+        held = replace(bare, constraints=tuple(stands), reactions=stand_ins)
+        loads, named = bring(parts, self.copy, held)
+        held = replace(held, loads=loads)
+        finder = Finder(held, self._joints(), named)
+        reactions, maintaining = declared(finder, [self._slopes(held, c) for c in constraints])
+        return replace(
+            held,
+            reactions=reactions,
+            constraints=tuple(
+                replace(constraint, reactions=(own,))
+                for constraint, own in zip(constraints, maintaining, strict=True)
+            ),
+        )
+
+    def _bodies(self) -> tuple[Body, ...]:
+        """The bodies that move; what does not is the ground."""
+        found: list[Body] = []
+        movers = Movers(self.copy.frame, self.copy.origin)
+        for body in self.parts.bodies:
+            centre = self.copy.points[body.masscenter]
+            mass = self.copy.scalar(body.mass)
+            functions = movers.point(centre)
+            if hasattr(body, "frame"):
+                functions |= movers.frame(self.copy.turned(body.frame))
+            if not functions:
+                continue
+            if isinstance(body, me.Particle):
+                found.append(Particle(body.name, centre, mass))
+            else:
+                frame = self.copy.turned(body.frame)
+                found.append(RigidBody(body.name, centre, frame, mass, self.copy.inertia(body)))
+        return tuple(found)
+
+    def _inputs(self, new: Sequence[Expr]) -> tuple[Expr, ...]:
+        """Functions of time that are neither coordinates nor speeds."""
+        parts = self.parts
+        known = {*parts.q, *parts.u, *parts.auxiliary, *new}
+        found: set[Expr] = set()
+        for body in parts.bodies:
+            for vector in body.masscenter._pos_dict.values():
+                found |= functions_of([column for column, _ in vector.args])
+        found |= functions_of([*parts.holonomic, *parts.motion, *self.rates.values()])
+        for load in parts.loads:
+            velocity = getattr(load.where, "_vel_dict", {}).get(parts.frame)
+            if velocity is None or functions_of([c for c, _ in velocity.args]).isdisjoint(
+                parts.auxiliary
+            ):
+                found |= functions_of([column for column, _ in load.vector.args])
+        return tuple(sorted(found - known, key=str))
+
+    # ------------------------------------------------------------------ speeds
+
+    def _speeds(self) -> tuple[tuple[tuple[Expr, Expr], ...], dict[Expr, Expr]]:
+        """(speed, definition) of each, and rates that are motion constraints, by the rate."""
+        u = [one for one in self.parts.u if not isinstance(one, Derivative)]
+        if not self.parts.rates or not u:
+            return (), dict(self.moved.rates and self.rates)
+        rates = list(self.rates)
+        slopes = Matrix([self.rates[rate] for rate in rates]).jacobian(u)
+        kept = _independent(slopes, self.parts)
+        if len(kept) < len(u):
+            still = [k for k in range(len(u)) if not any(slopes[:, k])] or range(len(u))
+            raise SceneError(
+                f"{self.parts.kind}: {u[next(iter(still))]} moves nothing: no rate of a coordinate"
+                " and no velocity of a body holds it"
+            )
+        rows = [self.rates[rates[k]] for k in kept]
+        rest = Matrix(rows).xreplace(dict.fromkeys(u, S.Zero))
+        square = slopes.extract(kept, list(range(len(u))))
+        right = Matrix([rates[k] for k in kept]) - rest
+        solved = _solve(square, right)
+        speeds = list(zip(u, solved, strict=True))
+        rolling = {}
+        for k, rate in enumerate(rates):
+            if k not in kept:
+                speed = dynamicsymbols(f"{rate.expr.func.__name__}_dot")
+                speeds.append((speed, rate))
+                rolling[rate] = self.rates[rate]
+        return tuple(speeds), rolling
+
+    # ------------------------------------------------------------------ constraints
+
+    def _constraints(self, bare: Scene, rolling: Mapping[Expr, Expr]) -> tuple[Constraint, ...]:
+        """Those of the model that do not follow from those before them."""
+        given = [holonomic(f"constraint{k}", self._expression(e))
+                 for k, e in enumerate(self.parts.holonomic, 1)]  # fmt: skip
+        given += [nonholonomic(f"{rate.expr.func.__name__}_rate", rate - value)
+                  for rate, value in rolling.items()]  # fmt: skip
+        given += [nonholonomic(f"motion{k}", self._expression(e))
+                  for k, e in enumerate(self.parts.motion, 1)]  # fmt: skip
+        if not given:
+            return ()
+        holding = [c for c in given if c.holonomic]
+        stand_ins = tuple(
+            reaction(f"_{c.name}", bare.origin, bare.bodies[0].name, None, bare.frame.x)
+            for c in holding
+        )
+        stated = tuple(replace(c, reactions=(f"_{c.name}",)) for c in holding)
+        mechanism = lower(replace(bare, constraints=stated, reactions=stand_ins), Builder())
+        nodes = [
+            read(mechanism.builder, (bare.plain(c.expression, f"constraint {c.name}"),))[0]
+            for c in given
+        ]
+        forms = [
+            tangent([node], mechanism.rates)[0] if c.holonomic else node
+            for c, node in zip(given, nodes, strict=True)
+        ]
+        _, filter_ = mechanism.filters
+        rows = [filter_.values(row) for row in coefficients(forms, mechanism.u)]
+        independent = {k for k, _ in filter_.eliminate([[*row] for row in rows], len(rows[0]))}
+        return tuple(c for k, c in enumerate(given) if k in independent)
+
+    def _expression(self, expression: Expr) -> Expr:
+        return self.copy.scalar(expression.xreplace(self.resting))
+
+    def _slopes(self, scene: Scene, constraint: Constraint) -> dict[int, Expr]:
+        """Of a constraint's rate in the speeds."""
+        form = constraint.expression
+        if constraint.holonomic:
+            form = form.diff(dynamicsymbols._t)
+        plain = scene.plain(form, f"constraint {constraint.name}")
+        back = {scene.q[k]: q for k, q in enumerate(scene.coordinates)}
+        slopes = {k: plain.diff(u).xreplace(back) for k, u in enumerate(scene.u)}
+        return {k: slope for k, slope in slopes.items() if slope != 0}
+
+    # ------------------------------------------------------------------ joints
+
+    def _joints(self) -> tuple[Joined, ...]:
+        moving = {body.name for body in self.bodies}
+        names = {body: body.name for body in self.parts.bodies if body.name in moving}
+        found = []
+        for joint in self.parts.joints:
+            child, parent = names.get(joint.child), names.get(joint.parent)
+            point = self.copy.point(joint.child_point)
+            frame = joint.parent_interframe
+            if child is None:
+                child, parent = parent, None
+            if child is not None and point is not None:
+                found.append(Joined(joint.name, parent, child, point, self.copy.turned(frame)))
+        return tuple(found)
+
+
+def _solve(square: Matrix, right: Matrix) -> list[Expr]:
+    """By Cramer's rule, which divides by nothing but the determinant."""
+    if square.is_diagonal():
+        return [r / square[k, k] for k, r in enumerate(right)]
+    scale = square.det(method="berkowitz")
+    return [entry / scale for entry in square.adjugate() * right]
+
+
+def _independent(matrix: Matrix, parts: Parts) -> list[int]:
+    """Rows that are independent of those before them."""
+    functions = sorted(functions_of([matrix]), key=str)
+    table = plain_table(functions)
+    build = Builder()
+    rows = [
+        list(read(build, [to_plain(entry, table, parts.kind) for entry in matrix[k, :]]))
+        for k in range(matrix.rows)
+    ]
+    filter_ = Residues(build)
+    values = [filter_.values(row) for row in rows]
+    return sorted(k for k, _ in filter_.eliminate(values, matrix.cols))
+
+
+def _massive(parts: Parts) -> set[Expr]:
+    """Masses and principal moments of inertia that are symbols of their own."""
+    found = {body.mass for body in parts.bodies}
+    for body in parts.bodies:
+        if hasattr(body, "frame"):
+            found |= {size for size, one, two in body.central_inertia.args if one == two}
+    return {entry for entry in found if isinstance(entry, Symbol)}
