@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from mechanics.errors import MechanicsError
     from mechanics.export import write_c
     from mechanics.extremes import extremes
-    from mechanics.importers import from_sympy
+    from mechanics.importers.sympy_scene import from_sympy
     from mechanics.judge.check import check
     from mechanics.judge.check_json import to_json as check_json
     from mechanics.kernel import Finding, Verdict, Witness
