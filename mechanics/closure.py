@@ -10,7 +10,7 @@ component that the closed state is on. At its points routes choose pivots and sc
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
 
@@ -83,11 +83,52 @@ def close(
     start = closed_state(builder, configuration, coordinates, suggested)
     closure = Closure(tuple(configuration), tuple(rates), tuple(dependent), start)
     closure = _with_values(builder, closure, signs)
+    if start and not closure.values:
+        # The state is where components meet: what is said there is said of all of them.
+        both = with_both_roots(builder, closure, signs)
+        return both if _is_regular(builder, both, coordinates) else closure
     if start or _is_regular(builder, closure, coordinates):
         return closure
     completed = _completed(builder, configuration, coordinates, suggested, signs)
     known = _with_values(builder, replace(closure, start=completed, values={}), signs)
     return known if _is_regular(builder, known, coordinates) else closure
+
+
+def extended(
+    builder: Builder,
+    closure: Closure,
+    forms: Sequence[Node],
+    dependent: Iterable[str],
+    signs: Mapping[str, Range],
+) -> Closure:
+    """The closure with forms that are zero, too, solved for inputs of their own: accelerations.
+
+    Parameters
+    ----------
+    builder : Builder
+    closure : Closure
+    forms : sequence of Node
+    dependent : iterable of str
+        Inputs that only the forms hold.
+    signs : mapping of str to Range
+    """
+    program = builder.program({"forms": forms})
+    names = {builder.inputs[builder.operands[0][x.number]]: v for x, v in closure.values.items()}
+    held = {name: names[name] for name in program.inputs if name in names}
+    plain = replace(
+        closure,
+        configuration=(),
+        rates=include(builder, program, held)["forms"],
+        dependent=tuple(dependent),
+        values={},
+    )
+    more = _with_values(builder, plain, signs)
+    return replace(closure, values={**closure.values, **more.values} if more.values else {})
+
+
+def with_both_roots(builder: Builder, closure: Closure, signs: Mapping[str, Range]) -> Closure:
+    """The closure with a free sign for each root, whichever leads to the closed state."""
+    return _with_values(builder, replace(closure, start={}, values={}), signs)
 
 
 def _completed(

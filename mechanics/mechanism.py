@@ -491,7 +491,7 @@ class _Lowering:
         }
         # What drives a constraint by itself may have any value.
         suggested |= {name_of(node): Fraction(1) for node in mechanism.given_rates}
-        names = [name_of(node) for node in mechanism.u]
+        names = [name_of(node) for node in reversed(mechanism.u)]
         names += [symbol.name for symbol in scene.parameters]
         names += [name_of(node) for node in mechanism.q]
         return close(

@@ -7,7 +7,7 @@ from sympy import Matrix
 
 from benchmarks.detection.rows import UNKNOWN_UP_TO_A_CONSTANT, Row, Subject
 from benchmarks.detection.tree import Tree, written
-from mechanics.checks.ledger_compare import ordered
+from mechanics.checks.ledger_compare import project_defined
 from mechanics.checks.solution import solve
 from mechanics.symbolic import Arithmetic
 from mechanics.symbolic.decide import proved
@@ -27,9 +27,7 @@ def same(about: Subject, row: Row, trees: tuple[Tree, ...]) -> bool:
         left, right = (list(Matrix(side).jacobian(by)) for side in (left, right))
 
     def experiment(a: Arithmetic) -> list:
-        about.kane.kinematics.manifold.project(a)
-        for symbol, expression in ordered(scene.definitions):
-            a.assign(symbol, a.value(expression))
+        project_defined(a, about.kane.kinematics)
         if row.equation:
             found = solve(a, about.kane)[: len(scene.ud)]
             for symbol, number in zip(scene.ud, found, strict=True):

@@ -18,7 +18,6 @@ from mechanics.checks.ledger_compare import ordered
 from mechanics.equations import Equations
 from mechanics.errors import MechanicsError
 from mechanics.kernel.balls import precision
-from mechanics.kinematics.constraints import velocity_forms
 from mechanics.scene import Scene
 from mechanics.scene.rates import TIME, rate, rate_table
 from mechanics.scene.symbols import DOTS, plain_symbol
@@ -108,6 +107,12 @@ def states(scene: Scene, kane: Equations, free_body: Equations, seed: int = 1) -
     return States(tuple(found))
 
 
+def _velocity_forms(scene: Scene) -> list[sympy.Expr]:
+    """The constraints as expressions in q and u that vanish, linear in u."""
+    plain = ((c, scene.plain(c.expression, c.name)) for c in scene.constraints)
+    return [rate(e, rate_table(scene)) if c.holonomic else e for c, e in plain]
+
+
 def _of(expr: sympy.Expr, numbers: Numbers) -> arb:
     return value(read(expr), numbers)
 
@@ -174,7 +179,7 @@ def _closed(scene: Scene, numbers: dict[sympy.Symbol, arb]) -> bool:
 
 def _admissible(scene: Scene, numbers: dict[sympy.Symbol, arb]) -> bool:
     """Solves the constraints for dependent speeds."""
-    forms = velocity_forms(scene) if scene.constraints else []
+    forms = _velocity_forms(scene)
     slopes = [[_of(form.diff(u), numbers) for u in scene.u] for form in forms]
     for columns in _choices(len(scene.u), len(forms)):
         still = numbers | dict.fromkeys((scene.u[i] for i in columns), arb(0))

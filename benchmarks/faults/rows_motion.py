@@ -4,11 +4,16 @@ from benchmarks.faults.fault import faults_in
 
 CONSTRAINTS = (
     *faults_in(
-        "mechanics.kinematics.constraints",
+        "mechanics.routes.rows",
         (
-            "expression = rate(expression, table)",
-            "expression = rate(expression * scene.q[0], table)",
+            "(expression,) = tangent([expression], mechanism.rates)",
+            "(expression,) = tangent([expression * mechanism.q[0]], mechanism.rates)",
             "closures are multiplied by the first coordinate",
+        ),
+        (
+            "return tangent(forms, mechanism.rates) if forms else []",
+            "return tangent(forms, mechanism.coordinate_rates) if forms else []",
+            "accelerations on constraints lose what the speeds change by",
         ),
     ),
 )

@@ -54,7 +54,7 @@ def glances(
     """Mistakes along whose motion statements vanish, and the indices of these."""
     found: list[tuple[Slip, frozenset[int]]] = []
     a = Arithmetic()
-    project_defined(truth.kinematics.manifold, a)
+    project_defined(a, truth.kinematics)
     try:
         _, point = a.residues(list(a.assigned.values()))
     except Inadmissible:

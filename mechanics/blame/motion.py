@@ -22,7 +22,7 @@ def holds(truth: Equations, right: Expr) -> bool:
     value = truth.scene.plain(right)
 
     def experiment(a: Arithmetic) -> list[tuple[Number, Number]]:
-        project_defined(truth.kinematics.manifold, a)
+        project_defined(a, truth.kinematics)
         put_motion(a, truth)
         return [(a.value(value), a.rational(0))]
 

@@ -50,7 +50,7 @@ def origins_in_field(derivation: Derivation, right: Expr) -> dict[str, tuple[str
     found: dict[str, dict[str, None]] = {}
 
     def experiment(a: Arithmetic) -> list[tuple[Number, Number]]:
-        project_defined(derivation.truth.kinematics.manifold, a)
+        project_defined(a, derivation.truth.kinematics)
         columns = [[a.value(row[j]) for row in basis] for j in range(len(basis))]
         factors = a.solve(columns, [a.value(entry) for entry in target])
         found.clear()

@@ -43,7 +43,7 @@ def unbalanced(
         return False
 
     def experiment(a: Arithmetic) -> list[tuple[Number, Number]]:
-        project_defined(derivation.truth.kinematics.manifold, a)
+        project_defined(a, derivation.truth.kinematics)
         matrix = [
             [a.value(dict(row.factors).get(symbol, S.Zero)) for symbol in scene.ud] for row in rows
         ]

@@ -13,7 +13,7 @@ from mechanics.blame.derivation import Derivation
 from mechanics.blame.groups import second_rates
 from mechanics.blame.pieces import Piece, merged
 from mechanics.blame.rows import Row
-from mechanics.kinematics.constraints import velocity_forms
+from mechanics.routes.rows import velocity_forms
 from mechanics.scene import Scene
 from mechanics.scene.rates import coordinate_rate_table, rate, rate_table, speeds_in_rates
 
@@ -67,7 +67,9 @@ class View:
     @cached_property
     def forms(self) -> list[Expr]:
         """Constraints, linear in the speeds."""
-        return [self.seen(form) for form in velocity_forms(self.scene)]
+        kinematics = self.derivation.truth.kinematics
+        forms = velocity_forms(kinematics.mechanism)
+        return [self.seen(form) for form in kinematics.printer(forms)] if forms else []
 
     @cached_property
     def rows(self) -> tuple[Row, ...]:

@@ -61,7 +61,7 @@ def check_row(
     own = equations is not None and equations.scene is scene
     kinematics = equations.kinematics if equations is not None and own else Kinematics(scene)
     sides = [plain_side(kinematics, side, subject) for side in row.sides]
-    quantity, manifold = row.quantity, kinematics.manifold
+    quantity = row.quantity
     if isinstance(quantity, EquationOfMotion | ReactionValue):
         if equations is None:
             raise InputError(f"{subject}: it holds along the motion: pass equations=")
@@ -79,11 +79,11 @@ def check_row(
         first, *others = _enough(sides, 2, subject)
         ones = [entry for _ in others for entry in _entries(first)]
         rights = [entry for side in others for entry in _entries(side)]
-        return equal(manifold, subject, ones, rights, where)
+        return equal(kinematics, subject, ones, rights, where)
     if where:
         raise InputError(f"{subject}: it is judged at all states: leave out where= for it")
     if isinstance(quantity, ENERGIES):
-        return equal(manifold, subject, *energy_pairs(kinematics, quantity, sides, subject))
+        return equal(kinematics, subject, *energy_pairs(kinematics, quantity, sides, subject))
     targets = derived(kinematics, quantity)
     _enough(sides, len(targets), subject)
     # The last target is what every further side has to be.
@@ -97,8 +97,8 @@ def check_row(
         )
     if any(left.has(Float) for left in lefts):
         (left,), (right,) = lefts, rights
-        return rounded(manifold, subject, left, right)
-    return equal(manifold, subject, lefts, rights)
+        return rounded(kinematics, subject, left, right)
+    return equal(kinematics, subject, lefts, rights)
 
 
 def plain_side(kinematics: Kinematics, side: Expr | MatrixBase, where: str) -> Expr | Matrix:

@@ -13,9 +13,10 @@ from decimal import Decimal
 from flint import arb
 from sympy import Expr, Float, S, Symbol, sympify
 
+from mechanics.checks.manifold import project, restrict
 from mechanics.errors import InputError, SceneError
 from mechanics.kernel import Finding, enclosed, refuted
-from mechanics.kinematics.manifold import ConstraintManifold
+from mechanics.kinematics.symbolic import Kinematics
 from mechanics.scene import Scene
 from mechanics.scene.symbols import symbols_of
 from mechanics.symbolic import Arithmetic, Number, decide, enclose, roundings
@@ -24,39 +25,42 @@ Pairs = list[tuple[Number, Number]]
 
 
 def decide_in(
-    manifold: ConstraintManifold,
+    kinematics: Kinematics,
     subject: str,
     experiment: Callable[[Arithmetic], Pairs],
     symbols: set[Symbol],
     *,
     expand: bool = False,
+    accelerations: bool = False,
     where: Sequence[Expr] = (),
 ) -> Finding:
     """`decide`, and where that does not show the statement, once more with definitions put in.
 
     Parameters
     ----------
-    manifold : ConstraintManifold
+    kinematics : Kinematics
     subject : str
     experiment : callable
     symbols : set of Symbol
         What the statement holds; definitions of other symbols do not matter to it.
     expand : bool
         True when it is plain beforehand that the statement needs its definitions.
+    accelerations : bool
+        Whether the statement is about the accelerations that the constraints admit.
     where : sequence of Expr
         What is positive at all states that are looked at, in coordinates and parameters.
     """
-    used = symbols & manifold.scene.definitions.keys()
+    used = symbols & kinematics.scene.definitions.keys()
 
     def admissible(a: Arithmetic) -> Pairs:
-        manifold.project(a)
-        _require(a, where)
+        restrict(a, kinematics, accelerations=accelerations)
+        for expression in where:
+            a.require_positive(a.value(expression))
         return experiment(a)
 
     def expanded(a: Arithmetic) -> Pairs:
-        project_defined(manifold, a)
-        _require(a, where)
-        return experiment(a)
+        define(a, kinematics.scene)
+        return admissible(a)
 
     if not (used and expand):
         finding = decide(subject, admissible)
@@ -67,12 +71,19 @@ def decide_in(
     return replace(finding, evidence=f"{finding.evidence}, with {names} by definition")
 
 
-def _require(a: Arithmetic, where: Sequence[Expr]) -> None:
-    for expression in where:
-        a.require_positive(a.value(expression))
+def define(a: Arithmetic, scene: Scene) -> None:
+    """Give what is defined its value; before it is used in this arithmetic.
+
+    Raises
+    ------
+    SceneError
+        When definitions go round in a circle.
+    """
+    for symbol, expression in ordered(scene.definitions):
+        a.assign(symbol, a.value(expression))
 
 
-def project_defined(manifold: ConstraintManifold, a: Arithmetic) -> None:
+def project_defined(a: Arithmetic, kinematics: Kinematics) -> None:
     """Give what constraints and definitions determine the values that they ask for.
 
     Must run before any other expression is evaluated in this arithmetic.
@@ -80,13 +91,12 @@ def project_defined(manifold: ConstraintManifold, a: Arithmetic) -> None:
     Raises
     ------
     ExpressionError
-        When no quantity is known for which a configuration constraint can be solved.
+        When no exact point on the constraints is known.
     SceneError
         When definitions go round in a circle.
     """
-    manifold.project(a)
-    for symbol, expression in ordered(manifold.scene.definitions):
-        a.assign(symbol, a.value(expression))
+    project(a, kinematics)
+    define(a, kinematics.scene)
 
 
 def ordered(definitions: Mapping[Symbol, Expr]) -> list[tuple[Symbol, Expr]]:
@@ -124,22 +134,24 @@ def definitions_in_full(scene: Scene, but: Collection[Symbol] = ()) -> dict[Symb
 
 
 def equal(
-    manifold: ConstraintManifold, subject: str, lefts: Sequence[Expr], rights: Sequence[Expr],
+    kinematics: Kinematics, subject: str, lefts: Sequence[Expr], rights: Sequence[Expr],
     where: Sequence[Expr] = (),
 ) -> Finding:  # fmt: skip
     """Whether expressions are equal, entry by entry, for all accelerations that are admissible."""
 
     def experiment(a: Arithmetic) -> Pairs:
-        manifold.project_accelerations(a)
         return [(a.value(x), a.value(y)) for x, y in zip(lefts, rights, strict=True)]
 
     left, right = symbols_of(lefts), symbols_of(rights)
     # A symbol that only one side knows can hardly cancel: the first attempt would be in vain.
-    expand = bool((left ^ right) & manifold.scene.definitions.keys())
-    return decide_in(manifold, subject, experiment, left | right, expand=expand, where=where)
+    expand = bool((left ^ right) & kinematics.scene.definitions.keys())
+    return decide_in(
+        kinematics, subject, experiment, left | right,
+        expand=expand, accelerations=True, where=where,
+    )  # fmt: skip
 
 
-def rounded(manifold: ConstraintManifold, subject: str, left: Expr, right: Expr) -> Finding:
+def rounded(kinematics: Kinematics, subject: str, left: Expr, right: Expr) -> Finding:
     """Whether a typed side, printed number times expression, rounds the derived side.
 
     The derived side is first shown to be a constant c times the typed expression; then an enclosure
@@ -155,11 +167,11 @@ def rounded(manifold: ConstraintManifold, subject: str, left: Expr, right: Expr)
         raise InputError(
             f"{subject}: {left} is no rounded number times an exact expression: type one product"
         )
-    table = definitions_in_full(manifold.scene)
+    table = definitions_in_full(kinematics.scene)
     unit, right = unit.xreplace(table), sympify(right).xreplace(table)
     ones = dict.fromkeys(unit.free_symbols | right.free_symbols, S.One)
     constant = right.xreplace(ones) / unit.xreplace(ones)
-    finding = equal(manifold, subject, [constant * unit], [right])
+    finding = equal(kinematics, subject, [constant * unit], [right])
     if not finding.shown:
         return finding
     value, printed = enclose(constant, {}), str(number)

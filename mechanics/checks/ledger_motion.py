@@ -97,8 +97,8 @@ def check_equation(
         first, *others = sides
         return [(a.value(first), a.value(side)) for side in others]
 
-    manifold = equations.kinematics.manifold
-    found = decide_in(manifold, subject, experiment, symbols_of(sides), where=where)
+    kinematics = equations.kinematics
+    found = decide_in(kinematics, subject, experiment, symbols_of(sides), where=where)
     if found.verdict is Verdict.REFUTED:
         return found
     sides = without_magnitude(sides)
@@ -110,14 +110,14 @@ def check_equation(
     rates = gradient(scene, sides)
     # What holds a reaction says what that is, without accelerations too.
     said = [*rates, *((sides[0] - sides[1]).diff(r.symbol) for r in scene.reactions)]
-    static = equal(manifold, subject, said, [S.Zero] * len(said), where)
+    static = equal(kinematics, subject, said, [S.Zero] * len(said), where)
     if static.verdict is not Verdict.REFUTED:
         return undecided(subject, STATIC)
     if found.shown and _bent(scene, rates):
         # A ratio of accelerations is as good as its numerator.
         above, _ = fraction(together(sides[0] - sides[1]))
         curved = [above.diff(one, other) for one in scene.ud for other in scene.ud]
-        if not equal(manifold, subject, curved, [S.Zero] * len(curved), where).shown:
+        if not equal(kinematics, subject, curved, [S.Zero] * len(curved), where).shown:
             return undecided(subject, CURVED)
     return found
 
@@ -198,8 +198,7 @@ def check_reaction(
         put_motion(a, equations)
         return [(a.value(side), a.value(symbol)) for side in sides]
 
-    manifold = equations.kinematics.manifold
-    return decide_in(manifold, subject, experiment, symbols_of(sides), where=where)
+    return decide_in(equations.kinematics, subject, experiment, symbols_of(sides), where=where)
 
 
 def gives(equations: Equations, name: str) -> bool:

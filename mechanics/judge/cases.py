@@ -21,8 +21,9 @@ from sympy import (
 from sympy.core.relational import Eq, Ge, Gt, Le, Lt, Ne, Relational
 from sympy.logic.boolalg import And, Boolean, Not, Or
 
-from mechanics.checks.ledger_compare import project_defined
+from mechanics.checks.ledger_compare import define
 from mechanics.checks.ledger_motion import put_motion
+from mechanics.checks.manifold import restrict
 from mechanics.equations import Equations
 from mechanics.errors import ExpressionError
 from mechanics.judge.entered import Region, entered
@@ -271,7 +272,8 @@ def _in_region(truth: Equations, row: Published, region: Region) -> Callable[[Ar
     def experiment(a: Arithmetic) -> Pairs:
         for symbol, value in region.items():
             a.assign(symbol, a.value(value))
-        project_defined(truth.kinematics.manifold, a)
+        define(a, truth.scene)
+        restrict(a, truth.kinematics)
         put_motion(a, truth)
         first, *others = row.sides
         return [(a.value(first), a.value(side)) for side in others]

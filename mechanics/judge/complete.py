@@ -9,6 +9,7 @@ from functools import partial
 from sympy import Matrix
 
 from mechanics.checks.ledger_motion import gradient
+from mechanics.checks.manifold import project
 from mechanics.equations import Equations
 from mechanics.kernel.field import Inadmissible
 from mechanics.kinematics.momenta import momenta_written_out
@@ -37,10 +38,10 @@ def redundancy(truth: Equations, judged: Sequence[Judged]) -> str:
     left = Matrix([gradient(scene, pair) for pair in sides])
     constraints = truth.constraint_matrix
     both = left.col_join(constraints) if constraints.rows else left
-    project = truth.kinematics.manifold.project
+    prepare = partial(project, kinematics=truth.kinematics)
     try:
-        held = generic_rank(constraints.tolist(), project)
-        rank = generic_rank(both.tolist(), project) - held
+        held = generic_rank(constraints.tolist(), prepare)
+        rank = generic_rank(both.tolist(), prepare) - held
     except Inadmissible:
         return ""  # no state to look at: each equation has its verdict all the same
     if rank == len(rows):

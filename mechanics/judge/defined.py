@@ -16,22 +16,23 @@ from sympy import Add, And, Basic, Expr, Mul, Not, Or, Pow, Symbol, sympify
 from sympy.core.relational import Relational
 
 from mechanics.checks.equilibria import exact
+from mechanics.closure import with_both_roots
 from mechanics.equations import Equations
 from mechanics.errors import MechanicsError
-from mechanics.kernel import Finding, Verdict, enclose, undecided
+from mechanics.kernel import Finding, Range, Verdict, enclose, undecided
 from mechanics.kernel.definedness import (
     BITS,
     Gap,
     Kind,
     Space,
     gaps,
-    touching,
     undefined,
     unmet,
 )
 from mechanics.kernel.statement import POSITIVE
 from mechanics.kernel.states import State
-from mechanics.kinematics.manifold import ConstraintManifold, branch, chart
+from mechanics.kinematics.symbolic import Kinematics
+from mechanics.mechanism import name_of, ranges
 from mechanics.program import Builder, Node, Obligation, Program
 from mechanics.program.operations import Sign
 from mechanics.program.sympy_reader import read
@@ -40,7 +41,6 @@ from mechanics.reading.demands import RAISED, Demand, Demands, within
 from mechanics.reading.statement import Statement
 from mechanics.scene import Scene
 from mechanics.scene.symbols import plain_symbol
-from mechanics.symbolic import Arithmetic
 
 LARGEST_DETERMINANT = 6
 MOST_TOLD = 3
@@ -120,8 +120,11 @@ def at_the_bound(truth: Equations, statement: Statement, finding: Finding) -> tu
         return ()
     written = _written(truth.scene, replace(demands, of=tuple(near)), {})
     builder = written.builder
-    found = touching(builder, tuple(written.origin), _space(truth, builder, ()))
-    names = dict.fromkeys(_operation(written.origin[obligation]) for obligation in found)
+    space = _space(truth, builder, ())
+    roots = tuple(o for o in written.origin if o.sign is Sign.NONNEGATIVE)
+    strictly = unmet(builder, tuple(replace(o, sign=Sign.POSITIVE) for o in roots), space)
+    zero = {o.node for o in strictly} - {o.node for o in unmet(builder, roots, space)}
+    names = dict.fromkeys(_operation(written.origin[o]) for o in roots if o.node in zero)
     return tuple(
         f"{name} is defined up to its bound, which it reaches: rounding may step over it"
         for name in names
@@ -206,7 +209,7 @@ def _space(
     kept = dict(builder.obligations)
     zero = tuple(node.number for node in read(builder, [*closing, *scene.norms]))
     builder.obligations = kept
-    on_constraints = partial(_projected, scene, _dependent(truth.kinematics.manifold))
+    on_constraints = partial(_projected, scene, _dependent(truth.kinematics))
     references = (rest, _start(scene, rest), *still)
     return Space(positive, rest, references, region, obligations, zero, on_constraints)
 
@@ -227,26 +230,28 @@ def _start(scene: Scene, rest: Mapping[str, Fraction]) -> Mapping[str, Fraction]
     return {**rest, **{name: Fraction(str(value)) for name, value in scene.example.items()}}
 
 
-def _dependent(manifold: ConstraintManifold) -> Program:
+def _dependent(kinematics: Kinematics) -> Program:
     """What the constraints determine, and under `POSITIVE` what has to be positive."""
-    a = Arithmetic()
-    manifold.project(a)
-    outputs = {symbol.name: [node] for symbol, node in a.assigned.items()}
-    return a.builder.program({**outputs, POSITIVE: a.positive})
+    mechanism = kinematics.mechanism
+    signs = ranges(mechanism)
+    values = with_both_roots(mechanism.builder, mechanism.closure, signs).values
+    outputs = {name_of(old): [new] for old, new in values.items()}
+    positive = [new[0] for name, new in outputs.items() if signs.get(name) is Range.POSITIVE]
+    return mechanism.builder.program({**outputs, POSITIVE: positive})
 
 
 def _projected(scene: Scene, dependent: Program, state: State) -> State | None:
     """A state on the constraints, whose dependent quantities follow from the others."""
-    symbols = (*scene.parameters, *scene.q, *scene.u)
-    given = {s.name: state[s.name] for s in symbols}
-    # Both roots of what is closed by a square are tried, by what is drawn anyway.
+    given = {s.name: state[s.name] for s in (*scene.parameters, *scene.q, *scene.u)}
+    # Both signs of a root are tried, by what is drawn anyway.
     sense = 1 if sum(v.numerator for v in state.values() if isinstance(v, Fraction)) % 2 else -1
-    given |= {branch(s): Fraction(sense) for s in symbols}
+    given |= {name: Fraction(sense) for name in dependent.inputs if name not in given}
     for rotation in scene.rotations:
-        # A state that is on the sphere stays where it is.
-        first, *others = map(plain_symbol, rotation.coordinates)
-        scale = 1 + given[first.name] if given[first.name] != -1 else 1
-        given |= {chart(s): given[s.name] / scale for s in others}
+        # What is outside the sphere comes inside; a state on it stays where it is.
+        names = {plain_symbol(q).name for q in rotation.coordinates} - dependent.outputs.keys()
+        square = sum(given[name] ** 2 for name in names)
+        if not square <= 1:
+            given |= {name: given[name] / (1 + square) for name in names}
     values = dict(enclose(dependent, given, BITS))
     # No such state, or none that is told at these digits.
     if not all(value > 0 for value in values.pop(POSITIVE)):

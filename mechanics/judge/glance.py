@@ -12,9 +12,10 @@ from collections.abc import Mapping, Sequence
 from sympy import Expr, Symbol
 from sympy.matrices import MatrixBase
 
-from mechanics.checks.ledger_compare import project_defined
+from mechanics.checks.ledger_compare import define
 from mechanics.checks.ledger_energy import SHARES, energy_of
 from mechanics.checks.ledger_motion import put_motion
+from mechanics.checks.manifold import project
 from mechanics.equations import Equations
 from mechanics.errors import ExpressionError
 from mechanics.kernel.field import Inadmissible
@@ -65,13 +66,12 @@ def _look(
     moving: bool,
 ) -> None:  # fmt: skip
     """Rule out changes by rows along the motion, or by all others."""
-    a, scene, manifold = Arithmetic(), truth.scene, truth.kinematics.manifold
+    a, scene = Arithmetic(), truth.scene
     try:
-        project_defined(manifold, a)
+        project(a, truth.kinematics, accelerations=not moving)
+        define(a, scene)
         if moving:
             put_motion(a, truth)
-        else:
-            manifold.project_accelerations(a)
         derived = [_derived(a, truth, row) for row in rows]
         typed = [_read([e for side in _entries(row) for e in side]) for row in rows]
         # What is there before any change is evaluated first: its roots are not the changes'.

@@ -13,8 +13,9 @@ from itertools import combinations, islice, permutations, product
 from sympy import Abs, Dummy, Expr, Max, Min, Piecewise, Symbol
 from sympy.core.relational import Relational
 
-from mechanics.checks.ledger_compare import project_defined
+from mechanics.checks.ledger_compare import define
 from mechanics.checks.ledger_motion import put_motion
+from mechanics.checks.manifold import restrict
 from mechanics.equations import Equations
 from mechanics.kernel import Finding
 from mechanics.scene.published import Published
@@ -66,7 +67,8 @@ def _of_limited(
     def experiment(a: Arithmetic) -> list[tuple[Number, Number]]:
         for u, w in free.items():
             a.assign(u, a.value(_clipped(w, *limits[u], order)))
-        project_defined(truth.kinematics.manifold, a)
+        define(a, truth.scene)
+        restrict(a, truth.kinematics)
         put_motion(a, truth)
         return [(a.value(first), a.value(side)) for side in others]
 

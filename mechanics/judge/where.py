@@ -16,7 +16,8 @@ from sympy.core.relational import Gt, Relational
 from sympy.matrices import MatrixBase
 
 from mechanics.checks.ledger import check_row
-from mechanics.checks.ledger_compare import project_defined
+from mechanics.checks.ledger_compare import define
+from mechanics.checks.manifold import restrict
 from mechanics.equations import Equations
 from mechanics.errors import InputError, MechanicsError
 from mechanics.judge.cases import in_case
@@ -250,7 +251,8 @@ def _met(truth: Equations, where: Sequence[Where]) -> bool:
     """Whether a state that is drawn is where conditions hold."""
 
     def experiment(a: Arithmetic) -> list[tuple[Number, Number]]:
-        project_defined(truth.kinematics.manifold, a)
+        define(a, truth.scene)
+        restrict(a, truth.kinematics)
         for one in where:
             a.require_positive(a.value(one.positive))
         return [(a.rational(0), a.rational(1))]

@@ -16,8 +16,10 @@ and leaves an equation (3) for the other.
 A point certifies its own component, and components meet where a divisor or a radicand vanishes. If
 a state on the constraints is known, nothing is divided by what is zero there, and sigma is the sign
 that leads to it: a parallelogram and its folded twin are two components, told apart by sigma where
-w is a polynomial, of which the radicand is the square. Without such a state sigma is the sign of an
-input of its own: what holds on one branch only is not shown.
+w is a polynomial, of which the radicand is the square. Elsewhere both signs of w may be on one
+component: a statement of meromorphic functions continues from one to the other, |y| = y does not.
+For those, and without such a state, sigma is the sign of an input of its own: what holds on one
+branch only is not shown.
 """
 
 from __future__ import annotations
@@ -33,16 +35,22 @@ from mechanics.errors import ZeroDivisorError
 from mechanics.kernel.angles import Form, Forms, Monomial, accumulate, base_angles, node_of
 from mechanics.kernel.balls import enclose
 from mechanics.kernel.squares import square_root
-from mechanics.kernel.statement import POSITIVE, RATES, ZERO, Range, Statement
+from mechanics.kernel.statement import LEFT, POSITIVE, RATES, RIGHT, ZERO, Range, Statement
 from mechanics.kernel.trial import FailedError, zeros
 from mechanics.program import Builder, Node
+from mechanics.program import operations as op
 from mechanics.program.interpret import include
-from mechanics.program.operations import ATAN2, OPERATIONS
 from mechanics.program.program import reachable
 
 BITS = 256
 NEGLIGIBLE = 2.0**-64
 """What is smaller at a state that is on the constraints to `BITS` digits is taken for zero."""
+
+MEROMORPHIC = {
+    *(op.CONSTANT, op.PI, op.INPUT, op.ADD, op.SUBTRACT, op.MULTIPLY, op.DIVIDE, op.NEGATE),
+    *(op.EXP, op.SIN, op.COS, op.TAN, op.SINH, op.COSH, op.TANH, op.ERF, op.SOLVE, op.ENTRY),
+}
+"""Operations of one value everywhere in the complex plane, but for poles."""
 
 COARSE = 1000
 """Largest denominator of the numbers near the start that witnesses are looked for at."""
@@ -77,6 +85,7 @@ def on_constraints(statement: Statement) -> Statement | None:
     stages = [list(outputs.pop(stage, ())) for stage in (ZERO, RATES)]
     solver = _Solver(builder, statement, Forms(builder))
     solver.start = statement.typical if solver.closed(stages[0]) else {}
+    solver.continues = solver.meromorphic([*outputs[LEFT], *outputs[RIGHT]], stages[0])
     if not all(map(solver.solve, stages)):
         return None
     solved = solver.values
@@ -110,6 +119,7 @@ class _Solver:
     statement: Statement
     forms: Forms
     start: Mapping[str, Fraction] = field(default_factory=dict)
+    continues: bool = False
     values: dict[str, Node] = field(default_factory=dict)
     below: dict[str, frozenset[str]] = field(default_factory=dict)
     _held: dict[int, frozenset[str]] = field(default_factory=dict)
@@ -120,6 +130,14 @@ class _Solver:
         self.start = self.statement.typical
         values = map(self.at_start, constraints)
         return all(value is not None and abs(value) < NEGLIGIBLE for value in values)
+
+    def meromorphic(self, nodes: Sequence[Node], constraints: Sequence[Node]) -> bool:
+        """Whether all functions of what moves continue in one way along a component."""
+        moving = {name for node in constraints for name in self.held(node.number)
+                  if self.statement.range_of(name) is Range.FREE}  # fmt: skip
+        operations = self.builder.operations
+        return all(operations[n] in MEROMORPHIC or moving.isdisjoint(self.held(n))
+                   for n in reachable(self.builder, [node.number for node in nodes]))  # fmt: skip
 
     def solve(self, constraints: Sequence[Node]) -> bool:
         """Take an input out for each constraint; False where no way applies."""
@@ -230,7 +248,7 @@ class _Solver:
         slopes = {builder.input(name).number: builder.one}
         for number in reachable(builder, [node.number]):
             below = builder.operands_of(number)
-            partials = OPERATIONS[builder.operations[number]].partials
+            partials = op.OPERATIONS[builder.operations[number]].partials
             if all(slopes[k].is_zero for k in below):
                 slopes.setdefault(number, builder.zero)
             elif partials is None:
@@ -284,13 +302,14 @@ class _Solver:
         None where both roots meet at the start: there the branch cannot be told.
         """
         value = self.at_start(radicand)
-        root = square_root(self.builder, self.forms.of(radicand.number))
-        root = radicand.sqrt() if root is None else root
+        polynomial = square_root(self.builder, self.forms.of(radicand.number))
+        root = radicand.sqrt() if polynomial is None else polynomial
         if value is not None and abs(value) < NEGLIGIBLE:
             return None
         solutions = [solution(root), solution(-root)]
         one, two = (self.from_start(node, name) for node in solutions)
-        if one is not None and two is not None:
+        told = polynomial is not None or self.continues
+        if told and one is not None and two is not None:
             return solutions[two < one]
         # No input of the statement has so long a name.
         free = self.builder.input(" ".join(("branch of", name, *self.statement.program.inputs)))
@@ -301,7 +320,7 @@ class _Solver:
         if name not in self.start:
             return None
         apart = node - self.start[name]
-        if self.builder.operations[node.number] == ATAN2:
+        if self.builder.operations[node.number] == op.ATAN2:
             apart = (apart / 2).sin()
         found = self.at_start(apart)
         return None if found is None else abs(found)

@@ -150,28 +150,6 @@ def _contradict(forms: Forms, facts: Sequence[Fact]) -> bool:
     return any(not forms.sign(p) & possible for p, possible in facts)
 
 
-def touching(
-    builder: Builder, written: Sequence[Obligation], space: Space
-) -> tuple[Obligation, ...]:
-    """Obligations that are met, by arguments that may be 0: in code, rounding may step over it.
-
-    Parameters
-    ----------
-    builder : Builder
-        With the nodes of all obligations.
-    written : sequence of Obligation
-    space : Space
-    """
-    forms = _forms(builder, written, space)
-    closing = _closing(forms, space)
-
-    def touches(o: Obligation) -> bool:
-        facts = _facts(forms, space.region, o.conditions)
-        return forms.sign_on(forms.forms[o.node], closing, facts) & NOT_POSITIVE == ZERO
-
-    return tuple(o for o in written if o.sign is op.Sign.NONNEGATIVE and touches(o))
-
-
 def gaps(builder: Builder, written: Sequence[Obligation], space: Space) -> tuple[Gap, ...]:
     """What obligations leave out of the states of the truth.
 

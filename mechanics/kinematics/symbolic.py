@@ -14,7 +14,6 @@ from sympy import Add, Expr, Matrix, Symbol, eye, zeros
 
 from mechanics.errors import InputError
 from mechanics.kinematics import chain, energy, motion
-from mechanics.kinematics.manifold import ConstraintManifold
 from mechanics.kinematics.motion import Motions
 from mechanics.kinematics.printer import Printer
 from mechanics.mechanism import Mechanism, lower
@@ -109,11 +108,6 @@ class Kinematics:
     def printer(self) -> Printer:
         """Nodes in the scene's symbols."""
         return Printer(self.scene, self.mechanism)
-
-    @cached_property
-    def manifold(self) -> ConstraintManifold:
-        """The constraints, solved for what depends on the rest."""
-        return ConstraintManifold(self.scene)
 
     @cached_property
     def bodies(self) -> dict[str, BodyMotion]:

@@ -19,7 +19,7 @@ from sympy.core.function import AppliedUndef
 from mechanics.errors import ExpressionError
 from mechanics.kernel import Range, Statement
 from mechanics.kernel.field import DivisionHere, Inadmissible
-from mechanics.kernel.statement import LEFT, POSITIVE, RIGHT
+from mechanics.kernel.statement import LEFT, POSITIVE, RATES, RIGHT, ZERO
 from mechanics.program import Builder, Node, casadi_reader
 from mechanics.program.branches import Parts
 from mechanics.program.sympy_reader import Reader
@@ -46,8 +46,12 @@ class Arithmetic:
         What the statement takes to be positive.
     inputs : dict of Symbol to str
         Names of the inputs.
-    auxiliaries : set of str
-        Those of them that only choose a point.
+    constraints : mapping of str to sequence of Node
+        What is zero where the statement is made, in the order in which it is solved.
+    start : mapping of str to Fraction
+        A state at which it is.
+    dependent : sequence of str
+        Inputs for which it may be solved.
     assigned : dict of Symbol to Node
         What symbols stand for.
     """
@@ -58,7 +62,9 @@ class Arithmetic:
         self.positive: list[Node] = []
         self.assigned: dict[sympy.Symbol, Node] = {}
         self.inputs: dict[sympy.Symbol, str] = {}
-        self.auxiliaries: set[str] = set()
+        self.constraints: Mapping[str, Sequence[Node]] = {}
+        self.start: Mapping[str, Fraction] = {}
+        self.dependent: Sequence[str] = ()
         self._names: dict[str, sympy.Symbol] = {}
         rules = {
             sympy.Symbol: lambda symbol: Parts((), lambda: self._input(symbol).number),
@@ -96,12 +102,26 @@ class Arithmetic:
             )
         self.assigned[symbol] = node
 
-    def auxiliary(self, name: str) -> Node:
-        """A real input that chooses a point and is no symbol of any expression."""
-        symbol = sympy.Dummy(name, real=True)
-        node = self.value(symbol)
-        self.auxiliaries.add(self.inputs[symbol])
-        return node
+    def constrain(
+        self,
+        configuration: Sequence[Node],
+        rates: Sequence[Node],
+        start: Mapping[str, Fraction],
+        dependent: Sequence[str],
+    ) -> None:
+        """State that constraints hold.
+
+        Parameters
+        ----------
+        configuration, rates : sequences of Node
+            What is zero; the rates are solved after the configuration.
+        start : mapping of str to Fraction
+            A state of the component that is meant; empty where none is known.
+        dependent : sequence of str
+            Inputs for which they may be solved, in order.
+        """
+        self.constraints = {ZERO: configuration, RATES: rates}
+        self.start, self.dependent = start, dependent
 
     def _input(self, symbol: sympy.Symbol) -> Node:
         """The input of its name, or of a longer one where another symbol has that."""
@@ -276,11 +296,12 @@ def statement(subject: str, experiment: Experiment, target: float) -> Statement:
         LEFT: [left for left, _ in pairs],
         RIGHT: [right for _, right in pairs],
         POSITIVE: a.positive,
+        **a.constraints,
         **{
             symbol.name: [node]
             for symbol, node in a.assigned.items()
             if not isinstance(symbol, sympy.Dummy) and symbol.name not in a.signs
         },
     }  # fmt: skip
-    program, auxiliary = a.builder.program(outputs), frozenset(a.auxiliaries)
-    return Statement(subject, program, a.signs, auxiliary=auxiliary, target=target)
+    program, dependent = a.builder.program(outputs), tuple(a.dependent)
+    return Statement(subject, program, a.signs, a.start, dependent, target=target)

@@ -8,6 +8,7 @@ from mechanics.blame.origin import origins_in_field
 from mechanics.blame.reference import Reference
 from mechanics.blame.terms import terms_of, written
 from mechanics.checks.ledger_motion import put_motion
+from mechanics.checks.manifold import project
 from mechanics.crosscheck.routes import derive
 from mechanics.equations import Equations
 from mechanics.kernel import Finding
@@ -21,7 +22,7 @@ def along(truth: Equations, expressions: list) -> Finding:
     """Whether expressions vanish along the motion."""
 
     def experiment(a: Arithmetic) -> list:
-        truth.kinematics.manifold.project(a)
+        project(a, truth.kinematics)
         put_motion(a, truth)
         return [(a.value(expression), a.rational(0)) for expression in expressions]
 

@@ -15,6 +15,7 @@ from mechanics.blame.reference import Reference
 from mechanics.blame.result import Difference
 from mechanics.blame.terms import Terms, terms_of, total, written
 from mechanics.checks.ledger_motion import put_motion
+from mechanics.checks.manifold import project
 from mechanics.equations import Equations
 from mechanics.reading.statement import Statement
 from mechanics.symbolic import Arithmetic, decide
@@ -70,7 +71,7 @@ def test_what_is_shown_sums_to_written_less_right(
 
         # What is right vanishes along the motion, so that there the rest is the whole.
         def experiment(a: Arithmetic, row: Expr = row, shown: Expr = shown) -> list:
-            reference.truth.kinematics.manifold.project(a)
+            project(a, reference.truth.kinematics)
             put_motion(a, reference.truth)
             return [(a.value(row), a.value(shown))]
 

@@ -184,7 +184,7 @@ def test_the_functions_through_which_the_routes_read_a_scene_may_be_gone(
         monkeypatch.delattr(geometry, name)
     for name in ("position", "rotation", "vector", "plain", "rates", "coordinate_rates"):
         monkeypatch.delattr(declaration.Declaration, name)
-    for function in ("differentiate.motions", "chain.motions", "constraints.rate"):
+    for function in ("differentiate.motions", "chain.motions", "motion.body_motions"):
         monkeypatch.delattr(f"mechanics.kinematics.{function}")
     found = check_virtual_power(equations, drawn_states(scene))
     assert found.verdict is Verdict.SUPPORTED

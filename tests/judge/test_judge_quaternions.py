@@ -1,5 +1,7 @@
 """What a person writes about a body that a quaternion turns: judged where its norm is 1."""
 
+from fractions import Fraction
+
 import pytest
 from quaternions import ball_top
 
@@ -43,12 +45,12 @@ def test_a_wrong_factor_is_refuted_at_a_unit_quaternion(truth: Equations) -> Non
     found = check(truth, EULER.replace("2*m*g*l*(e2", "m*g*l*(e2"), blame=False)
     finding = found.judged[0].finding
     assert finding.verdict is Verdict.REFUTED
-    state = dict(finding.witness.solved)
+    state = {**dict(finding.witness.state), **dict(finding.witness.solved)}
     # What only chooses the point on the sphere is no quantity of the scene: nobody reads of it.
     scene = truth.scene
     symbols = {*scene.q, *scene.u, *scene.ud, *scene.parameters}
     assert {name for name, _ in finding.witness.state} <= {symbol.name for symbol in symbols}
-    assert sum(float(state[f"e{i}"]) ** 2 for i in range(4)) == pytest.approx(1)
+    assert sum(float(Fraction(state[f"e{i}"])) ** 2 for i in range(4)) == pytest.approx(1)
     assert verdicts(truth, "V = m*g*l*(1 - e1^2 - e2^2)") == [Verdict.REFUTED]
 
 

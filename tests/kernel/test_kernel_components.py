@@ -90,15 +90,23 @@ def test_points_of_the_folded_twin_lie_on_it() -> None:
     assert float(r) < float(start(True)["r"])
 
 
-def test_a_root_follows_the_start() -> None:
+@pytest.mark.parametrize("x_start", [4, -4])
+def test_both_halves_of_a_circle_are_one_component(x_start: int) -> None:
     b = Builder()
     x, y, l = b.input("x"), b.input("y"), b.input("l")
-    outputs = {"left": [x], "right": [(l * l - y * y).sqrt()], "zero": [x * x + y * y - l * l]}
-    program = b.program(outputs)
-    for x_start, verdict in ((4, Verdict.CERTIFIED), (-4, Verdict.REFUTED)):
-        at = {"x": Fraction(x_start), "y": Fraction(3), "l": Fraction(5)}
-        claim = Statement("upper", program, {"l": Range.POSITIVE}, at, ("x",))
-        assert decide(claim, try_normal=False).verdict is verdict
+    at = {"x": Fraction(x_start), "y": Fraction(3), "l": Fraction(5)}
+
+    def verdict(left: Node, right: Node) -> Verdict:
+        outputs = {"left": [left], "right": [right], "zero": [x * x + y * y - l * l]}
+        statement = Statement("circle", b.program(outputs), {"l": Range.POSITIVE}, at, ("x",))
+        return decide(statement).verdict
+
+    assert verdict(x * x * y.sin(), (l * l - y * y) * y.sin()) is Verdict.PROVED
+    assert verdict(abs(x), (l * l - y * y).sqrt()) is Verdict.PROVED
+    for side in (1, -1):
+        assert verdict(x, side * (l * l - y * y).sqrt()) is Verdict.REFUTED
+        assert verdict(x, side * abs(x)) is Verdict.REFUTED
+        assert verdict(b.call("atan2", y, x), b.call("asin", y / l)) is Verdict.REFUTED
 
 
 def test_where_both_roots_meet_no_branch_is_told() -> None:

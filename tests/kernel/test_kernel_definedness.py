@@ -4,7 +4,7 @@ from fractions import Fraction
 
 import pytest
 
-from mechanics.kernel.definedness import Gap, Kind, Space, gaps, touching, unmet
+from mechanics.kernel.definedness import Gap, Kind, Space, gaps, unmet
 from mechanics.program import Builder, Node
 from mechanics.program.builder import Obligation
 from mechanics.program.operations import Sign
@@ -179,7 +179,9 @@ def test_on_constraints_what_they_give_is_discharged() -> None:
     assert found(asked(NONNEGATIVE, X), nowhere) == (UNKNOWN, False)
 
 
-def test_arguments_that_reach_their_border_are_told_apart() -> None:
-    written = [asked(NONNEGATIVE, X * X), asked(NONNEGATIVE, X * X + M), asked(NONNEGATIVE, X),
-               asked(NONZERO, M)]  # fmt: skip
-    assert touching(B, written, space()) == (written[0],)
+def test_an_argument_that_reaches_its_border_is_not_always_positive() -> None:
+    square, above, free = X * X, X * X + M, X
+    roots = [asked(NONNEGATIVE, node) for node in (square, above, free)]
+    assert unmet(B, roots, space()) == (roots[2],)
+    strictly = [asked(POSITIVE, node) for node in (square, above, free)]
+    assert unmet(B, strictly, space()) == (strictly[0], strictly[2])

@@ -8,6 +8,7 @@ from sympy import Expr, Matrix, Rational, Symbol, eye, pi
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
 import systems
+from mechanics.checks.manifold import project
 from mechanics.checks.solution import solve
 from mechanics.crosscheck import ROUTES, derive
 from mechanics.equations import Equations
@@ -53,7 +54,7 @@ def assert_same_motion(old: Equations, new: Equations, table: Table) -> None:
     """The rows of `new`, written in the old symbols, hold for the accelerations of `old`."""
 
     def experiment(a: Any) -> list:
-        old.kinematics.manifold.project(a)
+        project(a, old.kinematics)
         for symbol, number in zip(old.unknowns, solve(a, old), strict=True):
             a.assign(symbol, number)
         rows = [row.xreplace(dict(table)) for row in new.residual]

@@ -4,6 +4,7 @@ import pytest
 from sympy import Matrix
 
 import mechanics
+from mechanics.checks.manifold import project
 from mechanics.checks.solution import solve
 from mechanics.crosscheck import ROUTES, Route
 from mechanics.routes.derivation import by_route, steps_of
@@ -44,7 +45,7 @@ def test_multipliers_are_given_by_the_motion(system: System) -> None:
     equations = by_route("free_body", scene)
 
     def experiment(a: Arithmetic) -> list[tuple[Number, Number]]:
-        equations.kinematics.manifold.project(a)
+        project(a, equations.kinematics)
         for unknown, number in zip(equations.unknowns, solve(a, equations), strict=True):
             a.assign(unknown, number)
         return [(a.value(symbol), a.value(value)) for symbol, value in multipliers_of(equations)]

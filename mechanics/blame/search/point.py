@@ -15,8 +15,9 @@ from typing import TypeVar
 
 from sympy import Expr, Symbol, cos
 
-from mechanics.checks.ledger_compare import ordered
+from mechanics.checks.ledger_compare import define
 from mechanics.checks.ledger_motion import put_motion
+from mechanics.checks.manifold import project
 from mechanics.checks.solution import put_solution
 from mechanics.equations import Equations
 from mechanics.kernel import Range
@@ -144,9 +145,8 @@ class Points:
     def dependent(self) -> frozenset[Symbol]:
         """What the constraints determine, once the rest is chosen."""
         if not self._dependent:
-            a, manifold = Arithmetic(), self.truth.kinematics.manifold
-            manifold.project(a)
-            manifold.project_accelerations(a)
+            a = Arithmetic()
+            project(a, self.truth.kinematics, accelerations=True)
             self._dependent.append(frozenset(a.assigned))
         return self._dependent[0]
 
@@ -185,13 +185,10 @@ class Points:
         return self._motions[key]
 
     def _new_motion(self, free: bool, moving: bool, pressing: bool) -> Motion:
-        a, scene, manifold = Arithmetic(), self.truth.scene, self.truth.kinematics.manifold
+        a, scene = Arithmetic(), self.truth.scene
         if not free:
-            manifold.project(a)
-            if not moving:
-                manifold.project_accelerations(a)
-        for symbol, expression in ordered(scene.definitions):
-            a.assign(symbol, a.value(expression))
+            project(a, self.truth.kinematics, accelerations=not moving)
+        define(a, scene)
         if moving:
             (put_motion if pressing else put_solution)(a, self.truth)
         angles = [a.value(cos(q)) for q in scene.q if q not in a.assigned]
