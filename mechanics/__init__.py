@@ -24,6 +24,7 @@ if TYPE_CHECKING:
     from mechanics.export import write_c
     from mechanics.extremes import extremes
     from mechanics.importers.sympy_scene import from_sympy
+    from mechanics.importers.urdf import from_urdf
     from mechanics.judge.check import check
     from mechanics.judge.check_json import to_json as check_json
     from mechanics.kernel import Finding, Verdict, Witness
@@ -103,6 +104,7 @@ __all__ = [
     "force",
     "free",
     "from_sympy",
+    "from_urdf",
     "gravity",
     "holonomic",
     "linearize",
@@ -151,6 +153,7 @@ _MODULES = {
     "write_c": ("mechanics.export", "write_c"),
     "extremes": ("mechanics.extremes", "extremes"),
     "from_sympy": ("mechanics.importers.sympy_scene", "from_sympy"),
+    "from_urdf": ("mechanics.importers.urdf", "from_urdf"),
     "check": ("mechanics.judge.check", "check"),
     "check_json": ("mechanics.judge.check_json", "to_json"),
     "damped_modes": ("mechanics.linear", "damped_modes"),

@@ -119,7 +119,7 @@ class Motion:
         parts = (
             self.vector(size * one) * self.vector(two).T for size, one, two in body.inertia.args
         )
-        inertia = reduce(add, parts).parts
+        inertia = reduce(add, parts, self.instant.matrix(3, 3, zeros(3, 3))).parts
         return Wrench(name, place[0], force, inertia[0] * alpha + inertia[1] * omega)
 
     def power(self, wrench: Wrench) -> arb:

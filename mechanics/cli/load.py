@@ -13,13 +13,19 @@ from functools import partial
 from pathlib import Path
 from types import ModuleType
 
+import typer
+
 from mechanics.errors import InputError, MechanicsError
+from mechanics.importers.assemble import assemble
+from mechanics.importers.decimals import Notes
+from mechanics.importers.urdf import read_urdf
 from mechanics.scene import Scene
 from mechanics.scene.published import Published
 from mechanics.scene.system import System
 
 CALL = re.compile(r"(\w+)(?:\((\d+)\)|:(\d+))")
 FILE = re.compile(r"(.*\.py)(?::(\w+))?", re.DOTALL)
+ROBOT = re.compile(r"(.*\.urdf)(?::(\w+))?", re.DOTALL | re.IGNORECASE)
 
 
 def load(text: str) -> System:
@@ -30,7 +36,8 @@ def load(text: str) -> System:
     text : str
         A name, a name with a size (``pendulum_chain(10)`` or ``pendulum_chain:10``), or the path
         of a Python file with a function ``scene()`` and, perhaps, a tuple ``PUBLISHED``;
-        ``file.py:name`` for a function of another name.
+        ``file.py:name`` for a function of another name. Or a robot, ``arm.urdf``, or with what
+        holds its first link ``dog.urdf:free``; what its reader notes is printed.
 
     Raises
     ------
@@ -39,12 +46,14 @@ def load(text: str) -> System:
     """
     if file := FILE.fullmatch(text):
         return _from_file(Path(file[1]), file[2] or "scene")
+    if robot := ROBOT.fullmatch(text):
+        return _from_model(Path(robot[1]), robot[2] or "fixed")
     return built_in(text)
 
 
 def is_file(text: str) -> bool:
     """Whether a system is named by its file."""
-    return FILE.fullmatch(text) is not None
+    return any(form.fullmatch(text) is not None for form in (FILE, ROBOT))
 
 
 def built_in(text: str) -> System:
@@ -84,6 +93,14 @@ def _from_file(path: Path, name: str) -> System:
     if not isinstance(rows, tuple | list) or not all(isinstance(row, Published) for row in rows):
         raise InputError(f"file {path}: PUBLISHED has to be a tuple of published(...) rows")
     return System(path.stem, partial(_checked, scene, name, path), tuple(rows))
+
+
+def _from_model(path: Path, root: str) -> System:
+    notes = Notes()
+    robot = read_urdf(path, notes)
+    for line in notes.lines():
+        typer.echo(f"{path}: {line}", err=True)
+    return System(path.stem, partial(assemble, robot, root, notes=notes.lines()))
 
 
 def run_file(path: Path) -> ModuleType:

@@ -7,10 +7,11 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from mechanics.importers.sympy_scene import from_sympy
+    from mechanics.importers.urdf import from_urdf
 
-__all__ = ["from_sympy"]
+__all__ = ["from_sympy", "from_urdf"]
 
-_MODULES = {"from_sympy": "sympy_scene"}
+_MODULES = {"from_sympy": "sympy_scene", "from_urdf": "urdf"}
 
 
 def __getattr__(name: str) -> Any:

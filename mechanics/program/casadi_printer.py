@@ -188,7 +188,9 @@ class _Graph:
     def _multiply(self, x: Any, y: Any) -> Any:
         for constant, other in ((x, y), (y, x)):
             if isinstance(constant, Fraction) and (divisor := unit_fraction(constant)):
-                return casadi.SX.binary(casadi.OP_DIV, self.graph(other), casadi.SX(divisor))
+                # Named, or CasADi would differentiate x / n into the double 1/n.
+                below = self.named(sympy.Integer(divisor))
+                return casadi.SX.binary(casadi.OP_DIV, self.graph(other), below)
         return casadi.SX.binary(casadi.OP_MUL, self.graph(x), self.graph(y))
 
     def _select(self, condition: Any, x: Any, y: Any) -> Any:

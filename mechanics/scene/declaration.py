@@ -55,6 +55,7 @@ class Declaration:
     joints: tuple[Joint | Rope, ...] = ()
     plane: Vector | None = None
     outputs: Mapping[str, Output] = field(default_factory=dict)
+    notes: tuple[str, ...] = ()
 
     @cached_property
     def q(self) -> tuple[Symbol, ...]:

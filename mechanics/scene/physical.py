@@ -118,8 +118,8 @@ def check_loads(scene: Declaration) -> None:
         Names the load or reaction.
     """
     for reaction in scene.reactions:
-        for action in reaction.actions:
-            unit_vector(scene, f"reaction {reaction.name}", action.along)
+        # What its unknown does elsewhere may be a multiple: in a gear, say.
+        unit_vector(scene, f"reaction {reaction.name}", reaction.along)
     for load in scene.loads:
         where = f"load {load.name}"
         on, by = getattr(load, "on", None), getattr(load, "by", None)

@@ -76,7 +76,12 @@ class System:
     def graphs(self) -> tuple[ca.SX, ca.SX]:
         """K and k."""
         left, right = self.equations.system
-        return self.translate.matrix(left), self.translate.matrix(right)
+        matrix = self.translate.matrix(left)
+        # Pivots divide: CasADi would fold 1/45 into a double.
+        for k, entry in enumerate(left):
+            if entry.is_number and entry not in (-1, 0, 1):
+                matrix[divmod(k, left.cols)] = self.translate.named(entry)
+        return matrix, self.translate.matrix(right)
 
     def residual(self, x: ca.SX) -> ca.SX:
         """K x - k, by the rows as they were derived: what cancels in K and k has rounded there."""
