@@ -363,9 +363,7 @@ class _Assembly:
     def _known(self, name: str) -> bool:
         return f"{name}_position" in self.taken or f"{name}_orientation" in self.taken
 
-    def _value(
-        self, kind: str, name: str, unit: str, number: Expr, positive: bool = False
-    ) -> Expr:
+    def _value(self, kind: str, name: str, unit: str, number: Expr, positive: bool = False) -> Expr:
         """A number, or the parameter that stands for it."""
         if kind not in self.symbolic or not isinstance(number, Rational) or number == 0:
             return number

@@ -1,7 +1,7 @@
 """A robot: links and the joints between them, as model files tell them, and the scene of it.
 
-    joint frame = link frame of the parent, moved by `place` and `turn`
-    link frame of the child = joint frame, moved by the joint and then by `offset`
+joint frame = link frame of the parent, moved by `place` and `turn`
+link frame of the child = joint frame, moved by the joint and then by `offset`
 """
 
 from collections.abc import Iterator
@@ -12,7 +12,9 @@ from sympy import Expr, ImmutableMatrix, Integer, Rational, eye
 from mechanics.errors import InputError
 
 Column = tuple[Expr, Expr, Expr]
-NOWHERE: Column = (Integer(0), Integer(0), Integer(0))
+ZERO = Integer(0)
+NOWHERE: Column = (ZERO, ZERO, ZERO)
+ALONG_X = (Integer(1), ZERO, ZERO)
 STRAIGHT = ImmutableMatrix(eye(3))
 MOST_LINKS = 400
 """A scene of more would take longer than anybody waits."""
@@ -108,15 +110,15 @@ class Connection:
     child: str
     place: Column = NOWHERE
     turn: ImmutableMatrix = STRAIGHT
-    axis: tuple[Rational, Rational, Rational] = (Integer(1), Integer(0), Integer(0))
+    axis: tuple[Rational, Rational, Rational] = ALONG_X
     offset: Column = NOWHERE
     limits: Limits = field(default_factory=Limits)
     driven: bool = True
-    damping: Expr = Integer(0)
-    friction: Expr = Integer(0)
-    stiffness: Expr = Integer(0)
-    rest: Expr = Integer(0)
-    armature: Expr = Integer(0)
+    damping: Expr = ZERO
+    friction: Expr = ZERO
+    stiffness: Expr = ZERO
+    rest: Expr = ZERO
+    armature: Expr = ZERO
     mimic: Mimic | None = None
 
 
@@ -163,11 +165,11 @@ def ordered(robot: Robot) -> tuple[str, Robot]:
         twice = next((name for name in names if names.count(name) > 1), None)
         if twice is not None:
             raise InputError(f"{what}: two {kind} are named {twice!r}: rename one")
-    names = {link.name for link in robot.links}
+    every = {link.name for link in robot.links}
     carrier: dict[str, Connection] = {}
     for joint in robot.joints:
         for role, link in (("parent", joint.parent), ("child", joint.child)):
-            if link not in names:
+            if link not in every:
                 raise InputError(f"joint {joint.name}: there is no link {link!r}, its {role}")
         other = carrier.setdefault(joint.child, joint)
         if other is not joint:

@@ -169,9 +169,10 @@ class _Reader:
         moving = KINDS[kind] in ("turn", "slide")
         return Connection(
             name, KINDS[kind], _attribute(element, "parent", "link", what),
-            _attribute(element, "child", "link", what), place, turn, self._axis(element, what, kind),
-            limits=self._limits(element, what, kind), driven=moving, damping=damping,
-            friction=friction, mimic=self._mimic(element, what) if moving else None,
+            _attribute(element, "child", "link", what), place, turn,
+            self._axis(element, what, kind), limits=self._limits(element, what, kind),
+            driven=moving, damping=damping, friction=friction,
+            mimic=self._mimic(element, what) if moving else None,
         )  # fmt: skip
 
     def _origin(self, element: Element, what: str) -> tuple[Column, ImmutableMatrix]:
