@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from mechanics.checks.redundant import drop_redundant
+    from mechanics.compare import compare
     from mechanics.compiled import Model, compile
     from mechanics.crosscheck import ROUTES, CrossCheck, crosscheck, derive
     from mechanics.crosscheck.fmu import write_fmu
@@ -90,6 +91,7 @@ __all__ = [
     "check",
     "check_html",
     "check_json",
+    "compare",
     "compile",
     "condition",
     "crosscheck",
@@ -138,6 +140,7 @@ __all__ = [
 
 _MODULES = {
     "drop_redundant": ("mechanics.checks.redundant", "drop_redundant"),
+    "compare": ("mechanics.compare", "compare"),
     "Model": ("mechanics.compiled", "Model"),
     "compile": ("mechanics.compiled", "compile"),
     "ROUTES": ("mechanics.crosscheck", "ROUTES"),

@@ -31,6 +31,10 @@ COMMANDS = {
         "checking",
         "Check your own equations of motion, energies, reactions or mass matrix.",
     ),
+    "compare": (
+        "comparing",
+        "Compare a model with other engines, and name the cause where they differ.",
+    ),
     "derive": (
         "deriving",
         "Print the equations of motion M u' = f + B lambda, A u' = b of one route.",

@@ -1,0 +1,80 @@
+"""Pinocchio (package `pin`): joints and inertias by its own interface, or its readers of files."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from mechanics.compare.engines import Engine
+from mechanics.compare.order import Order
+from mechanics.compare.ours import Ours
+from mechanics.compare.quantities import Answer
+from mechanics.compare.tree import Link, links
+
+
+def make(pin: Any, ours: Ours, file: Path | None = None) -> Engine:
+    """Its algorithms: crba, rnea, aba."""
+    tree = links(ours, file is None)
+    if file is None:
+        model = _from_tree(pin, tree)
+        model.gravity.linear = ours.gravity
+    else:
+        mjcf = file.suffix == ".xml"
+        model = (pin.buildModelFromMJCF if mjcf else pin.buildModelFromUrdf)(str(file))
+    own = {link.joint: model.joints[model.getJointId(link.joint)] for link in tree if link.v}
+    at_q, at_v = ({n: getattr(j, key) for n, j in own.items()} for key in ("idx_q", "idx_v"))
+    order = Order(tree, at_q, at_v, (model.nq, model.nv), scalar_first=False, local=True)
+    data, place = model.createData(), order.position
+
+    def mass_matrix(q: Any, v: Any) -> Any:
+        upper, B = np.triu(pin.crba(model, data, place(q))), order.matrix(q)
+        return B.T @ (upper + np.triu(upper, 1).T) @ B
+
+    def inverse(q: Any, v: Any, a: Any) -> Any:
+        B = order.matrix(q)
+        return B.T @ pin.rnea(model, data, place(q), B @ v, B @ a + order.drift(q, v))
+
+    def forward(q: Any, v: Any, forces: Any) -> Any:
+        B = order.matrix(q)
+        rates = pin.aba(model, data, place(q), B @ v, np.linalg.pinv(B.T) @ forces)
+        return np.linalg.pinv(B) @ (rates - order.drift(q, v))
+
+    def jacobian(link: Link) -> Answer:
+        frame, where = model.getFrameId(link.name), pin.ReferenceFrame.LOCAL_WORLD_ALIGNED
+        return lambda q, v: (
+            pin.computeFrameJacobian(model, data, place(q), frame, where) @ order.matrix(q)
+        )
+
+    answers: dict[str, Answer] = {
+        "mass_matrix": mass_matrix,
+        "bias": lambda q, v: inverse(q, v, np.zeros_like(v)),
+        "inverse_dynamics": inverse,
+        "forward_dynamics": forward,
+        "kinetic_energy": lambda q, v: pin.computeKineticEnergy(
+            model, data, place(q), order.matrix(q) @ v
+        ),
+        "potential_energy": lambda q, v: pin.computePotentialEnergy(model, data, place(q)),
+    }
+    answers |= {f"jacobian {link.name}": jacobian(link) for link in tree}
+    return Engine(f"pinocchio {pin.__version__}", answers)
+
+
+def _from_tree(pin: Any, tree: tuple[Link, ...]) -> Any:
+    model, placed, still = pin.Model(), [(0, pin.SE3.Identity())], pin.SE3.Identity()
+    for link in tree:
+        joint, pose = placed[link.before + 1]
+        pose = pose * pin.SE3(link.turn, link.offset)
+        if link.kind != "weld":
+            kind = {
+                "pin": pin.JointModelRevoluteUnaligned,
+                "slide": pin.JointModelPrismaticUnaligned,
+            }
+            moved = kind[link.kind](link.axis) if link.kind in kind else pin.JointModelFreeFlyer()
+            joint, pose = model.addJoint(joint, moved, pose, link.joint), still
+        inertia = pin.Inertia(link.mass, link.centre, link.inertia)
+        model.appendBodyToJoint(joint, inertia, pose)
+        model.addFrame(pin.Frame(link.name, joint, 0, pose, pin.FrameType.BODY))
+        placed.append((joint, pose))
+    return model

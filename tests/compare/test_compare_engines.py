@@ -1,0 +1,74 @@
+"""Engines that are here agree with the scenes that their models are made from."""
+
+import numpy as np
+import pytest
+import small_trees
+
+from mechanics.compare import ENGINES, compare, engine, installed, of_scene
+from mechanics.errors import InputError, MechanicsError
+from mechanics.scene import Scene
+from systems import double_pendulum, pendulum_chain
+
+TREES = {"arm": small_trees.arm, "lift": small_trees.lift, "floating": small_trees.floating}
+SLOW = ("sympy", "drake", "pybullet", "roboticstoolbox")
+
+
+@pytest.mark.parametrize("model", TREES)
+@pytest.mark.parametrize("name", [name for name, _, _ in ENGINES if name not in SLOW])
+def test_an_engine_agrees_with_a_scene(name: str, model: str) -> None:
+    if name not in installed():
+        pytest.skip(f"{name} is not installed")
+    found = compare(TREES[model](), name, states=3)
+    assert found.agree, [(row.quantity, row.difference) for row in found.rows]
+    assert len(found.rows) >= 7
+
+
+@pytest.mark.campaign
+@pytest.mark.parametrize("model", ["arm", "lift"])
+@pytest.mark.parametrize("name", SLOW)
+def test_an_engine_that_is_slower_agrees_with_a_scene(name: str, model: str) -> None:
+    if name not in installed():
+        pytest.skip(f"{name} is not installed")
+    found = compare(TREES[model](), name, states=4)
+    assert found.agree, [(row.quantity, row.difference) for row in found.rows]
+
+
+def test_armature_of_a_mujoco_model_is_named() -> None:
+    mujoco = pytest.importorskip("mujoco")
+    from mechanics.compare.tree import links
+    from mechanics.compare.urdf import mjcf
+
+    text = mjcf(links(of_scene(small_trees.arm(2)))).replace("<joint ", '<joint armature="0.1" ')
+    assert mujoco.MjModel.from_xml_string(text).dof_armature.tolist() == [0.1, 0.1]
+
+
+def refused(scene: Scene, name: str) -> str:
+    with pytest.raises(MechanicsError) as caught:
+        engine(name, of_scene(scene))
+    assert "\n" not in str(caught.value)
+    return str(caught.value)
+
+
+def test_what_engines_do_not_take_is_refused_in_one_line() -> None:
+    if "pinocchio" in installed():
+        assert "take a tree, in which one joint carries each body" in refused(
+            double_pendulum.scene(), "pinocchio"
+        )
+        assert "load damping1: engines' models are made with gravity" in refused(
+            small_trees.arm(2, "0.4"), "pinocchio"
+        )
+    assert "up to 4 bodies" in refused(pendulum_chain.scene(8), "sympy")
+    with pytest.raises(InputError, match="engine 'bullet': they are pinocchio, mujoco"):
+        compare(double_pendulum.scene(), "bullet")
+
+
+def test_answers_that_are_none_are_refused() -> None:
+    scene = small_trees.arm(2)
+    with pytest.raises(InputError, match="'mass' is no quantity"):
+        compare(scene, {"mass": lambda q, v: np.eye(2)})
+    with pytest.raises(InputError, match="there is no frame 'tool': they are link1, link2"):
+        compare(scene, {"jacobian tool": lambda q, v: np.eye(2)})
+    with pytest.raises(InputError, match="mass_matrix: the answers are no arrays of finite"):
+        compare(scene, {"mass_matrix": lambda q, v: np.full((2, 2), np.nan)})
+    with pytest.raises(InputError, match="there is no parameter 'G'"):
+        compare(scene, {"bias": lambda q, v: v}, values={"G": 1.0})

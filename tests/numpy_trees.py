@@ -1,0 +1,110 @@
+"""The small arm in plain NumPy, which knows nothing of `mechanics`, and mistakes made in it."""
+
+from collections.abc import Callable
+from dataclasses import replace
+
+import numpy as np
+from newton_euler import Array, Joint, inverse_dynamics, rotation
+
+GRAVITY = np.array([0.0, 0.0, -9.81])
+CENTRE = np.array([0.1, -0.05, 0.2])
+INERTIA = np.array([[0.02, 0.002, 0.004], [0.002, 0.03, -0.003], [0.004, -0.003, 0.025]])
+
+
+def arm_joints(count: int = 3) -> list[Joint]:
+    """The joints of `small_trees.arm`."""
+    turn = rotation(np.array([1.0, 0, 0]), np.pi / 2)
+    return [
+        Joint(i - 1, turn if i else np.eye(3), np.array([0.3 + i / 10 if i else 0.0, 0, 0]),
+              np.array([0, 0, 1.0]), 2 + (i + 1) / 2, CENTRE, INERTIA)
+        for i in range(count)
+    ]  # fmt: skip
+
+
+def answers(
+    joints: list[Joint],
+    *,
+    gravity: Array = GRAVITY,
+    added: Callable[[Array, Array, Array], Array] = lambda q, v, a: 0 * a,
+) -> dict[str, Callable[..., Array]]:
+    """Quantities of the arm; `added` are forces beside those of the bodies."""
+    n = len(joints)
+
+    def inverse(q: Array, v: Array, a: Array) -> Array:
+        return inverse_dynamics(joints, q, v, a, gravity) + added(q, v, a)
+
+    def mass_matrix(q: Array, v: Array) -> Array:
+        rest = inverse(q, np.zeros(n), np.zeros(n))
+        return np.array([inverse(q, np.zeros(n), unit) - rest for unit in np.eye(n)]).T
+
+    def bias(q: Array, v: Array) -> Array:
+        return inverse(q, v, np.zeros(n))
+
+    return {
+        "mass_matrix": mass_matrix,
+        "bias": bias,
+        "inverse_dynamics": inverse,
+        "forward_dynamics": lambda q, v, f: np.linalg.solve(mass_matrix(q, v), f - bias(q, v)),
+    }
+
+
+def with_inertia(joints: list[Joint], change: Callable[[Joint], Array]) -> list[Joint]:
+    """The joints with another inertia of each body."""
+    return [replace(joint, inertia=change(joint)) for joint in joints]
+
+
+def point_mass(joint: Joint) -> Array:
+    """m (c.c 1 - c c^T)."""
+    c = joint.centre
+    return joint.mass * (c @ c * np.eye(3) - np.outer(c, c))
+
+
+def turned(quaternion: Array) -> Array:
+    """R of a quaternion (w, x, y, z)."""
+    w, *vector = quaternion / np.linalg.norm(quaternion)
+    angle = 2 * np.arctan2(np.linalg.norm(vector), w)
+    axis = np.array(vector)
+    size = np.linalg.norm(axis)
+    return rotation(axis / size, angle) if size else np.eye(3)
+
+
+def floating_answers(
+    R_of: Callable[[Array], Array] = turned, local: bool = False
+) -> dict[str, Callable[..., Array]]:
+    """A free body by Newton and Euler; q = (x, quaternion), v = (velocity, omega in the body).
+
+    `local`: the velocity has the components of the body's own frame.
+    """
+    mass, c, inertia = 2.5, CENTRE, INERTIA
+
+    def inverse(q: Array, v: Array, a: Array) -> Array:
+        R, w, growth = R_of(q[3:]), v[3:], a[3:]
+        linear = R @ (a[:3] + np.cross(w, v[:3])) if local else a[:3]
+        of_centre = linear + R @ (np.cross(growth, c) + np.cross(w, np.cross(w, c)))
+        force = mass * (of_centre - GRAVITY)
+        couple = inertia @ growth + np.cross(w, inertia @ w) + np.cross(c, R.T @ force)
+        return np.concatenate([R.T @ force if local else force, couple])
+
+    def mass_matrix(q: Array, v: Array) -> Array:
+        rest = inverse(q, 0 * v, np.zeros(6))
+        return np.array([inverse(q, 0 * v, unit) - rest for unit in np.eye(6)]).T
+
+    return {"mass_matrix": mass_matrix, "inverse_dynamics": inverse}
+
+
+def link_poses(joints: list[Joint], q: Array) -> list[tuple[Array, Array]]:
+    """Where the joints of a row are, and how their bodies are turned."""
+    R, p, found = np.eye(3), np.zeros(3), []
+    for joint, angle in zip(joints, q, strict=True):
+        p = p + R @ joint.offset
+        R = R @ joint.turn @ rotation(joint.axis, angle)
+        found.append((p, R))
+    return found
+
+
+def jacobian(joints: list[Joint], q: Array) -> Array:
+    """6 x n of the last body: velocity of its joint over its angular velocity."""
+    poses = link_poses(joints, q)
+    axes = [R @ joint.axis for joint, (_, R) in zip(joints, poses, strict=True)]
+    end = poses[-1][0]
+    return np.array([[*np.cross(e, end - p), *e] for e, (p, _) in zip(axes, poses, strict=True)]).T
