@@ -21,9 +21,10 @@ from mechanics.checks.admissible import check_scene
 from mechanics.crosscheck.programs import Programs, derive_rows, same_motion
 from mechanics.equations import Equations, Matrices
 from mechanics.errors import MechanicsError
-from mechanics.importers.sympy_model import form_equations
+from mechanics.importers.sympy_model import form_equations, written
 from mechanics.kernel import Finding, Verdict
 from mechanics.scene import Force, Gravity, Scene, Torque
+from mechanics.scene.declared import decimals
 from mechanics.scene.symbols import plain_symbol, plain_table, to_plain
 
 ROUTE = "kane"
@@ -45,7 +46,9 @@ def own_equations(scene: Scene, model: Any) -> Equations:
     else:
         matrices, names = _kane(method), ()
     speeds = _speeds(method)
-    plain = [_plain(scene, part, table) for part in matrices]
+    auxiliary = getattr(method, "_uaux", ())
+    resting = {part: 0 for u in auxiliary for part in (u.diff(dynamicsymbols._t), u)}
+    plain = [_plain(scene, written(part.xreplace(resting)), table) for part in matrices]
     columns = [plain_name(speed) for speed in speeds]
     mass, forcing, reactions, held, bias = plain
     wide, rows = zeros(mass.rows, len(scene.u)), zeros(held.rows, len(scene.u))
@@ -111,7 +114,7 @@ def _plain(scene: Scene, matrix: Matrix, table: dict[Expr, Expr]) -> Matrix:
     known |= {s.name: s for s in scene.input_symbols}
 
     def entry(expression: Expr) -> Expr:
-        plain = to_plain(expression, table, "SymPy's equations")
+        plain = to_plain(decimals(expression), table, "SymPy's equations")
         named = {s: known.get(s.name, Symbol(s.name, real=True)) for s in plain.free_symbols}
         return plain.xreplace(named).xreplace(scene.coordinate_rates)
 

@@ -11,6 +11,7 @@ from typing import Any
 from sympy import Derivative, Expr, Matrix, Symbol, sympify
 from sympy.physics.vector import Dyadic, Point, ReferenceFrame, Vector, dynamicsymbols, outer
 
+from mechanics.importers.sympy_model import written
 from mechanics.importers.sympy_motion import Moved, linked
 from mechanics.scene.geometry import (
     components,
@@ -50,6 +51,12 @@ class Copy:
             else:
                 self.points[anchor] = self.origin.locatenew(anchor.name, self.vector(offset))
 
+    def all_points(self) -> None:
+        """Copy every point that the model places with a body: forces may act there."""
+        for anchor in self.moved.anchors:
+            for point in linked(anchor):
+                self.point(point)
+
     @property
     def frame(self) -> ReferenceFrame:
         """The inertial frame."""
@@ -59,6 +66,7 @@ class Copy:
         """An expression in the symbols of the scene."""
         constants = sympify(expression).free_symbols - {dynamicsymbols._t}
         found = sympify(expression).xreplace({s: self.symbol(s) for s in constants})
+        found = written(found)
         return found.doit() if found.has(Derivative) else found
 
     def symbol(self, symbol: Symbol) -> Symbol:
@@ -94,7 +102,8 @@ class Copy:
         """The copy of a point; None for one that no body is placed with."""
         if point in self.points:
             return self.points[point]
-        anchor = next((a for a in self.moved.anchors if a in linked(point)), None)
+        known = linked(point)
+        anchor = next((a for a in self.moved.anchors if a in known), None)
         if anchor is None:
             return None
         for parent, child in pairwise(point_path(anchor, point)):

@@ -15,7 +15,7 @@ from sympy.physics.vector import Point, ReferenceFrame, Vector, dynamicsymbols
 
 from mechanics.errors import SceneError
 from mechanics.importers.sympy_copy import Copy
-from mechanics.importers.sympy_model import Acting, Parts
+from mechanics.importers.sympy_model import Acting, Parts, is_rigid
 from mechanics.importers.sympy_motion import functions_of
 from mechanics.importers.sympy_reactions import Finder, Named
 from mechanics.scene import Force, Load, RigidBody, Scene, Torque, gravity
@@ -66,6 +66,8 @@ class _Loads:
             return []
         point = self.copy.point(acting.where)
         on = None if point is None else self.carrier(point)
+        if on is None and acting.where in self.copy.moved.carriers:
+            on = self.copy.moved.carriers[acting.where].name
         if point is None or on is None:
             if point is not None and not moved_by(self.scene, None, point):
                 return []
@@ -77,12 +79,15 @@ class _Loads:
 
     def couple(self, acting: Acting) -> list[Load]:
         frame, vector = acting.where, self.copy.vector(acting.vector)
-        bodies = {b.name: b for b in self.parts.bodies if hasattr(b, "frame")}
+        bodies = {b.name: b for b in self.parts.bodies if is_rigid(b)}
         for name, body in bodies.items():
             if body.frame == frame:
                 moving = any(name == one.name for one in self.scene.bodies)
                 return [Torque(f"{acting.name}_{name}", vector, name)] if moving else []
         own = self.copy.turned(frame)
+        for carrier in self.scene.bodies:
+            if isinstance(carrier, RigidBody) and carrier.frame == own:
+                return [Torque(f"{acting.name}_{carrier.name}", vector, carrier.name)]
         if not turning(self.scene.frame, own):
             return []
         for body in self.scene.bodies:
@@ -100,7 +105,7 @@ class _Loads:
             return True
         resting = dict.fromkeys(self.parts.auxiliary, S.Zero)
         return any(
-            entry.xreplace(resting) != 0 for column, _ in components(velocity) for entry in column
+            entry.xreplace(resting) != 0 for _, column in components(velocity) for entry in column
         )
 
     def evidence(self, acting: Acting) -> list[Named]:

@@ -9,6 +9,7 @@ from typing import Any
 
 import sympy.physics.mechanics as me
 from sympy import Expr, Matrix, S
+from sympy.physics.biomechanics.curve import CharacteristicCurveFunction
 from sympy.physics.vector import Point, ReferenceFrame, Vector, dynamicsymbols
 
 from mechanics.errors import SceneError, WrongKindError
@@ -74,6 +75,11 @@ def is_model(thing: Any) -> bool:
     return isinstance(thing, KINDS)
 
 
+def is_rigid(body: Any) -> bool:
+    """Whether it turns: a RigidBody, and of the old class Body what has an inertia."""
+    return bool(getattr(body, "is_rigidbody", isinstance(body, me.RigidBody)))
+
+
 def read_model(model: Any, bodies: Sequence[Any] = ()) -> Parts:
     """What a model says.
 
@@ -93,7 +99,7 @@ def read_model(model: Any, bodies: Sequence[Any] = ()) -> Parts:
     if isinstance(model, me.System):
         return _system(model)
     if isinstance(model, me.KanesMethod):
-        return _kane(model, bodies)
+        return _kane(model)
     if isinstance(model, me.LagrangesMethod):
         return _lagrange(model, bodies)
     raise WrongKindError(
@@ -125,6 +131,13 @@ def form_equations(model: Any) -> Any:
     return model
 
 
+def written(expression: Any) -> Any:
+    """An expression or matrix with the curves of muscles as the formulas that they stand for."""
+    if expression.has(CharacteristicCurveFunction):
+        return expression.doit(deep=True, evaluate=False)
+    return expression
+
+
 def _system(model: Any) -> Parts:
     named = [(f"load{k}", load) for k, load in enumerate(model.loads, 1)]
     for actuator in model.actuators:
@@ -150,8 +163,11 @@ def _system(model: Any) -> Parts:
     )
 
 
-def _kane(model: Any, bodies: Sequence[Any]) -> Parts:
-    own = _bodies("KanesMethod", model.bodies or bodies)
+def _kane(model: Any) -> Parts:
+    if not model.bodies:
+        raise SceneError(
+            "KanesMethod: it names no bodies: call its kanes_equations(bodies, loads) first"
+        )
     motion: tuple[Expr, ...] = ()
     if model._k_nh:
         motion = tuple(model._k_nh * model.u + model._f_nh)
@@ -159,7 +175,7 @@ def _kane(model: Any, bodies: Sequence[Any]) -> Parts:
         "KanesMethod",
         model._inertial,
         None,
-        own,
+        tuple(model.bodies),
         _loads([(f"load{k}", load) for k, load in enumerate(model.forcelist or (), 1)]),
         tuple(model.q),
         tuple(model.u),

@@ -10,22 +10,24 @@ own, with w as their rates: integrated where they are rates of others, else a mo
 """
 
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from itertools import pairwise
 from typing import Any
 
-from sympy import Derivative, Expr, S
+from sympy import Derivative, Expr, Integral, S, Symbol, expand_mul, integrate
 from sympy.core.function import AppliedUndef
 from sympy.physics.vector import Point, ReferenceFrame, Vector, dynamicsymbols
 
 from mechanics.errors import SceneError
-from mechanics.importers.sympy_model import Parts
+from mechanics.importers.sympy_model import Parts, is_rigid
 from mechanics.program.builder import Builder, Node
 from mechanics.program.forward import tangent
+from mechanics.program.operations import INPUT
 from mechanics.program.residues import Residues
 from mechanics.program.sympy_reader import read
-from mechanics.program.vectors import add, dot, product, subtract, times, transpose, zeros
+from mechanics.program.vectors import add, cross, dot, product, subtract, times, transpose, zeros
+from mechanics.routes.rows import coefficients, remainder
 from mechanics.scene.geometry import (
     components,
     frame_path,
@@ -34,8 +36,11 @@ from mechanics.scene.geometry import (
     step_vector,
 )
 from mechanics.scene.symbols import plain_table, to_plain
+from mechanics.symbolic import canonical
 
 AXES = "xyz"
+LARGEST_INTEGRAND = 60
+"""Operations of a rate that is integrated."""
 
 
 @dataclass(frozen=True)
@@ -50,11 +55,15 @@ class Moved:
         Frames that nothing orients: parent, axis, angle.
     rates : mapping of Expr to Expr
         Of the coordinates that are new, in q and u.
+    carriers : mapping of Point to RigidBody
+        Of points with a load: the body with whose material they move at the moment, as that of a
+        wheel at its contact.
     """
 
     anchors: Mapping[Point, Vector]
     turned: Mapping[ReferenceFrame, tuple[ReferenceFrame, Vector, Expr]]
     rates: Mapping[Expr, Expr]
+    carriers: Mapping[Point, Any]
 
 
 def place(parts: Parts) -> Moved:
@@ -114,7 +123,7 @@ class _Placing:
 
     def _frames(self) -> list[ReferenceFrame]:
         found = [self.parts.frame]
-        found += [body.frame for body in self.parts.bodies if hasattr(body, "frame")]
+        found += [body.frame for body in self.parts.bodies if is_rigid(body)]
         for one in found:
             found += [o for o in (*one._dcm_dict, *one._ang_vel_dict) if o not in found]
         return list(dict.fromkeys(found))
@@ -175,7 +184,7 @@ class _Placing:
 
     def moved(self) -> Moved:
         for body in self.parts.bodies:
-            if hasattr(body, "frame"):
+            if is_rigid(body):
                 self.orient(body)
         anchors: dict[Point, Vector] = {}
         seen: set[Point] = set()
@@ -185,7 +194,27 @@ class _Placing:
                 seen |= {*group}
                 point, offset = self.anchor(group)
                 anchors[point] = offset
-        return Moved(anchors, self.turned, self.rates)
+        return Moved(anchors, self.turned, self.rates, dict(self.carriers()))
+
+    def carriers(self) -> Iterator[tuple[Point, Any]]:
+        """v_P = v_C + omega x (r_P - r_C)."""
+        root = self.parts.frame
+        bodies = [b for b in self.parts.bodies if is_rigid(b) and root in b.masscenter._vel_dict]
+        for load in self.parts.loads:
+            point = load.where
+            if isinstance(point, ReferenceFrame) or root not in point._vel_dict:
+                continue
+            for body in bodies:
+                if body.masscenter not in linked(point):
+                    continue
+                where = f"point {point.name}"
+                arm = self.way(body.masscenter, point)
+                omega = self.vector(body.frame.ang_vel_in(root), where)
+                own = self.vector(body.masscenter._vel_dict[root], where)
+                moved = add(own, cross(omega, arm))
+                if self.zero(subtract(moved, self.vector(point._vel_dict[root], where))):
+                    yield point, body
+                    break
 
     def orient(self, body: Any) -> None:
         """Check the angular velocity of a frame, or make an angle of it."""
@@ -234,9 +263,11 @@ class _Placing:
         known = rate.xreplace(self.to_rates)
         slopes = {q: known.diff(q.diff(dynamicsymbols._t)) for q in self.parts.q}
         rest = known - sum((s * q.diff(dynamicsymbols._t) for q, s in slopes.items()), S.Zero)
-        if not functions_of([*slopes.values(), rest.expand()]):
+        if not functions_of([rest.expand()]):
             offset = rest.expand() * dynamicsymbols._t
-            return sum((s * q for q, s in slopes.items()), offset)
+            integral = _integral(slopes)
+            if integral is not None:
+                return integral + offset
         plain = re.sub(r"\W", "_", name)
         taken = {f.func.__name__ for f in self.table if isinstance(f, AppliedUndef)}
         while plain in taken:
@@ -261,7 +292,7 @@ class _Placing:
                 " the fixed point"
             )
         slips = [(body, self.slip(anchor, body)) for body in given]
-        if not slips or all(self.zero(slip) for _, slip in slips):
+        if not slips or all(self.held(slip) for _, slip in slips):
             return anchor, Vector(0)
         first, slip = min(slips, key=lambda pair: len(point_path(anchor, pair[0].masscenter)))
         for body, other in slips:
@@ -280,17 +311,45 @@ class _Placing:
             return False
         return all(
             not any(entry.xreplace(self.resting) for entry in column)
-            for column, _ in components(velocity)
+            for _, column in components(velocity)
         )
 
     def slip(self, anchor: Point, body: Any) -> Any:
         """w, in components of the inertial frame."""
         where, point = f"point {body.masscenter.name}", body.masscenter
-        position = zeros(self.build)
-        for parent, child in pairwise(point_path(anchor, point)):
-            position = add(position, self.vector(step_vector(parent, child), where))
         velocity = self.vector(point._vel_dict[self.parts.frame], where)
-        return subtract(velocity, tuple(tangent(position, self.time_rates())))
+        return subtract(velocity, tuple(tangent(self.way(anchor, point), self.time_rates())))
+
+    def way(self, start: Point, end: Point) -> Any:
+        """From point to point, in components of the inertial frame."""
+        total = zeros(self.build)
+        for parent, child in pairwise(point_path(start, end)):
+            total = add(total, self.vector(step_vector(parent, child), f"point {child.name}"))
+        return total
+
+    def held(self, slip: Sequence[Node]) -> bool:
+        """Whether a velocity is zero at least where the constraints of the model hold."""
+        if self.zero(slip):
+            return True
+        parts, build = self.parts, self.build
+        places = [self.node(one, "constraint") for one in parts.holonomic]
+        forms = [*tangent(places, self.time_rates())]
+        forms += [self.node(one, "constraint") for one in parts.motion]
+        speeds = [self.node(u, "") for u in parts.u]
+        speeds = [u for u in speeds if build.operations[u.number] == INPUT]
+        filter_ = Residues(build)
+
+        def rows(nodes: Sequence[Node]) -> list[list[int]]:
+            found = coefficients(nodes, speeds)
+            rests = remainder(build, nodes, speeds)
+            return [filter_.values([*f, r]) for f, r in zip(found, rests, strict=True)]
+
+        if not forms:
+            return False
+        table = rows(forms)
+        rank = len(filter_.eliminate([[*row] for row in table], len(speeds) + 1))
+        more = [*table, *rows(slip)]
+        return len(filter_.eliminate(more, len(speeds) + 1)) == rank
 
     def offset(self, anchor: Point, body: Any, slip: Any) -> Vector:
         """The integral of w, component by component."""
@@ -317,3 +376,18 @@ class _Placing:
             ):
                 return frame
         return root
+
+
+def _integral(slopes: Mapping[Expr, Expr]) -> Expr | None:
+    """The function of coordinates whose rate is sum a_q q'; None where there is none."""
+    plain = {q: Symbol(q.func.__name__, real=True) for q in slopes}
+    left = {plain[q]: slope.xreplace(plain) for q, slope in slopes.items()}
+    total = S.Zero
+    for q, slope in left.items():
+        rest = expand_mul(slope - total.diff(q))
+        if rest.count_ops() > LARGEST_INTEGRAND:
+            return None
+        total += integrate(rest, q) if rest.has(q) else rest * q
+    if total.has(Integral) or any(canonical(total.diff(q) - slope) for q, slope in left.items()):
+        return None
+    return total.xreplace({symbol: q for q, symbol in plain.items()})

@@ -8,21 +8,22 @@
 Candidates are unit forces at points of the scene along axes of its frames, and couples about these,
 between two bodies or a body and the ground. They are tried at one point of a field, on the
 constraints; that the chosen ones are ideal and complete is checked of every scene before it is
-derived. Where no candidate maintains a constraint, those that are dual to one speed are put
-together:
+derived. Where they are too few, candidates are put together, with powers r_i as formulas:
 
-    A_k = sum_i a_i e_i              w = sum_i a_i w_i,   w_i . V = u_i                         (3)
+    sum_i c_i r_i = 0, or A_k        w = sum_i c_i w_i                                          (3)
+
+So the force on a bead is along the normal of its curve, and that of a rope pulls at both ends.
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 
-from sympy import Expr, S
-from sympy.physics.vector import Point, ReferenceFrame, Vector
+from sympy import Dummy, Expr, Matrix, S, linsolve, sqrt, zeros
+from sympy.physics.vector import Point, ReferenceFrame, Vector, dynamicsymbols
 
 from mechanics.errors import SceneError
 from mechanics.kinematics import chain
@@ -35,7 +36,9 @@ from mechanics.routes.rows import coefficients, velocity_forms
 from mechanics.scene import Body, Output, Scene, orientation, position
 from mechanics.scene.bodies import RigidBody
 from mechanics.scene.geometry import frame_path, point_path
+from mechanics.scene.rates import rate, rate_table
 from mechanics.scene.reactions import Reaction
+from mechanics.symbolic import canonical
 
 AXES = "xyz"
 Row = list[int]
@@ -77,6 +80,16 @@ class Named:
     point: Point
     frame: ReferenceFrame
     axis: int
+
+
+@dataclass(frozen=True)
+class Found:
+    """Reactions: `alone` and `ideal` of joints, `maintaining` and `together` by constraint."""
+
+    alone: list[Candidate]
+    maintaining: list[Candidate | None]
+    ideal: list[list[tuple[Expr, Candidate]]]
+    together: dict[int, list[tuple[Expr, Candidate]]]
 
 
 class Finder:
@@ -140,8 +153,10 @@ class Finder:
             self.velocity[body.name] = self._partial(mechanism, point.velocity)
             self.centre[body.name] = self.filter.values(point.position)
             if mass.frame is not None:
-                omega = motions.frames[mass.frame].omega
-                self.turning[body.name] = self._partial(mechanism, omega)
+                turning = self._partial(mechanism, motions.frames[mass.frame].omega)
+                # Without a couple the equations of moments of what does not turn are left out.
+                if self.joints or any(map(any, turning)):
+                    self.turning[body.name] = turning
         forms = velocity_forms(mechanism)
         self.rows = [self.filter.values(row) for row in coefficients(forms, u)]
         bodies = body_motions(mechanism, motions)
@@ -251,8 +266,8 @@ class Finder:
                 for k in range(3):
                     yield Candidate(body.name, by, point, frame, k)
 
-    def find(self) -> tuple[list[Candidate], list[Candidate | None]]:
-        """Ideal reactions, and for each constraint the one that maintains it; None where none does.
+    def find(self) -> Found:
+        """The reactions.
 
         Raises
         ------
@@ -279,13 +294,62 @@ class Finder:
                         kept.append((one, row))
         maintaining = self._paired(kept)
         missing = [k for k, one in enumerate(maintaining) if one is None]
-        if len(chosen) + len(missing) < wanted:
-            raise SceneError(
-                f"{self.scene.name}: reactions for {wanted - len(chosen) - len(missing)} of the"
-                f" {wanted} directions that coordinates and constraints hold were not found: no"
-                " force along an axis, at a point of the model, does no work"
-            )
-        return [one for one in chosen if one not in maintaining], maintaining
+        left = wanted - len(chosen) - len(missing)
+        found = Found([one for one in chosen if one not in maintaining], maintaining, [], {})
+        if missing or left:
+            # What the chosen ones do not span, and does work.
+            others = [one for one, wrench in candidates if basis.add(wrench)]
+            powers = [self.power_of(one) for one in others]
+            for k in missing:
+                found.together[k] = self.solution(others, powers, k)
+            for combination in Matrix(powers).T.nullspace()[:left] if powers else ():
+                found.ideal.append(_weighted(combination, others))
+            if len(found.ideal) < left:
+                raise SceneError(
+                    f"{self.scene.name}: reactions for {left - len(found.ideal)} of the {wanted}"
+                    " directions that coordinates and constraints hold were not found"
+                )
+        return found
+
+    def power_of(self, one: Candidate) -> list[Expr]:
+        """r as formulas, in plain symbols."""
+        along, total = self.scene.vector(one.along), [S.Zero] * self.size
+        for body, sign in ((one.on, 1), (one.by, -1)):
+            if body is None:
+                continue
+            own, table = self.scene.body(body), rate_table(self.scene)
+            centre = self.scene.position(own.centre)
+            moved = zeros(3, 1)
+            if one.point is not None:
+                moved = centre.applyfunc(lambda entry: rate(entry, table))
+            if body in self.turning and isinstance(own, RigidBody):
+                turn = self.scene.rotation(own.frame)
+                skew = turn.applyfunc(lambda entry: rate(entry, table)) * turn.T
+                omega = Matrix([skew[2, 1], skew[0, 2], skew[1, 0]])
+                arm = None if one.point is None else self.scene.position(one.point) - centre
+                moved = omega if arm is None else moved + omega.cross(arm)
+            power = sign * moved.dot(along)
+            total = [t + power.diff(u) for t, u in zip(total, self.scene.u, strict=True)]
+        return [canonical(entry) for entry in total]
+
+    def solution(
+        self, others: Sequence[Candidate], powers: Sequence[Sequence[Expr]], k: int
+    ) -> list[tuple[Expr, Candidate]]:
+        """Candidates whose powers add up to the rate of a constraint."""
+        constraint = self.scene.constraints[k]
+        form = constraint.expression
+        if constraint.holonomic:
+            form = form.diff(dynamicsymbols._t)
+        plain = self.scene.plain(form, f"constraint {constraint.name}")
+        wanted = Matrix([plain.diff(u) for u in self.scene.u])
+        weights = [Dummy() for _ in others]
+        rows = list(Matrix(powers).T * Matrix(weights) - wanted) if powers else [S.One]
+        for solved in linsolve(rows, *weights):
+            return _weighted(solved.xreplace(dict.fromkeys(weights, S.Zero)), others)
+        raise SceneError(
+            f"constraint {constraint.name}: the force that maintains it was not found: no forces at"
+            " points of the model have its power"
+        )
 
     def _paired(self, kept: Sequence[tuple[Candidate, Row]]) -> list[Candidate | None]:
         """For each constraint a reaction whose power is its rate, or holds it."""
@@ -356,60 +420,57 @@ class _Basis:
         return True
 
 
-def declared(
-    finder: Finder, slopes: Sequence[Mapping[int, Expr]]
-) -> tuple[tuple[Reaction, ...], tuple[str, ...]]:
+def declared(finder: Finder) -> tuple[tuple[Reaction, ...], tuple[str, ...]]:
     """The reactions of a scene, and the name of the one that maintains each constraint.
 
     Parameters
     ----------
     finder : Finder
-    slopes : sequence of mappings of int to Expr
-        The rate of each constraint in the speeds, for equation (3).
 
     Raises
     ------
     SceneError
         When they cannot be found.
     """
-    ideal, maintaining = finder.find()
-    scene = finder.scene
+    found, scene = finder.find(), finder.scene
     taken = {constraint.name for constraint in scene.constraints}
     taken |= {s.name for s in (*scene.q, *scene.u, *scene.qd, *scene.parameters)}
     taken |= {symbol.name for symbol in scene.input_symbols}
-    found, names = [], []
-    for joint in ideal:
-        name = _free(joint.name or _name(joint), taken)
-        found.append(Reaction(name, joint.on, joint.by, joint.along, joint.point))
-    for k, one in enumerate(maintaining):
+    reactions, names = [], []
+    for one in found.alone:
+        name = _free(one.name or _name(one), taken)
+        reactions.append(Reaction(name, one.on, one.by, one.along, one.point))
+    for parts in found.ideal:
+        name = _free(f"{parts[0][1].on}_normal", taken)
+        reactions.append(_together(scene, name, parts))
+    for k, own in enumerate(found.maintaining):
         constraint = scene.constraints[k].name
-        name = _free(one.name if one and one.name else f"{constraint}_force", taken)
-        names.append(name)
-        if one is not None:
-            found.append(Reaction(name, one.on, one.by, one.along, one.point))
-            continue
-        found.append(_together(finder, name, constraint, slopes[k]))
-    return tuple(found), tuple(names)
+        names.append(_free(own.name if own and own.name else f"{constraint}_force", taken))
+        parts = found.together[k] if own is None else [(S.One, own)]
+        reactions.append(_together(scene, names[-1], parts))
+    return tuple(reactions), tuple(names)
 
 
-def _together(finder: Finder, name: str, constraint: str, slopes: Mapping[int, Expr]) -> Reaction:
-    """Equation (3)."""
-    parts = []
-    for k, slope in slopes.items():
-        dual = finder.dual(k)
-        if dual is None:
-            raise SceneError(
-                f"constraint {constraint}: the force that maintains it was not found: no force at"
-                f" a point of the model does work on {finder.scene.u[k]} alone"
-            )
-        one, sign = dual
-        parts.append((sign * slope, one))
+def _weighted(
+    weights: Iterable[Expr], candidates: Sequence[Candidate]
+) -> list[tuple[Expr, Candidate]]:
+    pairs = zip(map(canonical, weights), candidates, strict=True)
+    return [(weight, one) for weight, one in pairs if weight != 0]
+
+
+def _together(scene: Scene, name: str, parts: Sequence[tuple[Expr, Candidate]]) -> Reaction:
+    """Equation (3) as one reaction: what acts at one place is one vector."""
+    back = dict(zip(scene.q, scene.coordinates, strict=True))
+    places: dict[tuple[str, str | None, Point | None], Vector] = {}
+    for weight, one in parts:
+        key = (one.on, one.by, one.point)
+        places[key] = places.get(key, Vector(0)) + weight.xreplace(back) * one.along
+    actions = [Reaction(name, on, by, along, at) for (on, by, at), along in places.items()]
     # One with a constant lever comes first, and counts the force.
-    parts.sort(key=lambda part: len(part[0].free_symbols))
-    unit = parts[0][0] if parts[0][0].is_number else S.One
-    actions = [
-        Reaction(name, one.on, one.by, slope / unit * one.along, one.point) for slope, one in parts
-    ]
+    actions.sort(key=lambda action: len(scene.vector(action.along).free_symbols))
+    first = scene.vector(actions[0].along)
+    length = sqrt(canonical(first.dot(first))).xreplace(back)
+    actions = [replace(action, along=action.along / length) for action in actions]
     return replace(actions[0], parts=tuple(actions[1:]))
 
 

@@ -12,14 +12,13 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
-import sympy.physics.mechanics as me
 from sympy import Derivative, Expr, Matrix, S, Symbol
-from sympy.physics.vector import dynamicsymbols
+from sympy.physics.vector import Dyadic, ReferenceFrame, Vector, dynamicsymbols
 
 from mechanics.errors import SceneError
 from mechanics.importers.sympy_copy import Copy
 from mechanics.importers.sympy_loads import bring
-from mechanics.importers.sympy_model import Parts, read_model
+from mechanics.importers.sympy_model import Parts, is_rigid, read_model
 from mechanics.importers.sympy_motion import functions_of, place
 from mechanics.importers.sympy_reactions import Finder, Joined, declared
 from mechanics.mechanism import lower
@@ -40,6 +39,7 @@ from mechanics.scene import (
 )
 from mechanics.scene.geometry import Movers
 from mechanics.scene.symbols import plain_table, to_plain
+from mechanics.symbolic import canonical
 
 
 def from_sympy(model: Any, *, name: str = "", bodies: Sequence[Any] = ()) -> Scene:
@@ -91,8 +91,7 @@ class _Made:
         self.moved = place(parts)
         self.resting = dict.fromkeys(parts.auxiliary, S.Zero)
         self.copy = Copy(parts.frame, self.moved, _massive(parts))
-        for body in parts.bodies:
-            self.copy.point(body.masscenter)
+        self.copy.all_points()
         self.bodies = self._bodies()
         self.rates = {
             self.copy.scalar(q): self.copy.scalar(rate.xreplace(self.resting))
@@ -123,7 +122,7 @@ class _Made:
         loads, named = bring(parts, self.copy, held)
         held = replace(held, loads=loads)
         finder = Finder(held, self._joints(), named)
-        reactions, maintaining = declared(finder, [self._slopes(held, c) for c in constraints])
+        reactions, maintaining = declared(finder)
         return replace(
             held,
             reactions=reactions,
@@ -141,16 +140,30 @@ class _Made:
             centre = self.copy.points[body.masscenter]
             mass = self.copy.scalar(body.mass)
             functions = movers.point(centre)
-            if hasattr(body, "frame"):
+            if is_rigid(body):
                 functions |= movers.frame(self.copy.turned(body.frame))
             if not functions:
                 continue
-            if isinstance(body, me.Particle):
-                found.append(Particle(body.name, centre, mass))
+            name = body.name or f"body{len(found) + 1}"
+            if not is_rigid(body):
+                rod = self._rod(body)
+                found.append(
+                    Particle(name, centre, mass)
+                    if rod is None
+                    else RigidBody(name, centre, self.copy.turned(rod), mass, Dyadic(0))
+                )
             else:
                 frame = self.copy.turned(body.frame)
-                found.append(RigidBody(body.name, centre, frame, mass, self.copy.inertia(body)))
+                found.append(RigidBody(name, centre, frame, mass, self.copy.inertia(body)))
         return tuple(found)
+
+    def _rod(self, body: Any) -> ReferenceFrame | None:
+        """The frame of a massless rod that carries a particle, where a couple acts on that rod."""
+        given = {other.frame for other in self.parts.bodies if is_rigid(other)}
+        steps = body.masscenter._pos_dict.values()
+        near = [frame for vector in steps for _, frame in vector.args if len(vector.args) == 1]
+        acting = [load.where for load in self.parts.loads]
+        return next((f for f in near if f in acting and f not in given), None)
 
     def _inputs(self, new: Sequence[Expr]) -> tuple[Expr, ...]:
         """Functions of time that are neither coordinates nor speeds."""
@@ -162,10 +175,9 @@ class _Made:
                 found |= functions_of([column for column, _ in vector.args])
         found |= functions_of([*parts.holonomic, *parts.motion, *self.rates.values()])
         for load in parts.loads:
-            velocity = getattr(load.where, "_vel_dict", {}).get(parts.frame)
-            if velocity is None or functions_of([c for c, _ in velocity.args]).isdisjoint(
-                parts.auxiliary
-            ):
+            velocity = getattr(load.where, "_vel_dict", {}).get(parts.frame, Vector(0))
+            # What an auxiliary speed brings into evidence is an unknown.
+            if functions_of([c for c, _ in velocity.args]).isdisjoint(parts.auxiliary):
                 found |= functions_of([column for column, _ in load.vector.args])
         return tuple(sorted(found - known, key=str))
 
@@ -234,16 +246,6 @@ class _Made:
     def _expression(self, expression: Expr) -> Expr:
         return self.copy.scalar(expression.xreplace(self.resting))
 
-    def _slopes(self, scene: Scene, constraint: Constraint) -> dict[int, Expr]:
-        """Of a constraint's rate in the speeds."""
-        form = constraint.expression
-        if constraint.holonomic:
-            form = form.diff(dynamicsymbols._t)
-        plain = scene.plain(form, f"constraint {constraint.name}")
-        back = {scene.q[k]: q for k, q in enumerate(scene.coordinates)}
-        slopes = {k: plain.diff(u).xreplace(back) for k, u in enumerate(scene.u)}
-        return {k: slope for k, slope in slopes.items() if slope != 0}
-
     # ------------------------------------------------------------------ joints
 
     def _joints(self) -> tuple[Joined, ...]:
@@ -265,8 +267,14 @@ def _solve(square: Matrix, right: Matrix) -> list[Expr]:
     """By Cramer's rule, which divides by nothing but the determinant."""
     if square.is_diagonal():
         return [r / square[k, k] for k, r in enumerate(right)]
-    scale = square.det(method="berkowitz")
-    return [entry / scale for entry in square.adjugate() * right]
+    known = functions_of([square, right])
+    # SymPy does not see that sin^2 + cos^2 - 1 is zero; the table has rates first.
+    table = dict(reversed(plain_table(sorted(known, key=str)).items()))
+    back = {symbol: entry for entry, symbol in table.items()}
+    square, right = (part.xreplace(table) for part in (square, right))
+    scale = canonical(square.det(method="berkowitz"))
+    solved = [canonical(entry / scale) for entry in square.adjugate() * right]
+    return [entry.xreplace(back) for entry in solved]
 
 
 def _independent(matrix: Matrix, parts: Parts) -> list[int]:
@@ -287,6 +295,6 @@ def _massive(parts: Parts) -> set[Expr]:
     """Masses and principal moments of inertia that are symbols of their own."""
     found = {body.mass for body in parts.bodies}
     for body in parts.bodies:
-        if hasattr(body, "frame"):
+        if is_rigid(body):
             found |= {size for size, one, two in body.central_inertia.args if one == two}
     return {entry for entry in found if isinstance(entry, Symbol)}
