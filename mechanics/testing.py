@@ -13,6 +13,7 @@ from typing import Any
 
 from mechanics.equations import Equations
 from mechanics.errors import InputError, MechanicsError, wanted
+from mechanics.importers import as_scene
 from mechanics.judge.check import check
 from mechanics.kernel import Verdict
 from mechanics.report.answer.check import Check
@@ -28,7 +29,7 @@ ORDER = (Verdict.REFUTED, Verdict.UNDECIDED, Verdict.SUPPORTED)
 
 def assert_equivalent(
     equations: Any,
-    scene: Scene | System | Equations,
+    scene: Any,
     *,
     allow_supported: bool = False,
     **options: Any,
@@ -39,7 +40,7 @@ def assert_equivalent(
     ----------
     equations : str, Path, SymPy object, function, BlackBox, or a sequence of them
         As for `mechanics.check`.
-    scene : Scene, System or Equations
+    scene : Scene, System or Equations, or a model of SymPy's
     allow_supported : bool
         Whether SUPPORTED is enough, which is the most that a `BlackBox` can reach: numbers only.
     **options
@@ -65,6 +66,7 @@ def assert_equivalent(
     __tracebackhide__ = True
     kinds = (Scene, System, Equations)
     try:
+        scene = as_scene(scene)
         wanted(scene, kinds, "assert_equivalent", "pass the equations, then a scene")
         found = _worst_first(check(scene, equations, **options))
     except MechanicsError as error:

@@ -12,12 +12,15 @@ from collections.abc import Callable
 from functools import partial
 from pathlib import Path
 from types import ModuleType
+from typing import Any
 
 import typer
 
 from mechanics.errors import InputError, MechanicsError
+from mechanics.importers import as_scene
 from mechanics.importers.assemble import assemble
 from mechanics.importers.decimals import Notes
+from mechanics.importers.sympy_model import is_model
 from mechanics.importers.urdf import read_urdf
 from mechanics.scene import Scene
 from mechanics.scene.published import Published
@@ -35,7 +38,8 @@ def load(text: str) -> System:
     ----------
     text : str
         A name, a name with a size (``pendulum_chain(10)`` or ``pendulum_chain:10``), or the path
-        of a Python file with a function ``scene()`` and, perhaps, a tuple ``PUBLISHED``;
+        of a Python file with a function ``scene()``, which returns a scene or a model of SymPy's,
+        and, perhaps, a tuple ``PUBLISHED``;
         ``file.py:name`` for a function of another name. Or a robot, ``arm.urdf``, or with what
         holds its first link ``dog.urdf:free``; what its reader notes is printed.
 
@@ -92,7 +96,8 @@ def _from_file(path: Path, name: str) -> System:
     rows = getattr(module, "PUBLISHED", ())
     if not isinstance(rows, tuple | list) or not all(isinstance(row, Published) for row in rows):
         raise InputError(f"file {path}: PUBLISHED has to be a tuple of published(...) rows")
-    return System(path.stem, partial(_checked, scene, name, path), tuple(rows))
+    made = partial(_made, scene, name, path)
+    return System(path.stem, partial(_taken, made, path.stem), tuple(rows), model=made)
 
 
 def _from_model(path: Path, root: str) -> System:
@@ -130,18 +135,25 @@ def run_file(path: Path) -> ModuleType:
     return module
 
 
-def _checked(scene: object, name: str, path: Path) -> Scene:
+def _made(scene: object, name: str, path: Path) -> Any:
+    """A scene, or a model that is taken as one."""
     try:
         made = scene()  # type: ignore[operator]
     except MechanicsError:
         raise
     except (Exception, SystemExit) as error:
         raise InputError(_located(path, error)) from None
-    if not isinstance(made, Scene):
+    if not isinstance(made, Scene) and not is_model(made):
         raise InputError(
-            f"file {path}: {name}() returned a {type(made).__name__}; it has to return a Scene"
+            f"file {path}: {name}() returned a {type(made).__name__}; it has to return a Scene, or"
+            " a System, KanesMethod or LagrangesMethod of SymPy's"
         )
     return made
+
+
+def _taken(made: Callable[[], Any], name: str) -> Scene:
+    scene: Scene = as_scene(made(), name)
+    return scene
 
 
 def _located(path: Path, error: BaseException) -> str:

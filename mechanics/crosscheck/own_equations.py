@@ -14,20 +14,30 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 import sympy.physics.mechanics as me
-from sympy import Derivative, Expr, Matrix, Symbol, zeros
+from sympy import Derivative, Expr, Matrix, S, Symbol, nan, zeros, zoo
 from sympy.physics.vector import dynamicsymbols
 
 from mechanics.checks.admissible import check_scene
+from mechanics.checks.energy import kinetic
+from mechanics.checks.statements import equal
 from mechanics.crosscheck.programs import Programs, derive_rows, same_motion
 from mechanics.equations import Equations, Matrices
 from mechanics.errors import MechanicsError
-from mechanics.importers.sympy_model import form_equations, written
-from mechanics.kernel import Finding, Verdict
+from mechanics.importers.sympy_loads import ENERGY
+from mechanics.importers.sympy_model import form_equations, is_rigid, written
+from mechanics.kernel import Finding, Verdict, undecided
+from mechanics.program.builder import Node
+from mechanics.program.forward import tangent
+from mechanics.program.sympy_reader import read
 from mechanics.scene import Force, Gravity, Scene, Torque
 from mechanics.scene.declared import decimals
 from mechanics.scene.symbols import plain_symbol, plain_table, to_plain
 
 ROUTE = "kane"
+NOT_FINITE = (
+    "they hold nan: a pivot of SymPy's LU decomposition is zero, or constraints are redundant; form"
+    " them with constraint_solver='CRAMER'"
+)
 
 
 def own_equations(scene: Scene, model: Any) -> Equations:
@@ -46,8 +56,7 @@ def own_equations(scene: Scene, model: Any) -> Equations:
     else:
         matrices, names = _kane(method), ()
     speeds = _speeds(method)
-    auxiliary = getattr(method, "_uaux", ())
-    resting = {part: 0 for u in auxiliary for part in (u.diff(dynamicsymbols._t), u)}
+    resting = _resting(method)
     plain = [_plain(scene, written(part.xreplace(resting)), table) for part in matrices]
     columns = [plain_name(speed) for speed in speeds]
     mass, forcing, reactions, held, bias = plain
@@ -80,6 +89,12 @@ def _speeds(method: Any) -> list[Expr]:
     if isinstance(method, me.LagrangesMethod):
         return [q.diff(dynamicsymbols._t) for q in method.q]
     return list(method.u)
+
+
+def _resting(method: Any) -> dict[Expr, Expr]:
+    """Auxiliary speeds and their rates are zero."""
+    speeds = getattr(method, "_uaux", ())
+    return {part: S.Zero for u in speeds for part in (u.diff(dynamicsymbols._t), u)}
 
 
 def _kane(method: Any) -> tuple[Matrix, ...]:
@@ -136,10 +151,65 @@ def compare_own(scene: Scene, model: Any, programs: Programs | None = None) -> l
     own = own_equations(scene, model)
     programs = programs or derive_rows(check_scene(scene), [ROUTE])
     subject = f"SymPy's {kind} = its bodies, loads and constraints: accelerations"
+    if any(part.has(nan, zoo) for part in own.system):
+        # A finding, and not an error: the scene that was made from the model may be right.
+        return [undecided(subject, NOT_FINITE)]
     found = same_motion(subject, programs, next(iter(programs.routes)), own)
     if found.verdict is not Verdict.REFUTED:
         return [found]
-    return [found, *_causes(scene, own, kind)]
+    method = form_equations(model)
+    if isinstance(method, me.LagrangesMethod):
+        causes = list(_put_in(scene, method, programs))
+    else:
+        causes = list(_accelerations(scene, method, programs))
+    return [found, *(causes or _causes(scene, own, kind))]
+
+
+def _put_in(scene: Scene, method: Any, programs: Programs) -> Iterator[Finding]:
+    """Whether L = T - V only where motion constraints hold: they were put into it."""
+    mechanism = programs.mechanism
+    if all(c.holonomic for c in scene.constraints):
+        return
+    (energy,) = _plain(scene, Matrix([written(method._L[0])]), _table(scene, method))
+    still = energy.xreplace(dict.fromkeys(scene.u, S.Zero))
+    left, rest = read(mechanism.builder, (energy, still))
+    found = equal(
+        "the cause: the Lagrangian is that of the bodies where the motion constraints hold, which"
+        " are put into it: add multipliers for them instead",
+        mechanism,
+        [left],
+        [kinetic(mechanism) + rest],
+    )
+    if found.shown:
+        yield found
+
+
+def _accelerations(scene: Scene, method: Any, programs: Programs) -> Iterator[Finding]:
+    """Accelerations that are set and are not the derivatives of the velocities that are."""
+    root, mechanism, table = method._inertial, programs.mechanism, _table(scene, method)
+    resting = _resting(method)
+
+    def nodes(vector: Any) -> tuple[Node, ...]:
+        column = _plain(scene, vector.to_matrix(root).xreplace(resting), table)
+        return read(mechanism.builder, list(column))
+
+    for body in method.bodies:
+        point, frame = body.masscenter, body.frame if is_rigid(body) else None
+        pairs = [(point.name, point._acc_dict.get(root), point._vel_dict.get(root), "")]
+        if frame is not None:
+            given = frame._ang_acc_dict.get(root), frame._ang_vel_dict.get(root)
+            pairs.append((frame.name, *given, "angular "))
+        for name, acceleration, velocity, kind in pairs:
+            if acceleration is None or velocity is None:
+                continue
+            rates = tangent(nodes(velocity), mechanism.rates)
+            subject = (
+                f"the cause: the {kind}acceleration of {name} that is set is the derivative of its"
+                f" {kind}velocity"
+            )
+            found = equal(subject, mechanism, nodes(acceleration), rates)
+            if found.verdict is Verdict.REFUTED:
+                yield found
 
 
 @dataclass(frozen=True)
@@ -191,7 +261,7 @@ def _changes(scene: Scene) -> Iterator[Change]:
 
 
 def _energy(load: Any) -> bool:
-    return load.name.startswith("potential_")
+    return bool(load.name.startswith(ENERGY))
 
 
 def _twice(load: Any) -> Any:

@@ -1,10 +1,12 @@
 """The four routes, by name, and how a scene is derived by one of them."""
 
 from collections.abc import Sequence
+from typing import Any
 
 from mechanics.checks.admissible import check_scene
 from mechanics.equations import Equations, written_out
 from mechanics.errors import InputError, wanted
+from mechanics.importers import as_scene
 from mechanics.routes.derivation import ROUTES, Route
 from mechanics.scene import Scene
 
@@ -24,14 +26,14 @@ def named_routes(names: Sequence[str]) -> tuple[Route, ...]:
     return tuple(route for route in ROUTES if not names or route.name in names)
 
 
-def derive(scene: Scene, route: str | Route = "free_body") -> Equations:
+def derive(scene: Any, route: str | Route = "free_body") -> Equations:
     """Equations of motion of a scene by one route, after the scene was found admissible.
 
     Those of a scene that is too large for a person to read are a program alone, without matrices.
 
     Parameters
     ----------
-    scene : Scene
+    scene : Scene, or a System, KanesMethod or LagrangesMethod of SymPy's
     route : str or Route
         ``"free_body"``, ``"moving_point"``, ``"kane"`` or ``"lagrange"``, or one of `ROUTES`.
 
@@ -42,13 +44,14 @@ def derive(scene: Scene, route: str | Route = "free_body") -> Equations:
     InputError
         For a name that is no route.
     """
+    scene = as_scene(scene)
     wanted(scene, Scene, "derive", "pass what scene() of a system gives")
     chosen = route if isinstance(route, Route) else named_routes((route,))[0]
     mechanism = check_scene(scene)
     return chosen.equations(scene, mechanism, chosen.rows(mechanism))
 
 
-def derive_textbook(scene: Scene, route: str = "free_body") -> Equations:
+def derive_textbook(scene: Any, route: str = "free_body") -> Equations:
     """The same for whoever needs M and f written out.
 
     Raises

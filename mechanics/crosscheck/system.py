@@ -7,6 +7,7 @@ scene --> routes --> pairs, laws, ledger --> compiled graphs --> residuals --> s
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
+from typing import Any
 
 from sympy import Symbol
 
@@ -30,6 +31,7 @@ from mechanics.compiled.finite import not_finite
 from mechanics.crosscheck.by_sympy import by_sympy, matrix_operations
 from mechanics.crosscheck.measured import NOT_CLOSED, ON_MANIFOLD, holds_others, measured
 from mechanics.crosscheck.motion import example_motion
+from mechanics.crosscheck.own_equations import compare_own
 from mechanics.crosscheck.programs import (
     Programs,
     check_laws,
@@ -41,6 +43,7 @@ from mechanics.crosscheck.routes import named_routes
 from mechanics.crosscheck.small_motions import small_motions
 from mechanics.equations import Equations
 from mechanics.errors import wanted
+from mechanics.importers import as_scene
 from mechanics.kernel import Finding, Verdict
 from mechanics.linear.ledger import check_linear_row, linear_equations
 from mechanics.report.result import LedgerResult, RouteResult, SystemResult
@@ -82,12 +85,13 @@ class CrossCheck:
     progress: Callable[[str], None] = silent
 
 
-def crosscheck(system: System | Scene, options: CrossCheck | None = None) -> SystemResult:
+def crosscheck(system: Any, options: CrossCheck | None = None) -> SystemResult:
     """Derive a system by every route and check everything that can be checked.
 
     Parameters
     ----------
-    system : System or Scene
+    system : System or Scene, or a System, KanesMethod or LagrangesMethod of SymPy's
+        SymPy's own equations of its model are compared with those of the scene, too.
     options : CrossCheck, optional
 
     Returns
@@ -101,13 +105,14 @@ def crosscheck(system: System | Scene, options: CrossCheck | None = None) -> Sys
     SingularError
         When a route does not determine the accelerations.
     """
-    wanted(system, (System, Scene), "crosscheck", "pass a scene, or one of systems.ALL")
     options = options or CrossCheck()
-    if isinstance(system, Scene):
-        scene = system
-        system = System(scene.name, lambda: scene)
+    if isinstance(system, System):
+        made = (system.model or system.scene)()
+        scene = as_scene(made, system.name)
     else:
-        scene = system.scene()
+        made, scene = system, as_scene(system)
+        wanted(scene, (System, Scene), "crosscheck", "pass a scene, or one of systems.ALL")
+        system = System(scene.name, lambda: scene)
 
     def stage(words: str) -> None:
         options.progress(f"{system.name}: {words}")
@@ -117,13 +122,17 @@ def crosscheck(system: System | Scene, options: CrossCheck | None = None) -> Sys
     names = [route.name for route in named_routes(options.routes)]
     programs = derive_rows(mechanism, names, stage)
     derived, seconds = _equations(scene, programs, stage)
+    own: list[Finding] = []
+    if made is not scene:
+        stage("SymPy's own equations")
+        own = compare_own(scene, made, programs)
     if any(equations.textbook is None for equations in derived.values()):
-        return _without_textbook(system, derived, programs, stage)
+        return _without_textbook(system, derived, programs, own, stage)
     stage("comparing routes")
     pairs = compare_pairs(programs.routes)
     sympy = by_sympy(scene, programs, pairs, stage)
     pairs |= sympy.pairs
-    findings = [*pairs.values(), *check_textbook(programs, derived), *check_laws(programs)]
+    findings = [*own, *pairs.values(), *check_textbook(programs, derived), *check_laws(programs)]
     stage("the scene as declared")
     witnesses = tuple(_witnesses(scene, derived))
     stage("published equations")
@@ -191,6 +200,7 @@ def _without_textbook(
     system: System,
     derived: Mapping[str, Equations],
     programs: Programs,
+    own: Sequence[Finding],
     stage: Callable[[str], None],
 ) -> SystemResult:
     """Of a scene that is too large to be written out by SymPy: the routes are programs alone."""
@@ -200,7 +210,7 @@ def _without_textbook(
     pairs = compare_pairs(programs.routes)
     sympy = by_sympy(scene, programs, pairs, stage)
     pairs |= sympy.pairs
-    findings = [*pairs.values(), *check_laws(programs)]
+    findings = [*own, *pairs.values(), *check_laws(programs)]
     remarks = ["The equations are too long to be written out, and stay programs."]
     remarks += _units_missing(scene)
     stage("compiling")

@@ -18,3 +18,19 @@ def __getattr__(name: str) -> Any:
     if name not in _MODULES:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
     return getattr(import_module(f"{__name__}.{_MODULES[name]}"), name)
+
+
+def as_scene(thing: Any, name: str = "") -> Any:
+    """The scene of a model of SymPy's; anything else as it is.
+
+    Parameters
+    ----------
+    thing : Any
+    name : str, optional
+        Of the scene.
+    """
+    import sympy.physics.mechanics as me
+
+    if isinstance(thing, (me.System, me.KanesMethod, me.LagrangesMethod)):
+        return import_module(f"{__name__}.sympy_scene").from_sympy(thing, name=name)
+    return thing

@@ -18,12 +18,14 @@ from mechanics.importers.sympy_copy import Copy
 from mechanics.importers.sympy_model import Acting, Parts, is_rigid
 from mechanics.importers.sympy_motion import functions_of
 from mechanics.importers.sympy_reactions import Finder, Named
-from mechanics.scene import Force, Load, RigidBody, Scene, Torque, gravity
+from mechanics.scene import Force, Gravity, Load, RigidBody, Scene, Torque
 from mechanics.scene.attachment import moved_by, turning
 from mechanics.scene.geometry import components
-from mechanics.symbolic import canonical
+from mechanics.symbolic import tidy
 
 AXES = "xyz"
+ENERGY = "potential_"
+"""Begins the names of loads that are gradients of potential energies."""
 
 
 def bring(parts: Parts, copy: Copy, scene: Scene) -> tuple[tuple[Load, ...], tuple[Named, ...]]:
@@ -131,7 +133,12 @@ class _Loads:
         if centred:
             return centred[0]
         for body in self.scene.bodies:
-            if isinstance(body, RigidBody) and not moved_by(self.scene, body.name, point):
+            if isinstance(body, RigidBody):
+                carried = not moved_by(self.scene, body.name, point)
+            else:
+                gap = self.scene.position(point) - self.scene.position(body.centre)
+                carried = not any(map(tidy, gap))
+            if carried:
                 return body.name
         return None
 
@@ -145,7 +152,7 @@ class _Loads:
         if parts.energy is not None:
             rates = {q.diff(dynamicsymbols._t): S.Zero for q in parts.q}
             energy = -self.plain(parts.energy.xreplace(rates))
-            if any(canonical((energy - total).diff(q)) != 0 for q in self.scene.q):
+            if any(tidy((energy - total).diff(q)) != 0 for q in self.scene.q):
                 given, total = {}, energy
                 own = self.exerted("", energy)
         for name, energy in given.items():
@@ -165,7 +172,7 @@ class _Loads:
             return False
         place, force = self.scene.position(load.at), self.scene.vector(load.vector)
         own = [place.diff(q).dot(force) for q in self.scene.q]
-        return all(canonical(a - b) == 0 for a, b in zip(wanted, own, strict=True))
+        return all(tidy(a - b) == 0 for a, b in zip(wanted, own, strict=True))
 
     def exerted(self, name: str, energy: Expr) -> list[Load]:
         """The forces of a potential energy: gravity, or others that have its power."""
@@ -179,12 +186,12 @@ class _Loads:
                 (b.mass * self.scene.position(b.centre).diff(one).dot(column) for b in bodies),
                 S.Zero,
             )
-            rows.append(canonical(energy.diff(one) + pulled))
+            rows.append(tidy(energy.diff(one) + pulled))
         if pull := _uniform(rows, field, q):
             vector = sum(
                 (p * e for p, e in zip(pull, _axes(self.scene.frame), strict=True)), Vector(0)
             )
-            return [Force(f"potential_{b.name}", b.centre, b.mass * vector, b.name) for b in bodies]
+            return [Force(f"{ENERGY}{b.name}", b.centre, b.mass * vector, b.name) for b in bodies]
         return self.dual(name, energy)
 
     def dual(self, name: str, energy: Expr) -> list[Load]:
@@ -208,7 +215,7 @@ class _Loads:
                 )
             one, sign = own
             vector = (-sign * slope).xreplace(back) * one.along
-            title = f"potential_{name or 'L'}_{q}"
+            title = f"{ENERGY}{name or 'L'}_{q}"
             if one.point is None:
                 found.append(Torque(title, vector, one.on, one.by))
             else:
@@ -225,7 +232,7 @@ class _Loads:
             if body is None or body.name in pulls or body.mass == 0:
                 continue
             if isinstance(load, Force) and load.at == body.centre and load.by is None:
-                field = (self.scene.vector(load.vector) / body.mass).applyfunc(canonical)
+                field = (self.scene.vector(load.vector) / body.mass).applyfunc(tidy)
                 if not field.free_symbols & {*self.scene.q, *self.scene.u, *body.mass.free_symbols,
                                              *self.scene.input_symbols}:  # fmt: skip
                     pulls[body.name] = k, field
@@ -236,7 +243,9 @@ class _Loads:
         gone = {k for k, _ in pulls.values()}
         axes = zip(fields[0], _axes(self.scene.frame), strict=True)
         vector = sum((size * axis for size, axis in axes if size != 0), Vector(0))
-        return [gravity(vector), *(load for k, load in enumerate(loads) if k not in gone)]
+        energies = all(loads[k].name.startswith(ENERGY) for k in gone)
+        pull = Gravity(vector, f"{ENERGY}gravity" if energies else "gravity")
+        return [pull, *(load for k, load in enumerate(loads) if k not in gone)]
 
 
 def _uniform(rows: Sequence[Expr], field: Sequence[Symbol], q: Sequence[Symbol]) -> list[Expr]:
@@ -245,8 +254,8 @@ def _uniform(rows: Sequence[Expr], field: Sequence[Symbol], q: Sequence[Symbol])
     equations = [row.subs(point) for row in rows for point in points]
     for solution in linsolve([e for e in equations if e != 0] or [S.Zero], *field):
         values = [value.subs(dict.fromkeys(field, S.Zero)) for value in solution]
-        put = dict(zip(field, map(canonical, values), strict=True))
-        if not any(canonical(row.xreplace(put)) for row in rows):
+        put = dict(zip(field, map(tidy, values), strict=True))
+        if not any(tidy(row.xreplace(put)) for row in rows):
             return list(put.values())
     return []
 

@@ -36,7 +36,7 @@ from mechanics.scene.geometry import (
     step_vector,
 )
 from mechanics.scene.symbols import plain_table, to_plain
-from mechanics.symbolic import canonical
+from mechanics.symbolic import tidy
 
 AXES = "xyz"
 LARGEST_INTEGRAND = 60
@@ -297,7 +297,7 @@ class _Placing:
         first, slip = min(slips, key=lambda pair: len(point_path(anchor, pair[0].masscenter)))
         for body, other in slips:
             if anchor is origin or not self.zero(subtract(slip, other)):
-                wrong = first if self.zero(slip) else body
+                wrong = first if self.zero(other) else body
                 raise SceneError(
                     f"body {wrong.name}: the velocity of {wrong.masscenter.name} that is set"
                     f" contradicts its position: correct {wrong.masscenter.name}.set_vel, or leave"
@@ -388,6 +388,6 @@ def _integral(slopes: Mapping[Expr, Expr]) -> Expr | None:
         if rest.count_ops() > LARGEST_INTEGRAND:
             return None
         total += integrate(rest, q) if rest.has(q) else rest * q
-    if total.has(Integral) or any(canonical(total.diff(q) - slope) for q, slope in left.items()):
+    if total.has(Integral) or any(tidy(total.diff(q) - slope) for q, slope in left.items()):
         return None
     return total.xreplace({symbol: q for q, symbol in plain.items()})

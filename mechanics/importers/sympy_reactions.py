@@ -20,7 +20,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
-from functools import cached_property
+from functools import cached_property, partial
 
 from sympy import Dummy, Expr, Matrix, S, linsolve, sqrt, zeros
 from sympy.physics.vector import Point, ReferenceFrame, Vector, dynamicsymbols
@@ -38,7 +38,7 @@ from mechanics.scene.bodies import RigidBody
 from mechanics.scene.geometry import frame_path, point_path
 from mechanics.scene.rates import rate, rate_table
 from mechanics.scene.reactions import Reaction
-from mechanics.symbolic import canonical
+from mechanics.symbolic import tidy
 
 AXES = "xyz"
 Row = list[int]
@@ -314,23 +314,24 @@ class Finder:
     def power_of(self, one: Candidate) -> list[Expr]:
         """r as formulas, in plain symbols."""
         along, total = self.scene.vector(one.along), [S.Zero] * self.size
+        moving = partial(rate, table=rate_table(self.scene))
         for body, sign in ((one.on, 1), (one.by, -1)):
             if body is None:
                 continue
-            own, table = self.scene.body(body), rate_table(self.scene)
+            own = self.scene.body(body)
             centre = self.scene.position(own.centre)
             moved = zeros(3, 1)
             if one.point is not None:
-                moved = centre.applyfunc(lambda entry: rate(entry, table))
+                moved = centre.applyfunc(moving)
             if body in self.turning and isinstance(own, RigidBody):
                 turn = self.scene.rotation(own.frame)
-                skew = turn.applyfunc(lambda entry: rate(entry, table)) * turn.T
+                skew = turn.applyfunc(moving) * turn.T
                 omega = Matrix([skew[2, 1], skew[0, 2], skew[1, 0]])
                 arm = None if one.point is None else self.scene.position(one.point) - centre
                 moved = omega if arm is None else moved + omega.cross(arm)
             power = sign * moved.dot(along)
             total = [t + power.diff(u) for t, u in zip(total, self.scene.u, strict=True)]
-        return [canonical(entry) for entry in total]
+        return [tidy(entry) for entry in total]
 
     def solution(
         self, others: Sequence[Candidate], powers: Sequence[Sequence[Expr]], k: int
@@ -454,7 +455,7 @@ def declared(finder: Finder) -> tuple[tuple[Reaction, ...], tuple[str, ...]]:
 def _weighted(
     weights: Iterable[Expr], candidates: Sequence[Candidate]
 ) -> list[tuple[Expr, Candidate]]:
-    pairs = zip(map(canonical, weights), candidates, strict=True)
+    pairs = zip(map(tidy, weights), candidates, strict=True)
     return [(weight, one) for weight, one in pairs if weight != 0]
 
 
@@ -469,7 +470,7 @@ def _together(scene: Scene, name: str, parts: Sequence[tuple[Expr, Candidate]]) 
     # One with a constant lever comes first, and counts the force.
     actions.sort(key=lambda action: len(scene.vector(action.along).free_symbols))
     first = scene.vector(actions[0].along)
-    length = sqrt(canonical(first.dot(first))).xreplace(back)
+    length = sqrt(tidy(first.dot(first))).xreplace(back)
     actions = [replace(action, along=action.along / length) for action in actions]
     return replace(actions[0], parts=tuple(actions[1:]))
 

@@ -39,7 +39,7 @@ from mechanics.scene import (
 )
 from mechanics.scene.geometry import Movers
 from mechanics.scene.symbols import plain_table, to_plain
-from mechanics.symbolic import canonical
+from mechanics.symbolic import tidy
 
 
 def from_sympy(model: Any, *, name: str = "", bodies: Sequence[Any] = ()) -> Scene:
@@ -272,8 +272,8 @@ def _solve(square: Matrix, right: Matrix) -> list[Expr]:
     table = dict(reversed(plain_table(sorted(known, key=str)).items()))
     back = {symbol: entry for entry, symbol in table.items()}
     square, right = (part.xreplace(table) for part in (square, right))
-    scale = canonical(square.det(method="berkowitz"))
-    solved = [canonical(entry / scale) for entry in square.adjugate() * right]
+    scale = tidy(square.det(method="berkowitz"))
+    solved = [tidy(entry / scale) for entry in square.adjugate() * right]
     return [entry.xreplace(back) for entry in solved]
 
 

@@ -11,6 +11,7 @@ from mechanics.blame.reference import Reference
 from mechanics.crosscheck.routes import derive
 from mechanics.equations import Equations
 from mechanics.errors import InputError, wanted
+from mechanics.importers import as_scene
 from mechanics.judge.at_values import Values, read_values, right_at
 from mechanics.judge.at_values import words as in_words
 from mechanics.judge.black_box import check_box
@@ -43,7 +44,7 @@ def derived(scene: Scene) -> Equations:
 
 
 def check(
-    scene: Scene | System | Equations | Reference,
+    scene: Any,
     equations: Any,
     *,
     names: Mapping[str, str] | None = None,
@@ -59,7 +60,7 @@ def check(
 
     Parameters
     ----------
-    scene : Scene, System, Equations or Reference
+    scene : Scene, System, Equations or Reference, or a model of SymPy's
         What they are about. The laws of a scene are verified before anything is judged; equations
         that were derived already are taken as they are, which saves the time of both, a
         `mechanics.blame.reference.Reference` to them what blame makes of them, too. Where they stay
@@ -105,7 +106,7 @@ def check(
     SceneError
         When the scene cannot be right, or what was derived is not what it declares.
     """
-    reference, untried = _reference(scene)
+    reference, untried = _reference(as_scene(scene))
     truth, things = reference.truth, spread(equations)
     if truth.textbook is None:
         _plain(things, convention=convention, values=values, where=where)

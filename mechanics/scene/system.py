@@ -3,6 +3,7 @@
 from collections.abc import Callable
 from dataclasses import dataclass
 from fractions import Fraction
+from typing import Any
 
 from sympy import Expr, Symbol
 
@@ -46,12 +47,16 @@ class System:
         Rows of the source, typed by hand; may be empty.
     paths : tuple of Path
         Where `mechanics extremes` goes besides lines and pairs of quantities.
+    model : callable or None
+        Makes the model of another program that the scene is taken from, or the scene itself: whose
+        own equations are compared. None where `scene` declares it.
     """
 
     name: str
     scene: Callable[[], Scene]
     published: tuple[Published, ...] = ()
     paths: tuple[Path, ...] = ()
+    model: Callable[[], Any] | None = None
 
     def __repr__(self) -> str:
         return f"<system {self.name}: {len(self.published)} published rows>"
