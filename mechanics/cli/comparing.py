@@ -61,8 +61,6 @@ def compare(
             with Console(stderr=True).status(f"comparing {scene.name} with {name}"):
                 found.append(run(scene, name, values=values, states=states, file=file))
         except InputError as error:
-            if against:
-                raise
             refused[name] = str(error)
     if not found:
         raise InputError("; ".join(refused.values()) or "no engine is installed: pip install pin")
@@ -71,8 +69,8 @@ def compare(
     if json_file != "-":
         for comparison in found:
             _print(Console(highlight=False, emoji=False, soft_wrap=True), comparison)
-        for words in refused.values():
-            Console(soft_wrap=True).print(f"not compared: {escape(words)}", style="dim")
+    if refused and against:
+        raise InputError("; ".join(refused.values()))
     raise typer.Exit(0 if all(comparison.agree for comparison in found) else 1)
 
 

@@ -45,15 +45,31 @@ class Amount:
     whole: bool = False
 
 
+AMOUNTED = ("gravity", "masses", "inertias", "armature", "damping", "friction", "step")
+"""Fields of a change that are added."""
+
+
 def together(changes: Sequence[Change], factors: Sequence[float]) -> Change:
     """The sum of changes, each times its factor."""
     total: dict[str, Any] = {}
     for change, factor in zip(changes, factors, strict=True):
-        for name in ("gravity", "masses", "inertias", "armature", "damping", "step"):
+        for name in AMOUNTED:
             part = getattr(change, name)
             if part is not None and factor:
                 total[name] = total.get(name, 0.0) + factor * part
     return Change(**total)
+
+
+def stacked(changes: Sequence[Change], count: int) -> Change:
+    """The changes one after the other, each for so many states."""
+    rows: dict[str, Any] = {}
+    for name in AMOUNTED:
+        parts = [getattr(change, name) for change in changes]
+        known = next((np.asarray(part) for part in parts if part is not None), None)
+        if known is not None:
+            table = [np.zeros_like(known) if part is None else part for part in parts]
+            rows[name] = np.repeat(np.stack(table), count, axis=0)
+    return Change(**rows)
 
 
 def joined(one: Change, two: Change) -> Change:
@@ -163,6 +179,22 @@ def _lost(ours: Ours) -> list[Change]:
     ]
 
 
+def _by_default(ours: Ours) -> list[Change]:
+    """What Bullet gives a link without inertia: 1 kg, and 1 kg m^2 about each axis."""
+    return [
+        _of_body(ours, place, np.eye(3) * bare, float(bare))
+        for place, (mass, _, inertia) in enumerate(arms(ours))
+        for bare in (not mass and not inertia.any(),)
+    ]
+
+
+def _impossible(mass: float, arm: Array, inertia: Array) -> Array:
+    """One principal moment exceeds the sum of the others: readers of files correct that."""
+    moments = np.linalg.eigvalsh(inertia)
+    beyond = moments[0] < 0 or moments[2] > (moments[0] + moments[1]) * (1 + SHARP)
+    return -inertia * beyond
+
+
 def _names(words: str) -> Callable[[Ours, Array, float], str]:
     def told(ours: Ours, x: Array, sharp: float) -> str:
         names = [b.name for b, factor in zip(ours.mechanism.bodies, x, strict=True) if factor]
@@ -232,6 +264,13 @@ AMOUNTS: tuple[Amount, ...] = (
         lambda ours: [Change(gravity=unit) for unit in np.eye(3)],
         _gravity,
     ),
+    Amount(
+        "a link without inertia",
+        _by_default,
+        _names("links that have no inertia are given 1 kg and 1 kg m^2"),
+        whole=True,
+    ),
+    _inertia("impossible inertia", "inertias that no body has are taken for zero", _impossible),
     Amount("implicit integration", lambda ours: [Change(step=1.0)], _implicit),
     Amount(
         "armature",
@@ -242,6 +281,11 @@ AMOUNTS: tuple[Amount, ...] = (
         "joint damping",
         lambda ours: [Change(damping=unit) for unit in np.eye(len(ours.speeds))],
         _of_one_sign("joints are damped", "damping of joints is left out", "N m s/rad"),
+    ),
+    Amount(
+        "dry friction",
+        lambda ours: [Change(friction=unit) for unit in np.eye(len(ours.speeds))],
+        _of_one_sign("joints rub", "dry friction of joints is left out", "N m"),
     ),
     _inertia(
         POINT,
@@ -268,6 +312,7 @@ AMOUNTS: tuple[Amount, ...] = (
     _inertia(TURNED, "the axes of the inertia are taken as y, z, x", _turned((1, 2, 0))),
     _inertia(TURNED, "the axes of the inertia are taken as z, x, y", _turned((2, 0, 1))),
     Amount("a body left out", _lost, _names("without mass and inertia"), whole=True),
+    _inertia("a body left out", "without inertia", lambda mass, arm, inertia: -inertia),
     Amount("mass", _mass_units, _masses),
 )
 """Each cause that has an amount."""
@@ -276,7 +321,7 @@ AMOUNTS: tuple[Amount, ...] = (
 def amounts(ours: Ours) -> Iterator[Amount]:
     """The table for a scene, with the turns that its own frames make possible."""
     for amount in AMOUNTS:
-        if amount.name == "a body left out":
+        if amount is AMOUNTS[-1]:
             for words, units in turnings(ours):
                 told = _names(f"the inertia {words}")
                 yield Amount(TURNED, partial(_same, units), told, whole=True)

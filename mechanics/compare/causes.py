@@ -99,7 +99,12 @@ def axis_signs(ours: Ours, shapes: Shapes) -> Iterator[Trial]:
             sign = np.ones(n)
             sign[list(chosen)] = -1.0
             names = ", ".join(ours.labels[k] for k in chosen)
-            yield Trial(f"the axes of {names} point the other way", _consistent(np.diag(sign)))
+            words = f"the axes of {names} point the other way"
+            yield Trial(words, _consistent(np.diag(sign)))
+            yield Trial(
+                f"{words} for speeds and forces, not for angles",
+                _consistent(np.diag(sign), np.eye(n)),
+            )
 
 
 def joint_orders(ours: Ours, shapes: Shapes) -> Iterator[Trial]:
@@ -122,13 +127,13 @@ def joint_orders(ours: Ours, shapes: Shapes) -> Iterator[Trial]:
             yield Trial(f"the joints stand in the order {words}", _consistent(matrix))
 
 
-def _consistent(matrix: Array) -> Reading:
+def _consistent(matrix: Array, of_angles: Array | None = None) -> Reading:
     """Other coordinates, q = B r with a constant B, of what is given and of what is told."""
-    inverse = np.linalg.inv(matrix)
+    inverse, angles = np.linalg.inv(matrix), matrix if of_angles is None else of_angles
 
     def arguments(states: States) -> States:
-        q, v, a = (x @ matrix.T for x in (states.q, states.v, states.a))
-        return States(q, v, a, states.f @ inverse, states.wrench)
+        v, a = (x @ matrix.T for x in (states.v, states.a))
+        return States(states.q @ angles.T, v, a, states.f @ inverse, states.wrench)
 
     def values(quantity: str, found: Array, states: States) -> Array:
         kind = kind_of(quantity)

@@ -16,7 +16,6 @@ from mechanics.compare.quantities import (
     UNITS,
     Answer,
     checked,
-    comparable,
     kind_of,
     observed,
     predicted,
@@ -221,9 +220,7 @@ def _row(seen: Seen, quantity: str, name: str) -> Row:
 
 def _alike(seen: Seen, quantity: str, found: Array) -> tuple[Array, Array]:
     """Our numbers and theirs, as they are compared."""
-    both = (found, seen.observed[quantity])
-    (one, two), _ = comparable(seen.ours, quantity, both, seen.states)
-    return one, two
+    return seen.comparable(quantity, found), seen.comparable(quantity, seen.observed[quantity])
 
 
 def _finding(seen: Seen, quantity: str, subject: str, found: Array, allowed: float) -> Finding:

@@ -29,6 +29,8 @@ class Order:
         Of quaternions: (w, x, y, z); otherwise (x, y, z, w).
     local : bool
         Whether the velocity of a free link has the components of its own frame.
+    circles : frozenset of str
+        Joints whose angle is given by its cosine and sine.
     """
 
     tree: tuple[Link, ...]
@@ -37,6 +39,7 @@ class Order:
     sizes: tuple[int, int]
     scalar_first: bool = True
     local: bool = False
+    circles: frozenset[str] = frozenset()
 
     @property
     def _moving(self) -> list[Link]:
@@ -49,6 +52,8 @@ class Order:
             own = q[list(link.q)]
             if link.kind == "free" and not self.scalar_first:
                 own = own[[0, 1, 2, 4, 5, 6, 3]]
+            if link.joint in self.circles:
+                own = np.array([np.cos(own[0]), np.sin(own[0])])
             found[self.q[link.joint] : self.q[link.joint] + len(own)] = own
         return found
 

@@ -1,9 +1,9 @@
 """Our numbers for a scene, and for the scene with the changes that other engines make.
 
-    tau = rows(q, v, a; masses + dm, inertias + dI, gravity + dg) + A a + b v          (1)
-    M e_j = tau(q, 0, e_j) - tau(q, 0, 0)           bias = tau(q, v, 0)               (2)
-    J e_j = velocity(q, e_j) - velocity(q, 0)                                          (3)
-    M a + C^T l = f - bias,   C a = c               where constraints hold             (4)
+    tau = rows(q, v, a; masses + dm, inertias + dI, gravity + dg) + A a + b v + c sign(v)  (1)
+    M e_j = tau(q, 0, e_j) - tau(q, 0, 0)           bias = tau(q, v, 0)                    (2)
+    J e_j = velocity(q, e_j) - velocity(q, 0)                                              (3)
+    M a + C^T l = f - bias,   C a = c               where constraints hold                 (4)
 
 All changes are inputs of one program: the scene is derived once, and a changed scene is other
 numbers in it.
@@ -14,6 +14,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -26,7 +27,7 @@ from mechanics.errors import InputError, ValueMissingError
 from mechanics.kernel import Finding
 from mechanics.kinematics import chain
 from mechanics.kinematics.energy import HALF, kinetic_energies
-from mechanics.mechanism import Field, Mass, Mechanism, name_of
+from mechanics.mechanism import GROUND, Field, Mass, Mechanism, name_of
 from mechanics.program import Program
 from mechanics.program.builder import Node
 from mechanics.program.interpret import interpret
@@ -47,7 +48,7 @@ CLOSED = 1e-12
 
 @dataclass(frozen=True, eq=False)
 class Change:
-    """In what a scene is changed; None for nothing.
+    """In what a scene is changed; None for nothing. A row for each state may stand before.
 
     Attributes
     ----------
@@ -57,9 +58,9 @@ class Change:
         To be added, kg.
     inertias : (bodies, 3, 3)
         To be added, about the mass centres in the frames of the bodies, kg m^2.
-    armature, damping : (speeds,)
-        A and b of equation (1).
-    step : float
+    armature, damping, friction : (speeds,)
+        A, b and c of equation (1).
+    step : float or (N,)
         h of an implicit step, in s: what is damped is damped at its end, by D (v + h a).
     opened : bool
         Whether the constraints of the scene are left out.
@@ -72,9 +73,21 @@ class Change:
     inertias: Array | None = None
     armature: Array | None = None
     damping: Array | None = None
-    step: float = 0.0
+    friction: Array | None = None
+    step: float | Array = 0.0
     opened: bool = False
     locked: Mapping[int, float] = field(default_factory=dict)
+
+    def repeated(self, times: int) -> Change:
+        """The change for so many copies of the states, where it has a row for each of these."""
+        plain = {"inertias": 3, "step": 0}
+        names = ("gravity", "masses", "inertias", "armature", "damping", "friction", "step")
+        rows: dict[str, Any] = {
+            name: np.concatenate([entries] * times)
+            for name in names
+            if np.ndim(entries := getattr(self, name)) > plain.get(name, 1)
+        }
+        return replace(self, **rows) if rows else self
 
 
 NOTHING = Change()
@@ -211,13 +224,13 @@ class Ours:
             table = zero if columns is None else columns
             given |= {name_of(node): table[:, i] for i, node in enumerate(nodes)}
         if change.gravity is not None:
-            given |= {f"added_{e}": g for e, g in zip(AXES, change.gravity, strict=True)}
+            given |= {f"added_{e}": change.gravity[..., k] for k, e in enumerate(AXES)}
         for place in range(len(mechanism.bodies)):
             if change.masses is not None:
-                given[f"added_mass_{place}"] = change.masses[place]
+                given[f"added_mass_{place}"] = change.masses[..., place]
             if change.inertias is not None:
-                entries = change.inertias[place]
-                given |= {_entry(place, i, k): entries[i, k] for i in range(3) for k in range(i, 3)}
+                own = change.inertias[..., place, :, :]
+                given |= {_entry(place, i, k): own[..., i, k] for i in range(3) for k in range(3)}
         found = interpret(program, Arrays(), given, release=False)
         return {
             name: np.stack([np.broadcast_to(entry, count) for entry in entries], axis=1)
@@ -231,17 +244,22 @@ class Ours:
             found = found + change.armature * a
         if change.damping is not None:
             found = found + change.damping * v
-        if change.step:
-            found = found + change.step * np.einsum("nij,nj->ni", self.damping(q, change), a)
+        if change.friction is not None:
+            found = found + change.friction * np.sign(v)
+        if np.any(change.step):
+            damped = np.einsum("nij,nj->ni", self.damping(q, change), a)
+            found = found + np.reshape(change.step, (-1, 1)) * damped
         return found
 
     def damping(self, q: Array, change: Change = NOTHING) -> Array:
-        """(N, speeds, speeds): D of forces that are linear in v; others are even in v."""
+        """(N, speeds, speeds): D of forces that are linear in v; dry friction only has its sign."""
         size, still = len(self.mechanism.u), np.zeros((len(q), len(self.mechanism.u)))
         plain, columns = replace(change, step=0.0), []
         for unit in np.eye(size):
-            ways = [self.forces(q, sign * unit + still, still, plain) for sign in (1.0, -1.0)]
-            columns.append((ways[0] - ways[1]) / 2)
+            slow, back, fast, away = (
+                self.forces(q, factor * unit + still, still, plain) for factor in (1, -1, 2, -2)
+            )
+            columns.append((fast - away - slow + back) / 2)
         return np.stack(columns, axis=2)
 
     def mass_matrix(self, q: Array, change: Change = NOTHING) -> Array:
@@ -249,7 +267,7 @@ class Ours:
         size, count = len(self.mechanism.u), len(q)
         units = np.repeat(np.vstack([np.zeros(size), np.eye(size)]), count, axis=0)
         still = np.zeros_like(units)
-        rows = self.forces(np.tile(q, (size + 1, 1)), still, units, change)
+        rows = self.forces(np.tile(q, (size + 1, 1)), still, units, change.repeated(size + 1))
         rows = rows.reshape(size + 1, count, size)
         return np.moveaxis(rows[1:] - rows[0], 0, 2)
 
@@ -282,7 +300,7 @@ class Ours:
         found = self._evaluate(self._energy, q, v, None, change)
         kinetic = found["kinetic"][:, 0]
         if change.armature is not None:
-            kinetic = kinetic + (v**2 @ change.armature) / 2
+            kinetic = kinetic + (v**2 * change.armature).sum(axis=1) / 2
         return kinetic, found["potential"][:, 0]
 
     def jacobians(self, q: Array) -> dict[str, Array]:
@@ -455,11 +473,29 @@ def _changeable(mechanism: Mechanism) -> Mechanism:
         return replace(body, mass=body.mass + build.input(f"added_mass_{place}"), inertia=inertia)
 
     pull = tuple(build.input(f"added_{axis}") for axis in AXES)
+    bare = bare_links(mechanism)
+    count, more = len(mechanism.bodies), len(bare)
     return replace(
         mechanism,
-        bodies=tuple(changed(place, body) for place, body in enumerate(mechanism.bodies)),
+        bodies=tuple(changed(k, body) for k, body in enumerate((*mechanism.bodies, *bare))),
+        parents=(*mechanism.parents, *[GROUND] * more),
+        order=(*mechanism.order, *range(count, count + more)),
+        joints=(*mechanism.joints, *[()] * more),
         fields=(*mechanism.fields, Field("added gravity", ((0, pull),))),
     )
+
+
+def bare_links(mechanism: Mechanism) -> list[Mass]:
+    """Links that no body stands for, as bodies of no mass: outputs NAME_position, _orientation."""
+    known, zero = {output.name: output for output in mechanism.outputs}, mechanism.builder.zero
+    nothing = ((zero, zero, zero),) * 3
+    return [
+        Mass(name.removesuffix("_position"), known[name].point, known[other].frame, zero, nothing)
+        for name in known
+        if not name.startswith(FRAME) and name.endswith("_position")
+        and (other := name.removesuffix("_position") + "_orientation") in known
+        and name.removesuffix("_position") not in {body.name for body in mechanism.bodies}
+    ]  # fmt: skip
 
 
 def _entry(place: int, i: int, k: int) -> str:

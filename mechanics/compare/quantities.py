@@ -16,7 +16,7 @@ frame. Coordinates and speeds are those of the scene, in its order.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
@@ -106,12 +106,17 @@ def observed(quantity: str, answer: Answer, states: States) -> Array:
     Raises
     ------
     InputError
-        When it is no array of numbers.
+        When it is no array of numbers, or fails.
     """
     kind, found = kind_of(quantity), []
     for q, v, a, f, wrench in states.rows:
         more = {INVERSE: (a,), FORWARD: (f,), FORCE: (wrench,)}.get(kind, ())
-        found.append(np.array(answer(q.copy(), v.copy(), *(x.copy() for x in more)), dtype=float))
+        given = (x.copy() for x in (q, v, *more))
+        try:
+            found.append(np.array(answer(*given), dtype=float))
+        except Exception as error:
+            words = " ".join(str(error).split())
+            raise InputError(f"{quantity}: {type(error).__name__}: {words}") from error
     if len({row.shape for row in found}) != 1 or not all(np.isfinite(row).all() for row in found):
         raise InputError(f"{quantity}: the answers are no arrays of finite numbers of one shape")
     return np.stack(found)
@@ -163,24 +168,3 @@ def _without(kind: str, values: Array, speeds: tuple[int, ...]) -> Array:
     if kind in (KINETIC, POTENTIAL, VELOCITY):
         return values
     return np.delete(values, speeds, axis=-1)
-
-
-def comparable(
-    ours: Ours, quantity: str, values: Sequence[Array], states: States
-) -> tuple[tuple[Array, ...], float]:
-    """Answers as they are compared, and the size of what they are differences of.
-
-    Accelerations are compared by the forces M a: so their difference does not grow with the
-    condition of M. Potential energies are counted from that of the first state.
-    """
-    kind, found = kind_of(quantity), tuple(values)
-    if kind == POTENTIAL:
-        found = tuple(entries - entries[0] for entries in found)
-    if kind == FORWARD and all(entries.shape == states.v.shape for entries in found):
-        mass = ours.mass_matrix(states.q)
-        found = tuple(np.einsum("nij,nj->ni", mass, entries) for entries in found)
-    size = max(float(np.abs(entries).max(initial=0.0)) for entries in found)
-    if kind in (INVERSE, FORWARD):
-        rest = ours.forces(states.q, states.v, np.zeros_like(states.v))
-        size = max(size, float(np.abs(rest).max()))
-    return found, size

@@ -55,7 +55,7 @@ def _finding(finding: Finding) -> dict[str, Any]:
 
 def told(found: Comparison) -> list[str]:
     """What a person reads below the table: what the numbers are, and why they differ."""
-    lines = [f"left out: {note}" for note in found.notes]
+    lines = [f"note: {note}" for note in found.notes]
     if found.agree:
         return [*lines, f"SUPPORTED: {found.against} and the scene agree at {found.states} states"]
     for cause in found.causes:

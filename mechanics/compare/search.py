@@ -9,20 +9,20 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
-from itertools import combinations
+from itertools import combinations, islice
 
 import numpy as np
 
-from mechanics.compare.amounts import SHARP, Amount, amounts, joined, together
+from mechanics.compare.amounts import SHARP, Amount, amounts, joined, stacked, together
 from mechanics.compare.causes import CAUSES, Trial
-from mechanics.compare.ours import Array, Change, Ours
+from mechanics.compare.ours import NOTHING, Array, Change, Ours
 from mechanics.compare.quantities import (
     AS_MEANT,
     FORCES,
     FORWARD,
     INVERSE,
+    POTENTIAL,
     Reading,
-    comparable,
     predicted,
 )
 from mechanics.compare.states import States
@@ -31,8 +31,10 @@ ROUNDING = 2.0**-32
 """Differences up to this part of the largest number are taken for rounding."""
 COARSE = 0.02
 """What is nothing beside the largest factor, where answers were printed with few digits."""
-FIELDS = 4
-"""Of the table of amounts the first rows go with any reading."""
+FIELDS = 7
+"""Of the table of amounts the first rows go with each other and with any reading."""
+FEW = 12
+"""How many trials of a cause without an amount go together with an amount."""
 OTHERS = 3
 """How many other causes that explain the same are told."""
 
@@ -60,9 +62,34 @@ class Seen:
         """The largest difference, and what is allowed; infinite where shapes differ."""
         if one.shape != two.shape:
             return np.inf, 0.0
-        (left, right), size = comparable(self.ours, quantity, (one, two), self.states)
+        left, right = self.comparable(quantity, one), self.comparable(quantity, two)
+        size = max(float(np.abs(entries).max(initial=0.0)) for entries in (left, right))
+        if quantity in (INVERSE, FORWARD):
+            # Small forces may be differences of large ones.
+            size = max(size, self._bias)
         apart = float(np.abs(left - right).max(initial=0.0))
         return apart, max(ROUNDING * size, self.rounding)
+
+    def comparable(self, quantity: str, values: Array) -> Array:
+        """Answers as they are compared.
+
+        Accelerations are compared by the forces M a, so that their difference does not grow with
+        the condition of M; potential energies are counted from that of the first state.
+        """
+        if quantity == POTENTIAL:
+            return values - values[0]
+        if quantity == FORWARD and values.shape == self.states.v.shape:
+            return np.asarray(np.einsum("nij,nj->ni", self._mass, values))
+        return values
+
+    @cached_property
+    def _mass(self) -> Array:
+        return self.ours.mass_matrix(self.states.q)
+
+    @cached_property
+    def _bias(self) -> float:
+        still = np.zeros_like(self.states.v)
+        return float(np.abs(self.ours.forces(self.states.q, self.states.v, still)).max())
 
     def explained(self, reading: Reading, differing: Sequence[str]) -> tuple[str, ...]:
         """The quantities that a reading explains; none where it changes another."""
@@ -142,22 +169,32 @@ def _single(seen: Seen, left: Sequence[str]) -> Iterator[Explanation]:
     for amount in amounts(seen.ours):
         yield from _fitted(seen, (amount,), left, AS_MEANT, (), "")
     for name, trial in _trials(seen):
-        yield Explanation((name,), trial.words, seen.explained(trial.reading, left), trial.reading)
+        for only in (None, tuple(left)):
+            reading = replace(trial.reading, only=only or trial.reading.only)
+            if found := seen.explained(reading, left):
+                words = trial.words + _alone(seen, only, found)
+                yield Explanation((name,), words, found, reading)
+                break
 
 
-def _trials(seen: Seen) -> Iterator[tuple[str, Trial]]:
+def _alone(seen: Seen, only: tuple[str, ...] | None, found: Sequence[str]) -> str:
+    return f" ({', '.join(found)} alone)" if only and len(found) < len(seen.observed) else ""
+
+
+def _trials(seen: Seen, most: int | None = None) -> Iterator[tuple[str, Trial]]:
+    """Names of the causes and what is tried, of each the first so many."""
     shapes = {quantity: values.shape for quantity, values in seen.observed.items()}
     for cause in CAUSES:
-        for trial in cause.trials(seen.ours, shapes):
+        for trial in islice(cause.trials(seen.ours, shapes), most):
             yield cause.name, trial
 
 
 def _pairs(seen: Seen, left: Sequence[str]) -> Iterator[Explanation]:
-    table = list(amounts(seen.ours))
-    for pair in combinations([amount for amount in table if not amount.whole], 2):
+    table = list(amounts(seen.ours))[:FIELDS]
+    for pair in combinations(table, 2):
         yield from _fitted(seen, pair, left, AS_MEANT, (), "")
-    for name, trial in _trials(seen):
-        for amount in table[:FIELDS]:
+    for name, trial in _trials(seen, FEW):
+        for amount in table:
             yield from _fitted(seen, (amount,), left, trial.reading, (name,), trial.words)
 
 
@@ -186,9 +223,10 @@ def _fitted(
             tried = replace(reading, change=change, only=only or reading.only)
             found = seen.explained(tried, left)
             if found:
-                alone = only and len(found) < len(seen.observed)
-                more = f" ({', '.join(found)} alone)" if alone else ""
-                text = "; ".join(filter(None, (words, *told))) + more
+                less = replace(tried, change=reading.change)
+                if words and seen.explained(less, left) == found:
+                    break  # the amount is rounding
+                text = "; ".join(filter(None, (words, *told))) + _alone(seen, only, found)
                 causes = (*names, *(amount.name for amount in table))
                 yield Explanation(causes, text, found, tried)
                 return
@@ -203,19 +241,17 @@ def _factors(
 ) -> Iterator[Array]:
     """Factors that are fitted; of a cause for whole bodies those of one body, or of all, too."""
     fitted = _least_squares(seen, units, quantities, reading)
-    if not all(amount.whole for amount in table):
-        if fitted is not None:
-            yield fitted[0]
-        return
     if fitted is not None:
         x, only = fitted
-        near = np.round(x)
-        if np.isin(near, (0, 1)).all() and near.any():
+        whole = np.repeat([a.whole for a in table], [len(a.units(seen.ours)) for a in table])
+        near = np.where(whole, np.round(x), x)
+        if np.isin(near[whole], (0, 1)).all() and near.any():
             yield near
         if only:
             return
-    yield np.ones(len(units))
-    yield from np.eye(len(units))
+    if len(table) == 1 and table[0].whole:
+        yield np.ones(len(units))
+        yield from np.eye(len(units))
 
 
 def _least_squares(
@@ -223,7 +259,7 @@ def _least_squares(
 ) -> tuple[Array, bool] | None:
     """The factors, and whether there are no others; None without more numbers than factors."""
     ours, right = seen.ours, []
-    columns: list[list[Array]] = [[] for _ in units]
+    columns: list[Array] = []
     if INVERSE in quantities:
         quantities = (INVERSE,)  # it shows every amount
     for quantity in quantities:
@@ -242,13 +278,15 @@ def _least_squares(
         if base.shape != target.shape:
             continue
         right.append((target - base).ravel())
-        for column, unit in zip(columns, units, strict=True):
-            change = joined(reading.change, unit)
-            moved = predicted(ours, asked, states, replace(used, change=change))
-            column.append((moved - base).ravel())
+        # All units at once: what costs is the number of programs that are run, not their size.
+        change, times = stacked(units, len(states)), len(units)
+        if reading.change is not NOTHING:
+            change = joined(change, reading.change)
+        moved = predicted(ours, asked, states.repeated(times), replace(used, change=change))
+        columns.append((moved.reshape(times, *base.shape) - base).reshape(times, -1).T)
     if not right or sum(map(len, right)) <= len(units):
         return None
-    matrix = np.stack([np.concatenate(column) for column in columns], axis=1)
+    matrix = np.concatenate(columns)
     # Amounts that nothing shows are left at zero.
     sizes = np.linalg.norm(matrix, axis=0)
     used_columns = sizes > SHARP * ROUNDING * max(sizes.max(initial=0.0), 1e-300)
@@ -257,5 +295,5 @@ def _least_squares(
         scaled = matrix[:, used_columns] / sizes[used_columns]
         found, _, rank, _ = np.linalg.lstsq(scaled, np.concatenate(right), rcond=SHARP)
         x[used_columns] = found / sizes[used_columns]
-        return x, rank == len(units)
+        return x, rank == used_columns.sum()
     return x, False

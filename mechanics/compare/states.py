@@ -47,6 +47,11 @@ class States:
     def __len__(self) -> int:
         return len(self.q)
 
+    def repeated(self, times: int) -> States:
+        """So many copies of the states, one after the other."""
+        groups = (self.q, self.v, self.a, self.f, self.wrench)
+        return States(*(np.tile(group, (times, 1)) for group in groups))
+
     @property
     def rows(self) -> list[tuple[Array, Array, Array, Array, Array]]:
         """(q, v, a, f, wrench) of each state."""

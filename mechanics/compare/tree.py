@@ -57,14 +57,14 @@ class Link:
     v: tuple[int, ...]
 
 
-def links(ours: Ours, loads: bool = True) -> tuple[Link, ...]:
+def links(ours: Ours, whole: bool = True) -> tuple[Link, ...]:
     """The tree of a scene, links after those that carry them.
 
     Parameters
     ----------
     ours : Ours
-    loads : bool
-        Whether loads are looked at: an engine that reads a file has its own.
+    whole : bool
+        Whether loads and constraints are looked at: an engine that reads a file has its own.
 
     Raises
     ------
@@ -72,7 +72,7 @@ def links(ours: Ours, loads: bool = True) -> tuple[Link, ...]:
         For what engines have no common word for: other joints, loops, springs, other loads.
     """
     scene = ours.scene
-    _refuse(ours, loads)
+    _refuse(ours, whole)
     zero, names = ours.zero, [*scene.coordinates]
     poses, columns = ours.links(zero), ours.jacobians(zero)
     bodies = {
@@ -113,10 +113,11 @@ def _speeds(ours: Ours, joint: Joint) -> list[int]:
     return [ours.speeds.index(name) for name in (*rates, *turning)]
 
 
-def _refuse(ours: Ours, loads: bool) -> None:
+def _refuse(ours: Ours, whole: bool) -> None:
     scene = ours.scene
     carried = {j.child for j in scene.joints if isinstance(j, Joint) and j.carries}
-    if scene.constraints or len(carried) != len(scene.bodies) or len(scene.joints) != len(carried):
+    looped = bool(scene.constraints) and whole
+    if looped or len(carried) != len(scene.bodies) or len(scene.joints) != len(carried):
         raise InputError(
             f"{scene.name}: engines take a tree, in which one joint carries each body and nothing"
             " closes a loop: declare joints, or pass the engine's answers as functions"
@@ -131,7 +132,7 @@ def _refuse(ours: Ours, loads: bool) -> None:
             raise InputError(
                 f"joint {joint.name} is {words}: engines' models are made of {', '.join(TAKEN)}"
             )
-    for load in scene.loads if loads else ():
+    for load in scene.loads if whole else ():
         drives = isinstance(load, Torque | Force) and any(
             column.has(*scene.inputs) for column, _ in load.vector.args if scene.inputs
         )

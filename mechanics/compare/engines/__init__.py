@@ -8,7 +8,8 @@ from __future__ import annotations
 
 import importlib.util
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
+from functools import partial
 from importlib import import_module
 from pathlib import Path
 from typing import Any
@@ -57,6 +58,22 @@ def _is_here(module: str) -> bool:
     return importlib.util.find_spec(module.partition(".")[0]) is not None
 
 
+def _made(make: Callable[[Path | None], Engine], file: Path | None) -> Engine:
+    """From the file, or from the scene where the engine refuses the file."""
+    try:
+        return make(file)
+    except InputError as error:
+        if file is None:
+            raise
+        words = str(error)
+    try:
+        made = make(None)
+    except InputError:
+        raise InputError(words) from None
+    note = f"{words}: its model is made from the scene"
+    return replace(made, notes=(*made.notes, note))
+
+
 def engine(name: str, ours: Ours, file: Path | None = None) -> Engine:
     """An engine with the model of a scene, or of the file that the scene was read from.
 
@@ -72,5 +89,5 @@ def engine(name: str, ours: Ours, file: Path | None = None) -> Engine:
             make: Callable[[Any, Ours, Path | None], Engine] = import_module(
                 f"mechanics.compare.engines.{name}"
             ).make
-            return make(import_module(module), ours, file)
+            return _made(partial(make, import_module(module), ours), file)
     raise InputError(f"engine {name!r}: they are {', '.join(row[0] for row in ENGINES)}")

@@ -27,8 +27,7 @@ def make(drake: Any, ours: Ours, file: Path | None = None) -> Engine:
             plant.mutable_gravity_field().set_gravity_vector(ours.gravity)
         else:
             drake.Parser(plant).AddModels(str(file))
-        if plant.HasBodyNamed("world_link"):
-            plant.WeldFrames(plant.world_frame(), plant.GetFrameByName("world_link"))
+        plant.SetBaseBodyJointType(drake.BaseBodyJointType.kWeldJoint)
         plant.Finalize()
     except RuntimeError as error:
         raise InputError(f"drake does not take the model: {' '.join(str(error).split())}") from None

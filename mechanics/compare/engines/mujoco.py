@@ -76,5 +76,6 @@ def make(mujoco: Any, ours: Ours, file: Path | None = None) -> Engine:
         "kinetic_energy": lambda q, v: (at(q, v), data.energy[1])[1],
         "potential_energy": lambda q, v: (at(q, v), data.energy[0])[1],
     }
-    answers |= {f"jacobian {link.name}": jacobian(link) for link in tree}
+    names = {model.body(k).name for k in range(model.nbody)}  # bodies that are fixed are merged
+    answers |= {f"jacobian {k.name}": jacobian(k) for k in tree if k.name in names}
     return Engine(f"mujoco {mujoco.__version__}", answers, NOTES)

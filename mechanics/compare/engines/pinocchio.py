@@ -25,7 +25,8 @@ def make(pin: Any, ours: Ours, file: Path | None = None) -> Engine:
         model = (pin.buildModelFromMJCF if mjcf else pin.buildModelFromUrdf)(str(file))
     own = {link.joint: model.joints[model.getJointId(link.joint)] for link in tree if link.v}
     at_q, at_v = ({n: getattr(j, key) for n, j in own.items()} for key in ("idx_q", "idx_v"))
-    order = Order(tree, at_q, at_v, (model.nq, model.nv), scalar_first=False, local=True)
+    circles = frozenset(name for name, joint in own.items() if (joint.nq, joint.nv) == (2, 1))
+    order = Order(tree, at_q, at_v, (model.nq, model.nv), False, True, circles)
     data, place = model.createData(), order.position
 
     def mass_matrix(q: Any, v: Any) -> Any:
@@ -57,7 +58,8 @@ def make(pin: Any, ours: Ours, file: Path | None = None) -> Engine:
         ),
         "potential_energy": lambda q, v: pin.computePotentialEnergy(model, data, place(q)),
     }
-    answers |= {f"jacobian {link.name}": jacobian(link) for link in tree}
+    named = (link for link in tree if model.existFrame(link.name))
+    answers |= {f"jacobian {link.name}": jacobian(link) for link in named}
     return Engine(f"pinocchio {pin.__version__}", answers)
 
 
