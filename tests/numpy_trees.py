@@ -59,6 +59,18 @@ def point_mass(joint: Joint) -> Array:
     return joint.mass * (c @ c * np.eye(3) - np.outer(c, c))
 
 
+def with_tool(joints: list[Joint]) -> list[Joint]:
+    """The last body with 1 kg and 1 kg m^2 where a next joint would be."""
+    *others, last = joints
+    tool = np.array([0.3 + len(joints) / 10, 0, 0])
+    mass = last.mass + 1
+    centre = (last.mass * last.centre + tool) / mass
+    inertia = last.inertia + np.eye(3)
+    for part, own in ((last.mass, last.centre - centre), (1.0, tool - centre)):
+        inertia = inertia + part * (own @ own * np.eye(3) - np.outer(own, own))
+    return [*others, replace(last, mass=mass, centre=centre, inertia=inertia)]
+
+
 def turned(quaternion: Array) -> Array:
     """R of a quaternion (w, x, y, z)."""
     w, *vector = quaternion / np.linalg.norm(quaternion)

@@ -11,8 +11,10 @@ from mechanics.scene import (
     free,
     gravity,
     holonomic,
+    orientation,
     parameters,
     pin,
+    position,
     quaternion,
     reaction_couple,
     slide,
@@ -34,8 +36,11 @@ def link(i: int, joint, frame, shift: str = "0.1 -0.05 0.2") -> RigidBody:
     return RigidBody(joint.child, centre, frame, m, inertia(frame, *moments))
 
 
-def arm(count: int = 3, damped: str = "") -> Scene:
-    """Turning joints in space with fixed quarter turns between them."""
+def arm(count: int = 3, damped: str = "", tool: bool = False) -> Scene:
+    """Turning joints in space with fixed quarter turns between them; with a tool of no mass.
+
+    The tool is where a next joint would be, turned as that would be.
+    """
     (g,) = parameters("g", "m/s^2", "9.81")
     N, O = ReferenceFrame("N"), Point("O")
     outer, at, before = N, O, None
@@ -50,7 +55,11 @@ def arm(count: int = 3, damped: str = "") -> Scene:
             loads.append(torque(f"damping{i}", -b * angle.diff() * outer.z, on=name, by=before))
         outer = joint.frame.orientnew(f"F{i}", "Axis", (pi / 2, joint.frame.x))
         at, before = joint.point.locatenew(f"P{i}", (0.3 + i / 10) * joint.frame.x), name
-    return Scene("arm", N, O, bodies=tuple(bodies), joints=tuple(joints), loads=tuple(loads))
+    outputs = {"tool_position": position(at), "tool_orientation": orientation(outer)}
+    return Scene(
+        "arm", N, O, bodies=tuple(bodies), joints=tuple(joints), loads=tuple(loads),
+        outputs=outputs if tool else {},
+    )  # fmt: skip
 
 
 def lift() -> Scene:

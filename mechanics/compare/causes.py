@@ -94,17 +94,30 @@ def axis_signs(ours: Ours, shapes: Shapes) -> Iterator[Trial]:
     if ours.scene.rotations or ours.scene.speeds:
         return
     sizes = range(1, n + 1) if n <= MANY else (1, 2, n)
-    for size in sizes:
-        for chosen in combinations(range(n), size):
-            sign = np.ones(n)
-            sign[list(chosen)] = -1.0
-            names = ", ".join(ours.labels[k] for k in chosen)
-            words = f"the axes of {names} point the other way"
+    every = [chosen for size in sizes for chosen in combinations(range(n), size)]
+    for chosen in dict.fromkeys((_negative(ours), *every)):
+        sign = np.ones(n)
+        sign[list(chosen)] = -1.0
+        words = f"the axes of {', '.join(ours.labels[k] for k in chosen)} point the other way"
+        if chosen:
             yield Trial(words, _consistent(np.diag(sign)))
-            yield Trial(
-                f"{words} for speeds and forces, not for angles",
-                _consistent(np.diag(sign), np.eye(n)),
-            )
+            reading = _consistent(np.diag(sign), np.eye(n))
+            yield Trial(f"{words} for speeds and forces, not for angles", reading)
+
+
+def _negative(ours: Ours) -> tuple[int, ...]:
+    """Joints whose axis is one such as (0, -1, 0) in the frame of the link."""
+    found, zero = [], ours.zero
+    columns, poses = ours.jacobians(zero), ours.links(zero)
+    for joint in ours.scene.joints:
+        if not isinstance(joint, Joint) or not joint.carries or len(joint.coordinates) != 1:
+            continue
+        speed = ours.scene.coordinates.index(joint.coordinates[0])
+        rows = slice(3, 6) if joint.given.get("kind") == "pin" else slice(0, 3)
+        axis = poses[joint.child][1][0].T @ columns[joint.child][0][rows, speed]
+        if axis[np.abs(axis).argmax()] < 0:
+            found.append(speed)
+    return tuple(found)
 
 
 def joint_orders(ours: Ours, shapes: Shapes) -> Iterator[Trial]:

@@ -70,6 +70,25 @@ def gravity(*field: float) -> Callable[[], dict[str, Callable[..., Any]]]:
     return answers
 
 
+def reversed_speeds() -> dict[str, Callable[..., Any]]:
+    S = np.array([1.0, -1.0])
+    return {"inverse_dynamics": lambda q, v, a: S * ARM["inverse_dynamics"](q, S * v, S * a)}
+
+
+def rubbing() -> dict[str, Callable[..., Any]]:
+    own = other.answers(other.arm_joints(2), added=lambda q, v, a: 0.2 * np.sign(v))
+    return {"bias": own["bias"]}
+
+
+def undamped() -> dict[str, Callable[..., Any]]:
+    return {"bias": ARM["bias"]}
+
+
+def heavy_tool() -> dict[str, Callable[..., Any]]:
+    own = other.answers(other.with_tool(other.arm_joints(2)))
+    return {name: own[name] for name in ("mass_matrix", "inverse_dynamics")}
+
+
 def both() -> dict[str, Callable[..., Any]]:
     own = other.answers(other.arm_joints(2), gravity=-other.GRAVITY, added=lambda q, v, a: 0.1 * a)
     return {name: own[name] for name in ("mass_matrix", "inverse_dynamics")}
@@ -89,6 +108,14 @@ CASES = {
     "no gravity": (lambda: small_trees.arm(2), gravity(0, 0, 0), ("gravity",), "left out"),
     "gravity along y": (lambda: small_trees.arm(2), gravity(0, -9.81, 0), ("gravity",),
                         "another direction: (0, -9.81, 0)"),
+    "reversed speeds": (lambda: small_trees.arm(2), reversed_speeds, ("sign of a joint axis",),
+                        "q2 point the other way for speeds and forces, not for angles"),
+    "dry friction": (lambda: small_trees.arm(2), rubbing, ("dry friction",),
+                     "joints rub: 0.2 N m at q1, 0.2 N m at q2"),
+    "no damping": (lambda: small_trees.arm(2, "0.4"), undamped, ("joint damping",),
+                   "damping of joints is left out: 0.4 N m s/rad at q1"),
+    "a default": (lambda: small_trees.arm(2, tool=True), heavy_tool, ("a link without inertia",),
+                  "are given 1 kg and 1 kg m^2: tool"),
     "two causes": (lambda: small_trees.arm(2), both, ("gravity", "armature"),
                    "opposite sign: (0, 0, 9.81) in place of (0, 0, -9.81) m/s^2; rotors'"),
 }  # fmt: skip

@@ -1,14 +1,18 @@
 """Engines that are here agree with the scenes that their models are made from."""
 
+from pathlib import Path
+
 import numpy as np
 import pytest
 import small_trees
 
 from mechanics.compare import ENGINES, compare, engine, installed, of_scene
 from mechanics.errors import InputError, MechanicsError
+from mechanics.importers import from_urdf
 from mechanics.scene import Scene
 from systems import double_pendulum, pendulum_chain
 
+SCARA = Path(__file__).parents[1] / "models" / "scara.urdf"
 TREES = {"arm": small_trees.arm, "lift": small_trees.lift, "floating": small_trees.floating}
 SLOW = ("sympy", "drake", "pybullet", "roboticstoolbox")
 
@@ -31,6 +35,15 @@ def test_an_engine_that_is_slower_agrees_with_a_scene(name: str, model: str) -> 
         pytest.skip(f"{name} is not installed")
     found = compare(TREES[model](), name, states=4)
     assert found.agree, [(row.quantity, row.difference) for row in found.rows]
+
+
+def test_damping_that_a_file_states_and_pinocchio_leaves_out_is_named() -> None:
+    if "pinocchio" not in installed():
+        pytest.skip("pinocchio is not installed")
+    found = compare(from_urdf(SCARA), "pinocchio", states=3, file=SCARA)
+    (cause,) = found.causes
+    assert cause.names == ("joint damping",) and "25 N m s/rad at q3" in cause.words
+    assert found.unexplained == ()
 
 
 def test_armature_of_a_mujoco_model_is_named() -> None:

@@ -15,6 +15,9 @@ from mechanics.compare.quantities import Answer
 from mechanics.compare.tree import Link, fixed_base, links
 from mechanics.compare.urdf import urdf
 from mechanics.errors import InputError
+from mechanics.importers.decimals import Notes
+from mechanics.importers.robot import ordered
+from mechanics.importers.urdf import read_urdf
 
 
 def make(drake: Any, ours: Ours, file: Path | None = None) -> Engine:
@@ -27,7 +30,9 @@ def make(drake: Any, ours: Ours, file: Path | None = None) -> Engine:
             plant.mutable_gravity_field().set_gravity_vector(ours.gravity)
         else:
             drake.Parser(plant).AddModels(str(file))
-        plant.SetBaseBodyJointType(drake.BaseBodyJointType.kWeldJoint)
+        root = ordered(read_urdf(file, Notes()))[0] if file else "world_link"
+        if plant.HasBodyNamed(root):
+            plant.WeldFrames(plant.world_frame(), plant.GetFrameByName(root))
         plant.Finalize()
     except RuntimeError as error:
         raise InputError(f"drake does not take the model: {' '.join(str(error).split())}") from None
