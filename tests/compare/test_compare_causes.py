@@ -96,6 +96,8 @@ def both() -> dict[str, Callable[..., Any]]:
 
 CASES = {
     "sign": (lambda: small_trees.arm(2), flipped, ("sign of a joint axis",), "q2 point the other"),
+    "two causes": (lambda: small_trees.arm(2), both, ("gravity", "armature"),
+                   "opposite sign: (0, 0, 9.81) in place of (0, 0, -9.81) m/s^2; rotors'"),
     "order": (lambda: small_trees.arm(2), exchanged, ("order of the joints",), "q2, q1"),
     "implicit": (lambda: small_trees.arm(2, "0.4"), implicit, ("implicit integration",),
                  "an implicit step of 0.002 s"),
@@ -116,8 +118,6 @@ CASES = {
                    "damping of joints is left out: 0.4 N m s/rad at q1"),
     "a default": (lambda: small_trees.arm(2, tool=True), heavy_tool, ("a link without inertia",),
                   "are given 1 kg and 1 kg m^2: tool"),
-    "two causes": (lambda: small_trees.arm(2), both, ("gravity", "armature"),
-                   "opposite sign: (0, 0, 9.81) in place of (0, 0, -9.81) m/s^2; rotors'"),
 }  # fmt: skip
 
 
@@ -132,6 +132,7 @@ def test_a_cause_is_named(case: str) -> None:
     assert cause.finding.verdict is Verdict.SUPPORTED
 
 
+@pytest.mark.campaign
 def test_two_quantities_may_differ_for_causes_of_their_own() -> None:
     """M is half filled, and the forward dynamics is damped."""
     damped = other.answers(other.arm_joints(2), added=lambda q, v, a: 0.3 * v)
@@ -147,6 +148,7 @@ def test_two_quantities_may_differ_for_causes_of_their_own() -> None:
     }
 
 
+@pytest.mark.campaign
 def test_what_no_row_explains_is_said_to_be_unexplained() -> None:
     odd = other.answers(other.arm_joints(2), added=lambda q, v, a: np.sin(q))
     found = compare(small_trees.arm(2), {"bias": odd["bias"]}, states=5)
