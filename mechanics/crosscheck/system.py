@@ -214,8 +214,13 @@ def _without_textbook(
     remarks = ["The equations are too long to be written out, and stay programs."]
     remarks += _units_missing(scene)
     stage("compiling")
-    models = {name: compile(equations) for name, equations in derived.items()}
-    model = models[first.route]
+    model = compile(first)
+    # Without constraints and friction programs come from the mechanism, whatever the route.
+    tree = not (scene.constraints or frictions(scene))
+    models = {
+        name: model if tree or equations is first else compile(equations)
+        for name, equations in derived.items()
+    }
     findings += prove_compiled(model, [name for name in model.casadi if name != "step"])
     stage("the scene as declared")
     states = drawn_states(scene)
