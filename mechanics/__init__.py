@@ -24,6 +24,8 @@ if TYPE_CHECKING:
     from mechanics.errors import MechanicsError
     from mechanics.export import write_c
     from mechanics.extremes import extremes
+    from mechanics.importers.dh import from_dh
+    from mechanics.importers.mjcf import from_mjcf
     from mechanics.importers.sympy_scene import from_sympy
     from mechanics.importers.urdf import from_urdf
     from mechanics.judge.check import check
@@ -105,6 +107,8 @@ __all__ = [
     "extremes",
     "force",
     "free",
+    "from_dh",
+    "from_mjcf",
     "from_sympy",
     "from_urdf",
     "gravity",
@@ -155,6 +159,8 @@ _MODULES = {
     "Witness": ("mechanics.kernel", "Witness"),
     "write_c": ("mechanics.export", "write_c"),
     "extremes": ("mechanics.extremes", "extremes"),
+    "from_dh": ("mechanics.importers.dh", "from_dh"),
+    "from_mjcf": ("mechanics.importers.mjcf", "from_mjcf"),
     "from_sympy": ("mechanics.importers.sympy_scene", "from_sympy"),
     "from_urdf": ("mechanics.importers.urdf", "from_urdf"),
     "check": ("mechanics.judge.check", "check"),

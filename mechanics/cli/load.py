@@ -16,10 +16,12 @@ from typing import Any
 
 import typer
 
+from mechanics.checks.redundant import drop_redundant
 from mechanics.errors import InputError, MechanicsError
 from mechanics.importers import as_scene
 from mechanics.importers.assemble import assemble
 from mechanics.importers.decimals import Notes
+from mechanics.importers.mjcf import read_mjcf
 from mechanics.importers.sympy_model import is_model
 from mechanics.importers.urdf import read_urdf
 from mechanics.scene import Scene
@@ -28,7 +30,7 @@ from mechanics.scene.system import System
 
 CALL = re.compile(r"(\w+)(?:\((\d+)\)|:(\d+))")
 FILE = re.compile(r"(.*\.py)(?::(\w+))?", re.DOTALL)
-ROBOT = re.compile(r"(.*\.urdf)(?::(\w+))?", re.DOTALL | re.IGNORECASE)
+ROBOT = re.compile(r"(.*\.(?:urdf|xml))(?::([\w,]+))?", re.DOTALL | re.IGNORECASE)
 
 
 def load(text: str) -> System:
@@ -40,8 +42,9 @@ def load(text: str) -> System:
         A name, a name with a size (``pendulum_chain(10)`` or ``pendulum_chain:10``), or the path
         of a Python file with a function ``scene()``, which returns a scene or a model of SymPy's,
         and, perhaps, a tuple ``PUBLISHED``;
-        ``file.py:name`` for a function of another name. Or a robot, ``arm.urdf``, or with what
-        holds its first link ``dog.urdf:free``; what its reader notes is printed.
+        ``file.py:name`` for a function of another name. Or a robot: ``arm.urdf``, or with what
+        holds its first link ``dog.urdf:free``; ``arm.xml`` in MJCF, or with what is left out
+        ``arm.xml:contact,friction``. What its reader notes is printed.
 
     Raises
     ------
@@ -51,7 +54,7 @@ def load(text: str) -> System:
     if file := FILE.fullmatch(text):
         return _from_file(Path(file[1]), file[2] or "scene")
     if robot := ROBOT.fullmatch(text):
-        return _from_model(Path(robot[1]), robot[2] or "fixed")
+        return _from_model(Path(robot[1]), robot[2] or "")
     return built_in(text)
 
 
@@ -100,12 +103,24 @@ def _from_file(path: Path, name: str) -> System:
     return System(path.stem, partial(_taken, made, path.stem), tuple(rows), model=made)
 
 
-def _from_model(path: Path, root: str) -> System:
-    notes = Notes()
-    robot = read_urdf(path, notes)
-    for line in notes.lines():
+def _from_model(path: Path, option: str) -> System:
+    """A robot; options of a URDF are its root, of an MJCF what is left out."""
+    if path.suffix.lower() == ".urdf":
+        notes = Notes()
+        robot = read_urdf(path, notes)
+        told, make = notes.lines(), partial(assemble, robot, option or "fixed")
+    else:
+        robot, field, told = read_mjcf(path, tuple(filter(None, option.split(","))))
+        make = partial(_irredundant, partial(assemble, robot, field=field))
+    for line in told:
         typer.echo(f"{path}: {line}", err=True)
-    return System(path.stem, partial(assemble, robot, root, notes=notes.lines()))
+    return System(path.stem, partial(make, notes=told))
+
+
+def _irredundant(make: Callable[..., Scene], notes: tuple[str, ...]) -> Scene:
+    """Loops of a plane that are closed in space: MuJoCo does not mind what follows from others."""
+    scene = make(notes=notes)
+    return drop_redundant(scene) if scene.constraints else scene
 
 
 def run_file(path: Path) -> ModuleType:

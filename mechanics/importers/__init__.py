@@ -6,12 +6,19 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    from mechanics.importers.dh import from_dh
+    from mechanics.importers.mjcf import from_mjcf
     from mechanics.importers.sympy_scene import from_sympy
     from mechanics.importers.urdf import from_urdf
 
-__all__ = ["from_sympy", "from_urdf"]
+__all__ = ["from_dh", "from_mjcf", "from_sympy", "from_urdf"]
 
-_MODULES = {"from_sympy": "sympy_scene", "from_urdf": "urdf"}
+_MODULES = {
+    "from_dh": "dh",
+    "from_mjcf": "mjcf",
+    "from_sympy": "sympy_scene",
+    "from_urdf": "urdf",
+}
 
 
 def __getattr__(name: str) -> Any:

@@ -69,15 +69,6 @@ class Limits:
 
 
 @dataclass(frozen=True)
-class Mimic:
-    """q = multiplier * q of the other joint + offset."""
-
-    joint: str
-    multiplier: Rational
-    offset: Rational
-
-
-@dataclass(frozen=True)
 class Connection:
     """A joint of the file.
 
@@ -98,10 +89,11 @@ class Connection:
     limits : Limits
     driven : bool
         Whether an input drives it.
+    zero : Expr
+        Value of the coordinate at which the child stands as the file places it.
     damping, friction, stiffness, rest, armature : Expr
         Loads -damping q', -friction sign(q') and -stiffness (q - rest), and what a drive adds to
         the inertia of q itself, in SI units.
-    mimic : Mimic or None
     """
 
     name: str
@@ -114,28 +106,98 @@ class Connection:
     offset: Column = NOWHERE
     limits: Limits = field(default_factory=Limits)
     driven: bool = True
+    zero: Expr = ZERO
     damping: Expr = ZERO
     friction: Expr = ZERO
     stiffness: Expr = ZERO
     rest: Expr = ZERO
     armature: Expr = ZERO
-    mimic: Mimic | None = None
+
+
+@dataclass(frozen=True)
+class Actuation:
+    """What acts along L = sum of coefficient q: a motor, or a tendon over joints.
+
+    F = (gain_0 + gain_1 L + gain_2 L') input + bias_0 + bias_1 L + bias_2 L'
+
+    Attributes
+    ----------
+    name : str
+        Also of the input.
+    terms : tuple of (str, Expr)
+        Joints with their coefficients.
+    gain : three Expr, or None
+        None: no input.
+    bias : three Expr
+    """
+
+    name: str
+    terms: tuple[tuple[str, Expr], ...]
+    gain: Column | None
+    bias: Column
+
+
+@dataclass(frozen=True)
+class Cable:
+    """A spring and damper between two points, each a link and a place on it."""
+
+    name: str
+    ends: tuple[tuple[str, Column], tuple[str, Column]]
+    stiffness: Expr
+    length: Expr
+    damping: Expr
+
+
+@dataclass(frozen=True)
+class Polynomial:
+    """q = rest + sum of c_k (q_other - other_rest)^k; q stays where it is without another."""
+
+    name: str
+    joint: str
+    other: str | None
+    rest: Expr
+    other_rest: Expr
+    coefficients: tuple[Expr, ...]
+
+
+@dataclass(frozen=True)
+class Closure:
+    """What closes a loop: places of two links that stay together, and their frames if welded.
+
+    Attributes
+    ----------
+    name : str
+    first, second : (str, Column)
+        Link and place on it.
+    turn : ImmutableMatrix or None
+        Of the second link's frame against that of the first; None: free to turn.
+    """
+
+    name: str
+    first: tuple[str, Column]
+    second: tuple[str, Column]
+    turn: ImmutableMatrix | None
+
+
+Coupling = Actuation | Cable | Polynomial | Closure
 
 
 @dataclass(frozen=True)
 class Robot:
-    """A tree of links.
+    """A tree of links, and what couples them beside its joints.
 
     Attributes
     ----------
     name : str
     links : tuple of Link
     joints : tuple of Connection
+    couplings : tuple of Coupling
     """
 
     name: str
     links: tuple[Link, ...]
     joints: tuple[Connection, ...]
+    couplings: tuple[Coupling, ...] = ()
 
     def link(self, name: str) -> Link:
         """The link of that name."""

@@ -24,7 +24,7 @@ AXES = "xyz"
 def about(axis: int, angle: Expr) -> Matrix:
     """The turn by an angle about a coordinate axis: v_parent = R v_child."""
     turns = angle / pi
-    if turns.is_Rational and (12 * turns).is_Integer:
+    if not angle.is_number or (turns.is_Rational and (12 * turns).is_Integer):
         c, s = cos(angle), sin(angle)
     else:
         # What is left of the angle beside right angles keeps t small.

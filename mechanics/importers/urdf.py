@@ -6,7 +6,7 @@
 Meshes, materials and transmissions are not looked at. Source: wiki.ros.org/urdf/XML.
 """
 
-from collections.abc import Collection, Iterable
+from collections.abc import Collection, Iterable, Iterator
 from pathlib import Path
 from xml.etree.ElementTree import Element, ParseError, TreeBuilder, XMLParser
 
@@ -19,12 +19,13 @@ from mechanics.importers.robot import (
     MOST_LINKS,
     NOWHERE,
     STRAIGHT,
+    ZERO,
     Column,
     Connection,
     Inertial,
     Limits,
     Link,
-    Mimic,
+    Polynomial,
     Robot,
 )
 from mechanics.importers.rotations import roll_pitch_yaw
@@ -106,6 +107,7 @@ def read_urdf(path: str | Path, notes: Notes, multiples: bool = True) -> Robot:
             top.get("name") or path.stem,
             tuple(map(reader.link, links)),
             tuple(map(reader.joint, top.findall("joint"))),
+            tuple(tie for joint in top.findall("joint") for tie in reader.mimics(joint)),
         )
     except ParseError as error:
         raise InputError(f"file {path}: it is no XML: {error}") from None
@@ -171,8 +173,7 @@ class _Reader:
             name, KINDS[kind], _attribute(element, "parent", "link", what),
             _attribute(element, "child", "link", what), place, turn,
             self._axis(element, what, kind), limits=self._limits(element, what, kind),
-            driven=moving, damping=damping, friction=friction,
-            mimic=self._mimic(element, what) if moving else None,
+            driven=moving and element.find("mimic") is None, damping=damping, friction=friction,
         )  # fmt: skip
 
     def _origin(self, element: Element, what: str) -> tuple[Column, ImmutableMatrix]:
@@ -213,15 +214,18 @@ class _Reader:
             raise InputError(f"{what}: its lower limit {lower} is above its upper limit {upper}")
         return Limits(lower, upper, rate, effort)
 
-    def _mimic(self, element: Element, what: str) -> Mimic | None:
-        own = element.find("mimic")
-        if own is None:
-            return None
-        return Mimic(
-            _attribute(element, "mimic", "joint", what),
-            exact(own.get("multiplier", "1"), f"{what}: its multiplier"),
-            exact(own.get("offset", "0"), f"{what}: its offset"),
-        )
+    def mimics(self, joint: Element) -> Iterator[Polynomial]:
+        """q = multiplier * q of the other joint + offset, where it is said."""
+        own = joint.find("mimic")
+        if own is not None and KINDS[joint.get("type", "")] in ("turn", "slide"):
+            name = _name(joint, "joint")
+            what = f"joint {name}"
+            numbers = (
+                exact(own.get("offset", "0"), f"{what}: its offset"),
+                exact(own.get("multiplier", "1"), f"{what}: its multiplier"),
+            )
+            other = _attribute(joint, "mimic", "joint", what)
+            yield Polynomial(name, name, other, ZERO, ZERO, numbers)
 
     def _possible(self, what: str, mass: Rational, moments: list[Rational]) -> None:
         """No principal moment is negative; where one exceeds the sum of the others it is told."""

@@ -4,6 +4,7 @@ from dataclasses import dataclass
 
 from sympy import Symbol
 
+from mechanics.scene.joints.joint import Joint
 from mechanics.scene.reactions import Reaction
 from mechanics.scene.scene import Scene
 
@@ -47,10 +48,18 @@ def tree(scene: Scene) -> Tree:
     """Spanning tree of the bodies over the reactions that stay after the cut.
 
     A body that no reaction ties to another hangs on the ground: it is free, or slides on it
-    without a reaction in the directions that the scene uses.
+    without a reaction in the directions that the scene uses. One that a joint carries hangs on the
+    parent of the joint, whatever else ties it.
     """
     cut = set(multipliers(scene))
     kept = [reaction for reaction in scene.reactions if reaction.symbol not in cut]
+    tied = {frozenset((reaction.on, reaction.by or GROUND)) for reaction in kept}
+    carrier = {
+        joint.child: joint.parent or GROUND
+        for joint in scene.joints
+        if isinstance(joint, Joint) and joint.carries
+        and (not joint.reactions or {joint.child, joint.parent or GROUND} in tied)
+    }  # fmt: skip
     order: list[str] = []
     parent: dict[str, str] = {}
 
@@ -61,7 +70,11 @@ def tree(scene: Scene) -> Tree:
                 ends = (reaction.on, reaction.by or GROUND)
                 if inner in ends:
                     outer = ends[1] if ends[0] == inner else ends[0]
-                    if outer != GROUND and outer not in parent:
+                    if (
+                        outer != GROUND
+                        and outer not in parent
+                        and inner == carrier.get(outer, inner)
+                    ):
                         parent[outer] = inner
                         order.append(outer)
                         front.append(outer)
