@@ -82,7 +82,7 @@ class Bordered:
 
     def solve(self, right: Sequence[Node]) -> tuple[Node, ...]:
         """(u', lambda) for another right side."""
-        if not self._symmetric:
+        if not self.symmetric:
             return tuple(solve_with_pivots(self._general, right, self._pivots))
         n, a = len(self.mass), self.constraint_matrix
         build = self.mechanism.builder
@@ -99,7 +99,7 @@ class Bordered:
         return transpose(self.constraint_matrix)
 
     @cached_property
-    def _symmetric(self) -> bool:
+    def symmetric(self) -> bool:
         """Whether equation (2) serves: M is regular by itself, and B lambda some A^T mu."""
         n, c = len(self.mass), len(self.constraint_matrix)
         if not self.conjugate or self._rank(self.mass) < n:

@@ -53,8 +53,9 @@ from mechanics.program.differences import with_one_difference
 from mechanics.program.elimination import expand_solves
 from mechanics.program.forward import tangent
 from mechanics.program.residues import Residues
+from mechanics.program.value_numbering import with_one_value
 from mechanics.program.vectors import Vector, add, cross, scale, times, zeros
-from mechanics.recursions import least_constraint, newton_euler
+from mechanics.recursions import constrained_trees, least_constraint, newton_euler
 from mechanics.recursions.articulated_bodies import forward_dynamics
 from mechanics.recursions.composite_bodies import mass_matrix
 from mechanics.recursions.joints import Link
@@ -289,7 +290,17 @@ class Outputs:
                 found.append(replace(self._bordered, mass=mass).solution)
             else:
                 found.append(Solvable(mass, self._system.forcing).accelerations(mechanism.builder))
-        return found
+        return found + self._constrained_trees()
+
+    def _constrained_trees(self) -> list[Rows]:
+        """With the constraints composed along the bodies, which their reactions tell."""
+        held = self._bordered
+        if held is None or not held.symmetric or not self._constrained:
+            return []
+        return [
+            (*ud, *held.multipliers(mu))
+            for ud, mu in constrained_trees.forward_dynamics(self.mechanism, self._closing)
+        ]
 
     def _articulated(self) -> list[Rows]:
         bias = [-entry for entry in self._system.forcing]
@@ -320,18 +331,16 @@ class Outputs:
 
     def bound_ways(self, form: str) -> list[Program]:
         """The programs of `ways`."""
+        return [self._solution(nodes) for nodes in self.ways(form)]
+
+    def _solution(self, nodes: Rows) -> Program:
         n = len(self.mechanism.ud)
-        return [
-            self._bound({"ud": nodes[:n], "multipliers": nodes[n:]}) for nodes in self.ways(form)
-        ]
+        program = self._bound({"ud": nodes[:n], "multipliers": nodes[n:]})
+        return with_one_difference(with_one_value(program)) if self._constrained else program
 
     @cached_property
     def _forward_dynamics(self) -> tuple[str, Program]:
-        n = len(self.mechanism.ud)
-        ways = [
-            (form, self._bound({"ud": nodes[:n], "multipliers": nodes[n:]}))
-            for form, nodes in self._accelerations
-        ]
+        ways = [(form, self._solution(nodes)) for form, nodes in self._accelerations]
         return min(ways, key=lambda way: operations(way[1]))
 
     def _inverse_dynamics(self) -> Program:

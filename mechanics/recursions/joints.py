@@ -11,7 +11,7 @@ angles of a chain may be counted from the ground, each for itself.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from mechanics.mechanism import GROUND, Mass, Mechanism, inputs_of
@@ -62,8 +62,53 @@ class Link:
     second: Matrix
 
 
+@dataclass(frozen=True)
+class Spot:
+    """A place on a link: `offset` from its root in its frame; on the ground from the origin."""
+
+    link: int
+    offset: Vector
+
+
+@dataclass(frozen=True)
+class JointTree:
+    """Links, parents first, and where frames and points are.
+
+    Attributes
+    ----------
+    links : tuple of Link
+    carriers : mapping of int to int
+        Link of each frame that turns by a coordinate, GROUND for the inertial one.
+    roots : mapping of int to Spot
+        Where on its parent the root of such a frame is.
+    rigid : tuple of int
+        The frame of `carriers` to which each frame is fixed.
+    spots : mapping of int to Spot
+        Of points that are fixed on a link.
+    """
+
+    links: tuple[Link, ...]
+    carriers: Mapping[int, int]
+    roots: Mapping[int, Spot]
+    rigid: tuple[int, ...]
+    spots: Mapping[int, Spot]
+
+
 def joint_tree(mechanism: Mechanism, moments: Moments) -> tuple[Link, ...] | None:
     """Links, parents first; None where the mechanism is no such tree.
+
+    Parameters
+    ----------
+    mechanism : Mechanism
+    moments : Moments
+        Of its masses: as they are, or grouped.
+    """
+    tree = placed_joint_tree(mechanism, moments)
+    return None if tree is None else tree.links
+
+
+def placed_joint_tree(mechanism: Mechanism, moments: Moments) -> JointTree | None:
+    """The same, and where its frames and points are.
 
     Parameters
     ----------
@@ -75,21 +120,13 @@ def joint_tree(mechanism: Mechanism, moments: Moments) -> tuple[Link, ...] | Non
         return None
     if any(entry in mechanism.given_rates for entry in _geometry(mechanism)):
         return None
-    return _Recognition(rigid_steps(mechanism)).links(moments)
+    return _Recognition(rigid_steps(mechanism)).tree(moments)
 
 
 def _geometry(mechanism: Mechanism) -> set[Node]:
     nodes = [entry for frame in mechanism.frames for row in frame.rotation for entry in row]
     nodes += [e for place in mechanism.points for _, column in place.step for e in column]
     return inputs_of(nodes)
-
-
-@dataclass(frozen=True)
-class _Spot:
-    """A place on a link: `offset` from its root in its frame; on the ground from the origin."""
-
-    link: int
-    offset: Vector
 
 
 @dataclass
@@ -114,19 +151,41 @@ class _Recognition:
         self.mechanism = mechanism
         self.drafts: list[_Draft] = []
         self.link_of_frame: dict[int, int] = {0: GROUND}
-        self.root_of_frame: dict[int, _Spot] = {}
+        self.root_of_frame: dict[int, Spot] = {}
         self.coordinates = {q: i for i, q in enumerate(mechanism.q)}
-        self.spots = {0: _Spot(GROUND, zeros(mechanism.builder))}
+        self.spots = {0: Spot(GROUND, zeros(mechanism.builder))}
 
-    def links(self, moments: Moments) -> tuple[Link, ...] | None:
+    def tree(self, moments: Moments) -> JointTree | None:
         try:
             for body in self.mechanism.bodies:
                 self.place(body.centre)
             for body in self.mechanism.bodies:
                 self.turn(body)
-            return self.loaded(moments)
+            links = self.loaded(moments)
         except _Unlike:
             return None
+        for point in range(len(self.mechanism.points)):
+            self.find(point)
+        rigid = tuple(map(self.rigid, range(len(self.mechanism.frames))))
+        return JointTree(links, self.link_of_frame, self.root_of_frame, rigid, self.spots)
+
+    def find(self, point: int) -> None:
+        """Where a point is that carries no mass, if it is fixed on a link."""
+        place = self.mechanism.points[point]
+        if point in self.spots or place.parent not in self.spots:
+            return
+        spot = self.spots[place.parent]
+        for frame, column in sorted(place.step, key=lambda part: part[0]):
+            rigid = self.rigid(frame)
+            if self.moving(column) or rigid not in self.link_of_frame:
+                return
+            if rigid != self.rigid(self.frame_of(spot.link)):
+                if self.root_of_frame.get(rigid) != spot:
+                    return
+                spot = Spot(self.link_of_frame[rigid], zeros(self.mechanism.builder))
+            own = express(self.mechanism, column, frame, self.frame_of(spot.link))
+            spot = Spot(spot.link, add(spot.offset, own))
+        self.spots[point] = spot
 
     def moving(self, nodes: Sequence[Node]) -> list[int]:
         """Coordinates that nodes depend on."""
@@ -150,7 +209,7 @@ class _Recognition:
         self.drafts.append(draft)
         return len(self.drafts) - 1
 
-    def enter(self, frame: int, spot: _Spot) -> int:
+    def enter(self, frame: int, spot: Spot) -> int:
         """The link of a frame that turns, whose root is at a spot."""
         if frame in self.link_of_frame:
             if frame == 0:
@@ -180,7 +239,7 @@ class _Recognition:
         self.link_of_frame[frame], self.root_of_frame[frame] = link, spot
         return link
 
-    def place(self, point: int) -> _Spot:
+    def place(self, point: int) -> Spot:
         """Where a point is, and what its way needs; points without a body may move in any way."""
         if point not in self.spots:
             place = self.mechanism.points[point]
@@ -196,15 +255,15 @@ class _Recognition:
         if rigid not in (GROUND, 0) and rigid not in self.link_of_frame:
             self.enter(rigid, self.spots[body.centre])
 
-    def step(self, spot: _Spot, frame: int, column: Vector) -> _Spot:
+    def step(self, spot: Spot, frame: int, column: Vector) -> Spot:
         rigid = self.rigid(frame)
         if rigid != self.rigid(self.frame_of(spot.link)):
-            spot = _Spot(self.enter(rigid, spot), zeros(self.mechanism.builder))
+            spot = Spot(self.enter(rigid, spot), zeros(self.mechanism.builder))
         own = self.frame_of(spot.link)
         column = express(self.mechanism, column, frame, own)
         coordinates = self.moving(column)
         if not coordinates:
-            return _Spot(spot.link, add(spot.offset, column))
+            return Spot(spot.link, add(spot.offset, column))
         for coordinate in coordinates:
             one = self.mechanism.builder.one
             axis = tuple(tangent(column, {self.mechanism.q[coordinate]: one}))
@@ -212,12 +271,12 @@ class _Recognition:
                 raise _Unlike
             if coordinate != coordinates[-1]:
                 # The last of several slides in one step has the whole way as its offset.
-                spot = _Spot(self.slide(coordinate, spot, axis), zeros(self.mechanism.builder))
+                spot = Spot(self.slide(coordinate, spot, axis), zeros(self.mechanism.builder))
         offset = add(spot.offset, column)
-        link = self.slide(coordinates[-1], _Spot(spot.link, offset), axis)
-        return _Spot(link, zeros(self.mechanism.builder))
+        link = self.slide(coordinates[-1], Spot(spot.link, offset), axis)
+        return Spot(link, zeros(self.mechanism.builder))
 
-    def slide(self, coordinate: int, spot: _Spot, axis: Vector) -> int:
+    def slide(self, coordinate: int, spot: Spot, axis: Vector) -> int:
         frame = self.frame_of(spot.link)
         return self.new(_Draft(coordinate, spot.link, False, True, frame, axis, spot.offset))
 
@@ -233,7 +292,7 @@ class _Recognition:
             if rigid == 0:
                 continue
             if self.frame_of(spot.link) != rigid:
-                spot = _Spot(self.enter(rigid, spot), none)
+                spot = Spot(self.enter(rigid, spot), none)
             first = express(mechanism, first, frame, rigid)
             across = outer(spot.offset, first)
             pairs = zip(across, transpose(across), strict=True)
@@ -291,10 +350,10 @@ def rotated(mechanism: Mechanism, matrix: Matrix, source: int, target: int) -> M
 
 
 def _turned(mechanism: Mechanism, matrix: Matrix, index: int, rotation: Matrix) -> Matrix:
-    turn = mechanism.frames[index].turn
-    if turn is None or not inputs_of([turn.angle]):
+    one = mechanism.builder.one
+    axis = next((k for k in range(3) if rotation[k][k] == one), None)
+    if axis is None:
         return product(product(rotation, matrix), transpose(rotation))
-    axis = next(k for k in range(3) if not turn.axis[k].is_zero)
     return _double_angle(matrix, rotation, axis)
 
 

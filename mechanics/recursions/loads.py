@@ -76,7 +76,7 @@ def _scaled(size: Node, mixed: Mixed) -> Mixed:
     return tuple((frame, scale(size, column)) for frame, column in mixed)
 
 
-def _span(mechanism: Mechanism, first: int, second: int) -> Mixed:
+def span(mechanism: Mechanism, first: int, second: int) -> Mixed:
     """The way from one point to another along the steps."""
 
     def up(point: int) -> list[int]:
@@ -98,9 +98,9 @@ def _span(mechanism: Mechanism, first: int, second: int) -> Mixed:
 
 def _pull(mechanism: Mechanism, line: Line) -> tuple[int, Vector]:
     """Tension times the unit direction from first to second, and the frame of its components."""
-    span = _span(mechanism, line.first, line.second)
-    frame = common(mechanism, [f for f, _ in span]) if span and line.along is None else 0
-    between = collect(mechanism, span, frame)
+    way = span(mechanism, line.first, line.second)
+    frame = common(mechanism, [f for f, _ in way]) if way and line.along is None else 0
+    between = collect(mechanism, way, frame)
     if line.along is None:
         distance = dot(between, between).sqrt()
         direction: Vector = tuple(entry / distance for entry in between)
@@ -149,16 +149,16 @@ def _at(
     if body == GROUND:
         return
     own = mechanism.bodies[body]
-    span = _span(mechanism, own.centre, point)
+    way = span(mechanism, own.centre, point)
     moving = set(mechanism.rates)
-    fixed = all(frame == own.frame and not inputs_of(c) & moving for frame, c in span)
+    fixed = all(frame == own.frame and not inputs_of(c) & moving for frame, c in way)
     if fixed:
         forces += [Force(point, frame, column) for frame, column in vector]
         return
     forces += [Force(own.centre, frame, column) for frame, column in vector]
     if own.frame is None:
         return
-    for frame, arm in span:
+    for frame, arm in way:
         for source, column in vector:
             moment = cross(arm, express(mechanism, column, source, frame))
             couples.append(Couple(own.frame, GROUND, frame, moment))

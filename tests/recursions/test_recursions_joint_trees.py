@@ -88,10 +88,10 @@ def test_wheels_turn_about_their_centres_and_the_contact_is_on_no_link(masses) -
     assert_recursions_agree(mechanism, masses, derivatives=False)
 
 
-def test_a_bicycle_takes_fewer_operations_than_in_the_literature() -> None:
-    """2,176 after sharing: SymBRiM's best equations of it."""
+def test_a_bicycle_whose_friction_heads_with_it_takes_no_more_operations() -> None:
+    """Its conditions of no slip stand in directions that move."""
     model = compile(derive(whipple_bicycle(), "kane"), compiler=None)
-    assert model.program("forward_dynamics").operations < 2176
+    assert model.program("forward_dynamics").operations <= 2010
 
 
 @settings(max_examples=6, deadline=None, derandomize=True, phases=PHASES)

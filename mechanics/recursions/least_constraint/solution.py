@@ -90,7 +90,7 @@ def forward_dynamics(
         for symbol, entry in zip(mechanism.ud, row, strict=True):
             g.couple(name, symbol, -entry)
     unknowns = [*names, *mechanism.ud, *g.definitions]
-    value = values(g, eliminated(g, unknowns, _nonzero(mechanism), way.rule, names))
+    value = values(g, eliminated(g, unknowns, known_nonzero(mechanism), way.rule, names))
     return tuple(map(value, (*mechanism.ud, *names)))
 
 
@@ -136,7 +136,7 @@ def _work(g: Gauss, acceleration: Affines, force: Sequence[Node]) -> None:
             g.add_force(unknown, coefficient * component)
 
 
-def _nonzero(mechanism: Mechanism) -> Callable[[Node], bool]:
+def known_nonzero(mechanism: Mechanism) -> Callable[[Node], bool]:
     """Whether a node is known not to vanish: products and quotients of what is positive."""
     build = mechanism.builder
     first, second, _ = build.operands
