@@ -71,6 +71,16 @@ def local_velocity() -> Answers:
     return {"velocity link2": answer}
 
 
+def damped_at_the_end(h: float = 0.001, b: float = 0.3) -> Answers:
+    arm = other.answers(other.arm_joints(2), added=lambda q, v, a: b * v)
+
+    def forward(q: Any, v: Any, f: Any) -> Any:
+        whole = arm["mass_matrix"](q, v) + h * b * np.eye(2)
+        return np.linalg.solve(whole, f - arm["bias"](q, v))
+
+    return {"inverse_dynamics": arm["inverse_dynamics"], "forward_dynamics": forward}
+
+
 def in_degrees() -> Answers:
     arm = other.answers(other.arm_joints(2))
     return {"inverse_dynamics": lambda q, v, a: arm["inverse_dynamics"](np.degrees(q), v, a)}
@@ -147,6 +157,24 @@ THREADS = {
         lambda: taken("forward_dynamics", other.answers(
             other.arm_joints(2), added=lambda q, v, a: 0.04 * v)),
         "joint damping", "0.04 N m s/rad at q1, 0.04 N m s/rad at q2",
+    ),
+    "dartsim/dart 1450": Thread(
+        "forward dynamics, damped at the end of its step, against inverse dynamics",
+        lambda: small_trees.arm(2, "0.3"), damped_at_the_end,
+        "implicit integration", "an implicit step of 0.001 s",
+    ),
+    "Gepetto/example-robot-data 67": Thread(
+        "PyBullet gives a link that has no inertia 1 kg",
+        lambda: small_trees.arm(2, tool=True),
+        lambda: taken("mass_matrix inverse_dynamics", other.answers(
+            other.with_tool(other.arm_joints(2)))),
+        "a link without inertia", "1 kg and 1 kg m^2: tool",
+    ),
+    "frankarobotics/franka_ros 160": Thread(
+        "a controller's gravity is not that of the simulator",
+        two, lambda: taken("bias", other.answers(
+            other.arm_joints(2), gravity=np.array([0.0, 0.0, -9.8]))),
+        "gravity", "another size: (0, 0, -9.8) in place of (0, 0, -9.81) m/s^2",
     ),
     "Rhoban/onshape-to-robot 85": Thread(
         "inertias of parts were turned the wrong way round",
