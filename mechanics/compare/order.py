@@ -50,8 +50,8 @@ class Order:
         found = np.zeros(self.sizes[0])
         for link in self._moving:
             own = q[list(link.q)]
-            if link.kind == "free" and not self.scalar_first:
-                own = own[[0, 1, 2, 4, 5, 6, 3]]
+            if link.kind in ("free", "ball") and not self.scalar_first:
+                own = np.concatenate([own[:-4], own[-3:], own[-4:-3]])
             if link.joint in self.circles:
                 own = np.array([np.cos(own[0]), np.sin(own[0])])
             found[self.q[link.joint] : self.q[link.joint] + len(own)] = own

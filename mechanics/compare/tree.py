@@ -18,7 +18,7 @@ from mechanics.scene.joints import Joint
 from mechanics.scene.rotations import Rotation
 from mechanics.scene.symbols import name_of
 
-TAKEN = ("pin", "slide", "weld", "free")
+TAKEN = ("pin", "slide", "weld", "free", "ball")
 
 
 @dataclass(frozen=True, eq=False)
@@ -32,7 +32,7 @@ class Link:
     before : int
         Index of the link that carries it, -1 for the ground.
     kind : str
-        ``"pin"``, ``"slide"``, ``"weld"`` or ``"free"``.
+        ``"pin"``, ``"slide"``, ``"weld"``, ``"free"`` or ``"ball"``.
     axis : (3,)
     turn, offset : (3, 3), (3,)
         v_before = turn v, and where the joint is, in the frame of the link before.
@@ -79,7 +79,7 @@ def links(ours: Ours, whole: bool = True) -> tuple[Link, ...]:
         body.name: entry
         for body, entry in zip(ours.mechanism.bodies, ours.bodies(zero), strict=True)
     }
-    waiting = [joint for joint in scene.joints if isinstance(joint, Joint)]
+    waiting = [joint for joint in scene.joints if isinstance(joint, Joint) and joint.carries]
     found: dict[str, Link] = {}
     while waiting:
         joint = next(j for j in waiting if j.parent is None or j.parent in found)
@@ -95,7 +95,7 @@ def links(ours: Ours, whole: bool = True) -> tuple[Link, ...]:
         if kind in ("pin", "slide"):
             rows = slice(3, 6) if kind == "pin" else slice(0, 3)
             axis = turn.T @ columns[joint.child][0][rows, speeds[0]]
-        if kind == "free":
+        if kind in ("free", "ball"):
             places = (*places, *(names.index(q) for q in joint.given["rotation"].coordinates))
         mass, centre, own, inertia = bodies[joint.child]
         way = turn.T @ own
@@ -116,19 +116,19 @@ def _speeds(ours: Ours, joint: Joint) -> list[int]:
 def _refuse(ours: Ours, whole: bool) -> None:
     scene = ours.scene
     carried = {j.child for j in scene.joints if isinstance(j, Joint) and j.carries}
-    looped = bool(scene.constraints) and whole
-    if looped or len(carried) != len(scene.bodies) or len(scene.joints) != len(carried):
+    counts = {len(carried), len(scene.bodies), len(scene.joints)}
+    if (whole and (scene.constraints or len(counts) > 1)) or not carried:
         raise InputError(
             f"{scene.name}: engines take a tree, in which one joint carries each body and nothing"
             " closes a loop: declare joints, or pass the engine's answers as functions"
         )
     for joint in scene.joints:
-        if not isinstance(joint, Joint):
+        if not isinstance(joint, Joint) or not joint.carries:
             continue
-        kind = joint.given.get("kind")
-        free = kind == "free" and not isinstance(joint.given["rotation"], Rotation)
-        if kind not in TAKEN or free:
-            words = "free with no quaternion" if free else str(kind)
+        kind = str(joint.given.get("kind"))
+        angles = not isinstance(joint.given.get("rotation"), Rotation)
+        if kind not in TAKEN or (kind in ("free", "ball") and angles):
+            words = f"{kind} without a quaternion" if kind in TAKEN else kind
             raise InputError(
                 f"joint {joint.name} is {words}: engines' models are made of {', '.join(TAKEN)}"
             )
@@ -152,9 +152,9 @@ def fixed_base(engine: str, tree: tuple[Link, ...]) -> tuple[Link, ...]:
         Names the free joint.
     """
     for link in tree:
-        if link.kind == "free":
+        if link.kind in ("free", "ball"):
             raise InputError(
-                f"joint {link.joint} is free: the adapter of {engine} takes pin, slide and weld:"
-                " compare with pinocchio or mujoco"
+                f"joint {link.joint} is {link.kind}: the adapter of {engine} takes pin, slide and"
+                " weld: compare with pinocchio or mujoco"
             )
     return tree

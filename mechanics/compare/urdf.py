@@ -62,7 +62,7 @@ def mjcf(tree: tuple[Link, ...]) -> str:
         link = tree[place]
         numbers = " ".join(repr(float(e)) for e in link.axis)
         kinds = {"pin": f'type="hinge" axis="{numbers}"', "slide": f'type="slide" axis="{numbers}"'}
-        kinds["free"] = 'type="free"'
+        kinds |= {kind: f'type="{kind}"' for kind in ("free", "ball")}
         joint = f'<joint name="{link.joint}" {kinds[link.kind]}/>' if link.kind in kinds else ""
         inner = "".join(body(k) for k, other in enumerate(tree) if other.before == place)
         return f'<body name="{link.name}">{joint}{UNIT}{inner}</body>'

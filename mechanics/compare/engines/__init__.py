@@ -58,20 +58,33 @@ def _is_here(module: str) -> bool:
     return importlib.util.find_spec(module.partition(".")[0]) is not None
 
 
-def _made(make: Callable[[Path | None], Engine], file: Path | None) -> Engine:
+Make = Callable[[Path | None], Engine]
+
+
+def _made(name: str, make: Make, file: Path | None) -> Engine:
     """From the file, or from the scene where the engine refuses the file."""
     try:
-        return make(file)
+        return _tried(name, make, file)
     except InputError as error:
         if file is None:
             raise
-        words = str(error)
+        refusal = error
     try:
-        made = make(None)
+        made = _tried(name, make, None)
     except InputError:
-        raise InputError(words) from None
-    note = f"{words}: its model is made from the scene"
-    return replace(made, notes=(*made.notes, note))
+        raise refusal from None
+    return replace(made, notes=(*made.notes, f"{refusal}: its model is made from the scene"))
+
+
+def _tried(name: str, make: Make, file: Path | None) -> Engine:
+    try:
+        return make(file)
+    except InputError:
+        raise
+    except Exception as error:
+        words = " ".join(str(error).split())
+        told = f"{name} does not take the model: {type(error).__name__}: {words}"
+        raise InputError(told) from error
 
 
 def engine(name: str, ours: Ours, file: Path | None = None) -> Engine:
@@ -86,8 +99,6 @@ def engine(name: str, ours: Ours, file: Path | None = None) -> Engine:
         if known == name:
             if not _is_here(module):
                 raise InputError(f"{name} is not installed: pip install {package}")
-            make: Callable[[Any, Ours, Path | None], Engine] = import_module(
-                f"mechanics.compare.engines.{name}"
-            ).make
-            return _made(partial(make, import_module(module), ours), file)
+            make: Callable[..., Engine] = import_module(f"mechanics.compare.engines.{name}").make
+            return _made(name, partial(make, import_module(module), ours), file)
     raise InputError(f"engine {name!r}: they are {', '.join(row[0] for row in ENGINES)}")

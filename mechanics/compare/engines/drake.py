@@ -14,7 +14,6 @@ from mechanics.compare.ours import Ours
 from mechanics.compare.quantities import Answer
 from mechanics.compare.tree import Link, fixed_base, links
 from mechanics.compare.urdf import urdf
-from mechanics.errors import InputError
 from mechanics.importers.decimals import Notes
 from mechanics.importers.robot import ordered
 from mechanics.importers.urdf import read_urdf
@@ -24,18 +23,15 @@ def make(drake: Any, ours: Ours, file: Path | None = None) -> Engine:
     """CalcMassMatrix, CalcInverseDynamics, CalcBiasTerm."""
     tree = fixed_base("drake", links(ours, file is None))
     plant = drake.MultibodyPlant(0.0)
-    try:
-        if file is None:
-            drake.Parser(plant).AddModelsFromString(urdf(tree), "urdf")
-            plant.mutable_gravity_field().set_gravity_vector(ours.gravity)
-        else:
-            drake.Parser(plant).AddModels(str(file))
-        root = ordered(read_urdf(file, Notes()))[0] if file else "world_link"
-        if plant.HasBodyNamed(root):
-            plant.WeldFrames(plant.world_frame(), plant.GetFrameByName(root))
-        plant.Finalize()
-    except RuntimeError as error:
-        raise InputError(f"drake does not take the model: {' '.join(str(error).split())}") from None
+    if file is None:
+        drake.Parser(plant).AddModelsFromString(urdf(tree), "urdf")
+        plant.mutable_gravity_field().set_gravity_vector(ours.gravity)
+    else:
+        drake.Parser(plant).AddModels(str(file))
+    root = ordered(read_urdf(file, Notes()))[0] if file else "world_link"
+    if plant.HasBodyNamed(root):
+        plant.WeldFrames(plant.world_frame(), plant.GetFrameByName(root))
+    plant.Finalize()
     joint = {link.joint: plant.GetJointByName(link.joint) for link in tree if link.v}
     at_q = {name: own.position_start() for name, own in joint.items()}
     at_v = {name: own.velocity_start() for name, own in joint.items()}

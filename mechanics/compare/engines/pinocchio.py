@@ -23,11 +23,14 @@ def make(pin: Any, ours: Ours, file: Path | None = None) -> Engine:
     else:
         mjcf = file.suffix == ".xml"
         model = (pin.buildModelFromMJCF if mjcf else pin.buildModelFromUrdf)(str(file))
-    own = {link.joint: model.joints[model.getJointId(link.joint)] for link in tree if link.v}
+    names = [link.joint for link in tree if link.v]
+    if missing := [name for name in names if not model.existJointName(name)]:
+        raise ValueError(f"its model has no joint {', '.join(missing)}")
+    own = {name: model.joints[model.getJointId(name)] for name in names}
     at_q, at_v = ({n: getattr(j, key) for n, j in own.items()} for key in ("idx_q", "idx_v"))
     circles = frozenset(name for name, joint in own.items() if (joint.nq, joint.nv) == (2, 1))
     order = Order(tree, at_q, at_v, (model.nq, model.nv), False, True, circles)
-    data, place = model.createData(), order.position
+    data, place, kinetic = model.createData(), order.position, pin.computeKineticEnergy
 
     def mass_matrix(q: Any, v: Any) -> Any:
         upper, B = np.triu(pin.crba(model, data, place(q))), order.matrix(q)
@@ -53,9 +56,7 @@ def make(pin: Any, ours: Ours, file: Path | None = None) -> Engine:
         "bias": lambda q, v: inverse(q, v, np.zeros_like(v)),
         "inverse_dynamics": inverse,
         "forward_dynamics": forward,
-        "kinetic_energy": lambda q, v: pin.computeKineticEnergy(
-            model, data, place(q), order.matrix(q) @ v
-        ),
+        "kinetic_energy": lambda q, v: kinetic(model, data, place(q), order.matrix(q) @ v),
         "potential_energy": lambda q, v: pin.computePotentialEnergy(model, data, place(q)),
     }
     named = (link for link in tree if model.existFrame(link.name))
@@ -69,14 +70,11 @@ def _from_tree(pin: Any, tree: tuple[Link, ...]) -> Any:
         joint, pose = placed[link.before + 1]
         pose = pose * pin.SE3(link.turn, link.offset)
         if link.kind != "weld":
-            kind = {
-                "pin": pin.JointModelRevoluteUnaligned,
-                "slide": pin.JointModelPrismaticUnaligned,
-            }
-            moved = kind[link.kind](link.axis) if link.kind in kind else pin.JointModelFreeFlyer()
+            words = {"pin": "RevoluteUnaligned", "slide": "PrismaticUnaligned", "ball": "Spherical"}
+            kind = getattr(pin, f"JointModel{words.get(link.kind, 'FreeFlyer')}")
+            moved = kind(link.axis) if link.kind in ("pin", "slide") else kind()
             joint, pose = model.addJoint(joint, moved, pose, link.joint), still
-        inertia = pin.Inertia(link.mass, link.centre, link.inertia)
-        model.appendBodyToJoint(joint, inertia, pose)
+        model.appendBodyToJoint(joint, pin.Inertia(link.mass, link.centre, link.inertia), pose)
         model.addFrame(pin.Frame(link.name, joint, 0, pose, pin.FrameType.BODY))
         placed.append((joint, pose))
     return model
