@@ -12,7 +12,6 @@ from dataclasses import dataclass, field, replace
 from functools import partial
 from importlib import import_module
 from pathlib import Path
-from typing import Any
 
 from mechanics.compare.ours import Ours
 from mechanics.compare.quantities import Answer
