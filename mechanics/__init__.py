@@ -27,6 +27,7 @@ if TYPE_CHECKING:
     from mechanics.importers.dh import from_dh
     from mechanics.importers.mjcf import from_mjcf
     from mechanics.importers.sympy_scene import from_sympy
+    from mechanics.importers.sympy_system import to_sympy
     from mechanics.importers.urdf import from_urdf
     from mechanics.judge.check import check
     from mechanics.judge.check_json import to_json as check_json
@@ -132,6 +133,7 @@ __all__ = [
     "spring",
     "to_html",
     "to_json",
+    "to_sympy",
     "torque",
     "torsion_spring",
     "trade",
@@ -171,6 +173,7 @@ _MODULES = {
     "BlackBox": ("mechanics.reading.code.black_box", "BlackBox"),
     "check_html": ("mechanics.report.answer.page", "check_html"),
     "to_html": ("mechanics.report.html", "to_html"),
+    "to_sympy": ("mechanics.importers.sympy_system", "to_sympy"),
     "to_json": ("mechanics.report.json_report", "to_json"),
     "Particle": ("mechanics.scene", "Particle"),
     "RigidBody": ("mechanics.scene", "RigidBody"),

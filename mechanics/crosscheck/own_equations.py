@@ -130,7 +130,8 @@ def _plain(scene: Scene, matrix: Matrix, table: dict[Expr, Expr]) -> Matrix:
 
     def entry(expression: Expr) -> Expr:
         plain = to_plain(decimals(expression), table, "SymPy's equations")
-        named = {s: known.get(s.name, Symbol(s.name, real=True)) for s in plain.free_symbols}
+        free = plain.free_symbols - {dynamicsymbols._t}
+        named = {s: known.get(s.name, Symbol(s.name, real=True)) for s in free}
         return plain.xreplace(named).xreplace(scene.coordinate_rates)
 
     return Matrix(matrix.rows, matrix.cols, [entry(e) for e in matrix])

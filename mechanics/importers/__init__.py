@@ -9,15 +9,17 @@ if TYPE_CHECKING:
     from mechanics.importers.dh import from_dh
     from mechanics.importers.mjcf import from_mjcf
     from mechanics.importers.sympy_scene import from_sympy
+    from mechanics.importers.sympy_system import to_sympy
     from mechanics.importers.urdf import from_urdf
 
-__all__ = ["from_dh", "from_mjcf", "from_sympy", "from_urdf"]
+__all__ = ["from_dh", "from_mjcf", "from_sympy", "from_urdf", "to_sympy"]
 
 _MODULES = {
     "from_dh": "dh",
     "from_mjcf": "mjcf",
     "from_sympy": "sympy_scene",
     "from_urdf": "urdf",
+    "to_sympy": "sympy_system",
 }
 
 

@@ -18,7 +18,7 @@ So the force on a bead is along the normal of its curve, and that of a rope pull
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property, partial
 
@@ -26,6 +26,7 @@ from sympy import Dummy, Expr, Matrix, S, linsolve, sqrt, zeros
 from sympy.physics.vector import Point, ReferenceFrame, Vector, dynamicsymbols
 
 from mechanics.errors import SceneError
+from mechanics.importers.sympy_motion import linked
 from mechanics.kinematics import chain
 from mechanics.kinematics.motion import body_motions
 from mechanics.mechanism import Mechanism, lower
@@ -117,9 +118,7 @@ class Finder:
                 self.frames += [frame for _, frame in vector.args]
             if isinstance(body, RigidBody):
                 self.frames += frame_path(scene.frame, body.frame)
-        for point in [*self.points]:
-            self.points += [other for other in point._pos_dict if other not in self.points]
-        self.points = list(dict.fromkeys(self.points))
+        self.points = list(dict.fromkeys([*self.points, *linked(scene.origin)]))
         self.frames = list(dict.fromkeys(self.frames))
         self._lower()
 
@@ -279,26 +278,45 @@ class Finder:
         basis = _Basis(self.filter.prime)
         candidates = [(one, w) for one in self.candidates() if (w := self.wrench(one)) is not None]
         kept: list[tuple[Candidate, Row]] = []
-        held = _Basis(self.filter.prime)
+        held, maintained = _Basis(self.filter.prime), _Basis(self.filter.prime)
         for row in self.rows:
             held.add(row)
-        for exact in (True, False):
+        tests: tuple[Callable[[Row], bool], ...] = (
+            lambda row: not any(row),
+            lambda row: not held.independent(row) and maintained.independent(row),
+            lambda row: not held.independent(row),
+        )
+        for admitted in tests:
             for one, wrench in candidates:
                 if len(chosen) == wanted:
                     break
                 row = self.power(one)
-                admitted = not any(row) if exact else not held.independent(row)
-                if admitted and basis.add(wrench):
+                if admitted(row) and basis.add(wrench):
                     chosen.append(one)
+                    maintained.add(row)
                     if any(row):
                         kept.append((one, row))
         maintaining = self._paired(kept)
+        if None in maintaining:
+            # What is a combination of several constraints may be that of those that are missing.
+            maintaining = [
+                one if one is not None and self._along(self.power(one), row) else None
+                for one, row in zip(maintaining, self.rows, strict=True)
+            ]
+        alone = [one for one in chosen if not any(self.power(one))]
         missing = [k for k, one in enumerate(maintaining) if one is None]
-        left = wanted - len(chosen) - len(missing)
-        found = Found([one for one in chosen if one not in maintaining], maintaining, [], {})
+        if not missing:
+            alone = [one for one in chosen if one not in maintaining]
+        left = wanted - len(alone) - len(self.rows)
+        found = Found(alone, maintaining, [], {})
         if missing or left:
-            # What the chosen ones do not span, and does work.
-            others = [one for one, wrench in candidates if basis.add(wrench)]
+            # What the joints do not span, and does work: on few speeds at first.
+            fresh = _Basis(self.filter.prime)
+            for one, wrench in candidates:
+                if one in alone:
+                    fresh.add(wrench)
+            candidates.sort(key=lambda pair: sum(map(bool, self.power(pair[0]))))
+            others = [one for one, wrench in candidates if fresh.add(wrench)]
             powers = [self.power_of(one) for one in others]
             for k in missing:
                 found.together[k] = self.solution(others, powers, k)

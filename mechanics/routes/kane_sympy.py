@@ -44,7 +44,18 @@ def derive(scene: Scene) -> Equations:
 
 def kanes_method(scene: Scene) -> KanesMethod:
     """SymPy's object for a scene, with the equations formed."""
-    model, speeds = SympyModel(scene), _speeds(scene)
+    model = SympyModel(scene)
+    # LU divides by zero at ordinary states.
+    method = KanesMethod(
+        model.frame, **arguments(model), kd_eqs_solver=cramer, constraint_solver="CRAMER"
+    )
+    method.kanes_equations(list(model.bodies.values()), model.loads(scene.loads))
+    return method
+
+
+def arguments(model: SympyModel) -> dict[str, list[Expr]]:
+    """Coordinates, speeds, kinematical equations and constraints, as KanesMethod names them."""
+    scene, speeds = model.scene, _speeds(model.scene)
     definitions = [model.scalar(value) for _, value in scene.speeds] or [
         q.diff(dynamicsymbols._t) for q in scene.coordinates
     ]
@@ -54,22 +65,10 @@ def kanes_method(scene: Scene) -> KanesMethod:
     for rotation in scene.rotations:
         rates = zip(rotation.coordinates, rotation.rates, strict=True)
         kinematic += [q.diff(dynamicsymbols._t) - rate for q, rate in rates]
-    coordinates = list(scene.coordinates)
-    options: dict[str, list[Expr]] = {}
     if scene.constraints:
         coordinates, speeds, options = _constraints(model, speeds, kinematic)
-    method = KanesMethod(
-        model.frame,
-        coordinates,
-        speeds,
-        kd_eqs=kinematic,
-        kd_eqs_solver=cramer,
-        # LU divides by zero at ordinary states.
-        constraint_solver="CRAMER",
-        **options,
-    )
-    method.kanes_equations(list(model.bodies.values()), model.loads(scene.loads))
-    return method
+        return {"q_ind": coordinates, "u_ind": speeds, "kd_eqs": kinematic, **options}
+    return {"q_ind": list(scene.coordinates), "u_ind": speeds, "kd_eqs": kinematic}
 
 
 def _constraints(
