@@ -16,7 +16,7 @@ from typing import Any
 
 import numpy as np
 
-from mechanics.compare.ours import Array, Change, Ours
+from mechanics.compare.ours import Array, Change, Ours, carried
 from mechanics.scene.joints import Joint
 
 SHARP = 1e-6
@@ -82,11 +82,17 @@ def joined(one: Change, two: Change) -> Change:
     )
 
 
-def _of_one_sign(words: str, without: str, unit: str) -> Callable[[Ours, Array, float], str]:
+def _of_one_sign(
+    words: str, without: str, unit: str, have: Callable[[Ours], Array]
+) -> Callable[[Ours, Array, float], str]:
+    """Amounts that are added, or left out of what the scene has."""
+
     def told(ours: Ours, x: Array, sharp: float) -> str:
         large = np.abs(x).max(initial=0.0)
         least = sharp * large
         if not large or x.min() < -least < least < x.max():
+            return ""
+        if np.any(x < -have(ours) * (1 + sharp) - least):
             return ""
         kept = [(n, abs(v)) for n, v in zip(ours.labels, x, strict=True) if abs(v) > least]
         return f"{words if x.max() > least else without}: " + ", ".join(
@@ -94,6 +100,26 @@ def _of_one_sign(words: str, without: str, unit: str) -> Callable[[Ours, Array, 
         )
 
     return told
+
+
+def _rotors(ours: Ours) -> Array:
+    """Bodies that no joint carries are rotors; how large they are is not asked."""
+    loose = {body.name for body in ours.scene.bodies} - set(carried(ours.scene))
+    return np.full(len(ours.speeds), np.inf if loose else 0.0)
+
+
+def _damping(ours: Ours) -> Array:
+    return np.abs(np.diagonal(ours.damping(ours.zero)[0]))
+
+
+def _friction(ours: Ours) -> Array:
+    """What does not grow with the speed, of the forces that change sign with it."""
+    still, n = np.zeros((1, len(ours.speeds))), len(ours.speeds)
+    odd = [
+        (ours.forces(ours.zero, unit[None], still) - ours.forces(ours.zero, -unit[None], still)) / 2
+        for unit in np.eye(n)
+    ]
+    return np.abs([odd[k][0, k] for k in range(n)] - np.diagonal(ours.damping(ours.zero)[0]))
 
 
 def _gravity(ours: Ours, x: Array, sharp: float) -> str:
@@ -275,17 +301,17 @@ AMOUNTS: tuple[Amount, ...] = (
     Amount(
         "armature",
         lambda ours: [Change(armature=unit) for unit in np.eye(len(ours.speeds))],
-        _of_one_sign("rotors' inertia is added", "rotors' inertia is left out", "kg m^2"),
+        _of_one_sign("rotors' inertia is added", "rotors' inertia is left out", "kg m^2", _rotors),
     ),
     Amount(
         "joint damping",
         lambda ours: [Change(damping=unit) for unit in np.eye(len(ours.speeds))],
-        _of_one_sign("joints are damped", "damping of joints is left out", "N m s/rad"),
+        _of_one_sign("joints are damped", "damping of joints is left out", "N m s/rad", _damping),
     ),
     Amount(
         "dry friction",
         lambda ours: [Change(friction=unit) for unit in np.eye(len(ours.speeds))],
-        _of_one_sign("joints rub", "dry friction of joints is left out", "N m"),
+        _of_one_sign("joints rub", "dry friction of joints is left out", "N m", _friction),
     ),
     _inertia(
         POINT,

@@ -96,8 +96,6 @@ def both() -> dict[str, Callable[..., Any]]:
 
 CASES = {
     "sign": (lambda: small_trees.arm(2), flipped, ("sign of a joint axis",), "q2 point the other"),
-    "two causes": (lambda: small_trees.arm(2), both, ("gravity", "armature"),
-                   "opposite sign: (0, 0, 9.81) in place of (0, 0, -9.81) m/s^2; rotors'"),
     "order": (lambda: small_trees.arm(2), exchanged, ("order of the joints",), "q2, q1"),
     "implicit": (lambda: small_trees.arm(2, "0.4"), implicit, ("implicit integration",),
                  "an implicit step of 0.002 s"),
@@ -130,6 +128,13 @@ def test_a_cause_is_named(case: str) -> None:
     (cause,) = found.causes
     assert cause.names == names and words in cause.words
     assert cause.finding.verdict is Verdict.SUPPORTED
+
+
+@pytest.mark.campaign
+def test_two_causes_together_are_named() -> None:
+    (cause,) = compare(small_trees.arm(2), both(), states=5).causes
+    assert cause.names == ("gravity", "armature")
+    assert "opposite sign: (0, 0, 9.81)" in cause.words and "0.1 kg m^2 at q2" in cause.words
 
 
 @pytest.mark.campaign
