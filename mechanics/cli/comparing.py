@@ -71,6 +71,8 @@ def compare(
             _print(Console(highlight=False, emoji=False, soft_wrap=True), comparison)
     if refused and against:
         raise InputError("; ".join(refused.values()))
+    for words in refused.values():
+        typer.echo(f"not compared: {words}", err=True)
     raise typer.Exit(0 if all(comparison.agree for comparison in found) else 1)
 
 

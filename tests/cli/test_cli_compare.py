@@ -14,6 +14,14 @@ def test_an_engine_beside_a_system(run: Any) -> None:
     assert "mass_matrix" in ran.out and "agree at 3 states" in ran.out
 
 
+def test_engines_that_do_not_take_a_system_are_told(run: Any) -> None:
+    ran = run("compare", "rod_pendulum", "--states", 2)
+    assert ran.code == 0, ran.err
+    assert "and sympy" in ran.out
+    if "pinocchio" in installed():
+        assert "not compared: rod pendulum: engines take a tree" in ran.err
+
+
 def test_json(run: Any) -> None:
     ran = run("compare", "rod_pendulum", "--against", "sympy", "--states", 3, "--json", "-")
     (found,) = json.loads(ran.out)
