@@ -1,7 +1,8 @@
 """Public threads in which two engines disagreed: each made again on a small model, and named.
 
 The other engine is plain NumPy that knows nothing of `mechanics`, with the mistake or convention of
-the thread in it; two threads printed numbers, which stand here as they were printed.
+the thread in it; what one thread printed stands here as it was printed. Where a thread ends without
+an answer, the mistake is the one that its text suggests.
 """
 
 from collections.abc import Callable, Mapping
