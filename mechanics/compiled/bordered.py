@@ -91,6 +91,11 @@ class Bordered:
         x = build.solve([*upper, *((*row, *zero) for row in a)], right, symmetric=True)
         return (*x[:n], *self.multipliers([-entry for entry in x[n:]]))
 
+    @property
+    def determined(self) -> bool:
+        """Whether there are as many equations as unknowns, or (2) has multipliers of its own."""
+        return self._symmetric or len(self.reaction_matrix[0]) == len(self.constraint_matrix)
+
     @cached_property
     def _columns(self) -> Matrix:
         """A^T, one row for each speed."""

@@ -265,7 +265,10 @@ class Outputs:
         unknowns = mechanism.ud
         if self._bordered is not None and self.route is not None:
             unknowns = (*unknowns, *self.route.multipliers)
-        form = (*self._rows, *self._closing)
+        # Rows with the dependent speeds put in hold no multipliers; those that are solved do.
+        reduced = self.route is not None and self._constrained and not self.route.multipliers
+        rows = self.route.values if reduced and self.route is not None else self._rows
+        form = (*rows, *self._closing)
         values = dict(zip(unknowns, nodes, strict=True))
         filter_ = Residues(mechanism.builder)
         return all(map(filter_.is_zero, substitute(mechanism.builder, form, values)))
@@ -276,13 +279,13 @@ class Outputs:
 
     def _eliminated(self) -> list[Rows]:
         if self._bordered is not None:
-            return [self._bordered.solution]
+            return [self._bordered.solution] if self._bordered.determined else []
         return [self._system.accelerations(self.mechanism.builder)]
 
     def _composite(self) -> list[Rows]:
         """With constraints where the tree that remains without loops is one of joints."""
         mechanism, found = self.mechanism, []
-        if mechanism.frictions:
+        if mechanism.frictions or (self._bordered is not None and not self._bordered.determined):
             return []
         for links in joint_trees(replace(mechanism, constraints=())):
             mass = mass_matrix(mechanism, links)
@@ -449,13 +452,15 @@ def every_reaction(mechanism: Mechanism) -> list[Node]:
 
 
 def maintained(mechanism: Mechanism, rows: Rows, route: RouteRows) -> Rows:
-    """Rows with the multipliers of a route: the declared reactions, or those of A^T lambda."""
+    """Rows with the multipliers of a route, if it has any: declared reactions, or of A^T lambda."""
     build = mechanism.builder
     declared = [build.input(mechanism.reactions[index].name) for index in mechanism.multipliers]
     if list(route.multipliers) == declared:
         return rows
-    pulls = gradient(acceleration_forms(mechanism), route.multipliers, mechanism.ud)
     free = remainder(build, rows, declared)
+    if not route.multipliers:
+        return free
+    pulls = gradient(acceleration_forms(mechanism), route.multipliers, mechanism.ud)
     return tuple(row - pull for row, pull in zip(free, pulls, strict=True))
 
 

@@ -30,7 +30,7 @@ def no_loops(equations: Equations) -> str:
         return f"the equations by {equations.route} are not those of the scene's bodies"
     if not equations.scene.constraints:
         return "nothing constrains the coordinates: form 'recursive' is for trees"
-    return _friction(equations) or _reduced(equations)
+    return _friction(equations)
 
 
 def no_joint_tree(equations: Equations) -> str:
@@ -58,10 +58,3 @@ def _friction(equations: Equations) -> str:
         return ""
     named = ", ".join(load.name for load in mechanism.frictions)
     return f"{named} depends on a reaction, which this form does not hold"
-
-
-def _reduced(equations: Equations) -> str:
-    _, rows = equations.program
-    if rows.multipliers:
-        return ""
-    return f"the rows by {equations.route} hold no multipliers: dependent speeds are put into them"

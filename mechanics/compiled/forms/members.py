@@ -28,6 +28,7 @@ from mechanics.compiled.forms.operations import operations
 from mechanics.compiled.forms.primitive import primitive
 from mechanics.compiled.forms.rearranged import MOST, trailing_minors
 from mechanics.compiled.forms.system import System
+from mechanics.compiled.forms.weigh import MOST as MOST_DIGITS
 from mechanics.compiled.forms.weigh import ROUNDINGS, digits_lost
 from mechanics.equations import Equations
 from mechanics.errors import ExpressionError, InputError
@@ -106,7 +107,26 @@ def _small_and_readable(equations: Equations) -> str:
 
 
 def _elimination(system: System) -> ca.SX:
-    return system.solve(system.graphs[1])
+    """Along pivots that were tried, or the regular ones where those lose digits."""
+    usual = system.solve(system.graphs[1])
+    if not system.regular or system.error(usual) < ROUNDINGS:
+        return usual
+    return _roundest(system, [usual])
+
+
+def _roundest(system: System, graphs: list[ca.SX]) -> ca.SX:
+    """What loses fewest digits; of several what is regular wherever K is, then what is cheap.
+
+    Off the constraints K is singular at some of the states that are tried, and no form is told
+    from another by its errors there.
+    """
+
+    def weight(graph: ca.SX) -> tuple[float, bool, int]:
+        digits = min(digits_lost(system.error(graph)), MOST_DIGITS)
+        return digits, all(graph is not one for one in regular), operations(graph)
+
+    regular = system.regular
+    return min([*graphs, *regular], key=weight)
 
 
 def _primitive(system: System) -> ca.SX:
@@ -140,7 +160,7 @@ def _fewest(system: System) -> ca.SX:
     if not _small_and_readable(system.equations):
         poor.append(_rearranged(system))
     solved = [graph for graph in poor if system.solved_by(graph)] or [usual]
-    return min(solved, key=lambda graph: (digits_lost(system.error(graph)), operations(graph)))
+    return _roundest(system, solved)
 
 
 def _candidates(system: System) -> Iterator[ca.SX]:

@@ -120,6 +120,14 @@ class System:
         return solve_general(matrix, rhs, self.pivots)
 
     @cached_property
+    def regular(self) -> list[ca.SX]:
+        """Graphs of x with pivots that vanish at singular states only, where constraints hold."""
+        equations = self.equations
+        if equations.rows is None or not equations.scene.constraints:
+            return []
+        return self.from_bodies("elimination")
+
+    @cached_property
     def primitive(self) -> Primitive:
         """The system without common factors."""
         return primitive(*self.equations.system)
