@@ -39,6 +39,8 @@ def test_the_parts_one_after_the_other_are_the_whole(modelled, system: str, rout
             size = np.abs(values).max(axis=1, initial=1e-30, keepdims=True)
             there = np.isfinite(whole[out]).all(axis=1)
             assert there.mean() > 0.9 and np.array_equal(there, np.isfinite(found[out]).all(axis=1))
+            # Beside a disc that lies flat, single precision may give what double cannot.
+            there &= np.isfinite(values).all(axis=1)
             errors = [
                 np.quantile((np.abs(f[out] - values) / size)[there], 0.9) for f in (found, whole)
             ]
