@@ -94,7 +94,7 @@ class Bordered:
     @property
     def determined(self) -> bool:
         """Whether there are as many equations as unknowns, or (2) has multipliers of its own."""
-        return self._symmetric or len(self.reaction_matrix[0]) == len(self.constraint_matrix)
+        return self.symmetric or len(self.reaction_matrix[0]) == len(self.constraint_matrix)
 
     @cached_property
     def _columns(self) -> Matrix:
