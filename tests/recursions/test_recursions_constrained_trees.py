@@ -16,7 +16,7 @@ from mechanics.recursions.joint_frames import joint_frames
 from mechanics.recursions.pseudo_inertia import grouped, moments
 from mechanics.routes import kane
 from mechanics.routes.rows import acceleration_forms, remainder, substitute
-from systems import bicycle, four_bar, rolling_disc
+from systems import bicycle, four_bar, rolling_disc, slider_crank
 
 
 @pytest.fixture(scope="module")
@@ -103,3 +103,19 @@ def test_a_bicycle_rolls_alike_at_every_heading(bicycle_model) -> None:
     straight = found(0.3)
     for heading in (0.0, 1.0, np.pi / 2, np.pi, -2.0, 7.0):
         np.testing.assert_allclose(found(heading), straight, atol=1e-12 * np.abs(straight).max())
+
+
+def test_rows_with_dependent_speeds_put_in_have_these_forms_too() -> None:
+    """Kane's three rows less two: the accelerations are the bodies', whatever the rows are."""
+    equations = mechanics.derive(slider_crank.scene(), "kane")
+    assert not equations.multipliers
+    one, two = (
+        mechanics.compile(equations, compiler=None, form=form) for form in ("composite", "fewest")
+    )
+    p = [1 + 0.1 * k for k in range(len(one.quantities.p))]
+    states = [
+        [0.3 + 0.2 * k for k in range(len(group))] for group in (one.quantities.q, one.quantities.u)
+    ]
+    inputs = [0.5] * len(one.quantities.inputs)
+    found = [model.forward_dynamics(*states, p, inputs=inputs) for model in (one, two)]
+    np.testing.assert_allclose(*found, rtol=1e-11)
