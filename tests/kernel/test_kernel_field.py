@@ -702,3 +702,16 @@ def test_a_budget_that_does_not_suffice_is_said() -> None:
     claim = Statement("nine", b.program({"left": [total * total], "right": [total * (total + 0)]}))
     with pytest.raises(FailedError, match="signs of 9 roots"):
         Session(prepare(claim)).outcome(lambda: False)
+
+
+def test_an_argument_too_long_to_be_expanded_has_one_value_however_it_is_written() -> None:
+    b = Builder()
+    one, two = ([b.input(f"{name}{i}") for i in range(12)] for name in "xy")
+    product = sum(one, b.zero) * sum(two, b.zero)
+    terms = sum((x * y for x in one for y in two), b.zero)
+    for function in ("sin", "cos", "exp"):
+        sides = {"left": [b.call(function, product)], "right": [b.call(function, terms)]}
+        assert decide(Statement("long", b.program(sides)), try_normal=False).shown
+        sides["right"] = [b.call(function, terms + one[0])]
+        wrong = decide(Statement("long", b.program(sides)), try_normal=False)
+        assert wrong.verdict is Verdict.REFUTED

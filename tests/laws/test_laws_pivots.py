@@ -25,6 +25,7 @@ from mechanics.routes.rows import acceleration_forms, coefficients, remainder, v
 from systems import EVERY
 
 CONSTRAINED = {s.name: s for s in EVERY if s.scene().constraints}
+QUICK = {"slider_crank", "four_bar_chain"}
 BITS = 300
 EPS = float(np.finfo(float).eps)
 OFFSETS = (0.0, 1e-12, 1e-9, 1e-6, 1e-3)
@@ -76,8 +77,10 @@ def system(mechanism: Mechanism) -> Program:
     return mechanism.builder.program({"K": [e for row in matrix for e in row], "x": solution})
 
 
-@pytest.mark.sample(2)
-@pytest.mark.parametrize("name", CONSTRAINED)
+@pytest.mark.parametrize(
+    "name",
+    [n if n in QUICK else pytest.param(n, marks=pytest.mark.campaign) for n in CONSTRAINED],
+)
 def test_accelerations_keep_their_digits_at_every_regular_state(name: str) -> None:
     scene = CONSTRAINED[name].scene()
     mechanism = check_scene(scene)
