@@ -32,7 +32,7 @@ if TYPE_CHECKING:
     from mechanics.judge.check import check
     from mechanics.judge.check_json import to_json as check_json
     from mechanics.kernel import Finding, Verdict, Witness
-    from mechanics.linear import damped_modes, linearize, modes
+    from mechanics.linear import damped_modes, linearize, modes, trim
     from mechanics.reading.code.black_box import BlackBox
     from mechanics.report.answer.page import check_html
     from mechanics.report.html import to_html
@@ -137,6 +137,7 @@ __all__ = [
     "torque",
     "torsion_spring",
     "trade",
+    "trim",
     "universal",
     "velocity",
     "weld",
@@ -170,6 +171,7 @@ _MODULES = {
     "damped_modes": ("mechanics.linear", "damped_modes"),
     "linearize": ("mechanics.linear", "linearize"),
     "modes": ("mechanics.linear", "modes"),
+    "trim": ("mechanics.linear", "trim"),
     "BlackBox": ("mechanics.reading.code.black_box", "BlackBox"),
     "check_html": ("mechanics.report.answer.page", "check_html"),
     "to_html": ("mechanics.report.html", "to_html"),

@@ -17,8 +17,8 @@ from time import process_time
 
 import numpy as np
 
-from benchmarks.arm.kernels import Run, by_casadi, by_pinocchio, no_pinocchio, printed
-from benchmarks.arm.programs import JOINTS, TAU, UD, forward, inverse
+from benchmarks.arm.kernels import Run, by_casadi, by_pinocchio, no_pinocchio, printed, table
+from benchmarks.arm.programs import JOINTS, TAU, UD, forward, inverse, numbers
 from mechanics.program import Program
 
 STATES = 256
@@ -63,7 +63,7 @@ def rows(rounds: int) -> Iterator[str]:
         kernels = {"ours": printed(program, given), "CasADi's C": by_casadi(program, given)}
         peer = f"Pinocchio {algorithm}"
         if not no_pinocchio():
-            kernels[peer] = by_pinocchio(algorithm)
+            kernels[peer] = by_pinocchio(algorithm, table(), float(numbers()["g"]))
         times = race(kernels, rounds)
         ours = times.pop("ours")
         for name, theirs in times.items():

@@ -14,7 +14,7 @@ from pathlib import Path
 import casadi
 import numpy as np
 
-from benchmarks.arm.programs import JOINTS, Q, U, joints, numbers
+from benchmarks.arm.programs import Q, U, joints, numbers
 from benchmarks.kernels.robots import BOOST, EIGEN
 from mechanics.compiled.c.source import function_source
 from mechanics.errors import CompilerError
@@ -46,7 +46,7 @@ def printed(program: Program, given: Sequence[str]) -> Run:
     arrays = {"q": list(Q), "u": list(U), "given": list(given)}
     call = "kernel(q + 7 * i, u + 7 * i, given + 7 * i, found + 7 * i);"
     routine = read_routine(print_function(program, "kernel", arrays))
-    return _looping("#include <math.h>\n" + function_source(routine, arrays), call)
+    return looping("#include <math.h>\n" + function_source(routine, arrays), call)
 
 
 def by_casadi(program: Program, given: Sequence[str]) -> Run:
@@ -61,11 +61,12 @@ def by_casadi(program: Program, given: Sequence[str]) -> Run:
     )
     generator = casadi.CodeGenerator("kernel.c", {"with_export": False})
     generator.add(function)
-    return _looping(generator.dump(), call)
+    return looping(generator.dump(), call)
 
 
-def _looping(text: str, call: str) -> Run:
-    library = _built("gcc", "kernel.c", text + LOOP % call, [], ["-lm"])
+def looping(text: str, call: str, folder: Path = HERE) -> Run:
+    """C text with a loop around a call; it may include what stands in a folder."""
+    library = _built("gcc", "kernel.c", text + LOOP % call, [f"-I{folder}"], ["-lm"])
 
     def run(q: Array, u: Array, given: Array, found: Array) -> None:
         library.loop(ctypes.c_long(len(q)), *map(_at, (q, u, given, found)))
@@ -82,28 +83,42 @@ def no_pinocchio() -> str:
     return ""
 
 
+def table() -> Array:
+    """The arm of `programs`, a row a joint, as `by_pinocchio` takes it."""
+    values = numbers()
+    names = ("m", "cx", "cy", "cz", "Ixx", "Iyy", "Izz", "Ixy", "Iyz", "Izx")
+    return np.array([
+        [1, 0, 0, 0, c, -s, 0, s, c, *place, *(float(values[f"{name}{i}"]) for name in names)]
+        for i, (c, s, *place) in enumerate(joints(), start=1)
+    ])  # fmt: skip
+
+
 @cache
-def _pinocchio() -> tuple[ctypes.CDLL, ctypes.c_void_p]:
+def _pinocchio() -> ctypes.CDLL:
     import pinocchio
 
     prefix = Path(pinocchio.__file__).parents[4]
     text = (HERE / "pinocchio_arm.cpp").read_text(encoding="ascii")
     words = ["-std=c++17", "-DNDEBUG", *BOOST, INVOKE, f"-I{prefix}/include", f"-I{EIGEN}"]
     library = _built("g++", "arm.cpp", text, words, [])
-    values = numbers()
-    rows = np.array([
-        [*joint, *(float(values[f"{name}{i}"]) for name in
-                   ("m", "cx", "cy", "cz", "Ixx", "Iyy", "Izz", "Ixy", "Iyz", "Izx"))]
-        for i, joint in enumerate(joints(), start=1)
-    ])  # fmt: skip
     library.arm_new.restype = ctypes.c_void_p
-    gravity = ctypes.c_double(float(values["g"]))
-    return library, ctypes.c_void_p(library.arm_new(JOINTS, gravity, _at(rows)))
+    return library
 
 
-def by_pinocchio(algorithm: str) -> Run:
-    """``"rnea"`` or ``"aba"``, from its headers, compiled with the same flags."""
-    library, arm = _pinocchio()
+def by_pinocchio(algorithm: str, rows: Array, gravity: float) -> Run:
+    """``"rnea"`` or ``"aba"``, from its headers, compiled with the same flags.
+
+    Parameters
+    ----------
+    algorithm : str
+    rows : array, shape (n, 22)
+        Of each joint, which turns about z: the turn before it row by row, its place, mass, mass
+        centre, and inertia xx, yy, zz, xy, yz, zx.
+    gravity : float
+        Downwards along z.
+    """
+    library = _pinocchio()
+    arm = ctypes.c_void_p(library.arm_new(len(rows), ctypes.c_double(gravity), _at(rows)))
     function = getattr(library, algorithm)
 
     def run(q: Array, u: Array, given: Array, found: Array) -> None:

@@ -13,21 +13,21 @@ struct Arm {
     pin::Data data;
 };
 
-// A row a joint: cos and sin of the turn about x before it, offset, mass, mass centre, inertia.
+// A row a joint that turns about z: turn before it, row by row, offset, mass, mass centre, inertia.
 extern "C" void *arm_new(int joints, double g, const double *rows)
 {
     pin::Model model;
     model.gravity.linear(Eigen::Vector3d(0, 0, -g));
     pin::JointIndex joint = 0;
     for (int i = 0; i < joints; ++i) {
-        const double *row = rows + 15 * i;
-        Eigen::Matrix3d turn;
-        turn << 1, 0, 0, 0, row[0], -row[1], 0, row[1], row[0];
-        const pin::SE3 at(turn, Eigen::Vector3d(row[2], row[3], row[4]));
+        const double *row = rows + 22 * i;
+        const Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>> turn(row);
+        const pin::SE3 at(turn, Eigen::Vector3d(row[9], row[10], row[11]));
         joint = model.addJoint(joint, pin::JointModelRZ(), at, "joint" + std::to_string(i));
         Eigen::Matrix3d moments;
-        moments << row[9], row[12], row[14], row[12], row[10], row[13], row[14], row[13], row[11];
-        const pin::Inertia body(row[5], Eigen::Vector3d(row[6], row[7], row[8]), moments);
+        row += 12;
+        moments << row[4], row[7], row[9], row[7], row[5], row[8], row[9], row[8], row[6];
+        const pin::Inertia body(row[0], Eigen::Vector3d(row[1], row[2], row[3]), moments);
         model.appendBodyToJoint(joint, body, pin::SE3::Identity());
     }
     return new Arm{model, pin::Data(model)};

@@ -19,7 +19,7 @@ import typer
 from mechanics.checks.redundant import drop_redundant
 from mechanics.errors import InputError, MechanicsError
 from mechanics.importers import as_scene
-from mechanics.importers.assemble import assemble
+from mechanics.importers.assemble import SYMBOLIC, assemble
 from mechanics.importers.decimals import Notes
 from mechanics.importers.mjcf import read_mjcf
 from mechanics.importers.sympy_model import is_model
@@ -31,6 +31,7 @@ from mechanics.scene.system import System
 CALL = re.compile(r"(\w+)(?:\((\d+)\)|:(\d+))")
 FILE = re.compile(r"(.*\.py)(?::(\w+))?", re.DOTALL)
 ROBOT = re.compile(r"(.*\.(?:urdf|xml))(?::([\w,]+))?", re.DOTALL | re.IGNORECASE)
+NUMBERS = "numbers"
 
 
 def load(text: str) -> System:
@@ -44,7 +45,8 @@ def load(text: str) -> System:
         and, perhaps, a tuple ``PUBLISHED``;
         ``file.py:name`` for a function of another name. Or a robot: ``arm.urdf``, or with what
         holds its first link ``dog.urdf:free``; ``arm.xml`` in MJCF, or with what is left out
-        ``arm.xml:contact,friction``. What its reader notes is printed.
+        ``arm.xml:contact,friction``; ``:numbers`` with both makes no number a parameter. What its
+        reader notes is printed.
 
     Raises
     ------
@@ -105,13 +107,17 @@ def _from_file(path: Path, name: str) -> System:
 
 def _from_model(path: Path, option: str) -> System:
     """A robot; options of a URDF are its root, of an MJCF what is left out."""
+    words = [word for word in option.split(",") if word]
+    symbolic = () if NUMBERS in words else SYMBOLIC
+    others = [word for word in words if word != NUMBERS]
     if path.suffix.lower() == ".urdf":
         notes = Notes()
         robot = read_urdf(path, notes)
-        told, make = notes.lines(), partial(assemble, robot, option or "fixed")
+        root = ",".join(others) or "fixed"
+        told, make = notes.lines(), partial(assemble, robot, root, symbolic)
     else:
-        robot, field, told = read_mjcf(path, tuple(filter(None, option.split(","))))
-        make = partial(_irredundant, partial(assemble, robot, field=field))
+        robot, field, told = read_mjcf(path, others)
+        make = partial(_irredundant, partial(assemble, robot, "fixed", symbolic, field))
     for line in told:
         typer.echo(f"{path}: {line}", err=True)
     return System(path.stem, partial(make, notes=told))

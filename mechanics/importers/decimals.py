@@ -2,7 +2,8 @@
 
     |x - k pi/12| <= half a unit of the last printed digit of x          (1)
 
-An angle of which (1) holds, with two decimals at least, is read as k pi/12: 1.5708 is pi/2.
+An angle of which (1) holds, with two decimals at least, is read as k pi/12: 1.5708 is pi/2. With
+eight decimals or more four units are allowed: many descriptions have 1.570796325.
 """
 
 import re
@@ -20,6 +21,9 @@ LONGEST = 400
 """Digits of a number: a double in full has no more."""
 DECIMALS = 2
 """With fewer nobody meant a multiple of pi: 0.5 is not pi/6."""
+MANY, UNITS = 8, 4
+FULL = 15
+"""Decimals with which a double is a multiple of pi."""
 STEP = NEAR_PI / 12
 
 
@@ -67,15 +71,16 @@ def angle(text: str, where: str, notes: Notes, multiples: bool = True) -> Expr:
     notes : Notes
         Told of each that is read so.
     multiples : bool
-        Whether to read multiples of pi at all.
+        False: only of numbers that have all digits of a double.
     """
     value = exact(text, where)
     found = NUMBER.fullmatch(text.strip())
     assert found is not None
     digits = len(found[1] or found[2] or "") - int(found[3] or 0)
     count = round(Fraction(value.p, value.q) / STEP)
-    near = abs(Fraction(value.p, value.q) - count * STEP) <= Fraction(1, 2) / 10**digits
-    if not multiples or count == 0 or digits < DECIMALS or not near:
+    units = Fraction(UNITS) if digits >= MANY else Fraction(1, 2)
+    near = abs(Fraction(value.p, value.q) - count * STEP) <= units / 10**digits
+    if count == 0 or digits < (DECIMALS if multiples else FULL) or not near:
         return value
     taken = Rational(count, 12) * pi
     notes.add(f"read {text.strip()} as {taken}", where)

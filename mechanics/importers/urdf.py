@@ -61,7 +61,7 @@ def from_urdf(
         inertias, and distances between joints. Zeros stay zero.
     multiples : bool
         Whether angles within half a unit of their last digit of a multiple of pi/12 are taken as
-        such; `Scene.notes` tells which.
+        such; `Scene.notes` tells which. False: only those that have all digits of a double.
 
     Raises
     ------

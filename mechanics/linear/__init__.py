@@ -26,6 +26,7 @@ from mechanics.linear.transfer import (
     close_loop,
     transfer_function,
 )
+from mechanics.linear.trim import trim
 
 __all__ = [
     "Convention", "DampedModes", "Dimensionless", "Linear", "Modes", "NumericModes", "Region",
@@ -33,4 +34,5 @@ __all__ = [
     "characteristic_polynomial", "close_loop", "conditions", "damped", "damped_modes",
     "dimensionless", "linearize", "modes", "numeric_modes", "numeric_poles", "speed_form",
     "stability", "stability_region", "state_space", "sweep", "transfer_function",
+    "trim",
 ]  # fmt: skip
