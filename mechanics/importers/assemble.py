@@ -55,11 +55,14 @@ def assemble(
     ground, origin = ReferenceFrame("N"), Point("O")
     first, robot = ordered(robot)
     parts = Parts(robot, frozenset(symbolic), Spot(None, origin, ground), field)
+    for connection in robot.joints:
+        parts.name(connection.name)
     if root == "fixed":
         parts.spots[first] = parts.ground
     else:
         used = {connection.name for connection in robot.joints}
         name = next(name for name in ("base", "root", "floating_base") if name not in used)
+        parts.name(name)
         join(parts, Connection(name, ROOTS[root], "", first, axis=UP, driven=False), parts.ground)
     for connection in robot.joints:
         join(parts, connection, parts.spots[connection.parent])

@@ -44,7 +44,7 @@ def join(parts: Parts, own: Connection, spot: Spot) -> None:
     InputError
         When it floats on what moves.
     """
-    name = parts.name(own.name)
+    name = parts.names[own.name]
     at = parts.step(spot, own.place, f"{name}_at", name)
     frame = turned(spot.frame, own.turn, f"{name}_base")
     inertial = parts.robot.link(own.child).inertial

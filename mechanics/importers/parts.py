@@ -104,6 +104,8 @@ class Parts:
         """A number, or the parameter that stands for it."""
         if kind not in self.symbolic or not isinstance(number, Rational) or number == 0:
             return number
+        name = numbered(name, self.taken.__contains__)
+        self.taken.add(name)
         (symbol,) = parameters(name, unit, str(number), positive=positive)
         return symbol
 
