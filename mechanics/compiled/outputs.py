@@ -332,14 +332,13 @@ class Outputs:
         safe = [nodes for inertial, count, nodes in found if inertial and count <= SAFE * few]
         return safe or [nodes for _, _, nodes in found]
 
-    def bound_ways(self, form: str, reactions: bool = True) -> list[Program]:
-        """The programs of `ways`, with or without the multipliers."""
-        return [self._solution(nodes, reactions) for nodes in self.ways(form)]
+    def bound_ways(self, form: str) -> list[Program]:
+        """The programs of `ways`."""
+        return [self._solution(nodes) for nodes in self.ways(form)]
 
-    def _solution(self, nodes: Rows, reactions: bool = True) -> Program:
+    def _solution(self, nodes: Rows) -> Program:
         n = len(self.mechanism.ud)
-        outputs = {"ud": nodes[:n]} | ({"multipliers": nodes[n:]} if reactions else {})
-        program = self._bound(outputs)
+        program = self._bound({"ud": nodes[:n], "multipliers": nodes[n:]})
         return with_one_difference(with_one_value(program)) if self._constrained else program
 
     @cached_property

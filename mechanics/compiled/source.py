@@ -28,7 +28,6 @@ from mechanics.program.casadi_printer import print_graphs
 from mechanics.program.interpret import include
 from mechanics.program.residues import Residues
 from mechanics.program.sympy_reader import read
-from mechanics.routes import lagrange
 from mechanics.routes.rows import acceleration_forms, coefficients
 
 OF_BODIES = frozenset({"energy", "momenta"})
@@ -134,14 +133,7 @@ class Source:
         programs = self.programs
         if programs is None or any(f.name == form and f.unsuited(self.equations) for f in FORMS):
             return []
-        mechanism, rows = self.equations.program
-        if mechanism.constraints and not rows.multipliers:
-            # Dependent speeds are put in: what has no power on those that A admits is A^T lambda.
-            programs = replace(programs, route=lagrange.derive(mechanism))
-            ways = programs.bound_ways(form, reactions=False)
-        else:
-            ways = programs.bound_ways(form)
-        graphs = [graphs_of(program, self.arrays) for program in ways]
+        graphs = [graphs_of(program, self.arrays) for program in programs.bound_ways(form)]
         return [ca.vertcat(*own.values()) for own in graphs]
 
     @property

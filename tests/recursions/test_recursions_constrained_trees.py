@@ -105,6 +105,7 @@ def test_a_bicycle_rolls_alike_at_every_heading(bicycle_model) -> None:
         np.testing.assert_allclose(found(heading), straight, atol=1e-12 * np.abs(straight).max())
 
 
+@pytest.mark.campaign
 def test_rows_with_dependent_speeds_put_in_have_these_forms_too() -> None:
     """Kane's three rows less two: the accelerations are the bodies', whatever the rows are."""
     equations = mechanics.derive(slider_crank.scene(), "kane")
