@@ -30,8 +30,13 @@ def block(marker: str) -> str:
     return found[0][1]
 
 
-@pytest.mark.parametrize("name", ["python", "space"])
-def test_an_example_prints_what_the_readme_says(name: str) -> None:
+@pytest.mark.parametrize(
+    "name", ["python", "space", pytest.param("models", marks=pytest.mark.campaign)]
+)
+def test_an_example_prints_what_the_readme_says(
+    name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
     printed = io.StringIO()
     with contextlib.redirect_stdout(printed):
         exec(compile(block(f"example: {name}"), "README.md", "exec"), {"__name__": "example"})

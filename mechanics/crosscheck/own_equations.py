@@ -14,7 +14,7 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 import sympy.physics.mechanics as me
-from sympy import Derivative, Expr, Matrix, S, Symbol, nan, zeros, zoo
+from sympy import Derivative, Expr, Float, Matrix, S, Symbol, nan, zeros, zoo
 from sympy.physics.vector import dynamicsymbols
 
 from mechanics.checks.admissible import check_scene
@@ -25,6 +25,7 @@ from mechanics.equations import Equations, Matrices
 from mechanics.errors import MechanicsError
 from mechanics.importers.sympy_loads import ENERGY
 from mechanics.importers.sympy_model import form_equations, is_rigid, written
+from mechanics.importers.sympy_system import to_sympy
 from mechanics.kernel import Finding, Verdict, undecided
 from mechanics.program.builder import Node
 from mechanics.program.forward import tangent
@@ -163,7 +164,20 @@ def compare_own(scene: Scene, model: Any, programs: Programs | None = None) -> l
         causes = list(_put_in(scene, method, programs))
     else:
         causes = list(_accelerations(scene, method, programs))
-    return [found, *(causes or _causes(scene, own, kind))]
+    return [found, *(causes or _floats(scene, method, programs) or _causes(scene, own, kind))]
+
+
+def _floats(scene: Scene, method: Any, programs: Programs) -> list[Finding]:
+    """Whether SymPy's equations are those of the scene once their numbers are exact."""
+    if not any(part.has(Float) for part in (method.mass_matrix, method.forcing)):
+        return []
+    subject = (
+        "the cause: numbers of the model are floats, whose products SymPy rounds: with exact"
+        " numbers its equations = those"
+    )
+    exact = own_equations(scene, to_sympy(scene))
+    found = same_motion(subject, programs, next(iter(programs.routes)), exact)
+    return [found] if found.shown else []
 
 
 def _put_in(scene: Scene, method: Any, programs: Programs) -> Iterator[Finding]:

@@ -134,7 +134,7 @@ def form_equations(model: Any) -> Any:
 def written(expression: Any) -> Any:
     """An expression or matrix with the curves of muscles as the formulas that they stand for."""
     if expression.has(CharacteristicCurveFunction):
-        return expression.doit(deep=True, evaluate=False)
+        return expression.doit()
     return expression
 
 

@@ -15,7 +15,7 @@ from dataclasses import dataclass, field
 from itertools import pairwise
 from typing import Any
 
-from sympy import Derivative, Expr, Integral, S, Symbol, expand_mul, integrate
+from sympy import Derivative, Expr, Integral, S, Symbol, cos, expand_mul, integrate, sin
 from sympy.core.function import AppliedUndef
 from sympy.physics.vector import Point, ReferenceFrame, Vector, dynamicsymbols
 
@@ -182,7 +182,21 @@ class _Placing:
 
     # ------------------------------------------------------------------ placing
 
+    def refuse_quaternions(self) -> None:
+        """A coordinate outside of a sine or cosine turns a frame."""
+        for frame in self._frames():
+            for other in frame._dcm_dict:
+                step = frame.dcm(other)
+                angles = {one: S.Zero for one in step.atoms(sin, cos)}
+                if held := functions_of([step.xreplace(angles)]) & {*self.parts.q}:
+                    names = ", ".join(sorted(one.func.__name__ for one in held))
+                    raise SceneError(
+                        f"frame {frame.name}: it is turned by the quaternion {names}: models with"
+                        " quaternions do not come in; declare a Scene with quaternion(...)"
+                    )
+
     def moved(self) -> Moved:
+        self.refuse_quaternions()
         for body in self.parts.bodies:
             if is_rigid(body):
                 self.orient(body)

@@ -133,7 +133,10 @@ class _Made:
         )
 
     def _bodies(self) -> tuple[Body, ...]:
-        """The bodies that move; what does not is the ground."""
+        """The bodies that move; what does not is the ground.
+
+        What has neither mass nor inertia nor a load does nothing, and is left out.
+        """
         found: list[Body] = []
         movers = Movers(self.copy.frame, self.copy.origin)
         for body in self.parts.bodies:
@@ -142,7 +145,7 @@ class _Made:
             functions = movers.point(centre)
             if is_rigid(body):
                 functions |= movers.frame(self.copy.turned(body.frame))
-            if not functions:
+            if not functions or self._idle(body):
                 continue
             name = body.name or f"body{len(found) + 1}"
             if not is_rigid(body):
@@ -156,6 +159,12 @@ class _Made:
                 frame = self.copy.turned(body.frame)
                 found.append(RigidBody(name, centre, frame, mass, self.copy.inertia(body)))
         return tuple(found)
+
+    def _idle(self, body: Any) -> bool:
+        if body.mass != 0 or (is_rigid(body) and body.central_inertia != 0):
+            return False
+        own = {body.masscenter, body.frame} if is_rigid(body) else {body.masscenter}
+        return not any(load.where in own for load in self.parts.loads)
 
     def _rod(self, body: Any) -> ReferenceFrame | None:
         """The frame of a massless rod that carries a particle, where a couple acts on that rod."""
@@ -249,11 +258,15 @@ class _Made:
     # ------------------------------------------------------------------ joints
 
     def _joints(self) -> tuple[Joined, ...]:
-        moving = {body.name for body in self.bodies}
-        names = {body: body.name for body in self.parts.bodies if body.name in moving}
+        centres = {body.centre: body.name for body in self.bodies}
         found = []
         for joint in self.parts.joints:
-            child, parent = names.get(joint.child), names.get(joint.parent)
+            if self._idle(joint.child) or self._idle(joint.parent):
+                continue
+            child, parent = (
+                centres.get(self.copy.point(body.masscenter))
+                for body in (joint.child, joint.parent)
+            )
             point = self.copy.point(joint.child_point)
             frame = joint.parent_interframe
             if child is None:
