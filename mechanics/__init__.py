@@ -69,6 +69,7 @@ if TYPE_CHECKING:
         velocity,
         weld,
     )
+    from mechanics.scene.json.read import from_json
     from mechanics.scene.published import published
     from mechanics.scene.system import System
     from mechanics.simulate import Feedback, ensemble
@@ -109,6 +110,7 @@ __all__ = [
     "force",
     "free",
     "from_dh",
+    "from_json",
     "from_mjcf",
     "from_sympy",
     "from_urdf",
@@ -207,6 +209,7 @@ _MODULES = {
     "universal": ("mechanics.scene", "universal"),
     "velocity": ("mechanics.scene", "velocity"),
     "weld": ("mechanics.scene", "weld"),
+    "from_json": ("mechanics.scene.json.read", "from_json"),
     "published": ("mechanics.scene.published", "published"),
     "System": ("mechanics.scene.system", "System"),
     "Feedback": ("mechanics.simulate", "Feedback"),

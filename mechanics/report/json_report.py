@@ -29,20 +29,25 @@ from typing import Any
 
 from mechanics.kernel import Finding
 from mechanics.report.result import SystemResult
+from mechanics.scene import Scene
+from mechanics.scene.json.write import to_json as scene_json
 
 
-def to_json(results: Sequence[SystemResult]) -> dict[str, Any]:
-    """Results as a tree of dicts, lists, text and numbers that `json.dumps` accepts.
+def to_json(results: Sequence[SystemResult] | Scene) -> dict[str, Any]:
+    """Results, or a scene, as a tree of dicts, lists, text and numbers that `json.dumps` accepts.
 
     Parameters
     ----------
-    results : sequence of SystemResult
+    results : sequence of SystemResult, or Scene
 
     Returns
     -------
     dict
-        As the docstring of this module says. Keys are only ever added.
+        As the docstring of this module says, or as ``docs/scene.schema.json`` says of a scene,
+        which `from_json` reads. Keys are only ever added.
     """
+    if isinstance(results, Scene):
+        return scene_json(results)
     return {"systems": [_system(result) for result in results]}
 
 

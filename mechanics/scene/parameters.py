@@ -116,12 +116,12 @@ def parameters(
     for name, unit in zip(split, units.split(), strict=False):
         dimension_of_unit(unit, f"parameter {name}")
     return tuple(
-        Parameter(name, unit, meaning, *_number(name, value), **sign)
+        Parameter(name, unit, meaning, *typical_value(name, value), **sign)
         for name, unit, value, meaning in rows
     )
 
 
-def _number(name: str, text: str) -> tuple[Fraction | None, Fraction | None]:
+def typical_value(name: str, text: str) -> tuple[Fraction | None, Fraction | None]:
     """A typical value, or in its place how many times pi it is."""
     if text in ("", "-"):
         return None, None

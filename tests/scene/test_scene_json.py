@@ -1,0 +1,117 @@
+"""Scenes as JSON: they come back as they were, and hostile ones get one line."""
+
+import json
+import re
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from mechanics import from_json, to_json
+from mechanics.errors import MechanicsError
+from mechanics.mechanism import lower
+from mechanics.program import Builder, Program
+from mechanics.routes import kane
+from mechanics.scene import Scene
+from mechanics.scene.json import schema
+from systems import EVERY
+
+DOCS = Path(__file__).parents[2] / "docs"
+PENDULUM = re.search(r"example: scene -->\n```json\n(.*?)```", (DOCS / "json.md").read_text(), re.S)
+assert PENDULUM
+
+
+def heavy(mass: str) -> str:
+    """The pendulum with that text for the mass of its bob."""
+    return PENDULUM[1].replace('"mass": "m"', f'"mass": {mass}')
+
+
+def rows(scene: Scene) -> Program:
+    """What Kane's method derives."""
+    mechanism = lower(scene, Builder())
+    return mechanism.builder.program({"rows": kane.derive(mechanism).values})
+
+
+@pytest.mark.sample(2)
+@pytest.mark.parametrize("name", [system.name for system in EVERY])
+def test_a_scene_comes_back_with_the_same_equations(name: str) -> None:
+    (system,) = (system for system in EVERY if system.name == name)
+    scene = system.scene()
+    tree = to_json(scene)
+    back = from_json(json.dumps(tree))
+    assert to_json(back) == tree
+    assert rows(back) == rows(scene)
+    pytest.importorskip("jsonschema").Draft202012Validator(schema()).validate(tree)
+
+
+def test_the_schema_that_is_published_is_the_one_that_is_read() -> None:
+    assert json.loads((DOCS / "scene.schema.json").read_text()) == schema()
+
+
+def test_the_scene_of_the_documentation_swings() -> None:
+    scene = from_json(PENDULUM[1])
+    assert str(scene) == "<scene pendulum: 1 bodies, 1 coordinates, 0 constraints>"
+    assert {p.name: p.unit for p in scene.parameters} == {"L": "m", "g": "m/s^2", "m": "kg"}
+
+
+@pytest.mark.parametrize(
+    ("path", "value", "words"),
+    [
+        (("bodies", 0, "mass"), "__import__('os')", r"\$.bodies\[0\].mass: .* is no coordinate"),
+        (("bodies", 0, "mass"), ["eval", "m"], "'eval' is no operation"),
+        (("bodies", 0, "mass"), ["power", 10, ["constant", "9" * 9]], "an exponent of at most 64"),
+        (("bodies", 0, "mass"), ["power", ["power", 99999, 64], 64], "more than 200 digits"),
+        (("bodies", 0, "mass"), ["floor", ["exp", 9999]], "of constants: write the number"),
+        (("bodies", 0, "mass"), ["divide", 1, 0], "is not finite and real"),
+        (("bodies", 0, "mass"), ["sqrt", -1], "is not finite and real"),
+        (("bodies", 0, "mass"), ["sin"], "sin has 0 operands, 1 expected"),
+        (("bodies", 0, "mass"), ["less", "m", 1], "a truth value"),
+        (("bodies", 0, "mass"), -1, "the mass -1 is negative"),
+        (("bodies", 0, "kind"), "os", "'os', one of 'particle', 'rigid body' expected"),
+        (("bodies", 0, "extra"), 1, "entry 'extra' is not known"),
+        (("frames", "A", "in"), "B", r"\$.frames.A.in: 'B' is no frame that stands before it"),
+        (("points", "P", "from"), "P", "'P' is no point that stands before it"),
+        (("points", "P", "by"), {"A": [1, 2]}, "2 components, 3 expected"),
+        (("parameters", "m", "typical"), "1e999999", "is no number"),
+        (("parameters", "m", "unit"), "apple", "the unit 'apple' is not known"),
+        (("coordinates",), ["x1:1000000"], "is no name of letters"),
+        (("coordinates",), ["theta"] * 3000, "a list of at most 2000 entries"),
+        (("format",), "2", "expected"),
+    ],
+)
+def test_what_is_wrong_is_named_in_one_line(path: tuple[Any, ...], value: Any, words: str) -> None:
+    tree = json.loads(PENDULUM[1])
+    place = tree
+    for step in path[:-1]:
+        place = place[step]
+    place[path[-1]] = value
+    with pytest.raises(MechanicsError, match=words) as error:
+        from_json(tree)
+    assert "\n" not in str(error.value)
+
+
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        ("", "this is no JSON"),
+        ("[" * 100_000, "this is no JSON"),
+        (
+            heavy("[" * 500 + "1" + "]" * 500),
+            "a list such as",
+        ),
+        (
+            heavy('["sin",' * 200 + "1" + "]" * 200),
+            "100 deep",
+        ),
+        (heavy("NaN"), "NaN is no number"),
+        (heavy("9" * 5000), "5000 digits"),
+        (heavy("1e99999999"), "at most 200 digits"),
+        (heavy('"m", "mass": "L"'), "given twice"),
+        (" " * (1 << 23), "at most 4194304 are read"),
+    ],
+    ids=range(9),
+)
+def test_hostile_texts_get_one_line(text: str, words: str) -> None:
+    with pytest.raises(MechanicsError, match=words) as error:
+        from_json(text)
+    assert "\n" not in str(error.value)
