@@ -5,6 +5,7 @@ from systems import (
     acrobot,
     andrews,
     arm_puma560,
+    arm_seven_joints,
     atwood,
     bead_on_hoop,
     bicycle,
@@ -19,6 +20,7 @@ from systems import (
     four_bar_chain,
     four_bar_ledger,
     furuta_pendulum,
+    gyroscope,
     half_car,
     pendulum_chain,
     quadrotor,
@@ -66,6 +68,7 @@ ALL: tuple[System, ...] = (
 )
 TEXTBOOKS: tuple[System, ...] = (
     System("spinning_top", spinning_top.scene, spinning_top.PUBLISHED),
+    System("gyroscope", gyroscope.scene, gyroscope.PUBLISHED),
     System("furuta_pendulum", furuta_pendulum.scene, furuta_pendulum.PUBLISHED),
     System("bead_on_hoop", bead_on_hoop.scene, bead_on_hoop.PUBLISHED),
     System("cylinder_in_cylinder", cylinder_in_cylinder.scene, cylinder_in_cylinder.PUBLISHED),
@@ -78,6 +81,7 @@ MECHANISMS: tuple[System, ...] = (
 )
 ROBOTS_AND_VEHICLES: tuple[System, ...] = (
     System("arm_puma560", arm_puma560.scene),
+    System("arm_seven_joints", arm_seven_joints.scene),
     System("quadrotor", quadrotor.scene, quadrotor.PUBLISHED),
     System("bicycle", bicycle.scene),
     System("half_car", half_car.scene, half_car.PUBLISHED),

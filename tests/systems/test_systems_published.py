@@ -6,7 +6,7 @@ import pytest
 from mechanics import CrossCheck, check, compile, crosscheck, derive
 from mechanics.cli.crosschecking import exit_code
 from mechanics.kernel import Verdict
-from systems import ALL, EVERY, VARIANTS, arm_puma560, atwood, four_bar_chain
+from systems import ALL, EVERY, VARIANTS, arm_puma560, arm_seven_joints, atwood, four_bar_chain
 
 OTHERS = [system for system in EVERY if system not in (*ALL, *VARIANTS)]
 
@@ -35,6 +35,14 @@ def test_puma560_weighs_and_moves_as_published() -> None:
     )
     assert np.allclose(inertia[0, 1:4], [-0.4044, 0.1006, -0.0025], atol=5e-5)
     assert np.allclose(inertia[1, 2:5], [0.3509, 0, 0.0024], atol=5e-5)
+
+
+def test_an_arm_of_seven_joints_reaches_where_its_maker_says() -> None:
+    """The pose called ready holds a hand of 0.1034 m at (0.307, 0, 0.487) m, turned down."""
+    model = compile(derive(arm_seven_joints.scene(), "kane"), compiler=None)
+    ready = np.array([0, -np.pi / 4, 0, -3 * np.pi / 4, 0, np.pi / 2, np.pi / 4])
+    flange = np.array(model.flange(ready)).ravel()
+    assert np.allclose(flange - [0, 0, 0.1034], [0.307, 0, 0.487], atol=5e-4)
 
 
 def test_a_row_of_four_bars_swings_as_one_pendulum() -> None:
