@@ -22,6 +22,7 @@ from systems import (
     furuta_pendulum,
     gyroscope,
     half_car,
+    humanoid,
     pendulum_chain,
     quadrotor,
     rocker,
@@ -82,6 +83,7 @@ MECHANISMS: tuple[System, ...] = (
 ROBOTS_AND_VEHICLES: tuple[System, ...] = (
     System("arm_puma560", arm_puma560.scene),
     System("arm_seven_joints", arm_seven_joints.scene),
+    System("humanoid", humanoid.scene),
     System("quadrotor", quadrotor.scene, quadrotor.PUBLISHED),
     System("bicycle", bicycle.scene),
     System("half_car", half_car.scene, half_car.PUBLISHED),

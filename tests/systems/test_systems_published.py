@@ -5,8 +5,18 @@ import pytest
 
 from mechanics import CrossCheck, check, compile, crosscheck, derive
 from mechanics.cli.crosschecking import exit_code
+from mechanics.errors import SceneError
 from mechanics.kernel import Verdict
-from systems import ALL, EVERY, VARIANTS, arm_puma560, arm_seven_joints, atwood, four_bar_chain
+from systems import (
+    ALL,
+    EVERY,
+    VARIANTS,
+    arm_puma560,
+    arm_seven_joints,
+    atwood,
+    four_bar_chain,
+    humanoid,
+)
 
 OTHERS = [system for system in EVERY if system not in (*ALL, *VARIANTS)]
 
@@ -43,6 +53,23 @@ def test_an_arm_of_seven_joints_reaches_where_its_maker_says() -> None:
     ready = np.array([0, -np.pi / 4, 0, -3 * np.pi / 4, 0, np.pi / 2, np.pi / 4])
     flange = np.array(model.flange(ready)).ravel()
     assert np.allclose(flange - [0, 0, 0.1034], [0.307, 0, 0.487], atol=5e-4)
+
+
+@pytest.mark.parametrize("segments", [1, 2, 3])
+def test_a_humanoid_falls_as_one_body_whatever_its_limbs_are(segments: int) -> None:
+    """Without torques and turning the joints stay as they are, and all of it falls with g."""
+    model = compile(derive(humanoid.scene(segments), "kane"), compiler=None)
+    n = 4 * segments
+    q = np.concatenate([[0.1, 0.2, 1.0, 0.5, 0.5, -0.5, 0.5], np.linspace(-1, 1, n)])
+    found = np.array(model.forward_dynamics(q, np.zeros(6 + n), inputs=np.zeros(n)))
+    speeds = [str(entry.name) for entry in model.quantities.u]
+    falls = np.array([-9.81 if name == "z_dot" else 0.0 for name in speeds])
+    assert np.allclose(found, falls, atol=1e-11)
+
+
+def test_a_humanoid_of_no_segments_is_refused() -> None:
+    with pytest.raises(SceneError, match="one, two or three"):
+        humanoid.scene(0)
 
 
 def test_a_row_of_four_bars_swings_as_one_pendulum() -> None:
