@@ -205,7 +205,8 @@ def row(example: Example) -> str | None:
             agrees = first.verdict.name
             if first.verdict is Verdict.UNDECIDED:
                 why = first.evidence
-            why = "; ".join([why, *(cause.subject for cause in causes)]).strip("; ")
+            told = (f"{cause.subject}: {cause.verdict.name}" for cause in causes)
+            why = "; ".join([why, *told]).strip("; ")
     except MechanicsError as error:
         why = str(error)
     except TooLong:

@@ -30,6 +30,7 @@ from mechanics.kernel import Finding, Verdict, undecided
 from mechanics.program.builder import Node
 from mechanics.program.forward import tangent
 from mechanics.program.sympy_reader import read
+from mechanics.routes.lagrange_sympy import matrices_of
 from mechanics.scene import Force, Gravity, Scene, Torque
 from mechanics.scene.declared import decimals
 from mechanics.scene.symbols import plain_symbol, plain_table, to_plain
@@ -52,10 +53,12 @@ def own_equations(scene: Scene, model: Any) -> Equations:
     """
     method = form_equations(model)
     table = _table(scene, method)
+    names: tuple[Symbol, ...] = ()
     if isinstance(method, me.LagrangesMethod):
-        matrices, names = _lagrange(method)
+        matrices = matrices_of(method)
+        names = tuple(Symbol(f"lambda{k + 1}", real=True) for k in range(matrices[2].cols))
     else:
-        matrices, names = _kane(method), ()
+        matrices = _kane(method)
     speeds = _speeds(method)
     resting = _resting(method)
     plain = [_plain(scene, written(part.xreplace(resting)), table) for part in matrices]
@@ -108,16 +111,6 @@ def _kane(method: Any) -> tuple[Matrix, ...]:
         mass[free:, :],
         forcing[free:, :],
     )
-
-
-def _lagrange(method: Any) -> tuple[tuple[Matrix, ...], tuple[Symbol, ...]]:
-    n, m = len(method.q), len(method.coneqs)
-    mass, forcing = method.mass_matrix[:, :n], method.forcing
-    if not m:
-        return (mass, forcing, zeros(n, 0), zeros(0, n), zeros(0, 1)), ()
-    names = tuple(Symbol(f"lambda{k + 1}", real=True) for k in range(m))
-    rows = method.mass_matrix_full[2 * n :, n : 2 * n]
-    return (mass, forcing, -method.mass_matrix[:, n:], rows, method.forcing_full[2 * n :, :]), names
 
 
 def _table(scene: Scene, method: Any) -> dict[Expr, Expr]:
@@ -219,7 +212,7 @@ def _accelerations(scene: Scene, method: Any, programs: Programs) -> Iterator[Fi
                 continue
             rates = tangent(nodes(velocity), mechanism.rates)
             subject = (
-                f"the cause: the {kind}acceleration of {name} that is set is the derivative of its"
+                f"the cause: the {kind}acceleration of {name} that is set = the derivative of its"
                 f" {kind}velocity"
             )
             found = equal(subject, mechanism, nodes(acceleration), rates)

@@ -39,6 +39,7 @@ from mechanics.scene.symbols import plain_table, to_plain
 from mechanics.symbolic import tidy
 
 AXES = "xyz"
+QUATERNION = 4
 LARGEST_INTEGRAND = 60
 """Operations of a rate that is integrated."""
 
@@ -183,12 +184,13 @@ class _Placing:
     # ------------------------------------------------------------------ placing
 
     def refuse_quaternions(self) -> None:
-        """A coordinate outside of a sine or cosine turns a frame."""
+        """Four coordinates outside of sines and cosines turn a frame."""
         for frame in self._frames():
             for other in frame._dcm_dict:
                 step = frame.dcm(other)
                 angles = {one: S.Zero for one in step.atoms(sin, cos)}
-                if held := functions_of([step.xreplace(angles)]) & {*self.parts.q}:
+                held = functions_of([step.xreplace(angles)]) & {*self.parts.q}
+                if len(held) == QUATERNION:
                     names = ", ".join(sorted(one.func.__name__ for one in held))
                     raise SceneError(
                         f"frame {frame.name}: it is turned by the quaternion {names}: models with"

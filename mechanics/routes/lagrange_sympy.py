@@ -67,22 +67,25 @@ def _replaced(scene: Scene) -> dict[Expr, Expr]:
 
 
 def _common_form(scene: Scene, method: LagrangesMethod) -> Equations:
-    n, m = len(scene.q), len(scene.constraints)
-    names = tuple(Symbol(f"lambda{i + 1}", real=True) for i in range(m))
-    mass, forcing = method.mass_matrix[:, :n], method.forcing
-    matrix, bias, reactions = zeros(0, n), zeros(0, 1), zeros(n, 0)
-    if m:
-        # The mass matrix carries -B beside M; the full one has A in its last rows.
-        reactions = -method.mass_matrix[:, n:]
-        matrix = method.mass_matrix_full[2 * n :, n : 2 * n]
-        bias = method.forcing_full[2 * n :, :]
-    parts = (mass, forcing, reactions, matrix, bias)
+    names = tuple(Symbol(f"lambda{i + 1}", real=True) for i in range(len(scene.constraints)))
+    parts = matrices_of(method)
     if scene.speeds:
         parts = _in_speeds(scene, *parts)
     back = {dummy: symbol for symbol, dummy in _replaced(scene).items() if symbol.is_Symbol}
     mass, forcing, reactions, matrix, bias = (plain(scene, part, back) for part in parts)
     matrices = Matrices(tidied(scene, mass), tidied(scene, forcing), reactions, matrix, bias)
     return Equations(scene, "lagrange_sympy", names, True, textbook=matrices)
+
+
+def matrices_of(method: LagrangesMethod) -> tuple[Matrix, ...]:
+    """M, f, B, A and b with M q'' = f + B lambda, A q'' = b."""
+    n, m = len(method.q), len(method.coneqs)
+    mass, forcing = method.mass_matrix[:, :n], method.forcing
+    if not m:
+        return mass, forcing, zeros(n, 0), zeros(0, n), zeros(0, 1)
+    # The mass matrix carries -B beside M; the full one has A in its last rows.
+    matrix = method.mass_matrix_full[2 * n :, n : 2 * n]
+    return mass, forcing, -method.mass_matrix[:, n:], matrix, method.forcing_full[2 * n :, :]
 
 
 def _in_speeds(

@@ -11,10 +11,12 @@ from typing import Any
 from sympy import Derivative, Eq, Expr, Matrix, S, Symbol, linsolve, sympify
 from sympy.core.function import AppliedUndef
 from sympy.matrices import MatrixBase
-from sympy.physics.mechanics import KanesMethod, LagrangesMethod, System
+from sympy.physics.mechanics import KanesMethod
 from sympy.physics.vector import dynamicsymbols
 
 from mechanics.errors import WrongKindError
+from mechanics.importers.sympy_model import KINDS as MODELS
+from mechanics.importers.sympy_model import form_equations, is_model
 from mechanics.reading.about import QUANTITIES, as_asked, named_quantity
 from mechanics.reading.demands import Demand, Demands, within
 from mechanics.reading.guess import guess
@@ -28,7 +30,7 @@ from mechanics.scene.published import published
 from mechanics.scene.quantities import Identity, MassMatrix
 
 Sides = tuple[Any, ...]
-KINDS = (Expr, MatrixBase, Eq, KanesMethod, LagrangesMethod, System)
+KINDS = (Expr, MatrixBase, Eq, *MODELS)
 
 
 def read_sympy(
@@ -63,16 +65,11 @@ def sides_of(thing: Any) -> list[Sides]:
     WrongKindError
         For another kind of object.
     """
-    if isinstance(thing, System):
-        if thing.eom_method is None:
-            thing.form_eoms()
-        return sides_of(thing.eom_method)
-    if isinstance(thing, KanesMethod):
-        return _kane(thing)
-    if isinstance(thing, LagrangesMethod):
-        if not hasattr(thing, "eom") or thing.eom is None:
-            thing.form_lagranges_equations()
-        return [(row, S.Zero) for row in thing.eom]
+    if is_model(thing):
+        method = form_equations(thing)
+        if isinstance(method, KanesMethod):
+            return _kane(method)
+        return [(row, S.Zero) for row in method.eom]
     if isinstance(thing, Eq):
         return [(thing.lhs, thing.rhs)]
     if isinstance(thing, MatrixBase):
@@ -90,8 +87,6 @@ def sides_of(thing: Any) -> list[Sides]:
 
 def _kane(method: KanesMethod) -> list[Sides]:
     """M u' = f row by row, with u and u' in terms of q' and q''."""
-    if not getattr(method, "_forcing", None):
-        method.kanes_equations()
     t = dynamicsymbols._t
     rates, speeds = [q.diff(t) for q in method.q], list(method.u)
     known = method.kindiffdict()
