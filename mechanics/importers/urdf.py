@@ -81,7 +81,7 @@ def from_urdf(
     ...     _ = file.write_text(text)
     ...     scene = from_urdf(file)
     >>> scene.coordinates, scene.inputs, scene.parameters
-    ((q(t),), (tau_q(t),), (Ixx_door, Iyy_door, Izz_door, cx_door, m_door))
+    ((q(t),), (tau_q(t),), (Ixx_door, Iyy_door, Izz_door, cx_door, g, m_door))
     """
     notes = Notes()
     robot = read_urdf(path, notes, multiples)
