@@ -44,6 +44,10 @@ COMMANDS = {
         "using",
         "Write the equations as C99: a folder that builds, tests and installs alone.",
     ),
+    "serve-mcp": (
+        "serving",
+        "Serve derive, check, crosscheck, compare, codegen and verify to agents, over stdio.",
+    ),
     "verify": (
         "verifying",
         "Repeat every step from the physics to the machine code, from the files of a folder.",
@@ -85,7 +89,8 @@ class _OnDemand(TyperGroup):
 def command(name: str) -> Any:
     """A command with its options, imported now."""
     single = typer.Typer(**_LOOKS)
-    single.command(name)(getattr(import_module(f"mechanics.cli.{COMMANDS[name][0]}"), name))
+    module = import_module(f"mechanics.cli.{COMMANDS[name][0]}")
+    single.command(name)(getattr(module, name.replace("-", "_")))
     return typer.main.get_command(single)
 
 

@@ -1,7 +1,8 @@
 """`mechanics derive`: the equations of motion of one route, for people or programs."""
 
+from collections.abc import Mapping
 from enum import StrEnum
-from typing import Annotated
+from typing import Annotated, Any
 
 import sympy
 import typer
@@ -50,14 +51,25 @@ def derive(
 
     `mechanics derive elastic_pendulum --fix m=0 --fix g=9.81`
     """
-    scene = load(system).scene()
-    table = read_fixed(scene, assignments(fixed or [], "--fix"))
-    equations = derive_by(scene, route)
+    fixed_values = assignments(fixed or [], "--fix")
+    typer.echo(written(derive_by(load(system).scene(), route), form, fixed_values))
+
+
+def written(equations: Equations, form: Format, fixed: Mapping[str, Any]) -> str:
+    """Equations of motion as a text.
+
+    Parameters
+    ----------
+    equations : Equations
+    form : Format
+    fixed : mapping of str to number
+        Parameters that become numbers.
+    """
+    table = read_fixed(equations.scene, fixed)
     if equations.textbook is None:
         compile(equations, fixed={symbol.name: value for symbol, value in table.items()})
-        typer.echo(PROGRAM_WRITERS[form](equations, table))
-    else:
-        typer.echo(WRITERS[form](fix(equations, table)))
+        return PROGRAM_WRITERS[form](equations, table)
+    return WRITERS[form](fix(equations, table))
 
 
 def _sides(equations: Equations) -> list[tuple[sympy.Expr, sympy.Expr]]:

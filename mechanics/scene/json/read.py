@@ -5,7 +5,7 @@ No text in it is ever evaluated, and no name in it names a file or a function.
 
 import json
 import re
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from decimal import Decimal
 from types import UnionType
@@ -187,11 +187,11 @@ class _Reader:
         self.names = Names(self.moving, constants, frozenset(_reactions(self.whole)))
 
     def place(self) -> None:
-        """Frames and points, each after the one that carries it."""
+        """Frames and points."""
         inertial, origin = (
             _text(self.whole.get(title), f"$.{title}") for title in ("inertial", "origin")
         )
-        for name, own in _table(self.whole.get("frames", {}), "$.frames").items():
+        for name, own in _from_root(self.whole, "frames", inertial, "in"):
             path = f"$.frames.{name}"
             _known(own, ("name", "in", "axis", "angle", "matrix", "quaternion"), path)
             called = _text(own.get("name", name), f"{path}.name")
@@ -199,19 +199,18 @@ class _Reader:
                 self.frames[name] = ReferenceFrame(called)
             else:
                 self.frames[name] = self._turned(called, own, path)
-        for name, own in _table(self.whole.get("points", {}), "$.points").items():
+        for name, own in _from_root(self.whole, "points", origin, "from"):
             path = f"$.points.{name}"
             _known(own, ("name", "from", "by"), path)
             called = _text(own.get("name", name), f"{path}.name")
             if name == origin:
                 self.points[name] = Point(called)
             else:
-                start = self.point(own.get("from"), f"{path}.from")
                 by = self.vector(own.get("by"), f"{path}.by")
-                self.points[name] = start.locatenew(called, by)
+                self.points[name] = self.points[own["from"]].locatenew(called, by)
 
     def _turned(self, name: str, own: dict[str, Any], path: str) -> ReferenceFrame:
-        parent = self.frame(own.get("in"), f"{path}.in")
+        parent = self.frames[own["in"]]
         if "axis" in own:
             if own["axis"] not in ("x", "y", "z"):
                 raise refuse(f"{path}.axis", '"x", "y" or "z" expected')
@@ -241,13 +240,13 @@ class _Reader:
     def frame(self, name: Any, path: str) -> ReferenceFrame:
         """A frame that was placed before."""
         if not isinstance(name, str) or name not in self.frames:
-            raise refuse(path, f"{_shown(name)} is no frame that stands before it in $.frames")
+            raise refuse(path, f"{_shown(name)} is none of $.frames")
         return self.frames[name]
 
     def point(self, name: Any, path: str) -> Point:
         """A point that was placed before."""
         if not isinstance(name, str) or name not in self.points:
-            raise refuse(path, f"{_shown(name)} is no point that stands before it in $.points")
+            raise refuse(path, f"{_shown(name)} is none of $.points")
         return self.points[name]
 
     def vector(self, tree: Any, path: str) -> Vector:
@@ -358,6 +357,29 @@ class _Reader:
         if tree is None or isinstance(tree, bool):
             return tree
         return _text(tree, path)
+
+
+def _from_root(
+    whole: dict[str, Any], title: str, root: str, link: str
+) -> Iterator[tuple[str, dict[str, Any]]]:
+    """Frames or points, each after the one that carries it: JSON does not keep an order."""
+    table = _table(whole.get(title, {}), f"$.{title}")
+    carried: dict[str, list[str]] = {}
+    for name, own in table.items():
+        path = f"$.{title}.{name}"
+        parent = _table(own, path).get(link)
+        if name != root:
+            if not isinstance(parent, str) or parent not in table:
+                raise refuse(f"{path}.{link}", f"{_shown(parent)} is none of $.{title}")
+            carried.setdefault(parent, []).append(name)
+    if root not in table:
+        raise refuse(f"$.{title}", f"{root[:40]!r} is missing")
+    reached = [root]
+    for name in reached:
+        yield name, table[name]
+        reached += carried.get(name, [])
+    if left := sorted(set(table) - set(reached)):
+        raise refuse(f"$.{title}.{left[0]}", f"nothing leads to it from {root!r}: a circle")
 
 
 def _reactions(whole: dict[str, Any]) -> list[str]:

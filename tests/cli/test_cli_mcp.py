@@ -1,0 +1,107 @@
+"""The server for agents, driven over stdio by the client of the `mcp` package."""
+
+import asyncio
+import json
+import sys
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from mechanics.cli.serving import server
+from mechanics.cli.tools import Tools
+from mechanics.errors import InputError
+from mechanics.scene.json.schema import schema
+from systems import rod_pendulum
+
+mcp = pytest.importorskip("mcp")
+START = "import sys; sys.argv = ['mechanics', 'serve-mcp']; from mechanics.cli import main; main()"
+RIGHT = r"\frac{m l^2}{3}\ddot\theta = \frac{m g l}{2}\sin\theta + u"
+WRONG = r"\frac{m l^2}{12}\ddot\theta = \frac{m g l}{2}\sin\theta + u"
+
+
+async def talk(server: Any) -> tuple[Any, ...]:
+    """What an agent would ask."""
+    async with mcp.Client(server) as client:
+        tools = await client.list_tools()
+        layout = await client.read_resource("mechanics://scene.schema.json")
+        scene = (await client.call_tool("example", {"system": "rod_pendulum"})).content[0].text
+        derived = await client.call_tool("derive", {"scene": json.loads(scene)})
+        key = json.loads(derived.content[0].text)["scene"]
+        statements = {"scene": key, "statements": [RIGHT, WRONG], "blame": True}
+        checked = await client.call_tool("check", statements)
+        python = {"scene": key, "statements": ["import os\nos.abort()"]}
+        hostile = await client.call_tool("check", python)
+        alive = await client.call_tool("check", {"scene": key, "statements": [RIGHT]})
+    return tools, layout, derived, checked, hostile, alive
+
+
+def holds(tools: Any, layout: Any, derived: Any, checked: Any, hostile: Any, alive: Any) -> None:
+    """What it is told."""
+    names = {tool.name for tool in tools.tools}
+    assert names == {"example", "derive", "check", "crosscheck", "compare", "codegen", "verify"}
+    assert json.loads(layout.contents[0].text) == schema()
+    assert "theta_ddot" in json.loads(derived.content[0].text)["equations"]
+    first, second = json.loads(checked.content[0].text)["statements"]
+    assert first["verdict"] in ("PROVED", "CERTIFIED")
+    assert second["verdict"] == "REFUTED"
+    assert second["blame"]["repairs"]
+    assert hostile.is_error
+    assert "reading it would run it" in hostile.content[0].text
+    assert json.loads(alive.content[0].text)["ok"]
+
+
+def test_an_agent_derives_and_checks() -> None:
+    holds(*asyncio.run(talk(server())))
+
+
+@pytest.mark.campaign
+def test_an_agent_derives_and_checks_over_stdio(tmp_path: Path) -> None:
+    root = str(Path(__file__).parents[2])
+    start = mcp.StdioServerParameters(
+        command=sys.executable, args=["-c", START], cwd=tmp_path, env={"PYTHONPATH": root}
+    )
+    holds(*asyncio.run(talk(start)))
+
+
+@pytest.mark.parametrize(
+    ("call", "words"),
+    [
+        (lambda t: t.check("rod_pendulum", ["a = b"] * 101), "101 found, at most 100"),
+        (lambda t: t.check("rod_pendulum", ["x" * 20_001]), "20001 characters"),
+        (lambda t: t.check("rod_pendulum", ["/etc/passwd.txt"]), "file"),
+        (lambda t: t.derive("scene-0123456789abcdef"), "send the scene itself"),
+        (lambda t: t.derive("/etc/my_system.py"), "is not known"),
+        (lambda t: t.derive('{"format": 1}'), "expected"),
+        (lambda t: t.verify("rod_pendulum", {"../x": ""}), "is no name of a file"),
+        (lambda t: t.verify("rod_pendulum", {"a.c": "x" * (1 << 23) + "x"}), "are read"),
+    ],
+    ids=range(8),
+)
+def test_refusals_are_one_line(call: Any, words: str) -> None:
+    with pytest.raises(InputError, match=words) as error:
+        call(Tools())
+    assert "\n" not in str(error.value)
+
+
+@pytest.mark.campaign
+def test_what_is_generated_is_verified_and_a_change_is_noticed() -> None:
+    tools = Tools()
+    scene = tools.example("rod_pendulum")
+    assert tools.crosscheck(scene)["systems"][0]["ok"]
+    made = tools.codegen(scene, outputs=["forward_dynamics"])
+    files = made["files"]
+    assert tools.verify(made["scene"], files)["outcome"] == "SHOWN"
+    (name,) = (name for name in files if name.endswith(".c") and "test" not in name)
+    changed = {**files, name: files[name].replace("sin(", "cos(")}
+    assert changed != files
+    assert tools.verify(made["scene"], changed)["outcome"] != "SHOWN"
+
+
+def test_the_scene_of_another_person_is_the_one_that_ships() -> None:
+    tools = Tools()
+    assert (
+        tools.derive(tools.example("rod_pendulum"))["equations"]
+        == (tools.derive("rod_pendulum")["equations"])
+    )
+    assert rod_pendulum.scene().name in tools.derive("rod_pendulum")["equations"]
