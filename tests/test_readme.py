@@ -18,7 +18,7 @@ PAGES = {
     for path in (ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md")))
 }
 README = PAGES[ROOT / "README.md"]
-CALLED = re.compile(r"(?:`|^|&& )(?:\.venv/bin/)?mechanics ([a-z]+)((?: [^`\n]*)?)", re.MULTILINE)
+CALLED = re.compile(r"(?:`|^|&& )(?:\.venv/bin/)?mechanics ([a-z-]+)((?: [^`\n]*)?)", re.MULTILINE)
 """A command and its arguments, in a line of a block or between backquotes."""
 
 

@@ -36,7 +36,9 @@ async def talk(server: Any) -> tuple[Any, ...]:
     return tools, layout, derived, checked, hostile, alive
 
 
-def holds(tools: Any, layout: Any, derived: Any, checked: Any, hostile: Any, alive: Any) -> None:
+def assert_answers(
+    tools: Any, layout: Any, derived: Any, checked: Any, hostile: Any, alive: Any
+) -> None:
     """What it is told."""
     names = {tool.name for tool in tools.tools}
     assert names == {"example", "derive", "check", "crosscheck", "compare", "codegen", "verify"}
@@ -52,7 +54,7 @@ def holds(tools: Any, layout: Any, derived: Any, checked: Any, hostile: Any, ali
 
 
 def test_an_agent_derives_and_checks() -> None:
-    holds(*asyncio.run(talk(server())))
+    assert_answers(*asyncio.run(talk(server())))
 
 
 @pytest.mark.campaign
@@ -61,7 +63,7 @@ def test_an_agent_derives_and_checks_over_stdio(tmp_path: Path) -> None:
     start = mcp.StdioServerParameters(
         command=sys.executable, args=["-c", START], cwd=tmp_path, env={"PYTHONPATH": root}
     )
-    holds(*asyncio.run(talk(start)))
+    assert_answers(*asyncio.run(talk(start)))
 
 
 @pytest.mark.parametrize(
