@@ -41,9 +41,11 @@ from mechanics.crosscheck.programs import (
 )
 from mechanics.crosscheck.routes import named_routes
 from mechanics.crosscheck.small_motions import small_motions
+from mechanics.crosscheck.sympy_table import too_large
 from mechanics.equations import Equations
 from mechanics.errors import wanted
 from mechanics.importers import as_scene
+from mechanics.importers.sympy_model import is_formed
 from mechanics.kernel import Finding, Verdict
 from mechanics.linear.ledger import check_linear_row, linear_equations
 from mechanics.report.result import LedgerResult, RouteResult, SystemResult
@@ -91,7 +93,8 @@ def crosscheck(system: Any, options: CrossCheck | None = None) -> SystemResult:
     Parameters
     ----------
     system : System or Scene, or a System, KanesMethod or LagrangesMethod of SymPy's
-        SymPy's own equations of its model are compared with those of the scene, too.
+        SymPy's own equations of its model are compared with those of the scene, too; they are
+        formed now if nobody did.
     options : CrossCheck, optional
 
     Returns
@@ -122,12 +125,9 @@ def crosscheck(system: Any, options: CrossCheck | None = None) -> SystemResult:
     names = [route.name for route in named_routes(options.routes)]
     programs = derive_rows(mechanism, names, stage)
     derived, seconds = _equations(scene, programs, stage)
-    own: list[Finding] = []
-    if made is not scene:
-        stage("SymPy's own equations")
-        own = compare_own(scene, made, programs)
+    own, told = _own(scene, made, programs, stage)
     if any(equations.textbook is None for equations in derived.values()):
-        return _without_textbook(system, derived, programs, own, stage)
+        return _without_textbook(system, derived, programs, own, told, stage)
     stage("comparing routes")
     pairs = compare_pairs(programs.routes)
     sympy = by_sympy(scene, programs, pairs, stage)
@@ -155,7 +155,7 @@ def crosscheck(system: Any, options: CrossCheck | None = None) -> SystemResult:
         findings += [entry.finding for entry in lost]
     stage("small motions")
     modes, remarks = small_motions(derived)
-    remarks = (*skipped, *remarks)
+    remarks = (*told, *skipped, *remarks)
     if holding and options.states and scene.constraints:
         remarks += (ON_MANIFOLD if left else NOT_CLOSED,)
     if any(row in right and holds_others(scene, row) for row in motions):
@@ -196,11 +196,27 @@ def crosscheck(system: Any, options: CrossCheck | None = None) -> SystemResult:
     )
 
 
+def _own(
+    scene: Scene, made: Any, programs: Programs, stage: Callable[[str], None]
+) -> tuple[list[Finding], tuple[str, ...]]:
+    """SymPy's own equations of the model that a scene is made from, and why there are none."""
+    if made is scene:
+        return [], ()
+    why_not = "" if is_formed(made) else too_large(programs.mechanism, "kane_sympy")
+    if why_not:
+        return [], (
+            f"SymPy's own equations are not compared: {why_not}; have the model form them.",
+        )
+    stage("SymPy's own equations")
+    return compare_own(scene, made, programs), ()
+
+
 def _without_textbook(
     system: System,
     derived: Mapping[str, Equations],
     programs: Programs,
     own: Sequence[Finding],
+    told: Sequence[str],
     stage: Callable[[str], None],
 ) -> SystemResult:
     """Of a scene that is too large to be written out by SymPy: the routes are programs alone."""
@@ -211,7 +227,7 @@ def _without_textbook(
     sympy = by_sympy(scene, programs, pairs, stage)
     pairs |= sympy.pairs
     findings = [*own, *pairs.values(), *check_laws(programs)]
-    remarks = ["The equations are too long to be written out, and stay programs."]
+    remarks = [*told, "The equations are too long to be written out, and stay programs."]
     remarks += _units_missing(scene)
     stage("compiling")
     model = compile(first)

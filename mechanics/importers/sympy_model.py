@@ -119,16 +119,23 @@ def form_equations(model: Any) -> Any:
     -------
     KanesMethod or LagrangesMethod
     """
-    if isinstance(model, me.System):
-        if model.eom_method is None:
+    if not is_formed(model):
+        if isinstance(model, me.System):
             model.form_eoms(constraint_solver="CRAMER")
-        return model.eom_method
-    if isinstance(model, me.KanesMethod):
-        if not getattr(model, "_fr", None) or not getattr(model, "_frstar", None):
+        elif isinstance(model, me.KanesMethod):
             model.kanes_equations()
-    elif model.eom is None:
-        model.form_lagranges_equations()
-    return model
+        else:
+            model.form_lagranges_equations()
+    return model.eom_method if isinstance(model, me.System) else model
+
+
+def is_formed(model: Any) -> bool:
+    """Whether somebody had SymPy form the equations."""
+    if isinstance(model, me.System):
+        return model.eom_method is not None
+    if isinstance(model, me.KanesMethod):
+        return bool(model._fr) and bool(model._frstar)
+    return model.eom is not None
 
 
 def written(expression: Any) -> Any:

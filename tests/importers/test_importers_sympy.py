@@ -98,6 +98,17 @@ def test_a_cross_check_begins_with_the_equations_of_the_model():
     assert first.subject.startswith("SymPy's System") and first.verdict is Verdict.PROVED
 
 
+@pytest.mark.campaign
+def test_equations_that_sympy_would_not_finish_are_not_formed():
+    links = models.n_link_pendulum_on_cart(12)
+    model = me.KanesMethod(links._inertial, links.q,
+                           links.u, list(links.q.diff(t) - links.u), bodies=links.bodies,
+                           forcelist=links.forcelist)  # fmt: skip
+    found = crosscheck(model)
+    assert found.remarks[0].startswith("SymPy's own equations are not compared: 13 speeds")
+    assert not model._fr
+
+
 @pytest.mark.parametrize(
     "model",
     [
