@@ -238,7 +238,7 @@ class _Loads:
                     pulls[body.name] = k, field
         massive = {body.name for body in self.scene.bodies if body.mass != 0}
         fields = [field for _, field in pulls.values()]
-        if pulls.keys() != massive or any(field != fields[0] for field in fields):
+        if not pulls or pulls.keys() != massive or any(f != fields[0] for f in fields):
             return [*loads]
         gone = {k for k, _ in pulls.values()}
         axes = zip(fields[0], _axes(self.scene.frame), strict=True)

@@ -8,7 +8,7 @@ reactions           of the joints, or what coordinates and constraints leave no 
 """
 
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping, Sequence, Set
 from dataclasses import replace
 from typing import Any
 
@@ -21,6 +21,7 @@ from mechanics.importers.sympy_loads import bring
 from mechanics.importers.sympy_model import Parts, is_rigid, read_model
 from mechanics.importers.sympy_motion import functions_of, place
 from mechanics.importers.sympy_reactions import Finder, Joined, declared
+from mechanics.kinematics import chain
 from mechanics.mechanism import lower
 from mechanics.program.builder import Builder
 from mechanics.program.forward import tangent
@@ -92,6 +93,7 @@ class _Made:
         self.resting = dict.fromkeys(parts.auxiliary, S.Zero)
         self.copy = Copy(parts.frame, self.moved, _massive(parts))
         self.copy.all_points()
+        self.idle: set[str] = set()
         self.bodies = self._bodies()
         self.rates = {
             self.copy.scalar(q): self.copy.scalar(rate.xreplace(self.resting))
@@ -111,6 +113,7 @@ class _Made:
             bodies=self.bodies,
             inputs=self._inputs(new),
         )
+        bare = replace(bare, bodies=_working(bare, self.idle))
         constraints = self._constraints(bare, rolling)
         stands = [Constraint(c.name, c.expression, (f"_{c.name}",), c.holonomic)
                   for c in constraints]  # fmt: skip
@@ -121,7 +124,7 @@ class _Made:
         held = replace(bare, constraints=tuple(stands), reactions=stand_ins)
         loads, named = bring(parts, self.copy, held)
         held = replace(held, loads=loads)
-        finder = Finder(held, self._joints(), named)
+        finder = Finder(held, self._joints(held), named)
         reactions, maintaining = declared(finder)
         return replace(
             held,
@@ -133,10 +136,7 @@ class _Made:
         )
 
     def _bodies(self) -> tuple[Body, ...]:
-        """The bodies that move; what does not is the ground.
-
-        What has neither mass nor inertia nor a load does nothing, and is left out.
-        """
+        """The bodies that move; what does not is the ground."""
         found: list[Body] = []
         movers = Movers(self.copy.frame, self.copy.origin)
         for body in self.parts.bodies:
@@ -145,9 +145,13 @@ class _Made:
             functions = movers.point(centre)
             if is_rigid(body):
                 functions |= movers.frame(self.copy.turned(body.frame))
-            if not functions or self._idle(body):
+            if not functions:
                 continue
             name = body.name or f"body{len(found) + 1}"
+            if any(name == other.name for other in found):
+                name = f"{name}{len(found) + 1}"
+            if self._idle(body):
+                self.idle.add(name)
             if not is_rigid(body):
                 rod = self._rod(body)
                 found.append(
@@ -257,16 +261,17 @@ class _Made:
 
     # ------------------------------------------------------------------ joints
 
-    def _joints(self) -> tuple[Joined, ...]:
+    def _joints(self, scene: Scene) -> tuple[Joined, ...]:
         centres = {body.centre: body.name for body in self.bodies}
+        left_out = {body.name for body in self.bodies} - {body.name for body in scene.bodies}
         found = []
         for joint in self.parts.joints:
-            if self._idle(joint.child) or self._idle(joint.parent):
-                continue
             child, parent = (
                 centres.get(self.copy.point(body.masscenter))
                 for body in (joint.child, joint.parent)
             )
+            if {child, parent} & left_out:
+                continue
             point = self.copy.point(joint.child_point)
             frame = joint.parent_interframe
             if child is None:
@@ -274,6 +279,26 @@ class _Made:
             if child is not None and point is not None:
                 found.append(Joined(joint.name, parent, child, point, self.copy.turned(frame)))
         return tuple(found)
+
+
+def _working(scene: Scene, idle: Set[str]) -> tuple[Body, ...]:
+    """The bodies without those that have neither mass nor load, where the others move as much."""
+    if not idle:
+        return scene.bodies
+    mechanism = lower(scene, Builder())
+    motions = chain.motions(mechanism)
+    kept = [body for body in mechanism.bodies if body.name not in idle]
+    entries = [entry for body in kept for entry in motions.points[body.centre].velocity]
+    for body in kept:
+        if body.frame is not None:
+            entries += motions.frames[body.frame].omega
+    if not entries:
+        return scene.bodies
+    filter_, _ = mechanism.filters
+    rows = [filter_.values(row) for row in coefficients(entries, mechanism.u)]
+    if len(filter_.eliminate(rows, len(mechanism.u))) < len(mechanism.u):
+        return scene.bodies
+    return tuple(body for body in scene.bodies if body.name not in idle)
 
 
 def _solve(square: Matrix, right: Matrix) -> list[Expr]:
