@@ -31,7 +31,13 @@ def block(marker: str) -> str:
 
 
 @pytest.mark.parametrize(
-    "name", ["python", "space", pytest.param("models", marks=pytest.mark.campaign)]
+    "name",
+    [
+        "python",
+        "space",
+        "acados",
+        *(pytest.param(name, marks=pytest.mark.campaign) for name in ("models", "mpc", "lqr")),
+    ],
 )
 def test_an_example_prints_what_the_readme_says(
     name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch

@@ -15,6 +15,7 @@ from mechanics.compiled.c.lanes import SHARED
 from mechanics.compiled.calls.given import given_array, named_parameters
 from mechanics.compiled.calls.many_states import MANY, look_at, run, shared, written
 from mechanics.compiled.graphs import MATRICES, Graphs
+from mechanics.compiled.jax_functions import JaxFunctions
 from mechanics.compiled.machine.batch import BatchKernel
 from mechanics.compiled.machine.buffer import Buffer
 from mechanics.compiled.machine.direct import direct_calls
@@ -92,6 +93,11 @@ class Functions:
     def typical(self) -> Array:
         """Typical parameters, in order; ValueMissingError names one that has none."""
         return np.array(self.quantities.typical, dtype=float)
+
+    @property
+    def jax(self) -> JaxFunctions:
+        """Every function for JAX: ``model.jax["forward_dynamics"](q, u, inputs, p)["ud"]``."""
+        return JaxFunctions(self.casadi, self.programs)
 
     def program(self, name: str) -> Routine:
         """Instructions of a function, or of a part of it; see `compiled.programs.of_model`."""
