@@ -62,7 +62,7 @@ def _typical(part: str, whole: Expr) -> str:
     return str(float(Rational(part) * whole))
 
 
-def _sizes(segment: Segment) -> tuple[Expr, Expr, Expr, Expr]:
+def _sizes(segment: Segment) -> tuple[Expr, ...]:
     """Length, mass, distance of the centre from the joint, inertia across."""
     length = Rational(segment.length) * HEIGHT
     mass = Rational(segment.mass) * MASS
