@@ -18,7 +18,7 @@ from flint import arb, arb_mat
 
 from mechanics.kernel import Range, Statement, enclose
 from mechanics.kernel.balls import precision
-from mechanics.kernel.constraints import BITS, on_constraints
+from mechanics.kernel.constraints import BITS, NEGLIGIBLE, on_constraints
 from mechanics.kernel.statement import RATES, ZERO
 from mechanics.program.builder import Builder, Node
 from mechanics.program.derivatives import gradient
@@ -170,6 +170,37 @@ def _with_values(builder: Builder, plain: Closure, signs: Mapping[str, Range]) -
     values = {builder.input(name): nodes[name][0] for name in solved}
     closed = not any(Residues(builder, values).values([*configuration, *plain.rates]))
     return replace(plain, values=values) if closed else plain
+
+
+def independent_at(
+    builder: Builder, rows: Sequence[Sequence[Node]], state: Mapping[str, Fraction]
+) -> list[int]:
+    """Indices of the rows that are independent of those before them at a closed state.
+
+    By numbers of `BITS` digits: what is left of a row that depends is `NEGLIGIBLE`.
+
+    Parameters
+    ----------
+    builder : Builder
+    rows : sequence of equally long sequences of Node
+    state : mapping of str to Fraction
+        An input that has no value counts as 1.
+    """
+    program = builder.program({"rows": [entry for row in rows for entry in row]})
+    given = {name: state.get(name, Fraction(1)) for name in program.inputs}
+    width, kept, left = len(rows[0]), list[int](), list[tuple[int, list[arb]]]()
+    with precision(BITS):
+        entries = [value.mid() for value in enclose(program, given, BITS)["rows"]]
+        for place in range(len(rows)):
+            row = entries[width * place : width * (place + 1)]
+            for pivot, other in left:
+                factor = row[pivot] / other[pivot]
+                row = [(x - factor * y).mid() for x, y in zip(row, other, strict=True)]
+            pivot = max(range(width), key=lambda k: float(abs(row[k])))
+            if float(abs(row[pivot])) > NEGLIGIBLE:
+                kept.append(place)
+                left.append((pivot, row))
+    return kept
 
 
 def closed_state(

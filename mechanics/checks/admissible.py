@@ -16,6 +16,7 @@ from dataclasses import dataclass
 
 from mechanics.checks.energy import kinetic
 from mechanics.checks.equilibria import check_equilibria
+from mechanics.checks.redundant import independent_beside
 from mechanics.errors import SceneError
 from mechanics.kinematics import chain
 from mechanics.kinematics.motion import BodyMotion, Motions, body_motions
@@ -120,10 +121,16 @@ def _constraint_rows(
             )
     table = [filter_.values(row) for row in coefficients(forms, mechanism.u)]
     kept = _rank(filter_, table, len(mechanism.u))
+    names = [constraint.name for constraint in mechanism.constraints]
+    words = _dependences(filter_, table, kept, names)
+    near = independent_beside(mechanism, coefficients(forms, mechanism.u))
+    if near is not None and len(near) < len(kept):
+        # It moves for special lengths and angles, of which no exact point is known.
+        words = ", ".join(name for i, name in enumerate(names) if i not in near)
+        kept, words = near, f"{words} follow from those before at the example"
     if len(kept) < len(table):
-        names = [constraint.name for constraint in mechanism.constraints]
         raise SceneError(
-            f"{mechanism.name}: redundant constraints: {_dependences(filter_, table, kept, names)}:"
+            f"{mechanism.name}: redundant constraints: {words}:"
             " their reactions are not determined: remove both, or take drop_redundant(scene)"
         )
     if len(kept) >= len(mechanism.u):

@@ -5,11 +5,14 @@ restricts no motion. Then the others alone have this component, if it has the di
 rank leaves; it has not where constraints touch: y = 0 and y = x^2 admit no motion along x.
 """
 
+from collections.abc import Sequence
 from dataclasses import replace
+from fractions import Fraction
 
+from mechanics.closure import closed_state, independent_at
 from mechanics.errors import SceneError
-from mechanics.mechanism import lower, name_of
-from mechanics.program.builder import Builder
+from mechanics.mechanism import Mechanism, lower, name_of
+from mechanics.program.builder import Builder, Node
 from mechanics.routes.rows import coefficients, remainder, velocity_forms
 from mechanics.scene import Scene
 
@@ -20,6 +23,8 @@ def drop_redundant(scene: Scene) -> Scene:
     A planar loop that is closed by a pin in space has three of them: two couples and the force
     across its plane at that pin. Rigid bodies do not determine how such loads are shared; what is
     computed for the reactions that remain is right for joints that give way where one was left out.
+    Where special lengths and angles let a mechanism move that is rigid for others, and no exact
+    point on its constraints is known, they are told by many digits at the example and beside it.
 
     Parameters
     ----------
@@ -44,6 +49,9 @@ def drop_redundant(scene: Scene) -> Scene:
     rests = remainder(mechanism.builder, velocity_forms(mechanism), mechanism.u)
     rows = [filter_.values([*row, rest]) for row, rest in zip(forms, rests, strict=True)]
     kept = {i for i, _ in filter_.eliminate(rows, width)}
+    near = independent_beside(mechanism, forms)
+    if near is not None:
+        kept, rows = set(near), [[0] * (width + 1) for _ in rows]
     gone = [c for i, c in enumerate(scene.constraints) if i not in kept]
     if not gone:
         return scene
@@ -59,7 +67,8 @@ def drop_redundant(scene: Scene) -> Scene:
     if len(anywhere.eliminate(everywhere, width)) > len(kept):
         speeds = {*map(name_of, mechanism.u)}
         solved = sum(name_of(node) not in speeds for node in closure.values)
-        if solved != sum(c.holonomic for i, c in enumerate(scene.constraints) if i in kept):
+        exact = solved == sum(c.holonomic for i, c in enumerate(scene.constraints) if i in kept)
+        if not exact and near is None:
             raise SceneError(
                 f"{scene.name}: {', '.join(c.name for c in gone)} may be redundant at some states"
                 " only, or for some parameters: remove them by hand where they follow"
@@ -72,3 +81,31 @@ def drop_redundant(scene: Scene) -> Scene:
         constraints=tuple(c for c in scene.constraints if c not in gone),
         reactions=tuple(r for r in scene.reactions if r.name not in lost),
     )
+
+
+STEP = Fraction(1, 8)
+
+
+def independent_beside(mechanism: Mechanism, forms: Sequence[Sequence[Node]]) -> list[int] | None:
+    """Rows that are independent at the example and beside it, by numbers of many digits.
+
+    None where exact points on the constraints are known, which tell it for all states, and where
+    all constraints do not close beside the example, too, or restrict other motions there.
+
+    Parameters
+    ----------
+    mechanism : Mechanism
+    forms : rows of nodes
+        A of A u + a = 0.
+    """
+    build, closure = mechanism.builder, mechanism.closure
+    if closure.values or not closure.start:
+        return None
+    kept = independent_at(build, forms, closure.start)
+    for moved in mechanism.q:
+        others = [q for q in mechanism.q if q != moved]
+        state = {**closure.start, name_of(moved): closure.start.get(name_of(moved), 0) + STEP}
+        state = closed_state(build, closure.configuration, others, state)
+        if state and independent_at(build, forms, state) == kept:
+            return kept
+    return None
