@@ -14,7 +14,7 @@ from mechanics.program import Builder, Program
 from mechanics.routes import kane
 from mechanics.scene import Scene
 from mechanics.scene.json import schema
-from systems import EVERY
+from systems import EVERY, slider_crank
 
 DOCS = Path(__file__).parents[2] / "docs"
 PENDULUM = re.search(r"example: scene -->\n```json\n(.*?)```", (DOCS / "json.md").read_text(), re.S)
@@ -89,6 +89,13 @@ def test_what_is_wrong_is_named_in_one_line(path: tuple[Any, ...], value: Any, w
     with pytest.raises(MechanicsError, match=words) as error:
         from_json(tree)
     assert "\n" not in str(error.value)
+
+
+def test_a_joint_that_lost_a_direction_is_named() -> None:
+    tree = to_json(slider_crank.scene())
+    del tree["joints"][0]["directions"][0]
+    with pytest.raises(MechanicsError, match=r"\$.joints\[0\].directions: one for each"):
+        from_json(tree)
 
 
 @pytest.mark.parametrize(

@@ -17,6 +17,7 @@ from sympy.physics.vector import Dyadic, Point, ReferenceFrame, Vector, dynamics
 
 from mechanics.errors import InputError, MechanicsError
 from mechanics.scene.conditions import Condition, condition
+from mechanics.scene.joints.joint import Joint
 from mechanics.scene.json.expressions import Names, number, read, refuse, relation
 from mechanics.scene.json.kinds import FORMAT, KINDS, NAME_OF, PARTS, entries, required
 from mechanics.scene.parameters import Parameter, typical_value
@@ -281,6 +282,8 @@ class _Reader:
                 made[own.name] = self.value(table[name], hint, f"{path}.{name}", made)
             elif required(own):
                 raise refuse(path, f"{name} is missing")
+        if kind is Joint and len(made["reactions"]) != len(made["directions"]):
+            raise refuse(f"{path}.directions", "one for each of its reactions expected")
         return condition(**made) if kind is Condition else kind(**made)
 
     def value(self, tree: Any, hint: Any, path: str, made: Mapping[str, Any]) -> Any:
