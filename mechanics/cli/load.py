@@ -24,7 +24,9 @@ from mechanics.importers.decimals import Notes
 from mechanics.importers.mjcf import read_mjcf
 from mechanics.importers.sympy_model import is_model
 from mechanics.importers.urdf import read_urdf
+from mechanics.reading.read import file_text
 from mechanics.scene import Scene
+from mechanics.scene.json.read import from_json
 from mechanics.scene.published import Published
 from mechanics.scene.system import System
 
@@ -32,6 +34,9 @@ CALL = re.compile(r"(\w+)(?:\((\d+)\)|:(\d+))")
 FILE = re.compile(r"(.*\.py)(?::(\w+))?", re.DOTALL)
 ROBOT = re.compile(r"(.*\.(?:urdf|xml))(?::([\w,]+))?", re.DOTALL | re.IGNORECASE)
 NUMBERS = "numbers"
+
+
+JSON = re.compile(r".*\.json", re.DOTALL | re.IGNORECASE)
 
 
 def load(text: str) -> System:
@@ -43,7 +48,8 @@ def load(text: str) -> System:
         A name, a name with a size (``pendulum_chain(10)`` or ``pendulum_chain:10``), or the path
         of a Python file with a function ``scene()``, which returns a scene or a model of SymPy's,
         and, perhaps, a tuple ``PUBLISHED``;
-        ``file.py:name`` for a function of another name. Or a robot: ``arm.urdf``, or with what
+        ``file.py:name`` for a function of another name. Or a scene in JSON, ``a.json``, of which
+        nothing is run. Or a robot: ``arm.urdf``, or with what
         holds its first link ``dog.urdf:free``; ``arm.xml`` in MJCF, or with what is left out
         ``arm.xml:contact,friction``; ``:numbers`` with both makes no number a parameter. What its
         reader notes is printed.
@@ -55,6 +61,9 @@ def load(text: str) -> System:
     """
     if file := FILE.fullmatch(text):
         return _from_file(Path(file[1]), file[2] or "scene")
+    if JSON.fullmatch(text):
+        path = Path(text)
+        return System(path.stem, partial(from_json, file_text(path)))
     if robot := ROBOT.fullmatch(text):
         return _from_model(Path(robot[1]), robot[2] or "")
     return built_in(text)
@@ -62,7 +71,7 @@ def load(text: str) -> System:
 
 def is_file(text: str) -> bool:
     """Whether a system is named by its file."""
-    return any(form.fullmatch(text) is not None for form in (FILE, ROBOT))
+    return any(form.fullmatch(text) is not None for form in (FILE, JSON, ROBOT))
 
 
 def built_in(text: str) -> System:
