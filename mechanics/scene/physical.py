@@ -8,6 +8,7 @@ R         R^T R = 1, det R = 1
 
 from itertools import pairwise
 
+import numpy as np
 from sympy import Expr, Matrix, Symbol, eye, sympify
 from sympy.core.function import AppliedUndef
 from sympy.physics.vector import Dyadic, Point, Vector, dynamicsymbols
@@ -27,6 +28,9 @@ from mechanics.scene.geometry import (
 from mechanics.scene.loads import Coulomb, Damper, Force, Gravity, Spring, Torque, TorsionSpring
 from mechanics.scene.symbols import by_name
 from mechanics.symbolic import canonical, is_zero
+
+ROUNDING = 1e-9
+"""Of decimals such as 0.1 + 0.7 beside 0.8, relative to the largest moment."""
 
 
 def check_bodies(scene: Declaration) -> None:
@@ -80,6 +84,8 @@ def _inertia(scene: Declaration, body: RigidBody) -> None:
         if _differs(matrix, matrix.T):
             raise SceneError(f"body {body.name}: the inertia {body.inertia} is not symmetric")
         entries = [matrix[i, i] for i in range(3)]
+        if all(entry.is_number for entry in matrix):
+            _possible(scene, body, matrix)
     if any(entry.is_negative for entry in entries):
         raise SceneError(
             f"body {body.name}: the inertia {body.inertia} is negative: a moment of inertia is"
@@ -87,9 +93,27 @@ def _inertia(scene: Declaration, body: RigidBody) -> None:
         )
 
 
+def _possible(scene: Declaration, body: RigidBody, matrix: Matrix) -> None:
+    """Mass at distances from the centre: A, B, C >= 0 and A + B >= C of principal moments."""
+    moments = np.linalg.eigvalsh(np.array(matrix, dtype=float))
+    low, middle, high = (float(moment) for moment in moments)
+    rounding = ROUNDING * max(abs(low), abs(high))
+    if low < -rounding:
+        raise SceneError(
+            f"body {body.name}: the inertia {body.inertia} is negative about an axis, a principal"
+            f" moment is {low:.3g}: give inertia(frame, xx, yy, zz, xy, yz, zx) smaller products"
+        )
+    # A body that stays in a plane has moments of 0 where none matters; readers of files tell.
+    planar = any(matrix[i, i] == 0 for i in range(3)) or scene.plane is not None
+    if high > low + middle + rounding and not planar and not scene.notes:
+        raise SceneError(
+            f"body {body.name}: no body has the inertia {body.inertia}: the principal moment"
+            f" {high:.3g} exceeds the sum of the others, {low:.3g} and {middle:.3g}: check"
+            " units and the order of inertia(frame, xx, yy, zz, xy, yz, zx)"
+        )
+
+
 def _orientations(scene: Declaration) -> None:
-    if scene.constraints:
-        return  # four Euler parameters give a rotation only where their constraint holds
     frames = {body.frame for body in scene.bodies if isinstance(body, RigidBody)}
     ways = [pairwise(point_path(scene.origin, body.centre)) for body in scene.bodies]
     for parent, child in {step for way in ways for step in way}:
@@ -102,11 +126,29 @@ def _orientations(scene: Declaration) -> None:
         step = relative_rotation(parent, child).applyfunc(
             lambda entry, name=child.name: scene.plain(entry, f"frame {name}")
         )
+        _norm(scene, child.name, step)
+        if scene.constraints:
+            continue  # four Euler parameters give a rotation only where their constraint holds
         if _differs(step.T * step, eye(3)) or is_zero(step.det(method="berkowitz") - 1) is False:
             raise SceneError(
                 f"frame {child.name}: its matrix from {parent.name} is no rotation (R^T R = 1,"
                 " det R = 1): orient it with orientnew"
             )
+
+
+def _norm(scene: Declaration, name: str, step: Matrix) -> None:
+    """Four coordinates that a frame is oriented with as a quaternion have a norm of 1."""
+    parts = {symbol for symbol in step.free_symbols if symbol in scene.q}
+    if len(parts) != 4 or not all(entry.is_polynomial(*parts) for entry in step):
+        return
+    if any(parts <= scene.plain(held.expression, name).free_symbols for held in scene.constraints):
+        return
+    if is_zero(step[:, 0].dot(step[:, 0]) - sum(part**2 for part in parts) ** 2):
+        words = " ".join(str(q) for q in scene.q if q in parts)
+        raise SceneError(
+            f"frame {name}: nothing holds the norm of the quaternion {words} at 1: orient it by"
+            f' quaternion("{words}", "wx wy wz").orient("{name}", parent), which does'
+        )
 
 
 def check_loads(scene: Declaration) -> None:

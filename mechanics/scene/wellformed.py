@@ -103,9 +103,9 @@ def check_names(scene: Declaration) -> None:
     for kind, names in (
         ("body", [body.name for body in scene.bodies]),
         ("load", [load.name for load in scene.loads]),
+        ("joint", [joint.name for joint in scene.joints]),
         ("constraint", [constraint.name for constraint in scene.constraints]),
         ("condition", [condition.name for condition in scene.conditions]),
-        ("joint", [joint.name for joint in scene.joints]),
         ("coordinate, speed, input or reaction", [*given, *(r.name for r in scene.reactions)]),
     ):
         for name, count in Counter(names).items():

@@ -211,6 +211,56 @@ def test_what_is_no_joint_is_refused(case: str) -> None:
     assert "\n" not in str(refusal.value)
 
 
+def a_body(*moments: float, plane: bool = False, notes: tuple[str, ...] = ()) -> Scene:
+    hinge = pin("A", None, "one", at=O, axis=N.z, angle=q1)
+    body = RigidBody("one", O.locatenew("C", hinge.frame.x), hinge.frame, 1,
+                     inertia(hinge.frame, *moments))  # fmt: skip
+    return Scene("one", N, O, bodies=(body,), joints=(hinge,), plane=N.z if plane else None,
+                 notes=notes)  # fmt: skip
+
+
+IMPOSSIBLE = {
+    "sum": ((1, 1, 5), "principal moment 5 exceeds the sum of the others, 1 and 1: check"),
+    "products": ((1, 1, 1, 0.6), "1.6 exceeds the sum of the others, 0.4 and 1"),
+    "negative": ((1, 1, 1, 2), "negative about an axis, a principal moment is -1: give"),
+}
+
+
+@pytest.mark.parametrize("case", IMPOSSIBLE)
+def test_an_inertia_that_no_body_has_is_refused(case: str) -> None:
+    moments, message = IMPOSSIBLE[case]
+    with pytest.raises(SceneError, match=message) as refusal:
+        a_body(*moments)
+    assert "\n" not in str(refusal.value)
+
+
+def test_flat_bodies_scenes_in_a_plane_and_files_that_tell_are_no_such_inertias() -> None:
+    assert a_body(0.1, 0.7, 0.8).q == a_body(0, 0, 5).q
+    assert a_body(1, 1, 5, plane=True).q == a_body(1, 1, 5, notes=("told: one",)).q
+
+
+def test_a_joint_twice_is_named() -> None:
+    hinge = pin("A", None, "one", at=O, axis=N.z, angle=q1)
+    one = RigidBody("one", hinge.point, hinge.frame, 1, inertia(hinge.frame, 1, 1, 1))
+    tip = hinge.point.locatenew("T", hinge.frame.x)
+    closed = pin("C", None, "one", at=O, axis=N.z, onto=tip)
+    with pytest.raises(SceneError, match="2 times a joint named 'C': names must differ"):
+        Scene("twice", N, O, bodies=(one,), joints=(hinge, closed, closed), plane=N.z)
+
+
+def test_a_quaternion_without_its_norm_is_refused() -> None:
+    e = dynamicsymbols("e0:4")
+    B = N.orientnew("B", "Quaternion", e)
+    body = RigidBody("one", O, B, 1, inertia(B, 1, 2, 2.5))
+    held = tuple(reaction(k, at=O, on="one", by=None, along=a)
+                 for k, a in zip("XYZ", (N.x, N.y, N.z), strict=True))  # fmt: skip
+    other = holonomic("other", e[1] - e[2], "X")
+    for constraints in ((), (other,)):
+        with pytest.raises(SceneError, match=r"norm of the quaternion e0 .* at 1: orient"):
+            Scene("q", N, O, coordinates=e, bodies=(body,), reactions=held,
+                  constraints=constraints)  # fmt: skip
+
+
 def test_a_loop_is_closed_onto_a_point() -> None:
     """Three links and the ground: two conditions, each with the force that maintains it."""
     scene = arm()
