@@ -11,7 +11,7 @@ from mechanics.scene.symbols import name_of
 from mechanics.scene.wellformed import rate_names
 
 _WORDS = """
-    angular backend batch_kernel buffer c casadi compiler constants coordinate_rates energy
+    angular backend batch_kernel buffer c casadi compiler constants coordinate_rates energy jax
     entries equations evaluate fixed flags forces forcing form forward_dynamics
     forward_dynamics_prepared generalized h inputs inverse_dynamics jacobians kernel kinetic
     kinetic_energy linear mass_matrix momenta multipliers numbers output p potential

@@ -41,6 +41,7 @@ def matrix(convention, row, q):
     return turn(0, alpha) @ move(a, 0, 0) @ turn(2, theta) @ move(0, 0, d)
 
 
+@pytest.mark.campaign
 @pytest.mark.parametrize("convention", ["standard", "modified"])
 def test_frames_and_energy_are_those_of_the_convention(convention):
     scene = mechanics.from_dh([row | BODY for row in ROWS], convention, symbolic=())

@@ -25,7 +25,7 @@ from mechanics.routes.rows import acceleration_forms, coefficients, remainder, v
 from systems import EVERY
 
 CONSTRAINED = {s.name: s for s in EVERY if s.scene().constraints}
-QUICK = {"slider_crank", "four_bar_chain"}
+QUICK = {"four_bar_chain"}
 BITS = 300
 EPS = float(np.finfo(float).eps)
 OFFSETS = (0.0, 1e-12, 1e-9, 1e-6, 1e-3)

@@ -58,6 +58,7 @@ def test_speeds_that_are_no_rates_are_left_to_others() -> None:
     assert forward_dynamics(mechanism, acceleration_forms(mechanism)) == []
 
 
+@pytest.mark.campaign
 def test_the_wheels_of_a_bicycle_are_rotors_and_its_heading_drops_out() -> None:
     mechanism = joint_frames(lower(bicycle.scene(), Builder()))
     for masses in (moments, grouped):
@@ -71,6 +72,7 @@ def test_the_wheels_of_a_bicycle_are_rotors_and_its_heading_drops_out() -> None:
         assert not {"x", "y", "yaw", "tR", "tF"} & {*program.inputs}
 
 
+@pytest.mark.campaign
 def test_a_tilted_steering_axis_is_one_turn() -> None:
     mechanism = lower(bicycle.scene(), Builder())
     turned = joint_frames(mechanism)

@@ -88,6 +88,7 @@ def test_a_chain_costs_no_more_than_its_recursion() -> None:
     assert mechanism.builder.program({"tau": rows}).count <= 293
 
 
+@pytest.mark.campaign
 @settings(max_examples=10, deadline=None, derandomize=True, phases=PHASES)
 @given(trees(), st.integers(0, 2**32), st.data())
 def test_numbers_for_symbols_make_no_count_larger(

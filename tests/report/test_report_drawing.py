@@ -37,7 +37,14 @@ def scenes() -> dict[str, Scene]:
     return found
 
 
-@pytest.mark.parametrize("name", sorted(scenes()))
+LARGE = ("andrews", "arm_puma560", "arm_seven_joints", "bicycle", "humanoid")
+NAMES = [
+    pytest.param(name, marks=pytest.mark.campaign) if name in LARGE else name
+    for name in sorted(scenes())
+]
+
+
+@pytest.mark.parametrize("name", NAMES)
 def test_every_system_is_drawn_inside_its_frame(name: str) -> None:
     scene = scenes()[name]
     text = drawing(scene, scene.example)
@@ -157,7 +164,7 @@ def test_a_spring_and_a_damper_stand_side_by_side_and_end_at_what_they_hold() ->
     assert any(np.allclose(end, np.array(dots[-1], dtype=float), atol=0.1) for end in ends)
 
 
-@pytest.mark.parametrize("name", sorted(scenes()))
+@pytest.mark.parametrize("name", NAMES)
 def test_axes_and_gravity_stand_where_nothing_else_is(name: str) -> None:
     drawn, corner, _ = re.split(
         r'<g transform="translate\(([\d ]+)\)">', drawing(scenes()[name], scenes()[name].example)

@@ -55,7 +55,7 @@ def test_an_arm_of_seven_joints_reaches_where_its_maker_says() -> None:
     assert np.allclose(flange - [0, 0, 0.1034], [0.307, 0, 0.487], atol=5e-4)
 
 
-@pytest.mark.parametrize("segments", [1, 2, 3])
+@pytest.mark.parametrize("segments", [1, pytest.param(3, marks=pytest.mark.campaign)])
 def test_a_humanoid_falls_as_one_body_whatever_its_limbs_are(segments: int) -> None:
     """Without torques and turning the joints stay as they are, and all of it falls with g."""
     model = compile(derive(humanoid.scene(segments), "kane"), compiler=None)
