@@ -13,6 +13,7 @@ from mechanics.extremes import point, reproduce
 from systems import VARIANTS
 
 
+@pytest.mark.campaign
 def test_extremes_of_a_file_are_printed_written_and_reproduced(
     run: Any, pendulum: Any, tmp_path: Path
 ) -> None:

@@ -61,6 +61,7 @@ def run(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureF
     return command
 
 
+@pytest.mark.campaign
 @pytest.mark.parametrize("system", ["arm", "wheel"])
 def test_the_printed_module_computes_what_the_model_does(run, system: str) -> None:
     code, text, _ = run("derive", system, "--route", "kane", "--format", "python")
@@ -148,6 +149,7 @@ def test_linear_equations_are_those_of_what_is_written_out(make, at, name: str) 
         assert off.applyfunc(simplify).is_zero_matrix, matrix
 
 
+@pytest.mark.campaign
 def test_a_hanging_arm_swings_as_its_jacobians_say(run) -> None:
     scene = hanging_arm()
     equations = derive(scene, "lagrange")
@@ -238,6 +240,7 @@ def test_code_is_judged_against_the_program() -> None:
         mechanics.check(scene, as_code(), values={"g": 9.81})
 
 
+@pytest.mark.campaign
 def test_statements_about_a_wheel_are_judged() -> None:
     energy = "T = 1"
     found = mechanics.check(rolling_arm(), energy)

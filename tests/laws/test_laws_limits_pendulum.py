@@ -68,6 +68,7 @@ def test_without_springs_the_momentum_along_x_stays(route: str) -> None:
     assert decide("dP_x/dt = -2 k x", with_springs).verdict is Verdict.PROVED
 
 
+@pytest.mark.campaign
 def test_stiff_springs_tend_to_a_fixed_pivot(model: Model) -> None:
     """Where the energy of the springs vanishes too, theta tends to the fixed pivot's as 1/k."""
     limit = fixed_pivot(2.0, 1.0)

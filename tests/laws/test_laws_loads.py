@@ -160,6 +160,7 @@ def test_a_pendulum_in_cartesian_coordinates(assert_laws: Any) -> None:
     ))  # fmt: skip
 
 
+@pytest.mark.campaign
 def test_a_constraint_that_moves_by_itself(assert_laws: Any) -> None:
     N, O = ReferenceFrame("N"), Point("O")
     B = O.locatenew("B", x * N.x + y * N.y)

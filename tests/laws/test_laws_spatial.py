@@ -97,6 +97,7 @@ def test_euler_equations_of_a_free_body(assert_laws: Any) -> None:
     )
 
 
+@pytest.mark.campaign
 def test_spherical_pendulum(assert_laws: Any) -> None:
     N, O = ReferenceFrame("N"), Point("O")
     turned = N.orientnew("P", "Axis", (phi, N.z))
@@ -115,6 +116,7 @@ def test_spherical_pendulum(assert_laws: Any) -> None:
     )
 
 
+@pytest.mark.campaign
 def test_screw(assert_laws: Any) -> None:
     """(I + m p^2) theta'' = -m g p on a vertical thread that rises p for each radian."""
     N, O = ReferenceFrame("N"), Point("O")

@@ -141,6 +141,7 @@ def test_sleeping_top_needs_the_textbook_spin(route: str) -> None:
     assert same(polynomial(linear), s * (s**4 + square * s**2 + (m * g * L / A) ** 2))
 
 
+@pytest.mark.campaign
 def test_steady_precession_nutates_with_the_textbook_frequency() -> None:
     tilt, turn = symbols("theta0 p", real=True)
     spin = (m * g * L + A * turn**2 * cos(tilt)) / (C * turn) - turn * cos(tilt)

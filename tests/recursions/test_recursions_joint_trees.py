@@ -95,6 +95,7 @@ def test_a_bicycle_whose_friction_heads_with_it_takes_no_more_operations() -> No
     assert model.program("forward_dynamics").operations <= 2010
 
 
+@pytest.mark.campaign
 @settings(max_examples=6, deadline=None, derandomize=True, phases=PHASES)
 @given(trees(), st.integers(0, 2**32))
 def test_random_trees(joints: tuple[Joint, ...], seed: int) -> None:

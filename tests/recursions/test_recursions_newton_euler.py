@@ -44,6 +44,7 @@ def test_the_rows_are_kanes(system, masses) -> None:
     assert [filter_.is_zero(entry) for entry in differences] == [True] * len(rows)
 
 
+@pytest.mark.campaign
 @settings(max_examples=20, deadline=None, derandomize=True, phases=PHASES)
 @given(trees(), st.integers(0, 2**32))
 def test_random_trees_have_kanes_rows_and_the_textbooks_torques(

@@ -137,6 +137,7 @@ def test_without_a_compiler_it_works_or_says_so(member: Integrator) -> None:
     assert outcome.evaluations > 0 and error("two_mass_chain", outcome) < 1e-6
 
 
+@pytest.mark.campaign
 def test_constant_inputs_work_everywhere_and_functions_where_they_can() -> None:
     model, times = model_with("four_bar", "auto"), np.linspace(0, 0.2, 3)
     constant, moving = (pose(model, times, inputs={"tau": tau}) for tau in (0.3, lambda t: 0.3))
