@@ -326,7 +326,7 @@ def trial(statement: Statement, is_proved: Callable[[], bool]) -> Trial:
         If an operation has no meaning in a field.
     """
     outcome = _tried(statement, MOST_TERMS, is_proved)
-    if outcome.answer is Answer.NONZERO and is_cut(statement.program):
+    if outcome.answer is Answer.NONZERO and is_cut(base_angles(statement.program)):
         # Two ways to write a long argument may be cut at other places: whole, they have one value.
         whole = _tried(statement, 1, is_proved)
         outcome = whole if whole.answer in (Answer.ZERO, Answer.PROVED) else outcome

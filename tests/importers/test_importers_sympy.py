@@ -7,6 +7,7 @@ from sympy.physics.mechanics import models
 
 from mechanics import check, crosscheck, derive, from_sympy
 from mechanics.cli.load import load
+from mechanics.compiled import compile, prove_compiled
 from mechanics.crosscheck.own_equations import compare_own
 from mechanics.errors import SceneError
 from mechanics.kernel import Verdict
@@ -120,6 +121,15 @@ def test_equations_that_sympy_would_not_finish_are_not_formed():
 def test_models_of_the_library_come_in_and_agree(model):
     (found,) = verdicts(model())
     assert found.verdict in (Verdict.PROVED, Verdict.CERTIFIED)
+
+
+@pytest.mark.campaign
+@pytest.mark.parametrize("links", [1, 2])
+def test_a_step_of_a_library_model_is_shown(links):
+    """The angles of a stage are sums whose terms multiply as they are written in base angles."""
+    model = compile(derive(models.n_link_pendulum_on_cart(links), "free_body"))
+    (found,) = prove_compiled(model, ["step"])
+    assert found.verdict is Verdict.CERTIFIED
 
 
 @pytest.mark.campaign

@@ -12,6 +12,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from mechanics.kernel import Range, Statement, Verdict, decide
+from mechanics.kernel.angles import is_cut
 from mechanics.kernel.draws import Draws
 from mechanics.kernel.field import DivisionHere, Inadmissible, Residues
 from mechanics.kernel.primes import (
@@ -714,4 +715,19 @@ def test_an_argument_too_long_to_be_expanded_has_one_value_however_it_is_written
         assert decide(Statement("long", b.program(sides)), try_normal=False).shown
         sides["right"] = [b.call(function, terms + one[0])]
         wrong = decide(Statement("long", b.program(sides)), try_normal=False)
+        assert wrong.verdict is Verdict.REFUTED
+
+
+def test_an_argument_that_grows_too_long_has_one_value_too() -> None:
+    """Sines of sums inside an argument are products of sines: it grows as it is rewritten."""
+    b = Builder()
+    turned = sum((b.input(f"a{i}") for i in range(4)), b.zero)
+    x, y, s, c = b.input("x"), b.input("y"), turned.sin(), turned.cos()
+    product, terms = (s + x) * (c + y), s * c + s * y + x * c + x * y
+    assert not is_cut(b.program({"sin": [product.sin(), terms.sin()]}))
+    for function in ("sin", "cos", "exp"):
+        sides = {"left": [b.call(function, product)], "right": [b.call(function, terms)]}
+        assert decide(Statement("grown", b.program(sides)), try_normal=False).shown
+        sides["right"] = [b.call(function, terms + x)]
+        wrong = decide(Statement("grown", b.program(sides)), try_normal=False)
         assert wrong.verdict is Verdict.REFUTED
