@@ -14,7 +14,8 @@ from typing import Any
 from mechanics.equations import Equations
 from mechanics.errors import InputError, MechanicsError, wanted
 from mechanics.importers import as_scene
-from mechanics.judge.check import check
+from mechanics.judge.check import check, derived
+from mechanics.judge.complete import determined
 from mechanics.kernel import Verdict
 from mechanics.report.answer.check import Check
 from mechanics.scene import Scene
@@ -32,6 +33,7 @@ def assert_equivalent(
     scene: Any,
     *,
     allow_supported: bool = False,
+    partial: bool = False,
     **options: Any,
 ) -> None:
     """Fail unless equations are shown to be those of a scene.
@@ -43,6 +45,8 @@ def assert_equivalent(
     scene : Scene, System or Equations, or a model of SymPy's
     allow_supported : bool
         Whether SUPPORTED is enough, which is the most that a `BlackBox` can reach: numbers only.
+    partial : bool
+        Whether it is enough that all that is said is right: one equation of several, an energy.
     **options
         As for `mechanics.check`: ``names``, ``notation``, ``about``, ``convention``,
         ``where``, ``blame``.
@@ -51,8 +55,8 @@ def assert_equivalent(
     ------
     AssertionError
         When something is refuted, with the wrong term and a state where the sides differ; and, in
-        other words, when something is neither shown nor refuted. The text is what
-        `mechanics check` prints.
+        other words, when something is neither shown nor refuted, or when the equations of motion
+        among them determine less than the motion. The text is what `mechanics check` prints.
     InputError
         When nothing can be read, or there is nothing to check.
 
@@ -61,7 +65,7 @@ def assert_equivalent(
     >>> from mechanics.testing import assert_equivalent
     >>> from systems import elastic_pendulum
     >>> assert_equivalent("(M + m)*x'' + 2*k*x + M*L/2*(theta''*cos(theta)"
-    ...                   " - theta'^2*sin(theta)) = 0", elastic_pendulum.scene())
+    ...                   " - theta'^2*sin(theta)) = 0", elastic_pendulum.scene(), partial=True)
     """
     __tracebackhide__ = True
     kinds = (Scene, System, Equations)
@@ -78,7 +82,11 @@ def assert_equivalent(
         )
     if found.verdict is Verdict.REFUTED:
         raise AssertionError(f"the equations are not those of {found.scene.name}\n\n{found}")
-    if found.verdict in SHOWN or (allow_supported and found.verdict is Verdict.SUPPORTED):
+    if found.verdict in SHOWN:
+        if not partial and (missing := _missing(found, scene)):
+            raise AssertionError(f"{missing}\n\n{found}")
+        return
+    if allow_supported and found.verdict is Verdict.SUPPORTED:
         return
     if found.verdict is Verdict.SUPPORTED:
         words = (
@@ -90,8 +98,19 @@ def assert_equivalent(
     raise AssertionError(f"{words}\n\n{found}")
 
 
+def _missing(found: Check, scene: Scene | System | Equations) -> str:
+    """What is right, but not enough to determine the motion; empty where it is."""
+    truth = scene if isinstance(scene, Equations) else found.derived or derived(found.scene)
+    rows, rank, freedoms = determined(truth, found.judged)
+    if rank >= freedoms:
+        return ""
+    said = f"{rank} of {freedoms} independent equations of motion of {found.scene.name}"
+    count = "there is no equation of motion" if not rows else f"only {said}"
+    return f"all of it is right, but {count}: write the others, or pass partial=True"
+
+
 def _worst_first(found: Check) -> Check:
     """The same, what fails in front."""
-    groups = [[e for e in found.judged if e.finding.verdict is verdict] for verdict in ORDER]
-    rest = [e for e in found.judged if e.finding.verdict not in ORDER]
+    groups = [[e for e in found.judged if e.verdict is verdict] for verdict in ORDER]
+    rest = [e for e in found.judged if e.verdict not in ORDER]
     return replace(found, judged=(*(entry for group in groups for entry in group), *rest))

@@ -12,7 +12,7 @@ from sympy import Expr, Float, Matrix
 from sympy.matrices import MatrixBase
 
 from mechanics.checks.ledger_compare import equal, rounded
-from mechanics.checks.ledger_energy import ENERGIES, energy_pairs
+from mechanics.checks.ledger_energy import ENERGIES, check_energy
 from mechanics.checks.ledger_momenta import DERIVED, VECTORS, derived
 from mechanics.checks.ledger_motion import check_equation, check_reaction
 from mechanics.equations import Equations
@@ -83,7 +83,7 @@ def check_row(
     if where:
         raise InputError(f"{subject}: it is judged at all states: leave out where= for it")
     if isinstance(quantity, ENERGIES):
-        return equal(kinematics, subject, *energy_pairs(kinematics, quantity, sides, subject))
+        return check_energy(kinematics, quantity, sides, subject)
     targets = derived(kinematics, quantity)
     _enough(sides, len(targets), subject)
     # The last target is what every further side has to be.

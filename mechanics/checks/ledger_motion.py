@@ -231,7 +231,7 @@ def gradient(scene: Scene, sides: Sequence[Expr]) -> list[Expr]:
     return [slope(residual, symbol) for symbol in scene.ud]
 
 
-def _closing(equations: Equations) -> Matrix:
+def closing(equations: Equations) -> Matrix:
     """A of A u' = b."""
     if equations.textbook is not None:
         return equations.constraint_matrix
@@ -262,7 +262,7 @@ def check_complete(scene: Scene, rows: Sequence[Published], equations: Equations
         for row in typed
     ]
     left = Matrix([gradient(scene, pair) for pair in sides])
-    left = left.col_join(_closing(equations))
+    left = left.col_join(closing(equations))
 
     def experiment(a: Arithmetic) -> Pairs:
         if _bent(scene, left):

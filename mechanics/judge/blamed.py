@@ -44,7 +44,7 @@ def blamed(reference: Reference, judged: Sequence[Judged]) -> tuple[Judged, ...]
     """
     wrong = [
         k for k, e in enumerate(judged)
-        if e.finding.verdict is Verdict.REFUTED and not e.finding.undefined
+        if e.finding.verdict is Verdict.REFUTED and not (e.finding.undefined or e.of_dimension)
     ]  # fmt: skip
     if not wrong:
         return tuple(judged)

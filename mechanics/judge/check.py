@@ -5,6 +5,7 @@ statements  --ledger-->  PROVED, CERTIFIED, REFUTED with a witness, UNDECIDED
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
+from functools import partial
 from typing import Any
 
 from mechanics.blame.reference import Reference
@@ -16,9 +17,9 @@ from mechanics.judge.at_values import Values, read_values, right_at
 from mechanics.judge.at_values import words as in_words
 from mechanics.judge.black_box import check_box
 from mechanics.judge.blamed import blamed, declared_only
-from mechanics.judge.complete import redundancy
+from mechanics.judge.complete import determines, redundancy
 from mechanics.judge.defined import at_the_bound
-from mechanics.judge.other_meaning import energy_instead
+from mechanics.judge.letters import Settled, settle
 from mechanics.judge.other_names import best_names, doubtful
 from mechanics.judge.other_reading import read_otherwise
 from mechanics.judge.readers import read, spread
@@ -28,13 +29,14 @@ from mechanics.judge.single import judge
 from mechanics.judge.small_angles import right_for_small_angles
 from mechanics.judge.under import judge_under
 from mechanics.judge.where import Where, judge_where, read_where, right_where
-from mechanics.kernel import Verdict
+from mechanics.kernel import Finding, Verdict
 from mechanics.reading.code.black_box import BlackBox
 from mechanics.reading.declared import Declared, read_declared
 from mechanics.reading.statement import Reading, Statement
 from mechanics.report.answer.check import Check
 from mechanics.report.answer.judged import Judged
 from mechanics.scene import Scene
+from mechanics.scene.dimensions import BY_DIMENSION
 from mechanics.scene.system import System
 
 
@@ -125,12 +127,14 @@ def check(
     held = read_values(truth.scene, values or {})
     texts = [where] if isinstance(where, str) else where
     region = read_where(truth, texts, known, names or {})
-    judged, told = _judged(truth, statements, counted, held, region)
+    settled = settle(truth, statements, partial(_right, truth, held, bool(counted or region)))
+    judged, told = _judged(truth, [s.statement for s in settled], counted, held, region)
+    judged = tuple(map(_by_letter, judged, settled))
     if blame and (counted or held or region):
         judged = declared_only(judged)
     elif blame:
         judged = blamed(reference, judged)
-    judged = tuple(read_otherwise(truth, energy_instead(truth, entry)) for entry in judged)
+    judged = tuple(read_otherwise(truth, entry) for entry in judged)
     judged = (*judged, *(Judged(s, f) for entries, _ in boxed for s, f in entries))
     told_of = (*(reading.names for reading in readings), *(known for _, known in boxed))
     matches = {match.name: match for known in told_of for match in known}
@@ -177,7 +181,10 @@ def _check_program(
     """Verdicts on a scene whose equations stay a program."""
     readings = [read(truth.scene, thing, names, *how) for thing in things]
     statements = [statement for reading in readings for statement in reading.statements]
-    judged = tuple(Judged(s, judge(truth, s, {})) for s in statements)
+    settled = settle(truth, statements, partial(_right, truth, {}, False))
+    judged = tuple(
+        _by_letter(Judged(s.statement, judge(truth, s.statement, {})), s) for s in settled
+    )
     matches = {match.name: match for reading in readings for match in reading.names}
     remarks = tuple(dict.fromkeys(r for reading in readings for r in reading.remarks))
     if any(entry.finding.verdict is Verdict.REFUTED for entry in judged):
@@ -195,6 +202,44 @@ def _read(truth: Equations, part: Any, names: Mapping[str, str] | None, *how: An
     )
 
 
+def _right(truth: Equations, values: Values, apart: bool, statement: Statement) -> bool:
+    """Whether a statement is right; where more is declared than values, that is not asked."""
+    return not apart and judge(truth, statement, values).shown
+
+
+def _by_letter(entry: Judged, settled: Settled) -> Judged:
+    """The entry with what the meaning of its letter says."""
+    if settled.finding is not None:
+        return replace(entry, finding=settled.finding, right_if=(), open=False)
+    if settled.right_if and entry.finding.verdict is Verdict.REFUTED:
+        return replace(entry, right_if=(settled.right_if,), open=True)
+    return entry
+
+
+def _differs(finding: Finding) -> bool:
+    """Whether the sides differ at a state where both have values."""
+    dimension = finding.evidence.startswith(BY_DIMENSION)
+    return finding.verdict is Verdict.REFUTED and not finding.undefined and not dimension
+
+
+def _helping(
+    truth: Equations, statements: Sequence[Statement], findings: Sequence[Finding]
+) -> tuple[tuple[str, ...], bool]:
+    """Under which conditions all statements are right, and whether these may be what is meant.
+
+    A convention may be where the statements determine the motion: any one equation can be mended.
+    Lengths that are half of the scene's, and bodies without inertia, need a word of the person's.
+    """
+    changes = right_if(truth, statements)
+    if changes:
+        plain = all(c.kind not in ("size", "masses") for change in changes[:1] for c in change)
+        words = tuple(" and ".join(c.words for c in change) for change in changes)
+        return words, plain and len(changes[0]) <= 2 and determines(truth, statements)
+    if words := right_at(truth, statements) or right_for_small_angles(truth, statements, findings):
+        return words, True
+    return right_where(truth, statements, findings), False
+
+
 def _judged(
     truth: Equations, statements: Sequence[Statement], counted: Sequence[Declared], values: Values,
     where: Sequence[Where],
@@ -208,23 +253,16 @@ def _judged(
     findings = [judge(truth, statement, values) for statement in statements]
     if values:
         return tuple(map(Judged, statements, findings)), (f"judged where {in_words(values)}",)
-    if not any(f.verdict is Verdict.REFUTED and not f.undefined for f in findings):
+    if not any(map(_differs, findings)):
         return tuple(map(Judged, statements, findings)), ()
     claimed = [
         k for k, s in enumerate(statements)
-        if s.row is not None and not s.doubt and not findings[k].undefined
+        if s.row is not None and not s.doubt and (findings[k].shown or _differs(findings[k]))
     ]  # fmt: skip
     some = [statements[k] for k in claimed]
-    helping = tuple(" and ".join(c.words for c in change) for change in right_if(truth, some))
-    if not helping:
-        verdicts = [findings[k] for k in claimed]
-        helping = (
-            right_at(truth, some)
-            or right_for_small_angles(truth, some, verdicts)
-            or right_where(truth, some, verdicts)
-        )
-    entries = [
-        Judged(s, f, helping if f.verdict is Verdict.REFUTED and not f.undefined else ())
-        for s, f in zip(statements, findings, strict=True)
-    ]
+    helping, may_be = _helping(truth, some, [findings[k] for k in claimed])
+    entries = []
+    for statement, finding in zip(statements, findings, strict=True):
+        wrong = _differs(finding)
+        entries.append(Judged(statement, finding, helping if wrong else (), open=wrong and may_be))
     return tuple(entries), ()

@@ -60,6 +60,7 @@ def _statement(entry: Judged) -> dict[str, Any]:
         "place": statement.place,
         "about": None if statement.row is None else type(statement.row.quantity).__name__,
         **verdict_json(entry.finding),
+        "verdict": entry.verdict.name,
         "terms": [
             {"term": term, "value": value}
             for term, value in term_values(statement, entry.finding.witness)

@@ -6,16 +6,30 @@ rank of d(lhs - rhs)/du' beside the constraints  -  rank of the constraints    o
 from collections.abc import Sequence
 from functools import partial
 
-from sympy import Matrix
+from sympy import Expr, S
 
-from mechanics.checks.ledger_motion import gradient
+from mechanics.checks.ledger_motion import closing, gradient
 from mechanics.checks.manifold import project
 from mechanics.equations import Equations
 from mechanics.kernel.field import Inadmissible
 from mechanics.kinematics.momenta import momenta_written_out
+from mechanics.reading.statement import Statement
 from mechanics.report.answer.judged import Judged
-from mechanics.scene.quantities import EquationOfMotion
-from mechanics.symbolic import generic_rank
+from mechanics.scene.quantities import (
+    EquationOfMotion,
+    Hamiltonian,
+    Lagrangian,
+    ReactionValue,
+)
+from mechanics.symbolic import generic_rank, slope
+
+
+def determines(truth: Equations, statements: Sequence[Statement]) -> bool:
+    """Whether statements are as many as a motion needs: equations, or the function it has."""
+    quantities = [s.row.quantity for s in statements if s.row is not None]
+    count = sum(isinstance(one, EquationOfMotion) for one in quantities)
+    whole = any(isinstance(one, Lagrangian | Hamiltonian) for one in quantities)
+    return whole or count >= len(truth.scene.u) - len(truth.scene.constraints)
 
 
 def redundancy(truth: Equations, judged: Sequence[Judged]) -> str:
@@ -23,30 +37,40 @@ def redundancy(truth: Equations, judged: Sequence[Judged]) -> str:
 
     Fewer equations than freedoms are partial input, which is fine.
     """
-    scene = truth.scene
-    rows = [
-        entry.statement.row
-        for entry in judged
-        if entry.finding.shown
-        and entry.statement.row is not None
-        and isinstance(entry.statement.row.quantity, EquationOfMotion)
-    ]
-    if len(rows) < 2:
-        return ""
-    written = partial(momenta_written_out, truth.kinematics)
-    sides = [[scene.plain(written(s), r.tag) for s in r.sides[:2]] for r in rows]
-    left = Matrix([gradient(scene, pair) for pair in sides])
-    constraints = truth.constraint_matrix
-    both = left.col_join(constraints) if constraints.rows else left
-    prepare = partial(project, kinematics=truth.kinematics)
-    try:
-        held = generic_rank(constraints.tolist(), prepare)
-        rank = generic_rank(both.tolist(), prepare) - held
-    except Inadmissible:
-        return ""  # no state to look at: each equation has its verdict all the same
-    if rank == len(rows):
+    rows, rank, freedoms = determined(truth, judged)
+    if rank == rows:
         return ""
     return (
-        f"{len(rows)} equations of motion, but together they say no more than {rank} of"
-        f" {len(scene.ud) - held}: the others follow from these"
+        f"{rows} equations of motion, but together they say no more than {rank} of {freedoms}: the"
+        " others follow from these"
     )
+
+
+def determined(truth: Equations, judged: Sequence[Judged]) -> tuple[int, int, int]:
+    """How many equations of motion are shown, how many of them say something new, and freedoms.
+
+    What says only what a reaction is, that nothing else gives, says nothing of the motion.
+    """
+    scene = truth.scene
+    shown = [e.statement.row for e in judged if e.finding.shown and e.statement.row is not None]
+    rows = [row for row in shown if isinstance(row.quantity, EquationOfMotion)]
+    given = {row.quantity.name for row in shown if isinstance(row.quantity, ReactionValue)}
+    forces = [r.symbol for r in scene.reactions if r.name not in given]
+    written = partial(momenta_written_out, truth.kinematics)
+    sides = [[scene.plain(written(s), r.tag) for s in r.sides[:2]] for r in rows]
+    slopes = [gradient(scene, pair) for pair in sides]
+    unknown = [[slope(one - two, force) for force in forces] for one, two in sides]
+    constraints = closing(truth).tolist()
+    try:
+        held = _rank(truth, constraints)
+        both = [[*a, *b] for a, b in zip(slopes, unknown, strict=True)]
+        both += [[*row, *(S.Zero for _ in forces)] for row in constraints]
+        rank = _rank(truth, both) - _rank(truth, unknown) - held
+    except Inadmissible:
+        return len(rows), len(rows), len(scene.ud) - len(constraints)  # no state to look at
+    return len(rows), rank, len(scene.ud) - held
+
+
+def _rank(truth: Equations, rows: list[list[Expr]]) -> int:
+    prepare = partial(project, kinematics=truth.kinematics)
+    return generic_rank(rows, prepare) if rows and rows[0] else 0

@@ -27,7 +27,7 @@ from mechanics.scene.quantities import (
 def read_otherwise(truth: Equations, entry: Judged) -> Judged:
     """A refuted statement, with the other reading under which it is right.
 
-    It counts as right only where the person writes it so.
+    Which of them was meant is not known: it is neither right nor wrong.
     """
     statement = entry.statement
     row, written = statement.row, statement.written
@@ -40,7 +40,7 @@ def read_otherwise(truth: Equations, entry: Judged) -> Judged:
         return entry
     for words, sides in statement.others:
         if _right(truth, row, written, sides):
-            return replace(entry, right_if=(*entry.right_if, words), blame=None)
+            return replace(entry, right_if=(*entry.right_if, words), open=True)
     return entry
 
 

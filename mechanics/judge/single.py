@@ -8,6 +8,7 @@ from functools import partial
 from sympy.matrices import MatrixBase
 
 from mechanics.checks.ledger import check_row
+from mechanics.compiled.dimensions import check_energy
 from mechanics.equations import Equations
 from mechanics.errors import ExpressionError, InputError, SceneError, SingularError
 from mechanics.judge.at_values import Values, judged_at
@@ -16,10 +17,11 @@ from mechanics.judge.defined import where_defined
 from mechanics.judge.limits import limited
 from mechanics.judge.principal import on_principal_range
 from mechanics.judge.vacuous import with_content
-from mechanics.kernel import Finding, Verdict, undecided
+from mechanics.kernel import Finding, Verdict, refuted, undecided
 from mechanics.reading.demands import Demand
 from mechanics.reading.statement import Statement
 from mechanics.scene import Scene
+from mechanics.scene.dimensions import BY_DIMENSION, MixedDimensions
 from mechanics.scene.published import Published
 from mechanics.scene.symbols import plain_symbol, symbols_of
 
@@ -28,7 +30,17 @@ FAILURES = (InputError, SceneError, ExpressionError, SingularError)
 
 def judge(truth: Equations, statement: Statement, values: Values) -> Finding:
     """The finding of a statement; where parameters have values, if some are given."""
-    return where_defined(truth, statement, identity(truth, statement, values), values=values)
+    found = where_defined(truth, statement, identity(truth, statement, values), values=values)
+    row, written = statement.row, statement.written
+    if values or row is None or not found.shown or (written and written.notation == "code"):
+        return found
+    mixed = check_energy(truth, row)
+    return found if mixed is None else by_dimension(found.subject, mixed)
+
+
+def by_dimension(subject: str, mixed: MixedDimensions) -> Finding:
+    """The finding on what its dimension alone refutes."""
+    return refuted(subject, f"{BY_DIMENSION}{mixed}", *mixed.units)
 
 
 def identity(truth: Equations, statement: Statement, values: Values) -> Finding:

@@ -10,6 +10,7 @@ from mechanics.errors import InputError
 from mechanics.scene.published import Quantity
 from mechanics.scene.quantities import (
     EquationOfMotion,
+    Hamiltonian,
     Identity,
     KineticEnergy,
     Lagrangian,
@@ -24,34 +25,65 @@ QUANTITIES: dict[str, Callable[[], Quantity]] = {
     "potential energy": PotentialEnergy,
     "energy": TotalEnergy,
     "Lagrangian": Lagrangian,
+    "Hamiltonian": Hamiltonian,
     "mass matrix": MassMatrix,
     "identity": Identity,
 }
 """By the words of a person."""
 
-ENERGY_NAMES: dict[str, str] = {
-    **dict.fromkeys(("T", "KE", "E_k", "E_kin", "E_K", "T_kin", "Ek", "Ekin"), "kinetic energy"),
-    **dict.fromkeys(("V", "U", "PE", "E_p", "E_pot", "Ep", "Epot", "Pi"), "potential energy"),
-    **dict.fromkeys(("E", "E_tot", "Etot", "H"), "energy"),
-    **dict.fromkeys(("L", "Lagrangian", "Lag"), "Lagrangian"),
+Ranks = tuple[tuple[str, ...], ...]
+"""What a letter means, by rank."""
+
+_MEANINGS: tuple[tuple[str, str, str], ...] = (
+    ("T", "kinetic energy", "tension|torque|period"),
+    ("KE E_k E_kin E_K T_kin Ek Ekin", "kinetic energy", ""),
+    ("V", "potential energy", "speed"),
+    ("U PE E_p E_pot Ep Epot Pi", "potential energy", ""),
+    ("E E_tot Etot", "energy", ""),
+    ("L", "Lagrangian", "angular momentum"),
+    ("Lagrangian Lag", "Lagrangian", ""),
+    ("H h", "Hamiltonian", "angular momentum"),
+    ("P", "power", "momentum"),
+    ("D", "Rayleigh's function", "dissipated power"),
+    ("S N", "reaction", ""),
+    ("J", "angular momentum", "Hamiltonian"),
+)
+"""Letters, what they mean at rank 1, and at rank 2."""
+
+LETTERS: dict[str, Ranks] = {
+    letter: tuple(tuple(words.split("|")) for words in ranks if words)
+    for letters, *ranks in _MEANINGS
+    for letter in letters.split()
 }
-"""Names that mean an energy, where the scene has no such name and the line does not say more."""
+"""What a name on the left means that the scene does not have, where the line says no more."""
+
+WORDS = frozenset((*QUANTITIES, *(w for ranks in LETTERS.values() for rank in ranks for w in rank)))
+"""All that a person may say that a name means."""
+
+OTHERS = tuple(sorted(WORDS - QUANTITIES.keys()))
+"""What is looked for in the scene: which reaction, about which point."""
+
+ENERGY_NAMES: dict[str, str] = {
+    letter: ranks[0][0] for letter, ranks in LETTERS.items()
+    if ranks[0][0] in QUANTITIES and letter != "h"
+}  # fmt: skip
+"""Names that mean an energy first."""
 
 MATRIX_NAMES = frozenset(("M", "MM", "Mq", "M_q", "M_mat", "mass_matrix"))
 """Names of the mass matrix, where the scene has no such name and nothing else uses it."""
 
 
 def named_quantity(words: str) -> Quantity:
-    """The quantity that words name.
+    """The quantity that words name; an identity for one that is looked for in the scene.
 
     Raises
     ------
     InputError
         For other words.
     """
-    if words not in QUANTITIES:
-        raise InputError(f"about {words!r}: it can be {', '.join(QUANTITIES)}")
-    return QUANTITIES[words]()
+    if words not in WORDS:
+        raise InputError(f"about {words!r}: it can be {', '.join((*QUANTITIES, *OTHERS))}")
+    return QUANTITIES.get(words, Identity)()
 
 
 def as_asked(quantity: Quantity, sides: tuple[Any, ...]) -> tuple[Any, ...]:

@@ -14,7 +14,14 @@ from sympy import Expr, Symbol
 from sympy.matrices import MatrixBase
 
 from mechanics.errors import InputError
-from mechanics.reading.about import MATRIX_NAMES, QUANTITIES, as_asked, named_quantity
+from mechanics.reading.about import (
+    ENERGY_NAMES,
+    LETTERS,
+    MATRIX_NAMES,
+    WORDS,
+    as_asked,
+    named_quantity,
+)
 from mechanics.reading.arguments import applied_alike
 from mechanics.reading.build import Builder, Value
 from mechanics.reading.defined import (
@@ -28,11 +35,12 @@ from mechanics.reading.defined import (
     without_unknown_rates,
 )
 from mechanics.reading.demands import Demand, Demands
-from mechanics.reading.kind import energy_defined, energy_named, kind_of
+from mechanics.reading.kind import kind_of, letter_on_left, moves_a_constant
 from mechanics.reading.lines import Aside, Entry, Line, Unread, told_once
 from mechanics.reading.named import Read, named
 from mechanics.reading.names import Naming, Vocabulary, unexplained
 from mechanics.reading.place import Refused, line_and_column, located
+from mechanics.reading.prose import said_of
 from mechanics.reading.sides import (
     distinct,
     entries,
@@ -43,7 +51,7 @@ from mechanics.reading.sides import (
     scalar,
     shape,
 )
-from mechanics.reading.statement import Reading, Statement
+from mechanics.reading.statement import Letter, Reading, Statement
 from mechanics.reading.tree import Name, Node
 from mechanics.reading.weight import Weight, weight
 from mechanics.reading.written import Written
@@ -80,8 +88,8 @@ def assemble(
     notation : str
         In which the text is.
     """
-    words = {name: meaning for name, meaning in given.items() if meaning in QUANTITIES}
-    plain = {name: meaning for name, meaning in given.items() if meaning not in QUANTITIES}
+    words = {name: meaning for name, meaning in given.items() if meaning in WORDS}
+    plain = {name: meaning for name, meaning in given.items() if meaning not in WORDS}
     naming, lines = named(read, Naming(Vocabulary(scene), plain))
     lines, told = told_once(without_unknown_rates(lines, naming))
     work = _Assembly(scene, naming, text, origin, words, about, needed(lines), notation)
@@ -171,10 +179,12 @@ class _Assembly:
         self._weighed(line)
         builder = self._builder()
         sides = tuple(builder(side) for side in line.sides)
-        energy = energy_named(self.naming, self.words, left, sides) if self.about is None else None
-        if energy is not None:
+        letter = None
+        if self.about is None:
+            letter = letter_on_left(self.naming, self.words, left, sides[1:])
+        if letter is not None and (letter.said or moves_a_constant(self.naming, letter)):
             builder.unknown = [name for name in builder.unknown if not is_named(left, name)]
-            self._energy(line, tag, place, energy, sides[1:], builder)
+            self._letter(line, tag, place, letter, sides[1:], builder)
             return
         if self.about == "mass matrix" and defines(line, self.naming):
             builder.unknown = [name for name in builder.unknown if not is_named(left, name)]
@@ -182,7 +192,9 @@ class _Assembly:
         if any(isinstance(side, MatrixBase) for side in sides):
             self._matrices(line, tag, place, sides, builder)
             return
-        self._scalars(line, tag, place, sides, builder)
+        if letter is not None and (said := said_of(self.text, letter.name)):
+            letter = replace(letter, said=said)
+        self._scalars(line, tag, place, sides, builder, letter)
 
     def _weighed(self, line: Line) -> Weight:
         """What the sides of a line come to, if it is little enough to be built and judged."""
@@ -196,25 +208,30 @@ class _Assembly:
             raise Refused(line.at, words)
         return max(sides, key=lambda side: side.amount)
 
-    def _energy(
-        self, line: Line, tag: str, place: str, energy: str, sides: tuple[Value, ...],
+    def _letter(
+        self, line: Line, tag: str, place: str, letter: Letter, sides: tuple[Value, ...],
         builder: Builder,
     ) -> None:  # fmt: skip
-        left = line.sides[0]
-        note = f"{left.name} on the left is read as the {energy}" if isinstance(left, Name) else ""
-        self._keep(line, tag, place, named_quantity(energy), sides, builder, note)
+        """A name that may mean several things, first of all what is said or of rank 1."""
+        if not letter.said:
+            letter = replace(letter, said=said_of(self.text, letter.name))
+        words = letter.said or LETTERS[letter.name][0][0]
+        self._keep(line, tag, place, named_quantity(words), sides, builder, letter=letter)
 
     def _define(
         self, line: Line, name: str, sides: tuple[Value, ...], builder: Builder, tag: str,
         place: str,
     ) -> None:  # fmt: skip
         """A definition: it is judged where it is used, or is an energy or the mass matrix."""
-        energy = energy_defined(self.naming, name, sides) if name not in self.needed else None
-        if energy is not None:
-            self._energy(line, tag, place, energy, sides, builder)
+        letter = letter_on_left(self.naming, {}, line.sides[0], sides)
+        if letter is not None and name in ENERGY_NAMES and name not in self.needed:
+            self._letter(line, tag, place, letter, sides, builder)
             return
         size = len(self.scene.u)
         unused = name not in self.reached
+        if letter is not None and unused and name not in self.needed:
+            self._letter(line, tag, place, letter, sides, builder)
+            return
         if unused and name in MATRIX_NAMES and all(shape(s) == (size, size) for s in sides):
             note = f"{name}, a square matrix, is read as the mass matrix"
             self._keep(line, tag, place, MassMatrix(), sides, builder, note)
@@ -258,13 +275,14 @@ class _Assembly:
             self._scalars(line, f"{tag} row {number}", place, parts, builder)
 
     def _scalars(
-        self, line: Line, tag: str, place: str, sides: tuple[Expr, ...], builder: Builder
-    ) -> None:
+        self, line: Line, tag: str, place: str, sides: tuple[Expr, ...], builder: Builder,
+        letter: Letter | None = None,
+    ) -> None:  # fmt: skip
         if self.about is not None:
             self._asked(line, tag, place, sides, builder)
             return
         quantity, sides, note = kind_of(self.scene, distinct(sides))
-        self._keep(line, tag, place, quantity, sides, builder, note)
+        self._keep(line, tag, place, quantity, sides, builder, note, letter)
 
     def _asked(
         self, line: Line, tag: str, place: str, sides: tuple[Expr, ...], builder: Builder
@@ -276,18 +294,20 @@ class _Assembly:
 
     def _keep(
         self, line: Line, tag: str, place: str, quantity: Quantity, sides: tuple[Value, ...],
-        builder: Builder, note: str = "",
+        builder: Builder, note: str = "", letter: Letter | None = None,
     ) -> None:  # fmt: skip
         doubt = ""
         if builder.unknown:
             doubt = unexplained(self.scene, builder.unknown)
-        elif isinstance(quantity, Identity) and len(sides) == 1:
+        elif isinstance(quantity, Identity) and len(sides) == 1 and letter is None:
             doubt = "an expression without an equals sign: say what it is about"
         notes = (*line.notes, note) if note else line.notes
         row = published(tag, quantity, *map(self.scene.pressed, sides), label=line.source)
         written = self._written(line)
         demands = Demands(tuple(dict.fromkeys(builder.demands)))
-        found = Statement(row, line.source, tag, place, notes, doubt, written, line.others, demands)
+        found = Statement(
+            row, line.source, tag, place, notes, doubt, written, line.others, demands, letter
+        )
         self._append(found, line.at)
 
     def _written(self, line: Line) -> Written:

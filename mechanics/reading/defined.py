@@ -10,7 +10,7 @@ from collections import Counter
 from collections.abc import Callable, Container, Mapping, Sequence
 from dataclasses import replace
 
-from mechanics.reading.about import ENERGY_NAMES, MATRIX_NAMES
+from mechanics.reading.about import ENERGY_NAMES, LETTERS, MATRIX_NAMES
 from mechanics.reading.lines import Entry, Line
 from mechanics.reading.names import Naming
 from mechanics.reading.partials import undifferentiated
@@ -152,9 +152,11 @@ def needed(lines: Sequence[Entry]) -> frozenset[str]:
     found: set[str] = set()
     for line in lines:
         if isinstance(line, Line):
-            left = line.sides[0]
-            if not (isinstance(left, Name) and left.name in ENERGY_NAMES and len(line.sides) > 1):
-                found |= {name for side in line.sides for name in undifferentiated(side)}
+            left, *others = line.sides
+            name = left.name if isinstance(left, Name) and others else ""
+            if name not in ENERGY_NAMES:
+                sides = others if name in LETTERS else line.sides
+                found |= {name for side in sides for name in undifferentiated(side)}
     return frozenset(found)
 
 

@@ -23,6 +23,7 @@ from mechanics.scene.rates import speeds_in_rates
 from mechanics.scene.symbols import by_name
 from mechanics.symbolic import is_zero
 
+ENERGIES = ("energy", "Hamiltonian")
 AMBIGUOUS = "{} may be held or not under this derivative: write out what it is"
 
 
@@ -57,7 +58,7 @@ def partial_derivative(builder: Values, of: Node, by: Node, at: int) -> Any:
     variable = builder.value(by)
     _declared_speeds(builder, value, variable, at)
     plain = partial_value(value, variable, at)
-    hamiltonian = isinstance(of, Name) and ENERGY_NAMES.get(of.name) == "energy"
+    hamiltonian = isinstance(of, Name) and ENERGY_NAMES.get(of.name) in ENERGIES
     if not (momenta or (moving and hamiltonian)):
         return plain
     if _same(plain, _held(builder, moving, of, by, at)):

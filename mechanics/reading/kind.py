@@ -11,9 +11,10 @@ from typing import Any
 
 from sympy import Expr, S
 
-from mechanics.reading.about import ENERGY_NAMES
+from mechanics.reading.about import LETTERS
 from mechanics.reading.names import Naming
 from mechanics.reading.sides import scalar
+from mechanics.reading.statement import Letter
 from mechanics.reading.tree import Name, Node
 from mechanics.scene import Scene
 from mechanics.scene.momenta import momentum_symbols, rate_symbol
@@ -54,21 +55,10 @@ def kind_of(scene: Scene, sides: tuple[Expr, ...]) -> tuple[Quantity, tuple[Expr
     return Identity(), sides, ""
 
 
-def energy_defined(naming: Naming, name: str, sides: tuple[Any, ...]) -> str | None:
-    """The energy that a name stands for which the scene does not have, by what it is defined as.
-
-    T = 2 pi sqrt(l/g) is a period: what pi and constants make is no kinetic energy.
-    """
-    energy = ENERGY_NAMES.get(name) if scalar(sides) else None
-    constants = {*naming.vocabulary.constants.values()}
-    period = all(side.has(S.Pi) and side.free_symbols <= constants for side in sides)
-    return None if energy == "kinetic energy" and period else energy
-
-
-def energy_named(
+def letter_on_left(
     naming: Naming, words: Mapping[str, str], left: Node, sides: tuple[Any, ...]
-) -> str | None:
-    """The energy that the name on the left means, though the scene has such a name.
+) -> Letter | None:
+    """The name on the left, where it may mean several things.
 
     Parameters
     ----------
@@ -77,17 +67,22 @@ def energy_named(
         Quantities that the person gave names.
     left : Node
     sides : tuple
-        As they were built.
+        As they were built, without the left.
     """
-    if not isinstance(left, Name) or left.order or len(sides) < 2:
+    if not isinstance(left, Name) or left.order or not sides or not scalar(sides):
         return None
-    if left.name in words:
-        return words[left.name]
-    found = naming.lookup(left.name)
-    if found is None or found[0] in naming.vocabulary.reactions or not scalar(sides):
+    said, own = words.get(left.name, ""), naming.knows(left.name)
+    if not said and left.name not in LETTERS:
         return None
+    return Letter(left.name, tuple(map(naming.vocabulary.scene.pressed, sides)), said, own)
+
+
+def moves_a_constant(naming: Naming, letter: Letter) -> bool:
+    """Whether a constant of the scene is said to hold speeds: a length L that is the Lagrangian."""
+    found = naming.lookup(letter.name)
+    if found is None or found[0] in naming.vocabulary.reactions:
+        return False
     scene = naming.vocabulary.scene
-    if found[0] in naming.vocabulary.constants and sides[1].free_symbols & {*scene.u, *scene.qd}:
-        # A length has no speeds in it, so this L is the Lagrangian.
-        return ENERGY_NAMES.get(left.name)
-    return None
+    moving = {*scene.u, *scene.qd}
+    held = any(scene.plain(side).free_symbols & moving for side in letter.sides)
+    return found[0] in naming.vocabulary.constants and held

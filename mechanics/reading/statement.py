@@ -5,12 +5,35 @@ source -> row.sides, in the scene's plain symbols; row.quantity is what it is ab
 
 from dataclasses import dataclass
 
+from sympy import Expr
+
 from mechanics.reading.demands import Demands
 from mechanics.reading.names import Match
 from mechanics.reading.written import Trees, Written
 from mechanics.scene.published import Published
 
 NO_DEMANDS = Demands()
+
+
+@dataclass(frozen=True)
+class Letter:
+    """A name on the left that may mean several things.
+
+    Attributes
+    ----------
+    name : str
+    sides : tuple of Expr
+        What it is said to be, in the scene's plain symbols.
+    said : str
+        What the person says that it means, a word of `mechanics.reading.about.WORDS`, or empty.
+    own : bool
+        Whether the scene has it.
+    """
+
+    name: str
+    sides: tuple[Expr, ...]
+    said: str = ""
+    own: bool = False
 
 
 @dataclass(frozen=True)
@@ -38,6 +61,8 @@ class Statement:
         Other ways to read it, in words, and its sides then.
     demands : Demands
         What was written that has no value everywhere, before anything was put together.
+    letter : Letter or None
+        The name on the left, where that may mean several things; `row` takes it as the first.
     """
 
     row: Published | None
@@ -49,6 +74,7 @@ class Statement:
     written: Written | None = None
     others: tuple[tuple[str, Trees], ...] = ()
     demands: Demands = NO_DEMANDS
+    letter: Letter | None = None
 
 
 @dataclass(frozen=True)

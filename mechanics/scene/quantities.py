@@ -184,7 +184,15 @@ class TotalEnergy(Quantity):
 
 @dataclass(frozen=True)
 class Lagrangian(Quantity):
-    """Kinetic less potential energy, in J, up to a constant."""
+    """Kinetic less potential energy, in J, up to a constant or the rate of a function of q, t."""
+
+
+@dataclass(frozen=True)
+class Hamiltonian(Quantity):
+    """Sum of p q' less the Lagrangian, in J, up to a constant: Jacobi's integral, in q and q'.
+
+    It is the energy T + V only where T is quadratic in q': not under prescribed motions.
+    """
 
 
 @dataclass(frozen=True)

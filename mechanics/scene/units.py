@@ -44,6 +44,36 @@ def check_units(scene: Declaration) -> None:
         dimension(scene, constraint.expression, f"constraint {constraint.name}")
 
 
+def inferred(scene: Declaration) -> dict[Symbol, Dimension]:
+    """Dimensions of parameters: as declared, else as masses, places and loads need them.
+
+    Of a product with one parameter whose unit is not stated, that one's follows.
+    """
+    texts = {p: getattr(p, "unit", "") for p in scene.parameters}
+    known = {p: d for p, t in texts.items() if (d := dimension_of_unit(t, str(p))) is not None}
+    needs = [
+        (term, dimension_of_unit(unit, where))
+        for where, expression, unit in declared(scene)
+        for term in Add.make_args(sympify(scene.definitions.get(expression, expression)))
+    ]
+    size = -1
+    while size < len(known) < len(texts):
+        size = len(known)
+        for term, need in needs:
+            powers = term.as_powers_dict()
+            unknown = [s for s in powers if s in texts and s not in known]
+            others = [b for b in powers if not (b in texts or b.is_number or isinstance(b, PLAIN))]
+            if need is None or others or len(unknown) != 1 or not powers[unknown[0]].is_Rational:
+                continue
+            (one,) = unknown
+            rest = list(need)
+            for base, power in powers.items():
+                if base in known:
+                    rest = [r - power * e for r, e in zip(rest, known[base], strict=True)]
+            known[one] = tuple(r / powers[one] for r in rest)
+    return known
+
+
 def without_unit(scene: Declaration) -> tuple[Symbol, ...]:
     """Parameters whose unit is not declared."""
     return tuple(p for p in scene.parameters if not getattr(p, "unit", ""))

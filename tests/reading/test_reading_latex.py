@@ -129,7 +129,8 @@ def test_several_sides_definitions_reactions_and_rates() -> None:
 @pytest.mark.parametrize(
     ("text", "verdict"),
     [
-        (r"V = k x^2 - M g \frac{L}{2}\cos\theta + 3", "PROVED"),
+        (r"V = k x^2 - M g \frac{L}{2}\cos\theta + M g L", "PROVED"),
+        (r"V = k x^2 - M g \frac{L}{2}\cos\theta + 3", "REFUTED"),
         (r"V = k x^2 + M g \frac{L}{2}\cos\theta", "REFUTED"),
         (
             r"K = \frac{1}{2}(m+M)\dot x^2 + \frac16 ML^2\dot\theta^2"

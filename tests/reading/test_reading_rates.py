@@ -119,7 +119,7 @@ def test_a_period_is_no_kinetic_energy() -> None:
     found = mechanics.check(cartpole.scene(), r"\[ T = 2\pi\sqrt{l/g} \]", blame=False)
     (entry,) = found.judged
     assert entry.finding.verdict.name == "UNDECIDED"
-    assert "T is defined and never used" in entry.statement.doubt
+    assert "T is read as the period" in entry.statement.doubt
 
 
 @pytest.mark.parametrize(

@@ -8,16 +8,18 @@ import mechanics
 from mechanics import testing
 from mechanics.errors import InputError
 from mechanics.testing import assert_equivalent
-from systems import SEED, elastic_pendulum
+from systems import SEED, elastic_pendulum, rod_pendulum
 
 SCENE = elastic_pendulum.scene()
+SIX = "(M + m)*x'' + 2*k*x + M*L/2*(theta''*cos(theta) - theta'^2*sin(theta)) = 0"
 SEVEN = "M*L/2*x''*cos(theta) + M*L**2/3*theta'' + M*g*L/2*sin(theta) = 0"
 
 
 def test_right_equations_pass_in_silence(capsys: pytest.CaptureFixture[str]) -> None:
-    assert assert_equivalent(SEVEN, SCENE) is None
-    assert assert_equivalent([SEVEN, SEVEN], SEED[0]) is None
-    assert_equivalent(SEVEN.replace("theta", "phi"), SCENE, names={"phi": "theta"})
+    assert assert_equivalent([SIX, SEVEN], SCENE) is None
+    assert assert_equivalent([SEVEN, SEVEN], SEED[0], partial=True) is None
+    phi = f"{SIX}\n{SEVEN}".replace("theta", "phi")
+    assert_equivalent(phi, SCENE, names={"phi": "theta"})
     assert capsys.readouterr() == ("", "")
 
 
@@ -46,7 +48,7 @@ def test_a_convention_has_to_be_declared() -> None:
     other = SEVEN.replace("/3", "/4")
     with pytest.raises(AssertionError, match="right if every rod is a point mass"):
         assert_equivalent(other, SCENE)
-    assert_equivalent(other, SCENE, convention="point mass")
+    assert_equivalent(other, SCENE, convention="point mass", partial=True)
 
 
 def test_doubt_fails_in_other_words() -> None:
@@ -74,6 +76,28 @@ def test_numbers_alone_have_to_be_allowed() -> None:
     with pytest.raises(AssertionError, match=r"only numbers say .* pass allow_supported=True"):
         assert_equivalent(box, chain, **options)
     assert_equivalent(box, chain, allow_supported=True, **options)
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        (SEVEN, "only 1 of 2 independent equations of motion"),
+        (f"{SEVEN}\n{SEVEN}", "only 1 of 2 independent equations of motion"),
+        ("V = k*x^2 - M*g*L/2*cos(theta)", "there is no equation of motion"),
+        ("p_theta = M*L/2*x'*cos(theta) + M*L^2/3*theta'", "there is no equation of motion"),
+    ],
+)
+def test_what_is_right_and_not_enough_fails(text: str, said: str) -> None:
+    with pytest.raises(AssertionError, match=said):
+        assert_equivalent(text, SCENE)
+    assert_equivalent(text, SCENE, partial=True)
+
+
+def test_equations_with_reactions_that_nothing_gives_are_not_enough() -> None:
+    scene = rod_pendulum.scene()
+    along = "m*l/2*(theta''*sin(theta) + theta'^2*cos(theta)) = m*g - Y"
+    with pytest.raises(AssertionError, match="only 0 of 1"):
+        assert_equivalent(along, scene)
 
 
 def test_nothing_to_check_is_no_success() -> None:

@@ -13,6 +13,7 @@ from mechanics.blame.search.forest import Forest
 from mechanics.blame.search.point import Family, Point
 from mechanics.blame.search.told import spliced, told
 from mechanics.checks.ledger import check_row
+from mechanics.compiled.dimensions import check_energy
 from mechanics.errors import ExpressionError, InputError, SceneError
 from mechanics.reading.place import Refused
 from mechanics.reading.spelling import Spelling
@@ -47,7 +48,7 @@ def proved(claim: Claim, chosen: Sequence[Solution], source: str) -> Repair | No
         finding = check_row(claim.truth.scene, row, claim.truth)
     except (InputError, SceneError, ExpressionError):
         return None
-    if not finding.shown:
+    if not finding.shown or check_energy(claim.truth, row) is not None:
         return None
     spelling = spelling_of(claim)
     edits = tuple(

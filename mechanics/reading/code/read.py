@@ -19,7 +19,7 @@ from mechanics.program.c.reader import read_function as read_c_function
 from mechanics.program.c.select import latest
 from mechanics.program.casadi_reader import Instruction as Node
 from mechanics.program.casadi_reader import single_assignment
-from mechanics.reading.about import QUANTITIES
+from mechanics.reading.about import WORDS
 from mechanics.reading.assemble import Reading
 from mechanics.reading.code.arguments import Arguments, arguments_of
 from mechanics.reading.code.as_written import Formula, Formulas, of_graph
@@ -245,7 +245,7 @@ def _read(
     apart: Mapping[str, Apart] | None = None,
 ) -> Reading:  # fmt: skip
     apart = {n: a for n, a in (apart or {}).items() if n in wanted}
-    given = {n: m for n, m in (names or {}).items() if m not in QUANTITIES}
+    given = {n: m for n, m in (names or {}).items() if m not in WORDS}
     naming = Naming(Vocabulary(scene))
     sizes = {n: sizes.get(n) or (apart[n].size if n in apart else None) for n in wanted}
     parted = {n for n, known in apart.items() if known.vector}

@@ -17,7 +17,7 @@ from sympy.physics.vector import dynamicsymbols
 from mechanics.errors import WrongKindError
 from mechanics.importers.sympy_model import KINDS as MODELS
 from mechanics.importers.sympy_model import form_equations, is_model
-from mechanics.reading.about import QUANTITIES, as_asked, named_quantity
+from mechanics.reading.about import WORDS, as_asked, named_quantity
 from mechanics.reading.demands import Demand, Demands, within
 from mechanics.reading.guess import guess
 from mechanics.reading.kind import kind_of
@@ -48,7 +48,7 @@ def read_sympy(
     """
     rows = sides_of(thing)
     used = [name for sides in rows for side in sides for name in _names(side)]
-    given = {n: m for n, m in (names or {}).items() if m not in QUANTITIES}
+    given = {n: m for n, m in (names or {}).items() if m not in WORDS}
     naming = Naming(Vocabulary(scene), given)
     naming = replace(naming, guessed=guess(naming, used, ()))
     statements = [

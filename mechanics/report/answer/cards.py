@@ -65,7 +65,7 @@ def sheets_of(told: Iterable[Judged], scene: Scene) -> list[Sheet]:
         cards = tuple(_card(number + n, entry, scene) for n, entry in enumerate(entries, start=1))
         number += len(cards)
         statement = entries[0].statement
-        verdicts = [entry.finding.verdict for entry in entries]
+        verdicts = [entry.verdict for entry in entries]
         worst = max(verdicts, key=WORST.index)
         equation = typed.equation(statement.source, cards[0].hand)
         title = names_of(entries[0])[0] if len(cards) > 1 else statement.tag
@@ -90,11 +90,11 @@ def _card(number: int, entry: Judged, scene: Scene) -> Card:
         long=len(statement.source) > LONG,
         hand=hand,
         row=names_of(entry)[1],
-        headline=headline(entry.finding),
+        headline=headline(entry.finding, entry.verdict),
         meaning=words,
         known=known,
         differ=difference(sides(statement), short_values(witness.left, witness.right))
-        if witness
+        if witness and not entry.of_dimension
         else "",
         state=[(n, short_state(v)) for n, v in witness.state] if witness else [],
         solved=[(n, short_value(v)) for n, v in solved(statement, witness.solved, scene)]

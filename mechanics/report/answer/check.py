@@ -44,7 +44,7 @@ class Check:
     def verdict(self) -> Verdict:
         """The worst verdict of all."""
         order = (Verdict.REFUTED, Verdict.UNDECIDED, Verdict.SUPPORTED, Verdict.CERTIFIED)
-        found = {entry.finding.verdict for entry in self.judged}
+        found = {entry.verdict for entry in self.judged}
         for verdict in order:
             if verdict in found:
                 return verdict
@@ -67,7 +67,7 @@ class Check:
         return plain(self.__rich__())
 
     def __repr__(self) -> str:
-        counts = Counter(entry.finding.verdict for entry in self.judged)
+        counts = Counter(entry.verdict for entry in self.judged)
         words = ", ".join(f"{counts[v]} {v.name}" for v in Verdict if counts[v])
         return f"<Check of {self.scene.name}: {words or 'nothing was checked'}>"
 

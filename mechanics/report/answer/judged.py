@@ -3,8 +3,9 @@
 from dataclasses import dataclass
 
 from mechanics.blame.result import Blame
-from mechanics.kernel import Finding
+from mechanics.kernel import Finding, Verdict
 from mechanics.reading.statement import Statement
+from mechanics.scene.dimensions import BY_DIMENSION
 
 
 @dataclass(frozen=True)
@@ -19,9 +20,29 @@ class Judged:
         Changes of convention under which a refuted statement is right.
     blame : Blame or None
         Which term is wrong, where the statement is refuted and that was looked for.
+    open : bool
+        Whether it is refuted under the likeliest reading only, and right under another.
     """
 
     statement: Statement
     finding: Finding
     right_if: tuple[str, ...] = ()
     blame: Blame | None = None
+    open: bool = False
+
+    @property
+    def verdict(self) -> Verdict:
+        """Of the finding; UNDECIDED where another reading is right."""
+        return Verdict.UNDECIDED if self.open else self.finding.verdict
+
+    @property
+    def of_dimension(self) -> bool:
+        """Whether its dimension alone refutes it; then no state does."""
+        return self.finding.evidence.startswith(BY_DIMENSION)
+
+    @property
+    def says_why(self) -> bool:
+        """Whether the evidence of the finding says what a reader wants to know."""
+        finding = self.finding
+        plain = finding.verdict in (Verdict.PROVED, Verdict.REFUTED)
+        return self.of_dimension or finding.undefined or not plain

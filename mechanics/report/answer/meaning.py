@@ -35,8 +35,17 @@ def meaning(finding: Finding) -> tuple[str, str]:
     return evidence, ""
 
 
-def headline(finding: Finding) -> str:
-    """The verdict, and where it holds: ``PROVED except where cos(theta) = 0``."""
+def headline(finding: Finding, verdict: Verdict) -> str:
+    """The verdict, and where it holds: ``PROVED except where cos(theta) = 0``.
+
+    Parameters
+    ----------
+    finding : Finding
+    verdict : Verdict
+        Of the statement: another reading of what the finding refutes may be right.
+    """
+    if verdict is not finding.verdict:
+        return verdict.name
     if not finding.domain or finding.undefined:
         return finding.verdict.name
     if not finding.shown:

@@ -50,6 +50,7 @@ STYLES = {
     Verdict.REFUTED: "bold red",
 }
 PLAIN_WIDTH = 80
+OPEN = "wrong as it is read here, right as it may be meant"
 
 
 def plain(answer: RenderableType, width: int = PLAIN_WIDTH) -> str:
@@ -111,7 +112,9 @@ def one(
     else:
         yield Hanging(head)
         yield _source(statement.source, edits)
-    if finding.undefined or finding.verdict not in (Verdict.PROVED, Verdict.REFUTED):
+    if entry.open:
+        yield below(line(OPEN))
+    if entry.says_why:
         plain_words, known = meaning(finding)
         yield below(line(plain_words))
         if known:
@@ -119,7 +122,8 @@ def one(
     if blame is not None:
         yield from _blame(blame, statement)
     yield from (below(line(words, "yellow", "right if ")) for words in entry.right_if)
-    yield from _state(entry, scene)
+    if not entry.of_dimension:
+        yield from _state(entry, scene)
     yield from (below(line(note, "dim")) for note in statement.notes)
 
 
@@ -129,7 +133,7 @@ def _head(entry: Judged, again: bool = False) -> Text:
     details = [words for words in (about(statement), where) if words]
     tag = f"  {printable(statement.tag)}"
     words = printable("".join(f"  {words}" for words in details))
-    verdict = (printable(headline(finding)), STYLES[finding.verdict])
+    verdict = (printable(headline(finding, entry.verdict)), STYLES[entry.verdict])
     return Text.assemble(verdict, (tag, "bold"), (words, "dim"))
 
 
@@ -208,6 +212,6 @@ def _names(names: Sequence[Match]) -> Iterator[RenderableType]:
 
 
 def _counted(judged: Sequence[Judged]) -> Text:
-    counts = [(v, sum(e.finding.verdict is v for e in judged)) for v in Verdict]
+    counts = [(v, sum(e.verdict is v for e in judged)) for v in Verdict]
     parts = [Text(f"{count} {v.name}", STYLES[v]) for v, count in counts if count]
     return Text(", ").join(parts)

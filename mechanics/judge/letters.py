@@ -1,0 +1,212 @@
+"""What the name on the left of a statement means: one meaning for all that it is said to be.
+
+T = m g cos(theta) + m l theta_dot^2    [T] = N    ->    no energy: T is read as the tension
+
+Meanings without the dimension of what was written are dead. Of the others those of the first rank
+count: what one of them proves is read so, and said. What only a meaning of a later rank proves is
+neither right nor wrong: "right if T is the torque". What the scene itself calls so, in the same
+dimension, or what the person says that it means, is nothing else.
+"""
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+
+from sympy import Symbol
+
+from mechanics.compiled.dimensions import known_dimensions
+from mechanics.equations import Equations
+from mechanics.judge.meanings import UNITS, Candidate, candidates
+from mechanics.judge.single import by_dimension, subject_of
+from mechanics.kernel import Finding
+from mechanics.reading.about import ENERGY_NAMES, LETTERS, QUANTITIES
+from mechanics.reading.statement import Letter, Statement
+from mechanics.scene.dimensions import MixedDimensions, dimension_of
+from mechanics.scene.published import Published
+from mechanics.scene.unit_names import Dimension, dimension_of_unit, words
+
+OWN = "what the scene calls so"
+FORCES = tuple(dimension_of_unit(unit, "") for unit in ("N", "N*m"))
+"""Of reactions."""
+
+Shown = Callable[[Statement], bool]
+
+
+@dataclass(frozen=True)
+class Settled:
+    """A statement with one meaning.
+
+    Attributes
+    ----------
+    statement : Statement
+    finding : Finding or None
+        Where its dimension alone refutes it.
+    right_if : str
+        Another meaning under which it is right, in words.
+    """
+
+    statement: Statement
+    finding: Finding | None = None
+    right_if: str = ""
+
+
+def settle(truth: Equations, statements: Sequence[Statement], shown: Shown) -> list[Settled]:
+    """Statements under one meaning of each name on the left.
+
+    Parameters
+    ----------
+    truth : Equations
+    statements : sequence of Statement
+    shown : callable
+        Whether a statement is right as it is judged.
+    """
+    settled = [Settled(statement) for statement in statements]
+    groups: dict[str, list[int]] = {}
+    for k, statement in enumerate(statements):
+        if statement.letter is not None and statement.row is not None:
+            groups.setdefault(statement.letter.name, []).append(k)
+    known = known_dimensions(truth) if groups else {}
+    for places in groups.values():
+        group = [statements[k] for k in places]
+        for k, one in zip(places, _settled(truth, group, known, shown), strict=True):
+            settled[k] = one
+    return settled
+
+
+def _settled(
+    truth: Equations, group: Sequence[Statement],
+    known: Mapping[Symbol, Dimension | None], shown: Shown,
+) -> list[Settled]:  # fmt: skip
+    letter = _letter(group[0])
+    try:
+        written = {_dimension(truth, _letter(s), known) for s in group} - {None}
+    except MixedDimensions as mixed:
+        return [_of_no_dimension(s, mixed) for s in group]
+    one = written.pop() if len(written) == 1 else None
+    ranks = _living(truth, letter, one, known)
+    if not ranks:
+        return [_dead(truth, s, one) for s in group]
+    for rank, meanings in enumerate(ranks):
+        for meaning in meanings:
+            for found, words_of in _trials(truth, group, meaning):
+                if all(map(shown, found)):
+                    if rank == 0:
+                        return [_noted(s, letter, words_of) for s in found]
+                    said = f"{letter.name} is {_article(words_of)}"
+                    return [Settled(_first(truth, s, ranks[0][0]), None, said) for s in group]
+    return [_unproved(truth, s, ranks[0][0]) for s in group]
+
+
+def _letter(statement: Statement) -> Letter:
+    assert statement.letter is not None  # of a group
+    return statement.letter
+
+
+def _dimension(
+    truth: Equations, letter: Letter, known: Mapping[Symbol, Dimension | None]
+) -> Dimension | None:
+    """Of all sides that a letter is said to be."""
+    scene = truth.scene
+    sides = [scene.plain(side) for side in letter.sides]
+    found = {dimension_of(scene, side, known) for side in sides} - {None}
+    return found.pop() if len(found) == 1 else None
+
+
+def _living(
+    truth: Equations, letter: Letter, written: Dimension | None,
+    known: Mapping[Symbol, Dimension | None],
+) -> list[tuple[str, ...]]:  # fmt: skip
+    """Meanings by rank that have the dimension of what was written."""
+    if letter.said:
+        return [(letter.said,)] if _fits(letter.said, written) else []
+    ranks = LETTERS.get(letter.name, ())
+    if letter.own:
+        own = known.get(Symbol(letter.name, real=True))
+        if own is None or written is None:
+            return [(OWN,), *ranks]
+        if own == written:
+            return [(OWN,)]
+    found = (tuple(word for word in rank if _fits(word, written)) for rank in ranks)
+    return [rank for rank in found if rank]
+
+
+def _fits(word: str, written: Dimension | None) -> bool:
+    if written is None:
+        return True
+    if word == "reaction":
+        return written in FORCES
+    return word not in UNITS or dimension_of_unit(UNITS[word], word) == written
+
+
+def _trials(
+    truth: Equations, group: Sequence[Statement], meaning: str
+) -> Iterator[tuple[list[Statement], str]]:
+    """The statements under everything in the scene that has a meaning."""
+    if meaning == OWN:
+        yield list(group), OWN
+        return
+    for candidate in candidates(truth, meaning):
+        for rows in zip(*(_rows(s, candidate) for s in group), strict=True):
+            yield (
+                [replace(s, row=row, doubt=_doubt(s)) for s, row in zip(group, rows, strict=True)],
+                candidate.words,
+            )
+
+
+def _rows(statement: Statement, candidate: Candidate) -> Iterator[Published]:
+    assert statement.row is not None  # of a group
+    return candidate.rows(statement.row, _letter(statement).sides)
+
+
+def _doubt(statement: Statement) -> str:
+    """What is left in doubt: that nobody knows what it means no longer is."""
+    return "" if statement.doubt.endswith(UNEXPLAINED) else statement.doubt
+
+
+UNEXPLAINED = "is defined and never used, so it is NOT checked: say what it means"
+
+
+def _unproved(truth: Equations, statement: Statement, meaning: str) -> Settled:
+    """A statement that nothing of that meaning makes right; in doubt where there is no such."""
+    if meaning != OWN and next(iter(candidates(truth, meaning)), None) is None:
+        name = _letter(statement).name
+        doubt = f"{name} is read as {_article(meaning)}, and the scene has none: say what it means"
+        return Settled(replace(statement, doubt=statement.doubt or doubt))
+    return Settled(_first(truth, statement, meaning))
+
+
+def _first(truth: Equations, statement: Statement, meaning: str) -> Statement:
+    """The statement under the first thing that has a meaning; as it is, where nothing has."""
+    found, _ = next(_trials(truth, [statement], meaning), ([statement], ""))
+    return found[0] if meaning == OWN or _letter(statement).name in LETTERS else statement
+
+
+def _noted(statement: Statement, letter: Letter, meaning: str) -> Settled:
+    if meaning == OWN:
+        return Settled(statement)
+    note = f"{letter.name} on the left is read as {_article(meaning)}"
+    return Settled(replace(statement, notes=(*statement.notes, note)))
+
+
+def _article(meaning: str) -> str:
+    own = meaning.startswith("the ") or meaning.startswith(("Rayleigh", "reaction", "tension "))
+    return meaning if own else f"the {meaning}"
+
+
+def _dead(truth: Equations, statement: Statement, written: Dimension | None) -> Settled:
+    """No meaning has the dimension of what was written."""
+    letter, scene = _letter(statement), truth.scene
+    moving = {*scene.q, *scene.qd, *scene.u, *scene.ud}
+    moves = any(scene.plain(side).free_symbols & moving for side in letter.sides)
+    first = letter.said or (*LETTERS.get(letter.name, ((OWN,),)),)[0][0]
+    if written is None or first not in UNITS or not (moves or letter.said):
+        return Settled(statement)
+    named = moves and (letter.said or letter.name in ENERGY_NAMES or first not in QUANTITIES)
+    if not named:
+        return Settled(statement)
+    needed = words(dimension_of_unit(UNITS[first], first) or ())
+    message = f"{letter.name} as {_article(first)} has the unit {needed}, this has {words(written)}"
+    return _of_no_dimension(statement, MixedDimensions(message, words(written), needed))
+
+
+def _of_no_dimension(statement: Statement, mixed: MixedDimensions) -> Settled:
+    return Settled(replace(statement, doubt=""), by_dimension(subject_of(statement), mixed))

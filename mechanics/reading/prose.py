@@ -1,0 +1,47 @@
+"""What the prose around formulas says that a letter is.
+
+"the torque $T$ about O"    "where $S$ denotes the tension"    ->    torque, tension
+"""
+
+import re
+
+NOUNS: tuple[tuple[str, str], ...] = (
+    ("kinetic energy", "kinetic energy"),
+    ("potential energy|potential", "potential energy"),
+    ("total energy|mechanical energy|energy", "energy"),
+    ("Lagrangian|Lagrange function", "Lagrangian"),
+    ("Hamiltonian|Jacobi integral|Jacobi's integral|energy integral", "Hamiltonian"),
+    ("angular momentum|moment of momentum", "angular momentum"),
+    ("linear momentum|momentum", "momentum"),
+    ("tension", "tension"),
+    ("normal force|normal reaction|constraint force|contact force|reaction", "reaction"),
+    ("torque|moment of force|moment", "torque"),
+    ("period", "period"),
+    ("speed", "speed"),
+    ("dissipation function|Rayleigh function", "Rayleigh's function"),
+    ("power", "power"),
+)
+"""Nouns, and the word for what they mean."""
+
+_ANY = "|".join(nouns for nouns, _ in NOUNS)
+_BEFORE = rf"(?P<noun>{_ANY})(?: (?:in|of|on) the [a-z]+){{0,2}}(?: is| as)?[ ,:]*(?:\$|\\\()?\s*"
+_AFTER = (
+    r"\s*(?:\$|\\\))?\s*(?:is|be|denotes|for|,|:|being|means)\s+(?:the|its|a)?\s*"
+    rf"(?:[a-z]+ ){{0,2}}?(?P<noun>{_ANY})\b"
+)
+
+
+def said_of(text: str, letter: str) -> str:
+    """The word for what a text says that a letter is; empty where it says nothing, or two things.
+
+    Parameters
+    ----------
+    text : str
+    letter : str
+    """
+    plain = " ".join(text.split())
+    name = rf"(?<![\w\\]){re.escape(letter)}(?![\w_'^(])"
+    patterns = (rf"\b{_BEFORE}{name}", rf"{name}{_AFTER}")
+    nouns = {m["noun"].lower() for p in patterns for m in re.finditer(p, plain, re.IGNORECASE)}
+    said = {word for noun in nouns for names, word in NOUNS if noun in names.lower().split("|")}
+    return said.pop() if len(said) == 1 else ""
