@@ -21,7 +21,7 @@ from mechanics.judge.complete import determines, redundancy
 from mechanics.judge.defined import at_the_bound
 from mechanics.judge.letters import Settled, settle
 from mechanics.judge.other_names import best_names, doubtful
-from mechanics.judge.other_reading import read_otherwise
+from mechanics.judge.other_reading import of_one_dimension, read_otherwise
 from mechanics.judge.readers import read, spread
 from mechanics.judge.right_if import right_if
 from mechanics.judge.scene_laws import verify
@@ -119,7 +119,7 @@ def check(
     boxed = [check_box(truth, thing, names) for thing in things if isinstance(thing, BlackBox)]
     parts = [thing for thing in things if not isinstance(thing, BlackBox)]
     readings = [_read(truth, part, names, notation, about, function) for part in parts]
-    statements = [statement for reading in readings for statement in reading.statements]
+    statements = [of_one_dimension(truth, s) for reading in readings for s in reading.statements]
     if sum(map(bool, (values, convention, where))) > 1:
         raise InputError("check: of values, a convention and where, give one only")
     known = [match for reading in readings for match in reading.names]

@@ -1,20 +1,29 @@
-"""Another way to read what was written.
+"""Another way to read what was written: by dimension first.
 
-g sin(x) / 2 l is read as (g sin(x) / 2) l, and wrong;    "right if /2 l is /(2 l)"
+g sin(x) / 2 l is (g sin(x) / 2) l, which has no dimension beside x'':    /2 l is read as /(2 l)
+
+Where dimensions leave the first way, and it is wrong, another that is right is told: "right if".
 """
 
+from collections.abc import Mapping
 from dataclasses import replace
 
+from sympy import Symbol
+from sympy.matrices import MatrixBase
+
 from mechanics.checks.ledger import check_row
+from mechanics.compiled.dimensions import known_dimensions
 from mechanics.equations import Equations
 from mechanics.errors import ExpressionError, InputError, SceneError
 from mechanics.kernel import Verdict
 from mechanics.reading.kind import kind_of
 from mechanics.reading.place import Refused
 from mechanics.reading.sides import distinct, scalar
+from mechanics.reading.statement import Statement
 from mechanics.reading.tree import Node
 from mechanics.reading.written import Written
 from mechanics.report.answer.judged import Judged
+from mechanics.scene.dimensions import MixedDimensions, one_dimension
 from mechanics.scene.published import Published
 from mechanics.scene.quantities import (
     EquationOfMotion,
@@ -22,6 +31,47 @@ from mechanics.scene.quantities import (
     Identity,
     ReactionValue,
 )
+from mechanics.scene.unit_names import Dimension
+
+
+def of_one_dimension(truth: Equations, statement: Statement) -> Statement:
+    """The statement, in the first way to read it whose terms have one dimension.
+
+    Parameters
+    ----------
+    truth : Equations
+    statement : Statement
+    """
+    row, written = statement.row, statement.written
+    if not statement.others or row is None or written is None or statement.doubt:
+        return statement
+    known = known_dimensions(truth)
+    if not known or _agree(truth, row, known):
+        return statement
+    for words, sides in statement.others:
+        try:
+            meant = _row(truth, row, written, sides)
+        except (Refused, InputError, SceneError, ExpressionError):
+            continue  # it cannot be read so
+        if meant is not None and _agree(truth, meant, known):
+            note = f"{words.partition(': ')[0]}: as it is, its terms have different dimensions"
+            new = replace(written, sides=sides)
+            notes = (*statement.notes, note)
+            return replace(statement, row=meant, written=new, notes=notes, others=())
+    return statement
+
+
+def _agree(truth: Equations, row: Published, known: Mapping[Symbol, Dimension | None]) -> bool:
+    """Whether all terms have one dimension, as far as it is known."""
+    if any(isinstance(side, MatrixBase) for side in row.sides):
+        return True
+    try:
+        one_dimension(truth.scene, [truth.scene.plain(side) for side in row.sides], known)
+    except MixedDimensions:
+        return False
+    except SceneError:
+        return True
+    return True
 
 
 def read_otherwise(truth: Equations, entry: Judged) -> Judged:

@@ -220,12 +220,15 @@ def test_only_quarter_turns_are_looked_for_beside_the_other_changes() -> None:
 # --------------------------------------------------------------------------------- other readings
 
 
-def test_another_reading_that_is_right_takes_the_place_of_the_blame() -> None:
+def test_a_reading_without_a_dimension_is_none() -> None:
     text = r"\ddot\theta + 3\ddot x\cos\theta/2L + 3 g\sin\theta/2L = 0"
     (entry,) = mechanics.check(PENDULUM, text).judged
-    assert entry.finding.verdict.name == "REFUTED"
-    assert entry.right_if == ("/2L is /(2L): write the brackets",)
-    assert entry.blame is None
+    assert entry.finding.shown
+    assert any(note.startswith("/2L is /(2L)") for note in entry.statement.notes)
+    (wrong,) = mechanics.check(PENDULUM, text.replace("3 g", "g")).judged
+    assert wrong.verdict.name == "REFUTED"
+    assert wrong.blame is not None
+    assert wrong.blame.repairs
 
 
 def test_another_reading_with_a_name_of_nothing_is_none() -> None:

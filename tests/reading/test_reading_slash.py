@@ -1,4 +1,4 @@
-"""What stands behind a slash: one reading is taken and told, the other is a hint if right."""
+"""What stands behind a slash: the reading that has one dimension, and it is told."""
 
 import pytest
 
@@ -22,12 +22,11 @@ CART = derived(cartpole.scene())
         ("I_C = M*L/12L", "/12L is /12 * L"),
     ],
 )
-def test_the_other_reading_is_a_hint_where_it_is_right(text: str, words: str) -> None:
-    found = mechanics.check(PIVOT, text, blame=False)
-    (entry,) = found.judged
-    assert entry.finding.verdict.name == ("REFUTED" if words else "PROVED")
-    assert [hint for hint in entry.right_if if "is /" in hint] == (
-        [f"{words}: write the brackets"] if words else []
+def test_the_reading_of_one_dimension_is_taken(text: str, words: str) -> None:
+    (entry,) = mechanics.check(PIVOT, text, blame=False).judged
+    assert entry.finding.shown
+    assert [n for n in entry.statement.notes if "as it is" in n] == (
+        [f"{words}: as it is, its terms have different dimensions"] if words else []
     )
 
 
@@ -41,10 +40,10 @@ def test_which_reading_was_taken_is_told() -> None:
     assert entry.finding.verdict.name == "PROVED"
 
 
-def test_a_wrong_equation_gets_no_hint() -> None:
+def test_no_reading_makes_a_wrong_equation_right() -> None:
     text = r"4 l \ddot\theta/3 + \ddot x\cos\theta = g\cos\theta/2l\cdot 2l"
     (entry,) = mechanics.check(CART, text, blame=False).judged
     assert entry.finding.verdict.name == "REFUTED"
     assert not entry.right_if
     (entry,) = mechanics.check(CART, text.replace(r"g\cos", r"g\sin"), blame=False).judged
-    assert entry.right_if == ("/2l is /(2l): write the brackets",)
+    assert entry.finding.shown
