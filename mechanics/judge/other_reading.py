@@ -57,7 +57,8 @@ def of_one_dimension(truth: Equations, statement: Statement) -> Statement:
             note = f"{words.partition(': ')[0]}: as it is, its terms have different dimensions"
             new = replace(written, sides=sides)
             notes = (*statement.notes, note)
-            return replace(statement, row=meant, written=new, notes=notes, others=())
+            letter = statement.letter and replace(statement.letter, sides=meant.sides)
+            return replace(statement, row=meant, written=new, notes=notes, others=(), letter=letter)
     return statement
 
 
