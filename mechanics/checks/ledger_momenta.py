@@ -17,7 +17,9 @@ from mechanics.kinematics.motion import PointMotion
 from mechanics.kinematics.symbolic import Kinematics
 from mechanics.program.forward import tangent
 from mechanics.program.vectors import Vector, add, cross, scale, subtract, times, zeros
+from mechanics.routes.kane import derive
 from mechanics.routes.loads import Wrench, acting_reactions, applied, balanced, together
+from mechanics.routes.rows import remainder
 from mechanics.scene import quantities as q
 from mechanics.scene.momenta import momentum_symbols
 from mechanics.scene.places import direction
@@ -154,6 +156,21 @@ def _generalized(moving: Kinematics, quantity: q.GeneralizedMomentum) -> Sides:
     return (moving.momenta[by_name[quantity.coordinate]],)
 
 
+def _driving(moving: Kinematics, quantity: q.GeneralizedForce) -> Sides:
+    scene = moving.scene
+    if not scene.unconstrained or moving.mechanism.frictions:
+        what = "friction" if scene.unconstrained else "constraints"
+        raise InputError(
+            f"{scene.name} has {what}: inverse dynamics has no one answer: write residuals, with"
+            " the inputs among the arguments"
+        )
+    by_name = {u.name: row for u, row in zip(scene.u, derive(moving.mechanism).values, strict=True)}
+    build = moving.mechanism.builder
+    inputs = [build.input(symbol.name) for symbol in scene.input_symbols]
+    (row,) = remainder(build, [by_name[quantity.speed]], inputs)
+    return (moving.printer([row])[0],)
+
+
 def _centroid(quantity: q.Centroid) -> Matrix:
     return Matrix([*(integrated_centroid(quantity.body) - Matrix(quantity.origin)), 0])
 
@@ -188,6 +205,7 @@ VECTORS: dict[type[Quantity], Callable[[Kinematics, Any], tuple[Vector, ...]]] =
 
 DERIVED: dict[type[Quantity], Callable[[Kinematics, Any], Sides]] = {
     q.GeneralizedMomentum: _generalized,
+    q.GeneralizedForce: _driving,
     q.Mass: lambda k, x: (integrated_mass(x.body),),
     q.Centroid: lambda k, x: (_centroid(x),),
     q.Inertia: lambda k, x: (integrated_inertia(x.body, x.about),),

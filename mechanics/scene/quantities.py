@@ -54,6 +54,16 @@ class GeneralizedMomentum(Quantity):
 
 
 @dataclass(frozen=True)
+class GeneralizedForce(Quantity):
+    """What has to drive a speed, besides the loads, for given u': inverse dynamics, in N or N m.
+
+    The row of M u' - f that is power-conjugate to the speed, its inputs zero.
+    """
+
+    speed: str
+
+
+@dataclass(frozen=True)
 class RateOfMomentum(Quantity):
     """dP/dt, in N."""
 

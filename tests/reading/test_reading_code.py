@@ -170,7 +170,7 @@ def endless(state, M, m, L, k, g):
     [
         (hides, "function hides: ValueError"),
         (endless, "decides too often"),
-        (lambda omega_9, psi: [psi], "argument omega_9: nothing says what it is"),
+        (lambda omega_9, psi: [psi], "arguments omega_9, psi: nothing says what they are"),
         (lambda state, M: [state[0]], "returns 1 numbers"),
         (lambda state, M: "x", "numbers and arrays are known"),
         (abs, "has no name"),

@@ -197,3 +197,21 @@ def test_c_takes_its_parameters_apart_in_its_own_order() -> None:
     found = check(SCENE, C, notation="c")
     assert found.verdict is Verdict.PROVED
     assert any(match.name == "p" and match.meaning == "g m c" for match in found.names)
+
+
+def test_all_that_is_missing_is_told_at_once_with_the_options_that_give_it() -> None:
+    scene = _mass()
+    text = "double f(double psi, double omega_9, const double *zeta) { return psi; }"
+    with pytest.raises(InputError) as told:
+        check(scene, text, notation="c")
+    for name in ("psi", "omega_9", "zeta"):
+        assert f"--name '{name}=...'" in str(told.value)
+
+    def of_records(p):
+        return p["mass"] * p["m"] / p["length"]
+
+    with pytest.raises(InputError) as told:
+        check(scene, of_records)
+    for name in ("mass", "length"):
+        assert f"--name '{name}=...'" in str(told.value)
+    assert "'m=" not in str(told.value)

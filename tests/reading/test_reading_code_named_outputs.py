@@ -54,6 +54,14 @@ def test_accelerations_in_another_order_than_ours() -> None:
     assert _verdict(swapped) == "PROVED"
 
 
+def test_accelerations_that_are_called_acc() -> None:
+    more = ", double *theta_acc, double *xacc"
+    lines = (f"*theta_acc = {ANGLE};", f"*xacc = {PLACE};")
+    assert _verdict(_c(*lines, more=more), notation="c") == "PROVED"
+    wrong = (lines[0].replace("-M*g*s/2", "M*g*s/2"), lines[1])
+    assert _verdict(_c(*wrong, more=more), notation="c") == "REFUTED"
+
+
 def test_about_takes_the_name_of_an_acceleration() -> None:
     plain = _c(f"return {ANGLE};", result="double")
     assert _verdict(plain, notation="c", about="theta_ddot") == "PROVED"

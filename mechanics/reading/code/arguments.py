@@ -11,6 +11,8 @@ import numpy as np
 from sympy import Expr, Symbol
 
 from mechanics.errors import InputError
+from mechanics.reading.code.integrators import NAMES as STEPS
+from mechanics.reading.code.integrators import STEP
 from mechanics.reading.code.taken_apart import Apart, Record
 from mechanics.reading.names import Match, Naming
 from mechanics.scene import Scene
@@ -91,21 +93,26 @@ def arguments_of(
     matches: list[Match] = []
     state: tuple[Expr, ...] = ()
     used: set[int] = set()
+    unexplained: list[str] = []
     for name in names:
         if name in given:
             values[name] = _given(naming, name, given[name], sizes.get(name))
             why = "as given"
         elif name in ("t", "time") and not naming.knows(name):
             values[name], why = TIME, "the time"
+        elif name in STEPS and not naming.knows(name) and name not in parted:
+            values[name], why = STEP, "the time of a step"
         elif known := named_entries(aware, name, (apart or {}).get(name)):
             values[name], why = known, "the names that the code gives its entries"
         elif naming.knows(name) and sizes.get(name) in (None, 1) and name not in parted:
             symbol = naming.symbol(name, 0)
             values[name], why = symbol, naming.matches([name])[0].why
         else:
-            values[name], why, k = _group(
-                naming, name, sizes.get(name), groups, used, (apart or {}).get(name)
-            )
+            group = _group(name, sizes.get(name), groups, used)
+            if group is None:
+                unexplained.append(name)
+                continue
+            values[name], why, k = group
             used.add(k)
             if name in parted and isinstance(values[name], Expr):
                 values[name] = (values[name],)
@@ -114,7 +121,22 @@ def arguments_of(
         if set(entries) == {*scene.q, *scene.u} and len(entries) > 1:
             state = entries
         matches.append(Match(name, " ".join(str(entry) for entry in entries), why))
+    if unexplained:
+        raise InputError(_unexplained(naming, unexplained, apart or {}))
     return Arguments(values, state, tuple(matches))
+
+
+def vectors_of_motion(naming: Naming, names: Sequence[str]) -> frozenset[str]:
+    """Arguments that are all coordinates, all speeds or all accelerations: ``f(q, qd, qdd)``.
+
+    None where a coordinate is an argument by its own name, or there is only one.
+    """
+    scene = naming.vocabulary.scene
+    own = {str(q) for q in scene.q}
+    if len(scene.q) < 2 or any((found := naming.lookup(n)) and found[0] in own for n in names):
+        return frozenset()
+    usual = {*POSITIONS, *SPEEDS, *ACCELERATIONS}
+    return frozenset(n for n in names if n in usual) if {*names} & {*POSITIONS} else frozenset()
 
 
 def _groups(
@@ -165,17 +187,15 @@ def named_entries(naming: Naming, name: str, apart: Apart | None) -> Value:
     attributes = {a: line for a, line in apart.attributes.items() if not hasattr(np.ndarray, a)}
     known = [a for a in attributes if naming.knows(a)]
     if asked := apart.keys or (apart.attributes if known and not apart.places else {}):
-        symbols = []
-        for entry, line in asked.items():
-            symbol = naming.symbol(entry, 0) if naming.knows(entry) else None
-            if symbol is None:
-                words = f'{name}["{entry}"]' if apart.keys else f"{name}.{entry}"
-                scene = ", ".join([*naming.vocabulary.functions, *naming.vocabulary.constants])
-                raise InputError(
-                    f"{words} in line {line}: the scene has no {entry!r}: say what it is:"
-                    f" --name '{entry}=...' (names={{{entry!r}: ...}}); the scene has {scene}"
-                )
-            symbols.append(symbol)
+        symbols = [naming.symbol(e, 0) if naming.knows(e) else None for e in asked]
+        strange = [e for e, symbol in zip(asked, symbols, strict=True) if symbol is None]
+        if strange:
+            places = (f'{name}["{e}"]' if apart.keys else f"{name}.{e}" for e in strange)
+            where = (f"{p} in line {asked[e]}" for p, e in zip(places, strange, strict=True))
+            raise InputError(
+                f"{', '.join(where)}: the scene has no {', '.join(map(repr, strange))}: say what"
+                f" {'it is' if len(strange) == 1 else 'they are'}: {_options(naming, strange)}"
+            )
         return Record(tuple(asked), tuple(symbols), not apart.keys)
     found = [naming.lookup(entry) for entry in apart.order]
     if len(found) < 2 or None in found or len(set(found)) < len(found):
@@ -190,10 +210,8 @@ def named_entries(naming: Naming, name: str, apart: Apart | None) -> Value:
 
 
 def _group(
-    naming: Naming, name: str, size: int | None,
-    groups: Sequence[tuple[Sequence[str], Sequence[Expr]]], used: set[int],
-    apart: Apart | None = None,
-) -> tuple[Value, str, int]:  # fmt: skip
+    name: str, size: int | None, groups: Groups, used: set[int]
+) -> tuple[Value, str, int] | None:
     """The vector that an argument's name stands for, if that group is not taken already."""
     for k, (words, symbols) in enumerate(groups):
         fits = size is None or size == len(symbols)
@@ -205,15 +223,27 @@ def _group(
                 order = " ".join(str(symbol) for symbol in symbols)
                 why = f"{why}, its order a guess: --name '{name}={order}' gives it"
             return value, why, k
-    known = ", ".join([*naming.vocabulary.functions, *naming.vocabulary.constants])
-    if asked := apart.attributes if apart is not None else {}:
-        words = ", ".join(f"{name}.{entry}" for entry in list(asked)[:MOST])
-        raise InputError(
-            f"argument {name}: nothing says what {words} are: give --name '{next(iter(asked))}=...'"
-            f" and so on (names={{...}}); the scene has {known}"
-        )
-    raise InputError(
-        f"argument {name}: nothing says what it is: give --name '{name}=...'"
-        f" (names={{{name!r}: ...}}), several names for a vector; the scene has"
-        f" {known}"
+    return None
+
+
+def _unexplained(naming: Naming, names: Sequence[str], apart: Mapping[str, Apart]) -> str:
+    """What to say of arguments that nothing explains: all of them, and the options that do."""
+    asked: list[str] = []
+    wanted: list[str] = []
+    for name in names:
+        attributes = list(apart[name].attributes)[:MOST] if name in apart else []
+        asked += [f"{name}.{entry}" for entry in attributes] or [name]
+        wanted += attributes or [name]
+    many, are = ("", "it is") if len(asked) == 1 else ("s", "they are")
+    return (
+        f"argument{many} {', '.join(asked)}: nothing says what {are}: give, several names for a"
+        f" vector, {_options(naming, wanted)}"
     )
+
+
+def _options(naming: Naming, names: Sequence[str]) -> str:
+    """What says what names are, and which names the scene has."""
+    known = ", ".join([*naming.vocabulary.functions, *naming.vocabulary.constants])
+    options = " ".join(f"--name '{name}=...'" for name in names)
+    table = ", ".join(f"{name!r}: ..." for name in names)
+    return f"{options} (names={{{table}}}); the scene has {known}"

@@ -2,11 +2,13 @@
 
 as many as speeds            the accelerations               u'_k = output k
 as many as entries of state  the rate of the state           q' = output, u' = output
-with u' among the arguments  residuals                       0 = output k
+... and a step among the arguments    the next state         by which integrator is found out
+with u' among the arguments  what drives each speed           inverse dynamics
+... and the inputs, too      residuals                       0 = output k
 a square matrix              the mass matrix                 with a vector beside it: M u' = f
 """
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Collection, Iterable, Sequence
 
 from sympy import Expr, Matrix, S
 from sympy.matrices import MatrixBase
@@ -14,6 +16,7 @@ from sympy.matrices import MatrixBase
 from mechanics.errors import InputError
 from mechanics.reading.about import QUANTITIES, named_quantity
 from mechanics.reading.code.as_written import renamed
+from mechanics.reading.code.integrators import INTEGRATORS, STEP, step_of
 from mechanics.reading.code.tracing import Outputs
 from mechanics.reading.demands import Demands
 from mechanics.reading.names import Naming
@@ -21,16 +24,23 @@ from mechanics.reading.statement import Statement
 from mechanics.reading.written import Written
 from mechanics.scene import Scene
 from mechanics.scene.published import Quantity, published
-from mechanics.scene.quantities import EquationOfMotion, Identity, MassMatrix
+from mechanics.scene.quantities import EquationOfMotion, GeneralizedForce, Identity, MassMatrix
 from mechanics.scene.rates import rate_table
 
 Claim = tuple[str, Quantity, tuple[Expr | Matrix, ...]]
 
 
 def claims(
-    naming: Naming, outputs: Outputs, state: Sequence[Expr], about: str | None, title: str
+    naming: Naming,
+    outputs: Outputs,
+    state: Sequence[Expr],
+    about: str | None,
+    title: str,
+    passed: Collection[Expr] = (),
 ) -> list[Claim]:
-    """Rows of the ledger for outputs; `state` are the entries of a state vector, if there is one.
+    """Rows of the ledger for outputs.
+
+    `state` are the entries of a state vector, if there is one; `passed` all that is an argument.
 
     Raises
     ------
@@ -52,22 +62,68 @@ def claims(
         return [("mass matrix", MassMatrix(), (values[0],))]
     entries = [entry for value in values for entry in value]
     held = set().union(*(entry.free_symbols for entry in entries))
-    if held & set(scene.ud):
-        return [
-            (f"residual {i}", EquationOfMotion(), (entry, S.Zero))
-            for i, entry in enumerate(entries, 1)
-        ]
+    if {*passed, *held} & set(scene.ud):
+        driven = _driven(scene, outputs, title, passed)
+        return (
+            driven
+            if driven
+            else [
+                (f"residual {i}", EquationOfMotion(), (entry, S.Zero))
+                for i, entry in enumerate(entries, 1)
+            ]
+        )
     if named := _accelerations(naming, outputs.names or (title,), len(entries)):
         return [_rate_of(scene, u, value) for u, value in zip(named, entries, strict=True)]
     if len(entries) == size:
         return [_rate_of(scene, u, value) for u, value in zip(scene.u, entries, strict=True)]
     both = _rates(naming, outputs.names) or tuple(state) or (*scene.q, *scene.u)
+    if len(entries) == len(both) and STEP in passed:
+        return _stepped(naming, both, entries, title, passed)
     if len(entries) == len(both):
         return [_rate_of(scene, symbol, value) for symbol, value in zip(both, entries, strict=True)]
     raise InputError(
         f"{title} returns {len(entries)} numbers: {scene.name} has {size} accelerations and"
         f" {len(both)} rates of the state: say what it is: {_choices(naming)}"
     )
+
+
+def _stepped(
+    naming: Naming, state: Sequence[Expr], entries: Sequence[Expr], title: str,
+    passed: Collection[Expr],
+) -> list[Claim]:  # fmt: skip
+    """The rates with which code steps, and the integrator that it is."""
+    scene = naming.vocabulary.scene
+    step = step_of(scene, state, entries, passed)
+    if step is None:
+        raise InputError(
+            f"{title} has {STEP} among its arguments and returns {len(entries)} numbers, but these"
+            f" are no state after a step: at {STEP} = 0 they are not the state that it is given"
+        )
+    known = [_rate_of(scene, symbol, value) for symbol, value in step.rates.items()]
+    if not step.integrator:
+        raise InputError(
+            f"{title} steps by none of {', '.join(INTEGRATORS)}: pass the function that it steps"
+            " with, or a BlackBox"
+        )
+    words = f"a step of {step.integrator}"
+    return [*known, (words, Identity(), (Matrix(entries), Matrix(step.composed)))]
+
+
+def _driven(scene: Scene, outputs: Outputs, title: str, passed: Collection[Expr]) -> list[Claim]:
+    """What drives the speeds, tau = f(q, q', q''); nothing for residuals, f(q, q', q'', tau)."""
+    entries = [entry for value in outputs.values for entry in value]
+    inputs, words = scene.input_symbols, " ".join((title, *outputs.names)).lower()
+    if set(inputs) & set(passed) or "resid" in words:
+        return []
+    if len(entries) == len(scene.u):
+        return [
+            (f"drive of {u}", GeneralizedForce(u.name), (entry,))
+            for u, entry in zip(scene.u, entries, strict=True)
+        ]
+    if len(entries) == len(inputs):
+        pairs = zip(inputs, entries, strict=True)
+        return [(str(symbol), EquationOfMotion(), (symbol, entry)) for symbol, entry in pairs]
+    return []
 
 
 def _accelerations(naming: Naming, names: Sequence[str], count: int) -> list[Expr]:

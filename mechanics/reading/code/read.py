@@ -21,7 +21,7 @@ from mechanics.program.casadi_reader import Instruction as Node
 from mechanics.program.casadi_reader import single_assignment
 from mechanics.reading.about import WORDS
 from mechanics.reading.assemble import Reading
-from mechanics.reading.code.arguments import Arguments, arguments_of
+from mechanics.reading.code.arguments import Arguments, arguments_of, vectors_of_motion
 from mechanics.reading.code.as_written import Formula, Formulas, of_graph
 from mechanics.reading.code.c_constants import with_constants
 from mechanics.reading.code.c_flat import flat
@@ -34,6 +34,7 @@ from mechanics.reading.code.c_target import Instructions
 from mechanics.reading.code.c_wrapper import WRAPPER, wrapped
 from mechanics.reading.code.called import doubt_when_called
 from mechanics.reading.code.doubles import doubt_as_doubles
+from mechanics.reading.code.integrators import NAMES as STEPS
 from mechanics.reading.code.out_arguments import returning
 from mechanics.reading.code.outputs import claims, in_order, state_of_scalars, statement
 from mechanics.reading.code.python_call import beside, signature_of
@@ -249,8 +250,9 @@ def _read(
     naming = Naming(Vocabulary(scene))
     sizes = {n: sizes.get(n) or (apart[n].size if n in apart else None) for n in wanted}
     parted = {n for n, known in apart.items() if known.vector}
+    parted |= vectors_of_motion(naming, [n for n in wanted if sizes[n] is None])
     scalars = [n for n in wanted if n not in given and sizes[n] in (None, 1) and n not in parted]
-    open_names = [Name(0, n) for n in scalars]
+    open_names = [Name(0, n) for n in scalars if n not in STEPS]
     naming = replace(naming, guessed=guess(naming, open_names, ()))
     arguments = arguments_of(naming, wanted, sizes, given, apart=apart)
     outputs = run(arguments)
@@ -263,7 +265,8 @@ def _read(
         if in_order(scene, again.values, other.state):
             arguments, outputs = other, again
     state = arguments.state or state_of_scalars(scene, outputs.values, arguments.values.values())
-    found = claims(naming, outputs, state, about, title)
+    passed = [entry for value in arguments.values.values() for entry in _entries(value)]
+    found = claims(naming, outputs, state, about, title, passed)
     statements = tuple(statement(claim, title, outputs, naming) for claim in found)
     return Reading(statements, arguments.matches, ())
 

@@ -93,12 +93,11 @@ def in_python(function: Callable[..., Any]) -> tuple[dict[str, Apart], tuple[str
     for node in ast.walk(tree):
         line = first - 1 + getattr(node, "lineno", 1)
         match node:
-            case ast.Assign(targets=[ast.Tuple(elts=names) | ast.List(elts=names)],
-                            value=ast.Name(id=mine)):  # fmt: skip
-                if all(isinstance(name, ast.Name) for name in names):
+            case ast.Assign(targets=[ast.Tuple() | ast.List() as target], value=value):
+                for names, mine in _unpacked(target, value):
                     _of(found, mine).size = len(names)
                     for place, entry in enumerate(names):
-                        _of(found, mine).give(place, entry.id)  # type: ignore[attr-defined]
+                        _of(found, mine).give(place, entry)
             case ast.Assign(targets=[ast.Name(id=local)], value=ast.Subscript(
                     value=ast.Name(id=mine), slice=ast.Constant(value=int(place)))):  # fmt: skip
                 _of(found, mine).give(place, local)
@@ -114,6 +113,19 @@ def in_python(function: Callable[..., Any]) -> tuple[dict[str, Apart], tuple[str
             case ast.Return(value=value) if value is not None:
                 returned.append(value)
     return found, _names(returned[0]) if len(returned) == 1 else ()
+
+
+def _unpacked(target: ast.expr, value: ast.expr) -> Iterator[tuple[list[str], str]]:
+    """Names that an assignment gives to all entries: ``a, b = q`` or ``(a, b), c = q, qd``."""
+    if not isinstance(target, ast.Tuple | ast.List):
+        return
+    if isinstance(value, ast.Name):
+        names = [part.id for part in target.elts if isinstance(part, ast.Name)]
+        if len(names) == len(target.elts):
+            yield names, value.id
+    elif isinstance(value, ast.Tuple | ast.List) and len(value.elts) == len(target.elts):
+        for one, other in zip(target.elts, value.elts, strict=True):
+            yield from _unpacked(one, other)
 
 
 def _of(found: dict[str, Apart], mine: str) -> Apart:

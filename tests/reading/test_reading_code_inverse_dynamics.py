@@ -1,0 +1,88 @@
+"""tau = f(q, q', q''): what code returns drives the speeds; with tau an argument, a residual."""
+
+import casadi
+import numpy as np
+
+import mechanics
+from systems import cartpole, rod_pendulum
+
+ROD = mechanics.derive(rod_pendulum.scene(), "free_body")
+CART = mechanics.derive(cartpole.scene(), "free_body")
+
+
+def _verdict(truth: object, code: object, **options: object) -> str:
+    return mechanics.check(truth, code, blame=False, **options).verdict.name
+
+
+def rod(q, qd, qdd, m, l, g):
+    return m * l**2 / 3 * qdd - m * g * l / 2 * np.sin(q)
+
+
+def test_python_that_returns_what_drives() -> None:
+    assert _verdict(ROD, rod) == "PROVED"
+    for sign, share in ((1, 2), (-1, 3), (-1, 2)):
+
+        def wrong(q, qd, qdd, m, l, g, sign=sign, share=share):
+            return m * l**2 / 3 * qdd + sign * m * g * l / share * np.sin(q)
+
+        right = (sign, share) == (-1, 2)
+        assert _verdict(ROD, wrong) == ("PROVED" if right else "REFUTED")
+
+
+def test_twice_a_drive_is_no_drive_although_twice_a_residual_is_one() -> None:
+    assert _verdict(ROD, lambda q, qd, qdd, m, l, g: 2 * rod(q, qd, qdd, m, l, g)) == "REFUTED"
+
+    def residual(q, qd, qdd, u, m, l, g):
+        return 2 * (rod(q, qd, qdd, m, l, g) - u)
+
+    assert _verdict(ROD, residual) == "PROVED"
+
+    def wrong(q, qd, qdd, u, m, l, g):
+        return rod(q, qd, qdd, m, l, g) + u
+
+    assert _verdict(ROD, wrong) == "REFUTED"
+
+
+C = """
+#include <math.h>
+double torque(double theta, double theta_dot, double theta_ddot, double m, double l, double g)
+{
+    return m*l*l/3*theta_ddot - m*g*l/2*sin(theta);
+}
+"""
+
+
+def test_c_and_casadi_that_return_what_drives() -> None:
+    assert _verdict(ROD, C, notation="c") == "PROVED"
+    assert _verdict(ROD, C.replace("l/2", "l"), notation="c") == "REFUTED"
+    names = ("q", "qd", "qdd", "m", "l", "g")
+    q, qd, qdd, m, l, g = (casadi.SX.sym(name) for name in names)
+    for factor in (2, 3):
+        tau = m * l**2 / 3 * qdd - m * g * l / factor * casadi.sin(q)
+        function = casadi.Function("tau", [q, qd, qdd, m, l, g], [tau], list(names), ["tau"])
+        assert _verdict(ROD, function) == ("PROVED" if factor == 2 else "REFUTED")
+
+
+def cart(q, qd, qdd, mc, mp, l, g):
+    (_, theta), (_, w), (a, alpha) = q, qd, qdd
+    c, s = np.cos(theta), np.sin(theta)
+    force = (mc + mp) * a + mp * l * (alpha * c - w**2 * s)
+    moment = mp * l * (4 / 3 * l * alpha + a * c - g * s)
+    return np.array([force, moment])
+
+
+def test_all_freedoms_and_only_those_that_are_driven() -> None:
+    assert _verdict(CART, cart) == "PROVED"
+    for one, other in ((2, 1), (1, 2), (1, -1)):
+
+        def scaled(q, qd, qdd, mc, mp, l, g, one=one, other=other):
+            force, moment = cart(q, qd, qdd, mc, mp, l, g)
+            return np.array([one * force, other * moment])
+
+        assert _verdict(CART, scaled) == "REFUTED"
+    assert _verdict(CART, lambda q, qd, qdd, mc, mp, l, g: cart(q, qd, qdd, mc, mp, l, g)[0]) == (
+        "PROVED"
+    )
+    assert _verdict(CART, lambda q, qd, qdd, mc, mp, l, g: -cart(q, qd, qdd, mc, mp, l, g)[0]) == (
+        "REFUTED"
+    )
