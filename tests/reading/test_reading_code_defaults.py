@@ -94,7 +94,7 @@ class Fall:
     def rate(self, y, F):
         return np.array([y[1], (F - self.c*y[1])/self.m - self.g])
     def wrong(self, y, F):
-        return np.array([y[1], (F - self.c*y[1])/self.m + self.g])
+        return np.array([y[1], (F - self.c*y[1])/self.m - 2*self.g])
     def __call__(self, y, F):
         return self.rate(y, F)
 fall = Fall()

@@ -38,7 +38,7 @@ def test_twice_a_drive_is_no_drive_although_twice_a_residual_is_one() -> None:
     assert _verdict(ROD, residual) == "PROVED"
 
     def wrong(q, qd, qdd, u, m, l, g):
-        return rod(q, qd, qdd, m, l, g) + u
+        return rod(q, qd, qdd, m, l, g) - 2 * u
 
     assert _verdict(ROD, wrong) == "REFUTED"
 
