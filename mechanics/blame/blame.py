@@ -3,11 +3,11 @@
 edits that make it right at a point  ->  proved  ->  what differs, term by term  ->  where from
 """
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from itertools import islice, product
 
-from sympy import Expr
+from sympy import Expr, Symbol
 
 from mechanics.blame.difference import differences
 from mechanics.blame.reference import Reference
@@ -41,6 +41,7 @@ def blame(
     statement: Statement,
     kept: frozenset[int | str] = frozenset(),
     budget: Budget | None = None,
+    put: Mapping[Symbol, Expr] | None = None,
 ) -> Blame:
     """Which term of a refuted statement is wrong.
 
@@ -54,6 +55,9 @@ def blame(
         Entries and definitions that other statements are shown with: edits elsewhere come first.
     budget : Budget, optional
         Of a whole text; what is taken from it, at most `STEPS`, is counted.
+    put : mapping of Symbol to Expr, optional
+        What stands for the person's symbols, by a convention or as values of parameters; then what
+        differs is not told term by term.
 
     Returns
     -------
@@ -61,7 +65,7 @@ def blame(
         With the smallest repairs, each of them proved; `searched` says what was tried in vain.
     """
     try:
-        claim = claim_of(reference, statement)
+        claim = claim_of(reference, statement, put)
     except (Untreeable, Refused) as reason:
         return Blame((), (), searched=f"not searched: it holds what has no tree: {reason}")
     if claim is None:
@@ -95,6 +99,8 @@ def _searched(
         except Untreeable:
             return str(expression)
 
+    if claim.written.put:
+        return Blame((), repairs, searched=words)
     try:
         terms, doubt = differences(claim.reference, statement, repaired=row, spell=spell), ""
     except MechanicsError as reason:

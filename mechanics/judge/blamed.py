@@ -3,10 +3,10 @@
 REFUTED  ->  Blame        the first `MOST` statements, each of at most `LARGEST` nodes
 """
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 
-from sympy import preorder_traversal
+from sympy import Expr, Symbol, preorder_traversal
 
 from mechanics.blame.blame import blame as blame_of
 from mechanics.blame.explanations import explanations
@@ -34,24 +34,28 @@ STEPS = 25_000
 """Of the search, for all statements of a text."""
 
 
-def blamed(reference: Reference, judged: Sequence[Judged]) -> tuple[Judged, ...]:
+def blamed(
+    reference: Reference, judged: Sequence[Judged], put: Mapping[Symbol, Expr] | None = None
+) -> tuple[Judged, ...]:
     """The same with what is wrong, where something is refuted.
 
     Parameters
     ----------
     reference : Reference
     judged : sequence of Judged
+    put : mapping of Symbol to Expr, optional
+        What stands for the person's symbols, by a convention or as values of parameters; then no
+        known mistakes are looked for, which are those of the scene's own derivation.
     """
-    wrong = [
-        k for k, e in enumerate(judged)
-        if e.finding.verdict is Verdict.REFUTED and not (e.finding.undefined or e.of_dimension)
-    ]  # fmt: skip
+    wrong = [k for k, entry in enumerate(judged) if _wrong(entry)]
     if not wrong:
         return tuple(judged)
     small = [k for k, entry in enumerate(judged) if nodes(entry.statement) <= LARGEST]
     searched = [k for k in wrong if k in small][:MOST]
     beside = [k for k in small if k not in wrong][:MOST]
-    told = _explained(reference, [judged[k] for k in (*searched, *beside)])
+    told: Sequence[tuple[str, ...]] = [()] * len(searched)
+    if not put:
+        told = _explained(reference, [judged[k] for k in (*searched, *beside)])
     found = list(judged)
     for k in wrong:
         words = "it is too large" if k not in small else f"{MOST} statements before it are wrong"
@@ -59,21 +63,21 @@ def blamed(reference: Reference, judged: Sequence[Judged]) -> tuple[Judged, ...]
     budget = Budget(STEPS)
     for k, reasons in zip(searched, told[: len(searched)], strict=True):
         late = Blame((), (), searched=f"not searched: those before it took {STEPS} steps")
-        blame = late if budget.spent else _search(reference, judged, k, budget)
+        blame = late if budget.spent else _search(reference, judged, k, budget, put)
         found[k] = replace(found[k], blame=replace(blame, explanations=reasons))
     return named_once(found)
 
 
-def declared_only(judged: Sequence[Judged]) -> tuple[Judged, ...]:
-    """The same, told that no edit was searched: edits are those of equations as they stand, not as
-    they would stand without a convention or with a value put in.
-    """
-    words = "not searched beside what is declared: a value, a convention or where"
-    none = Blame((), (), searched=words)
-    found = [entry.finding for entry in judged]
-    wrong = (f.verdict is Verdict.REFUTED and not f.undefined for f in found)
-    pairs = zip(judged, wrong, strict=True)
-    return tuple(replace(e, blame=none) if refuted else e for e, refuted in pairs)
+def declared_only(judged: Sequence[Judged], words: str) -> tuple[Judged, ...]:
+    """The same, told why no edit was searched."""
+    none = Blame((), (), searched=f"not searched: {words}")
+    return tuple(replace(e, blame=none) if _wrong(e) else e for e in judged)
+
+
+def _wrong(entry: Judged) -> bool:
+    """Whether sides differ at a state where both have values."""
+    finding = entry.finding
+    return finding.verdict is Verdict.REFUTED and not (finding.undefined or entry.of_dimension)
 
 
 def named_once(judged: Sequence[Judged]) -> tuple[Judged, ...]:
@@ -141,12 +145,15 @@ def shown_with(reference: Reference, judged: Sequence[Judged], k: int) -> frozen
     return frozenset(found)
 
 
-def _search(reference: Reference, judged: Sequence[Judged], k: int, budget: Budget) -> Blame:
+def _search(
+    reference: Reference, judged: Sequence[Judged], k: int, budget: Budget,
+    put: Mapping[Symbol, Expr] | None,
+) -> Blame:  # fmt: skip
     """The blame; the verdict stands whatever the search meets."""
     statement = judged[k].statement
 
     def search(one: Statement) -> Blame:
-        return blame_of(reference, one, shown_with(reference, judged, k), budget)
+        return blame_of(reference, one, shown_with(reference, judged, k), budget, put)
 
     try:
         blame = blame_by_branch(reference.truth, statement, judged[k].finding, search)

@@ -9,6 +9,7 @@ from functools import partial
 from typing import Any
 
 from mechanics.blame.reference import Reference
+from mechanics.compiled.fixed import fix
 from mechanics.crosscheck.routes import derive
 from mechanics.equations import Equations
 from mechanics.errors import InputError, wanted
@@ -20,6 +21,7 @@ from mechanics.judge.blamed import blamed, declared_only
 from mechanics.judge.complete import determines, redundancy
 from mechanics.judge.defined import at_the_bound
 from mechanics.judge.letters import Settled, settle
+from mechanics.judge.moved import moves_more
 from mechanics.judge.other_names import best_names, doubtful
 from mechanics.judge.other_reading import of_one_dimension, read_otherwise
 from mechanics.judge.readers import read, spread
@@ -27,7 +29,7 @@ from mechanics.judge.right_if import right_if
 from mechanics.judge.scene_laws import verify
 from mechanics.judge.single import judge
 from mechanics.judge.small_angles import right_for_small_angles
-from mechanics.judge.under import judge_under
+from mechanics.judge.under import judge_under, only_change
 from mechanics.judge.where import Where, judge_where, read_where, right_where
 from mechanics.kernel import Finding, Verdict
 from mechanics.reading.code.black_box import BlackBox
@@ -130,10 +132,8 @@ def check(
     settled = settle(truth, statements, partial(_right, truth, held, bool(counted or region)))
     judged, told = _judged(truth, [s.statement for s in settled], counted, held, region)
     judged = tuple(map(_by_letter, judged, settled))
-    if blame and (counted or held or region):
-        judged = declared_only(judged)
-    elif blame:
-        judged = blamed(reference, judged)
+    if blame:
+        judged = _blamed(reference, judged, counted, held)
     judged = tuple(read_otherwise(truth, entry) for entry in judged)
     judged = (*judged, *(Judged(s, f) for entries, _ in boxed for s, f in entries))
     told_of = (*(reading.names for reading in readings), *(known for _, known in boxed))
@@ -200,6 +200,26 @@ def _read(truth: Equations, part: Any, names: Mapping[str, str] | None, *how: An
     return best_names(
         truth, found, lambda chosen: read(truth.scene, part, {**(names or {}), **chosen}, *how)
     )
+
+
+def _blamed(
+    reference: Reference, judged: tuple[Judged, ...], counted: Sequence[Declared], values: Values
+) -> tuple[Judged, ...]:
+    """What is wrong, in the person's symbols: as they are counted, or with their values.
+
+    Edits are those that make a statement right everywhere, on one branch too.
+    """
+    truth, statements = reference.truth, [entry.statement for entry in judged]
+    if not (counted or values):
+        return blamed(reference, judged)
+    if any(s.row is not None and moves_more(truth.scene, s.row) for s in statements):
+        return declared_only(judged, "it holds momenta, a mass matrix or declared speeds")
+    if values:
+        return blamed(Reference(fix(truth, values)), judged, values)
+    change = only_change(truth, statements, counted)
+    if change is None:
+        return declared_only(judged, "what is declared leaves several conventions open")
+    return blamed(Reference(change[1]), judged, change[0])
 
 
 def _right(truth: Equations, values: Values, apart: bool, statement: Statement) -> bool:

@@ -19,7 +19,7 @@ from mechanics.judge.moved import in_plain_symbols, moved, moves_more
 from mechanics.judge.right_if import targets_of
 from mechanics.judge.single import FAILURES, judge, subject_of
 from mechanics.kernel import Finding, Verdict, undecided
-from mechanics.reading.convention import POINT_MASS, Change
+from mechanics.reading.convention import POINT_MASS, Change, Table
 from mechanics.reading.conventions import combined_table, joints, other_signs
 from mechanics.reading.declared import Declared, readings
 from mechanics.reading.directions import counted
@@ -30,10 +30,7 @@ from mechanics.scene.symbols import DOTS
 
 Answer = tuple[tuple[Judged, ...], tuple[str, ...]]
 
-NOT_RIGHT = (
-    "the statements are not all right under it; states are told as the scene counts, and what is"
-    " wrong is looked for without a convention only"
-)
+NOT_RIGHT = "the statements are not all right under it; states are told as the scene counts"
 
 
 def judge_under(
@@ -72,6 +69,19 @@ def judge_under(
         for s, f in zip(statements, findings, strict=True)
     ]
     return tuple(entries), (*remarks, *_unused(change, held), *_speeds(truth.scene, change))
+
+
+def only_change(
+    truth: Equations, statements: Sequence[Statement], declared: Sequence[Declared]
+) -> tuple[Table, Equations] | None:
+    """What stands for the person's symbols, and what statements are compared with then.
+
+    None where a declaration leaves several choices open.
+    """
+    every = readings(truth.scene, declared, _held(truth, statements))
+    pairs = zip(every, targets_of(truth, every), strict=True)
+    found = [(combined_table(c), target) for c, target in pairs if target is not None]
+    return found[0] if len(found) == 1 else None
 
 
 def _speeds(scene: Scene, change: Change) -> tuple[str, ...]:

@@ -70,16 +70,17 @@ class Builder:
         self, naming: Naming, defined: Mapping[str, Value], vague: Mapping[str, Sequence[str]],
         trees: Mapping[str, Node] = MappingProxyType({}),
         demanded: Mapping[str, Sequence[Demand]] = MappingProxyType({}),
+        put: Mapping[Symbol, Expr] = MappingProxyType({}),
     ) -> None:  # fmt: skip
         self.naming, self.defined, self.vague, self.trees = naming, defined, vague, trees
-        self.demanded = demanded
+        self.demanded, self.put = demanded, put
         self.unknown: list[str] = []
         self.demands: list[Demand] = []
         self.held: frozenset[Symbol] = frozenset()
 
     def beside(self, defined: Mapping[str, Value]) -> "Builder":
         """The same with other values for the definitions."""
-        return Builder(self.naming, defined, self.vague, self.trees, self.demanded)
+        return Builder(self.naming, defined, self.vague, self.trees, self.demanded, self.put)
 
     def __call__(self, node: Node) -> Value:
         """The expression of a tree.
@@ -136,7 +137,7 @@ class Builder:
             self.unknown.append(node.name)
             dots = "'" * node.order
             return Symbol(node.name + dots, real=True)
-        return symbol
+        return self.put.get(symbol, symbol)
 
     def _derived(self, value: Any) -> Any:
         """A derivative: 1/(2 sqrt(x)) has no value where the root that was written has one."""

@@ -4,7 +4,7 @@ row.sides  =  build(trees)        so that an edited tree makes an edited row
 """
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from functools import cached_property
 from typing import Any
@@ -40,6 +40,8 @@ class Written:
         In which the places of the nodes count; empty where they have none.
     start : int
         Where the statement begins in it.
+    put : mapping of Symbol to Expr
+        What stands for symbols of the scene in all expressions that are made of the trees.
     """
 
     sides: Trees
@@ -48,11 +50,12 @@ class Written:
     notation: str
     text: str
     start: int = 0
+    put: Mapping[Symbol, Expr] = field(default_factory=dict)
 
     def builder(self) -> Builder:
         """Makes expressions of the trees."""
         known: dict[str, Value] = {}
-        builder = Builder(self.naming, known, {}, dict(self.definitions))
+        builder = Builder(self.naming, known, {}, dict(self.definitions), put=self.put)
         for name, tree in self.definitions:
             known[name] = builder(tree)
         return builder

@@ -41,10 +41,10 @@ def test_a_term_in_brackets_goes_with_them_and_with_its_sign(term: str, place: s
 
 
 @pytest.mark.parametrize("declared", [{"values": {"g": 9.81}}, {"where": "cos(theta) > 0"}])
-def test_that_no_edit_was_searched_is_said(declared: dict) -> None:
+def test_edits_are_searched_beside_what_is_declared(declared: dict) -> None:
     (entry,) = mechanics.check(CART, RIGHT.replace("= F", "= 2 F"), **declared).judged
     assert entry.finding.verdict.name == "REFUTED"
     assert entry.blame is not None
-    assert entry.blame.searched.startswith("not searched beside what is declared")
+    assert [edit.written for edit in entry.blame.repairs[0].edits] == ["2"]
     (entry,) = mechanics.check(CART, RIGHT, **declared).judged
     assert entry.blame is None

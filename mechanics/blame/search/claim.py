@@ -5,7 +5,7 @@ energy, mass, momentum: side = what the scene gives
 potential, sum of energies, Lagrangian: side at two states, up to a constant
 """
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from sympy import Expr, Symbol
@@ -24,11 +24,11 @@ from mechanics.reading.entrywise import entrywise
 from mechanics.reading.names import Naming, Vocabulary
 from mechanics.reading.statement import Statement
 from mechanics.reading.tree import Node, names
-from mechanics.reading.written import Trees, Written, row_trees
+from mechanics.reading.written import Trees, Written, row_of, row_trees
 from mechanics.scene import quantities as q
 from mechanics.scene.published import Published
 
-CONSTANT_FREE = (q.PotentialEnergy, q.TotalEnergy, q.Lagrangian)
+CONSTANT_FREE = (q.PotentialEnergy, q.TotalEnergy, q.Lagrangian, q.Hamiltonian)
 ALONG = (q.EquationOfMotion, q.ReactionValue)
 
 Target = Callable[[Point], int]
@@ -81,8 +81,17 @@ def edited_claim(claim: Claim, changes: Sequence[tuple[Forest, Change]]) -> Clai
     return replace(claim, entries=entries, written=written)
 
 
-def claim_of(reference: Reference, statement: Statement) -> Claim | None:
+def claim_of(
+    reference: Reference, statement: Statement, put: Mapping[Symbol, Expr] | None = None
+) -> Claim | None:
     """The claim of a statement that could be read.
+
+    Parameters
+    ----------
+    reference : Reference
+    statement : Statement
+    put : mapping of Symbol to Expr, optional
+        What stands for the person's symbols: by a convention, or as values of parameters.
 
     Raises
     ------
@@ -96,7 +105,11 @@ def claim_of(reference: Reference, statement: Statement) -> Claim | None:
     if written is None:
         written = Written((), (), Naming(Vocabulary(reference.truth.scene)), "code", "")
     written = entrywise(written)
-    return Claim(reference, row, written, row_trees(row, written))
+    trees = row_trees(row, written)
+    if put:
+        written = replace(written, put=put)
+        row = row_of(row, written, trees)
+    return Claim(reference, row, written, trees)
 
 
 def used(claim: Claim) -> frozenset[str]:
@@ -131,7 +144,7 @@ def at_once(claim: Claim) -> Iterator[tuple[Claim, Problem]]:
 
     An equation without accelerations as one of motion: an acceleration may have lost its dots.
     """
-    if isinstance(claim.row.quantity, q.TotalEnergy | q.Lagrangian):
+    if isinstance(claim.row.quantity, q.TotalEnergy | q.Lagrangian | q.Hamiltonian):
         for k, target in enumerate(targets(claim.truth, claim.row)):
 
             def wanted(point: Point, target: Expr = target) -> int:

@@ -83,7 +83,8 @@ class Words:
         large = len(self.sheets[0].forest.nodes) > LARGE
         found = []
         for symbol in dict.fromkeys(first if large else [*first, *kinds]):
-            values = tuple(sheet.point.value(symbol) for sheet in self.sheets)
+            meant = self.written.put.get(symbol, symbol)
+            values = tuple(sheet.point.value(meant) for sheet in self.sheets)
             found.append(Word(symbol, self.written.name_of(symbol), values, kinds[symbol]))
         return tuple(found)
 
