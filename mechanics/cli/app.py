@@ -31,6 +31,10 @@ COMMANDS = {
         "checking",
         "Check your own equations of motion, energies, reactions or mass matrix.",
     ),
+    "grade": (
+        "grading",
+        "Grade many submissions against one key, each within limits of time and memory.",
+    ),
     "compare": (
         "comparing",
         "Compare a model with other engines, and name the cause where they differ.",

@@ -12,7 +12,7 @@ from rich.console import Console
 
 from mechanics.cli.files import refuse_unwritable, write, write_file
 from mechanics.cli.load import load, run_file
-from mechanics.cli.values import assignments
+from mechanics.cli.values import assignments, names_of
 from mechanics.errors import InputError
 from mechanics.judge.check import check as run
 from mechanics.judge.check_json import to_json
@@ -116,11 +116,11 @@ def check(
         raise InputError("--step belongs to a black box: add --black-box")
     with Console(stderr=True).status(f"checking against {scene.name}"):
         found = run(
-            scene, parts, names=_names(name or []), notation=notation, about=about,
+            scene, parts, names=names_of(name or []), notation=notation, about=about,
             convention=convention or (), function=function, values=values, where=where or (),
             blame=blame,
         )  # fmt: skip
-    _refuse_absent(_names(name or []), parts, [*(where or []), *(convention or [])], found)
+    _refuse_absent(names_of(name or []), parts, [*(where or []), *(convention or [])], found)
     if report is not None:
         write_file(check_html(found), report)
     if json_file is not None:
@@ -175,15 +175,3 @@ def _refuse_absent(names: dict[str, str], parts: list[Any], more: list[str], fou
         if " " not in theirs and mine.isascii() and NOT_A_NAME.sub("", mine) not in plain:
             known = ", ".join(match.name for match in found.names)
             raise InputError(f"--name {mine}={theirs}: no text has {mine!r}: it has {known}")
-
-
-def _names(entries: list[str]) -> dict[str, str]:
-    found: dict[str, str] = {}
-    for entry in entries:
-        mine, equals, theirs = (part.strip() for part in entry.partition("="))
-        if not (equals and mine and theirs):
-            raise InputError(f"--name {entry!r}: write mine=the scene's, for example phi=theta")
-        if mine in found:
-            raise InputError(f"--name {entry!r}: {mine} is given twice")
-        found[mine] = theirs
-    return found

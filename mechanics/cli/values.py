@@ -144,3 +144,22 @@ def _finite(name: str, value: Expr) -> float:
     if abs(number) == float("inf"):
         raise InputError(f"--set {name}: the value is beyond 1.8e308: write a smaller one")
     return number
+
+
+def names_of(entries: list[str]) -> dict[str, str]:
+    """Names of a person and what they mean, from ``mine=the scene's``.
+
+    Raises
+    ------
+    InputError
+        For what is no such pair, and a name twice.
+    """
+    found: dict[str, str] = {}
+    for entry in entries:
+        mine, equals, theirs = (part.strip() for part in entry.partition("="))
+        if not (equals and mine and theirs):
+            raise InputError(f"--name {entry!r}: write mine=the scene's, for example phi=theta")
+        if mine in found:
+            raise InputError(f"--name {entry!r}: {mine} is given twice")
+        found[mine] = theirs
+    return found

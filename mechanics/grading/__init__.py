@@ -1,0 +1,1 @@
+"""Many submissions against one key: a score, the smallest change, a hint, what is missing."""

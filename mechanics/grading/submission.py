@@ -1,0 +1,76 @@
+"""What a student hands in, as things that `check` reads.
+
+    a.tex, a.txt, a.md, a.m    text        a.c, a.h    C        a.ipynb    its cells
+    a.py    its last function, or the one that is asked for, which is run
+
+Code in Python is only run where that is allowed.
+"""
+
+import json
+from pathlib import Path
+from types import FunctionType
+from typing import Any
+
+from mechanics.errors import InputError
+from mechanics.reading.read import file_text
+
+RUN = "Python is only run where that is allowed: --run-python (run_python=True)"
+
+
+def things_in(path: Path, *, function: str | None = None, run_python: bool = False) -> list[Any]:
+    """Texts, paths and functions, in order.
+
+    Parameters
+    ----------
+    path : Path
+    function : str, optional
+        Of a Python file or notebook; its last one when not given.
+    run_python : bool
+        Whether code in Python may be run.
+
+    Raises
+    ------
+    InputError
+        When there is nothing that can be read.
+    """
+    suffix = path.suffix.lower()
+    if suffix == ".py":
+        return [_function(path, file_text(path), function, run_python)]
+    if suffix == ".ipynb":
+        return _cells(path, function, run_python)
+    return [path]
+
+
+def _cells(path: Path, function: str | None, run_python: bool) -> list[Any]:
+    """The text of all cells of prose together, and the function of those of code."""
+    try:
+        cells = json.loads(file_text(path))["cells"]
+        pairs = [(cell["cell_type"], "".join(cell["source"])) for cell in cells]
+    except (ValueError, KeyError, TypeError) as error:
+        raise InputError(f"file {path}: it is no notebook: {type(error).__name__}") from None
+    prose = "\n\n".join(text for kind, text in pairs if kind == "markdown" and text.strip())
+    code = "\n".join(text for kind, text in pairs if kind == "code" and "def " in text)
+    found: list[Any] = [prose] if "=" in prose else []
+    if code and (run_python or not found):
+        found.append(_function(path, code, function, run_python))
+    if not found:
+        raise InputError(f"file {path}: no cell has an equation or a function")
+    return found
+
+
+def _function(path: Path, code: str, function: str | None, run_python: bool) -> Any:
+    if not run_python:
+        raise InputError(f"file {path}: {RUN}")
+    names: dict[str, Any] = {"__name__": "submission", "__file__": str(path)}
+    try:
+        exec(compile(code, str(path), "exec"), names)  # in a worker, as the caller allows
+    except Exception as error:
+        raise InputError(f"file {path}: it ends in {type(error).__name__}: {error}") from None
+    own = [
+        n for n, v in names.items() if isinstance(v, FunctionType) and v.__module__ == "submission"
+    ]
+    chosen = function or (own[-1] if own else "")
+    if chosen not in own:
+        told = f"it has {', '.join(own)}" if own else "it has none"
+        raise InputError(f"file {path}: there is no function {chosen or 'to check'}: {told}")
+    return names[chosen]

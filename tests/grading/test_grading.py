@@ -1,0 +1,130 @@
+"""Grades: right, wrong, incomplete, in doubt, not judged; a hint is no answer."""
+
+import csv
+import io
+import json
+from pathlib import Path
+
+import pytest
+from typer.testing import CliRunner
+
+from mechanics.cli.app import app
+from mechanics.errors import InputError
+from mechanics.grading.group import Group, grade_files
+from mechanics.grading.page import group_csv, group_html
+from mechanics.worker import Limits
+from systems import elastic_pendulum
+
+SCENE = elastic_pendulum.scene()
+SIX = (
+    r"\[ (M+m)\ddot x + 2kx"
+    r" + \frac{ML}{2}(\ddot\theta\cos\theta - \dot\theta^2\sin\theta) = 0 \]"
+)
+SEVEN = (
+    r"\[ \frac{ML}{2}\ddot x\cos\theta + \frac{ML^2}{3}\ddot\theta + \frac{MgL}{2}\sin\theta = 0 \]"
+)
+FILES = {
+    "right.tex": f"{SIX}\n{SEVEN}",
+    "slip.tex": f"{SIX}\n{SEVEN.replace('{3}', '{12}')}",
+    "half.tex": SIX,
+    "other.tex": f"{SIX}\n{SEVEN}\n" + r"\[ V = kx^2 + \frac{MgL}{2}\cos\theta \]",
+    "doubt.txt": "x'' = w*x",
+    "nothing.txt": "hello",
+    "notebook.ipynb": json.dumps(
+        {"cells": [{"cell_type": "markdown", "source": [f"My result:\n{SIX}\n", SEVEN]}]}
+    ),
+    "loop.py": "def f(x, theta, x_dot, theta_dot):\n    while True: pass\n",
+    "empty.tex": "",
+}
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    path = tmp_path_factory.mktemp("submissions")
+    for name, text in FILES.items():
+        (path / name).write_text(text)
+    return path
+
+
+@pytest.fixture(scope="module")
+def found(folder: Path) -> Group:
+    files = [folder / name for name in FILES]
+    return grade_files(SCENE, files, run_python=True, limits=Limits(2), jobs=2)
+
+
+def grades(found: Group) -> dict[str, object]:
+    return {one.name: one for one in found.grades}
+
+
+def test_verdicts_and_scores(found: Group) -> None:
+    told = {name: (one.verdict, one.score) for name, one in grades(found).items()}
+    assert told == {
+        "right.tex": ("right", 1.0),
+        "slip.tex": ("wrong", 0.5),
+        "half.tex": ("incomplete", 0.5),
+        "other.tex": ("wrong", 2 / 3),
+        "doubt.txt": ("in doubt", 0.0),
+        "nothing.txt": ("in doubt", 0.0),
+        "notebook.ipynb": ("right", 1.0),
+        "loop.py": ("not judged", None),
+        "empty.tex": ("not judged", None),
+    }
+
+
+def test_the_change_is_named_and_the_hint_is_no_answer(found: Group) -> None:
+    slip = grades(found)["slip.tex"]
+    assert slip.change == "write 3 for 12"
+    assert "parallel axis" in slip.hint
+    assert "3" not in slip.hint
+    assert grades(found)["half.tex"].missing == "1 of 2 independent equations of motion"
+    assert grades(found)["loop.py"].remarks == ("it took more than 2 s",)
+    assert ("something is missing", 3) in found.mistakes
+
+
+@pytest.mark.parametrize(
+    ("require", "name", "verdict"),
+    [("motion", "other.tex", "right"), ("motion", "slip.tex", "wrong"),
+     ("right", "half.tex", "right"), ("all", "half.tex", "incomplete")],
+)  # fmt: skip
+def test_what_is_required(folder: Path, require: str, name: str, verdict: str) -> None:
+    (one,) = grade_files(SCENE, [folder / name], require=require).grades
+    assert one.verdict == verdict
+
+
+def test_python_is_not_run_unless_that_is_allowed(folder: Path) -> None:
+    (one,) = grade_files(SCENE, [folder / "loop.py"]).grades
+    assert one.verdict == "not judged"
+    assert "--run-python" in one.remarks[0]
+
+
+def test_tables_and_pages(found: Group) -> None:
+    rows = list(csv.DictReader(io.StringIO(group_csv(found))))
+    assert [row["submission"] for row in rows] == list(FILES)
+    assert rows[1]["change"] == "write 3 for 12"
+    page = group_html(found)
+    assert "write 3 for 12" in page
+    assert "<script" not in page
+
+
+def test_the_command(folder: Path, tmp_path: Path) -> None:
+    files = [str(folder / "right.tex"), str(folder / "slip.tex")]
+    run = CliRunner().invoke(app, ["grade", "elastic_pendulum", *files, "--json", "-",
+                                   "--report", str(tmp_path / "pages")])  # fmt: skip
+    assert run.exit_code == 1
+    assert [g["verdict"] for g in json.loads(run.stdout)["grades"]] == ["right", "wrong"]
+    assert (tmp_path / "pages" / "index.html").exists()
+    assert "the factor is wrong" in (tmp_path / "pages" / "002-slip.tex.html").read_text()
+    assert CliRunner().invoke(app, ["grade", "elastic_pendulum", files[0]]).exit_code == 0
+
+
+def test_a_file_that_is_not_there_is_named() -> None:
+    run = CliRunner().invoke(app, ["grade", "elastic_pendulum", "nowhere.tex"])
+    assert isinstance(run.exception, InputError)
+    assert str(run.exception) == "file nowhere.tex: it is not there: name a file or folder"
+
+
+def test_no_submission_and_an_unknown_requirement_are_refused(folder: Path) -> None:
+    with pytest.raises(InputError, match="no submission"):
+        grade_files(SCENE, [])
+    with pytest.raises(InputError, match="require 'some': it can be all, motion, right"):
+        grade_files(SCENE, [folder / "right.tex"], require="some")
