@@ -24,6 +24,7 @@ from mechanics.judge.letters import Settled, settle
 from mechanics.judge.moved import moves_more
 from mechanics.judge.other_names import best_names, doubtful
 from mechanics.judge.other_reading import of_one_dimension, read_otherwise
+from mechanics.judge.outputs import of_one_order, right_otherwise
 from mechanics.judge.readers import read, spread
 from mechanics.judge.right_if import right_if
 from mechanics.judge.scene_laws import verify
@@ -122,6 +123,7 @@ def check(
     parts = [thing for thing in things if not isinstance(thing, BlackBox)]
     readings = [_read(truth, part, names, notation, about, function) for part in parts]
     statements = [of_one_dimension(truth, s) for reading in readings for s in reading.statements]
+    statements = of_one_order(truth, statements)
     if sum(map(bool, (values, convention, where))) > 1:
         raise InputError("check: of values, a convention and where, give one only")
     known = [match for reading in readings for match in reading.names]
@@ -132,6 +134,7 @@ def check(
     settled = settle(truth, statements, partial(_right, truth, held, bool(counted or region)))
     judged, told = _judged(truth, [s.statement for s in settled], counted, held, region)
     judged = tuple(map(_by_letter, judged, settled))
+    judged = right_otherwise(judged, partial(_right, truth, held, bool(counted or region)))
     if blame:
         judged = _blamed(reference, judged, counted, held)
     judged = tuple(read_otherwise(truth, entry) for entry in judged)

@@ -63,6 +63,9 @@ class Statement:
         What was written that has no value everywhere, before anything was put together.
     letter : Letter or None
         The name on the left, where that may mean several things; `row` takes it as the first.
+    taken : tuple of (str, Published)
+        Other things that an output of code may be, in words, and the row then; the words are the
+        same for all outputs of one call.
     """
 
     row: Published | None
@@ -75,6 +78,7 @@ class Statement:
     others: tuple[tuple[str, Trees], ...] = ()
     demands: Demands = NO_DEMANDS
     letter: Letter | None = None
+    taken: tuple[tuple[str, Published], ...] = ()
 
 
 @dataclass(frozen=True)

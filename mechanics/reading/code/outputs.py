@@ -9,6 +9,7 @@ a square matrix              the mass matrix                 with a vector besid
 """
 
 from collections.abc import Collection, Iterable, Sequence
+from itertools import islice, permutations
 
 from sympy import Expr, Matrix, S
 from sympy.matrices import MatrixBase
@@ -23,11 +24,14 @@ from mechanics.reading.names import Naming
 from mechanics.reading.statement import Statement
 from mechanics.reading.written import Written
 from mechanics.scene import Scene
-from mechanics.scene.published import Quantity, published
+from mechanics.scene.published import Published, Quantity, published
 from mechanics.scene.quantities import EquationOfMotion, GeneralizedForce, Identity, MassMatrix
 from mechanics.scene.rates import rate_table
 
 Claim = tuple[str, Quantity, tuple[Expr | Matrix, ...]]
+
+MOST_ORDERED = 3
+"""Outputs whose orders are tried."""
 
 
 def claims(
@@ -85,6 +89,37 @@ def claims(
         f"{title} returns {len(entries)} numbers: {scene.name} has {size} accelerations and"
         f" {len(both)} rates of the state: say what it is: {_choices(naming)}"
     )
+
+
+def taken_otherwise(
+    naming: Naming, outputs: Outputs, found: Sequence[Claim], about: str | None, title: str
+) -> list[tuple[str, list[Claim]]]:
+    """Other things that outputs may be, in words, each with its claims in the order of the outputs.
+
+    Accelerations without names in other orders; of a scene without inputs, what drives the speeds
+    as residuals.
+    """
+    scene = naming.vocabulary.scene
+    if about is not None or not 0 < len(found) == len(scene.u) <= MOST_ORDERED:
+        return []
+    if all(isinstance(quantity, GeneralizedForce) for _, quantity, _ in found):
+        rows: list[Claim] = [
+            (f"residual {i}", EquationOfMotion(), (sides[0], S.Zero))
+            for i, (_, _, sides) in enumerate(found, 1)
+        ]
+        words = f"{title} returns residuals: say so, about 'equation of motion'"
+        return [] if scene.inputs else [(words, rows)]
+    if [tag for tag, _, _ in found] != [str(ud) for ud in scene.ud]:
+        return []
+    if _accelerations(naming, outputs.names or (title,), len(found)):
+        return []
+    every = []
+    for order in islice(permutations(scene.u), 1, None):
+        pairs = zip(order, found, strict=True)
+        claimed = [_rate_of(scene, u, sides[1]) for u, (_, _, sides) in pairs]
+        names = " ".join(tag for tag, _, _ in claimed)
+        every.append((f"{title} returns {names}: say so, about {names!r}", claimed))
+    return every
 
 
 def _stepped(
@@ -219,20 +254,28 @@ def state_of_scalars(
     return next((order for order in orders if in_order(scene, values, order)), given)
 
 
-def statement(claim: Claim, title: str, outputs: Outputs, naming: Naming) -> Statement:
-    """A claim as a statement; constants that were read stand in its notes."""
-    tag, quantity, sides = claim
+def statement(
+    claim: Claim, title: str, outputs: Outputs, naming: Naming,
+    others: Sequence[tuple[str, Claim]] = (),
+) -> Statement:  # fmt: skip
+    """A claim as a statement, with what else it may be; constants stand in its notes."""
+    tag, _, sides = claim
     source = f"{title}: {tag}"
-    row = published(tag, quantity, *sides, label=source)
     names = Written((), (), naming, "code", "")
     entries = [e for side in sides for e in (side if isinstance(side, MatrixBase) else [side])]
     known = [outputs.formulas[entry] for entry in entries if entry in outputs.formulas]
     trees = tuple(renamed(formula, names.name_of) for formula in known)
     written = Written(trees, (), naming, "code", "") if trees else None
     return Statement(
-        row, source, tag, notes=outputs.notes, doubt=outputs.doubt, written=written,
+        _row(claim, title), source, tag, notes=outputs.notes, doubt=outputs.doubt, written=written,
+        taken=tuple((words, _row(other, title)) for words, other in others),
         demands=_demands(entries, outputs),
     )  # fmt: skip
+
+
+def _row(claim: Claim, title: str) -> Published:
+    tag, quantity, sides = claim
+    return published(tag, quantity, *sides, label=f"{title}: {tag}")
 
 
 def _demands(entries: Sequence[Expr], outputs: Outputs) -> Demands:

@@ -36,7 +36,13 @@ from mechanics.reading.code.called import doubt_when_called
 from mechanics.reading.code.doubles import doubt_as_doubles
 from mechanics.reading.code.integrators import NAMES as STEPS
 from mechanics.reading.code.out_arguments import returning
-from mechanics.reading.code.outputs import claims, in_order, state_of_scalars, statement
+from mechanics.reading.code.outputs import (
+    claims,
+    in_order,
+    state_of_scalars,
+    statement,
+    taken_otherwise,
+)
 from mechanics.reading.code.python_call import beside, signature_of
 from mechanics.reading.code.reached import demands_of
 from mechanics.reading.code.repeated import doubt_when_repeated
@@ -267,7 +273,11 @@ def _read(
     state = arguments.state or state_of_scalars(scene, outputs.values, arguments.values.values())
     passed = [entry for value in arguments.values.values() for entry in _entries(value)]
     found = claims(naming, outputs, state, about, title, passed)
-    statements = tuple(statement(claim, title, outputs, naming) for claim in found)
+    others = taken_otherwise(naming, outputs, found, about, title)
+    statements = tuple(
+        statement(claim, title, outputs, naming, [(words, other[k]) for words, other in others])
+        for k, claim in enumerate(found)
+    )
     return Reading(statements, arguments.matches, ())
 
 
