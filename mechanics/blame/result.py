@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from enum import Enum
 
 from mechanics.kernel import Finding
+from mechanics.reading.written import Written
 from mechanics.scene.published import Published
 
 
@@ -38,6 +39,8 @@ class Edit:
         Where it stands in the source of the statement, from and to; None for code and objects.
     definition : str
         Name of the person's definition that it stands in; empty for the statement itself.
+    place : str
+        Where that definition stands, ``cart.py, line 12``; empty where that is not known.
     """
 
     mistake: Mistake
@@ -45,6 +48,7 @@ class Edit:
     right: str
     span: tuple[int, int] | None = None
     definition: str = ""
+    place: str = ""
 
 
 @dataclass(frozen=True)
@@ -61,12 +65,15 @@ class Repair:
         Of the statement with the edits put in; PROVED or CERTIFIED.
     row : Published or None
         The statement with the edits put in, as the ledger checked it.
+    written : Written or None
+        Its trees and definitions then.
     """
 
     edits: tuple[Edit, ...]
     repaired: str
     finding: Finding
     row: Published | None = None
+    written: Written | None = None
 
 
 @dataclass(frozen=True)

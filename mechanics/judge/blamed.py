@@ -14,6 +14,7 @@ from mechanics.blame.reference import Reference
 from mechanics.blame.result import Blame, Edit
 from mechanics.blame.search.budget import Budget
 from mechanics.blame.search.claim import claim_of, used
+from mechanics.blame.shared import shared
 from mechanics.errors import MechanicsError
 from mechanics.judge.branches import blame_by_branch
 from mechanics.kernel import Verdict
@@ -65,6 +66,11 @@ def blamed(
         late = Blame((), (), searched=f"not searched: those before it took {STEPS} steps")
         blame = late if budget.spent else _search(reference, judged, k, budget, put)
         found[k] = replace(found[k], blame=replace(blame, explanations=reasons))
+    blames = [found[k].blame or Blame((), ()) for k in searched]
+    statements = [found[k].statement for k in searched]
+    together = shared(reference, statements, [blame.repairs for blame in blames])
+    for k, blame, repairs in zip(searched, blames, together, strict=True):
+        found[k] = replace(found[k], blame=replace(blame, repairs=repairs))
     return named_once(found)
 
 

@@ -52,7 +52,8 @@ def blame_by_branch(
     if not wrong:
         return None
     conditions, sides = next((b for b in wrong if _met(b[0], finding)), wrong[0])
-    blame = search(replace(statement, row=replace(row, sides=sides), written=None))
+    written = next((statement.ways[side] for side in sides if side in statement.ways), None)
+    blame = search(replace(statement, row=replace(row, sides=sides), written=written))
     others = [_where(c) for c, _ in wrong if c != conditions]
     told = (f"this is the branch {_where(conditions)}",
             *([f"wrong, too, {', '.join(others)}"] if others else []),

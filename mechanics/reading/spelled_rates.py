@@ -1,12 +1,12 @@
 """Rates that are spelled with letters.
 
-thetadd, theta_acc, th1_ddot, ddtheta, d2x    ->    theta, theta, th1, theta, x    order 2
+thetadd, theta_dd, th1_ddot, ddtheta, d2x    ->    theta, theta, th1, theta, x    order 2
 """
 
 from collections.abc import Iterable, Iterator
 
 SPELLINGS = (
-    (2, ("ddot", "dd", "2dot", "acc"), ("dd", "d2")),
+    (2, ("ddot", "dd", "2dot"), ("dd", "d2")),
     (1, ("dot", "d"), ("d",)),
 )
 """Orders, and what stands behind or before the name of what is differentiated."""

@@ -3,7 +3,8 @@
 source -> row.sides, in the scene's plain symbols; row.quantity is what it is about
 """
 
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, field
 
 from sympy import Expr
 
@@ -63,6 +64,8 @@ class Statement:
         What was written that has no value everywhere, before anything was put together.
     letter : Letter or None
         The name on the left, where that may mean several things; `row` takes it as the first.
+    ways : mapping of Expr to Written
+        The trees of each way through code that decides, by what its output is then.
     taken : tuple of (str, Published)
         Other things that an output of code may be, in words, and the row then; the words are the
         same for all outputs of one call.
@@ -78,6 +81,7 @@ class Statement:
     others: tuple[tuple[str, Trees], ...] = ()
     demands: Demands = NO_DEMANDS
     letter: Letter | None = None
+    ways: Mapping[Expr, Written] = field(default_factory=dict)
     taken: tuple[tuple[str, Published], ...] = ()
 
 

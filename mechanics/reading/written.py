@@ -42,6 +42,8 @@ class Written:
         Where the statement begins in it.
     put : mapping of Symbol to Expr
         What stands for symbols of the scene in all expressions that are made of the trees.
+    places : mapping of str to str
+        Where definitions stand, by their names: ``cart.py, line 12``.
     """
 
     sides: Trees
@@ -51,6 +53,7 @@ class Written:
     text: str
     start: int = 0
     put: Mapping[Symbol, Expr] = field(default_factory=dict)
+    places: Mapping[str, str] = field(default_factory=dict)
 
     def builder(self) -> Builder:
         """Makes expressions of the trees."""
@@ -69,9 +72,11 @@ class Written:
             for name in names(tree):
                 if name.name not in own:
                     self._keep(found, name)
-        for given in (*self.naming.given, *(match.name for match in self.naming.guessed)):
-            for order in range(len(DOTS)):
-                self._keep(found, Name(0, given, order))
+        given = (*self.naming.given, *(match.name for match in self.naming.guessed))
+        # A name itself first; theta'' is that of theta, not the rate of a name of theta'.
+        for order in (0, *range(2, len(DOTS)), 1):
+            for own_name in given:
+                self._keep(found, Name(0, own_name, order))
         return found
 
     def _keep(self, found: dict[Symbol, Name], name: Name) -> None:

@@ -18,7 +18,7 @@ from mechanics.errors import ExpressionError, InputError, SceneError
 from mechanics.reading.place import Refused
 from mechanics.reading.spelling import Spelling
 from mechanics.reading.tree import Name, parts
-from mechanics.reading.written import Trees, row_of
+from mechanics.reading.written import Trees, Written, row_of
 from mechanics.scene.published import Published
 from mechanics.scene.quantities import EquationOfMotion, Identity
 
@@ -57,12 +57,22 @@ def proved(claim: Claim, chosen: Sequence[Solution], source: str) -> Repair | No
         for change in solution.changes
     )
     new = edited_claim(claim, _changes(chosen))
+    changed = list(dict.fromkeys(edit.definition for edit in edits if edit.definition))
+    if claim.written.places and all(edit.definition for edit in edits):
+        return Repair(edits, assigned(new.written, changed), finding, row, new.written)
     words = spliced(spelling, source, edits, entries, row)
-    for name in dict.fromkeys(edit.definition for edit in edits if edit.definition):
+    for name in changed:
         # As it can be read again.
         joint = r", \text{with } " if spelling.latex else ", with "
         words += f"{joint}{spelling(Name(0, name))} = {spelling(new.definitions[name])}"
-    return Repair(edits, words, finding, row)
+    return Repair(edits, words, finding, row, new.written)
+
+
+def assigned(written: Written, names: Sequence[str]) -> str:
+    """Definitions of code with their places: ``cart.py, line 12: temp = ...``."""
+    spelling, table = Spelling(written, frozenset()), dict(written.definitions)
+    lines = (f"{written.places[n]}: {n} = {spelling(table[n])}" for n in names)
+    return "; ".join(lines)
 
 
 def _says_nothing(claim: Claim, row: Published) -> bool:

@@ -33,12 +33,13 @@ def told(claim: Claim, spelling: Spelling, forest: Forest, change: Change) -> Ed
     """An edit as a person makes it."""
     home = forest.place[change.index][0]
     if isinstance(home, str):
+        place = claim.written.places.get(home, "")
         if _adds(forest, change) and change.wrap and not forest.place[change.index][1]:
             term = change.wrap(Number(0, Fraction(0)))
-            return Edit(change.mistake, "", _signed(spelling, term), None, home)
+            return Edit(change.mistake, "", _signed(spelling, term), None, home, place)
         # It stands elsewhere, so that a sign alone would say nothing.
         old, fitting = spelling(forest.nodes[change.index]), _fitting(forest, change, spelling)
-        return Edit(change.mistake, old, fitting, None, home)
+        return Edit(change.mistake, old, fitting, None, home, place)
     node, new = forest.nodes[change.index], change.node
     span = spelling.span(node)
     above = forest.parent[change.index]

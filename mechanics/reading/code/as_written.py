@@ -4,7 +4,7 @@ k*(-2*x1 + x1)   stays that, where its expression is -k*x1        a node of None
 """
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import partial
 
@@ -31,6 +31,9 @@ from mechanics.reading.tree import (
 
 ZERO, ONE, MINUS = (Number(0, Fraction(value)) for value in (0, 1, -1))
 
+LOCAL = "="
+"""Begins a name in a formula that is the code's own, so that it is no symbol of the scene."""
+
 MOST_NODES = 2500
 """Of a formula, everything that is used twice counted twice."""
 
@@ -45,7 +48,35 @@ class Known:
 
 Formula = Known | None
 
-Formulas = Mapping[Expr, Node]
+
+@dataclass(frozen=True)
+class Assignment:
+    """A formula that code gives a name.
+
+    Attributes
+    ----------
+    tree : Node
+    place : str
+        ``cart.py, line 12``
+    """
+
+    tree: Node
+    place: str
+
+
+Assignments = Mapping[str, Assignment]
+"""By name, in their order."""
+
+
+@dataclass(frozen=True)
+class Authored:
+    """A formula, and the assignments that it is made with."""
+
+    tree: Node
+    assigned: Assignments = field(default_factory=dict)
+
+
+Formulas = Mapping[Expr, Authored]
 """The formulas of outputs, by the expressions that they are."""
 
 
@@ -168,7 +199,7 @@ def renamed(node: Node, name_of: Callable[[Symbol], Name]) -> Node:
     """A formula whose symbols have the names of a naming."""
     match node:
         case Name(name=name):
-            return name_of(Symbol(name, real=True))
+            return node if name.startswith(LOCAL) else name_of(Symbol(name, real=True))
         case Sum(terms=inner):
             return Sum(0, tuple(renamed(part, name_of) for part in inner))
         case Product(factors=inner):

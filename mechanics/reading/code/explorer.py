@@ -11,8 +11,8 @@ from sympy import Expr
 from sympy.logic.boolalg import Boolean, BooleanFalse, BooleanTrue
 
 from mechanics.errors import InputError
+from mechanics.reading.code.as_written import Assignment, Authored
 from mechanics.reading.demands import NOTHING, Asked, Demand
-from mechanics.reading.tree import Node
 
 MOST_PATHS = 64
 MOST_DECISIONS = 200
@@ -29,17 +29,18 @@ class Explorer:
     `formulas` are those of the numbers that it returns, as its code has them; `names` are the keys
     that they have, where they are entries of a dictionary; `asked` is what each decision asks
     for, `outputs` what each number that is returned does; `failure` is how it ended in an
-    error.
+    error; `assigned` what its lines give names to.
     """
 
     prefix: tuple[bool, ...] = ()
     taken: list[tuple[Boolean, bool]] = field(default_factory=list)
     notes: list[str] = field(default_factory=list)
-    formulas: dict[Expr, Node] = field(default_factory=dict)
+    formulas: dict[Expr, Authored] = field(default_factory=dict)
     names: tuple[str, ...] = ()
     asked: list[Asked] = field(default_factory=list)
     outputs: list[tuple[Demand, ...]] = field(default_factory=list)
     failure: str = ""
+    assigned: dict[str, Assignment] = field(default_factory=dict)
 
     def decide(self, condition: Boolean, asked: Asked = NOTHING) -> bool:
         """Which way to go at a condition."""

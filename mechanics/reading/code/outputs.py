@@ -8,6 +8,7 @@ with u' among the arguments  what drives each speed           inverse dynamics
 a square matrix              the mass matrix                 with a vector beside it: M u' = f
 """
 
+import re
 from collections.abc import Collection, Iterable, Sequence
 from itertools import islice, permutations
 
@@ -16,19 +17,21 @@ from sympy.matrices import MatrixBase
 
 from mechanics.errors import InputError
 from mechanics.reading.about import QUANTITIES, named_quantity
-from mechanics.reading.code.as_written import renamed
+from mechanics.reading.code.assignments import written_of
 from mechanics.reading.code.integrators import INTEGRATORS, STEP, step_of
 from mechanics.reading.code.tracing import Outputs
 from mechanics.reading.demands import Demands
 from mechanics.reading.names import Naming
 from mechanics.reading.statement import Statement
-from mechanics.reading.written import Written
 from mechanics.scene import Scene
 from mechanics.scene.published import Published, Quantity, published
 from mechanics.scene.quantities import EquationOfMotion, GeneralizedForce, Identity, MassMatrix
 from mechanics.scene.rates import rate_table
 
 Claim = tuple[str, Quantity, tuple[Expr | Matrix, ...]]
+
+ACC = re.compile(r"_?acc$")
+"""Ends the name of an acceleration; in a text such a name is one of the author's own."""
 
 MOST_ORDERED = 3
 """Outputs whose orders are tried."""
@@ -188,7 +191,7 @@ def _rates(naming: Naming, names: Sequence[str]) -> tuple[Expr, ...]:
 
 def _second(naming: Naming, name: str) -> tuple[str, int] | None:
     """The scene's name, and no more dots, of what a name is an acceleration of."""
-    found = naming.lookup(name)
+    found = naming.lookup(ACC.sub("_ddot", name))
     if found is None or found[0] not in naming.vocabulary.functions:
         return None
     symbol = naming.symbol(found[0], found[1])
@@ -261,13 +264,12 @@ def statement(
     """A claim as a statement, with what else it may be; constants stand in its notes."""
     tag, _, sides = claim
     source = f"{title}: {tag}"
-    names = Written((), (), naming, "code", "")
     entries = [e for side in sides for e in (side if isinstance(side, MatrixBase) else [side])]
     known = [outputs.formulas[entry] for entry in entries if entry in outputs.formulas]
-    trees = tuple(renamed(formula, names.name_of) for formula in known)
-    written = Written(trees, (), naming, "code", "") if trees else None
+    ways = {} if known else {e: written_of([f], naming) for e, f in outputs.formulas.items()}
     return Statement(
-        _row(claim, title), source, tag, notes=outputs.notes, doubt=outputs.doubt, written=written,
+        _row(claim, title), source, tag, notes=outputs.notes, doubt=outputs.doubt,
+        written=written_of(known, naming) if known else None, ways=ways,
         taken=tuple((words, _row(other, title)) for words, other in others),
         demands=_demands(entries, outputs),
     )  # fmt: skip

@@ -22,7 +22,7 @@ from mechanics.program.casadi_reader import single_assignment
 from mechanics.reading.about import WORDS
 from mechanics.reading.assemble import Reading
 from mechanics.reading.code.arguments import Arguments, arguments_of, vectors_of_motion
-from mechanics.reading.code.as_written import Formula, Formulas, of_graph
+from mechanics.reading.code.as_written import Authored, Formula, Formulas, of_graph
 from mechanics.reading.code.c_constants import with_constants
 from mechanics.reading.code.c_flat import flat
 from mechanics.reading.code.c_library import with_library
@@ -52,7 +52,7 @@ from mechanics.reading.code.unwrapped import unwrapped
 from mechanics.reading.code.written import Constants, expressions
 from mechanics.reading.demands import Demand
 from mechanics.reading.guess import guess
-from mechanics.reading.names import Naming, Vocabulary
+from mechanics.reading.names import Match, Naming, Vocabulary
 from mechanics.reading.place import bounded
 from mechanics.reading.tree import Name
 from mechanics.scene import Scene
@@ -243,7 +243,7 @@ def _demanded(asked: Iterable[tuple[Expr, tuple[Demand, ...]]]) -> dict[Expr, tu
 
 
 def _known(formulas: Mapping[Expr, Formula]) -> Formulas:
-    return {expression: known.node for expression, known in formulas.items() if known is not None}
+    return {e: Authored(known.node) for e, known in formulas.items() if known is not None}
 
 
 def _read(
@@ -273,12 +273,18 @@ def _read(
     state = arguments.state or state_of_scalars(scene, outputs.values, arguments.values.values())
     passed = [entry for value in arguments.values.values() for entry in _entries(value)]
     found = claims(naming, outputs, state, about, title, passed)
+    naming = replace(naming, guessed=(*naming.guessed, *_renamed(naming, arguments.matches)))
     others = taken_otherwise(naming, outputs, found, about, title)
     statements = tuple(
         statement(claim, title, outputs, naming, [(words, other[k]) for words, other in others])
         for k, claim in enumerate(found)
     )
     return Reading(statements, arguments.matches, ())
+
+
+def _renamed(naming: Naming, matches: Iterable[Match]) -> list[Match]:
+    """Arguments that are one thing of the scene, under another name: formulas are told with it."""
+    return [m for m in matches if m.name != m.meaning and naming.vocabulary.target(m.meaning)]
 
 
 def bounded_code(nodes: Sequence[Node], origin: str) -> None:

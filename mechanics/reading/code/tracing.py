@@ -18,7 +18,8 @@ from sympy import Expr, Matrix, Piecewise
 from sympy.logic.boolalg import Boolean
 
 from mechanics.errors import InputError, MechanicsError
-from mechanics.reading.code.as_written import Formulas, leaf
+from mechanics.reading.code.as_written import Authored, Formulas, leaf
+from mechanics.reading.code.assignments import recorded
 from mechanics.reading.code.explorer import MOST_PATHS, Explorer
 from mechanics.reading.code.held import held
 from mechanics.reading.code.lasting import changed, seen
@@ -46,8 +47,9 @@ class Outputs:
         What it decides upon.
     doubt : str
         Why the formulas are not what it computes, one line; empty where nothing says so.
-    formulas : mapping of Expr to Node
-        Values as the code has them, before SymPy puts terms together; those that are known.
+    formulas : mapping of Expr to Authored
+        Values as the code has them, before SymPy puts terms together; those that are known, of
+        each way through the code.
     names : tuple of str
         What the code calls its outputs, entry by entry; empty where that is not plain.
     changed : tuple of str
@@ -116,7 +118,7 @@ def trace(
     demands = {entry: (*_demanded(defined, 0, k), *failing) for k, entry in enumerate(entries)}
     return Outputs(
         values, tuple(ways.notes), tuple(conditions), demands=demands,
-        formulas=defined[0].formulas if len(ways.found) == 1 else {},
+        formulas={e: f for way in reversed(defined) for e, f in way.formulas.items()},
         names=ways.found[0].names if len(names) == 1 else (), changed=tuple(ways.lasting),
     )  # fmt: skip
 
@@ -182,7 +184,8 @@ def _called(
 ) -> tuple[Matrix, ...] | None:  # fmt: skip
     title = _title(origin)
     try:
-        result = function(**arguments)
+        with recorded(origin, explorer.assigned):
+            result = function(**arguments)
     except InputError as error:
         raise InputError(f"{title}{_line(origin, error)[0]}: {error}") from None
     except MechanicsError:
@@ -279,7 +282,8 @@ def _matrix(part: Any, explorer: Explorer, title: str) -> Matrix:
     explorer.outputs += [gathered(asked_of(entry)) for entry in array.flat]
     for entry in array.flat:
         if isinstance(entry, Traced) and entry.formula is not None:
-            explorer.formulas.setdefault(entry.expr, entry.formula.node)
+            known = Authored(entry.formula.node, explorer.assigned)
+            explorer.formulas.setdefault(entry.expr, known)
     rows = array.shape[0] if array.ndim else 1
     return Matrix(rows, len(entries) // rows, entries)
 

@@ -70,7 +70,8 @@ def _shorter(formula: str, edit: Edit) -> list[Edit]:
         ]
     if edit.mistake is not Mistake.SIGN or not edit.written:
         return []
-    before = rf"[-+](?= {re.escape(edit.written)}(?![\w.(]))"
+    term = edit.written.removeprefix("-").strip()
+    before = rf"[-+](?= {re.escape(term)}(?![\w.(]))"
     return [
         replace(edit, written=match[0], right="-" if match[0] == "+" else "+", span=match.span())
         for match in re.finditer(before, formula)

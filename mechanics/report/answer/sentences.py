@@ -34,7 +34,7 @@ def _where(edit: Edit, count: int) -> str:
     words = [f"in {count} places"] if count > 1 else []
     to = "in" if edit.written else "to"
     words += [f"{to} the definition of {edit.definition}"] if edit.definition else []
-    return " ".join(words)
+    return ", ".join(filter(None, (" ".join(words), edit.place)))
 
 
 COUNTED = "left side less right side, term by term:"

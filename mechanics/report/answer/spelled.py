@@ -8,6 +8,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from mechanics.blame.result import Repair
+from mechanics.blame.search.repair import assigned
 from mechanics.blame.search.told import sides_of
 from mechanics.reading.from_sympy import Untreeable
 from mechanics.reading.names import Naming, Vocabulary
@@ -35,7 +36,7 @@ def spelled(entry: Judged, scene: Scene) -> Judged:
     titled = TITLE.fullmatch(statement.source) is not None
     if statement.row is None or _is_text(statement) or (blame is None and titled):
         return entry
-    formula = _formula(statement, scene)
+    formula = _assigned(entry) or _formula(statement, scene)
     if not formula or len(formula) > LONGEST:
         return entry
     title = statement.source if titled else ""
@@ -88,6 +89,16 @@ def _is_text(statement: Statement) -> bool:
 
 def _code(scene: Scene) -> Written:
     return Written((), (), Naming(Vocabulary(scene)), "code", "")
+
+
+def _assigned(entry: Judged) -> str:
+    """The assignments of code that the smallest repair changes, where it changes nothing else."""
+    written = entry.statement.written
+    repairs = entry.blame.repairs if entry.blame is not None else ()
+    names = list(dict.fromkeys(edit.definition for r in repairs[:1] for edit in r.edits))
+    if written is None or not names or not all(name in written.places for name in names):
+        return ""
+    return assigned(written, names)
 
 
 def _formula(statement: Statement, scene: Scene) -> str:

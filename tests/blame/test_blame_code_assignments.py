@@ -1,0 +1,96 @@
+"""Blame of code with local names: the line of the file, the author's names, the change marked."""
+
+import numpy as np
+import pytest
+
+import mechanics
+from mechanics.cli.load import run_file
+from systems import cartpole, rod_pendulum
+
+CART = mechanics.derive(cartpole.scene(), "free_body")
+ROD = mechanics.derive(rod_pendulum.scene(), "free_body")
+FILE = """
+import numpy as np
+
+def rates(x, theta, x_dot, theta_dot, force, masscart, masspole, length, gravity):
+    total_mass = masspole + masscart
+    polemass_length = masspole * length
+    sintheta = np.sin(theta)
+    costheta = np.cos(theta)
+    temp = (force + polemass_length * theta_dot**2 * sintheta) / total_mass
+    thetaacc = (gravity * sintheta - costheta * temp) / (
+        length * (4.0 / 3.0 - masspole * costheta**2 / total_mass)
+    )
+    xacc = temp - polemass_length * thetaacc * costheta / total_mass
+    return np.array([xacc, thetaacc])
+"""
+
+
+def _told(tmp_path, old: str, new: str):
+    assert old in FILE
+    (tmp_path / "cart.py").write_text(FILE.replace(old, new), encoding="utf-8")
+    rates = run_file(tmp_path / "cart.py").rates
+    return mechanics.check(CART, rates, names={"force": "F"})
+
+
+def test_the_line_and_the_local_names_of_a_wrong_assignment(tmp_path) -> None:
+    found = _told(tmp_path, "force + polemass", "force - polemass")
+    assert [entry.finding.verdict.name for entry in found.judged] == ["REFUTED", "REFUTED"]
+    for entry in found.judged:
+        (edit,) = entry.blame.repairs[0].edits
+        assert (edit.definition, edit.place) == ("temp", "cart.py, line 9")
+        right = "(force + polemass_length*theta_dot**2*sintheta)/total_mass"
+        assert entry.blame.repairs[0].repaired == f"cart.py, line 9: temp = {right}"
+    assert "cart.py, line 9: temp = (force -\n" in str(found)
+    assert "write + for - in the definition of temp, cart.py, line 9" in str(found).replace(
+        "\n      ", " "
+    )
+
+
+@pytest.mark.campaign
+@pytest.mark.parametrize(
+    ("old", "new", "name", "line"),
+    [
+        ("4.0 / 3.0", "4.0 / 6.0", "thetaacc", 10),
+        ("masspole + masscart", "masspole - masscart", "total_mass", 5),
+        ("gravity * sintheta", "gravity * costheta", "thetaacc", 10),
+        ("temp - polemass", "temp + polemass", "xacc", 13),
+    ],
+)
+def test_other_slips_in_other_lines(tmp_path, old, new, name, line) -> None:
+    found = _told(tmp_path, old, new)
+    wrong = [entry for entry in found.judged if not entry.finding.shown]
+    edits = [edit for entry in wrong for edit in entry.blame.repairs[0].edits]
+    assert {edit.definition for edit in edits} == {name}
+    assert int(edits[0].place.rpartition(" ")[2]) - line in (0, 1, 2)
+
+
+def test_the_wrong_branch_of_code_that_decides_by_its_local_names() -> None:
+    def rate(theta, u, m, l, g):
+        gravity = 3 * g / (2 * l) * np.sin(theta)
+        inertia = m * l**2 / 3
+        if theta > 0:
+            drive = u / inertia
+            return gravity + drive
+        drive = 2 * u / inertia
+        return gravity + drive
+
+    (entry,) = mechanics.check(ROD, rate).judged
+    assert entry.finding.verdict.name == "REFUTED"
+    (edit,) = entry.blame.repairs[0].edits
+    assert edit.definition == "drive" and edit.mistake.name == "FACTOR"
+    assert "this is the branch where theta <= 0" in entry.blame.searched
+
+
+def test_names_of_the_scene_and_names_that_change_are_no_definitions() -> None:
+    def rate(theta, u, m, l, g):
+        l = l / 2
+        a = 3 * g / (4 * l) * np.sin(theta)
+        a = a + 3 / (m * l**2) * u
+        return a
+
+    (entry,) = mechanics.check(ROD, rate).judged
+    assert entry.finding.verdict.name == "REFUTED"
+    assert all(name != "l" for name, _ in entry.statement.written.definitions)
+    (edit,) = entry.blame.repairs[0].edits
+    assert edit.mistake.name == "FACTOR"
