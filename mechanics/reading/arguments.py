@@ -5,9 +5,8 @@ f(x, y) = x - y    ->    f(x, y), f(x) and f are the same        f(y, x), f(2 x)
 
 from collections.abc import Mapping, Sequence
 
-from mechanics.reading.columns import column
 from mechanics.reading.lines import Entry, Line
-from mechanics.reading.names import Naming
+from mechanics.reading.names import Naming, column
 from mechanics.reading.place import Refused
 from mechanics.reading.tree import Name, Node, constant, names
 

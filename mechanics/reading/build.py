@@ -22,6 +22,8 @@ from mechanics.reading.independent import partial_derivative
 from mechanics.reading.names import Naming
 from mechanics.reading.place import Refused
 from mechanics.reading.tree import (
+    COMPOSED,
+    ENTRY,
     LARGEST,
     LARGEST_EXPONENT,
     Call,
@@ -34,6 +36,7 @@ from mechanics.reading.tree import (
     Rate,
     Sum,
     Table,
+    constant,
 )
 from mechanics.scene.rates import rate
 from mechanics.scene.symbols import by_name
@@ -109,12 +112,16 @@ class Builder:
                 return self._sum(node, [self.value(term) for term in terms])
             case Product(factors=factors):
                 return self._product(node, [self.value(factor) for factor in factors])
+            case Power() if (plain := self._without_root(node)) is not None:
+                return self.value(plain)
             case Power(base=base, exponent=exponent):
                 return self._power(node, self.value(base), self.value(exponent))
             case Call(function="pi"):
                 return S.Pi
             case Call(function="partial", arguments=(of, by)):
                 return self._derived(partial_derivative(self, of, by, node.at))
+            case Call(function=function, arguments=(of, index)) if function == ENTRY:
+                return self._entry(node, self.value(of), int(constant(index) or 0) - 1)
             case Call(function=function, arguments=arguments):
                 return self._call(node, function, [self.value(x) for x in arguments])
             case Rate(of=inner, order=order):
@@ -138,6 +145,17 @@ class Builder:
             dots = "'" * node.order
             return Symbol(node.name + dots, real=True)
         return self.put.get(symbol, symbol)
+
+    def _without_root(self, node: Power) -> Power | None:
+        """A power of a name that stands for a root: of w^2, where w = sqrt(k/m), that of k/m."""
+        base, exponent = node.base, constant(node.exponent)
+        root = self.trees.get(base.name) if isinstance(base, Name) and not base.order else None
+        if not isinstance(root, Power) or root.exponent.at != COMPOSED or exponent is None:
+            return None
+        inner = constant(root.exponent)
+        if inner is None or (inner * exponent).denominator != 1:
+            return None
+        return Power(node.at, root.base, Number(node.exponent.at, inner * exponent))
 
     def _derived(self, value: Any) -> Any:
         """A derivative: 1/(2 sqrt(x)) has no value where the root that was written has one."""
@@ -226,6 +244,12 @@ class Builder:
             raise Refused(node.at, f"{function} of a number that is too large")
         self.demands += of_function(function, numbers)
         return self._real(node, make(*numbers))
+
+    def _entry(self, node: Node, value: Any, place: int) -> Expr:
+        """An entry of a column or row."""
+        if not isinstance(value, MatrixBase) or not 0 <= place < len(value):
+            raise Refused(node.at, f"there is no entry {place + 1} here")
+        return value[place]
 
     def _cross(self, node: Node, *factors: Any) -> Any:
         """A vector product; what turns out to be numbers is multiplied."""

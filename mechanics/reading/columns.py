@@ -3,61 +3,65 @@
 D(q) q'' + C(q, q') q' + g(q) = tau        q = (q1, q2), tau = (tau1, tau2)
 """
 
-from collections.abc import Container, Sequence
+from collections.abc import Mapping, Sequence
 from fractions import Fraction
 
 from mechanics.reading.defined import definitions, gathers
 from mechanics.reading.lines import Entry, Line
-from mechanics.reading.names import Naming
+from mechanics.reading.names import COORDINATES, Naming, column
 from mechanics.reading.spelled_rates import bases, key
 from mechanics.reading.tree import Call, Name, Node, Number, Table, names, parts
 from mechanics.scene.symbols import DOTS
 
-COORDINATES = "q"
-"""What everybody calls the column of all coordinates."""
-
-FIRST = (0, 1)
-"""Numbers at which people begin to count."""
-
-
-def column(naming: Naming, name: str) -> tuple[str, ...]:
-    """What the entries of a column are called; empty for any other name.
-
-    ``theta`` is the column of theta_1, theta_2, ... where the scene has no theta of its own.
-    """
-    if naming.knows(name):
-        return ()
-    for first in FIRST:
-        numbered: list[str] = []
-        while naming.is_function(entry := f"{name}_{first + len(numbered)}"):
-            numbered.append(entry)
-        if len(numbered) > 1:
-            return tuple(numbered)
-    coordinates = tuple(q.name for q in naming.vocabulary.scene.q)
-    return coordinates if name == COORDINATES and len(coordinates) > 1 else ()
+SYMMETRIC = ("M", "D", "H", "B", "A", "I", "J")
+"""What people call the mass matrix, of which one of two entries may be written."""
 
 
 def with_columns(lines: Sequence[Entry], naming: Naming) -> list[Entry]:
     """The lines behind a definition of every column that is used beside matrices undefined."""
     sides = [side for line in lines if isinstance(line, Line) for side in line.sides]
     used = dict.fromkeys(n.name for side in sides for n in names(side))
-    if not any(map(_holds_matrix, sides)):
-        return list(lines)
     defined = definitions(lines, naming)
-    found = (_defined(naming, name, {*map(key, used)}) for name in used if name not in defined)
-    return [*(line for line in found if line is not None), *lines]
+    own = {key(name): name for name in defined}
+    free = [name for name in used if name not in defined and not naming.knows(name)]
+    gathered = [line for name in free if (line := _gathered(naming, name, own)) is not None]
+    if not gathered and not any(map(_holds_matrix, sides)):
+        return list(lines)
+    made = {line.sides[0].name for line in gathered if isinstance(line.sides[0], Name)}
+    found = (_defined(naming, name, {key(n): n for n in used}) for name in free if name not in made)
+    return [*(line for line in found if line is not None), *gathered, *lines]
 
 
-def _defined(naming: Naming, name: str, used: Container[str]) -> Line | None:
+def _gathered(naming: Naming, name: str, own: Mapping[str, str]) -> Line | None:
+    """What a matrix or column is of which the text defines the entries: M_11, M_12, ..."""
+    base = key(name.split("(")[0])
+    numbers = range(1, len(naming.vocabulary.scene.q) + 1)
+    places = [[f"{base}{i}{j}" for j in numbers] for i in numbers]
+    if base in SYMMETRIC:
+        places = [[p if p in own else f"{base}{p[-1]}{p[-2]}" for p in row] for row in places]
+    rows: tuple[tuple[Node, ...], ...] = ()
+    if len(numbers) > 1 and all(place in own for row in places for place in row):
+        rows = tuple(tuple(Name(0, own[place]) for place in row) for row in places)
+    elif len(numbers) > 1 and all(f"{base}{i}" in own for i in numbers):
+        rows = tuple((Name(0, own[f"{base}{i}"]),) for i in numbers)
+    if not rows:
+        return None
+    words = "; ".join(
+        ", ".join(cell.name for cell in row if isinstance(cell, Name)) for row in rows
+    )
+    return Line((Name(0, name), Table(0, rows)), "", 0, f"{name} = ({words})")
+
+
+def _defined(naming: Naming, name: str, used: Mapping[str, str]) -> Line | None:
     """What a column is, or one that is differentiated: qdd."""
     # q2_dot is the rate of q2 rather than the second one of q.
     rates = () if any(map(str.isdigit, name)) else bases(name)
     for base, order in ((name, 0), *rates):
         entries = column(naming, base)
         # The person's own q1, q2 beside q: what they mean is guessed as for any other name.
-        own = tuple(f"{COORDINATES}{i}" for i in range(1, len(entries) + 1))
-        if base == COORDINATES and all(entry in used for entry in own):
-            entries = own
+        own = tuple(f"{base}{i}" for i in range(1, len(entries) + 1))
+        if base in COORDINATES and all(entry in used for entry in own):
+            entries = tuple(used[entry] for entry in own)
         if entries and not naming.knows(name):
             table = stacked(0, [Name(0, entry, order, True) for entry in entries])
             words = ", ".join(entry + DOTS[order] for entry in entries)

@@ -12,9 +12,20 @@ from dataclasses import replace
 
 from mechanics.reading.about import ENERGY_NAMES, LETTERS, MATRIX_NAMES
 from mechanics.reading.lines import Entry, Line
-from mechanics.reading.names import Naming
+from mechanics.reading.names import Naming, column
 from mechanics.reading.partials import undifferentiated
-from mechanics.reading.tree import Name, Node, Rate, Table, constant, names, parts
+from mechanics.reading.tree import (
+    COMPOSED,
+    Name,
+    Node,
+    Number,
+    Power,
+    Rate,
+    Table,
+    constant,
+    names,
+    parts,
+)
 
 
 def used(lines: Sequence[Entry]) -> list[Name]:
@@ -40,7 +51,14 @@ def defines(line: Line, naming: Naming) -> bool:
         and isinstance(left, Name)
         and left.order == 0
         and not naming.knows(left.name)
+        and not (_of_inputs(left.name, naming) and not gathers(line.sides[1:]))
     )
+
+
+def _of_inputs(name: str, naming: Naming) -> bool:
+    """Whether a name is the column of inputs: tau = M q'' + ... is what they are for a motion."""
+    inputs = {symbol.name for symbol in naming.vocabulary.scene.input_symbols}
+    return any((naming.lookup(entry) or ("",))[0] in inputs for entry in column(naming, name))
 
 
 def definitions(lines: Sequence[Entry], naming: Naming) -> dict[str, Line]:
@@ -52,14 +70,36 @@ def definitions(lines: Sequence[Entry], naming: Naming) -> dict[str, Line]:
     return found
 
 
+def apart(lines: Sequence[Entry], naming: Naming) -> list[Entry]:
+    """The lines; ``a = b = c`` with a and b unknown defines both: M_12 = M_21 = ... ."""
+    known = set(definitions(lines, naming))
+    found: list[Entry] = []
+    for line in lines:
+        if isinstance(line, Line) and len(line.sides) > 2 and defines(line, naming):
+            *lefts, last = line.sides
+            others = [side for side in lefts[1:] if isinstance(side, Name)]
+            free = {side.name for side in others} - known
+            plain = all(not side.order and naming.target(side.name) is None for side in others)
+            if len(others) == len(lefts) - 1 == len(free) and plain:
+                found += [replace(line, sides=(side, last)) for side in lefts]
+                known |= free
+                continue
+        found.append(line)
+    return found
+
+
 def turned(lines: Sequence[Entry], naming: Naming) -> list[Entry]:
     """The lines; ``x' = v`` is turned round where nothing else says what v is.
 
-    So is ``a = v = b``: a name amid other sides is what the person calls them.
+    So is ``a = v = b``: a name amid other sides is what the person calls them. Of ``w^2 = k/m`` w
+    is the root.
     """
     known = set(definitions(lines, naming))
     found: list[Entry] = []
     for line in lines:
+        if isinstance(line, Line) and (rooted := _rooted(line, naming, known)) is not None:
+            line, name = rooted
+            known.add(name)
         amid = _named_amid(line, naming, known) if isinstance(line, Line) else None
         if isinstance(line, Line) and amid is not None:
             known.add(amid.name)
@@ -70,6 +110,26 @@ def turned(lines: Sequence[Entry], naming: Naming) -> list[Entry]:
             line = replace(line, sides=line.sides[::-1])
         found.append(line)
     return found
+
+
+def _rooted(line: Line, naming: Naming, known: Container[str]) -> tuple[Line, str] | None:
+    """A definition of a power of a name, as one of the name, and which name."""
+    left, *others = line.sides
+    if not isinstance(left, Power) or not isinstance(left.base, Name) or not others:
+        return None
+    name, power = left.base, constant(left.exponent)
+    if name.order or power is None or power <= 1 or power.denominator != 1:
+        return None
+    if naming.target(name.name) is not None or name.name in known:
+        return None
+    if any(name.name == held.name for side in others for held in names(side)):
+        return None
+    root = Number(COMPOSED, 1 / power)
+    sides = (name, *(Power(side.at, side, root) for side in others))
+    notes = line.notes
+    if power % 2 == 0:
+        notes = (*notes, f"{name.name} is the positive root")
+    return replace(line, sides=sides, notes=notes), name.name
 
 
 def without_unknown_rates(lines: Sequence[Entry], naming: Naming) -> list[Entry]:
@@ -120,6 +180,18 @@ def _order(name: Name, naming: Naming) -> int:
     return 0 if found is None else name.order + found[1]
 
 
+def momenta(lines: Sequence[Entry], naming: Naming) -> dict[str, tuple[str, int]]:
+    """Momenta that lines define by a name of the person's own: p_1, or p_theta with theta for q1."""
+    defined = definitions(lines, naming)
+    counts = Counter(name.name for name in used(lines))
+    again = {name for name, count in counts.items() if count > 1}
+    return {
+        name: meant for name, line in defined.items()
+        if (meant := naming.momentum(name)) is not None
+        and naming.vocabulary.momentum(name) is None and _momentum(line, defined, again, naming)
+    }  # fmt: skip
+
+
 def _momentum(
     line: Line, defined: Mapping[str, Line], elsewhere: Container[str], naming: Naming
 ) -> bool:
@@ -128,7 +200,7 @@ def _momentum(
     A text may call a position p_x; and what it goes on with is its own, as the momentum of a body.
     """
     left = line.sides[0]
-    if not isinstance(left, Name) or naming.vocabulary.momentum(left.name) is None:
+    if not isinstance(left, Name) or naming.momentum(left.name) is None:
         return False
     if left.name in elsewhere:
         return False

@@ -11,6 +11,7 @@ from functools import reduce
 
 from mechanics.reading.tree import (
     COMPOSED,
+    ENTRY,
     Call,
     Name,
     Node,
@@ -73,6 +74,11 @@ class Entrywise:
             case Call(at=at, function="partial", arguments=(of, by)):
                 inner = self._number(of)
                 return _each(self(by), lambda cell: Call(at, "partial", (inner, cell)))
+            case Call(function=function, arguments=(of, index)) if function == ENTRY:
+                cells = self(of)
+                if isinstance(cells, Node):
+                    raise NoEntriesError
+                return [cell for row in cells for cell in row][int(constant(index) or 1) - 1]
             case Call(function="cross", arguments=(left, right)):
                 return _crossed(self(left), self(right))
             case Call(function=function, arguments=arguments):

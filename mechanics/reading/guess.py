@@ -26,6 +26,9 @@ BY_UNIT: tuple[tuple[str, str], ...] = (
     ("bcd", "N*s/m"),
 )  # fmt: skip
 """First letters that are used for quantities of a unit."""
+RATES = frozenset(("omega", "Omega", "gamma", "nu", "w", "Omega_d", "omega_d"))
+"""Names of frequencies."""
+PER_SECOND = ("1/s", "rad/s", "Hz")
 
 SURE = (
     "the same unit and number", "the same unit, its letters in order",
@@ -50,7 +53,7 @@ def guess(naming: Naming, used: Sequence[Name], defined: Iterable[str]) -> tuple
         Names that the text defines itself.
     """
     short = _short(naming, used)
-    naming = replace(naming, guessed=short)
+    naming = replace(naming, guessed=(*naming.guessed, *short))
     own = {key(name) for name in defined if not naming.knows(name)}
     moving: set[str] = set()
     still: set[str] = set()
@@ -169,6 +172,8 @@ def _still_rules(scene: Scene, inputs: set[str]) -> list[Rule]:
     units = {symbol.name: getattr(symbol, "unit", "") for symbol in scene.parameters}
 
     def unit(name: str, target: str) -> bool:
+        if name in RATES:
+            return units.get(target) in PER_SECOND
         if _greek(name):
             return False  # alpha is no length, though it begins with an a
         return any(name[0] in letters and units.get(target) == u for letters, u in BY_UNIT)

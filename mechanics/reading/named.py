@@ -8,10 +8,14 @@ from dataclasses import replace
 
 from mechanics.reading.arguments import applied
 from mechanics.reading.columns import with_columns
-from mechanics.reading.defined import own, turned, used
+from mechanics.reading.defined import apart, definitions, momenta, own, turned, used
 from mechanics.reading.guess import guess
+from mechanics.reading.laws import without_laws
 from mechanics.reading.lines import Entry
-from mechanics.reading.names import Naming
+from mechanics.reading.names import Match, Naming
+from mechanics.reading.sines import with_sines
+from mechanics.reading.text.elements import with_states
+from mechanics.scene.symbols import DOTS
 
 Read = Callable[[Naming], Sequence[Entry]]
 """Makes lines, given how names are to be understood."""
@@ -23,11 +27,22 @@ def named(read: Read, naming: Naming) -> tuple[Naming, list[Entry]]:
     if functions := applied(lines, naming):
         naming = replace(naming, applied=functions)
         lines = _lines(read, naming)
-    if guessed := guess(naming, used(lines), own(lines, naming)):
-        naming = replace(naming, guessed=guessed)
-        lines = _lines(read, naming)
+    lines, entries = with_states(lines, naming)
+    naming = replace(naming, guessed=entries)
+    lines = without_laws(lines, naming)
+    guessed = guess(naming, used(lines), own(lines, naming))
+    found = momenta(lines, replace(naming, guessed=(*entries, *guessed)))
+    of = "the generalized momentum, by what it is defined as"
+    guessed += tuple(Match(n, base + DOTS[order], of) for n, (base, order) in found.items())
+    trees = {name: line.sides[1] for name, line in definitions(lines, naming).items()}
+    if guessed or trees:
+        plain = replace(naming, guessed=(), own=trees)
+        naming = replace(naming, guessed=(*entries, *guessed), own=trees)
+        lines, _ = with_states(_lines(read, naming), plain)
+        lines = without_laws(lines, naming)
     return naming, lines
 
 
 def _lines(read: Read, naming: Naming) -> list[Entry]:
-    return with_columns(turned(read(naming), naming), naming)
+    lines = turned(apart(read(naming), naming), naming)
+    return with_columns(with_sines(lines, naming), naming)

@@ -6,6 +6,7 @@ Two names are the same when they agree without underscores and braces. A name th
 not have is matched where one choice only is left.
 """
 
+import re
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
@@ -15,17 +16,28 @@ from sympy.physics.vector import dynamicsymbols
 
 from mechanics.errors import InputError
 from mechanics.kinematics.symbolic import Kinematics
+from mechanics.reading.kinds import angular
 from mechanics.reading.spelled_rates import bases, key
+from mechanics.reading.tree import Node
 from mechanics.scene import Scene
 from mechanics.scene.momenta import momentum_symbols, rate_symbol
 from mechanics.scene.rates import TIME, coordinate_rate_table
 from mechanics.scene.symbols import DOTS, by_name, plain_symbol
+from mechanics.scene.unit_names import Dimension, dimension_of_unit
 
 LETTERS = (
     "alpha beta gamma delta epsilon zeta eta theta iota kappa lambda mu nu xi pi rho sigma tau"
     " upsilon phi chi psi omega Gamma Delta Theta Lambda Xi Pi Sigma Upsilon Phi Psi Omega"
 )
 GREEK = frozenset(LETTERS.split())
+
+
+MOMENTUM = re.compile(r"(?:p|pi)_?(?P<of>\d+|[A-Za-z]+_?\d*)")
+COORDINATES = ("q", "Theta")
+"""What everybody calls the column of all coordinates."""
+
+FIRST = (0, 1)
+"""Numbers at which people begin to count."""
 
 
 @dataclass(frozen=True)
@@ -82,6 +94,16 @@ class Vocabulary:
         found |= {reaction.symbol for reaction in self.scene.reactions}
         moving = {s for f in self.functions for s in self.rates(f)}
         return {symbol.name: symbol for symbol in sorted(found - moving, key=by_name)}
+
+    @cached_property
+    def dimensions(self) -> dict[str, Dimension | None]:
+        """Dimensions of parameters as declared, and of coordinates: angles and lengths."""
+        found = {s.name: dimension_of_unit(getattr(s, "unit", ""), s.name) for s in
+                 self.scene.parameters}  # fmt: skip
+        angles = {symbol.name for symbol in angular(self.scene)}
+        for q in self.scene.q:
+            found[q.name] = dimension_of_unit("1" if q.name in angles else "m", q.name)
+        return found
 
     @cached_property
     def kinematics(self) -> Kinematics:
@@ -166,12 +188,15 @@ class Naming:
     guessed : tuple of Match
     applied : frozenset of str
         What the person defines as functions: f in ``f(x) = ...``.
+    own : mapping of str to Node
+        What the person defines, by name.
     """
 
     vocabulary: Vocabulary
     given: Mapping[str, str] = field(default_factory=dict)
     guessed: tuple[Match, ...] = ()
     applied: frozenset[str] = frozenset()
+    own: Mapping[str, Node] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         for name, target in self.given.items():
@@ -219,6 +244,19 @@ class Naming:
     def target(self, name: str) -> tuple[str, int] | None:
         """What a name stands for, or the momentum that it may be."""
         return self.lookup(name) or self.vocabulary.momentum(name)
+
+    def momentum(self, name: str) -> tuple[str, int] | None:
+        """The momentum that a name may be: p_theta1, p_1, or that of a name that was matched."""
+        found = self.vocabulary.momentum(name)
+        part = MOMENTUM.fullmatch(name)
+        if found is not None or part is None:
+            return found
+        momenta = [*self.vocabulary.momenta]
+        if part["of"].isdigit():
+            place = int(part["of"]) - 1
+            return (momenta[place], 0) if 0 <= place < len(momenta) else None
+        coordinate = self.lookup(part["of"])
+        return None if coordinate is None else self.vocabulary.momentum(f"p_{coordinate[0]}")
 
     def is_function(self, name: str) -> bool | None:
         """Whether it is a function of time; None where it is unknown."""
@@ -272,6 +310,23 @@ class Naming:
     def time(self) -> Expr:
         """Time as the scene writes it."""
         return dynamicsymbols._t
+
+
+def column(naming: Naming, name: str) -> tuple[str, ...]:
+    """What the entries of a column are called; empty for any other name.
+
+    ``theta`` is the column of theta_1, theta_2, ... where the scene has no theta of its own.
+    """
+    if naming.knows(name):
+        return ()
+    for first in FIRST:
+        numbered: list[str] = []
+        while naming.is_function(entry := f"{name}_{first + len(numbered)}"):
+            numbered.append(entry)
+        if len(numbered) > 1:
+            return tuple(numbered)
+    coordinates = tuple(q.name for q in naming.vocabulary.scene.q)
+    return coordinates if name in COORDINATES and len(coordinates) > 1 else ()
 
 
 def unexplained(scene: Scene, unknown: Sequence[str]) -> str:

@@ -10,6 +10,7 @@ from fractions import Fraction
 
 from mechanics.reading.names import GREEK
 from mechanics.reading.tree import (
+    ENTRY,
     Call,
     Name,
     Node,
@@ -184,6 +185,8 @@ class Spelling:
         if node.function == "pi":
             return r"\pi" if self.latex else "pi"
         inside = ", ".join(map(self, node.arguments))
+        if node.function == ENTRY:
+            return f"{self(node.arguments[0])}({self(node.arguments[1])})"
         if not self.latex:
             return f"{node.function}({inside})"
         if node.function == "abs":

@@ -19,6 +19,8 @@ COMPOSED = -1
 
 DEEPEST = 80
 LARGEST_EXPONENT = 64
+ENTRY = "entry"
+"""The function of a matrix and a number."""
 
 
 @dataclass(frozen=True)
@@ -188,6 +190,26 @@ def parts(node: Node) -> tuple[Node, ...]:
         case Table(rows=rows):
             return tuple(cell for row in rows for cell in row)
     return ()
+
+
+def with_parts(node: Node, new: tuple[Node, ...]) -> Node:
+    """A node of the same kind with other parts; it stands where the old one stood."""
+    match node:
+        case Sum() | Product():
+            empty = Number(node.at, Fraction(0 if isinstance(node, Sum) else 1))
+            if len(new) < 2:
+                return new[0] if new else empty
+            return type(node)(node.at, new)
+        case Power():
+            return Power(node.at, *new)
+        case Call(function=function):
+            return Call(node.at, function, new)
+        case Rate(order=order):
+            return Rate(node.at, new[0], order)
+        case Table(rows=rows):
+            width = len(rows[0])
+            return Table(node.at, tuple(new[i : i + width] for i in range(0, len(new), width)))
+    return node
 
 
 def constant(node: Node) -> Fraction | None:

@@ -16,13 +16,11 @@ from mechanics.reading.tree import (
     Name,
     Node,
     Number,
-    Power,
-    Product,
     Rate,
     Sum,
-    Table,
     negative,
     parts,
+    with_parts,
 )
 
 LARGEST = 2500
@@ -174,24 +172,4 @@ def edited(root: Node, steps: Sequence[tuple[Way, Step]]) -> Node:
     for step in here:
         if callable(step):
             node = step(node)
-    return node
-
-
-def with_parts(node: Node, new: tuple[Node, ...]) -> Node:
-    """A node of the same kind with other parts; it stands where the old one stood."""
-    match node:
-        case Sum() | Product():
-            empty = Number(node.at, Fraction(0 if isinstance(node, Sum) else 1))
-            if len(new) < 2:
-                return new[0] if new else empty
-            return type(node)(node.at, new)
-        case Power():
-            return Power(node.at, *new)
-        case Call(function=function):
-            return Call(node.at, function, new)
-        case Rate(order=order):
-            return Rate(node.at, new[0], order)
-        case Table(rows=rows):
-            width = len(rows[0])
-            return Table(node.at, tuple(new[i : i + width] for i in range(0, len(new), width)))
     return node

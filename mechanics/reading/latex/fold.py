@@ -2,13 +2,14 @@ r"""Items side by side, put together: signs, implied products, functions and the
 
 sum:      term +- term ...
 term:     factor factor ... / factor          the slash takes the next factor only
-function: \sin^2 2 \theta \cos \theta         numbers and then one factor are the argument
+function: \sin^2 2 \theta \cos \theta         what stands side by side and has no dimension
 """
 
 from fractions import Fraction
 
 from mechanics.reading.arguments import at_one_time, told
 from mechanics.reading.columns import DIAGONAL, crossed, dependent, diagonal, stacked
+from mechanics.reading.dimension import OF_ANY, arguments, first_with_name
 from mechanics.reading.functions import FUNCTIONS, INVERSES
 from mechanics.reading.latex.item import Item, rate_of
 from mechanics.reading.latex.vectors import CROSS, DEPENDS, is_time, vectors
@@ -34,14 +35,19 @@ from mechanics.reading.tree import (
 SLASH = "a / b c is read as (a / b) c"
 ONE, GLUED, ALL = "one", "glued", "all"
 """How many factors stand below a slash: one, those without a space between, or all."""
+FIRST = "first"
+"""The shortest argument of a function without brackets, where several are possible."""
 
 
 class Fold:
     """Puts items together; how it read what can be read in two ways is noted."""
 
-    def __init__(self, naming: Naming, notes: list[str], below: str = ONE) -> None:
-        self.naming, self.notes, self.below = naming, notes, below
+    def __init__(
+        self, naming: Naming, notes: list[str], below: str = ONE, argument: str = ""
+    ) -> None:
+        self.naming, self.notes, self.below, self.argument = naming, notes, below, argument
         self.slash: tuple[int, int] | None = None
+        self.several = False
         self.depth = 0
 
     def __call__(self, items: list[Item], at: int) -> Node:
@@ -244,47 +250,62 @@ class Fold:
         return ended(Power(item.at, ended(called, -1), power), end)
 
     def _argument(self, item: Item, queue: list[Item]) -> Node:
-        r"""Numbers and then one factor: ``\sin 2 \theta x`` is sin(2 theta) x."""
-        factors: list[Node] = []
+        r"""What stands side by side and is a number: ``\sin 2 \theta x`` is sin(2 theta) x."""
+        minus = False
         if queue[0].kind == "sign":
-            sign = queue.pop(0)
-            factors.append(Number(sign.at, Fraction(-1 if sign.text == "-" else 1)))
-        while queue:
-            head = queue[0]
-            if head.kind == "function":
-                raise Refused(head.at, f"the argument of {item.text}: write brackets around it")
-            if head.kind in ("sign", "slash", "rate") or (head.kind == "bracket" and factors):
-                break
-            queue.pop(0)
-            if head.kind == "times":
-                continue
-            node = self._factor(head, queue, factors, True)
-            factors.append(node)
-            if constant(node) is None and not _is_pi(node):
-                break
-        if not factors or (
-            len(factors) == 1
-            and factors[0].at != item.at
-            and not queue
-            and isinstance(factors[0], Number)
-            and factors[0].value in (-1,)
-        ):
+            minus = queue.pop(0).text == "-"
+        factors, left, apart = self._side_by_side(item, queue)
+        if not factors:
             raise Refused(item.at, f"the argument of {item.text} is missing")
-        self._doubt(item, factors, queue)
-        return product(factors[0].at, factors)
+        ways = [] if item.text in OF_ANY else arguments(self.naming, factors, apart)
+        ways = ways or [first_with_name(factors)]
+        count = min(ways) if self.argument == FIRST else ways[0]
+        self.several = self.several or len(ways) > 1
+        queue[:] = left[count - 1]
+        taken = factors[:count]
+        if sum(constant(one) is None for one in taken) > 1:
+            words = " ".join(map(_word, taken))
+            self.notes.append(f"\\{item.text} {words} is read as {item.text}({words})")
+        if minus:
+            taken.insert(0, Number(taken[0].at, Fraction(-1)))
+        return product(taken[0].at, taken)
 
-    def _doubt(self, item: Item, factors: list[Node], queue: list[Item]) -> None:
-        """Note where the argument could go on: behind a name that is no coordinate."""
-        last = factors[-1]
-        if not isinstance(last, Name) or not queue or self.naming.is_function(last.name):
-            return
-        head = queue[0]
-        if head.kind == "node" and isinstance(head.node, Name):
-            self.notes.append(
-                f"\\{item.text} {last.name} {head.node.name} is read as"
-                f" {item.text}({last.name}) {head.node.name}"
-            )
+    def _side_by_side(
+        self, item: Item, queue: list[Item]
+    ) -> tuple[list[Node], list[list[Item]], set[int]]:
+        """Factors to the next function or operator, what follows each, and which stand apart."""
+        rest, factors = list(queue), list[Node]()
+        left: list[list[Item]] = []
+        apart: set[int] = set()
+        while rest:
+            head = rest[0]
+            if head.kind == "function" and not any(constant(f) is None for f in factors):
+                raise Refused(head.at, f"the argument of {item.text}: write brackets around it")
+            comma = head.kind == "bracket" and len(head.arguments) > 1
+            if head.kind in ("function", "sign", "rate") or (comma and factors):
+                break
+            if head.kind == "slash":
+                # cos 2 pi t / T, with t in s: no number without what stands below
+                if item.text in OF_ANY or not factors or arguments(self.naming, factors, apart):
+                    break
+                below = rest[1:]
+                if not below or below[0].kind in ("sign", "times", "slash"):
+                    break
+                rest[:] = below[1:]
+                factors.append(inverse(self._factor(below[0], rest, factors, True)))
+                left.append(list(rest))
+                continue
+            rest.pop(0)
+            if head.kind in ("times", "bracket"):
+                apart.add(len(factors))
+            if head.kind != "times":
+                factors.append(self._factor(head, rest, factors, True))
+                left.append(list(rest))
+        return factors, left, apart
 
 
-def _is_pi(node: Node) -> bool:
-    return isinstance(node, Call) and node.function == "pi"
+def _word(node: Node) -> str:
+    """A factor in a note."""
+    if isinstance(node, Name):
+        return node.name + "'" * node.order
+    return str(node.value) if isinstance(node, Number) else "..."

@@ -14,6 +14,8 @@ from mechanics.reading.tree import Name, Node, Rate
 
 ACCENTED = re.compile(r"\\(dot|ddot)\s*\{\s*([A-Za-z0-9]*)\s*\}")
 COMMAND = re.compile(r"\\([A-Za-z]+)")
+DIFFERENCE = re.compile(r"(\d)\s*[-\u2212]\s*(\d)")
+"""In a subscript: c_{1-2} is not c_{12}."""
 
 
 @dataclass(frozen=True)
@@ -70,6 +72,7 @@ def bare(text: str) -> str:
     r"""A subscript or command as part of a name: ``_{C_{1}}`` gives ``C1``."""
     # SymPy prints the symbol theta_ddot as \theta_{\dot{d}}.
     text = ACCENTED.sub(r"\2\1", text)
+    text = DIFFERENCE.sub(r"\1minus\2", text)
     words = COMMAND.sub(lambda m: "" if m[1] in _FONTS else f" {letter_of(m[1])} ", text)
     return re.sub(r"[^A-Za-z0-9]", "", words.replace("'", "prime"))
 
@@ -110,6 +113,26 @@ def _alone(tree: Tree) -> Tree | Token:
         data = "short_accent" if first.type == "ACCENT1" else "short_fraction"
         return Tree(data, list(tree.children), tree.meta)
     return first
+
+
+def parted(tree: Tree) -> tuple[Tree, Token | None]:
+    r"""A command with one character as its last argument, and the characters behind it.
+
+    ``\frac{1}ml`` is 1/m l, as TeX prints it.
+    """
+    last = tree.children[-1] if tree.data in ("fraction", "half_fraction", "root") else None
+    if not isinstance(last, Tree) or last.data != "argument":
+        return tree, None
+    word = last.children[0]
+    if not isinstance(word, Token) or word.type not in ("WORD", "NUMBER") or len(word) == 1:
+        return tree, None
+    if word.type == "NUMBER" and not word.isdigit():
+        return tree, None
+    start, end = int(word.start_pos or 0), int(word.end_pos or 0)
+    first = Token(word.type, word[0], start_pos=start, end_pos=start + 1)
+    rest = Token(word.type, word[1:], start_pos=start + 1, end_pos=end)
+    argument = Tree("argument", [first], last.meta)
+    return Tree(tree.data, [*tree.children[:-1], argument], tree.meta), rest
 
 
 def start_of(tree: Tree, outer: Tree) -> int:

@@ -18,6 +18,7 @@ from mechanics.reading.latex.item import (
     differential,
     end_of,
     glued,
+    parted,
     pieces_of,
     rate_of,
     start_of,
@@ -161,14 +162,11 @@ class Items:
                 elif power is not None:
                     raise Refused(where, "two exponents")
                 elif isinstance(inside, Token):
-                    power = self._single(inside.value[-1], int(inside.end_pos or 1) - 1)
+                    at = int(inside.end_pos or 1) - 1
+                    power = ended(_single(inside.value[-1], at), at + 1)
                 else:
                     power = self.group(inside, where)
         return sub, primes, power
-
-    def _single(self, character: str, at: int) -> Node:
-        found = Number(at, Fraction(character)) if character.isdigit() else Name(at, character)
-        return ended(found, at + 1)
 
     def _raised(self, item: Item, power: Node) -> Item:
         if item.kind == "function":
@@ -190,6 +188,10 @@ class Items:
     def _base(self, base: Tree | Token, sub: str, at: int) -> list[Item]:
         if isinstance(base, Token):
             return Words(self.naming, self.notes).of(base, sub, at)
+        base, rest = parted(base)
+        if rest is not None:
+            words = Words(self.naming, self.notes).of(rest, sub, int(rest.start_pos or 0))
+            return [*self._base(base, "", at), *words]
         match base.data:
             case "accent" | "short_accent":
                 return [self._accent(base, sub, at)]
@@ -239,9 +241,9 @@ class Items:
 
     def _fraction(self, base: Tree, at: int) -> Item:
         if base.data == "short_fraction":
-            over, under = re.findall(r"\d", base.children[0].value)
-            ratio = [Number(at, Fraction(over)), inverse(Number(at, Fraction(under)))]
-            return Item("node", at, product(at, [*ratio]))
+            over, under = re.findall(r"[A-Za-z0-9]", base.children[0].value)[-2:]
+            ratio = [_single(over, at), inverse(_single(under, at))]
+            return Item("node", at, product(at, ratio))
         if base.data == "half_fraction":
             token, below = base.children
             half: list[Node] = [Number(at, Fraction(token.value[-1]))]
@@ -300,3 +302,8 @@ class Items:
     def _slice(self, tree: Tree) -> str:
         """The text of a tree; empty for an empty one."""
         return "" if tree.meta.empty else self.text[tree.meta.start_pos : tree.meta.end_pos]
+
+
+def _single(character: str, at: int) -> Node:
+    """A number of one digit, or a name of one letter."""
+    return Number(at, Fraction(character)) if character.isdigit() else Name(at, character)

@@ -17,7 +17,7 @@ from lark.exceptions import UnexpectedCharacters, UnexpectedEOF, UnexpectedInput
 from mechanics.reading.columns import names_a_column
 from mechanics.reading.latex.bars import barred
 from mechanics.reading.latex.blocks import Block, blocks, claims, is_value
-from mechanics.reading.latex.fold import ALL, GLUED, SLASH, Fold
+from mechanics.reading.latex.fold import ALL, FIRST, GLUED, SLASH, Fold
 from mechanics.reading.latex.grammar import PARSER
 from mechanics.reading.latex.item import bare
 from mechanics.reading.latex.items import Items
@@ -131,6 +131,7 @@ def _column(formula: str, text: str, block: Block, naming: Naming, origin: str) 
     return entry if isinstance(entry, Line) and found else None
 
 
+SHORTER = "the argument of a function is its first factor: write brackets around it"
 STRAY = "an equation outside of a formula is not read: put it between \\[ and \\]"
 END_OF_LINE = "\u2028"
 FRAMED = re.compile(r"\\(?:under|over)brace\s*$")
@@ -220,8 +221,12 @@ def _line(pieces: Pieces, text: str, whole: str, offset: int, naming: Naming) ->
         else:
             sides[-1].append(piece)
     notes: list[str] = []
-    nodes = _sides(sides, text, end, Fold(naming, notes))
+    fold = Fold(naming, notes)
+    nodes = _sides(sides, text, end, fold)
     others = _others(sides, text, end, naming, nodes) if SLASH in notes else ()
+    if fold.several:
+        shorter = _sides(sides, text, end, Fold(naming, [], argument=FIRST))
+        others += ((SHORTER, shorter),) if shorter != nodes else ()
     for tree in (*nodes, *(node for _, other in others for node in other)):
         move(tree, offset)
     unique = tuple(dict.fromkeys(notes))

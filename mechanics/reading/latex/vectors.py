@@ -9,7 +9,7 @@ from dataclasses import replace
 
 from mechanics.reading.arguments import told
 from mechanics.reading.latex.item import Item
-from mechanics.reading.names import Naming
+from mechanics.reading.names import COORDINATES, Naming
 from mechanics.reading.tree import Name, Node, Table, names
 
 CROSS = r"\times"
@@ -37,7 +37,8 @@ def applied(items: list[Item], naming: Naming, notes: list[str]) -> list[Item]:
     if not isinstance(name, Name) or naming.knows(name.name) or is_time(items[1]):
         return items
     if not all(
-        isinstance(a, Name) and (a.name == "q" or naming.is_function(a.name)) for a in inside
+        isinstance(a, Name) and (a.name in COORDINATES or naming.is_function(a.name))
+        for a in inside
     ):
         return items
     notes.append(DEPENDS.format(name=name.name))

@@ -3,16 +3,20 @@
 x.diff(t, 2), Derivative(x(t), (t, 2)), diff(x, t, t), x''    ->    x with two dots
 """
 
+import re
 from fractions import Fraction
 
 from lark import Token, Tree
 
 from mechanics.reading.arguments import at_one_time
+from mechanics.reading.dimension import arguments, first_with_name
 from mechanics.reading.functions import FUNCTIONS
 from mechanics.reading.latex.item import rate_of
-from mechanics.reading.names import Naming
+from mechanics.reading.lines import PRODUCT
+from mechanics.reading.names import GREEK, Naming
 from mechanics.reading.partials import partial_of
 from mechanics.reading.place import Refused
+from mechanics.reading.text.elements import element
 from mechanics.reading.text.letters import plain
 from mechanics.reading.tree import (
     Call,
@@ -28,6 +32,9 @@ from mechanics.reading.tree import (
     ended,
     inverse,
     negative,
+    parts,
+    product,
+    with_parts,
 )
 
 DEEPEST = 300
@@ -35,6 +42,9 @@ DEEPEST = 300
 TIMES = ("t", "_t")
 DERIVATIVES = ("Derivative", "diff", "D")
 RATIONALS = ("Rational", "Integer", "Float", "S", "sympify", "Symbol")
+MODELICA = "der"
+FUNCTION = re.compile(r"([a-z]+)\W*(\d?)")
+PERIODIC = ("sin", "cos")
 MATRICES = ("Matrix", "ImmutableMatrix", "array", "vertcat", "asarray")
 
 
@@ -90,6 +100,9 @@ class Nodes:
         pointwise = False
         while isinstance(tree, Tree) and tree.data == "multiply":
             left, sign, right = tree.children
+            if sign == "\\":
+                # MATLAB's A \ b is the inverse of A times b.
+                return Product(at, (inverse(self.node(left)), self.node(right), *factors[::-1]))
             pointwise = pointwise or self.arrays or "." in f"{_last(left)[-1:]}{sign}"
             factors += self._divided(right) if "/" in sign else [self.node(right)]
             tree = left
@@ -147,6 +160,48 @@ class Nodes:
         second = self.node(name)
         self.notes.append(f"{number} {_letters(name)} is read as a product")
         return Product(at, (first, second))
+
+    def function(self, tree: Tree, at: int) -> Node:
+        """A function without brackets: ``cos w t``; one with its power: ``sin^2(x)``."""
+        token, *beside = tree.children
+        name, power = FUNCTION.match(plain(str(token))[0]).groups()  # type: ignore[union-attr]
+        factors = [self._timed(self.node(part)) for part in beside]
+        count = (arguments(self.naming, factors) or [first_with_name(factors)])[0]
+        node: Node = Call(at, name, (product(factors[0].at, factors[:count]),))
+        if count > 1:
+            words = " ".join(_letters(part) for part in beside[:count])
+            self.notes.append(f"{name} {words} is read as {name}({words})")
+        if power:
+            node = Power(at, node, Number(at, Fraction(int(power))))
+        return product(at, [node, *factors[count:]])
+
+    def _timed(self, node: Node) -> Node:
+        """In an argument ``wt`` is w t, where only w means something."""
+        if isinstance(node, Product | Sum):
+            return ended(with_parts(node, tuple(map(self._timed, parts(node)))), node.end)
+        if not isinstance(node, Name) or node.order or not node.name.endswith("t"):
+            return node
+        first = node.name[:-1]
+        whole = self.naming.knows(node.name) or node.name in self.naming.own
+        letter = len(first.rstrip("0123456789_")) == 1 or first in GREEK
+        if whole or not first or not (letter or self.naming.knows(first)):
+            return node
+        self.notes.append(f"{node.name} {PRODUCT} {first} t")
+        both = [Name(node.at, first), Name(node.at + len(first), "t")]
+        return product(node.at, [ended(one, one.at + len(one.name)) for one in both])
+
+    def bars(self, tree: Tree, at: int) -> Node:
+        """An absolute value."""
+        return Call(at, "abs", (self.node(tree.children[1]),))
+
+    def indexed(self, tree: Tree, at: int) -> Node:
+        """An entry of an array, ``u[1]``."""
+        name, order = plain(str(tree.children[0]))
+        inside = [self.node(part) for part in tree.children[1].children]
+        found = None if order else element(name, inside, "[]")
+        if found is None:
+            raise Refused(at, f"{name}[...] is no entry that is known here: write its number")
+        return Name(at, found)
 
     def name(self, tree: Tree, at: int) -> Node:
         """A name."""
@@ -225,13 +280,22 @@ class Nodes:
             least, most, _ = FUNCTIONS[name]
             if not least <= len(given) <= most:
                 raise Refused(at, f"{name} with {len(given)} arguments")
-            return Call(at, name, tuple(self.node(part) for part in given))
+            inside = tuple(self.node(part) for part in given)
+            periodic = name in PERIODIC and len(inside) == 1
+            return Call(at, name, (self._timed(inside[0]),) if periodic else inside)
         if name in DERIVATIVES and given and not self.naming.knows(name):
             return self._derivative(self.node(given[0]), given[1:], at)
         if name in RATIONALS and given:
             return self._rational(name, given, at)
         if name in MATRICES and len(given) == 1:
             return self._column(self.node(given[0]), name)
+        if name == MODELICA and len(given) == 1 and not self.naming.knows(name):
+            return rate_of(self.node(given[0]), 1, at)
+        entry = None if order or self.naming.is_function(name) is False else (
+            element(name, [self.node(part) for part in given])
+        )  # fmt: skip
+        if entry is not None:
+            return Name(at, entry)
         if len(given) != 1:
             raise Refused(at, f"the function {name} is not known here")
         return self._applied(name, order, given[0], at)
@@ -244,9 +308,6 @@ class Nodes:
             return Name(at, name, order, True)
         if moving:
             at_one_time(self.naming, Name(at, name, order), inside)
-        if moving is None and constant(inside) is not None:
-            words = f"{name}({constant(inside)}), an element of an array, is written by its name"
-            raise Refused(at, f"the function {name} is not known here: {words}")
         if moving is None:
             raise Refused(at, f"the function {name} is not known here")
         self.notes.append(f"{name}(...) is read as a product: {name} is no function")

@@ -8,16 +8,44 @@ moves, so that messages name the right place.
 
 import re
 
+from mechanics.reading.latex.bars import barred
 from mechanics.reading.text.continued import on_one_line, sentences
 
 COMMENT = re.compile(r"[%#][^\n]*|\.\.\.[^\n]*\n|\\[ \t]*\r?\n")
 ENDS = re.compile(r"[\w)\]'.\u0307\u0308\u00b2\u00b3]")
 STARTS = re.compile(r"[\w(\[.]")
 
+HEADER = re.compile(r"^[ \t]*(?:function\b|model\b)[^\n]*(?=\n)", re.MULTILINE)
+DECLARED = re.compile(
+    r"^[ \t]*(?:(?:end|endfunction|return|nothing|equation|algorithm)\b[ \t]*\w*[ \t]*;?"
+    r"|(?:(?:parameter|constant|Real)\b[^\n;]*;?[ \t]*)+"
+    r"|[\w, ()]+=[ \t]*(?:p|params|par)[ \t]*;?)[ \t\r]*$",
+    re.MULTILINE,
+)
+"""Lines of a function or model that say nothing of it."""
+SIZED = re.compile(
+    r"^[ \t]*(?:\w+[ \t]*=[ \t]*(?:zeros|ones|similar)[ \t]*\([^\n;]*;?"
+    r"|(\w+)[ \t]*=[ \t]*\1(?:'|\(:\))[ \t]*;?)[ \t\r]*$",
+    re.MULTILINE,
+)
+"""The size of an array."""
+
+
+def without_declarations(text: str) -> str:
+    """The text of a function or model with blanks for its head, its end and what it declares."""
+    text = SIZED.sub(lambda m: " " * len(m[0]), text)
+    if not HEADER.search(text):
+        return text
+    for lines in (HEADER, DECLARED):
+        text = lines.sub(lambda m: " " * len(m[0]), text)
+    return text
+
 
 def prepared(text: str) -> str:
     """The text with blanks for comments and for ends of lines inside round brackets."""
-    text = on_one_line(sentences(COMMENT.sub(lambda m: " " * len(m[0]), text)))
+    text = COMMENT.sub(lambda m: " " * len(m[0]), text)
+    text = barred(without_declarations(text))
+    text = on_one_line(sentences(text))
     out = list(text)
     open_brackets: list[str] = []
     for i, character in enumerate(text):

@@ -1,0 +1,67 @@
+"""States in arrays, as MATLAB, Julia and Modelica write them."""
+
+import pytest
+
+from tests.notation_scenes import judged, verdicts
+
+PENDULUM = [
+    "dydt = [y(2); -g/l*sin(y(1))]",
+    "dy(1,1) = y(2);\ndy(2,1) = -(g/l)*sin(y(1));",
+    "xdot(1) = x(2); xdot(2) = -g./l.*sin(x(1));",
+    "th = y(1); w = y(2);\ndydt = [w; -(g/l)*sin(th)];",
+    "theta = y(1); thetadot = y(2);\ndydt = [thetadot; -(g/l)*sin(theta)];",
+    "theta = y(2); thetadot = y(1);\ndydt = [-(g/l)*sin(theta); thetadot];",
+    "du[1] = u[2]\ndu[2] = -g/l*sin(u[1])",
+    "dydt = zeros(2,1);\ndydt(1) = y(2); % rate\ndydt(2) = -g/l*sin(y(1));",
+    "function dydt = pend(t,y)\ng = 9.81;\ndydt(1) = y(2);\ndydt(2) = -g/l*sin(y(1));\nend",
+    "function f!(du,u,p,t)\n  g, l = p\n  du[1] = u[2]\n  du[2] = -g/l*sin(u[1])\nend",
+    "der(theta) = w;\nl*der(w) = -g*sin(theta);",
+    "model P\n parameter Real g=9.81;\n Real theta; Real w;\nequation\n  der(theta) = w;\n"
+    "  l*der(w) = -g*sin(theta);\nend P;",
+]
+
+
+@pytest.mark.parametrize("text", PENDULUM)
+def test_states_in_arrays(text: str) -> None:
+    assert set(verdicts("pendulum", text)) == {"PROVED"}
+    assert "REFUTED" in verdicts("pendulum", text.replace("sin", "cos"))
+    # The frequency is part of it.
+    assert "REFUTED" in verdicts("pendulum", text.replace("sin(", "2*sin("))
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "dy(1,1) = y(1);\ndy(2,1) = -(g/l)*sin(y(1));",
+        "theta = y(1); thetadot = y(2);\ndydt = [theta; -(g/l)*sin(theta)];",
+        "dydt = [y(2); -g/l*sin(y(2))]",
+        "dydt = [-g/l*sin(y(1)); y(2)]",
+    ],
+)
+def test_entries_in_the_wrong_place(text: str) -> None:
+    assert "REFUTED" in verdicts("pendulum", text)
+
+
+BLOCKS = """dz(1) = z(3); dz(2) = z(4);
+dz(3) = (-g*(m1+m2)*sin(z(1)) - m2*l2*z(4)^2*sin(z(1)-z(2)) - m2*l2*cos(z(1)-z(2))*dz(4))/((m1+m2)*l1)
+"""  # noqa: E501
+IN_PAIRS = BLOCKS.translate(str.maketrans("23", "32")).replace("m3", "m2").replace("l3", "l2")
+IN_PAIRS = IN_PAIRS.replace("^3", "^2")
+SOLVED = """M = [(m1+m2)*l1^2, m2*l1*l2*cos(z(1)-z(2)); m2*l1*l2*cos(z(1)-z(2)), m2*l2^2];
+f = [-(m1+m2)*g*l1*sin(z(1)) - m2*l1*l2*sin(z(1)-z(2))*z(4)^2;
+     -m2*g*l2*sin(z(2)) + m2*l1*l2*sin(z(1)-z(2))*z(3)^2];
+qdd = M\\f;
+dz = [z(3); z(4); qdd(1); qdd(2)];"""
+
+
+@pytest.mark.parametrize("text", [BLOCKS, IN_PAIRS, SOLVED], ids=["blocks", "pairs", "solved"])
+def test_states_of_two_freedoms(text: str) -> None:
+    assert set(verdicts("double", text)) == {"PROVED"}
+    assert "REFUTED" in verdicts("double", text.replace("- m2*l", "+ m2*l", 1))
+
+
+def test_the_mistake_is_named_in_the_authors_entries() -> None:
+    found = judged("pendulum", "dydt = [y(2); -g/l*cos(y(1))]", blame=True)
+    (entry,) = found.judged
+    assert entry.blame is not None
+    assert "y(1)" in str(entry.blame)
