@@ -46,9 +46,7 @@ def _gathered(naming: Naming, name: str, own: Mapping[str, str]) -> Line | None:
         rows = tuple((Name(0, own[f"{base}{i}"]),) for i in numbers)
     if not rows:
         return None
-    words = "; ".join(
-        ", ".join(cell.name for cell in row if isinstance(cell, Name)) for row in rows
-    )
+    words = "; ".join(", ".join(n.name for cell in row for n in names(cell)) for row in rows)
     return Line((Name(0, name), Table(0, rows)), "", 0, f"{name} = ({words})")
 
 

@@ -98,8 +98,8 @@ def turned(lines: Sequence[Entry], naming: Naming) -> list[Entry]:
     found: list[Entry] = []
     for line in lines:
         if isinstance(line, Line) and (rooted := _rooted(line, naming, known)) is not None:
-            line, name = rooted
-            known.add(name)
+            line, root = rooted
+            known.add(root)
         amid = _named_amid(line, naming, known) if isinstance(line, Line) else None
         if isinstance(line, Line) and amid is not None:
             known.add(amid.name)
@@ -181,7 +181,7 @@ def _order(name: Name, naming: Naming) -> int:
 
 
 def momenta(lines: Sequence[Entry], naming: Naming) -> dict[str, tuple[str, int]]:
-    """Momenta that lines define by a name of the person's own: p_1, or p_theta with theta for q1."""
+    """Momenta that lines define by another name than the scene's: p_1, p_theta."""
     defined = definitions(lines, naming)
     counts = Counter(name.name for name in used(lines))
     again = {name for name, count in counts.items() if count > 1}

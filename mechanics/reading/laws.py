@@ -74,6 +74,5 @@ def _aside(line: Line, naming: Naming) -> Aside:
         n.name for side in line.sides for n in names(side) if naming.target(n.name) is None
     )
     held = ", ".join(unknown)
-    return Aside(
-        f"{line.source[:60]}: a general law, not judged: nothing else uses {held}", line.at
-    )
+    words = f"{line.source[:60]}: a general law, not judged: nothing else uses {held}"
+    return Aside(words, line.at)

@@ -9,6 +9,7 @@ scene has no damper or spring left that the letter could name.
 import re
 from collections.abc import Container, Iterable, Iterator, Sequence
 from dataclasses import replace
+from itertools import pairwise
 
 from mechanics.reading.defined import definitions
 from mechanics.reading.kinds import ANGLES, angular
@@ -35,7 +36,7 @@ LINKS = frozenset(("N*s/m", "N/m", "N*m*s/rad", "N*m*s", "N*m/rad", "N*m", "kg/s
 
 
 def with_sines(lines: Sequence[Entry], naming: Naming) -> list[Entry]:
-    """The lines behind what each short name stands for; ``s\\theta`` is sin(theta)."""
+    r"""The lines behind what each short name stands for; ``s\theta`` is sin(theta)."""
     own = definitions(lines, naming)
     sides = [side for line in lines if isinstance(line, Line) for side in line.sides]
     every = [name for side in sides for name in names(side)]
@@ -106,7 +107,7 @@ def _beside(node: Node, naming: Naming, free: Container[str]) -> Iterator[tuple[
     """Letters directly before an angle: s theta."""
     inside = parts(node)
     if isinstance(node, Product):
-        for one, other in zip(inside, inside[1:], strict=False):
+        for one, other in pairwise(inside):
             if _is_pair(one, other, naming, free):
                 assert isinstance(one, Name) and isinstance(other, Name)
                 yield one, other

@@ -18,7 +18,7 @@ ROOT = r"\ddot\theta + \omega_0^2\sin\theta = 0"
         (r"\frac{1}gl\ddot\theta + \sin\theta = 0", r"\frac{1}lg\ddot\theta + \sin\theta = 0"),
         (r"T = \frac{1}2ml^2\dot\theta^2", r"T = \frac{1}2m^2l\dot\theta^2"),
         (r"T = \frac m2l^2\dot\theta^2", r"T = \frac m3l^2\dot\theta^2"),
-        (r"T = \frac12mv^2,\quad v^2 = l^2\dot\theta^2", r"T = \frac12mv^2,\quad v^2 = l^2\dot\theta^3"),
+        (r"T = \frac12mv^2, v^2 = l^2\dot\theta^2", r"T = \frac12mv^2, v^2 = l^2\dot\theta^3"),
         (rf"{ROOT},\quad \omega_0^2 = g/l", rf"{ROOT},\quad \omega_0^2 = l/g"),
         (rf"{ROOT},\quad \omega_0^2 \equiv \frac gl", rf"{ROOT},\quad \omega_0^2 \equiv 2\frac gl"),
         (rf"\[{ROOT}\] where $\omega_0^2 = g/l$.", rf"\[{ROOT}\] where $\omega_0^2 = 2g/l$."),

@@ -43,8 +43,7 @@ def element(array: str, arguments: Sequence[Node], brackets: str = "()") -> str 
     """The name of an entry; a column may have a second number: dy(2, 1)."""
     numbers = [constant(one) for one in arguments]
     if len(numbers) == 2 and 1 in numbers:
-        numbers.remove(1 if numbers[1] == 1 else numbers[0])
-        numbers = numbers[:1]
+        numbers = numbers[:1] if numbers[1] == 1 else numbers[1:]
     first = 1 if brackets == "()" else 0
     if len(numbers) != 1 or numbers[0] is None or numbers[0].denominator != 1:
         return None
@@ -57,29 +56,24 @@ def with_states(lines: Sequence[Entry], naming: Naming) -> tuple[list[Entry], tu
     own = definitions(lines, naming)
     lines = [_of_own(line, own) for line in lines]
     arrays = _arrays(lines)
-    tables = {
-        line.sides[0].name for line in lines if isinstance(line, Line) and len(line.sides) == 2
-        and isinstance(line.sides[0], Name) and isinstance(line.sides[1], Table)
-        and line.sides[0].order == 0
-    }  # fmt: skip
+    tables = [name for name, line in own.items() if isinstance(line.sides[1], Table)]
     if not arrays:
         return list(lines), ()
     found: dict[str, tuple[str, str]] = {}
     rates: dict[str, str] = {}
     for array in arrays:
-        own = next((form.format(array) for form in RATES if form.format(array) in
-                    (*arrays, *tables)), "")  # fmt: skip
+        rate = next((name for name in _named_rates(array) if name in (*arrays, *tables)), "")
         said = _said(lines, naming, array)
-        if own or said or not any(array in _named_rates(other) for other in arrays):
-            found |= _meanings(lines, naming, array, own, arrays, said)
-            rates[own] = array
+        if rate or said or not any(array in _named_rates(other) for other in arrays):
+            found |= _meanings(lines, naming, array, rate, arrays, said)
+            rates[rate] = array
     expanded = [_expanded(line, rates, found, arrays) for line in lines]
     matches = tuple(Match(name, base, why) for name, (base, why) in found.items())
     return [_told(line, naming, found) for line in expanded], matches
 
 
 def _of_own(line: Entry, own: Container[str]) -> Entry:
-    """The line with entries of what the text defines: qdd(1), where qdd = M \\ f."""
+    r"""The line with entries of what the text defines: qdd(1), where qdd = M \ f."""
     if not isinstance(line, Line):
         return line
 
@@ -118,9 +112,10 @@ def _said(lines: Sequence[Entry], naming: Naming, array: str) -> dict[int, Meani
         for one, other in (line.sides, line.sides[::-1]):
             place = _place(other, array)
             target = naming.lookup(one.name) if isinstance(one, Name) else None
-            if place is not None and isinstance(one, Name) and target is not None:
-                if naming.is_function(one.name) and not ELEMENT.match(one.name):
-                    found.setdefault(place, (target[0], target[1] + one.order))
+            if place is None or not isinstance(one, Name) or target is None:
+                continue
+            if naming.is_function(one.name) and not ELEMENT.match(one.name):
+                found.setdefault(place, (target[0], target[1] + one.order))
     return found
 
 
@@ -189,13 +184,11 @@ def _pairs(lines: Sequence[Entry], array: str, rate: str, first: int) -> list[tu
     """Places i and j of ``dy(i) = y(j)``."""
     found: list[tuple[int, int]] = []
     for line in lines:
-        if (
-            not isinstance(line, Line)
-            or len(line.sides) != 2
-            or not isinstance(line.sides[0], Name)
-        ):
+        if not isinstance(line, Line) or len(line.sides) != 2:
             continue
         left, right = line.sides
+        if not isinstance(left, Name):
+            continue
         cells = [right]
         places = [_place(left, rate)]
         if left.name == rate and isinstance(right, Table):
