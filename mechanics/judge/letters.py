@@ -19,7 +19,8 @@ from mechanics.judge.meanings import UNITS, Candidate, candidates
 from mechanics.judge.single import by_dimension, subject_of
 from mechanics.kernel import Finding
 from mechanics.reading.about import ENERGY_NAMES, LETTERS, QUANTITIES
-from mechanics.reading.statement import Letter, Statement
+from mechanics.reading.demands import Demands
+from mechanics.reading.statement import NO_DEMANDS, Letter, Statement
 from mechanics.scene.dimensions import MixedDimensions, dimension_of
 from mechanics.scene.published import Published
 from mechanics.scene.unit_names import Dimension, dimension_of_unit, words
@@ -146,15 +147,21 @@ def _trials(
         return
     for candidate in candidates(truth, meaning):
         for rows in zip(*(_rows(s, candidate) for s in group), strict=True):
-            yield (
-                [replace(s, row=row, doubt=_doubt(s)) for s, row in zip(group, rows, strict=True)],
-                candidate.words,
-            )
+            found = [
+                replace(s, row=row, doubt=_doubt(s), demands=_demands(s, candidate))
+                for s, row in zip(group, rows, strict=True)
+            ]
+            yield found, candidate.words
 
 
 def _rows(statement: Statement, candidate: Candidate) -> Iterator[Published]:
     assert statement.row is not None  # of a group
     return candidate.rows(statement.row, _letter(statement).sides)
+
+
+def _demands(statement: Statement, candidate: Candidate) -> Demands:
+    """What has to have a value; a frequency is that of an equilibrium that is stable."""
+    return statement.demands if candidate.vanishing is None else NO_DEMANDS
 
 
 def _doubt(statement: Statement) -> str:
@@ -198,10 +205,11 @@ def _dead(truth: Equations, statement: Statement, written: Dimension | None) -> 
     moving = {*scene.q, *scene.qd, *scene.u, *scene.ud}
     moves = any(scene.plain(side).free_symbols & moving for side in letter.sides)
     first = letter.said or (*LETTERS.get(letter.name, ((OWN,),)),)[0][0]
-    if written is None or first not in UNITS or not (moves or letter.said):
+    constant = first == "frequency"  # of what a text calls omega
+    if written is None or first not in UNITS or not (moves or letter.said or constant):
         return Settled(statement)
-    named = moves and (letter.said or letter.name in ENERGY_NAMES or first not in QUANTITIES)
-    if not named:
+    named = letter.said or letter.name in ENERGY_NAMES or first not in QUANTITIES
+    if not (constant or (moves and named)):
         return Settled(statement)
     needed = words(dimension_of_unit(UNITS[first], first) or ())
     message = f"{letter.name} as {_article(first)} has the unit {needed}, this has {words(written)}"

@@ -3,6 +3,7 @@
     tension             a reaction, up to direction, or a component of one in the axes of a body
     torque              moment of the loads about a point that rests, up to direction
     angular momentum    of all bodies or of one, about a point that rests or its mass centre
+    frequency, period   of small oscillations about an equilibrium
     speed               |v| of a mass centre        power    d(T + V)/dt along the motion
 
 A candidate is compared with what was written by the kernel; nothing here is believed.
@@ -11,12 +12,13 @@ A candidate is compared with what was written by the kernel; nothing here is bel
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 
-from sympy import Add, Expr, S
+from sympy import Add, Expr, S, Symbol, pi
 from sympy.physics.vector import ReferenceFrame, Vector
 
 from mechanics.checks.ledger_energy import energy_of
 from mechanics.equations import Equations
 from mechanics.kinematics.symbolic import Kinematics
+from mechanics.linear.small_oscillations import SQUARE, characteristic_polynomials
 from mechanics.reading.about import QUANTITIES, named_quantity
 from mechanics.scene import RigidBody, Scene
 from mechanics.scene import quantities as q
@@ -29,11 +31,15 @@ from mechanics.scene.reactions import Reaction
 UNITS: dict[str, str] = {
     **dict.fromkeys(("kinetic energy", "potential energy", "energy"), "J"),
     **dict.fromkeys(("Lagrangian", "Hamiltonian"), "J"),
-    "tension": "N", "torque": "N*m", "period": "s", "speed": "m/s",
+    "tension": "N", "torque": "N*m", "period": "s",
+    **dict.fromkeys(("frequency", "turns per second"), "1/s"), "speed": "m/s",
     "angular momentum": "kg*m^2/s", "momentum": "kg*m/s",
     **dict.fromkeys(("power", "Rayleigh's function", "dissipated power"), "W"),
 }  # fmt: skip
 """Of what a word means; a reaction is a force or a couple."""
+
+
+ROOT = Symbol("root", real=True)
 
 
 @dataclass(frozen=True)
@@ -50,6 +56,8 @@ class Candidate:
         Whether its direction is a convention of the author's.
     power : int
         To which power what is written is raised: 2 where the sign is not told.
+    vanishing : Expr or None
+        What is 0 with what is written in place of `ROOT`.
     """
 
     words: str
@@ -57,9 +65,14 @@ class Candidate:
     before: tuple[Expr, ...] = ()
     directed: bool = False
     power: int = 1
+    vanishing: Expr | None = None
 
     def rows(self, row: Published, sides: tuple[Expr, ...]) -> Iterator[Published]:
         """The row with this meaning; in both directions where the author may choose one."""
+        if self.vanishing is not None:
+            held = (self.vanishing.subs(ROOT, side) for side in sides)
+            yield replace(row, quantity=self.quantity, sides=(*held, S.Zero))
+            return
         for sign in (1, -1) if self.directed else (1,):
             meant = tuple(sign * side**self.power for side in sides)
             yield replace(row, quantity=self.quantity, sides=(*self.before, *meant))
@@ -189,9 +202,29 @@ def _damped(kinematics: Kinematics, load: Damper) -> Expr:
     return coefficient * span.dot(velocity) ** 2 / span.dot(span)
 
 
+def _frequencies(truth: Equations) -> Iterator[Candidate]:
+    yield from _oscillations(truth, "frequency", ROOT**2)
+
+
+def _turns(truth: Equations) -> Iterator[Candidate]:
+    yield from _oscillations(truth, "number per second", (2 * pi * ROOT) ** 2)
+
+
+def _periods(truth: Equations) -> Iterator[Candidate]:
+    yield from _oscillations(truth, "period", (2 * pi / ROOT) ** 2)
+
+
+def _oscillations(truth: Equations, what: str, square: Expr) -> Iterator[Candidate]:
+    """What the square of a frequency is made of."""
+    for place, vanishing in characteristic_polynomials(truth):
+        words = f"the {what} of small oscillations about {place}"
+        yield Candidate(words, q.Identity(), vanishing=vanishing.subs(SQUARE, square))
+
+
 SEARCHED: dict[str, Callable[[Equations], Iterator[Candidate]]] = {
     "reaction": _reactions, "tension": _tension, "torque": _moments,
     "angular momentum": _angular_momenta, "momentum": _momenta, "speed": _speeds,
+    "frequency": _frequencies, "turns per second": _turns, "period": _periods,
     "power": _power, "Rayleigh's function": _dissipation, "dissipated power": _dissipated,
 }  # fmt: skip
 """What a word can be, by the word."""

@@ -47,8 +47,13 @@ _MEANINGS: tuple[tuple[str, str, str], ...] = (
     ("D", "Rayleigh's function", "dissipated power"),
     ("S N", "reaction", ""),
     ("J", "angular momentum", "Hamiltonian"),
+    ("omega omega_0 omega_n omega_1 omega_2 w w0 w_0 w_n wn", "frequency", ""),
+    ("f f_0 f_n nu", "turns per second", ""),
 )
 """Letters, what they mean at rank 1, and at rank 2."""
+
+OF_CONSTANTS = frozenset(("frequency", "turns per second"))
+"""What is no function of the state: omega = theta' is something else."""
 
 LETTERS: dict[str, Ranks] = {
     letter: tuple(tuple(words.split("|")) for words in ranks if words)

@@ -11,7 +11,7 @@ from typing import Any
 
 from sympy import Expr, S
 
-from mechanics.reading.about import LETTERS
+from mechanics.reading.about import LETTERS, OF_CONSTANTS
 from mechanics.reading.names import Naming
 from mechanics.reading.sides import scalar
 from mechanics.reading.statement import Letter
@@ -73,6 +73,11 @@ def letter_on_left(
         return None
     said, own = words.get(left.name, ""), naming.knows(left.name)
     if not said and left.name not in LETTERS:
+        return None
+    constants = {*naming.vocabulary.constants.values()}
+    constant = all(side.free_symbols and side.free_symbols <= constants for side in sides)
+    meant = {word for rank in LETTERS.get(left.name, ()) for word in rank}
+    if not said and meant <= OF_CONSTANTS and (own or not constant):
         return None
     return Letter(left.name, tuple(map(naming.vocabulary.scene.pressed, sides)), said, own)
 

@@ -1,9 +1,10 @@
 """General laws in the prose, which say nothing of the scene: F = m a, tau = I alpha.
 
 They are told from claims by their names: on each side one that nothing explains, and used nowhere
-else.
+else; or one with an index, q_i, of which no scene has any.
 """
 
+import re
 from collections import Counter
 from collections.abc import Sequence
 from fractions import Fraction
@@ -13,6 +14,8 @@ from mechanics.reading.names import Naming, column
 from mechanics.reading.tree import Name, Node, Number, Power, Product, Sum, constant, names, parts
 
 PLAIN = (Number, Name, Sum, Product, Power)
+INDEXED = re.compile(r"[A-Za-z]+_[ijk]")
+"""Any of several, as in Lagrange's equations for q_i."""
 FACTORS = (None, -1, Fraction(1, 2), 1, 2)
 """Numbers in laws."""
 
@@ -40,7 +43,10 @@ def _used(line: Entry) -> set[str]:
 
 
 def _is_law(line: Line, naming: Naming, only_here: set[str]) -> bool:
-    """Whether it speaks of no state, and each side of what is only here."""
+    """Whether it speaks of no state, and each side of what is only here; or of any coordinate."""
+    every = [name.name for side in line.sides for name in names(side)]
+    if any(INDEXED.fullmatch(name) and naming.target(name) is None for name in every):
+        return True
     if len(line.sides) != 2 or not all(map(_is_plain, line.sides)):
         return False
     inputs = {symbol.name for symbol in naming.vocabulary.scene.input_symbols}

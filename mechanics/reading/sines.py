@@ -144,6 +144,7 @@ def _replaced(line: Entry, naming: Naming, free: Container[str]) -> Entry:
                 else:
                     kept.append(part)
             inside = tuple(kept)
-        return ended(with_parts(node, tuple(map(change, inside))), node.end)
+        new = tuple(map(change, inside))
+        return node if new == parts(node) else ended(with_parts(node, new), node.end)
 
     return replace(line, sides=tuple(map(change, line.sides)))

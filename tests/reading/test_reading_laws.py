@@ -7,7 +7,8 @@ from tests.notation_scenes import judged, verdicts
 CLAIM = r"\[ ml\ddot\theta = -mg\sin\theta \]"
 LAWS = [
     r"$F = ma$", r"$\sum F = ma$", r"$\sum \vec F = m\vec a$", r"$\tau = I\alpha$", r"\[ F = ma \]",
-    r"$\sum M = I\alpha$", r"$p = mv$",
+    r"$\sum M = I\alpha$", r"$p = mv$", r"$L = T - V$",
+    r"$$\frac{d}{dt}\frac{\partial L}{\partial\dot q_i} - \frac{\partial L}{\partial q_i} = 0$$",
 ]  # fmt: skip
 
 
@@ -23,8 +24,8 @@ def test_a_law_is_told_and_not_judged(law: str) -> None:
     "claim",
     [
         "ma = -mg",
-        r"N = mg\cos\theta",
-        r"N = mg",
+        r"K = mg\cos\theta",
+        r"K = mg",
         r"\sum F = -mg\sin\theta",
         r"\sum F_y = 0",
         "R = S",

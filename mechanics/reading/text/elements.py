@@ -81,7 +81,8 @@ def _of_own(line: Entry, own: Container[str]) -> Entry:
         part = ELEMENT.fullmatch(node.name) if isinstance(node, Name) else None
         if part is None or part["array"] not in own:
             inside = parts(node)
-            return ended(with_parts(node, tuple(map(entry, inside))), node.end) if inside else node
+            new = tuple(map(entry, inside))
+            return node if new == inside else ended(with_parts(node, new), node.end)
         index = Number(node.at, Fraction(int(part["index"]) + (part["open"] == "[")))
         return ended(Call(node.at, ENTRY, (Name(node.at, part["array"]), index)), node.end)
 

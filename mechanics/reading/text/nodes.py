@@ -178,7 +178,8 @@ class Nodes:
     def _timed(self, node: Node) -> Node:
         """In an argument ``wt`` is w t, where only w means something."""
         if isinstance(node, Product | Sum):
-            return ended(with_parts(node, tuple(map(self._timed, parts(node)))), node.end)
+            new = tuple(map(self._timed, parts(node)))
+            return node if new == parts(node) else ended(with_parts(node, new), node.end)
         if not isinstance(node, Name) or node.order or not node.name.endswith("t"):
             return node
         first = node.name[:-1]

@@ -1,0 +1,58 @@
+"""Frequencies and periods of small oscillations, which a text gives beside its equations."""
+
+from functools import cache
+
+import pytest
+
+import mechanics
+from mechanics.equations import Equations
+from mechanics.judge.check import derived
+from systems import cylinder_in_cylinder
+from tests.notation_scenes import judged, verdicts
+
+SWING = r"\[ \ddot\theta = -\frac gl\sin\theta \]"
+
+
+@cache
+def rolling() -> Equations:
+    return derived(cylinder_in_cylinder.scene())
+
+
+@pytest.mark.parametrize(
+    ("right", "wrong"),
+    [
+        (r"\omega = \sqrt{\frac{g}{l}}", r"\omega = \sqrt{\frac{2g}{l}}"),
+        (r"\omega_0^2 = \frac{g}{l}", r"\omega_0^2 = \frac{l}{g}"),
+        (r"T = 2\pi\sqrt{\frac lg}", r"T = 2\pi\sqrt{\frac gl}"),
+        (r"T = 2\pi\sqrt{\frac lg}", r"T = \pi\sqrt{\frac lg}"),
+        (r"f = \frac{1}{2\pi}\sqrt{\frac gl}", r"f = \frac{1}{\pi}\sqrt{\frac gl}"),
+        ("omega = sqrt(g/l)", "omega = sqrt(l/g)"),
+    ],
+)
+def test_frequencies(right: str, wrong: str) -> None:
+    assert verdicts("pendulum", right) == ["PROVED"]
+    assert verdicts("pendulum", wrong) == ["REFUTED"]
+
+
+def test_it_is_told_what_it_is_read_as() -> None:
+    found = judged("pendulum", SWING + r" Its frequency is $\omega = \sqrt{g/l}$.")
+    assert [e.finding.verdict.name for e in found.judged] == ["PROVED", "PROVED"]
+    notes = found.judged[1].statement.notes
+    assert (
+        "omega on the left is read as the frequency of small oscillations about theta = 0" in notes
+    )
+
+
+def test_a_frequency_is_that_of_a_stable_equilibrium() -> None:
+    right = r"\omega = \sqrt{\frac{2g}{3(R-a)}}"
+    (entry,) = mechanics.check(rolling(), right, blame=False).judged
+    assert entry.finding.verdict.name == "PROVED"
+    (entry,) = mechanics.check(rolling(), right.replace("3", "2"), blame=False).judged
+    assert entry.finding.verdict.name == "REFUTED"
+
+
+@pytest.mark.parametrize(
+    "line", [r"\omega = \dot\theta", r"\omega = 7", r"\ddot\theta + \omega^2\sin\theta = 0"]
+)
+def test_what_may_be_something_else_stays_in_doubt(line: str) -> None:
+    assert "UNDECIDED" in verdicts("pendulum", line)
