@@ -13,7 +13,7 @@ from mechanics.blame.explanations import explanations
 from mechanics.blame.reference import Reference
 from mechanics.blame.result import Blame, Edit
 from mechanics.blame.search.budget import Budget
-from mechanics.blame.search.claim import claim_of, used
+from mechanics.blame.search.claim import Claim, claim_of, used
 from mechanics.blame.shared import shared
 from mechanics.errors import MechanicsError
 from mechanics.judge.branches import blame_by_branch
@@ -132,23 +132,33 @@ def walked(node: Node) -> Iterator[Node]:
 def shown_with(reference: Reference, judged: Sequence[Judged], k: int) -> frozenset[int | str]:
     """What a refuted statement has in common with those that are shown: an edit there spoils them.
 
-    Definitions, and of an equation of matrices the line itself.
+    Definitions, and sides of one line; rows of matrices have entries of their own.
     """
-    own = judged[k].statement
+    own = _claim(reference, judged[k])
+    if own is None:
+        return frozenset()
     found: set[int | str] = set()
     for entry in [entry for entry in judged if entry.finding.shown][:MOST]:
-        other = entry.statement
-        if own.written is None or other.written is None:
+        other = entry.statement.written
+        same = other is not None and other.sides is own.written.sides
+        if not (own.definitions or same):
             continue
-        if other.written.sides is own.written.sides:
-            found |= set(range(len(own.written.sides)))
-        if own.written.definitions:
-            try:
-                claim = claim_of(reference, other)
-            except (Untreeable, Refused):
-                continue  # no edit of it was told, either
-            found |= used(claim) if claim is not None else set()
+        claim = _claim(reference, entry)
+        if claim is None:
+            continue  # no edit of it was told, either
+        found |= used(claim)
+        if same:
+            found |= {n for n, tree in enumerate(own.entries) if tree in claim.entries}
     return frozenset(found)
+
+
+def _claim(reference: Reference, entry: Judged) -> Claim | None:
+    if entry.statement.written is None:
+        return None
+    try:
+        return claim_of(reference, entry.statement)
+    except (Untreeable, Refused):
+        return None
 
 
 def _search(

@@ -11,7 +11,7 @@ dimension, or what the person says that it means, is nothing else.
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
-from sympy import Symbol
+from sympy import Add, Symbol
 
 from mechanics.compiled.dimensions import known_dimensions
 from mechanics.equations import Equations
@@ -80,8 +80,9 @@ def _settled(
     letter = _letter(group[0])
     try:
         written = {_dimension(truth, _letter(s), known) for s in group} - {None}
-    except MixedDimensions as mixed:
-        return [_of_no_dimension(s, mixed) for s in group]
+    except MixedDimensions:
+        meaning = _of_some_term(truth, letter, known)
+        return [Settled(_first(truth, s, meaning)) for s in group]
     one = written.pop() if len(written) == 1 else None
     ranks = _living(truth, letter, one, known)
     if not ranks:
@@ -110,6 +111,22 @@ def _dimension(
     sides = [scene.plain(side) for side in letter.sides]
     found = {dimension_of(scene, side, known) for side in sides} - {None}
     return found.pop() if len(found) == 1 else None
+
+
+def _of_some_term(
+    truth: Equations, letter: Letter, known: Mapping[Symbol, Dimension | None]
+) -> str:
+    """The first meaning that has the dimension of one of the terms, which all others miss."""
+    scene, found = truth.scene, set[Dimension]()
+    for term in (t for side in letter.sides for t in Add.make_args(scene.plain(side))):
+        try:
+            one = dimension_of(scene, term, known)
+        except MixedDimensions:
+            continue  # the mistake is in it
+        found |= {one} if one is not None else set()
+    every = [letter.said] if letter.said else [w for r in LETTERS[letter.name] for w in r]
+    fitting = (word for word in every if any(_fits(word, one) for one in found))
+    return next(fitting, every[0])
 
 
 def _living(

@@ -94,7 +94,9 @@ class Inside:
                 number = Number(part.at, value)
                 yield index, number, Mistake.FACTOR, TOKEN + size_of(value)
         if isinstance(around, Sum):
-            yield index, minus(part), Mistake.SIGN, TOKEN
+            # Nobody wrote a sign before the first of several terms.
+            first = 2 * HINT if part is around.terms[0] else 0.0
+            yield index, minus(part), Mistake.SIGN, TOKEN + first
             yield index, None, Mistake.EXTRA, DROPPED
         elif isinstance(around, Call) and not isinstance(part, Number):
             for ratio in (Fraction(2), Fraction(1, 2)):

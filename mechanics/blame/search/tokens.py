@@ -156,6 +156,6 @@ class Tokens:
         for other in self.make.words.functions(node):
             values = worth(self.make.sheets, other)
             if values is not None:
-                yield self.make.change(index, other, Mistake.FUNCTION, TOKEN, values)
+                yield self.make.change(index, other, Mistake.FUNCTION, TOKEN + HINT, values)
         if not isinstance(self.make.around(index), Power):
             yield from self._powers(index, node, (2,))
