@@ -19,7 +19,8 @@ from mechanics.equations import Equations
 from mechanics.errors import InputError, MechanicsError
 from mechanics.judge.glance import glance
 from mechanics.judge.moved import each_side, in_plain_symbols
-from mechanics.kernel import Finding
+from mechanics.judge.rounding import is_rounding
+from mechanics.kernel import Finding, Verdict, undecided
 from mechanics.reading.statement import Statement
 from mechanics.scene import Scene
 from mechanics.scene.published import Published
@@ -67,6 +68,9 @@ def judged_at(truth: Equations, row: Published, values: Values) -> Finding:
         raise InputError("values of parameters are for equations of motion: leave them out here")
     there = _put(in_plain_symbols(truth.kinematics, row), values)
     found = check_row(truth.scene, there, fix(truth, values))
+    if found.verdict is Verdict.REFUTED and is_rounding(there, found):
+        evidence = "the sides differ by no more than the rounding of numbers that the code computes"
+        return undecided(found.subject, f"{evidence}, where {words(values)}")
     return replace(found, evidence=f"{found.evidence}, where {words(values)}")
 
 

@@ -11,12 +11,15 @@ from sympy import Eq, Expr, SympifyError, sympify
 
 from mechanics.errors import InputError, WrongKindError
 from mechanics.reading.assemble import Reading
+from mechanics.reading.code.c_plus_plus import SUFFIXES
 from mechanics.reading.code.read import read_c, read_casadi, read_function
 from mechanics.reading.code.sympy_objects import is_sympy, read_sympy
 from mechanics.reading.read import decoded, file_text, read_file, read_source
 from mechanics.scene import Scene
 
-FILE = re.compile(r"[\w~./\\ :-]{1,400}\.(tex|txt|m|c|h|py|ipynb|md)", re.IGNORECASE)
+FILE = re.compile(
+    r"[\w~./\\ :-]{1,400}\.(tex|txt|m|c|cc|cpp|cxx|h|hh|hpp|ino|py|ipynb|md)", re.IGNORECASE
+)
 """What no equation looks like, and a file's name does."""
 
 
@@ -72,7 +75,7 @@ def read(
         For another kind of thing.
     """
     if isinstance(thing, Path):
-        if thing.suffix in (".c", ".h"):
+        if thing.suffix in (".c", ".h", *SUFFIXES):
             return read_c(scene, file_text(thing), function, names, about, str(thing))
         return read_file(scene, thing, names=names, notation=notation, about=about)
     if isinstance(thing, bytes):

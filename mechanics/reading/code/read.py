@@ -5,6 +5,7 @@
 The code itself is read, so that its own formulas are judged, for all values of its arguments.
 """
 
+import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
 from typing import Any
@@ -30,7 +31,10 @@ from mechanics.reading.code.c_macros import without_macros
 from mechanics.reading.code.c_person import defaults, known_meaning, of_the_header, without_comments
 from mechanics.reading.code.c_place import placed
 from mechanics.reading.code.c_plain import plain
+from mechanics.reading.code.c_plus_plus import SUFFIXES as CPP
+from mechanics.reading.code.c_plus_plus import in_c as in_plain_c
 from mechanics.reading.code.c_target import Instructions
+from mechanics.reading.code.c_untyped import with_types
 from mechanics.reading.code.c_wrapper import WRAPPER, wrapped
 from mechanics.reading.code.called import doubt_when_called
 from mechanics.reading.code.doubles import doubt_as_doubles
@@ -169,6 +173,10 @@ def read_c(
         raise InputError(f"{origin}, line 1, column 1: {len(text)} characters: {LARGEST_C} at most")
     coord = ""
     try:
+        if origin.endswith(CPP):
+            text = in_plain_c(without_comments(text), origin)
+        if re.search(r"\bvoid\b", text):
+            text = with_types(without_comments(text).replace("GSL_SUCCESS", "0"), origin)
         text = with_constants(of_the_header(without_macros(text, origin)), origin)
         source = known_meaning(parse(text, origin), text)
         taken = defaults(source, text)

@@ -1,0 +1,119 @@
+"""C++ and Arduino's dialect in the words of C, line by line the same, as far as formulas need it.
+
+    std::sin(x)   <cmath>   constexpr   auto s = ...   const std::array<double, 2>& y
+
+    class Cart { double m = 1; double a(double u) const { return u/m; } };
+    ->  double a(double u, double m) { return u/m; }
+
+Fields of a class are arguments of its functions, so that what is judged holds for all their values.
+"""
+
+import re
+
+from mechanics.errors import ExpressionError
+
+SUFFIXES = (".cpp", ".cc", ".cxx", ".hpp", ".hh", ".ino")
+
+WORDS = (
+    (r"#\s*include\s*(?:<cmath>|[<\"]Arduino\.h[>\"])", "#include <math.h>"),
+    (r"#\s*include\s*<\w+>", ""),
+    (r"#\s*pragma\s+once", ""),
+    (r"\busing\s+[^;{}]*;", ""),
+    (r"\bstd\s*::\s*", ""),
+    (r"\bstatic\s+constexpr\b|\bconstexpr\b", "const"),
+    (r"\bnoexcept\b|\binline\b|\[\[\w+\]\]|\boverride\b", ""),
+    (r"\bstatic_cast\s*<\s*(double|float)\s*>", r"(\1)"),
+    (r"\bconst\s+auto\b|\bauto\s+const\b", "const double"),
+    (r"\bauto\b", "double"),
+    (r"\bconst\s+(?:array|vector)\s*<\s*(double|float)\s*(?:,\s*\w+\s*)?>\s*&\s*", r"const \1 *"),
+    (r"\b(?:array|vector)\s*<\s*(double|float)\s*(?:,\s*\w+\s*)?>\s*&\s*", r"\1 *"),
+    (r"\bconst\s+(double|float)\s*&\s*", r"const \1 "),
+    (r"\b(double|float)\s*\{\s*([^{};]*?)\s*\}", r"(\2)"),
+    (r"\bthis\s*->\s*", ""),
+)  # fmt: skip
+"""What stands in place of words of C++."""
+
+CLASS = re.compile(r"\b(?:class|struct)\s+(\w+)\s*(?:final\s*)?\{")
+ACCESS = re.compile(r"\b(?:public|private|protected)\s*:")
+FIELD = re.compile(r"\s*(const\s+|static\s+)*(?:double|float)\s+([^;(){}]+);")
+FUNCTION = re.compile(r"\b(double|float|void|int)\s+(\w+)\s*\(([^(){};]*)\)\s*(?:const\s*)?\{")
+
+
+def in_c(text: str, origin: str) -> str:
+    """C++ without comments as C.
+
+    Raises
+    ------
+    ExpressionError
+        For classes in classes, or what is no number in one.
+    """
+    for pattern, words in WORDS:
+        text = re.sub(pattern, words, text)
+    for found in reversed([m for m in CLASS.finditer(text) if FUNCTION.search(_inside(text, m))]):
+        inside = _inside(text, found)
+        end = found.end() + len(inside)
+        after = re.compile(r"\}\s*;").match(text, end)
+        if after is None or CLASS.search(inside):
+            line = text[: found.start()].count("\n") + 1
+            raise ExpressionError(f"{origin}:{line}: class {found[1]} is not known here: write its"
+                                  " function by itself, with its numbers as arguments")  # fmt: skip
+        text = (
+            text[: found.start()] + _gone(found[0]) + _plain(inside, found[1]) + text[after.end() :]
+        )
+    return text
+
+
+def _inside(text: str, opening: re.Match[str]) -> str:
+    depth = 1
+    for place in range(opening.end(), len(text)):
+        depth += {"{": 1, "}": -1}.get(text[place], 0)
+        if depth == 0:
+            return text[opening.end() : place]
+    return ""
+
+
+def _plain(inside: str, name: str) -> str:
+    """Functions of a class, with its fields as arguments."""
+    inside = ACCESS.sub(lambda m: _gone(m[0]), inside)
+    made = re.compile(rf"\b(?:explicit\s+)?{name}\s*\([^{{}};]*\)\s*(?::[^;]*?)?\{{[^{{}}]*\}}")
+    inside = made.sub(lambda m: _gone(m[0]), inside)
+    fields: list[str] = []
+
+    def field(match: re.Match[str]) -> str:
+        if "{" in inside[: match.start()] and _depth(inside, match.start()):
+            return match[0]
+        fields.extend(part.split("=")[0].strip() for part in match[2].split(","))
+        return _gone(match[0])
+
+    inside = FIELD.sub(field, inside)
+    functions = [m[2] for m in FUNCTION.finditer(inside)]
+    passed = "".join(f", {name}" for name in fields)
+
+    def head(match: re.Match[str]) -> str:
+        own = ", ".join(f"double {name}" for name in fields)
+        arguments = ", ".join(filter(None, (match[3].strip(), own)))
+        return f"{match[1]} {match[2]}({arguments}) {{"
+
+    called = [re.compile(rf"\b{name}\s*\(([^()]*(?:\([^()]*\)[^()]*)*)\)") for name in functions]
+    pieces, at = [], 0
+    for match in FUNCTION.finditer(inside):
+        pieces += [_called(inside[at : match.start()], called, passed), head(match)]
+        at = match.end()
+    return "".join((*pieces, _called(inside[at:], called, passed)))
+
+
+def _called(text: str, functions: list[re.Pattern[str]], passed: str) -> str:
+    """Calls of functions of the class with its fields passed on."""
+    for function in functions:
+        text = function.sub(
+            lambda m: m[0][:-1] + (passed if m[1].strip() else passed[2:]) + ")", text
+        )
+    return text
+
+
+def _depth(text: str, at: int) -> int:
+    return text.count("{", 0, at) - text.count("}", 0, at)
+
+
+def _gone(text: str) -> str:
+    return re.sub(r"[^\n]", " ", text)
