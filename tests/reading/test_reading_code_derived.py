@@ -172,7 +172,7 @@ def test_numbers_under_other_names_are_told() -> None:
         return (gravity * s - c * temp) / (l * (4 / 3 - mp * c**2 / total))
 
     found = check(SCENE, theta_ddot, blame=False)
-    assert found.verdict is Verdict.REFUTED
+    assert found.judged[0].finding.verdict is Verdict.REFUTED and not found.ok
     assert "gravity = 9.8 of the code: numbers" in " ".join(found.remarks)
     named = check(SCENE, theta_ddot, names={"gravity": "g"}, blame=False)
     assert named.verdict is Verdict.PROVED
