@@ -7,7 +7,8 @@ from functools import cached_property
 import casadi as ca
 import sympy
 
-from mechanics.compiled.quantities import DIGITS, STATE, Quantities
+from mechanics.compiled.quantities import STATE, Quantities
+from mechanics.program.casadi_printer import nearest
 
 GROUPS = (*STATE, "ud", "multipliers")
 
@@ -48,7 +49,7 @@ class Arrays:
         """Graphs with the nearest doubles in place of named constants."""
         if not self.constants:
             return graphs
-        values = ca.DM([float(constant.evalf(DIGITS)) for constant in self.constants])
+        values = ca.DM([nearest(constant) for constant in self.constants])
         return ca.substitute(graphs, [self.named], [ca.SX(values)])
 
 

@@ -4,14 +4,16 @@ What each computes is in `mechanics.compiled.textbook` and `mechanics.compiled.o
 """
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import replace
 from fractions import Fraction
 from functools import cached_property
 from math import inf
+from typing import Any
 
 import casadi as ca
-import sympy
 
 from mechanics.compiled.arrays import arrays_of
+from mechanics.compiled.constant_folding import CONSTANTS, Exact, at, folded
 from mechanics.compiled.fixed import Fixed
 from mechanics.compiled.forms import FORMS
 from mechanics.compiled.programs.gathered import gathered
@@ -24,7 +26,9 @@ from mechanics.compiled.translate import Translator
 from mechanics.equations import Equations
 from mechanics.errors import ExpressionError, InputError
 from mechanics.kinematics.outputs import SLOPE, output_functions
+from mechanics.program.casadi_printer import nearest
 from mechanics.program.casadi_reader import read_routine
+from mechanics.program.routine import Routine
 from mechanics.scene.actions import frictions
 from mechanics.scene.rates import TIME
 
@@ -72,6 +76,7 @@ class Graphs(Mapping[str, ca.Function]):
         every = function_inputs(equations)
         self._inputs = every if outputs is None else self._chosen(every, outputs)
         self._built: dict[str, ca.Function] = {}
+        self._exact: dict[str, Exact] = {}
         self._found: dict[str, tuple[str, dict[str, ca.SX]]] = {}
         self._named = form
         put = with_fixed(equations, self.fixed, form)
@@ -87,10 +92,12 @@ class Graphs(Mapping[str, ca.Function]):
 
     def __getitem__(self, name: str) -> ca.Function:
         if name not in self._built:
-            inputs, outputs = self._parts(name)
-            graphs = self._arrays.bound(list(outputs.values()))
+            function, constants = self.exact(name)
+            inputs = self._parts(name)[0]
+            doubles = ca.DM([nearest(constant) for constant in constants])
+            graphs = function.call([*inputs.values(), ca.SX(doubles)])
             self._built[name] = dense_function(
-                name, inputs, dict(zip(outputs, graphs, strict=True))
+                name, inputs, dict(zip(function.name_out(), graphs, strict=True))
             )
         return self._built[name]
 
@@ -100,18 +107,29 @@ class Graphs(Mapping[str, ca.Function]):
     def __len__(self) -> int:
         return len(self._inputs)
 
-    def exact(self, name: str) -> tuple[ca.Function, tuple[sympy.Expr, ...]]:
+    def exact(self, name: str) -> Exact:
         """The function with its named constants as one more input, and what these stand for."""
-        inputs, outputs = self._parts(name)
-        function = dense_function(name, {**inputs, "constants": self._arrays.named}, outputs)
-        return function, tuple(self._arrays.constants)
+        if name not in self._exact:
+            inputs, outputs = self._parts(name)
+            self._exact[name] = self._folded(name, inputs, outputs)
+        return self._exact[name]
 
-    def exact_rates(self) -> tuple[ca.Function, tuple[sympy.Expr, ...]]:
+    def exact_rates(self) -> Exact:
         """``qd``, ``ud`` and the multipliers, which the step is made of, as `exact` gives them."""
-        outputs = self._rates()
         inputs = {group: self._columns[group] for group in STATE}
-        function = dense_function("rates", {**inputs, "constants": self._arrays.named}, outputs)
-        return function, tuple(self._arrays.constants)
+        return self._folded("rates", inputs, self._rates())
+
+    def _folded(
+        self, name: str, inputs: Mapping[str, ca.SX], outputs: Mapping[str, ca.SX]
+    ) -> Exact:
+        function = dense_function(name, {**inputs, CONSTANTS: self._arrays.named}, outputs)
+        return folded(function, tuple(self._arrays.constants))
+
+    def routine(self, name: str) -> Routine:
+        """The function with the nearest doubles in place of its named constants."""
+        function, constants = self.exact(name)
+        code = read_routine(function, [Fraction(nearest(constant)) for constant in constants])
+        return replace(code, inputs=code.inputs[:-1])
 
     def _parts(self, name: str) -> tuple[dict[str, ca.SX], dict[str, ca.SX]]:
         if name not in self._inputs:
@@ -180,18 +198,16 @@ class Graphs(Mapping[str, ca.Function]):
     def _put(self, name: str, free: "Graphs") -> dict[str, ca.SX]:
         """Graphs of free parameters with the fixed numbers."""
         own = {entry.symbol: self._columns["p"][i] for i, entry in enumerate(self.quantities.p)}
-        table = Translator({}, self._arrays.constants)
         entries = [entry.symbol for entry in free.quantities.p]
-        values = [table(self.fixed[s]) if s in self.fixed else own[s] for s in entries]
-        given = [*(free._columns[g] for g in free._columns if g != "p"), free._columns["p"]]
-        taken = [*(self._columns[g] for g in free._columns if g != "p"), ca.vertcat(*values)]
-        outputs = free._outputs(name)
+        inputs, outputs = free._parts(name)
         if "ud_p" in outputs:
             kept = [k for k, symbol in enumerate(entries) if symbol not in self.fixed]
             outputs = {**outputs, "ud_p": outputs["ud_p"][:, kept]}
-        given.append(free._arrays.named)
-        taken.append(ca.vertcat(*(table.named(value) for value in free._arrays.constants)))
-        return dict(zip(outputs, ca.substitute(list(outputs.values()), given, taken), strict=True))
+        function = dense_function(name, {**inputs, CONSTANTS: free._arrays.named}, outputs)
+        values: dict[str, Sequence[Any]] = {g: ca.vertsplit(self._columns[g]) for g in inputs}
+        values["p"] = [self.fixed[s] if s in self.fixed else own[s] for s in entries]
+        values[CONSTANTS] = tuple(free._arrays.constants)
+        return at(function, values, Translator({}, self._arrays.constants).exact)
 
     def _rates(self) -> dict[str, ca.SX]:
         """q', u' and the multipliers."""

@@ -13,9 +13,10 @@ from sympy import Expr, Symbol
 
 from mechanics.compiled.graphs import Graphs
 from mechanics.compiled.model import Model
-from mechanics.compiled.quantities import DIGITS, Quantity
+from mechanics.compiled.quantities import Quantity
 from mechanics.compiled.translate import Translator
 from mechanics.equations import Equations
+from mechanics.program.casadi_printer import nearest
 from mechanics.scene import Scene
 from mechanics.scene.actions import frictions
 from mechanics.scene.validity import plain_margin
@@ -82,6 +83,6 @@ def bound_column(table: Mapping[Symbol, ca.SX], expressions: Sequence[Expr]) -> 
     column = translate.column(list(expressions))
     if not translate.constants:
         return ca.densify(column)
-    values = [ca.SX(float(number.evalf(DIGITS))) for number in translate.constants]
+    values = [ca.SX(nearest(number)) for number in translate.constants]
     names = ca.vertcat(*translate.constants.values())
     return ca.densify(ca.substitute(column, names, ca.vertcat(*values)))

@@ -16,6 +16,7 @@ from sympy.core.relational import Relational
 from sympy.logic.boolalg import BooleanFalse, BooleanTrue
 
 from mechanics.errors import ExpressionError
+from mechanics.program.casadi_printer import ExactGraphs
 from mechanics.symbolic.decimals import float_as_rational
 
 EXACT_INTEGER = 2**53
@@ -92,10 +93,10 @@ class Translator:
         """Return the dense column of a sequence of expressions."""
         return self.matrix(sympy.Matrix(len(entries), 1, list(entries)))
 
-    def number(self, number: sympy.Expr) -> ca.SX:
-        """Return a number: itself if a double holds it, else a named constant."""
-        rational = isinstance(number, sympy.Rational)
-        return self._rational(number) if rational else self._constant(number)
+    @property
+    def exact(self) -> ExactGraphs:
+        """Operations on graphs and numbers that round no number."""
+        return ExactGraphs(self._constant)
 
     def named(self, number: sympy.Expr) -> ca.SX:
         """Return a number as a named constant."""

@@ -17,7 +17,6 @@ from mechanics.compiled.programs.hoist import CONSTANTS, PREPARE
 from mechanics.compiled.programs.of_model import PARTS
 from mechanics.compiled.quantities import Quantities, Quantity
 from mechanics.errors import ValueMissingError
-from mechanics.program.casadi_reader import read_routine
 from mechanics.program.operations import DIVIDE, INPUT
 from mechanics.program.routine import Routine
 
@@ -71,7 +70,7 @@ class Contents:
 def contents_of(model: Model, names: Sequence[str]) -> Contents:
     """What a model says of its functions."""
     programs = {name: model.program(name) for name in names}
-    graphs = [read_routine(model.casadi[name]) for name in names if name not in PARTS]
+    graphs = [model.casadi.routine(name) for name in names if name not in PARTS]
     fixed = {name: str(value) for name, value in sorted(model.fixed.items())}
     return of_quantities(
         model.equations.scene.name, model.equations.route, model.quantities, fixed, programs,

@@ -25,7 +25,6 @@ from mechanics.errors import SingularError
 from mechanics.export.roundings import first_order
 from mechanics.kernel import enclose
 from mechanics.program import Program
-from mechanics.program.casadi_reader import read_routine
 from mechanics.program.routine import Routine
 
 COUNT = 5
@@ -75,7 +74,7 @@ def vectors(
     SingularError
         If the function is finite, and not all cancellation, at none of the states.
     """
-    written = read_routine(model.casadi[name])
+    written = model.casadi.routine(name)
     exact = as_written(written)
     found: list[Vector] = []
     groups = [group for group, _ in written.inputs]

@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
+from math import isfinite
 from typing import Any
 
 import casadi
@@ -106,7 +107,7 @@ def print_graphs(
     named : callable, optional
         What stands for numbers that no double holds; by default the nearest doubles do.
     """
-    domain = _Graph(named or _nearest)
+    domain = ExactGraphs(named or _nearest)
     values = interpret(expand_solves(program), domain, entries)
     return {
         output: _column(output, [domain.graph(value) for value in numbers],
@@ -115,8 +116,15 @@ def print_graphs(
     }  # fmt: skip
 
 
+def nearest(number: sympy.Expr) -> float:
+    """The double nearest to an exact number."""
+    if isinstance(number, sympy.Rational):
+        return float(Fraction(int(number.p), int(number.q)))
+    return float(number.evalf(DIGITS))
+
+
 def _nearest(number: sympy.Expr) -> Any:
-    return casadi.SX(float(number.evalf(DIGITS)))
+    return casadi.SX(nearest(number))
 
 
 def _column(name: str, values: Sequence[Any], shape: tuple[int, int] | None) -> Any:
@@ -133,13 +141,22 @@ def _column(name: str, values: Sequence[Any], shape: tuple[int, int] | None) -> 
 
 
 @dataclass(frozen=True)
-class _Graph:
-    """The domain of SX; constants are rationals, or SymPy's, until an operation takes them."""
+class ExactGraphs:
+    """The domain of SX without roundings: numbers are rationals, or SymPy's, until a graph is made.
+
+    CasADi computes in doubles what it is told of numbers alone: 981 / 100 would be 9.81.
+
+    Attributes
+    ----------
+    named : callable
+        The graph that stands for a number that no double holds.
+    """
 
     named: Named
 
     @property
     def operations(self) -> Mapping[str, Callable[..., Any]]:
+        """Those of CasADi."""
         graphs = {
             row.name: self._function(row.casadi) for row in OPERATIONS if row.casadi and row.arity
         } | {"select": self._select, OPERATIONS[MULTIPLY].name: self._multiply}
@@ -147,15 +164,27 @@ class _Graph:
         return {name: self._of(code, numbers.get(name)) for name, code in graphs.items()}
 
     def constant(self, value: Fraction) -> Fraction:
+        """A number."""
         return value
 
     def pi(self) -> Any:
+        """Pi."""
         return sympy.pi
 
     def solve(self, matrix: list[list[Any]], right: list[Any], symmetric: bool) -> Sequence[Any]:
+        """None: systems are written out before."""
         raise AssertionError("systems are written out before")
 
+    def value(self, entry: Any) -> Any:
+        """A scalar graph or a number of SymPy's as a value; what is a number is that number."""
+        if isinstance(entry, sympy.Rational):
+            return Fraction(int(entry.p), int(entry.q))
+        if isinstance(entry, casadi.SX) and entry.is_constant() and isfinite(float(entry)):
+            return Fraction(float(entry))
+        return entry
+
     def graph(self, value: Any) -> Any:
+        """The graph of a value."""
         if isinstance(value, Fraction):
             return casadi.SX(float(value)) if is_double(value) else self.named(_number(value))
         return self.named(value) if isinstance(value, sympy.Expr) else value
@@ -168,11 +197,9 @@ class _Graph:
         def apply(*operands: Any) -> Any:
             if number is not None and all(isinstance(x, Fraction | sympy.Expr) for x in operands):
                 value = number(*map(_number, operands))
-                if isinstance(value, sympy.Rational):
-                    return Fraction(int(value.p), int(value.q))
                 if isinstance(value, sympy.Expr) and value.is_number and value.is_real:
-                    return value
-            return code(*operands)
+                    return self.value(value)
+            return self.value(code(*operands))
 
         return apply
 

@@ -106,6 +106,9 @@ def read_routine(
     for instruction in instructions:
         if instruction.constant is not None:
             builder.constant(instruction.constant)
+    for exact in numbers or ():
+        if exact is not None:
+            builder.constant(exact)
     inputs = [(function.name_in(i), function.numel_in(i)) for i in range(function.n_in())]
     entries = [[builder.input(f"{name}[{k}]") for k in range(size)] for name, size in inputs]
     if numbers is not None:

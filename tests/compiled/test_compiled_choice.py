@@ -13,12 +13,15 @@ from mechanics.compiled.forms.choice import full
 from mechanics.compiled.forms.factor import solve_symmetric
 from mechanics.compiled.forms.operations import operations
 from mechanics.compiled.forms.weigh import MOST, ROUNDINGS, digits_lost, lightest
+from mechanics.compiled.translate import Translator
 from mechanics.errors import InputError
 from mechanics.kernel import Verdict
 from mechanics.routes.derivation import by_route
 from systems import SEED, pendulum_chain
 
 pytestmark = pytest.mark.campaign
+
+EXACT = Translator({}).exact
 
 PEERS = {10: 595, 20: 1215, 50: 3075}
 """Instructions of the articulated-body algorithm for the cart with that many links."""
@@ -98,7 +101,7 @@ def test_the_size_of_a_full_system_is_what_elimination_takes() -> None:
             for j in range(i + 1):
                 matrix[i, j] = matrix[j, i] = entries[k]
                 k += 1
-        assert operations(solve_symmetric(matrix, ca.SX.sym("b", n))) == full(n)
+        assert operations(solve_symmetric(matrix, ca.SX.sym("b", n), EXACT)) == full(n)
 
 
 def test_a_digit_lost_weighs_as_twice_the_operations() -> None:

@@ -9,8 +9,11 @@ from hypothesis import strategies as st
 
 from mechanics.compiled.forms.factor import solve_general, solve_symmetric
 from mechanics.compiled.forms.order import backward_errors, candidates, pivot_order, solve
+from mechanics.compiled.translate import Translator
 from mechanics.errors import SingularError
 from mechanics.symbolic import Arithmetic, decide
+
+EXACT = Translator({}).exact
 
 
 def symbols(n: int) -> tuple[sympy.Matrix, sympy.Matrix]:
@@ -23,7 +26,11 @@ def is_solution(n: int, symmetric: bool, orders: list) -> bool:
     if not symmetric:
         matrix = sympy.Matrix(n, n, lambda i, j: sympy.Symbol(f"a{i}_{j}"))
     a, b = ca.SX.sym("a", n, n), ca.SX.sym("b", n)
-    solutions = [solve_symmetric(a, b)] if symmetric else [solve_general(a, b, o) for o in orders]
+    solutions = (
+        [solve_symmetric(a, b, EXACT)]
+        if symmetric
+        else [solve_general(a, b, o, EXACT) for o in orders]
+    )
     function = ca.Function("f", [a, b], [ca.densify(x) for x in solutions])
 
     def experiment(e: Arithmetic) -> list:
@@ -57,7 +64,7 @@ def test_expressions_and_the_trial_compute_the_same(n: int, seed: int) -> None:
     matrices, rhs = random.normal(size=(4, n, n)), random.normal(size=(4, n))
     order = pivot_order(matrices, rhs)
     a, b = ca.SX.sym("a", n, n), ca.SX.sym("b", n)
-    function = ca.Function("f", [a, b], [solve_general(a, b, order)])
+    function = ca.Function("f", [a, b], [solve_general(a, b, order, EXACT)])
     tried = solve(matrices, rhs, order)
     for k in range(4):
         assert np.allclose(function(matrices[k], rhs[k]).full().ravel(), tried[k], rtol=1e-6)
@@ -72,7 +79,7 @@ def test_ldlt_is_accurate_whatever_the_units_of_the_rows(n: int, seed: int) -> N
     matrix = units[:, None] * (root @ root.T) * units
     rhs = units * 10.0 ** random.uniform(-6, 6) * random.normal(size=n)
     a, b = ca.SX.sym("a", n, n), ca.SX.sym("b", n)
-    x = ca.Function("f", [a, b], [solve_symmetric(a, b)])(matrix, rhs).full().ravel()
+    x = ca.Function("f", [a, b], [solve_symmetric(a, b, EXACT)])(matrix, rhs).full().ravel()
     residual = np.abs(matrix.astype(np.longdouble) @ x - rhs)
     scale = np.abs(matrix) @ np.abs(x) + np.abs(rhs)
     # Cancellation in x spreads over the rows in proportion to the diagonal, not to their terms.
@@ -111,3 +118,17 @@ def test_rows_in_any_sequence_are_matched_to_unknowns() -> None:
 def test_a_singular_system_is_refused() -> None:
     with pytest.raises(SingularError, match="without mass or redundant constraints"):
         pivot_order(np.ones((4, 2, 2)), np.array([[1.0, 2.0]] * 4))
+
+
+def test_numbers_are_eliminated_exactly() -> None:
+    """Pivots of numbers alone: quotients that no double holds are constants by name."""
+    translate = Translator({})
+    matrix = sympy.Matrix([[3, 1, 0], [1, 7, 2], [0, 2, 981]])
+    right = sympy.Matrix([sympy.Rational(1, 4), 2, 100])
+    wanted = list(matrix.LUsolve(right))
+    order = tuple((i, i) for i in reversed(range(3)))
+    given = translate.matrix(matrix), translate.matrix(right)
+    exact = translate.exact
+    for found in (solve_symmetric(*given, exact), solve_general(*given, order, exact)):
+        names = {str(graph): value for value, graph in translate.constants.items()}
+        assert [names[str(found[i])] for i in range(3)] == wanted

@@ -55,20 +55,34 @@ class Code:
         """Of the outputs."""
         return self.routine.shapes
 
-    def build(
-        self, builder: Builder, given: Mapping[str, Sequence[Node]], wanted: Sequence[int]
-    ) -> tuple[Node, ...]:
-        """Nodes of some of its values, inputs being those that are given by group."""
-        last, _ = self.routine.inputs[-1]
-        inputs = {**given, last: read(builder, self.constants)}
-        return nodes_of(builder, self.routine, inputs, wanted)
+    @property
+    def rationals(self) -> tuple[Fraction, ...]:
+        """Constants of its nodes."""
+        return tuple(c for _, _, c in self.routine.nodes if c is not None)
 
     def results(
-        self, builder: Builder, given: Mapping[str, Sequence[Node]]
+        self,
+        builder: Builder,
+        given: Mapping[str, Sequence[Node]],
+        rationals: Mapping[Fraction, Node] | None = None,
+        constants: Sequence[Node] | None = None,
     ) -> dict[str, list[Node]]:
-        """Nodes of every output by name."""
+        """Nodes of every output by name.
+
+        Parameters
+        ----------
+        builder : Builder
+        given : mapping of str to sequence of Node
+            Inputs by group.
+        rationals : mapping of Fraction to Node, optional
+            What stands for constants of its nodes; by default these do.
+        constants : sequence of Node, optional
+            What stands for the others.
+        """
+        last, _ = self.routine.inputs[-1]
+        inputs = {**given, last: read(builder, self.constants) if constants is None else constants}
         flat = [number for numbers in self.routine.outputs for number in numbers]
-        nodes = iter(self.build(builder, given, flat))
+        nodes = iter(nodes_of(builder, self.routine, inputs, flat, rationals))
         return {
             name: [next(nodes) for _ in numbers]
             for (name, _), numbers in zip(self.shapes, self.routine.outputs, strict=True)

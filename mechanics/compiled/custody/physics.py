@@ -13,6 +13,7 @@ from mechanics.kernel import Finding, Range, Statement, decide
 from mechanics.kernel.statement import LEFT, RIGHT
 from mechanics.program import Builder, Node
 from mechanics.program.sympy_reader import read
+from mechanics.routes.rows import substitute
 
 Entry = tuple[str, Node, Node]
 """Name of an entry, and two values that should be equal."""
@@ -29,12 +30,15 @@ class Physics:
     inputs : dict of str to list of Node
         By group.
     leaves : dict of Symbol to Node
+    constants : dict of str to Fraction
+        Positive inputs that stand for numbers, see `constant`.
     """
 
     known: Derived
     builder: Builder = field(default_factory=Builder)
     inputs: dict[str, list[Node]] = field(init=False)
     leaves: dict[Symbol, Node] = field(init=False)
+    constants: dict[str, Fraction] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         symbols, fixed = self.known.symbols, self.known.fixed
@@ -49,7 +53,14 @@ class Physics:
     def ranges(self) -> dict[str, Range]:
         """What is declared of the inputs."""
         every = [symbol for group in self.known.symbols.values() for symbol in group]
-        return {symbol.name: _range(symbol) for symbol in every}
+        numbers = dict.fromkeys(self.constants, Range.POSITIVE)
+        return {symbol.name: _range(symbol) for symbol in every} | numbers
+
+    def constant(self, number: Fraction) -> Node:
+        """An input that stands for a positive number."""
+        name = f"constant {number}"
+        self.constants[name] = number
+        return self.builder.input(name)
 
     def typical(self, name: str) -> Fraction:
         """What an input is at rest: 0, or a typical value of a parameter."""
@@ -57,13 +68,26 @@ class Physics:
             if symbol.name == name:
                 value = getattr(symbol, "typical", None)
                 return Fraction(int(bool(symbol.is_positive)) if value is None else value)
-        return Fraction(0)
+        return self.constants.get(name, Fraction(0))
 
     def decide_entries(
         self, subject: str, entries: Sequence[Entry], *, try_normal: bool = True
     ) -> Finding:
-        """Decide about all entries at once; where that fails, name the first one that differs."""
+        """Decide about all entries at once; where that fails, name the first one that differs.
 
+        For every value of the constants, else for those that they have.
+        """
+        found = self._decided(subject, entries, try_normal)
+        if found.shown or not self.constants:
+            return found
+        sides = [side for _, *pair in entries for side in pair]
+        build = self.builder
+        numbers = {build.input(name): build.constant(n) for name, n in self.constants.items()}
+        nodes = iter(substitute(build, sides, numbers))
+        there = [(name, next(nodes), next(nodes)) for name, _, _ in entries]
+        return self._decided(subject, there, try_normal)
+
+    def _decided(self, subject: str, entries: Sequence[Entry], try_normal: bool) -> Finding:
         def decided(rows: Sequence[Entry], words: str) -> Finding:
             left, right = [row[1] for row in rows], [row[2] for row in rows]
             program = self.builder.program({LEFT: left, RIGHT: right})

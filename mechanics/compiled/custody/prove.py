@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from mechanics.compiled.custody.code import Code
-from mechanics.compiled.custody.constants import literals
+from mechanics.compiled.custody.constants import at_doubles, rounded_constants
 from mechanics.compiled.custody.defined import (
     counterparts,
     divides_by_zero,
@@ -55,7 +55,7 @@ def read_beside(
     given: Mapping[str, Sequence[Node]],
 ) -> Reading:  # fmt: skip
     """Read a C function into the builder of the physics, with literals as what they stand for."""
-    table = literals(physics.builder, graph.code, kernel.kind, graph.written.program.constants)
+    table = rounded_constants(physics, graph.code, kernel.kind).unknowns
     return read_into(
         physics.builder, kernel, source, graph.written.inputs, outputs_of(graph), given, table
     )
@@ -121,20 +121,24 @@ def prove_text(
 
 def _expected(physics: Physics, kernel: Kernel, graph: Graph) -> dict[str, Node]:
     """What the entries of the outputs should be, by name."""
-    builder, code = physics.builder, graph.code
+    code = graph.code
     if kernel.function == PREPARE:
         flat = [k for numbers in graph.written.outputs for k in numbers]
-        results = {CONSTANTS: list(written_nodes(physics, graph, physics.inputs, flat))}
+        nodes = written_nodes(physics, kernel, graph, physics.inputs, flat)
+        results = {CONSTANTS: list(nodes)}
     else:
-        results = code.results(builder, physics.inputs)
+        known = rounded_constants(physics, code, kernel.kind)
+        results = code.results(physics.builder, physics.inputs, *at_doubles(code, known))
     return {f"{name}[{i}]": n for name, nodes in results.items() for i, n in enumerate(nodes)}
 
 
 def written_nodes(
-    physics: Physics, graph: Graph, given: Mapping[str, Sequence[Node]], wanted: Sequence[int]
-) -> tuple[Node, ...]:
+    physics: Physics, kernel: Kernel, graph: Graph,
+    given: Mapping[str, Sequence[Node]], wanted: Sequence[int],
+) -> tuple[Node, ...]:  # fmt: skip
     """Values of the program that the C was printed from, its doubles as what they stand for."""
-    table = literals(physics.builder, graph.code, "double", graph.written.program.constants)
+    known = rounded_constants(physics, graph.code, kernel.kind)
+    table = {double: known.node(double) for double in graph.written.program.constants}
     return nodes_of(physics.builder, graph.written, given, wanted, table)
 
 

@@ -100,7 +100,7 @@ class _Values:
             given.setdefault(group, entries(builder, group, size))
         self.text = read_beside(self.physics, kernel, source, graph, given)
         every = range(len(graph.written.nodes))
-        self._program = written_nodes(self.physics, graph, given, every)
+        self._program = written_nodes(self.physics, kernel, graph, given, every)
         self._residues = Residues(builder)
         self._members: dict[int, dict[int, int]] = {}
 

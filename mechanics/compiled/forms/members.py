@@ -134,13 +134,14 @@ def _primitive(system: System) -> ca.SX:
     n = left.shape[0]
     along = tuple((i, i) for i in reversed(range(n)))
     pivots = along if system.symmetric else system.choose(left, right)
-    return solve_general(left, right, pivots) / scale
+    return solve_general(left, right, pivots, system.translate.exact) / scale
 
 
 def _rearranged(system: System) -> ca.SX:
     left, right, scale = _scaled(system)
     minors = system.translate.column(trailing_minors(system.primitive.left))
-    return solve_with_pivots(left, right, ca.vertsplit(minors)) / scale
+    exact = system.translate.exact
+    return solve_with_pivots(left, right, ca.vertsplit(minors), exact) / scale
 
 
 def _fewest(system: System) -> ca.SX:

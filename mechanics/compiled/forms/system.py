@@ -76,12 +76,7 @@ class System:
     def graphs(self) -> tuple[ca.SX, ca.SX]:
         """K and k."""
         left, right = self.equations.system
-        matrix = self.translate.matrix(left)
-        # Pivots divide: CasADi would fold 1/45 into a double.
-        for k, entry in enumerate(left):
-            if entry.is_number and entry not in (-1, 0, 1):
-                matrix[divmod(k, left.cols)] = self.translate.named(entry)
-        return matrix, self.translate.matrix(right)
+        return self.translate.matrix(left), self.translate.matrix(right)
 
     def residual(self, x: ca.SX) -> ca.SX:
         """K x - k, by the rows as they were derived: what cancels in K and k has rounded there."""
@@ -116,8 +111,8 @@ class System:
     def eliminated(self, matrix: ca.SX, rhs: ca.SX) -> ca.SX:
         """K^-1 of any columns, where K may be written in another way."""
         if self.symmetric:
-            return solve_symmetric(matrix, rhs)
-        return solve_general(matrix, rhs, self.pivots)
+            return solve_symmetric(matrix, rhs, self.translate.exact)
+        return solve_general(matrix, rhs, self.pivots, self.translate.exact)
 
     @cached_property
     def regular(self) -> list[ca.SX]:

@@ -8,7 +8,6 @@ so the same equations give the same code.
 
 from collections.abc import Callable, Hashable, Iterable, Mapping
 from dataclasses import dataclass
-from operator import add, mul, sub, truediv
 from random import Random
 from typing import Any
 
@@ -37,31 +36,31 @@ class Written:
     def graphs(self, translate: Translator) -> dict[Any, ca.SX]:
         """The graph of every value; a factor that is the name of a value stands for it."""
         nodes, keys = self.nest.nodes, self.nest.table.keys
-        built: dict[int, ca.SX] = {}
+        exact = translate.exact
+        apply = exact.operations
+        built: dict[int, Any] = {}
 
-        def graph(place: int) -> ca.SX:
+        def value(place: int) -> Any:
             if place not in built:
                 built[place] = build(*nodes[place])
             return built[place]
 
-        def build(operation: str, one: int, two: int) -> ca.SX:
+        def build(operation: str, one: int, two: int) -> Any:
             if operation == "leaf":
                 return leaf(keys[one])
             if operation == "-" and one == two:
-                return -graph(one)
-            return OPERATIONS[operation](graph(one), graph(two))
+                return apply["negate"](value(one))
+            return apply[OPERATIONS[operation]](value(one), value(two))
 
-        def leaf(key: Expr | Coefficient) -> ca.SX:
+        def leaf(key: Expr | Coefficient) -> Any:
             if isinstance(key, Coefficient):
-                return translate.number(key.expr)
-            return graph(self.roots[key]) if key in self.roots else translate(key)
+                return exact.value(key.expr)
+            return value(self.roots[key]) if key in self.roots else exact.value(translate(key))
 
-        return {name: graph(place) for name, place in self.roots.items()}
+        return {name: exact.graph(value(place)) for name, place in self.roots.items()}
 
 
-OPERATIONS: dict[str, Callable[[ca.SX, ca.SX], ca.SX]] = {
-    "+": add, "-": sub, "*": mul, "/": truediv,
-}  # fmt: skip
+OPERATIONS = {"+": "add", "-": "subtract", "*": "multiply", "/": "divide"}
 
 
 def written(nest: Nest, roots: Mapping[Any, int]) -> Written:

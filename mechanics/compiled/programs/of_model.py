@@ -17,7 +17,6 @@ from mechanics.compiled.programs.gathered import gathered
 from mechanics.compiled.programs.hoist import CONSTANTS, PREPARE, PREPARED, Hoisted, hoisted
 from mechanics.compiled.programs.reciprocals import with_reciprocals
 from mechanics.compiled.quantities import Quantity
-from mechanics.program.casadi_reader import read_routine
 from mechanics.program.routine import Routine
 
 WHOLE = "forward_dynamics"
@@ -52,7 +51,7 @@ class Programs:
             return with_watched(self[name.removesuffix(WATCHED)])
         if name in PARTS:
             return self.hoisted.prepare if name == PREPARE else self.hoisted.prepared
-        code = read_routine(self._graphs[name])
+        code = self._graphs.routine(name)
         return with_reciprocals(gathered(code)) if self.reciprocals else code
 
     @cached_property

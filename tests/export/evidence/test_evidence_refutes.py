@@ -6,17 +6,10 @@ of many, in both precisions. What is written in another way passes.
 
 import re
 from collections.abc import Callable
-from fractions import Fraction
 
 import pytest
-from sympy import Integer, pi
 
-from mechanics.compiled.custody.code import Code
-from mechanics.compiled.custody.constants import literals
 from mechanics.kernel import Verdict
-from mechanics.program import Builder
-from mechanics.program.operations import CONSTANT, INPUT, MULTIPLY
-from mechanics.program.routine import Node, routine
 
 pytestmark = pytest.mark.campaign
 
@@ -116,33 +109,3 @@ def test_what_is_written_in_another_way_passes(judging, evidence, how: int) -> N
             before, _ = judging.function("name.c", kernel.symbol)
             findings = judging("name.c", kernel.symbol, REWRITTEN[how](before))
             assert findings and all(f.shown for f in findings), [f.evidence for f in findings]
-
-
-def code(*constants) -> Code:
-    """x times each constant: the first is 1/3, the second pi."""
-    nodes = [Node(INPUT, (0, 0)), Node(CONSTANT, (), Fraction(1, 3)), Node(INPUT, (1, 0))]
-    nodes += [Node(MULTIPLY, (0, 1)), Node(MULTIPLY, (0, 2)), Node(CONSTANT, (), Fraction(5))]
-    inputs = (("x", 1), ("constants", len(constants)))
-    return Code(routine("f", nodes, [[3, 4]], inputs, (("y", (2, 1)),)), constants)
-
-
-def test_a_literal_is_a_constant_only_to_its_last_digit() -> None:
-    b = Builder()
-    table = literals(b, code(pi), "double")
-    third, circle = Fraction(1 / 3), Fraction(float(pi.evalf(30)))
-    assert table[third].constant == Fraction(1, 3) and table[-third].constant == Fraction(-1, 3)
-    assert table[circle] == b.pi and table[-circle] == -b.pi
-    unit = Fraction(2) ** -54
-    assert third + unit not in table and third - unit not in table and Fraction(5) not in table
-    single = literals(b, code(Integer(3)), "float")
-    assert single[Fraction(11184811, 2**25)].constant == Fraction(1, 3) and third not in single
-
-
-def test_a_literal_that_casadi_made_of_two_constants_is_what_they_make() -> None:
-    b = Builder()
-    made = Fraction(5 * (1 / 3))
-    other = Fraction(1.6666)
-    assert made not in literals(b, code(pi), "double")
-    table = literals(b, code(pi), "double", [made, other, Fraction(5)])
-    assert table[made].constant == Fraction(5, 3) and table[-made].constant == Fraction(-5, 3)
-    assert other not in table and Fraction(5) not in table
