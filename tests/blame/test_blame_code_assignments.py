@@ -94,3 +94,35 @@ def test_names_of_the_scene_and_names_that_change_are_no_definitions() -> None:
     assert all(name != "l" for name, _ in entry.statement.written.definitions)
     (edit,) = entry.blame.repairs[0].edits
     assert edit.mistake.name == "FACTOR"
+
+
+C = """
+#include <math.h>
+double theta_ddot(double theta, double u, double m, double l, double g)
+{
+    double gravity = 3*g/(2*l)*sin(theta);
+    double inertia = m*l*l/3;
+    double drive;
+    if (u > 0) {
+        drive = u/inertia;
+    } else {
+        drive = 2*u/inertia;
+    }
+    return gravity + drive;
+}
+"""
+
+
+def test_c_by_its_assignments_on_the_branch_where_it_is_wrong() -> None:
+    plain = C.replace("if (u > 0) {\n        drive = u/inertia;\n    } else {", "{")
+    (entry,) = mechanics.check(ROD, plain, notation="c").judged
+    (edit,) = entry.blame.repairs[0].edits
+    assert (edit.definition, edit.place) == ("drive", "code.c, line 9")
+    (entry,) = mechanics.check(ROD, C, notation="c").judged
+    assert entry.finding.verdict.name == "REFUTED"
+    (edit,) = entry.blame.repairs[0].edits
+    assert (edit.definition, edit.place) == ("drive", "code.c, line 11")
+    assert "this is the branch where u <= 0" in entry.blame.searched
+    ternary = C.replace("double drive;", "double drive = u > 0 ? u/inertia : u/inertia;")
+    right = ternary[: ternary.index("    if (u")] + "    return gravity + drive;\n}\n"
+    assert mechanics.check(ROD, right, notation="c").verdict.name == "PROVED"

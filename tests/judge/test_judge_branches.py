@@ -35,7 +35,7 @@ def test_the_wrong_branch_of_c_is_named_and_mended(body: str, branch: str) -> No
     entry = judged(body)
     assert entry.blame.searched == f"this is the branch {branch}"
     (edit,) = entry.blame.repairs[0].edits
-    assert edit.written == "-3*u/(l**2*m)"
+    assert edit.written == "-3*u/(m*l*l)"
     state = dict(entry.finding.witness.state)
     assert (float(eval(state["u"])) > 3) == branch.startswith("where u > 3")
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from contextlib import AbstractContextManager
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from fractions import Fraction
 from typing import Any, NamedTuple, Protocol
 
@@ -63,6 +63,8 @@ class Function:
         Reads of an input after an output was written.
     lanes : str
         Name of the integer that counts the lanes; empty for a function of one state.
+    named : mapping of int to (str, str)
+        The first local variable that a node was assigned to, and where: ``file:line:column``.
     """
 
     name: str
@@ -71,6 +73,7 @@ class Function:
     beyond: tuple[str, ...]
     late: tuple[str, ...]
     lanes: str
+    named: Mapping[int, tuple[str, str]] = field(default_factory=dict)
 
 
 BEYOND = -1

@@ -132,7 +132,8 @@ def read_function(
         for entry, written in array.entries.items()
     }
     status = None if returns == "void" else as_decision(result, function.coord)
-    return Function(name, outputs, status, tuple(reader.beyond), tuple(reader.late), reader.counted)
+    late, beyond = tuple(reader.late), tuple(reader.beyond)
+    return Function(name, outputs, status, beyond, late, reader.counted, reader.named)
 
 
 def _returned(function: Any) -> Any:
@@ -181,6 +182,7 @@ class Reader:
         self.lane: Whole | None = None
         self.lane_scope = 0
         self.depth = self.turns = 0
+        self.named: dict[int, tuple[str, str]] = {}
 
     def arguments(self, function: Any, given: Sequence[Parameter]) -> list[Array]:
         """Declare the arguments of the function that is read; arrays in order."""
@@ -307,6 +309,7 @@ class Reader:
         variable = Variable(node.name, kind)
         if node.init is not None:
             variable.value = self.converted(self.value(node.init), kind, node.coord)
+            self._name(variable, node.coord)
         elif kind.constant and not kind.depth:
             raise ExpressionError(f"{node.coord}: the constant {node.name} has no value")
         self.declare(node.name, variable, node.coord)
@@ -366,6 +369,11 @@ class Reader:
             sides = (as_decision(side, where) for side in (value, variable.value))
             value = of_decision(choice(condition, *sides))
         variable.value = self.converted(value, variable.type, where)
+        self._name(variable, where)
+
+    def _name(self, variable: Variable, where: Any) -> None:
+        if isinstance(variable.value, Real):
+            self.named.setdefault(variable.value.node, (variable.name, str(where)))
 
     def store(self, at: Pointer, value: Value, where: Any) -> None:
         """Set an entry of an array."""

@@ -76,6 +76,8 @@ class Authored:
     assigned: Assignments = field(default_factory=dict)
 
 
+NONE: Mapping[int, tuple[str, str]] = {}
+
 Formulas = Mapping[Expr, Authored]
 """The formulas of outputs, by the expressions that they are."""
 
@@ -156,7 +158,28 @@ def _power(exponent: Fraction) -> Callable[[Formula], Formula]:
     return _joined(lambda a: Power(0, a, Number(0, exponent)))
 
 
+def _where(condition: Formula, value: Formula) -> Formula:
+    """A value where a condition is known to hold, zero where it is known not to."""
+    if condition is None or condition.node not in (ZERO, ONE):
+        return None
+    return value if condition.node == ONE else Known(ZERO, 1)
+
+
+def _truth(decide: Callable[..., bool]) -> Callable[..., Formula]:
+    """A truth of others that are known."""
+
+    def apply(*parts: Formula) -> Formula:
+        if any(part is None or part.node not in (ZERO, ONE) for part in parts):
+            return None
+        held = decide(*(part is not None and part.node == ONE for part in parts))
+        return Known(ONE if held else ZERO, 1)
+
+    return apply
+
+
 OPERATIONS: dict[int, Callable[..., Formula]] = {
+    casadi.OP_IF_ELSE_ZERO: _where, casadi.OP_NOT: _truth(lambda a: not a),
+    casadi.OP_AND: _truth(lambda a, b: a and b), casadi.OP_OR: _truth(lambda a, b: a or b),
     casadi.OP_ASSIGN: lambda a: a,
     casadi.OP_ADD: added, casadi.OP_SUB: subtracted, casadi.OP_MUL: multiplied,
     casadi.OP_DIV: divided, casadi.OP_NEG: negated,
@@ -180,10 +203,16 @@ def of_graph(
     instructions: Sequence[Instruction],
     inputs: Sequence[Sequence[Expr]],
     rational: Callable[[Fraction], Expr],
+    named: Mapping[int, tuple[str, str]] = NONE,
+    assigned: dict[str, Assignment] | None = None,
 ) -> list[Formula]:
-    """The formula of every node of straight-line code; `rational` says what a constant is."""
+    """The formula of every node of straight-line code.
+
+    `rational` says what a constant is, `named` which nodes the code gives a name and where;
+    `assigned` learns these.
+    """
     found: list[Formula] = []
-    for op, operands, number in instructions:
+    for place, (op, operands, number) in enumerate(instructions):
         if number is not None:
             found.append(leaf(rational(number)))
         elif op == casadi.OP_INPUT:
@@ -192,7 +221,20 @@ def of_graph(
             found.append(OPERATIONS[op](*(found[i] for i in operands)))
         else:
             found.append(None)
+        last = found[-1]
+        if place in named and last is not None and assigned is not None:
+            found[-1] = given_a_name(last, *named[place], assigned)
     return found
+
+
+def given_a_name(formula: Known, name: str, place: str, assigned: dict[str, Assignment]) -> Known:
+    """A formula as the name that it is assigned to, where that is free for it."""
+    key = f"{LOCAL}{name}"
+    if isinstance(formula.node, Name | Number) or not name.isascii():
+        return formula
+    if assigned.setdefault(key, Assignment(formula.node, place)).tree != formula.node:
+        return formula
+    return Known(Name(0, key), 1)
 
 
 def renamed(node: Node, name_of: Callable[[Symbol], Name]) -> Node:

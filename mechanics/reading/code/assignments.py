@@ -21,7 +21,7 @@ from mechanics.reading.code.as_written import (
     Assignment,
     Assignments,
     Authored,
-    Known,
+    given_a_name,
     renamed,
 )
 from mechanics.reading.code.traced import Traced
@@ -30,7 +30,6 @@ from mechanics.reading.tree import (
     Call,
     Name,
     Node,
-    Number,
     Power,
     Product,
     Rate,
@@ -89,17 +88,8 @@ def _name(name: str, value: Any, place: str, found: dict[str, Assignment]) -> No
     if isinstance(value, np.ndarray) and value.dtype == object and value.size <= LARGEST_ARRAY:
         for index, entry in np.ndenumerate(value):
             _name(f"{name}[{', '.join(map(str, index))}]", entry, place, found)
-    if not isinstance(value, Traced) or value.formula is None:
-        return
-    tree = value.formula.node
-    if isinstance(tree, Name | Number) or not name.isascii():
-        return
-    key = f"{LOCAL}{name}"
-    if key not in found:
-        found[key] = Assignment(tree, place)
-    elif found[key].tree != tree:
-        return
-    value.formula = Known(Name(0, key), 1)
+    if isinstance(value, Traced) and value.formula is not None:
+        value.formula = given_a_name(value.formula, name, place, found)
 
 
 def written_out(tree: Node, table: Mapping[str, Node]) -> Node:

@@ -8,6 +8,7 @@ The code itself is read, so that its own formulas are judged, for all values of 
 import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
+from pathlib import Path
 from typing import Any
 
 import casadi
@@ -23,7 +24,14 @@ from mechanics.program.casadi_reader import single_assignment
 from mechanics.reading.about import WORDS
 from mechanics.reading.assemble import Reading
 from mechanics.reading.code.arguments import Arguments, arguments_of, vectors_of_motion
-from mechanics.reading.code.as_written import Authored, Formula, Formulas, of_graph
+from mechanics.reading.code.as_written import (
+    Assignment,
+    Assignments,
+    Authored,
+    Formula,
+    Formulas,
+    of_graph,
+)
 from mechanics.reading.code.c_constants import with_constants
 from mechanics.reading.code.c_flat import flat
 from mechanics.reading.code.c_library import with_library
@@ -53,6 +61,7 @@ from mechanics.reading.code.repeated import doubt_when_repeated
 from mechanics.reading.code.taken_apart import Apart, in_c
 from mechanics.reading.code.tracing import Outputs, trace
 from mechanics.reading.code.unwrapped import unwrapped
+from mechanics.reading.code.ways import ways_of
 from mechanics.reading.code.written import Constants, expressions
 from mechanics.reading.demands import Demand
 from mechanics.reading.guess import guess
@@ -229,14 +238,17 @@ def _c_outputs(
     bounded_code(nodes, origin)
     constants = Constants()
     numbers = expressions(nodes, entries, constants)
-    formulas = of_graph(nodes, entries, constants)
+    places = {node: (name, _line(where, origin)) for node, (name, where) in program.named.items()}
+    assigned: dict[str, Assignment] = {}
+    formulas = of_graph(nodes, entries, constants, places, assigned)
     found = [numbers[node] for node in last]
     known = {numbers[node]: formulas[node] for node in last}
+    ways = ways_of(nodes, last, entries, places)
     asked = [(numbers[node], demands_of(nodes, numbers, node)) for node in last]
     outputs = Outputs(
         (Matrix(found),),
         (*constants.notes, *unread),
-        formulas=_known(known),
+        formulas={**ways, **_known(known, assigned)},
         demands=_demanded(asked),
     )
     return replace(outputs, doubt=doubt_as_doubles(nodes, last, entries, outputs))
@@ -250,8 +262,16 @@ def _demanded(asked: Iterable[tuple[Expr, tuple[Demand, ...]]]) -> dict[Expr, tu
     return found
 
 
-def _known(formulas: Mapping[Expr, Formula]) -> Formulas:
-    return {e: Authored(known.node) for e, known in formulas.items() if known is not None}
+def _line(where: str, origin: str) -> str:
+    """``file:12:5`` as ``file, line 12``."""
+    line = re.search(r":(\d+):\d+$", where)
+    return f"{Path(origin).name}, line {line[1]}" if line else Path(origin).name
+
+
+def _known(formulas: Mapping[Expr, Formula], assigned: Assignments | None = None) -> Formulas:
+    """Those that are known, with the assignments that they are made with."""
+    own = assigned or {}
+    return {e: Authored(known.node, own) for e, known in formulas.items() if known is not None}
 
 
 def _read(
