@@ -14,6 +14,7 @@ from mechanics.crosscheck.routes import derive
 from mechanics.equations import Equations
 from mechanics.errors import InputError, wanted
 from mechanics.importers import as_scene
+from mechanics.judge.at_rest import at_rest
 from mechanics.judge.at_values import Values, read_values, right_at
 from mechanics.judge.at_values import words as in_words
 from mechanics.judge.black_box import check_box
@@ -122,7 +123,8 @@ def check(
     boxed = [check_box(truth, thing, names) for thing in things if isinstance(thing, BlackBox)]
     parts = [thing for thing in things if not isinstance(thing, BlackBox)]
     readings = [_read(truth, part, names, notation, about, function) for part in parts]
-    statements = [of_one_dimension(truth, s) for reading in readings for s in reading.statements]
+    every = (s for reading in readings for s in reading.statements)
+    statements = [at_rest(truth, of_one_dimension(truth, s)) for s in every]
     statements = of_one_order(truth, statements)
     if sum(map(bool, (values, convention, where))) > 1:
         raise InputError("check: of values, a convention and where, give one only")

@@ -11,6 +11,7 @@ A candidate is compared with what was written by the kernel; nothing here is bel
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
+from functools import partial
 
 from sympy import Add, Expr, S, Symbol, pi
 from sympy.physics.vector import ReferenceFrame, Vector
@@ -32,6 +33,7 @@ UNITS: dict[str, str] = {
     **dict.fromkeys(("kinetic energy", "potential energy", "energy"), "J"),
     **dict.fromkeys(("Lagrangian", "Hamiltonian"), "J"),
     "tension": "N", "torque": "N*m", "period": "s",
+    **{f"momentum along {axis}": "kg*m/s" for axis in "xyz"},
     **dict.fromkeys(("frequency", "turns per second"), "1/s"), "speed": "m/s",
     "angular momentum": "kg*m^2/s", "momentum": "kg*m/s",
     **dict.fromkeys(("power", "Rayleigh's function", "dissipated power"), "W"),
@@ -221,10 +223,15 @@ def _oscillations(truth: Equations, what: str, square: Expr) -> Iterator[Candida
         yield Candidate(words, q.Identity(), vanishing=vanishing.subs(SQUARE, square))
 
 
+def _along(axis: str, truth: Equations) -> Iterator[Candidate]:
+    yield Candidate(f"the momentum along {axis}", q.Momentum(_all(truth.scene), axis))
+
+
 SEARCHED: dict[str, Callable[[Equations], Iterator[Candidate]]] = {
     "reaction": _reactions, "tension": _tension, "torque": _moments,
     "angular momentum": _angular_momenta, "momentum": _momenta, "speed": _speeds,
     "frequency": _frequencies, "turns per second": _turns, "period": _periods,
+    **{f"momentum along {axis}": partial(_along, axis) for axis in "xyz"},
     "power": _power, "Rayleigh's function": _dissipation, "dissipated power": _dissipated,
 }  # fmt: skip
 """What a word can be, by the word."""

@@ -45,6 +45,7 @@ _MEANINGS: tuple[tuple[str, str, str], ...] = (
     ("H h", "Hamiltonian", "angular momentum"),
     ("P", "power", "momentum"),
     ("D", "Rayleigh's function", "dissipated power"),
+    *((f"P_{axis}", f"momentum along {axis}", "") for axis in "xyz"),
     ("S N", "reaction", ""),
     ("J", "angular momentum", "Hamiltonian"),
     ("omega omega_0 omega_n omega_1 omega_2 w w0 w_0 w_n wn", "frequency", ""),

@@ -20,9 +20,11 @@ from mechanics.reading.tree import (
     Node,
     Number,
     Power,
+    Product,
     Rate,
     Table,
     constant,
+    inverse,
     names,
     parts,
 )
@@ -94,12 +96,12 @@ def turned(lines: Sequence[Entry], naming: Naming) -> list[Entry]:
     So is ``a = v = b``: a name amid other sides is what the person calls them. Of ``w^2 = k/m`` w
     is the root.
     """
+    lines = _rooted(lines, naming)
+    known = set(definitions(lines, naming))
+    lines = _rooted([_divided(line, naming, known, lines) for line in lines], naming)
     known = set(definitions(lines, naming))
     found: list[Entry] = []
     for line in lines:
-        if isinstance(line, Line) and (rooted := _rooted(line, naming, known)) is not None:
-            line, root = rooted
-            known.add(root)
         amid = _named_amid(line, naming, known) if isinstance(line, Line) else None
         if isinstance(line, Line) and amid is not None:
             known.add(amid.name)
@@ -112,7 +114,46 @@ def turned(lines: Sequence[Entry], naming: Naming) -> list[Entry]:
     return found
 
 
-def _rooted(line: Line, naming: Naming, known: Container[str]) -> tuple[Line, str] | None:
+def _divided(line: Entry, naming: Naming, known: Container[str], lines: Sequence[Entry]) -> Entry:
+    """``2 zeta w = c/m``, where w is known and zeta used elsewhere, as what zeta is."""
+    if not isinstance(line, Line) or len(line.sides) != 2 or not isinstance(line.sides[0], Product):
+        return line
+    left, right = line.sides
+    assert isinstance(left, Product)
+
+    def free(node: Node) -> bool:
+        base = node.base if isinstance(node, Power) else node
+        unknown = isinstance(base, Name) and not base.order and base.name not in known
+        return unknown and isinstance(base, Name) and naming.target(base.name) is None
+
+    wanted = [factor for factor in left.factors if free(factor)]
+    rest = [factor for factor in left.factors if not free(factor)]
+    held = [name for factor in rest for name in names(factor)]
+    if len(wanted) != 1 or not all(
+        n.order == 0 and (n.name in known or naming.is_function(n.name) is False) for n in held
+    ):
+        return line
+    name = names(wanted[0])[0].name
+    elsewhere = [other for other in lines if isinstance(other, Line) and other is not line]
+    if name not in {n.name for n in used(elsewhere)} or name in {n.name for n in names(right)}:
+        return line
+    sides = (wanted[0], Product(right.at, (right, *map(inverse, rest))))
+    return replace(line, sides=sides, notes=(*line.notes, f"{name} is defined by this"))
+
+
+def _rooted(lines: Sequence[Entry], naming: Naming) -> list[Entry]:
+    """The lines with definitions of powers of names as those of the names."""
+    known = set(definitions(lines, naming))
+    found: list[Entry] = []
+    for line in lines:
+        if isinstance(line, Line) and (rooted := _root(line, naming, known)) is not None:
+            line, name = rooted
+            known.add(name)
+        found.append(line)
+    return found
+
+
+def _root(line: Line, naming: Naming, known: Container[str]) -> tuple[Line, str] | None:
     """A definition of a power of a name, as one of the name, and which name."""
     left, *others = line.sides
     if not isinstance(left, Power) or not isinstance(left.base, Name) or not others:

@@ -26,6 +26,7 @@ BY_UNIT: tuple[tuple[str, str], ...] = (
     ("bcd", "N*s/m"),
 )  # fmt: skip
 """First letters that are used for quantities of a unit."""
+AT_REST = re.compile(r"(?P<of>[A-Za-z]+)_(?:0|e|eq|s|star|ast)")
 RATES = frozenset(("omega", "Omega", "gamma", "nu", "w", "Omega_d", "omega_d"))
 """Names of frequencies."""
 PER_SECOND = ("1/s", "rad/s", "Hz")
@@ -66,6 +67,7 @@ def guess(naming: Naming, used: Sequence[Name], defined: Iterable[str]) -> tuple
             (moving if name.order or name.bracket else still).add(name.name)
     rates = families(moving | still)
     moving = (moving - rates.keys()) | set(rates.values())
+    still = {name for name in still if equilibrium_of(naming, name) is None}
     still -= moving | rates.keys()
     momenta = _momenta(naming, [n for n in used if n.name in moving | still], own, taken)
     moving -= {match.name for match in momenta}
@@ -90,6 +92,14 @@ def guess(naming: Naming, used: Sequence[Name], defined: Iterable[str]) -> tuple
         [(lambda name, other: True, "the only input that is left")],
     )
     return (*short, *momenta, *found_moving, *found_still, *found_inputs)
+
+
+def equilibrium_of(naming: Naming, name: str) -> str | None:
+    """The coordinate of which a name is the value at an equilibrium: theta_0."""
+    part = AT_REST.fullmatch(name)
+    found = naming.lookup(part["of"]) if part else None
+    moves = found is not None and found[1] == 0 and found[0] in naming.vocabulary.functions
+    return found[0] if found is not None and moves else None
 
 
 def _short(naming: Naming, used: Sequence[Name]) -> tuple[Match, ...]:

@@ -42,6 +42,12 @@ def test_entries_in_the_wrong_place(text: str) -> None:
     assert "REFUTED" in verdicts("pendulum", text)
 
 
+def test_the_time_of_modelica() -> None:
+    text = "der(x) = v;\nm*der(v) = F0*cos(omega*time) - c*v - k*x;"
+    assert verdicts("oscillator", text) == ["PROVED"]
+    assert verdicts("oscillator", text.replace("cos(", "sin(")) == ["REFUTED"]
+
+
 BLOCKS = """dz(1) = z(3); dz(2) = z(4);
 dz(3) = (-g*(m1+m2)*sin(z(1)) - m2*l2*z(4)^2*sin(z(1)-z(2)) - m2*l2*cos(z(1)-z(2))*dz(4))/((m1+m2)*l1)
 """  # noqa: E501

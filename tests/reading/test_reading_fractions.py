@@ -31,6 +31,17 @@ def test_fractions_and_powers(right: str, wrong: str) -> None:
     assert verdicts("pendulum", wrong) == ["REFUTED"]
 
 
+NORMAL = (
+    r"With $\omega_n^2 = k/m$, $2\zeta\omega_n = c/m$ and $f_0 = F_0/m$,"
+    r" \[ \ddot x + 2\zeta\omega_n\dot x + \omega_n^2 x = f_0\cos\omega t \]"
+)
+
+
+def test_a_product_defines_the_name_that_is_new() -> None:
+    assert verdicts("oscillator", NORMAL) == ["PROVED"]
+    assert verdicts("oscillator", NORMAL.replace("= c/m", "= 2c/m")) == ["REFUTED"]
+
+
 def test_a_root_that_is_squared_again_asks_for_no_sign() -> None:
     both = r"\ddot\theta + w^2\theta\sin\theta/\theta = 0,\quad w^2 = g\theta/(l\theta)"
     (entry,) = judged("pendulum", both).judged

@@ -210,6 +210,8 @@ class Nodes:
 
     def _named(self, text: str, at: int) -> Node:
         name, order = plain(text)
+        if name == "time" and order == 0 and not self.naming.knows(name):
+            name = "t"  # Modelica's
         if name == "pi" and not self.naming.knows("pi"):
             return Call(at, "pi", ())
         if name in FUNCTIONS and not self.naming.knows(name):

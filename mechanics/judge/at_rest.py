@@ -1,0 +1,65 @@
+"""Equilibria: what a text says of theta_0, where the scene has theta.
+
+    cos(theta_0) = g / (Omega^2 R)    ->    g = Omega^2 R cos(theta_0): then nothing accelerates
+
+The equation is solved for a parameter that it holds in the first degree, which is put into what is
+left of the equation of motion at rest: that has to vanish.
+"""
+
+from collections.abc import Iterator
+from dataclasses import replace
+
+from sympy import Expr, S, Symbol
+
+from mechanics.equations import Equations
+from mechanics.reading.guess import equilibrium_of
+from mechanics.reading.statement import Statement
+from mechanics.scene.published import Published
+from mechanics.scene.quantities import Identity
+
+
+def at_rest(truth: Equations, statement: Statement) -> Statement:
+    """The statement; one about an equilibrium as what it says of the equation of motion.
+
+    Parameters
+    ----------
+    truth : Equations
+    statement : Statement
+    """
+    row, written, scene = statement.row, statement.written, truth.scene
+    if row is None or written is None or not statement.doubt or len(scene.q) != 1 or scene.speeds:
+        return statement
+    if not isinstance(row.quantity, Identity) or len(row.sides) != 2:
+        return statement
+    sides = [scene.plain(side) for side in row.sides]
+    held = set().union(*(side.free_symbols for side in sides))
+    (q,) = scene.q
+    unknown = held - {*scene.parameters, *scene.definitions}
+    if len(unknown) != 1 or equilibrium_of(written.naming, next(iter(unknown)).name) != q.name:
+        return statement
+    (value,) = unknown
+    for vanishing in _left_over(truth, sides[0] - sides[1], value):
+        note = f"{value} is read as {q} at an equilibrium"
+        found = replace(row, sides=(scene.pressed(vanishing), S.Zero))
+        return _said(statement, found, note)
+    return statement
+
+
+def _said(statement: Statement, row: Published, note: str) -> Statement:
+    notes = (*statement.notes, note)
+    return replace(statement, row=row, doubt="", notes=notes, written=None)
+
+
+def _left_over(truth: Equations, difference: Expr, value: Symbol) -> Iterator[Expr]:
+    """What accelerates at rest, with a parameter put in that makes a difference vanish."""
+    scene = truth.scene
+    (q,) = scene.q
+    still = dict.fromkeys((*scene.qd, *scene.u, *scene.ud, *scene.input_symbols), S.Zero)
+    (force,) = (row.xreplace(still) for row in truth.residual)
+    for parameter in sorted(difference.free_symbols & {*scene.parameters}, key=str):
+        slope = difference.diff(parameter)
+        if slope != 0 and not slope.has(parameter):
+            solved = (parameter - difference / slope).cancel().xreplace({value: q})
+            if solved.is_zero:
+                continue  # m theta_0 = 0 says nothing of theta_0 where m vanishes
+            yield force.xreplace({parameter: solved})
