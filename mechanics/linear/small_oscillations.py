@@ -1,12 +1,13 @@
 """Frequencies of small oscillations: det(K - omega^2 M) = 0 about equilibria that are at hand.
 
-The equilibria that are tried are those at which all coordinates are 0, and pi for a single angle.
+The equilibria that are tried are those at which all coordinates are 0, angles 0 or pi.
 Dampers are left out: a text gives the frequency that the motion has without them.
 """
 
 from collections.abc import Iterator
+from itertools import islice, product
 
-from sympy import Expr, Symbol, pi
+from sympy import Expr, S, Symbol, pi
 
 from mechanics.equations import Equations
 from mechanics.errors import ExpressionError, InputError, SceneError, SingularError
@@ -17,6 +18,7 @@ SQUARE = Symbol("omega2", real=True)
 """The square of a frequency."""
 MOST = 3
 """Coordinates."""
+MOST_PLACES = 4
 
 
 def characteristic_polynomials(equations: Equations) -> Iterator[tuple[str, Expr]]:
@@ -37,11 +39,11 @@ def characteristic_polynomials(equations: Equations) -> Iterator[tuple[str, Expr
     coordinates = tuple(q.name for q in scene.q)
     if not 0 < len(coordinates) <= MOST or scene.speeds:
         return
-    places: list[dict[str, Expr]] = [dict.fromkeys(coordinates, 0 * pi)]
-    if len(coordinates) == 1 and set(scene.q) <= angular(scene):
-        places.append({coordinates[0]: pi})
-    for place in places:
-        inputs = {symbol.name: 0 * pi for symbol in scene.input_symbols}
+    turning = angular(scene)
+    values = [(S.Zero, pi) if q in turning else (S.Zero,) for q in scene.q]
+    for chosen in islice(product(*values), MOST_PLACES):
+        place = dict(zip(coordinates, chosen, strict=True))
+        inputs = dict.fromkeys((symbol.name for symbol in scene.input_symbols), S.Zero)
         try:
             linear = linearize(equations, place, inputs)
         except (InputError, ExpressionError, SceneError, SingularError):

@@ -7,7 +7,7 @@ import pytest
 import mechanics
 from mechanics.equations import Equations
 from mechanics.judge.check import derived
-from systems import cylinder_in_cylinder
+from systems import cartpole, cylinder_in_cylinder
 from tests.notation_scenes import judged, verdicts
 
 SWING = r"\[ \ddot\theta = -\frac gl\sin\theta \]"
@@ -56,3 +56,24 @@ def test_a_frequency_is_that_of_a_stable_equilibrium() -> None:
 )
 def test_what_may_be_something_else_stays_in_doubt(line: str) -> None:
     assert "UNDECIDED" in verdicts("pendulum", line)
+
+
+LOWER = (
+    r"\omega^2 = \frac{(m_1+m_2)g(l_1+l_2)"
+    r" - \sqrt{(m_1+m_2)^2 g^2(l_1+l_2)^2 - 4 m_1(m_1+m_2) g^2 l_1l_2}}{2 m_1 l_1 l_2}"
+)
+
+
+@pytest.mark.campaign
+def test_both_frequencies_of_a_double_pendulum() -> None:
+    assert verdicts("double", LOWER) == ["PROVED"]
+    assert verdicts("double", LOWER.replace(r"- \sqrt", r"+ \sqrt")) == ["PROVED"]
+    assert verdicts("double", LOWER.replace("- 4 m_1", "- 2 m_1")) == ["REFUTED"]
+
+
+def test_a_frequency_about_the_other_equilibrium() -> None:
+    hanging = r"\omega = \sqrt{\frac{3(m_c+m_p)g}{l(4m_c+m_p)}}"
+    truth = derived(cartpole.scene())
+    found = mechanics.check(truth, hanging, blame=False)
+    assert [e.finding.verdict.name for e in found.judged] == ["PROVED"]
+    assert any("theta = pi" in note for note in found.judged[0].statement.notes)

@@ -118,8 +118,8 @@ def test_d_is_no_factor_of_a_derivative(ratio: str) -> None:
 def test_a_period_is_no_kinetic_energy() -> None:
     found = mechanics.check(cartpole.scene(), r"\[ T = 2\pi\sqrt{l/g} \]", blame=False)
     (entry,) = found.judged
-    assert entry.finding.verdict.name == "UNDECIDED"
-    assert "T is read as the period" in entry.statement.doubt
+    assert entry.finding.verdict.name == "REFUTED"
+    assert "kinetic energy" not in str(entry.statement.row)
 
 
 @pytest.mark.parametrize(
