@@ -86,8 +86,9 @@ def vectors(
             break
     if not found:
         raise SingularError(
-            f"{name}: it is well defined at none of {DRAWN} ordinary states, so it cannot be"
-            " tested: is the mass matrix singular?"
+            f"{name}: it is well defined at none of {DRAWN} ordinary states, or all digits of an"
+            " output cancel there, so it cannot be tested: is the mass matrix singular? If not,"
+            " leave it out: outputs=[...]"
         )
     return tuple(found)
 

@@ -86,10 +86,19 @@ def beads(*values: Expr) -> Scene:
     )  # fmt: skip
 
 
+def falling(value: Expr) -> Scene:
+    """A stone in the air: its acceleration is the number."""
+    stone = O.locatenew("B", x * N.x)
+    return Scene(
+        "stone", N, O, coordinates=(x,), bodies=(Particle("stone", stone, m),),
+        loads=(gravity(value * N.x),), plane=N.z,
+    )  # fmt: skip
+
+
 WRITTEN = ("forward_dynamics", "residual", "inverse_dynamics", "energy", "step")
 
 SCENES: Mapping[str, Callable[[Expr], Scene]] = {
-    "sleeve": sleeve, "pendulum": pendulum, "beads": beads,
+    "sleeve": sleeve, "pendulum": pendulum, "beads": beads, "falling": falling,
 }  # fmt: skip
 
 
@@ -140,7 +149,7 @@ def test_c_with_constants_of_one_double_is_shown(which: str, tmp_path: Path) -> 
     assert [words for verdict, words in found if verdict not in ("PROVED", "CERTIFIED")] == []
 
 
-@pytest.mark.parametrize("constant", FEW, ids=str)
+@pytest.mark.parametrize("constant", (*FEW, Integer(0)), ids=str)
 @pytest.mark.parametrize("name", SCENES)
 def test_c_of_a_scene_with_numbers_is_shown(name: str, constant: Expr, tmp_path: Path) -> None:
     model = compile(derive(SCENES[name](constant), "free_body"), outputs=WRITTEN)

@@ -155,13 +155,14 @@ class _Writer:
         flag = self._namer.local("wild")
         texts = [numeric(self._texts[k], self._kind) for k in looked_at(self._code)]
         values = [t.code if t.level == PRIMARY else f"({t.code})" for t in texts]
-        # A sum is finite only where its terms are.
-        total, limit = (
-            " + ".join(dict.fromkeys(values)) or "0",
-            literal(_LARGEST[self._kind], self._kind),
-        )
-        near = f"!{self._beyond} & " if self._beyond else ""
-        self.inside.append(f"        {flag} |= {near}!(fabs{self._f}({total}) <= {limit});")
+        if values:
+            # A sum is finite only where its terms are.
+            total, limit = (
+                " + ".join(dict.fromkeys(values)),
+                literal(_LARGEST[self._kind], self._kind),
+            )
+            near = f"!{self._beyond} & " if self._beyond else ""
+            self.inside.append(f"        {flag} |= {near}!(fabs{self._f}({total}) <= {limit});")
         return flag
 
     def _inputs(self) -> list[tuple[int, Node]]:
