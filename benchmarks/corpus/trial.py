@@ -72,7 +72,7 @@ def _place(case: Case, found: Check) -> int:
     An edit names it where it stands at the mistake, or puts there what it has to be.
     """
     places = [0]
-    for entry in found.judged if not case.right else ():
+    for entry in found.told if not case.right else ():
         if entry.of_dimension:
             places.append(1)
         for place, repair in enumerate(entry.blame.repairs if entry.blame else (), start=1):

@@ -16,6 +16,7 @@ from mechanics.reading.guess import equilibrium_of
 from mechanics.reading.statement import Statement
 from mechanics.scene.published import Published
 from mechanics.scene.quantities import Identity
+from mechanics.symbolic import is_zero
 
 
 def at_rest(truth: Equations, statement: Statement) -> Statement:
@@ -56,6 +57,8 @@ def _left_over(truth: Equations, difference: Expr, value: Symbol) -> Iterator[Ex
     (q,) = scene.q
     still = dict.fromkeys((*scene.qd, *scene.u, *scene.ud, *scene.input_symbols), S.Zero)
     (force,) = (row.xreplace(still) for row in truth.residual)
+    if is_zero(force):
+        return  # it rests everywhere, so what is said of one place says nothing
     for parameter in sorted(difference.free_symbols & {*scene.parameters}, key=str):
         slope = difference.diff(parameter)
         if slope != 0 and not slope.has(parameter):

@@ -17,6 +17,7 @@ from mechanics.reading.lines import Entry, Line
 from mechanics.reading.names import Naming
 from mechanics.reading.spelled_rates import key
 from mechanics.reading.tree import (
+    COMPOSED,
     Call,
     Name,
     Node,
@@ -80,20 +81,26 @@ def _short(name: str, naming: Naming) -> Node | None:
     function, of = LETTERS[part["letter"]], part["of"]
     if not of[0].isdigit():
         angle = of.rstrip("0123456789") in ANGLES and f"{part['letter']}_" == name[:2]
-        return Call(0, function, (Name(0, of),)) if angle else None
+        return Call(COMPOSED, function, (Name(COMPOSED, of),)) if angle else None
     angles = _angles(naming)
     if "minus" in of:
         one, other = (angles.get(int(n)) for n in of.split("minus"))
         if one is None or other is None:
             return None
-        return Call(0, function, (total(0, [Name(0, one), negative(Name(0, other))]),))
+        return Call(
+            COMPOSED,
+            function,
+            (total(COMPOSED, [Name(COMPOSED, one), negative(Name(COMPOSED, other))]),),
+        )
     if int(of) in angles:
-        return Call(0, function, (Name(0, angles[int(of)]),))
+        return Call(COMPOSED, function, (Name(COMPOSED, angles[int(of)]),))
     digits = [int(digit) for digit in of]
     ascending = digits == list(range(digits[0], digits[0] + len(digits)))
     if len(digits) < 2 or not ascending or not all(digit in angles for digit in digits):
         return None
-    return Call(0, function, (total(0, [Name(0, angles[digit]) for digit in digits]),))
+    return Call(
+        COMPOSED, function, (total(COMPOSED, [Name(COMPOSED, angles[digit]) for digit in digits]),)
+    )
 
 
 def _line(name: str, node: Node) -> Line:

@@ -31,17 +31,8 @@ def test_a_case_has_its_verdict(name: str) -> None:
     assert next(iter(figures([trial], [])))
 
 
-FALSE = (
-    "inman_forced/motion", "inman_forced/normal_right", "landau_kapitza/lagrangian",
-    "landau_kapitza/motion", "taylor_hoop/equilibrium",
-)  # fmt: skip
-"""Right statements that are REFUTED today."""
-
-
 @pytest.mark.campaign
 @pytest.mark.parametrize("case", CASES, ids=[case.name for case in CASES])
-def test_no_verdict_is_false(case: Case, request: pytest.FixtureRequest) -> None:
-    if case.name in FALSE:
-        request.applymarker(pytest.mark.xfail(reason="a product under a cosine, an equilibrium"))
+def test_no_verdict_is_false(case: Case) -> None:
     trial = tried(case)
     assert not false(trial), trial.words

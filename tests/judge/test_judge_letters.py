@@ -10,6 +10,7 @@ from mechanics.scene import Particle, Scene, damper, gravity, parameters, reacti
 from systems import bead_on_hoop, elastic_pendulum, rod_pendulum
 
 RIGHT = (Verdict.PROVED, Verdict.CERTIFIED)
+WRONG = (Verdict.REFUTED,)
 
 
 def pendulum(units: str = "kg m m/s^2") -> Scene:
@@ -128,8 +129,8 @@ def test_what_another_meaning_makes_right_is_neither(scene: str, text: str, said
     ("text", "said", "verdict"),
     [
         (r"T = -m g l \sin\theta", "torque", RIGHT),
-        (r"T = -m g l \cos\theta", "torque", (Verdict.REFUTED,)),
-        (r"T = m l^2\dot\theta^2/2", "torque", (Verdict.REFUTED,)),
+        (r"T = -m g l \cos\theta", "torque", WRONG),
+        (r"T = m l^2\dot\theta^2/2", "torque", WRONG),
     ],
 )
 def test_what_is_said_is_meant(text: str, said: str, verdict: tuple[Verdict, ...]) -> None:
@@ -146,8 +147,8 @@ def test_one_meaning_for_a_document() -> None:
     [
         (r"The torque $T$ about the pivot is \[ T = -m g l\sin\theta. \]", RIGHT),
         (r"\[ T = -m g l\sin\theta, \] where $T$ is the torque of gravity.", RIGHT),
-        (r"The torque $T$ about the pivot is \[ T = -m g l\cos\theta. \]", (Verdict.REFUTED,)),
-        (r"The kinetic energy $T$ is \[ T = -m g l\sin\theta. \]", (Verdict.REFUTED,)),
+        (r"The torque $T$ about the pivot is \[ T = -m g l\cos\theta. \]", WRONG),
+        (r"The kinetic energy $T$ is \[ T = -m g l\sin\theta. \]", WRONG),
     ],
 )
 def test_prose_says_what_a_letter_is(text: str, verdict: tuple[Verdict, ...]) -> None:
@@ -175,3 +176,27 @@ def test_one_equation_of_two_is_mended_by_any_convention() -> None:
     assert found.verdict is Verdict.REFUTED
     assert found.judged[0].right_if
     assert not found.judged[0].open
+
+
+@pytest.mark.parametrize(
+    ("scene", "text", "verdict"),
+    [
+        ("hoop", r"There is an equilibrium at $\cos\theta_0 = g/(\omega^2 R)$.", RIGHT),
+        (
+            "hoop",
+            r"There is an equilibrium at $\cos\theta_0 = R/(\omega^2 g)$.",
+            (Verdict.REFUTED,),
+        ),
+        (
+            "hoop",
+            r"There is an equilibrium at $\sin\theta_0 = g/(\omega^2 R)$.",
+            (Verdict.REFUTED,),
+        ),
+        ("hoop", r"\[ \cos\theta = g/(\omega^2 R) \]", WRONG),
+        ("damped", r"It is at rest where $c x_0 = m$.", (Verdict.UNDECIDED,)),
+    ],
+)
+def test_an_equilibrium_is_a_condition_of_rest(
+    scene: str, text: str, verdict: tuple[Verdict, ...]
+) -> None:
+    assert answer(scene, text).verdict in verdict, str(answer(scene, text))

@@ -102,6 +102,9 @@ class Inside:
             for ratio in (Fraction(2), Fraction(1, 2)):
                 scaled = times(Number(0, ratio), part)
                 yield index, scaled, Mistake.FACTOR, TOKEN + SECOND
+            for word in self.words.symbols:
+                if word.kind == "time":  # cos(omega) for cos(omega t)
+                    yield index, times(part, word.name), Mistake.FACTOR, TOKEN + SECOND
 
     def _symbols(self, kid: int, part: Name) -> Iterator[Inner]:
         own = self.words.word(part)

@@ -14,6 +14,7 @@ from mechanics.equations import Equations
 from mechanics.reading.tree import Call, Name, Node
 from mechanics.reading.written import Written
 from mechanics.scene.momenta import momentum_symbols, rate_symbol
+from mechanics.scene.rates import TIME
 from mechanics.scene.symbols import plain_symbol
 
 TRIGONOMETRIC = ("sin", "cos", "tan")
@@ -75,6 +76,8 @@ class Words:
                 kinds.setdefault(symbol, kind)
         for symbol in (*scene.parameters, *scene.definitions):
             kinds.setdefault(symbol, str(getattr(symbol, "unit", "")))
+        if scene.explicit_time:
+            kinds.setdefault(TIME, "time")
         for symbol in momentum_symbols(scene):
             for each in (symbol, rate_symbol(symbol)):
                 if each in set(self.held):
