@@ -15,8 +15,9 @@ inverse dynamics are the forces to be added, tau = rows(q, u, u', lambda(q, u)).
 
 All rows are power-conjugate to u, so that they are equal and not only equivalent: which of them an
 output is made from is a matter of operations alone. Friction couples the rows with the reactions
-that press, and the rows are those of the route. `mechanics.compiled.custody.laws` shows
-each. Parameters that are fixed are numbers before operations are counted.
+that press, and the rows are those of the route. Each is shown by the laws of
+`mechanics.compiled.translation_validation`. Parameters that are fixed are numbers before operations
+are counted.
 """
 
 from __future__ import annotations

@@ -3,7 +3,8 @@
 In exact arithmetic: the graphs are walked instruction by instruction, at the values of parameters
 that are fixed. The graphs are those that are bound and
 evaluated, with pi and other numbers that no double holds still standing as symbols.
-`mechanics.compiled.custody` has the laws, and the rest of the chain down to the machine code.
+`mechanics.compiled.translation_validation` has the laws, and the rest of the chain down to the
+machine code.
 """
 
 from collections.abc import Sequence
@@ -11,11 +12,11 @@ from typing import Any
 
 import casadi as ca
 
-from mechanics.compiled.custody.code import code_of
-from mechanics.compiled.custody.derived import Derived, derived
-from mechanics.compiled.custody.graph import STEP, prove_derived
 from mechanics.compiled.graphs import Graphs
 from mechanics.compiled.model import Model
+from mechanics.compiled.translation_validation.code import code_of
+from mechanics.compiled.translation_validation.derived import Derived, derived
+from mechanics.compiled.translation_validation.graph import STEP, prove_derived
 from mechanics.kernel import Finding
 
 

@@ -7,7 +7,7 @@ from hashlib import sha256
 from importlib.metadata import PackageNotFoundError, version
 from typing import Any
 
-from mechanics.compiled.custody.kernel import Kernel
+from mechanics.compiled.translation_validation.kernel import Kernel
 from mechanics.export.contents import Contents
 
 TOOLS = ("mechanics", "casadi", "sympy", "python-flint")

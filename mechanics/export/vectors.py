@@ -18,9 +18,9 @@ import numpy as np
 from flint import arb
 
 from mechanics.compiled import Model
-from mechanics.compiled.custody.code import as_written
 from mechanics.compiled.quantities import Quantities, Quantity
 from mechanics.compiled.sampling import sample
+from mechanics.compiled.translation_validation.code import as_written
 from mechanics.errors import SingularError
 from mechanics.export.roundings import first_order
 from mechanics.kernel import enclose

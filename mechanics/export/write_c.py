@@ -76,8 +76,8 @@ def write_c(
     system : str, optional
         Name of the built-in system that the model was made of, for the manifest.
     prove : bool
-        Whether the chain of custody, from the derived equations to the C text, is gone through
-        before the files are written, and what is shown noted in the manifest.
+        Whether the chain of translation validation, from the derived equations to the C text, is
+        gone through before the files are written, and what is shown noted in the manifest.
     measure : bool
         Whether the C is compiled, too, by every compiler that is found, and its results are
         compared with enclosures.

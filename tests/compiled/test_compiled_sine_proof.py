@@ -9,11 +9,16 @@ import pytest
 from flint import arb
 
 from mechanics.compiled.c.sine import LIMIT, sine_source
-from mechanics.compiled.custody.sine import MOST, verify_sine
-from mechanics.compiled.custody.sine.affine import Affine, AffineForms, half_pi, half_unit
-from mechanics.compiled.custody.sine.machine import sincos
-from mechanics.compiled.custody.sine.reduction import nearest_multiple, reduced
-from mechanics.compiled.custody.sine.walk import Function
+from mechanics.compiled.translation_validation.sine import MOST, verify_sine
+from mechanics.compiled.translation_validation.sine.affine import (
+    Affine,
+    AffineForms,
+    half_pi,
+    half_unit,
+)
+from mechanics.compiled.translation_validation.sine.machine import sincos
+from mechanics.compiled.translation_validation.sine.reduction import nearest_multiple, reduced
+from mechanics.compiled.translation_validation.sine.walk import Function
 from mechanics.errors import ExpressionError
 from mechanics.kernel import Finding, Verdict
 from mechanics.kernel.balls import precision

@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 from flint import arb
 
-from mechanics.compiled.custody.code import as_written
 from mechanics.compiled.step import RK4, Tableau, runge_kutta
 from mechanics.compiled.tableaus import TABLEAUX
+from mechanics.compiled.translation_validation.code import as_written
 from mechanics.kernel.balls import Balls, ball, precision
 from mechanics.program import interpret
 from mechanics.program.casadi_reader import read_routine

@@ -8,7 +8,7 @@ import pytest
 
 from mechanics.cli.load import load
 from mechanics.compiled import compile as compile_model
-from mechanics.compiled.custody.code import as_written
+from mechanics.compiled.translation_validation.code import as_written
 from mechanics.crosscheck import derive
 from mechanics.export.roundings import first_order
 from mechanics.export.vectors import ROOM, enclosed, vectors

@@ -19,10 +19,10 @@ from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols, inert
 
 import mechanics
 from mechanics.compiled import Model
-from mechanics.compiled.custody.derived import GROUPS
-from mechanics.compiled.custody.laws import LAWS
 from mechanics.compiled.programs.of_model import PARTS
 from mechanics.compiled.proof import prove_compiled
+from mechanics.compiled.translation_validation.derived import GROUPS
+from mechanics.compiled.translation_validation.laws import LAWS
 from mechanics.errors import InputError, SceneError
 from mechanics.scene import (
     RigidBody,

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from mechanics.compiled.custody.binary import Measured, compare
-from mechanics.compiled.custody.build import Built
-from mechanics.compiled.custody.code import as_written
-from mechanics.compiled.custody.truth import truth
+from mechanics.compiled.translation_validation.binary import Measured, compare
+from mechanics.compiled.translation_validation.build import Built
+from mechanics.compiled.translation_validation.code import as_written
+from mechanics.compiled.translation_validation.truth import truth
 from mechanics.export.evidence.chain import Evidence, Read, Report, silent
 from mechanics.kernel import Finding
 

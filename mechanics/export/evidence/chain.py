@@ -1,4 +1,4 @@
-"""The chain of custody of one folder: what is shown about it.
+"""The chain of translation validation of one folder: what is shown about it.
 
 1   derived equations = graph          each function
 2   graph = C text                     each C function, its outputs and its status
@@ -10,16 +10,21 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
-from mechanics.compiled.custody.binary import Measured
-from mechanics.compiled.custody.code import Code
-from mechanics.compiled.custody.derived import Derived
-from mechanics.compiled.custody.graph import prove_derived
-from mechanics.compiled.custody.kernel import Kernel
-from mechanics.compiled.custody.prove import Graph, is_prepared, outputs_of, prove_text
-from mechanics.compiled.custody.status import prove_status
-from mechanics.compiled.custody.text import Text, read_text, reads_alike
 from mechanics.compiled.programs.hoist import PREPARE
 from mechanics.compiled.programs.of_model import PARTS, WHOLE
+from mechanics.compiled.translation_validation.binary import Measured
+from mechanics.compiled.translation_validation.code import Code
+from mechanics.compiled.translation_validation.derived import Derived
+from mechanics.compiled.translation_validation.graph import prove_derived
+from mechanics.compiled.translation_validation.kernel import Kernel
+from mechanics.compiled.translation_validation.prove import (
+    Graph,
+    is_prepared,
+    outputs_of,
+    prove_text,
+)
+from mechanics.compiled.translation_validation.status import prove_status
+from mechanics.compiled.translation_validation.text import Text, read_text, reads_alike
 from mechanics.errors import ExpressionError, InputError
 from mechanics.export.evidence.graphs import RATES
 from mechanics.export.evidence.texts import not_named, sources

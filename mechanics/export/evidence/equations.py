@@ -15,7 +15,7 @@ from typing import Any
 
 from sympy import Expr, Symbol
 
-from mechanics.compiled.custody.derived import GROUPS, Derived
+from mechanics.compiled.translation_validation.derived import GROUPS, Derived
 from mechanics.errors import ExpressionError, InputError
 from mechanics.export.evidence.expressions import Writer, index, read_nodes, read_symbols
 from mechanics.program import Program

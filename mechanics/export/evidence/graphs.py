@@ -17,8 +17,8 @@ from collections.abc import Mapping
 from fractions import Fraction
 from typing import Any
 
-from mechanics.compiled.custody.code import Code
-from mechanics.compiled.custody.prove import Graph
+from mechanics.compiled.translation_validation.code import Code
+from mechanics.compiled.translation_validation.prove import Graph
 from mechanics.errors import ExpressionError
 from mechanics.export.evidence.equations import lines
 from mechanics.export.evidence.expressions import (

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from pycparser import c_generator
 
 from mechanics.compiled.c.lanes import FAR, WILD
-from mechanics.compiled.custody.status import BAD_INPUT, OK, OVERFLOW, SINGULAR
+from mechanics.compiled.translation_validation.status import BAD_INPUT, OK, OVERFLOW, SINGULAR
 from mechanics.errors import ExpressionError
 from mechanics.export.evidence.chain import Evidence
 from mechanics.export.evidence.texts import FMA, odd_conditions

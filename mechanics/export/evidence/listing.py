@@ -19,11 +19,11 @@ from typing import Any
 from sympy import Symbol
 
 from mechanics.compiled.c.lanes import SHARED
-from mechanics.compiled.custody.derived import Derived
-from mechanics.compiled.custody.kernel import Kernel
 from mechanics.compiled.graphs import Graphs
 from mechanics.compiled.programs.of_model import PARTS
 from mechanics.compiled.quantities import Quantity
+from mechanics.compiled.translation_validation.derived import Derived
+from mechanics.compiled.translation_validation.kernel import Kernel
 from mechanics.errors import ExpressionError
 from mechanics.export.batch import batched
 from mechanics.export.batch_selftest import batch_selftest

@@ -11,9 +11,9 @@ from math import isfinite
 from pathlib import Path
 from typing import Any
 
-from mechanics.compiled.custody.code import Code
-from mechanics.compiled.custody.derived import Derived
-from mechanics.compiled.custody.kernel import Kernel
+from mechanics.compiled.translation_validation.code import Code
+from mechanics.compiled.translation_validation.derived import Derived
+from mechanics.compiled.translation_validation.kernel import Kernel
 from mechanics.errors import ExpressionError, InputError
 from mechanics.export.evidence import equations, graphs
 from mechanics.export.evidence.beyond import may_be_read

@@ -13,12 +13,12 @@ from typing import Any
 
 from mechanics.compiled import Model
 from mechanics.compiled.c.lanes import SHARED
-from mechanics.compiled.custody.code import Code, code_of
-from mechanics.compiled.custody.derived import derived
-from mechanics.compiled.custody.graph import STEP
-from mechanics.compiled.custody.kernel import Kernel
-from mechanics.compiled.custody.prove import Graph
 from mechanics.compiled.programs.of_model import PARTS, WHOLE
+from mechanics.compiled.translation_validation.code import Code, code_of
+from mechanics.compiled.translation_validation.derived import derived
+from mechanics.compiled.translation_validation.graph import STEP
+from mechanics.compiled.translation_validation.kernel import Kernel
+from mechanics.compiled.translation_validation.prove import Graph
 from mechanics.errors import ExpressionError
 from mechanics.export.evidence.chain import (
     BINARY,

@@ -13,7 +13,7 @@ from typing import Any
 
 from pycparser import c_generator
 
-from mechanics.compiled.custody.sine.proof import verify_sine
+from mechanics.compiled.translation_validation.sine.proof import verify_sine
 from mechanics.errors import ExpressionError
 from mechanics.export.evidence.chain import Report, silent
 from mechanics.export.evidence.texts import FMA, odd_conditions

@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from itertools import combinations
 from typing import Any
 
-from mechanics.compiled.custody.kernel import Kernel
+from mechanics.compiled.translation_validation.kernel import Kernel
 from mechanics.errors import ExpressionError
 from mechanics.program.c.conditionals import asked_names
 from mechanics.program.c.library import FAR, FUNCTIONS, FUSED, SINCOS

@@ -17,10 +17,10 @@ import numpy as np
 from flint import arb
 from pycparser import c_ast
 
-from mechanics.compiled.custody.code import as_written
-from mechanics.compiled.custody.prove import Graph
-from mechanics.compiled.custody.rounding import DIGITS
-from mechanics.compiled.custody.states import TYPES
+from mechanics.compiled.translation_validation.code import as_written
+from mechanics.compiled.translation_validation.prove import Graph
+from mechanics.compiled.translation_validation.rounding import DIGITS
+from mechanics.compiled.translation_validation.states import TYPES
 from mechanics.errors import ExpressionError
 from mechanics.kernel import Finding, enclose, enclosed, refuted, undecided
 from mechanics.program.c.literal import literal

@@ -1,4 +1,4 @@
-"""``verify(folder)``: the chain of custody once more, from the files alone.
+"""``verify(folder)``: the chain of translation validation once more, from the files alone.
 
 A changed hash is told, but it is the mathematics that decides: a file that was formatted anew is
 still shown to be its graph. Files that no step looks at have nothing but their hash.
@@ -12,10 +12,10 @@ from dataclasses import dataclass, replace
 from enum import Enum
 from pathlib import Path
 
-from mechanics.compiled.custody.build import building, compilers
-from mechanics.compiled.custody.derived import Derived, derived
 from mechanics.compiled.fixed import Fixed, read_fixed
 from mechanics.compiled.graphs import STATE, Graphs, function_inputs
+from mechanics.compiled.translation_validation.build import building, compilers
+from mechanics.compiled.translation_validation.derived import Derived, derived
 from mechanics.equations import Equations
 from mechanics.errors import InputError
 from mechanics.export.evidence.binaries import third_step
@@ -104,7 +104,7 @@ def chain(
     sines: bool = True,
     report: Report = silent,
 ) -> Chain:
-    """Go through the chain of custody once.
+    """Go through the chain of translation validation once.
 
     Parameters
     ----------
@@ -166,7 +166,7 @@ def verify(
     measure: bool = True,
     report: Report = silent,
 ) -> Verification:
-    """Repeat the chain of custody of a folder.
+    """Repeat the chain of translation validation of a folder.
 
     Parameters
     ----------

@@ -13,12 +13,12 @@ from sympy import Symbol
 
 from mechanics.compiled import Model
 from mechanics.compiled.c.names import identifier
-from mechanics.compiled.custody.code import exact
-from mechanics.compiled.custody.derived import Derived
-from mechanics.compiled.custody.kernel import Kernel
-from mechanics.compiled.custody.prove import Graph, outputs_of, prove_text
-from mechanics.compiled.custody.text import read_text
 from mechanics.compiled.proof import prove_compiled, prove_graph
+from mechanics.compiled.translation_validation.code import exact
+from mechanics.compiled.translation_validation.derived import Derived
+from mechanics.compiled.translation_validation.kernel import Kernel
+from mechanics.compiled.translation_validation.prove import Graph, outputs_of, prove_text
+from mechanics.compiled.translation_validation.text import read_text
 from mechanics.errors import ExpressionError
 from mechanics.export.fmu.functions import (
     CLOCK,

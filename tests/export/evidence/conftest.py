@@ -9,8 +9,8 @@ from typing import NamedTuple
 
 import pytest
 
-from mechanics.compiled.custody.build import building
-from mechanics.compiled.custody.kernel import Kernel
+from mechanics.compiled.translation_validation.build import building
+from mechanics.compiled.translation_validation.kernel import Kernel
 from mechanics.export.evidence.binaries import third_step
 from mechanics.export.evidence.chain import Evidence, Read, second_step
 from mechanics.export.evidence.read import read_folder

@@ -9,8 +9,8 @@ from typing import Any
 import pytest
 
 from mechanics import compile, derive, write_c
-from mechanics.compiled.custody.derived import derived
 from mechanics.compiled.graphs import Graphs
+from mechanics.compiled.translation_validation.derived import derived
 from mechanics.export.evidence.chain import Chain, second_step
 from mechanics.export.evidence.listing import as_derived, prove_files
 from mechanics.export.evidence.read import read_folder

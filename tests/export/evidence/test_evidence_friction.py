@@ -6,7 +6,7 @@ from typing import Any
 
 import pytest
 
-from mechanics.compiled.custody.build import building
+from mechanics.compiled.translation_validation.build import building
 from mechanics.export.evidence.binaries import third_step
 from mechanics.export.evidence.chain import Evidence, Read, second_step
 from mechanics.export.evidence.read import read_folder

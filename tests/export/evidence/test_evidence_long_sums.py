@@ -2,8 +2,8 @@
 
 import pytest
 
-from mechanics.compiled.custody.kernel import Kernel
-from mechanics.compiled.custody.text import read_text
+from mechanics.compiled.translation_validation.kernel import Kernel
+from mechanics.compiled.translation_validation.text import read_text
 from mechanics.export.evidence.texts import sources
 from mechanics.program.c.parse import Source
 

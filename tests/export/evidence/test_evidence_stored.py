@@ -10,8 +10,8 @@ from typing import Any, NamedTuple
 import pytest
 
 from mechanics import compile, derive, write_c
-from mechanics.compiled.custody.derived import Derived, derived
 from mechanics.compiled.graphs import Graphs
+from mechanics.compiled.translation_validation.derived import Derived, derived
 from mechanics.errors import InputError
 from mechanics.export.contents import Contents
 from mechanics.export.evidence.chain import BINARY, NO_SINES, NOT_ASKED, Chain, second_step

@@ -19,12 +19,12 @@ import numpy as np
 from flint import arb, fmpq
 from pycparser import c_ast, c_generator
 
-from mechanics.compiled.custody.sine.affine import SMALLEST
-from mechanics.compiled.custody.sine.bounds import Largest, largest_errors
-from mechanics.compiled.custody.sine.machine import sincos
-from mechanics.compiled.custody.sine.quadrant import check_parity, check_quadrants
-from mechanics.compiled.custody.sine.reduction import reduced, small
-from mechanics.compiled.custody.sine.rounding import unit
+from mechanics.compiled.translation_validation.sine.affine import SMALLEST
+from mechanics.compiled.translation_validation.sine.bounds import Largest, largest_errors
+from mechanics.compiled.translation_validation.sine.machine import sincos
+from mechanics.compiled.translation_validation.sine.quadrant import check_parity, check_quadrants
+from mechanics.compiled.translation_validation.sine.reduction import reduced, small
+from mechanics.compiled.translation_validation.sine.rounding import unit
 from mechanics.errors import ExpressionError
 from mechanics.kernel import Finding, enclosed, refuted, undecided
 from mechanics.kernel.balls import precision

@@ -12,9 +12,9 @@ from __future__ import annotations
 from fractions import Fraction
 from typing import Any, NamedTuple
 
-from mechanics.compiled.custody.sine.affine import BITS
-from mechanics.compiled.custody.sine.machine import Machine
-from mechanics.compiled.custody.sine.walk import Domain, Function
+from mechanics.compiled.translation_validation.sine.affine import BITS
+from mechanics.compiled.translation_validation.sine.machine import Machine
+from mechanics.compiled.translation_validation.sine.walk import Domain, Function
 from mechanics.errors import ExpressionError
 from mechanics.program.c.parse import Source
 

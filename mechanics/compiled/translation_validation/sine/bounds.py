@@ -19,10 +19,16 @@ from math import factorial, isfinite
 
 from flint import arb, arb_poly, fmpq
 
-from mechanics.compiled.custody.sine.affine import BITS, SMALLEST, half_unit
-from mechanics.compiled.custody.sine.reduction import Reduced
-from mechanics.compiled.custody.sine.rounding import Poly, Polynomials, Rounded, Roundings, unit
-from mechanics.compiled.custody.sine.tape import Recorded, record
+from mechanics.compiled.translation_validation.sine.affine import BITS, SMALLEST, half_unit
+from mechanics.compiled.translation_validation.sine.reduction import Reduced
+from mechanics.compiled.translation_validation.sine.rounding import (
+    Poly,
+    Polynomials,
+    Rounded,
+    Roundings,
+    unit,
+)
+from mechanics.compiled.translation_validation.sine.tape import Recorded, record
 from mechanics.errors import ExpressionError
 from mechanics.kernel.balls import precision
 from mechanics.program.c.parse import Source

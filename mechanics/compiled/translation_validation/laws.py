@@ -15,8 +15,8 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
 
-from mechanics.compiled.custody.derived import WANTED
-from mechanics.compiled.custody.physics import Entry, Physics
+from mechanics.compiled.translation_validation.derived import WANTED
+from mechanics.compiled.translation_validation.physics import Entry, Physics
 from mechanics.program import Node
 from mechanics.program.derivatives import gradient
 from mechanics.program.forward import tangent
@@ -182,4 +182,4 @@ LAWS: dict[str, Law] = {
     "jacobians": _jacobians,
     "rates": _rates,
 }
-"""By name of a function. The step is composed of the rates, see `custody.step`."""
+"""By name of a function. The step is composed of the rates, see `translation_validation.step`."""

@@ -9,8 +9,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from mechanics.compiled.custody.states import TYPES
-from mechanics.compiled.custody.truth import Truth
+from mechanics.compiled.translation_validation.states import TYPES
+from mechanics.compiled.translation_validation.truth import Truth
 
 LANES = 300
 """Of a call of many states: more than a block, and no multiple of a vector."""

@@ -6,19 +6,19 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from mechanics.compiled.custody.code import Code
-from mechanics.compiled.custody.constants import at_doubles, rounded_constants
-from mechanics.compiled.custody.defined import (
+from mechanics.compiled.programs.hoist import CONSTANTS, PREPARE, PREPARED
+from mechanics.compiled.translation_validation.code import Code
+from mechanics.compiled.translation_validation.constants import at_doubles, rounded_constants
+from mechanics.compiled.translation_validation.defined import (
     counterparts,
     divides_by_zero,
     unmatched,
     where_defined,
 )
-from mechanics.compiled.custody.derived import Derived
-from mechanics.compiled.custody.kernel import Kernel
-from mechanics.compiled.custody.physics import Entry, Physics
-from mechanics.compiled.custody.text import Groups, Reading, Text, read_into
-from mechanics.compiled.programs.hoist import CONSTANTS, PREPARE, PREPARED
+from mechanics.compiled.translation_validation.derived import Derived
+from mechanics.compiled.translation_validation.kernel import Kernel
+from mechanics.compiled.translation_validation.physics import Entry, Physics
+from mechanics.compiled.translation_validation.text import Groups, Reading, Text, read_into
 from mechanics.errors import ExpressionError
 from mechanics.kernel import Finding, undecided
 from mechanics.program import Node

@@ -10,11 +10,11 @@ from flint import arb
 from numpy.typing import NDArray
 from sympy import Symbol
 
-from mechanics.compiled.custody.code import EVERY
-from mechanics.compiled.custody.numeric import Magnitudes, decided
-from mechanics.compiled.custody.rounding import RoundedBalls
-from mechanics.compiled.custody.states import FINITE, STRATA, TYPES, States, states
-from mechanics.compiled.custody.text import ASKED, VALUES, Text
+from mechanics.compiled.translation_validation.code import EVERY
+from mechanics.compiled.translation_validation.numeric import Magnitudes, decided
+from mechanics.compiled.translation_validation.rounding import RoundedBalls
+from mechanics.compiled.translation_validation.states import FINITE, STRATA, TYPES, States, states
+from mechanics.compiled.translation_validation.text import ASKED, VALUES, Text
 from mechanics.kernel.balls import Balls, precision
 from mechanics.program import Program, interpret
 from mechanics.program.c.condition import atoms

@@ -11,7 +11,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
 
-from mechanics.compiled.custody.physics import Physics
+from mechanics.compiled.translation_validation.physics import Physics
 from mechanics.kernel import Finding, Range, undecided
 from mechanics.kernel.definedness import Gap, Kind, Space, gaps, undefined
 from mechanics.program import Node, Obligation

@@ -14,8 +14,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 
-from mechanics.compiled.custody.code import Code
-from mechanics.compiled.custody.physics import Physics
+from mechanics.compiled.translation_validation.code import Code
+from mechanics.compiled.translation_validation.physics import Physics
 from mechanics.program import Builder, Node
 from mechanics.program.c.literal import rounded
 from mechanics.program.casadi_printer import nearest

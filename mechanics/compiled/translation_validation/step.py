@@ -11,7 +11,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
 
-from mechanics.compiled.custody.code import Code
+from mechanics.compiled.translation_validation.code import Code
 from mechanics.program import Builder, Node
 
 STAGES = ((Fraction(1, 2), 2), (Fraction(1, 2), 2), (Fraction(1), 1))

@@ -13,8 +13,8 @@ from typing import NamedTuple
 
 from flint import arb, fmpq
 
-from mechanics.compiled.custody.sine.affine import BITS, SMALLEST
-from mechanics.compiled.custody.sine.walk import Domain
+from mechanics.compiled.translation_validation.sine.affine import BITS, SMALLEST
+from mechanics.compiled.translation_validation.sine.walk import Domain
 from mechanics.errors import ExpressionError
 
 Poly = dict[tuple[int, int], Fraction]

@@ -8,7 +8,7 @@ from fractions import Fraction
 
 from sympy import Symbol
 
-from mechanics.compiled.custody.derived import Derived
+from mechanics.compiled.translation_validation.derived import Derived
 from mechanics.kernel import Finding, Range, Statement, decide
 from mechanics.kernel.statement import LEFT, RIGHT
 from mechanics.program import Builder, Node

@@ -9,16 +9,16 @@ from flint import arb
 from sympy import Symbol
 
 from mechanics.compiled import compile
-from mechanics.compiled.custody.binary import compare
-from mechanics.compiled.custody.build import Built, building
-from mechanics.compiled.custody.code import EVERY, code_of
-from mechanics.compiled.custody.derived import derived
-from mechanics.compiled.custody.graph import prove_derived
-from mechanics.compiled.custody.kernel import Kernel
-from mechanics.compiled.custody.rounding import RoundedBalls
-from mechanics.compiled.custody.states import FINITE, states
-from mechanics.compiled.custody.text import VALUES, Text, read_text
-from mechanics.compiled.custody.truth import truth
+from mechanics.compiled.translation_validation.binary import compare
+from mechanics.compiled.translation_validation.build import Built, building
+from mechanics.compiled.translation_validation.code import EVERY, code_of
+from mechanics.compiled.translation_validation.derived import derived
+from mechanics.compiled.translation_validation.graph import prove_derived
+from mechanics.compiled.translation_validation.kernel import Kernel
+from mechanics.compiled.translation_validation.rounding import RoundedBalls
+from mechanics.compiled.translation_validation.states import FINITE, states
+from mechanics.compiled.translation_validation.text import VALUES, Text, read_text
+from mechanics.compiled.translation_validation.truth import truth
 from mechanics.kernel import Verdict
 from mechanics.kernel.balls import precision
 from mechanics.program import Program

@@ -14,7 +14,7 @@ from functools import cache
 
 from flint import arb
 
-from mechanics.compiled.custody.sine.walk import Domain
+from mechanics.compiled.translation_validation.sine.walk import Domain
 from mechanics.errors import ExpressionError
 from mechanics.kernel.balls import precision
 

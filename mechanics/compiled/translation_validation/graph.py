@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
-from mechanics.compiled.custody.code import Code
-from mechanics.compiled.custody.defined import divides_by_zero, where_defined
-from mechanics.compiled.custody.derived import Derived
-from mechanics.compiled.custody.laws import LAWS, Law, Outputs, law_of
-from mechanics.compiled.custody.physics import Entry, Physics
-from mechanics.compiled.custody.step import composed
 from mechanics.compiled.fixed import words
+from mechanics.compiled.translation_validation.code import Code
+from mechanics.compiled.translation_validation.defined import divides_by_zero, where_defined
+from mechanics.compiled.translation_validation.derived import Derived
+from mechanics.compiled.translation_validation.laws import LAWS, Law, Outputs, law_of
+from mechanics.compiled.translation_validation.physics import Entry, Physics
+from mechanics.compiled.translation_validation.step import composed
 from mechanics.errors import InputError
 from mechanics.kernel import Finding, undecided
 from mechanics.program.operations import Sign

@@ -12,8 +12,8 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 
-from mechanics.compiled.custody.code import EVERY, entries
-from mechanics.compiled.custody.kernel import COUNT, Kernel, parameters
+from mechanics.compiled.translation_validation.code import EVERY, entries
+from mechanics.compiled.translation_validation.kernel import COUNT, Kernel, parameters
 from mechanics.errors import ExpressionError
 from mechanics.program import Builder, Node, Program
 from mechanics.program.as_written import AsWritten

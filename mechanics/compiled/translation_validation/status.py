@@ -21,11 +21,11 @@ import numpy as np
 from mechanics.compiled.c.flow import looked_at
 from mechanics.compiled.c.lanes import FAR, WILD
 from mechanics.compiled.c.status import watched
-from mechanics.compiled.custody.code import entries
-from mechanics.compiled.custody.derived import Derived
-from mechanics.compiled.custody.kernel import Kernel
-from mechanics.compiled.custody.physics import Entry, Physics
-from mechanics.compiled.custody.prove import Graph, read_beside, written_nodes
+from mechanics.compiled.translation_validation.code import entries
+from mechanics.compiled.translation_validation.derived import Derived
+from mechanics.compiled.translation_validation.kernel import Kernel
+from mechanics.compiled.translation_validation.physics import Entry, Physics
+from mechanics.compiled.translation_validation.prove import Graph, read_beside, written_nodes
 from mechanics.errors import ExpressionError
 from mechanics.kernel import Finding, undecided
 from mechanics.program import Node

@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from mechanics.compiled.custody.sine.walk import Domain, Function
+from mechanics.compiled.translation_validation.sine.walk import Domain, Function
 from mechanics.program.c.literal import rounded
 from mechanics.program.c.parse import Source
 

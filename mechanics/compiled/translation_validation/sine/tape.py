@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Any, NamedTuple
 
-from mechanics.compiled.custody.sine.walk import Domain, Function
+from mechanics.compiled.translation_validation.sine.walk import Domain, Function
 from mechanics.program.c.parse import Source
 
 

@@ -10,8 +10,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from fractions import Fraction
 
-from mechanics.compiled.custody.sine.affine import BITS, Affine, AffineForms, half_pi
-from mechanics.compiled.custody.sine.walk import Function
+from mechanics.compiled.translation_validation.sine.affine import BITS, Affine, AffineForms, half_pi
+from mechanics.compiled.translation_validation.sine.walk import Function
 from mechanics.errors import ExpressionError
 from mechanics.program.c.parse import Source
 

@@ -15,11 +15,11 @@ from typing import Any
 import numpy as np
 from flint import arb
 
-from mechanics.compiled.custody.build import Built
-from mechanics.compiled.custody.calls import lanes, one_by_one
-from mechanics.compiled.custody.states import STRATA, TYPES
-from mechanics.compiled.custody.status import OK
-from mechanics.compiled.custody.truth import BITS, Truth, doubtful
+from mechanics.compiled.translation_validation.build import Built
+from mechanics.compiled.translation_validation.calls import lanes, one_by_one
+from mechanics.compiled.translation_validation.states import STRATA, TYPES
+from mechanics.compiled.translation_validation.status import OK
+from mechanics.compiled.translation_validation.truth import BITS, Truth, doubtful
 from mechanics.kernel import Finding, refuted, supported, undecided
 from mechanics.kernel.balls import precision
 

@@ -1,1 +1,0 @@
-"""The chain of custody: derived equations = graph = C text = binary, each step checked."""

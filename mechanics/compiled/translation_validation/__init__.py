@@ -1,0 +1,1 @@
+"""Translation validation: derived equations = graph = C text = binary, each step checked."""
