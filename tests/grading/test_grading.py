@@ -106,6 +106,7 @@ def test_tables_and_pages(found: Group) -> None:
     assert "<script" not in page
 
 
+@pytest.mark.campaign
 def test_the_command(folder: Path, tmp_path: Path) -> None:
     files = [str(folder / "right.tex"), str(folder / "slip.tex")]
     run = CliRunner().invoke(app, ["grade", "elastic_pendulum", *files, "--json", "-",
