@@ -72,7 +72,8 @@ class Candidate:
     def rows(self, row: Published, sides: tuple[Expr, ...]) -> Iterator[Published]:
         """The row with this meaning; in both directions where the author may choose one."""
         if self.vanishing is not None:
-            held = (self.vanishing.subs(ROOT, side) for side in sides)
+            # A frequency is no negative number: w = -sqrt(k/m) is said to be its magnitude.
+            held = (-2 * s if s.is_negative else self.vanishing.subs(ROOT, s) for s in sides)
             yield replace(row, quantity=self.quantity, sides=(*held, S.Zero))
             return
         for sign in (1, -1) if self.directed else (1,):

@@ -244,7 +244,7 @@ class _Assembly:
             judge(noted, tag, place, sides, builder)
             rows = [found.row for found in self.statements[before:] if found.row is not None]
             moves = any(not isinstance(row.quantity, Identity) for row in rows)
-        if not unused or moves or line.added or gathers(line.sides[1:]):
+        if not unused or moves or gathers(line.sides[1:]):
             self.remarks.append(f"{name} is taken as defined by: {line.source}")
             return
         doubt = f"{name} is defined and never used, so it is NOT checked: say what it means"

@@ -28,8 +28,6 @@ class Line:
         How what can be read in two ways was read.
     others : tuple of (str, tuple of Node)
         Other ways to read it, in words, and its sides then.
-    added : bool
-        Whether nobody wrote it: what names mean by custom.
     """
 
     sides: tuple[Node, ...]
@@ -38,7 +36,6 @@ class Line:
     source: str
     notes: tuple[str, ...] = ()
     others: tuple[tuple[str, tuple[Node, ...]], ...] = ()
-    added: bool = False
 
 
 @dataclass(frozen=True)

@@ -7,13 +7,13 @@ scene has no damper or spring left that the letter could name.
 """
 
 import re
-from collections.abc import Container, Iterable, Iterator, Sequence
+from collections.abc import Container, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from itertools import pairwise
 
 from mechanics.reading.defined import definitions
 from mechanics.reading.kinds import ANGLES, angular
-from mechanics.reading.lines import Entry, Line
+from mechanics.reading.lines import Aside, Entry, Line
 from mechanics.reading.names import Naming
 from mechanics.reading.spelled_rates import key
 from mechanics.reading.tree import (
@@ -37,7 +37,7 @@ LINKS = frozenset(("N*s/m", "N/m", "N*m*s/rad", "N*m*s", "N*m/rad", "N*m", "kg/s
 
 
 def with_sines(lines: Sequence[Entry], naming: Naming) -> list[Entry]:
-    r"""The lines behind what each short name stands for; ``s\theta`` is sin(theta)."""
+    r"""The lines with sines and cosines in place of short names, and of ``s\theta``."""
     own = definitions(lines, naming)
     sides = [side for line in lines if isinstance(line, Line) for side in line.sides]
     every = [name for side in sides for name in names(side)]
@@ -51,10 +51,10 @@ def with_sines(lines: Sequence[Entry], naming: Naming) -> list[Entry]:
     letters = {name[0].lower() for name in (*short, *(one.name for one, _ in pairs))}
     several = any(len(key(name)) > 2 and key(name)[1:].isdigit() for name in short)
     both = letters >= {"s", "c"}
-    added = [_line(name, node) for name, node in short.items() if both or several]
-    if both or several:
-        lines = [_replaced(line, naming, {*free}) for line in lines]
-    return [*added, *lines]
+    if not (both or several):
+        return list(lines)
+    told = [Aside(_words(name, found), 0) for name, found in short.items()]
+    return [*told, *(_replaced(line, naming, {*free}, short) for line in lines)]
 
 
 def _left(naming: Naming, used: Iterable[str]) -> bool:
@@ -73,7 +73,7 @@ def _angles(naming: Naming) -> dict[int, str]:
     return dict(enumerate(angles, 1))
 
 
-def _short(name: str, naming: Naming) -> Node | None:
+def _short(name: str, naming: Naming) -> Call | None:
     """What a name stands for that is a letter and the number, or letter, of an angle."""
     part = SHORT.fullmatch(name)
     if part is None:
@@ -103,11 +103,9 @@ def _short(name: str, naming: Naming) -> Node | None:
     )
 
 
-def _line(name: str, node: Node) -> Line:
-    assert isinstance(node, Call)  # as `_short` makes it
-    inside = " + ".join(n.name for n in names(node))
-    inside = inside.replace(" + ", " - ") if "minus" in name else inside
-    return Line((Name(0, name), node), "", 0, f"{name} = {node.function}({inside})", added=True)
+def _words(name: str, call: Call) -> str:
+    inside = (" - " if "minus" in name else " + ").join(n.name for n in names(call))
+    return f"{name.replace('minus', '-')} is read as {call.function}({inside})"
 
 
 def _beside(node: Node, naming: Naming, free: Container[str]) -> Iterator[tuple[Name, Name]]:
@@ -132,12 +130,16 @@ def _is_pair(one: Node, other: Node, naming: Naming, free: Container[str]) -> bo
     return found[0] in known if found else other.name.split("_")[0] in ANGLES
 
 
-def _replaced(line: Entry, naming: Naming, free: Container[str]) -> Entry:
+def _replaced(
+    line: Entry, naming: Naming, free: Container[str], short: Mapping[str, Call]
+) -> Entry:
     if not isinstance(line, Line):
         return line
 
     def change(node: Node) -> Node:
         inside = parts(node)
+        if isinstance(node, Name) and node.name in short:
+            return ended(replace(short[node.name], at=node.at), node.end)
         if not inside:
             return node
         if isinstance(node, Product):

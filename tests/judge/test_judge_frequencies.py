@@ -27,6 +27,7 @@ def rolling() -> Equations:
         (r"T = 2\pi\sqrt{\frac lg}", r"T = \pi\sqrt{\frac lg}"),
         (r"f = \frac{1}{2\pi}\sqrt{\frac gl}", r"f = \frac{1}{\pi}\sqrt{\frac gl}"),
         ("omega = sqrt(g/l)", "omega = sqrt(l/g)"),
+        ("omega = sqrt(g/l)", "omega = -sqrt(g/l)"),
     ],
 )
 def test_frequencies(right: str, wrong: str) -> None:

@@ -80,3 +80,11 @@ def test_a_damper_that_the_scene_has_is_no_cosine() -> None:
 def test_momenta_under_the_authors_names_of_angles(right: str, wrong: str) -> None:
     assert verdicts("double", right) == ["PROVED"]
     assert verdicts("double", wrong) == ["REFUTED"]
+
+
+def test_the_mistake_is_mended_where_it_was_written() -> None:
+    """Not in what s_2 stands for, which nobody wrote."""
+    wrong = ELBOW.replace("+ m_2 l_1 l_2 s_2", "- m_2 l_1 l_2 s_2")
+    (entry,) = judged("arm", wrong, blame=True).judged
+    assert entry.blame is not None
+    assert entry.blame.repairs[0].repaired == ELBOW
