@@ -7,7 +7,8 @@ Examples in docstrings of the installed SymPy, models of its library and of its 
 every System, KanesMethod and LagrangesMethod that they make is taken; with `--documentation` those
 of a folder of pages, too. PyDy's and SymBRiM's models are made where these are installed. Each is
 read by `from_sympy`, and its own equations are compared with what its bodies and loads imply. A
-method whose equations were never formed is left out. Prints Markdown; times in seconds.
+method whose equations were never formed is left out; rows that say the same stand once. Prints
+Markdown; times are processor seconds.
 """
 
 from __future__ import annotations
@@ -24,7 +25,7 @@ import warnings
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from time import perf_counter
+from time import process_time
 from types import FrameType
 from typing import Any
 
@@ -39,7 +40,7 @@ from mechanics.importers.sympy_scene import from_sympy
 from mechanics.kernel import Verdict
 
 LONGEST = 120
-"""Seconds for one model, or for a test that makes some."""
+"""Seconds of processor time for one model, or for a test that makes some."""
 
 DOCUMENTED = (
     "kane", "lagrange", "system", "models", "joint", "jointsmethod", "actuator", "pathway",
@@ -73,12 +74,12 @@ def limited() -> Iterator[None]:
     def stop(number: int, frame: FrameType | None) -> None:
         raise TooLong
 
-    signal.signal(signal.SIGALRM, stop)
-    signal.alarm(LONGEST)
+    signal.signal(signal.SIGPROF, stop)
+    signal.setitimer(signal.ITIMER_PROF, LONGEST)
     try:
         yield
     finally:
-        signal.alarm(0)
+        signal.setitimer(signal.ITIMER_PROF, 0)
 
 
 def made(name: str, scope: Mapping[str, Any]) -> dict[int, Example]:
@@ -118,9 +119,9 @@ def docstrings() -> Iterator[Example]:
 
 def pages(folder: Path, only: str) -> Iterator[Example]:
     for part in PAGES:
-        for page in sorted((folder / part).rglob(f"*{only}*.rst")):
+        for page in sorted(p for p in (folder / part).rglob("*.rst") if only in p.name):
             examples = doctest.DocTestParser().get_examples(page.read_text(encoding="utf-8"))
-            yield from run(page.name, examples, {})
+            yield from run(page.stem, examples, {})
 
 
 def library() -> Iterator[Example]:
@@ -188,15 +189,15 @@ def whipple() -> me.System:
     return system
 
 
-def row(example: Example) -> str | None:
-    """One line of the table; None for a method whose equations nobody has formed."""
+def row(example: Example) -> tuple[str, ...] | None:
+    """Cells of the table; None for a method whose equations nobody has formed."""
     model = example.model
     if isinstance(model, me.KanesMethod) and not model.bodies:
         return None
     if isinstance(model, me.LagrangesMethod) and model.eom is None:
         return None
     lagrange = isinstance(model, me.LagrangesMethod) and not model.bodies
-    start, comes, agrees, why = perf_counter(), "no", "", ""
+    start, comes, agrees, why = process_time(), "no", "", ""
     try:
         with limited():
             scene = from_sympy(model, bodies=example.bodies if lagrange else ())
@@ -211,9 +212,9 @@ def row(example: Example) -> str | None:
         why = str(error)
     except TooLong:
         why = f"more than {LONGEST} s"
-    seconds = perf_counter() - start
-    kind = type(model).__name__
-    return f"| {example.name} | {kind} | {comes} | {agrees} | {seconds:.1f} | {why} |"
+    seconds = process_time() - start
+    kind = type(model).__name__.removesuffix("sMethod")
+    return example.name, kind, comes, agrees, f"{seconds:.1f}", why
 
 
 def main(arguments: list[str] | None = None) -> int:
@@ -227,12 +228,19 @@ def main(arguments: list[str] | None = None) -> int:
     sources += [pages(asked.documentation, asked.only)] if asked.documentation else []
     sources += [of_others()]
     sources += [] if asked.no_tests else [tests()]
-    print("| example | class | bodies / coordinates / constraints | its equations | s | remark |")
-    print("|---|---|---|---|---|---|")
+    print(
+        "| example | class | bodies / coordinates / constraints | its equations | s"
+        " | what is wrong, or missing |"
+    )
+    print("| --- | --- | --- | --- | --- | --- |")
+    known = set()
     for source in sources:
         for example in source:
-            if asked.only in example.name and (line := row(example)) is not None:
-                print(line, flush=True)
+            if asked.only not in example.name or (cells := row(example)) is None:
+                continue
+            if (told := (*cells[:4], cells[-1])) not in known:
+                known.add(told)
+                print("|", " | ".join(cells), "|", flush=True)
     return 0
 
 

@@ -17,8 +17,9 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from mechanics.checks.redundant import drop_redundant
     from mechanics.compare import compare
-    from mechanics.compiled import Model, compile
+    from mechanics.compiled import Model
     from mechanics.crosscheck import ROUTES, CrossCheck, crosscheck, derive
+    from mechanics.crosscheck.compiling import compile
     from mechanics.crosscheck.fmu import write_fmu
     from mechanics.equations import Equations
     from mechanics.errors import MechanicsError
@@ -151,7 +152,7 @@ _MODULES = {
     "drop_redundant": ("mechanics.checks.redundant", "drop_redundant"),
     "compare": ("mechanics.compare", "compare"),
     "Model": ("mechanics.compiled", "Model"),
-    "compile": ("mechanics.compiled", "compile"),
+    "compile": ("mechanics.crosscheck.compiling", "compile"),
     "ROUTES": ("mechanics.crosscheck", "ROUTES"),
     "CrossCheck": ("mechanics.crosscheck", "CrossCheck"),
     "crosscheck": ("mechanics.crosscheck", "crosscheck"),

@@ -16,8 +16,8 @@ SCENE = rocker.scene()
     ("call", "words"),
     [
         (
-            lambda: mechanics.compile(SCENE),
-            "compile: Equations wanted, Scene found: pass derive(",
+            lambda: mechanics.compile("a.py"),
+            "compile: Equations or Scene wanted, str found: pass derive(",
         ),
         (
             lambda: mechanics.simulate(SCENE, 1),

@@ -9,6 +9,7 @@ import inspect
 import re
 import traceback
 from collections.abc import Callable
+from dataclasses import replace
 from functools import partial
 from pathlib import Path
 from types import ModuleType
@@ -62,11 +63,20 @@ def load(text: str) -> System:
     if file := FILE.fullmatch(text):
         return _from_file(Path(file[1]), file[2] or "scene")
     if JSON.fullmatch(text):
-        path = Path(text)
-        return System(path.stem, partial(from_json, file_text(path)))
+        return _from_json(Path(text))
     if robot := ROBOT.fullmatch(text):
         return _from_model(Path(robot[1]), robot[2] or "")
     return built_in(text)
+
+
+def _from_json(path: Path) -> System:
+    """A scene, or a system with the equations published for it."""
+    made = from_json(file_text(path))
+    return (
+        replace(made, name=path.stem)
+        if isinstance(made, System)
+        else System(path.stem, partial(from_json, file_text(path)))
+    )
 
 
 def is_file(text: str) -> bool:

@@ -3,10 +3,13 @@
 from collections.abc import Callable
 from functools import wraps
 from importlib import import_module
-from typing import Any
+from typing import Annotated, Any
+
+import typer
 
 from mechanics.cli.tools import Tools
-from mechanics.errors import InputError, MechanicsError
+from mechanics.cli.worker import GIGABYTES, SECONDS, Worker
+from mechanics.errors import InputError
 from mechanics.scene.json.schema import schema
 
 TOOLS = ("example", "derive", "check", "crosscheck", "compare", "codegen", "verify")
@@ -18,20 +21,36 @@ INSTRUCTIONS = (
 )
 
 
-def serve_mcp() -> None:
+def serve_mcp(
+    seconds: Annotated[
+        int, typer.Option(min=1, help="Processor time of a call; beyond it is not judged.")
+    ] = SECONDS,
+    memory: Annotated[
+        float, typer.Option(min=0.5, metavar="GB", help="Memory of a call.")
+    ] = GIGABYTES,
+) -> None:
     """Serve derive, check, crosscheck, compare, codegen and verify to agents, over stdio.
 
     No code of the caller's is run: scenes are JSON (docs/scene.schema.json), statements LaTeX, text
-    or C, which are only read. It needs the extra `mcp`.
+    or C, which are only read. Calls are answered by a process of their own; one that passes a limit
+    is stopped, and its call not judged. It needs the extra `mcp`.
 
     Examples
     --------
     `mechanics serve-mcp`
+
+    `mechanics serve-mcp --seconds 20 --memory 2`
     """
-    server().run("stdio")
+    worker = Worker(seconds, memory)
+    made = server(worker)
+    worker.start()
+    try:
+        made.run("stdio")
+    finally:
+        worker.stop()
 
 
-def server() -> Any:
+def server(worker: Worker) -> Any:
     """The server with its tools.
 
     Raises
@@ -45,23 +64,20 @@ def server() -> Any:
     except ImportError:
         raise InputError("serve-mcp needs the extra: pip install 'mechanics[mcp]'") from None
     made = mcp.MCPServer("mechanics", instructions=INSTRUCTIONS, log_level="WARNING")
-    tools = Tools()
     for name in TOOLS:
-        made.tool(name=name)(_plain(getattr(tools, name), refused))
+        made.tool(name=name)(_sent(worker, name, refused))
     made.resource(SCHEMA, name="scene", mime_type="application/schema+json")(schema)
     return made
 
 
-def _plain(tool: Callable[..., Any], refused: type[Exception]) -> Callable[..., Any]:
-    """A tool whose refusals are one line."""
+def _sent(worker: Worker, name: str, refused: type[Exception]) -> Callable[..., Any]:
+    """A tool that the worker answers; its refusals are one line."""
 
-    @wraps(tool)
-    def call(*args: Any, **kwargs: Any) -> Any:
+    @wraps(getattr(Tools(), name))
+    def call(**arguments: Any) -> Any:
         try:
-            return tool(*args, **kwargs)
-        except MechanicsError as error:
-            raise refused(" ".join(str(error).split())) from None
-        except RecursionError:
-            raise refused("nested too deeply") from None
+            return worker.call(name, arguments)
+        except InputError as error:
+            raise refused(str(error)) from None
 
     return call

@@ -32,8 +32,8 @@ from mechanics.judge.check import derived
 from mechanics.judge.check_json import to_json as check_json
 from mechanics.judge.scene_laws import verify as verify_laws
 from mechanics.report.json_report import to_json
-from mechanics.scene import Scene
 from mechanics.scene.json.read import from_json
+from mechanics.scene.system import System
 
 SceneText = dict[str, Any] | str
 """A scene as ``docs/scene.schema.json`` says, the id of one that was sent, or a system's name."""
@@ -190,8 +190,8 @@ class Tools:
     def _derived(self, text: str, scene: str) -> tuple[str, Reference]:
         key = f"scene-{sha256(text.encode()).hexdigest()[:16]}"
         if key not in self._known:
-            made: Scene = from_json(scene) if "{" in scene else built_in(scene).scene()
-            truth = derived(made)
+            made = from_json(scene) if "{" in scene else built_in(scene)
+            truth = derived(made.scene() if isinstance(made, System) else made)
             verify_laws(truth)
             self._known[key] = Reference(truth)
             while len(self._known) > KEPT:

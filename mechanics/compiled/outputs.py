@@ -391,10 +391,16 @@ class Outputs:
             return self._bound(self._constrained_jacobians(self._bordered))
         if not self._trees:
             return self._bound(jacobians(mechanism, self._rows, self._system, self.variables))
-        every = tuple(node for group in self.variables.values() for node in group)
-        return self._cheapest(
-            self._split(jacobian(mechanism, links, every)) for links in self._trees
-        )
+        groups = list(self.variables.values())
+        every = tuple(node for group in groups for node in group)
+
+        def price(links: tuple[Link, ...]) -> int:
+            """Operations of the first columns, which stand for all."""
+            rows = jacobian(mechanism, links, groups[0])
+            return operations(self._bound({"rows": _flat(rows)}))
+
+        links = min(self._trees, key=price) if len(self._trees) > 1 else self._trees[0]
+        return self._bound(self._split(jacobian(mechanism, links, every)))
 
     def _constrained_jacobians(self, system: Bordered) -> Outcome:
         """K dx = -(dK x - dk) along each entry of the state, x = (u', lambda) as it was solved."""

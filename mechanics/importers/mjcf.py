@@ -10,8 +10,10 @@ and left out only when that is asked for. Source: mujoco.readthedocs.io, Computa
 
 from collections.abc import Collection, Iterator
 from fractions import Fraction
+from math import prod
 from pathlib import Path
 from typing import Any
+from xml.etree import ElementTree
 
 from sympy import Expr, ImmutableMatrix, Integer, Rational, pi
 
@@ -20,6 +22,7 @@ from mechanics.importers.assemble import SYMBOLIC, assemble
 from mechanics.importers.decimals import Notes
 from mechanics.importers.robot import (
     ALONG_X,
+    MOST_LINKS,
     STRAIGHT,
     ZERO,
     Actuation,
@@ -42,6 +45,10 @@ ROUGH = ("actuators", "armature", "contact", "equality", "fluid", "friction", "g
 """What may be left out."""
 FREE, BALL, SLIDE, HINGE = range(4)
 LARGEST = 16_000_000
+SIDES = ("nrow", "ncol", "width", "height")
+"""Of height fields and textures."""
+NAMING = frozenset({"name", "class", "childclass"})
+NOT_FINITE = frozenset({"nan", "+nan", "-nan", "inf", "+inf", "-inf", "infinity", "-infinity"})
 
 
 def from_mjcf(
@@ -116,11 +123,41 @@ def _compiled(path: Path) -> Any:
         raise InputError(
             f"file {path}: it has a DOCTYPE, which a model does not need: leave it out"
         )
+    _refuse_hostile(path)
     try:
-        return mujoco.MjModel.from_xml_path(str(path))
+        model = mujoco.MjModel.from_xml_path(str(path))
     except ValueError as error:
         words = " ".join(str(error).split())
         raise InputError(f"file {path}: MuJoCo refuses it: {words[:300]}") from None
+    if model.nbody - 1 > MOST_LINKS:
+        raise InputError(f"file {path}: {model.nbody - 1} bodies: at most {MOST_LINKS} are read")
+    return model
+
+
+def _refuse_hostile(path: Path) -> None:
+    """More bodies than are read, before MuJoCo makes them; NaN, which it takes for nothing."""
+    try:
+        waiting, bodies = [(ElementTree.parse(path).getroot(), 1)], 0
+    except ElementTree.ParseError as error:
+        raise InputError(f"file {path}: it is no XML: {error}") from None
+    while waiting:
+        element, times = waiting.pop()
+        for key, value in element.items():
+            if key not in NAMING and not NOT_FINITE.isdisjoint(value.lower().split()):
+                what = f"{element.tag} {key}={value[:40]!r}"
+                raise InputError(f"file {path}: {what}: give finite numbers")
+        times *= _product(element.get("count", "1"))
+        bodies += times * (element.tag in ("body", "composite", "flexcomp"))
+        if prod(_product(element.get(side, "1")) for side in SIDES) > LARGEST:
+            raise InputError(f"file {path}: a {element.tag} of more than {LARGEST} entries")
+        waiting += [(child, times) for child in element]
+    if bodies > MOST_LINKS:
+        raise InputError(f"file {path}: {bodies} bodies: at most {MOST_LINKS} are read")
+
+
+def _product(text: str) -> int:
+    """Of whole numbers; what is none MuJoCo refuses."""
+    return prod(int(one) for one in text.split() if one.isdecimal() and len(one) < 20)
 
 
 def _some(names: list[str]) -> str:

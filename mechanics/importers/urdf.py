@@ -225,6 +225,8 @@ class _Reader:
                 exact(own.get("multiplier", "1"), f"{what}: its multiplier"),
             )
             other = _attribute(joint, "mimic", "joint", what)
+            if other == name:
+                raise InputError(f"{what}: it mimics itself: name another joint")
             yield Polynomial(name, name, other, ZERO, ZERO, numbers)
 
     def _possible(self, what: str, mass: Rational, moments: list[Rational]) -> None:

@@ -19,7 +19,7 @@ from mechanics.kernel.ring import square_root as polynomial_root
 from mechanics.kernel.statement import Range
 from mechanics.program import Builder, Node, Program
 from mechanics.program.interpret import include
-from mechanics.program.operations import COS, INPUT, SIN, SQRT
+from mechanics.program.operations import CONSTANT, COS, INPUT, SIN, SQRT
 
 MOST_UNKNOWNS = 24
 
@@ -50,7 +50,9 @@ def roots_of_squares(program: Program, signs: Mapping[str, Range]) -> Program:
     signs : mapping of str to Range
         What is known of the inputs.
     """
-    if SQRT not in program.operations:
+    codes, first = program.operations, program.operands[0]
+    # The root of a constant is known to the field as it stands.
+    if all(codes[first[n]] == CONSTANT for n, code in enumerate(codes) if code == SQRT):
         return program
     builder = Builder()
     forms = Forms(builder)

@@ -28,7 +28,7 @@ def with_one_difference(program: Program) -> Program:
     """
     builder = Builder()
     given = {name: _Signed(builder.input(name)) for name in program.inputs}
-    outputs = interpret(program, _Signs(Nodes(builder)), given)
+    outputs = interpret(program, _Signs(Nodes(builder)), given, release=False)
     written = {name: [value.written for value in values] for name, values in outputs.items()}
     other = builder.program(written, program.inputs)
     return other if other.count < program.count else program

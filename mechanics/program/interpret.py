@@ -6,9 +6,11 @@ program. Values that no later node needs are dropped as soon as that is known.
 
 from __future__ import annotations
 
+import operator
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
+from functools import partial
 from typing import Any, Protocol, runtime_checkable
 
 from mechanics.errors import ExpressionError
@@ -116,6 +118,10 @@ def _last_uses(program: Program) -> dict[int, list[int]]:
     return found
 
 
+ARITHMETIC: Mapping[str, Callable[..., Any]] = {"add": operator.add, "subtract": operator.sub,
+    "multiply": operator.mul, "divide": operator.truediv, "negate": operator.neg}  # fmt: skip
+
+
 @dataclass(frozen=True)
 class Nodes:
     """The domain of nodes of a builder, some operations having another meaning."""
@@ -126,14 +132,8 @@ class Nodes:
     @property
     def operations(self) -> Mapping[str, Callable[..., Any]]:
         """Each operation asks the builder for its node."""
-        build = self.builder
-
-        def calling(name: str) -> Callable[..., Node]:
-            return lambda *operands: build.call(name, *operands)
-
-        return {
-            row.name: calling(row.name) for row in OPERATIONS if row.arity and row.code != ENTRY
-        } | dict(self.others)
+        names = (row.name for row in OPERATIONS if row.arity and row.code != ENTRY)
+        return {n: partial(self.builder.call, n) for n in names} | {**ARITHMETIC, **self.others}
 
     def constant(self, value: Fraction) -> Node:
         """The constant as a node."""
@@ -162,4 +162,4 @@ def include(
         What operations become that are not built as they are.
     """
     given = {name: builder.input(name) for name in program.inputs} | dict(inputs or {})
-    return interpret(program, Nodes(builder, operations or {}), given)
+    return interpret(program, Nodes(builder, operations or {}), given, release=False)

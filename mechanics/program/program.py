@@ -121,6 +121,7 @@ def _digits(value: Fraction) -> str:
 
 def reachable(nodes: Nodes, roots: Sequence[int]) -> list[int]:
     """Numbers of the nodes that the roots need, operands before results."""
+    operations, (first, second, _) = nodes.operations, nodes.operands
     needed = bytearray(max(roots, default=-1) + 1)
     for root in roots:
         needed[root] = 1
@@ -128,8 +129,11 @@ def reachable(nodes: Nodes, roots: Sequence[int]) -> list[int]:
     found, number = list[int](), needed.rfind(1)
     while number >= 0:
         found.append(number)
-        for operand in nodes.operands_of(number):
-            needed[operand] = 1
+        if ARITY[operations[number]] == 2:
+            needed[first[number]] = needed[second[number]] = 1
+        else:
+            for operand in nodes.operands_of(number):
+                needed[operand] = 1
         number = needed.rfind(1, 0, number)
     return found[::-1]
 
@@ -150,9 +154,8 @@ def freeze(
     names = tuple(sorted(used)) if inputs is None else tuple(inputs)
     if missing := sorted(used - set(names)):
         raise ValueError(f"input {missing[0]} is used and not listed")
-    ordered = _operands(nodes, needed)
-    order = _from_outputs(roots, ordered)
-    return _numbered(nodes, outputs, names, ordered, order)
+    operands = _operands(nodes, needed)
+    return _numbered(nodes, outputs, names, operands, _from_outputs(roots, operands))
 
 
 _PRIME = (1 << 127) - 1
@@ -170,50 +173,45 @@ def _operands(nodes: Nodes, needed: Sequence[int]) -> dict[int, tuple[int, ...]]
     operations, (first, second, _) = nodes.operations, nodes.operands
     names = [_name_hash(row.name) for row in OPERATIONS]
     commutative = [row.commutative for row in OPERATIONS]
+    one, two, _, last = _MULTIPLIERS
     hashes: dict[int, int] = {}
     found: dict[int, tuple[int, ...]] = {}
     for n in needed:
-        code, below = operations[n], nodes.operands_of(n)
-        mixed = names[code]
-        if code == CONSTANT:
+        mixed, below = names[code := operations[n]], nodes.operands_of(n)
+        if ARITY[code] == 2:
+            if commutative[code] and hashes[below[1]] < hashes[below[0]]:
+                below = below[::-1]
+            mixed += hashes[below[0]] * one + hashes[below[1]] * two
+        elif code == CONSTANT:
             mixed += _name_hash(_digits(nodes.constants[first[n]]))
         elif code == INPUT:
             mixed += _name_hash(nodes.inputs[first[n]])
         elif code == SOLVE:
             for entry in below:
-                mixed = (mixed * _MULTIPLIERS[0] + hashes[entry]) % _PRIME
+                mixed = (mixed * one + hashes[entry]) % _PRIME
         else:
-            if commutative[code] and hashes[below[1]] < hashes[below[0]]:
-                below = below[::-1]
-            for operand, multiplier in zip(below, _MULTIPLIERS, strict=False):
-                mixed += hashes[operand] * multiplier
-            if code == ENTRY:
-                mixed += second[n] * _MULTIPLIERS[-1]
+            mixed += sum(hashes[x] * k for x, k in zip(below, _MULTIPLIERS, strict=False))
+            mixed += second[n] * last * (code == ENTRY)
         found[n] = below
         mixed %= _PRIME
         hashes[n] = mixed * mixed % _PRIME * mixed % _PRIME
     return found
 
 
-def _from_outputs(roots: Sequence[int], operands: Mapping[int, tuple[int, ...]]) -> list[int]:
-    """Nodes in the order in which a walk from the outputs finishes them."""
-    done: set[int] = set()
-    order: list[int] = []
+def _from_outputs(roots: Sequence[int], operands: Mapping[int, tuple[int, ...]]) -> dict[int, int]:
+    """New numbers by old ones, in the order in which a walk from the outputs finishes them."""
+    new: dict[int, int] = {}
     for root in roots:
         stack = [root]
         while stack:
-            number = stack[-1]
-            if number in done:
-                stack.pop()
-                continue
-            waiting = [operand for operand in operands[number] if operand not in done]
-            if waiting:
-                stack.extend(reversed(waiting))
-            else:
-                done.add(number)
-                order.append(number)
-                stack.pop()
-    return order
+            number = stack.pop()
+            # A node whose operands stand above it is there as ~number.
+            if number < 0:
+                new[~number] = len(new)
+            elif number not in new:
+                stack.append(~number)
+                stack += operands[number][::-1]
+    return new
 
 
 def _numbered(
@@ -221,35 +219,32 @@ def _numbered(
     outputs: Mapping[str, tuple[int, ...]],
     names: tuple[str, ...],
     operands: Mapping[int, tuple[int, ...]],
-    order: Sequence[int],
+    new: Mapping[int, int],
 ) -> Program:
+    operations, (first, second, _) = nodes.operations, nodes.operands
     place = {name: k for k, name in enumerate(names)}
-    new = {old: k for k, old in enumerate(order)}
-    columns = array("i"), array("i"), array("i")
+    rows = array("i")
     constants: list[Fraction] = []
     systems: list[tuple[int, ...]] = []
-    for old in order:
-        code, row = nodes.operations[old], [0, 0, 0]
-        if code == CONSTANT:
-            row[0] = len(constants)
-            constants.append(nodes.constants[nodes.operands[0][old]])
+    for old in new:
+        code, below = operations[old], operands[old]
+        if ARITY[code] == 2:
+            rows.extend((new[below[0]], new[below[1]], 0))
+        elif code == CONSTANT:
+            rows.extend((len(constants), 0, 0))
+            constants.append(nodes.constants[first[old]])
         elif code == INPUT:
-            row[0] = place[nodes.inputs[nodes.operands[0][old]]]
+            rows.extend((place[nodes.inputs[first[old]]], 0, 0))
         elif code == SOLVE:
-            row[0] = len(systems)
-            head = nodes.systems[nodes.operands[0][old]][:2]
-            systems.append((*head, *(new[entry] for entry in operands[old])))
+            rows.extend((len(systems), 0, 0))
+            systems.append((*nodes.systems[first[old]][:2], *(new[entry] for entry in below)))
         else:
-            for k, operand in enumerate(operands[old]):
-                row[k] = new[operand]
-            if code == ENTRY:
-                row[1] = nodes.operands[1][old]
-        for column, value in zip(columns, row, strict=True):
-            column.append(value)
+            index = second[old] if code == ENTRY else 0
+            rows.extend((*(new[operand] for operand in below), index, 0, 0)[:3])
     return Program(
         names,
-        bytes(nodes.operations[old] for old in order),
-        columns,
+        bytes(operations[old] for old in new),
+        (rows[0::3], rows[1::3], rows[2::3]),
         tuple(constants),
         tuple(systems),
         {name: tuple(new[n] for n in numbers) for name, numbers in outputs.items()},

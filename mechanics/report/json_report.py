@@ -31,14 +31,15 @@ from mechanics.kernel import Finding
 from mechanics.report.result import SystemResult
 from mechanics.scene import Scene
 from mechanics.scene.json.write import to_json as scene_json
+from mechanics.scene.system import System
 
 
-def to_json(results: Sequence[SystemResult] | Scene) -> dict[str, Any]:
-    """Results, or a scene, as a tree of dicts, lists, text and numbers that `json.dumps` accepts.
+def to_json(results: Sequence[SystemResult] | Scene | System) -> dict[str, Any]:
+    """Results, a scene or a system as a tree of dicts, lists, text and numbers for `json.dumps`.
 
     Parameters
     ----------
-    results : sequence of SystemResult, or Scene
+    results : sequence of SystemResult, Scene or System
 
     Returns
     -------
@@ -46,7 +47,7 @@ def to_json(results: Sequence[SystemResult] | Scene) -> dict[str, Any]:
         As the docstring of this module says, or as ``docs/scene.schema.json`` says of a scene,
         which `from_json` reads. Keys are only ever added.
     """
-    if isinstance(results, Scene):
+    if isinstance(results, Scene | System):
         return scene_json(results)
     return {"systems": [_system(result) for result in results]}
 

@@ -10,6 +10,7 @@ import pytest
 
 from mechanics.cli.serving import server
 from mechanics.cli.tools import Tools
+from mechanics.cli.worker import Worker, answer
 from mechanics.errors import InputError
 from mechanics.scene.json.schema import schema
 from systems import rod_pendulum
@@ -53,8 +54,54 @@ def assert_answers(
     assert json.loads(alive.content[0].text)["ok"]
 
 
-def test_an_agent_derives_and_checks() -> None:
-    assert_answers(*asyncio.run(talk(server())))
+def test_tools_are_told_without_a_worker() -> None:
+    async def listed() -> dict[str, Any]:
+        async with mcp.Client(server(Worker())) as client:
+            return {tool.name: tool.input_schema for tool in (await client.list_tools()).tools}
+
+    found = asyncio.run(listed())
+    assert len(found) == 7
+    assert set(found["derive"]["properties"]) == {"scene", "route", "form"}
+    assert found["derive"]["required"] == ["scene"]
+
+
+def endless() -> dict[str, Any]:
+    """A scene whose equations nobody can wait for."""
+    scene = Tools().example("rod_pendulum")
+    tree: Any = "theta"
+    for _ in range(13):
+        tree = ["add", ["multiply", tree, tree], ["sin", tree]]
+    scene["bodies"][0]["mass"] = ["exp", tree]
+    return scene
+
+
+@pytest.mark.campaign
+@pytest.mark.skipif(sys.platform == "win32", reason="limits are those of POSIX")
+def test_a_call_that_passes_its_limit_is_not_judged_and_the_next_one_is_answered() -> None:
+    worker = Worker(seconds=2)
+    try:
+        with pytest.raises(InputError, match="derive: not judged: it took more than 2 s") as error:
+            worker.call("derive", {"scene": endless()})
+        assert "\n" not in str(error.value)
+        assert "theta_ddot" in worker.call("derive", {"scene": "rod_pendulum"})["equations"]
+        with pytest.raises(InputError, match="not known: the systems are"):
+            worker.call("derive", {"scene": "nothing"})
+    finally:
+        worker.stop()
+
+
+def test_too_much_memory_is_one_line() -> None:
+    class Failing(Tools):
+        def example(self, system: str = "") -> dict[str, Any]:
+            raise {"memory": MemoryError, "deep": RecursionError}[system]
+
+    told = {
+        name: answer(Failing(), {"tool": "example", "arguments": {"system": name}})["refused"]
+        for name in ("memory", "deep")
+    }
+    assert told["memory"].startswith("example: not judged")
+    assert told["deep"] == "nested too deeply"
+    assert "\n" not in "".join(told.values())
 
 
 @pytest.mark.campaign

@@ -148,7 +148,22 @@ def test_what_is_not_smooth_is_named_and_left_out_when_asked(tmp_path, parts, ki
         ("<robot/>", "no joint moves|MuJoCo refuses it"),
         ("<mujoco><worldbody><body/></worldbody></mujoco>", "no joint moves anything"),
         ('<!DOCTYPE m [<!ENTITY a "b">]><mujoco/>', "DOCTYPE"),
-        ("<mujoco", "MuJoCo refuses it"),
+        ("<mujoco><worldbody>" + BODY * 401 + "</worldbody></mujoco>", "401 bodies: at most 400"),
+        (
+            f'<mujoco><worldbody><replicate count="1000000">{BODY}'
+            "</replicate></worldbody></mujoco>",
+            "1000000 bodies: at most 400",
+        ),
+        (
+            '<mujoco><asset><hfield name="h" nrow="99999" ncol="99999" size="1 1 1 1"/></asset>'
+            "</mujoco>",
+            "a hfield of more than 16000000 entries",
+        ),
+        (
+            f"<mujoco><worldbody>{BODY}</worldbody></mujoco>".replace('"1"', '"nan"'),
+            "inertial mass='nan': give finite numbers",
+        ),
+        ("<mujoco", "it is no XML"),
         ('<mujoco><worldbody><body><joint/><inertial pos="0 0 0" mass="-1" diaginertia="1 1 1"/>'
          "</body></worldbody></mujoco>", "MuJoCo refuses it"),
     ],

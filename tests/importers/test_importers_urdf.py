@@ -274,6 +274,7 @@ def massed(mass="1", ixx="1", ixy="0"):
         ((BASE, ARM, turning(kind="fixed")), "no joint moves anything"),
         ((BASE, ARM, turning(more=SWAPPED, kind="revolute")), "its lower limit 2 is above"),
         ((BASE, ARM, turning(more=AXIS + '<mimic joint="x"/>')), "joint q: it is tied to 'x'"),
+        ((BASE, ARM, turning(more=AXIS + '<mimic joint="q"/>')), "joint q: it mimics itself"),
         ((BASE, '<link name="arm"/>', turning()), None),
         ((), "it has no link"),
         (tuple(LINK.format(f"l{i}") for i in range(10_000)), "10000 links: at most 400"),

@@ -6,14 +6,16 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from sympy import Matrix
 
-from mechanics import from_json, to_json
+from mechanics import crosscheck, from_json, to_json
 from mechanics.errors import MechanicsError
 from mechanics.mechanism import lower
 from mechanics.program import Builder, Program
 from mechanics.routes import kane
 from mechanics.scene import Scene
 from mechanics.scene.json import schema
+from mechanics.scene.system import System
 from systems import EVERY, slider_crank
 
 DOCS = Path(__file__).parents[2] / "docs"
@@ -43,6 +45,65 @@ def test_a_scene_comes_back_with_the_same_equations(name: str) -> None:
     assert to_json(from_json(json.dumps(tree, sort_keys=True))) == tree
     assert rows(back) == rows(scene)
     pytest.importorskip("jsonschema").Draft202012Validator(schema()).validate(tree)
+
+
+PUBLISHING = [system for system in EVERY if system.published]
+
+
+@pytest.mark.sample(2)
+@pytest.mark.parametrize("system", PUBLISHING, ids=lambda system: system.name)
+def test_published_equations_come_back(system: System) -> None:
+    tree = to_json(system)
+    back = from_json(json.dumps(tree))
+    assert back.name == system.name
+    assert len(back.published) == len(system.published) > 0
+    for mine, other in zip(back.published, system.published, strict=True):
+        assert (mine.tag, mine.label, mine.note) == (other.tag, other.label, other.note)
+        assert mine.quantity == other.quantity or "Part" in str(other.quantity)
+        for one, two in zip(mine.sides, other.sides, strict=True):
+            # Rates that the source leaves to be taken are taken.
+            assert one == two or not any(Matrix([one - two]).doit().expand())
+    again = to_json(back)
+    assert to_json(from_json(json.dumps(again))) == again
+    pytest.importorskip("jsonschema").Draft202012Validator(schema()).validate(tree)
+
+
+@pytest.mark.campaign
+@pytest.mark.parametrize("system", PUBLISHING, ids=lambda system: system.name)
+def test_a_system_from_json_has_the_verdicts_of_the_one_that_ships(system: System) -> None:
+    ours, back = (crosscheck(one) for one in (system, from_json(to_json(system))))
+    assert [(f.subject, f.verdict) for f in back.findings] == [
+        (f.subject, f.verdict) for f in ours.findings
+    ]
+    assert [(e.row.tag, e.finding.verdict) for e in back.published] == [
+        (e.row.tag, e.finding.verdict) for e in ours.published
+    ]
+    assert back.ok
+
+
+@pytest.mark.parametrize(
+    ("row", "words"),
+    [
+        ({"quantity": {"kind": "os"}}, r"quantity.kind: one of position, velocity"),
+        ({"quantity": {"kind": "momentum"}}, r"quantity: bodies is missing"),
+        ({"quantity": {"kind": "momentum", "bodies": 3}}, r"quantity.bodies: a text"),
+        ({"quantity": {"kind": "mass", "body": {"kind": "disc"}}}, r"body.kind: one of part, comp"),
+        ({"sides": []}, r"sides: a list of sides expected"),
+        ({"sides": [{"matrix": [[1], [2, 3]]}]}, r"matrix: rows of as many entries"),
+        ({"sides": [{"word": "x" * 2000}]}, r"a text of at most 1000"),
+        ({"sides": ["nothing"]}, r"'nothing' is no coordinate"),
+        ({"extra": 1}, r"an object with entries of label, note, quantity"),
+    ],
+    ids=range(9),
+)
+def test_a_published_row_that_is_wrong_is_named(row: dict[str, Any], words: str) -> None:
+    whole = json.loads(PENDULUM[1]) | {"system": "mine"}
+    right = {"tag": "T", "quantity": {"kind": "kinetic energy"}, "sides": [0]}
+    assert from_json(whole | {"published": [right]}).published[0].tag == "T"
+    with pytest.raises(MechanicsError, match=words) as error:
+        from_json(whole | {"published": [right | row]})
+    assert str(error.value).startswith("scene, at $.published[0]")
+    assert "\n" not in str(error.value)
 
 
 def test_the_schema_that_is_published_is_the_one_that_is_read() -> None:

@@ -15,6 +15,7 @@ from mechanics.compiled.translation_validation.step import composed
 from mechanics.errors import InputError
 from mechanics.kernel import Finding, undecided
 from mechanics.program.operations import Sign
+from mechanics.program.program import reachable
 
 STEP = "step"
 
@@ -56,8 +57,8 @@ def prove_derived(
     physics.builder.obligations = {}
     entries = list(_entries(law, outputs, physics, rates))
     truth = tuple(physics.builder.obligations)
-    sides = [node for _, *pair in entries for node in pair]
-    if len(physics.builder.program({"sides": sides})) > LARGEST:
+    sides = [node.number for _, *pair in entries for node in pair]
+    if len(reachable(physics.builder, sides)) > LARGEST:
         options["try_normal"] = False
     found = physics.decide_entries(subject, entries, **options)
     if not found.shown:

@@ -20,9 +20,11 @@ from mechanics.scene.conditions import Condition, condition
 from mechanics.scene.joints.joint import Joint
 from mechanics.scene.json.expressions import Names, number, read, refuse, relation
 from mechanics.scene.json.kinds import FORMAT, KINDS, NAME_OF, PARTS, entries, required
+from mechanics.scene.json.published import read_rows
 from mechanics.scene.parameters import Parameter, typical_value
 from mechanics.scene.rotations import Rotation
 from mechanics.scene.scene import Scene
+from mechanics.scene.system import System
 from mechanics.scene.unit_names import dimension_of_unit
 
 LARGEST_TEXT = 1 << 22
@@ -37,15 +39,21 @@ WORDS = (
 KEYS = (
     "format", "name", "coordinates", "inputs", "speeds", "parameters", "inertial", "origin",
     "frames", "points", *PARTS, "plane", "definitions", "example", "equilibria", "notes",
+    "system", "variables", "published",
 )  # fmt: skip
 
 
-def from_json(source: str | Mapping[str, Any]) -> Scene:
+def from_json(source: str | Mapping[str, Any]) -> Any:
     """The scene of a text, or of its tree; see ``docs/scene.schema.json``.
 
     Parameters
     ----------
     source : str or dict
+
+    Returns
+    -------
+    Scene, or System
+        A System where its name, ``"system"``, stands there.
 
     Raises
     ------
@@ -78,7 +86,16 @@ def from_json(source: str | Mapping[str, Any]) -> Scene:
         raise InputError(f"scene: this is no JSON that can be read: {reason}") from None
     if not isinstance(whole, dict) or whole.get("format") != FORMAT:
         raise InputError(f'scene, at $: an object with "format": "{FORMAT}" expected')
-    return _scene(whole)
+    if "system" in whole:
+        return _system(whole)
+    return _scene(whole)[0]
+
+
+def _system(whole: dict[str, Any]) -> System:
+    name = _text(whole["system"], "$.system")
+    _, reader = _scene(whole)
+    rows = read_rows(reader, _list(whole.get("published", []), "$.published"))
+    return System(name, lambda: _scene(whole)[0], rows)
 
 
 def _whole(text: str) -> int:
@@ -98,7 +115,8 @@ def _once(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
     return found
 
 
-def _scene(whole: dict[str, Any]) -> Scene:
+def _scene(whole: dict[str, Any]) -> tuple[Scene, "_Reader"]:
+    """The scene, and the reader that knows its names."""
     _known(whole, KEYS, "$")
     reader = _Reader(_moving(whole), whole)
     reader.place()
@@ -122,7 +140,7 @@ def _scene(whole: dict[str, Any]) -> Scene:
         title: _table(whole.get(title, {}), f"$.{title}") for title in ("definitions", "example")
     }
     equilibria = _list(whole.get("equilibria", []), "$.equilibria")
-    return Scene(
+    scene = Scene(
         _text(whole.get("name"), "$.name"),
         reader.frame(whole.get("inertial"), "$.inertial"),
         reader.point(whole.get("origin"), "$.origin"),
@@ -152,12 +170,13 @@ def _scene(whole: dict[str, Any]) -> Scene:
         ),
         **made,
     )
+    return scene, reader
 
 
 def _moving(whole: dict[str, Any]) -> dict[str, Expr]:
     """Coordinates, inputs and speeds."""
     titled = [(title, _list(whole.get(title, []), f"$.{title}"))
-              for title in ("coordinates", "inputs")]  # fmt: skip
+              for title in ("coordinates", "inputs", "variables")]  # fmt: skip
     for k, pair in enumerate(_list(whole.get("speeds", []), "$.speeds")):
         if not isinstance(pair, list) or len(pair) != 2:
             raise refuse(f"$.speeds[{k}]", "a pair of name and definition expected")

@@ -10,6 +10,7 @@ from sympy.physics.vector import Dyadic, Point, ReferenceFrame, Vector
 
 from mechanics.scene.json.expressions import FUNCTIONS, MANY, RELATIONS
 from mechanics.scene.json.kinds import FORMAT, KINDS, NAME_OF, PARTS, entries, required
+from mechanics.scene.json.published import VOCABULARY
 from mechanics.scene.json.read import KEYS, LONGEST_NAME, MOST_PARTS, WORDS
 
 TEXT = {"type": "string", "maxLength": LONGEST_NAME}
@@ -46,6 +47,9 @@ def schema() -> dict[str, Any]:
         "example": _table({"type": "number"}),
         "equilibria": _list(_table(_to("expression"))),
         "notes": _list({"type": "string"}),
+        "system": TEXT,
+        "variables": _list(name),
+        "published": _list(_to("published")),
     }
     assert (*properties,) == KEYS
     whole = _object(properties, ["format", "name", "coordinates", "inertial", "origin", "frames",
@@ -88,6 +92,16 @@ def _borders() -> dict[str, Any]:
                 _object({"terms": _list(_row([tree, _to("vector"), _to("vector")]))}, ["terms"]),
             ]
         },
+        "quantity": {"type": "object", "properties": {"kind": {"enum": [*VOCABULARY]}},
+                     "required": ["kind"]},
+        "published": _object(
+            {"tag": text, "label": text, "note": text, "quantity": _to("quantity"),
+             "sides": {"type": "array", "minItems": 1, "items": {"anyOf": [
+                 tree, _object({"word": text}, ["word"]),
+                 _object({"relation": _to("relation")}, ["relation"]),
+                 _object({"matrix": {"type": "array"}}, ["matrix"])]}}},
+            ["quantity", "sides"],
+        ),
         "parameter": _object(
             {"is": {"type": "array", "items": {"enum": [*WORDS]}}, "unit": text, "meaning": text,
              "typical": text, "declared": {"type": "boolean"}}

@@ -20,30 +20,35 @@ from mechanics.scene.geometry import (
 )
 from mechanics.scene.json import expressions
 from mechanics.scene.json.kinds import FORMAT, NAME_OF, PARTS, entries, required
+from mechanics.scene.json.published import variables, write_rows
 from mechanics.scene.parameters import Parameter
 from mechanics.scene.rotations import rotation_between
 from mechanics.scene.scene import Scene
 from mechanics.scene.symbols import name_of
+from mechanics.scene.system import System
 
 
-def to_json(scene: Scene) -> dict[str, Any]:
+def to_json(scene: Scene | System) -> dict[str, Any]:
     """A scene as a tree, as ``docs/scene.schema.json`` says; `from_json` reads it.
 
     Parameters
     ----------
-    scene : Scene
+    scene : Scene or System
 
     Returns
     -------
     dict
-        `json.dumps` accepts it. What joints and rotations add is in it.
+        `json.dumps` accepts it. What joints and rotations add is in it; of a system, its name and
+        published equations, too.
 
     Raises
     ------
     InputError
         If an expression has no place in JSON; it is named.
     """
-    wanted(scene, Scene, "to_json", "pass a scene")
+    wanted(scene, (Scene, System), "to_json", "pass a scene")
+    system = scene if isinstance(scene, System) else None
+    scene = scene.scene() if isinstance(scene, System) else scene
     writer = _Writer(scene)
     parts = {title: writer.parts(getattr(scene, title)) for title in PARTS}
     later = {
@@ -54,6 +59,16 @@ def to_json(scene: Scene) -> dict[str, Any]:
                        for one in scene.equilibria],
         "plane": None if scene.plane is None else writer.vector(scene.plane),
     }  # fmt: skip
+    more: dict[str, Any] = {}
+    if system is not None:
+        own = {
+            name_of(f) for f in (*scene.coordinates, *scene.inputs, *(u for u, _ in scene.speeds))
+        }
+        more = {
+            "system": system.name,
+            "variables": [name for name in variables(system.published) if name not in own],
+            "published": write_rows(writer, system.published),
+        }
     whole = {
         "format": FORMAT,
         "name": scene.name,
@@ -71,6 +86,7 @@ def to_json(scene: Scene) -> dict[str, Any]:
         "example": {name: _plain(value) for name, value in scene.example.items()},
         "equilibria": later["equilibria"],
         "notes": list(scene.notes),
+        **more,
     }
     return {key: value for key, value in whole.items() if value not in ([], {}, None)}
 
