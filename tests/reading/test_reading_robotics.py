@@ -64,6 +64,7 @@ def test_a_damper_that_the_scene_has_is_no_cosine() -> None:
     assert not any("cos(" in remark for remark in found.remarks)
 
 
+@pytest.mark.campaign
 @pytest.mark.parametrize(
     ("right", "wrong"),
     [
