@@ -126,3 +126,29 @@ def test_c_by_its_assignments_on_the_branch_where_it_is_wrong() -> None:
     ternary = C.replace("double drive;", "double drive = u > 0 ? u/inertia : u/inertia;")
     right = ternary[: ternary.index("    if (u")] + "    return gravity + drive;\n}\n"
     assert mechanics.check(ROD, right, notation="c").verdict.name == "PROVED"
+
+
+SOLVED = """
+import numpy as np
+
+def rates(q, qd, force, masscart, masspole, length, gravity):
+    x, th = q
+    dx, dth = qd
+    coupling = masspole*length*np.cos(th)
+    M = np.array([[masscart + masspole, coupling],
+                  [coupling, masspole*length**2*4/3]])
+    f = np.array([force + masspole*length*dth**2*np.sin(th), masspole*gravity*length*np.sin(th)])
+    return np.linalg.solve(M, f)
+"""
+
+
+def test_a_linear_system_by_the_line_of_the_entry_that_is_wrong(tmp_path) -> None:
+    for old, new, name, line in (("force +", "force -", "f[0]", 10), ("4/3", "1/3", "M[1, 1]", 9)):
+        (tmp_path / "cart.py").write_text(SOLVED.replace(old, new), encoding="utf-8")
+        rates = run_file(tmp_path / "cart.py").rates
+        found = mechanics.check(CART, rates, names={"force": "F"})
+        for entry in found.judged:
+            assert entry.finding.verdict.name == "REFUTED"
+            (edit,) = entry.blame.repairs[0].edits
+            assert edit.definition == name
+            assert int(edit.place.rpartition(" ")[2]) in (line, line - 1)

@@ -172,5 +172,5 @@ def test_what_has_no_name_is_told() -> None:
 
     with pytest.raises(InputError, match=r"\*args is read as nothing"):
         check(CART, star)
-    with pytest.raises(InputError, match=r"settings.cart_mass are: give --name 'cart_mass=..."):
+    with pytest.raises(InputError, match=r"settings.cart_mass: nothing .* --name 'cart_mass=..."):
         check(CART, by_settings)

@@ -10,12 +10,13 @@ import numpy as np
 import sympy
 
 from mechanics.errors import InputError
+from mechanics.reading.code.as_written import leaf
 from mechanics.reading.code.explorer import Explorer
 from mechanics.reading.code.traced import Traced, asked_of, expression_of
 from mechanics.reading.demands import asked, of_power
 
-LARGEST = 4
-"""Unknowns."""
+FEW, LARGEST = 3, 4
+"""Unknowns up to which formulas are kept as the code has them, and at all."""
 
 SYMMETRIC = ("sym", "symmetric", "her", "hermitian", "pos", "positive definite")
 
@@ -33,6 +34,8 @@ def solve(a: Any, b: Any) -> np.ndarray:
     if explorer is None:
         return np.linalg.solve(np.asarray(a, dtype=float), np.asarray(b, dtype=float))
     left = _square(matrix, explorer)
+    if len(matrix) <= FEW:
+        return _by_cramer(matrix, right, explorer)
     columns = right.reshape(len(matrix), -1)
     adjugate, determinant = left.adjugate(), left.det(method="berkowitz")
     target = sympy.Matrix(*columns.shape, [expression_of(x, explorer) for x in columns.flat])
@@ -41,6 +44,46 @@ def solve(a: Any, b: Any) -> np.ndarray:
     needed = asked(own, *(asked_of(x) for x in (*matrix.flat, *right.flat)))
     entries = [Traced(x, explorer, None, needed) for x in found]
     return np.array(entries, dtype=object).reshape(right.shape)
+
+
+def _by_cramer(matrix: np.ndarray, right: np.ndarray, explorer: Explorer) -> np.ndarray:
+    """The solution in the traced numbers themselves, which keep the names that the code gave."""
+    traced = np.array([_traced(x, explorer) for x in matrix.flat], dtype=object)
+    rows = traced.reshape(matrix.shape)
+    below = _expanded(rows)
+    found = np.empty(right.reshape(len(matrix), -1).shape, dtype=object)
+    for column in range(found.shape[1]):
+        for k in range(len(matrix)):
+            with_right = rows.copy()
+            with_right[:, k] = right.reshape(len(matrix), -1)[:, column]
+            found[k, column] = _expanded(with_right) / below
+    return found.reshape(right.shape)
+
+
+def _traced(number: Any, explorer: Explorer) -> Any:
+    value = expression_of(number, explorer)
+    return (
+        number
+        if value is None or isinstance(number, Traced)
+        else (Traced(value, explorer, leaf(value), asked_of(number)))
+    )
+
+
+def _expanded(rows: np.ndarray) -> Any:
+    """A determinant by its first row."""
+    if len(rows) == 1:
+        return rows[0, 0]
+    minors = (_expanded(np.delete(rows[1:], k, axis=1)) for k in range(len(rows)))
+    terms = [_times(entry, minor) for entry, minor in zip(rows[0], minors, strict=True)]
+    found = terms[0]
+    for k, term in enumerate(terms[1:], 1):
+        found = found - term if k % 2 else found + term
+    return found
+
+
+def _times(one: Any, other: Any) -> Any:
+    """A product, a sum last: SymPy would carry a sign into one that stands first."""
+    return other * one if isinstance(one, Traced) and one.expr.is_Add else one * other
 
 
 def _square(matrix: np.ndarray, explorer: Explorer) -> sympy.Matrix:
