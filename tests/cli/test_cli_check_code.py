@@ -16,7 +16,7 @@ double swing(double theta, double u, double m, double l, double g)
 }
 double wrong(double theta, double u, double m, double l, double g)
 {
-    return 3*g/(2*l)*cos(theta) + 3*u/(m*l*l);
+    return 3*g/(5*l)*sin(theta) + 3*u/(m*l*l);
 }
 """
 SIMULATOR = """
@@ -116,7 +116,7 @@ def test_a_value_of_a_parameter_stands_for_it(tmp_path: Path) -> None:
     found = run("elastic_pendulum", file, "--value", "g=9.81")
     assert found.exit_code == 0, found.output
     assert "judged where g = 9.81" in found.output
-    assert run("elastic_pendulum", file, "--no-blame").exit_code == 1
+    assert run("elastic_pendulum", file, "--no-blame").exit_code == 3
 
 
 def test_a_method_of_an_object_is_named_and_that_of_a_class_needs_one(tmp_path: Path) -> None:
