@@ -23,7 +23,7 @@ from mechanics.kernel.statement import RATES, ZERO
 from mechanics.program.builder import Builder, Node
 from mechanics.program.derivatives import gradient
 from mechanics.program.interpret import include
-from mechanics.program.residues import Residues
+from mechanics.program.residues import Choice, Residues
 
 STEPS = 60
 CLOSED = 2.0**-200
@@ -44,6 +44,8 @@ class Closure:
         A state at which (1) holds to 200 binary digits; empty where none is known.
     values : mapping of Node to Node
         What takes the place of dependent inputs; empty where no exact point is known.
+    choice : Choice or None
+        A point of the field that has the roots of these values: found once, filters begin with it.
     """
 
     configuration: tuple[Node, ...] = ()
@@ -51,6 +53,7 @@ class Closure:
     dependent: tuple[str, ...] = ()
     start: Mapping[str, Fraction] = field(default_factory=dict)
     values: Mapping[Node, Node] = field(default_factory=dict)
+    choice: Choice | None = None
 
     def __bool__(self) -> bool:
         return bool(self.configuration or self.rates)
@@ -81,17 +84,18 @@ def close(
     signs : mapping of str to Range
     """
     start = closed_state(builder, configuration, coordinates, suggested)
-    closure = Closure(tuple(configuration), tuple(rates), tuple(dependent), start)
-    closure = _with_values(builder, closure, signs)
-    if start and not closure.values:
-        # The state is where components meet: what is said there is said of all of them.
-        both = with_both_roots(builder, closure, signs)
-        return both if _is_regular(builder, both, coordinates) else closure
-    if start or _is_regular(builder, closure, coordinates):
-        return closure
+    plain = Closure(tuple(configuration), tuple(rates), tuple(dependent), start)
+    if start:
+        closure = _with_values(builder, plain, signs)
+        if closure.values:
+            return closure
+    # Where the state is one at which components meet, what is said is said of all of them.
+    both = _regular(builder, replace(plain, start={}), coordinates, signs)
+    if start or both:
+        return both or plain
     completed = _completed(builder, configuration, coordinates, suggested, signs)
-    known = _with_values(builder, replace(closure, start=completed, values={}), signs)
-    return known if _is_regular(builder, known, coordinates) else closure
+    known = _regular(builder, replace(plain, start=completed), coordinates, signs)
+    return known or _with_values(builder, plain, signs)
 
 
 def extended(
@@ -150,10 +154,30 @@ def _completed(
 
 def _is_regular(builder: Builder, closure: Closure, coordinates: Sequence[Node]) -> bool:
     """Whether the constraints restrict as many motions at the point as elsewhere."""
+    if not closure.values:
+        return False
     slopes = [gradient([one], [1], coordinates) for one in closure.configuration]
-    filters = Residues(builder), Residues(builder, closure.values)
-    ranks = [len(f.eliminate([f.values(row) for row in slopes], len(coordinates))) for f in filters]
-    return bool(closure.values) and ranks[0] == ranks[1]
+    filters = Residues(builder), Residues(builder, closure.values, closure.choice)
+    return filters[0].rank(slopes) == filters[1].rank(slopes)
+
+
+def _regular(
+    builder: Builder, plain: Closure, coordinates: Sequence[Node], signs: Mapping[str, Range]
+) -> Closure | None:
+    """The closure with values, where these are regular.
+
+    Tried in a builder of its own: filters draw until all roots exist that a builder has.
+    """
+    own = Builder()
+    groups = {"zero": plain.configuration, "rates": plain.rates, "q": coordinates}
+    zero, rates, q = map(tuple, include(own, builder.program(groups)).values())
+    tried = _with_values(own, replace(plain, configuration=zero, rates=rates), signs)
+    if not _is_regular(own, tried, q):
+        return None
+    named = {own.inputs[own.operands[0][x.number]]: [value] for x, value in tried.values.items()}
+    nodes = include(builder, own.program(named))
+    values = {builder.input(name): node for name, (node,) in nodes.items()}
+    return replace(plain, values=values, choice=Residues(builder, values).choice)
 
 
 def _with_values(builder: Builder, plain: Closure, signs: Mapping[str, Range]) -> Closure:
@@ -168,8 +192,9 @@ def _with_values(builder: Builder, plain: Closure, signs: Mapping[str, Range]) -
     solved = [name for name in program.inputs if name in constrained.program.outputs]
     nodes = include(builder, constrained.program)
     values = {builder.input(name): nodes[name][0] for name in solved}
-    closed = not any(Residues(builder, values).values([*configuration, *plain.rates]))
-    return replace(plain, values=values) if closed else plain
+    filter_ = Residues(builder, values, plain.choice)
+    closed = not any(filter_.values([*configuration, *plain.rates]))
+    return replace(plain, values=values, choice=filter_.choice) if closed else plain
 
 
 def independent_at(

@@ -372,10 +372,11 @@ class Mechanism:
 
         No pivot may be zero where the constraints hold. One filter is both without constraints.
         """
-        anywhere, closure = Residues(self.builder), self.closure
+        closure = self.closure
+        anywhere = Residues(self.builder, begin=closure.choice)
         if not closure:
             return anywhere, anywhere
-        return anywhere, Residues(self.builder, closure.values)
+        return anywhere, Residues(self.builder, closure.values, closure.choice)
 
     @property
     def multipliers(self) -> tuple[int, ...]:

@@ -2,7 +2,8 @@
 
 ``@pytest.mark.sample(n)`` leaves a law n of its cases, and those about the systems of the seed;
 the others get the marker ``campaign``, and ``--cases N`` leaves N of them. Both draw by a hash of
-the name of a case, so that every run on every machine has the same ones.
+the name of a case, so that every run on every machine has the same ones. ``--draws N`` is how many
+random mechanisms a campaign draws.
 """
 
 import sys
@@ -25,6 +26,8 @@ OF_THE_SEED = {system.name for system in SEED}
 def pytest_addoption(parser: pytest.Parser) -> None:
     words = "at most N cases of a law beside its sample"
     parser.addoption("--cases", type=int, default=sys.maxsize, metavar="N", help=words)
+    words = "mechanisms that the campaign of random ones draws"
+    parser.addoption("--draws", type=int, default=8, metavar="N", help=words)
 
 
 @pytest.hookimpl(tryfirst=True)

@@ -9,6 +9,7 @@ from linkages import LINKAGES, parallelogram, slider_crank
 from sympy import Expr, Rational
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols, inertia
 
+from benchmarks.space.deriving import distinct
 from mechanics.checks.admissible import check_scene
 from mechanics.checks.redundant import drop_redundant
 from mechanics.errors import SceneError
@@ -49,6 +50,16 @@ def test_constraints_vanish_at_the_point_of_the_closed_filter(name: str) -> None
     assert len(every) >= len(mechanism.constraints)
     assert set(closed.values(every)) == {0}
     assert 0 not in anywhere.values(every)
+
+
+def test_filters_begin_with_the_point_of_the_closure(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A point that closes n loops of distinct lengths is found after many draws: once is enough."""
+    mechanism = lower(four_bar_chain.scene(6, distinct), Builder())
+    monkeypatch.setattr("mechanics.program.residues.TRIED_POINTS", 0)
+    _, closed = mechanism.filters
+    assert set(closed.values([*mechanism.closure.configuration, *mechanism.closure.rates])) == {0}
+    _, fresh = replace(mechanism, closure=replace(mechanism.closure, choice=None)).filters
+    assert any(fresh.values([*mechanism.closure.configuration]))
 
 
 @pytest.mark.parametrize("name", SCENES)

@@ -14,7 +14,6 @@ from benchmarks.space import scenes
 from mechanics.checks.agreement import compare_pairs, linear_system
 from mechanics.mechanism import lower
 from mechanics.program import Builder
-from mechanics.program.residues import Residues
 from mechanics.routes import free_body, kane, lagrange, moving_point
 from mechanics.scene import Scene
 from systems import andrews, bicycle, four_bar_chain, rolling_disc
@@ -90,7 +89,7 @@ def derivation(make: Callable[[], Scene]) -> dict[str, object]:
     times.append(process_time())
     routes = [route.derive(mechanism) for route in ROUTES]
     times.append(process_time())
-    filter_ = Residues(mechanism.builder)
+    _, filter_ = mechanism.filters
     systems = {rows.route: linear_system(mechanism, rows, filter_) for rows in routes}
     findings = compare_pairs(systems)
     times.append(process_time())

@@ -98,7 +98,7 @@ def linear_system(mechanism: Mechanism, rows: Rows, filter_: Residues) -> Derive
     every = [*rows.values, *acceleration_forms(mechanism)]
     matrix = coefficients(every, unknowns)
     right = [-entry for entry in remainder(mechanism.builder, every, unknowns)]
-    rank = len(filter_.eliminate([filter_.values(row) for row in matrix], len(unknowns)))
+    rank = filter_.rank(matrix)
     if rank < len(unknowns) or len(matrix) != len(unknowns):
         raise SingularError(
             f"{mechanism.name}, route {rows.route}: rank {rank} for {len(unknowns)} unknowns:"

@@ -63,8 +63,7 @@ def drop_redundant(scene: Scene) -> Scene:
             f"{scene.name}: no state is known at which its constraints hold: give an example, and"
             " typical values of the parameters"
         )
-    everywhere = [anywhere.values(row) for row in forms]
-    if len(anywhere.eliminate(everywhere, width)) > len(kept):
+    if anywhere.rank(forms) > len(kept):
         speeds = {*map(name_of, mechanism.u)}
         solved = sum(name_of(node) not in speeds for node in closure.values)
         exact = solved == sum(c.holonomic for i, c in enumerate(scene.constraints) if i in kept)

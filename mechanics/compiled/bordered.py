@@ -117,10 +117,8 @@ class Bordered:
         """At the fixed values, at a point of a field, the constraints left out."""
         n, flat = len(matrix[0]), [entry for row in matrix for entry in row]
         build, found = bind(self.mechanism.builder.program({"entries": flat}), self.fixed)
-        filter_ = Residues(build)
-        values = filter_.values(found["entries"])
-        rows = [values[n * i : n * (i + 1)] for i in range(len(matrix))]
-        return len(filter_.eliminate(rows, n))
+        rows = [found["entries"][n * i : n * (i + 1)] for i in range(len(matrix))]
+        return Residues(build).rank(rows)
 
     @property
     def _general(self) -> Matrix:

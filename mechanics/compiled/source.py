@@ -73,10 +73,8 @@ def _determined(equations: Equations, fixed: Fixed) -> None:
             f"{named} something is divided by zero: leave the parameter free"
         ) from None
     n = len(unknowns)
-    filter_ = Residues(other)
-    values = filter_.values(found["K"])
-    table = [values[n * i : n * (i + 1)] for i in range(len(matrix))]
-    if len(filter_.eliminate(table, n)) < n:
+    table = [found["K"][n * i : n * (i + 1)] for i in range(len(matrix))]
+    if Residues(other).rank(table) < n:
         raise SingularError(
             f"{named} the equations do not determine the accelerations: is a body left without"
             " mass?"

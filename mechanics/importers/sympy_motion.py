@@ -355,17 +355,15 @@ class _Placing:
         speeds = [u for u in speeds if build.operations[u.number] == INPUT]
         filter_ = Residues(build)
 
-        def rows(nodes: Sequence[Node]) -> list[list[int]]:
+        def rows(nodes: Sequence[Node]) -> list[list[Node]]:
             found = coefficients(nodes, speeds)
             rests = remainder(build, nodes, speeds)
-            return [filter_.values([*f, r]) for f, r in zip(found, rests, strict=True)]
+            return [[*f, r] for f, r in zip(found, rests, strict=True)]
 
         if not forms:
             return False
         table = rows(forms)
-        rank = len(filter_.eliminate([[*row] for row in table], len(speeds) + 1))
-        more = [*table, *rows(slip)]
-        return len(filter_.eliminate(more, len(speeds) + 1)) == rank
+        return filter_.rank([*table, *rows(slip)]) == filter_.rank(table)
 
     def offset(self, anchor: Point, body: Any, slip: Any) -> Vector:
         """The integral of w, component by component."""

@@ -295,8 +295,7 @@ def _working(scene: Scene, idle: Set[str]) -> tuple[Body, ...]:
     if not entries:
         return scene.bodies
     filter_, _ = mechanism.filters
-    rows = [filter_.values(row) for row in coefficients(entries, mechanism.u)]
-    if len(filter_.eliminate(rows, len(mechanism.u))) < len(mechanism.u):
+    if filter_.rank(coefficients(entries, mechanism.u)) < len(mechanism.u):
         return scene.bodies
     return tuple(body for body in scene.bodies if body.name not in idle)
 

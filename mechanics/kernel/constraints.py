@@ -111,8 +111,8 @@ class _Solver:
     """Constraints solved one by one, loop by loop.
 
     Constraints are taken as they stand, with inputs that were replaced as if they were given, so
-    that a loop stays as short as it is; only where a value holds an input that is asked for, it is
-    put in. `below` has the inputs that each value is computed from, through others.
+    that a loop stays as short as it is; only a value that holds an input which is asked for is put
+    in, one constraint at a time. `below` has the inputs of each value, through others.
     """
 
     builder: Builder
@@ -143,14 +143,13 @@ class _Solver:
         """Take an input out for each constraint; False where no way applies."""
         left = list(constraints)
         while left:
-            found = self._step(left)
-            if found is not None:
+            if (found := self._step(left)) is not None:
                 self._take(found)
                 left = [*(node for node in left if node not in found.used), *found.left]
                 continue
-            before, left = left, list(map(self._put_in, left))
-            if left == before:
-                left = [node for node in left if not self._holds(node, False)]
+            before, longer = left, next((n for n in left if self._put_in(n) != n), None)
+            left = [self._put_in(node) if node == longer else node for node in left
+                    if longer is not None or not self._holds(node, False)]  # fmt: skip
             if left == before:
                 return False
         return True
@@ -168,7 +167,7 @@ class _Solver:
         return frozenset[str]().union(*(self.below[name] for name in names & self.below.keys()))
 
     def _step(self, left: Sequence[Node]) -> Replacement | None:
-        """The first way to take an input out, inputs of few constraints first."""
+        """The first way to take an input out, inputs of few constraints of one loop first."""
         holding: dict[str, list[Node]] = {name: [] for name in self.statement.dependent}
         twice = set(self.values)
         for node in left:
@@ -178,7 +177,9 @@ class _Solver:
             # What a value in it holds, too, is asked for when that value is put in.
             twice |= held & self._below(held)
         names = [name for name, nodes in holding.items() if nodes and name not in twice]
-        names.sort(key=lambda name: len(holding[name]))
+        sets = {name: [self.held(node.number) for node in holding[name]] for name in names}
+        names.sort(key=lambda name: (len(sets[name]), len(
+            frozenset.union(*sets[name]) - frozenset.intersection(*sets[name]))))  # fmt: skip
         for way in (_linear, _of_one_angle, _two_circles, _of_two_angles, _quadratic):
             for name in names:
                 key = way, name, *(node.number for node in holding[name])
@@ -190,9 +191,9 @@ class _Solver:
 
     def _put_in(self, node: Node) -> Node:
         """A constraint with the values that hold inputs which are still asked for."""
-        asked = set(self.statement.dependent)
         held = sorted(self.held(node.number) & self.values.keys())
-        names = {name: self.values[name] for name in held if self.below[name] & asked}
+        names = {name: self.values[name] for name in held
+                 if not self.below[name].isdisjoint(self.statement.dependent)}  # fmt: skip
         if not names:
             return node
         (put,) = include(self.builder, self.builder.program({"x": [node]}), names)["x"]
@@ -211,8 +212,7 @@ class _Solver:
 
     def _holds(self, node: Node, unknown: bool) -> bool:
         """Whether a node is zero wherever it is known by now; `unknown` where no point is found."""
-        target = Builder()
-        program = self.builder.program({"x": [node]})
+        target, program = Builder(), self.builder.program({"x": [node]})
         names = self.resolved(target)
         outputs = include(target, program, {n: names[n] for n in program.inputs if n in names})
         try:

@@ -8,7 +8,6 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from mechanics.mechanism import GROUND, Mechanism, Mixed
-from mechanics.program.residues import Residues
 from mechanics.program.vectors import Matrix, Vector, add, product, times, transpose, zeros
 
 
@@ -84,7 +83,7 @@ class BodyMotion:
 
 def body_motions(mechanism: Mechanism, motions: Motions) -> tuple[BodyMotion, ...]:
     """Motion of every body, in the order of the mechanism."""
-    found, filter_ = [], Residues(mechanism.builder)
+    found, (filter_, _) = [], mechanism.filters
     for index, body in enumerate(mechanism.bodies):
         centre = motions.points[body.centre]
         if body.frame is None or body.inertia is None:

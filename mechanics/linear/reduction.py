@@ -138,10 +138,8 @@ def reduction(equations: Equations, derived: Derived, place: Place, given: set[s
 
 def _generic_rank(mechanism: Mechanism, matrix: Rows) -> int:
     """Independent constraints near the operating point."""
-    if not matrix:
-        return 0
     _, closed = mechanism.filters
-    return len(closed.eliminate([closed.values(row) for row in matrix], len(mechanism.u)))
+    return closed.rank(matrix)
 
 
 def _dependent(

@@ -7,7 +7,8 @@ their parts; functions that the field does not know are any numbers, equal for e
 
 Half of all numbers have no root modulo one prime. So the prime is one that has the roots of
 numbers, as sqrt(3) of a turn by pi / 6; and inputs are drawn again, group by group, until what is
-below a root of theirs has one, as a^2 + w^2 of a turn by atan2(w, a).
+below a root of theirs has one, as a^2 + w^2 of a turn by atan2(w, a). Where loops close one after
+the other that is found after many draws, so a filter may begin with what another one found.
 """
 
 from __future__ import annotations
@@ -21,7 +22,7 @@ from functools import cached_property
 from itertools import chain, islice
 from typing import Any
 
-from flint import fmpz
+from flint import fmpz, nmod_mat
 
 from mechanics.program.builder import Builder, Node
 from mechanics.program.operations import (
@@ -57,6 +58,9 @@ TRIED_PRIMES = 1024
 
 TRIED_POINTS = 1024
 """Each root of inputs halves the points that have it."""
+
+BEGIN = -1
+"""The round whose inputs are those of another filter."""
 
 FEW_ROOTS = 8
 FLIPS = 4
@@ -128,6 +132,24 @@ def _primes() -> Iterator[int]:
         candidate -= 8
 
 
+@dataclass(frozen=True)
+class Choice:
+    """The point of a filter, for other filters of the same builder to begin with.
+
+    Attributes
+    ----------
+    prime : int
+    inputs : mapping of int to int
+        Residues of the inputs below roots, by their numbers.
+    other : frozenset of int
+        Roots that have the other sign.
+    """
+
+    prime: int
+    inputs: Mapping[int, int]
+    other: frozenset[int]
+
+
 @dataclass
 class Residues:
     """Values of nodes of one builder, each computed once.
@@ -140,10 +162,13 @@ class Residues:
     builder : Builder
     replaced : mapping of Node to Node, optional
         What takes the place of inputs: what constraints give.
+    begin : Choice, optional
+        Tried first; where a root does not exist there, inputs are drawn as without it.
     """
 
     builder: Builder
     replaced: Mapping[Node, Node] = field(default_factory=dict)
+    begin: Choice | None = None
     _values: dict[int, int] = field(default_factory=dict)
     _solutions: dict[int, list[int]] = field(default_factory=dict)
     _points: dict[tuple[int, Fraction], Point] = field(default_factory=dict)
@@ -169,18 +194,30 @@ class Residues:
         """Choose the prime, then the point."""
         groups = self._groups()
         numbers = groups.pop(0, [])
-        for self._prime in chain(islice(_primes(), TRIED_PRIMES), [PRIME]):
+        first = [] if self.begin is None else [self.begin.prime]
+        for self._prime in chain(first, islice(_primes(), TRIED_PRIMES), [PRIME]):
             self._forget((0, 0, 0))
             if self._count(numbers) == len(numbers):
                 break
         for roots in groups.values():
             self._draw(roots)
 
+    @property
+    def choice(self) -> Choice:
+        """What is chosen, with all inputs that have values by now."""
+        prime, operations = self.prime, self.builder.operations
+        inputs = {
+            number: value
+            for number, value in self._values.items()
+            if operations[number] == INPUT and Node(self.builder, number) not in self.replaced
+        }
+        return Choice(prime, inputs, frozenset(self._other))
+
     def _draw(self, roots: Sequence[int]) -> None:
         """Draw the inputs of some roots until all of these exist, or as many as can be."""
         marks = len(self._values), len(self._solutions), len(self._points)
-        best, steps = (-1, 0), 0
-        for self._round in range(TRIED_POINTS):
+        best, steps, first = (-1, 0), 0, 0 if self.begin is None else BEGIN
+        for self._round in range(first, TRIED_POINTS):
             count = self._count(roots)
             best = max(best, (count, -self._round))
             steps += len(self._values) - marks[0] + 1
@@ -207,6 +244,8 @@ class Residues:
         sqrt(a) sqrt(b), which signs break.
         """
         self._other.difference_update(roots)
+        if self.begin is not None and self._round == BEGIN:
+            self._other |= self.begin.other.intersection(roots)
         count = most = flips = 0
         allowed = FLIPS * len(roots) if len(roots) > FEW_ROOTS else 0
         trail: list[tuple[int, tuple[int, int, int]]] = []
@@ -278,6 +317,12 @@ class Residues:
         """Gauss-Jordan elimination of values of this filter: see the function `eliminate`."""
         return eliminate(rows, columns, self.prime)
 
+    def rank(self, matrix: Sequence[Sequence[Node]]) -> int:
+        """Rank of a matrix of nodes at the point."""
+        entries = self.values([entry for row in matrix for entry in row])
+        width = len(matrix[0]) if matrix else 0
+        return int(nmod_mat(len(matrix), width, entries, self.prime).rank())
+
     def is_zero(self, node: Node) -> bool:
         """Whether a node is zero at the point."""
         return node.is_zero or self.values([node])[0] == 0
@@ -346,8 +391,7 @@ class Residues:
             values[number] = ratio.numerator * pow(ratio.denominator, -1, self._prime) % self._prime
         elif code == INPUT:
             value = self.replaced.get(Node(build, number))
-            words = ("input", build.inputs[a], *([self._round] if self._round else []))
-            values[number] = _draw_residue(*words) if value is None else values[value.number]
+            values[number] = self._input(number) if value is None else values[value.number]
         elif code == DIVIDE and values[b]:
             values[number] = values[a] * pow(values[b], -1, self._prime) % self._prime
         elif code == SOLVE:
@@ -362,6 +406,12 @@ class Residues:
         else:
             operands = [values[column[number]] for column in build.operands[: ARITY[code]]]
             values[number] = _draw_residue(OPERATIONS[code].name, *operands)
+
+    def _input(self, number: int) -> int:
+        if self.begin is not None and self._round == BEGIN and number in self.begin.inputs:
+            return self.begin.inputs[number]
+        name = self.builder.inputs[self.builder.operands[0][number]]
+        return _draw_residue("input", name, *([self._round] if self._round else []))
 
     def _point(self, number: int, factor: Fraction) -> Point:
         """Cosine and sine of a multiple of an angle: linear in angles that are not looked into."""

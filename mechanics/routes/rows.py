@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 
 from mechanics.errors import SceneError
-from mechanics.mechanism import Mechanism
+from mechanics.mechanism import Mechanism, inputs_of
 from mechanics.program.builder import Builder, Node
 from mechanics.program.derivatives import gradient
 from mechanics.program.forward import tangent
@@ -25,17 +25,16 @@ def velocity_forms(mechanism: Mechanism) -> list[Node]:
     SceneError
         When a holonomic constraint holds speeds.
     """
-    forms = []
+    forms, rates, speeds = [], mechanism.rates, {*mechanism.u, *mechanism.ud}
     for constraint in mechanism.constraints:
         expression = constraint.expression
         if constraint.holonomic:
-            held = gradient([expression], [1], [*mechanism.u, *mechanism.ud])
-            if any(not entry.is_zero for entry in held):
+            if not speeds.isdisjoint(inputs_of([expression])):
                 raise SceneError(
                     f"constraint {constraint.name}: a holonomic constraint holds no speeds:"
                     " declare it with nonholonomic(...)"
                 )
-            (expression,) = tangent([expression], mechanism.rates)
+            (expression,) = tangent([expression], rates)
         forms.append(expression)
     return forms
 

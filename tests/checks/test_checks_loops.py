@@ -1,7 +1,9 @@
 """Rows of four-bars: every loop is closed by itself, and all routes agree."""
 
+from dataclasses import replace
+
 import pytest
-from sympy import Rational
+from sympy import Expr, Rational
 from sympy.physics.mechanics import Point, ReferenceFrame, inertia
 from sympy.physics.vector import dynamicsymbols
 
@@ -33,6 +35,51 @@ def test_all_routes_agree_on_a_row_of_four_bars(count: int, length) -> None:
     assert len(mechanism.closure.values) == 4 * count
     pairs = compare_pairs(derive_rows(mechanism, ROUTES).routes)
     assert len(pairs) == 6
+    assert all(finding.shown for finding in pairs.values())
+
+
+SIZES = {"crank": Rational(1), "coupler": Rational(2), "ground": Rational(21, 10)}
+LONG = Rational(33, 10)
+
+
+def shared(kind: str, _: int) -> Expr:
+    """Three lengths for all loops."""
+    (length,) = parameters(kind, typical=str(float(SIZES[kind])))
+    return length
+
+
+def mixed(kind: str, number: int) -> Expr:
+    """Numbers, and lengths that neighbours and bars of one loop share."""
+    a, b, c = parameters("a b c", typical="2.9 3 2")
+    of = {"crank": (a, b, LONG, LONG), "coupler": (LONG, a, c), "ground": (b, a, LONG)}
+    return of[kind][number]
+
+
+def numbers(kind: str, _: int) -> Expr:
+    return SIZES[kind]
+
+
+CROSSED = {"q1": -1.02, "q2": -2.11, "q3": 0.03, "q4": -2.23, "q5": 0.05, "q6": -2.36,
+           "q7": 0.06, "q8": -2.53, "q9": 0.10, "q10": -2.76}  # fmt: skip
+"""The other branch of every loop of `shared` and `numbers`."""
+
+
+@pytest.mark.parametrize(
+    ("count", "length", "example"),
+    [
+        (5, shared, {}), (3, mixed, {}), (2, shared, CROSSED), (2, numbers, CROSSED),
+        pytest.param(5, shared, CROSSED, marks=pytest.mark.campaign),
+        pytest.param(5, numbers, CROSSED, marks=pytest.mark.campaign),
+    ],
+)  # fmt: skip
+def test_points_follow_the_branch_of_the_example(count: int, length, example: dict) -> None:
+    """Lengths that loops share go with one loop; all others are closed by angles."""
+    scene = four_bar_chain.scene(count, length)
+    own = {name: value for name, value in example.items() if int(name[1:]) <= 2 * count}
+    mechanism = check_scene(replace(scene, example={**scene.example, **own}))
+    assert len(mechanism.closure.values) == 4 * count
+    assert (mechanism.closure.start["q2"] < -2) == bool(example)
+    pairs = compare_pairs(derive_rows(mechanism, ROUTES).routes)
     assert all(finding.shown for finding in pairs.values())
 
 

@@ -10,6 +10,7 @@ norm a row of A. Nothing of the package is used but the scene's own points and f
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import partial
 from itertools import combinations
 
 import numpy as np
@@ -347,10 +348,10 @@ def speeds(scene: Scene, made: Made, values: dict, rates: dict) -> Array:
 
 KINDS = ("disc", "ball", "ball quaternion", "wheel", "wheel quaternion")
 MECHANISMS = st.one_of(
-    st.builds(tree, trees(), st.tuples(*[st.booleans()] * 3)),
-    st.builds(linkage, linkages()),
-    st.builds(roller, st.builds(Roller, st.sampled_from(KINDS),
-                                st.sampled_from(("none", "pin", "slide")))),
+    st.builds(partial, st.just(tree), trees(), st.tuples(*[st.booleans()] * 3)),
+    st.builds(partial, st.just(linkage), linkages()),
+    st.builds(partial, st.just(roller), st.builds(Roller, st.sampled_from(KINDS),
+                                                  st.sampled_from(("none", "pin", "slide")))),
 )  # fmt: skip
 
 
@@ -361,8 +362,15 @@ def test_quaternions_move_as_numpy_says(kind: str) -> None:
 
 
 @pytest.mark.campaign
-@seed(13)
-@settings(max_examples=8, deadline=None, phases=(Phase.explicit, Phase.generate), database=None)
-@given(made=MECHANISMS, number=st.integers(0, 99))
-def test_random_mechanisms_agree(made: Made, number: int) -> None:
-    assert_all_agree(made, number)
+def test_random_mechanisms_agree(request: pytest.FixtureRequest) -> None:
+    compared = []
+
+    @seed(13)
+    @settings(max_examples=request.config.getoption("draws"), deadline=None, database=None,
+              phases=(Phase.explicit, Phase.generate))  # fmt: skip
+    @given(make=MECHANISMS, number=st.integers(0, 99))
+    def agree(make: Callable[[], Made], number: int) -> None:
+        compared.append(assert_all_agree(make(), number))
+
+    agree()
+    assert compared.count(True) > len(compared) / 2

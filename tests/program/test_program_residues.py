@@ -138,6 +138,37 @@ ROOTS_OF_INPUTS = {
 }  # fmt: skip
 
 
+def test_the_rank_of_a_matrix_is_its_number_of_pivots() -> None:
+    b = Builder()
+    x, y = b.input("x"), b.input("y")
+    c, s = x.cos(), x.sin()
+    matrices = {
+        0: [], 1: [[x, y], [x * y, y * y]], 2: [[c, s, y], [-s, c, x], [b.zero] * 3],
+        3: [[c, s, b.zero], [-s, c, b.zero], [x, y, x - y]],
+    }  # fmt: skip
+    for rank, rows in matrices.items():
+        filter_ = Residues(b)
+        assert filter_.rank(rows) == rank
+        assert (
+            len(filter_.eliminate([filter_.values(row) for row in rows], 3 if rank > 1 else 2))
+            == rank
+        )
+
+
+def test_a_filter_begins_with_the_point_of_another_where_all_roots_exist() -> None:
+    b = Builder()
+    x, y = b.input("x"), b.input("y")
+    b.call("sqrt", x)
+    first = Residues(b)
+    first.values([x])
+    assert Residues(b, begin=first.choice).values([x]) == first.values([x])
+    for k in range(10):  # half of these have no root at the point of the first filter
+        root = (x + k).sqrt() * y.sqrt()
+        again = Residues(b, begin=first.choice)
+        left, right = again.values([root * root, (x + k) * y])
+        assert left == right
+
+
 @pytest.mark.parametrize("name", ROOTS_OF_INPUTS)
 def test_inputs_are_drawn_until_their_roots_exist(name: str) -> None:
     b = Builder()
