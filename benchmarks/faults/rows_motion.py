@@ -6,8 +6,8 @@ CONSTRAINTS = (
     *faults_in(
         "mechanics.routes.rows",
         (
-            "(expression,) = tangent([expression], mechanism.rates)",
-            "(expression,) = tangent([expression * mechanism.q[0]], mechanism.rates)",
+            "(expression,) = tangent([expression], rates)",
+            "(expression,) = tangent([expression * mechanism.q[0]], rates)",
             "closures are multiplied by the first coordinate",
         ),
         (

@@ -10,7 +10,7 @@ higher order would be called right.
 
 from collections.abc import Sequence
 
-from sympy import Dummy, Expr, Matrix, S, Symbol
+from sympy import Abs, Dummy, Expr, Matrix, Max, Min, Mod, Piecewise, S, Symbol, sign
 from sympy.functions.elementary.trigonometric import TrigonometricFunction
 
 from mechanics.equations import Equations
@@ -25,6 +25,8 @@ from mechanics.symbolic.decide import prove_zero
 
 MOST = 4
 """Speeds up to which this is looked at."""
+
+STEPS = (Piecewise, Abs, Max, Min, Mod, sign)
 
 E = Dummy("e")
 
@@ -75,6 +77,8 @@ def _residual(scene: Scene, statement: Statement) -> Expr | None:
 def _linearized(residual: Expr, q: set[Symbol], qd: set[Symbol], qdd: set[Symbol]) -> bool:
     """Whether an angle stands by itself, and no product of two that vanish with the angles."""
     small = q | qd | qdd
+    if any(f.free_symbols & small for f in residual.atoms(*STEPS)):
+        return False  # what has cases is no linear equation
     circular = {f for f in residual.atoms(TrigonometricFunction) if f.free_symbols & small}
     hidden = {function: Dummy() for function in circular}
     bare = residual.xreplace(hidden)

@@ -54,7 +54,8 @@ class Written:
 
         def leaf(key: Expr | Coefficient) -> Any:
             if isinstance(key, Coefficient):
-                return exact.value(key.expr)
+                # A factor is chosen as one: x / 3 would be a division that others count.
+                return exact.graph(exact.value(key.expr))
             return value(self.roots[key]) if key in self.roots else exact.value(translate(key))
 
         return {name: exact.graph(value(place)) for name, place in self.roots.items()}
